@@ -1,0 +1,70 @@
+// Exercises and their toggles: which version of each, the student's or the reference, is in use.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lightwalk {
+
+/// The state of every toggle. An exercise is known by its id, "NN.name".
+class Exercises {
+  public:
+    /// True where the reference of `id` is in use. In a tree without solutions it is always false.
+    static bool uses_solution(std::string_view id);
+
+    /// What --use takes: "solution", "exercise", or a list whose later items overrule earlier ones, such as
+    /// "exercise,03.point_attenuation=solution". Throws InputError and lists the ids where one is unknown.
+    static void use(std::string_view which);
+    static void set(std::string_view id, bool solution);
+
+    /// Every id known: C++ exercises that are linked in, and shaders/NN_name/exercise/*.glsl of all chapters.
+    static std::vector<std::string> ids();
+
+    /// False in a handout: there is no solution to switch to.
+    static bool has_solution(std::string_view id);
+
+    /// Makes a C++ exercise known; Toggle calls it.
+    static void declare(std::string_view id, bool has_solution);
+
+    /// Counts the changes, so that what depends on a toggle knows when to be made anew.
+    static unsigned generation();
+};
+
+template <class Signature>
+class Toggle;
+
+/// A C++ exercise: two functions of one signature. Calling it calls the one in use.
+template <class Result, class... Arguments>
+class Toggle<Result(Arguments...)> {
+  public:
+    using Function = Result (*)(Arguments...);
+    Toggle(const char* id, Function exercise, Function solution) : id_(id), exercise_(exercise), solution_(solution) {
+        Exercises::declare(id, solution != nullptr);
+    }
+    /// The version in use. Look it up once before a loop over millions of calls.
+    Function function() const { return solution_ && Exercises::uses_solution(id_) ? solution_ : exercise_; }
+    Result operator()(Arguments... arguments) const { return function()(static_cast<Arguments&&>(arguments)...); }
+
+  private:
+    const char* id_;
+    Function exercise_, solution_;
+};
+
+}  // namespace lightwalk
+
+#ifdef LIGHTWALK_NO_SOLUTION
+#define LIGHTWALK_SOLUTION(name) nullptr
+#else
+#define LIGHTWALK_SOLUTION(name) &solution::name
+#endif
+
+/// Declares exercise::name and solution::name and the toggle `name` that calls one of them, within namespace
+/// lightwalk. EXERCISE("01.triangulate", void, triangulate, int a, int b);
+#define EXERCISE(id, result, name, ...)  \
+    namespace exercise {                 \
+    result name(__VA_ARGS__);            \
+    }                                    \
+    namespace solution {                 \
+    result name(__VA_ARGS__);            \
+    }                                    \
+    inline const Toggle<result(__VA_ARGS__)> name { id, &exercise::name, LIGHTWALK_SOLUTION(name) }

@@ -1,0 +1,60 @@
+// What a loader delivers: meshes, materials and a node tree, on the CPU.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "common/structs.h"
+#include "common/scene/material.h"
+
+namespace lightwalk {
+
+/// Axis-aligned box in the mesh's own space; empty when lower > upper.
+struct Bounds {
+    glm::vec3 lower{1e30f}, upper{-1e30f};
+    void add(glm::vec3 p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
+    void add(const Bounds& b) { lower = glm::min(lower, b.lower), upper = glm::max(upper, b.upper); }
+    bool empty() const { return lower.x > upper.x; }
+    glm::vec3 center() const { return 0.5f * (lower + upper); }
+    glm::vec3 extent() const { return upper - lower; }
+};
+
+/// A run of a mesh's indices drawn with one material. `material` indexes Model::materials.
+struct Part {
+    uint32_t first_index = 0, index_count = 0, material = 0;
+};
+
+/// Triangles with shared vertices; counter-clockwise is the front. Every index is below vertices.size().
+struct Mesh {
+    std::string name;
+    std::vector<Vertex> vertices;
+    std::vector<uint32_t> indices;
+    std::vector<Part> parts;
+    Bounds bounds;
+};
+
+/// A node of the tree: `parent` is an earlier node or -1; `local` maps to the parent's space.
+struct Node {
+    std::string name;
+    int parent = -1;
+    glm::mat4 local{1.0f};
+    std::vector<uint32_t> meshes;
+};
+
+struct Model {
+    std::vector<Mesh> meshes;
+    std::vector<Material> materials;  ///< never empty: a default stands in where the file names none
+    std::vector<Node> nodes;
+};
+
+/// Each node's transform into the model's space: the product of the locals from the root down.
+std::vector<glm::mat4> world_transforms(const Model& model);
+
+/// The box around every vertex that a node places.
+Bounds model_bounds(const Model& model);
+
+/// Area-weighted vertex normals where a mesh has none (all zero); leaves others alone. Degenerate: (0, 1, 0).
+void fill_missing_normals(Mesh& mesh);
+
+}  // namespace lightwalk
