@@ -12,5 +12,33 @@ struct Vertex {
     vec2 uv;        // v = 0 is the bottom row of an image
 };
 
+// One drawn part of a mesh; gl_InstanceIndex counts them.
+struct Instance {
+    mat4 model;          // object to world
+    mat3 normal_matrix;  // inverse transpose of its upper 3×3
+    uint material;
+};
+
+// A material's numbers. The bits of `maps` say which of its textures exist.
+struct MaterialData {
+    vec3 diffuse;
+    float shininess;  // Blinn–Phong exponent
+    vec3 specular;
+    float opacity;
+    vec3 emissive;
+    uint maps;
+};
+
+const uint DIFFUSE_MAP = 1u;
+const uint OPACITY_MAP = 2u;
+
+// What every vertex and fragment may know of the camera.
+struct View {
+    mat4 view_projection;  // world to clip space: y down, depth 1 near and 0 far
+    vec3 eye;              // metres, world space
+    float time_s;
+    vec2 size;             // pixels
+};
+
 END_SHARED
 #endif
