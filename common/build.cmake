@@ -58,7 +58,15 @@ function(lightwalk_chapters)
     endif()
     add_executable(${chapter} ${folder}/main.cpp)
     target_link_libraries(${chapter} PRIVATE chapter_${chapter} $<TARGET_OBJECTS:chapter_${chapter}>)
+    target_compile_definitions(${chapter} PRIVATE LIGHTWALK_CHAPTER="${chapter}")
     set_target_properties(${chapter} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
+    # Every shader in every variant is compiled and validated as part of the build, which also fills the cache.
+    file(GLOB_RECURSE shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/*)
+    add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders
+                       COMMAND ${chapter} --compile-shaders
+                       COMMAND ${CMAKE_COMMAND} -E touch ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders
+                       DEPENDS ${chapter} ${shaders} VERBATIM)
+    add_custom_target(shaders_${chapter} ALL DEPENDS ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders)
     list(APPEND earlier ${chapter})
   endforeach()
   set(LIGHTWALK_CHAPTERS ${earlier} PARENT_SCOPE)

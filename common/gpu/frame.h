@@ -24,6 +24,7 @@ class Frame {
     Gpu& gpu;
     glm::uvec2 size{0};  ///< pixels
     float time_s = 0;
+    unsigned seed = 0;
     Image hdr;     ///< RGBA16F, linear: what chapters draw into
     Image depth;   ///< D32F, reversed: 1 at the near plane, 0 at the far one
     Image output;  ///< RGBA8, sRGB-encoded: the picture

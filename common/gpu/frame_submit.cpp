@@ -1,3 +1,5 @@
+#include <array>
+
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -12,26 +14,23 @@ void Frame::end(VkSemaphore wait, VkSemaphore signal) {
                                      .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
     };
     std::vector<VkCommandBufferSubmitInfo> commands(count);
-    std::vector<VkSemaphoreSubmitInfo> signals(count + 1);
+    std::vector<std::array<VkSemaphoreSubmitInfo, 2>> signals(count);
     std::vector<VkSubmitInfo2> submits(count);
     const VkSemaphoreSubmitInfo first_wait = semaphore_info(wait, 0);
     for (size_t i = 0; i < count; ++i) {
         commands[i] = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, .commandBuffer = passes_[i].commands};
-        signals[i] = semaphore_info(timeline_, counted_ + i + 1);
+        signals[i] = {semaphore_info(timeline_, counted_ + i + 1), semaphore_info(signal, 0)};
         submits[i] = {.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
                       .commandBufferInfoCount = 1,
                       .pCommandBufferInfos = &commands[i],
                       .signalSemaphoreInfoCount = 1,
-                      .pSignalSemaphoreInfos = &signals[i]};
+                      .pSignalSemaphoreInfos = signals[i].data()};
     }
     if (wait) {
         submits.front().waitSemaphoreInfoCount = 1;
         submits.front().pWaitSemaphoreInfos = &first_wait;
     }
-    if (signal) {
-        signals[count] = semaphore_info(signal, 0);
-        submits.back().signalSemaphoreInfoCount = 2;
-    }
+    if (signal) submits.back().signalSemaphoreInfoCount = 2;
     check(vkQueueSubmit2(gpu.device.queue, static_cast<uint32_t>(count), submits.data(), VK_NULL_HANDLE),
           "vkQueueSubmit2");
     const uint64_t target = counted_ + count;

@@ -4,7 +4,7 @@ namespace lightwalk {
 namespace {
 
 VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
-    VkPipelineColorBlendAttachmentState state{.blendEnable = blend != Blend::none,
+    VkPipelineColorBlendAttachmentState state{.blendEnable = blend != Blend::opaque,
                                               .srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA,
                                               .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
                                               .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,

@@ -11,7 +11,7 @@
 
 namespace lightwalk {
 
-enum class Blend { none, alpha, add };
+enum class Blend { opaque, alpha, add };
 
 /// A pipeline's description. It builds nothing by itself: the variant in use follows the toggles and choices of the
 /// moment. Every live one is in Pipeline::all(), so that the build can compile them all.
@@ -21,7 +21,7 @@ class Pipeline {
         std::string vertex, geometry, fragment;  ///< below shaders/
         VkCullModeFlags cull = VK_CULL_MODE_BACK_BIT;
         bool depth_test = true, depth_write = true;
-        Blend blend = Blend::none;
+        Blend blend = Blend::opaque;
         VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
         Defines defines;
     };
