@@ -48,10 +48,12 @@ json timings_json(const Gpu& gpu, const Options& options, const std::vector<std:
 
 }  // namespace
 
-int run_headless(const Options& options, Chapter& chapter) {
+int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& holder) {
     for (const std::string& path : {options.screenshot, options.timings, options.study})
         if (!path.empty()) check_writable(path);
-    Gpu gpu({.name = options.device, .validate = options.validate, .surface_extensions = {}});
+    holder = std::make_unique<Gpu>(
+        DeviceOptions{.name = options.device, .validate = options.validate, .surface_extensions = {}});
+    Gpu& gpu = *holder;
     const uint32_t most = gpu.device.properties.limits.maxImageDimension2D;
     if (std::max(options.size.x, options.size.y) > most)
         throw InputError("--size: this device renders at most " + std::to_string(most) + " pixels a side");

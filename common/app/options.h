@@ -26,8 +26,10 @@ struct Options {
 std::optional<Options> read_options(int argc, char** argv, Chapter& chapter);
 
 int print_list(const Options& options, Chapter& chapter);
-int run_headless(const Options& options, Chapter& chapter);
-int run_window(const Options& options, Chapter& chapter);
+
+/// Make the device in `gpu`, which must outlive the chapter, and run it. Return the exit code.
+int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu);
+int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu);
 
 /// Compiles every pipeline of the chapter in every variant of its choices and toggles, and validates the SPIR-V. Needs
 /// no device. Throws ShaderError.

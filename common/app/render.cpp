@@ -26,6 +26,8 @@ std::vector<std::byte> knob_block(const KnobList& knobs, const Binding& binding)
     return bytes;
 }
 
+const Pipeline encode = compute({.shader = "common/encode_srgb.comp", .defines = {}, .source = {}});
+
 }  // namespace
 
 void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given) {
@@ -58,9 +60,8 @@ void render(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, unsig
 }
 
 void encode_srgb(Frame& frame) {
-    static const Pipeline pipeline = compute({.shader = "common/encode_srgb.comp", .defines = {}, .source = {}});
     frame.compute("encode_srgb", {.reads = {frame.hdr}, .writes = {frame.output}}, [&](Compute& pass) {
-        pass.use(pipeline).set("hdr", frame.hdr, Sampling::nearest_clamp).set("result", frame.output);
+        pass.use(encode).set("hdr", frame.hdr, Sampling::nearest_clamp).set("result", frame.output);
         pass.dispatch_threads(frame.size);
     });
 }

@@ -34,7 +34,7 @@ class Flattener {
     }
 
     void add(const std::string& text, const std::string& shown, const std::string& chapter) {
-        static const std::regex directive(R"(^\s*#\s*include\s+["<]([^">]+)[">].*)");
+        static const std::regex directive(R"re(^\s*#\s*include\s+"([^"]+)".*)re");
         std::istringstream in(text);
         std::string line;
         int number = 0, depth = 0;
@@ -50,13 +50,17 @@ class Flattener {
             if (starts("if")) ++depth;
             if (starts("endif")) --depth;
             std::smatch match;
-            if (!starts("include") || !std::regex_match(line, match, directive)) {
+            if (!starts("include")) {
                 result.text += line + "\n";
+                continue;
+            }
+            if (!std::regex_match(line, match, directive)) {  // <...>: a C++ header of a shared struct
+                result.text += "\n";
                 continue;
             }
             const std::string name = match[1];
             // Included once, wherever first met: within an #if that would depend on the order of files.
-            if (depth > (guarded(text) ? 1 : 0))
+            if (depth > 0)
                 throw ShaderError(shown + ":" + std::to_string(number) + ": #include within #if; move it to the top");
             if (chapter_of(name) > chapter)
                 throw ShaderError(shown + ":" + std::to_string(number) + ": chapter " + chapter +
@@ -67,8 +71,6 @@ class Flattener {
     }
 
   private:
-    static bool guarded(const std::string& text) { return text.find("#ifndef LIGHTWALK_") != text.npos; }
-
     fs::path resolve(const std::string& name, const std::string& from, int line) const {
         const fs::path root = course_root() / "shaders";
         if (fs::exists(root / name)) return root / name;

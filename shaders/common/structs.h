@@ -1,7 +1,6 @@
 // Structs written once and read by GLSL and C++ alike. In GLSL they lie in buffers with scalar layout, which packs
 // members without padding, as C++ packs glm's vectors.
-#ifndef LIGHTWALK_STRUCTS_H
-#define LIGHTWALK_STRUCTS_H
+#pragma once
 #include "common/shared.h"
 
 BEGIN_SHARED
@@ -51,4 +50,3 @@ struct CameraView {
 };
 
 END_SHARED
-#endif
