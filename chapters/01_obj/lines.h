@@ -17,6 +17,12 @@ inline std::string_view trim(std::string_view text) {
     return text;
 }
 
+/// Without the mark that some editors put before UTF-8.
+inline std::string_view without_mark(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    return text;
+}
+
 /// Takes the next word off `rest`; empty at the end.
 inline std::string_view next_word(std::string_view& rest) {
     size_t begin = 0, end;
@@ -44,9 +50,7 @@ inline std::string shown(std::string_view text) {
 /// the next one to it (but not in a comment, where it is just the end of somebody's Windows path).
 class Statements {
   public:
-    explicit Statements(std::string_view text) : rest_(text) {
-        if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
-    }
+    explicit Statements(std::string_view text) : rest_(text) {}
 
     /// False at the end. The statement is trimmed and valid until the next call.
     bool next(std::string_view& statement) {

@@ -189,7 +189,7 @@ std::vector<Material> parse_mtl(std::string_view text, const std::string& name, 
         throw InputError(name + ":1: the file is binary, expected MTL text");
     std::vector<Material> materials;
     Reader reader{materials, folder};
-    Statements statements(text);
+    Statements statements(without_mark(text));
     for (std::string_view statement; statements.next(statement);) try {
             reader.statement(statement);
         } catch (const InputError& error) { fail_at(name, statements.line(), error.what()); }

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "01_obj/lines.h"
 #include "01_obj/loaders.h"
 #include "01_obj/mapped_file.h"
 #include "01_obj/mtl.h"
@@ -16,6 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 5> names = {"textbook", "tinyobjloader", "assimp", "scan", "parallel"};
 
 ObjData parse(std::string_view text, const std::string& name, Loader loader, const ParseOptions& options) {
+    text = without_mark(text);
     check_is_text(text, name);
     ObjData data;
     switch (loader) {

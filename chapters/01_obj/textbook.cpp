@@ -135,7 +135,6 @@ class Reader {
 }  // namespace
 
 ObjData parse_textbook(std::string_view text, const std::string& name) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // the mark some editors put before UTF-8
     Reader reader(count_elements(text));
     std::istringstream in{std::string(text)};
     std::string statement;

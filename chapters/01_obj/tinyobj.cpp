@@ -35,7 +35,6 @@ struct View : std::streambuf {
 }  // namespace
 
 ObjData parse_tinyobjloader(std::string_view text, const std::string& name) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     // It takes a material's number from the MTL file. We hand it one that has every name there is.
     ObjData data;
     std::string mtl;
