@@ -1,7 +1,8 @@
 """What ./course does once its packages are there: finds the command's module and runs it.
 
-Each command is a module with `add_arguments(parser)` and `run(arguments, rest) -> exit code`. Exit codes: 0; 1 it
-failed; 2 it was asked wrongly; 130 it was interrupted.
+Each command is a module with HELP, `add_arguments(parser)` and `run(arguments, rest) -> exit code`, where rest is what
+the parser does not know; a module without PASSES_OPTIONS refuses it. One with `run_words(words)` parses for itself.
+Exit codes: 0; 1 it failed; 2 it was asked wrongly; 130 it was interrupted.
 """
 
 import argparse
@@ -39,9 +40,10 @@ def main(words: list[str]) -> int:
     if command not in COMMANDS:
         raise UsageError(f"there is no command '{command}'; there are {', '.join(COMMANDS)}")
     module = importlib.import_module(COMMANDS[command])
+    if hasattr(module, "run_words"):
+        return module.run_words(words[1:])
     parser = Parser(prog=f"./course {command}", formatter_class=argparse.RawDescriptionHelpFormatter,
-                    description=module.HELP[command] if isinstance(module.HELP, dict) else module.HELP,
-                    add_help=command != "run", allow_abbrev=False)
+                    description=module.HELP, allow_abbrev=False)
     parser.command = command
     module.add_arguments(parser)
     arguments, rest = parser.parse_known_args(words[1:])
