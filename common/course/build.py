@@ -36,17 +36,17 @@ def build(targets: list[str] = (), preset: str = "default") -> Path:
     return folder
 
 
-def is_configured(folder: Path) -> bool:
+def is_configured(folder: Path, root: Path = ROOT) -> bool:
     """True where ninja can go on by itself; it runs cmake again where a file of the build changed."""
     cache = folder / "CMakeCache.txt"
-    return (folder / "build.ninja").exists() and cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in \
+    return (folder / "build.ninja").exists() and cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={root}\n" in \
         cache.read_text(errors="replace")
 
 
-def configure(preset: str, folder: Path):
+def configure(preset: str, folder: Path, root: Path = ROOT):
     warn(f"configuring {relative(folder)}")
     # --fresh: a tree that was moved or half configured starts anew.
-    done = subprocess.run(["cmake", "--fresh", "--preset", preset], cwd=ROOT, text=True, errors="replace",
+    done = subprocess.run(["cmake", "--fresh", "--preset", preset], cwd=root, text=True, errors="replace",
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if done.returncode:
         warn(done.stdout.rstrip())
