@@ -10,6 +10,13 @@ from pathlib import Path
 from progress import Progress
 from tree import ROOT, Failure, relative, warn
 
+
+class BuildFailure(Failure):
+    """The build failed; `said` is what the compiler printed."""
+
+    said = ""
+
+
 STATUS = re.compile(r"\[(\d+)/(\d+)\] ")
 
 
@@ -54,6 +61,7 @@ def configure(preset: str, folder: Path, root: Path = ROOT):
 
 
 def run_ninja(folder: Path, targets: list[str]):
+    said = []
     ninja = subprocess.Popen(["ninja", "-C", folder, *targets], env=dict(os.environ, NINJA_STATUS="[%f/%t] "), text=True,
                              errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     try:
@@ -65,8 +73,11 @@ def run_ninja(folder: Path, targets: list[str]):
                     if not note.startswith(("Re-checking globbed", "Re-running CMake")):
                         progress.show(int(status[1]), int(status[2]), note.rsplit("/", 1)[-1])
                 elif not line.startswith(("ninja: Entering", "ninja: no work", "-- ")):
+                    said.append(line)
                     progress.say(line.rstrip())
     finally:
         code = ninja.wait()
     if code:
-        raise Failure("the build failed")
+        failure = BuildFailure("the build failed")
+        failure.said = "".join(said)
+        raise failure
