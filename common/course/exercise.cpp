@@ -15,7 +15,7 @@ struct State {
 
 struct Table {
     std::map<std::string, State, std::less<>> exercises;
-    unsigned generation = 0;
+    std::string state;  ///< made anew on the first question after a change
     bool scanned = false;
 };
 
@@ -75,13 +75,13 @@ void Exercises::use(std::string_view which) {
         }
         const bool solution = is_solution(item);
         for (auto& [id, state] : scanned_table().exercises) state.solution = solution;
-        ++table().generation;
+        table().state.clear();
     }
 }
 
 void Exercises::set(std::string_view id, bool solution) {
     find(id).solution = solution;
-    ++table().generation;
+    table().state.clear();
 }
 
 std::vector<std::string> Exercises::ids() {
@@ -96,6 +96,13 @@ void Exercises::declare(std::string_view id, bool has_solution) {
     table().exercises[std::string(id)].has_solution = has_solution;
 }
 
-unsigned Exercises::generation() { return table().generation; }
+const std::string& Exercises::state() {
+    Table& t = scanned_table();
+    if (t.state.empty()) {
+        t.state = "=";
+        for (const auto& [id, state] : t.exercises) t.state += state.solution && state.has_solution ? 's' : 'e';
+    }
+    return t.state;
+}
 
 }  // namespace lightwalk

@@ -26,8 +26,8 @@ class Exercises {
     /// Makes a C++ exercise known; Toggle calls it.
     static void declare(std::string_view id, bool has_solution);
 
-    /// Counts the changes, so that what depends on a toggle knows when to be made anew.
-    static unsigned generation();
+    /// The state of every toggle as one word, so that what depends on toggles knows which variant it is.
+    static const std::string& state();
 };
 
 template <class Signature>

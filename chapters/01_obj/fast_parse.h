@@ -1,0 +1,101 @@
+// Numbers eight characters at a time. What it does not know well it leaves to float_parse.h.
+#pragma once
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+namespace lightwalk {
+
+// All of these read up to 32 bytes from `at`, whatever stands there; a zero byte ends every number.
+
+/// The next eight characters, the first one in the lowest byte.
+inline uint64_t load_eight(const char* at) {
+    static_assert(std::endian::native == std::endian::little);
+    uint64_t word;
+    std::memcpy(&word, at, sizeof word);
+    return word;
+}
+
+/// How many of the eight characters, from the first on, are decimal digits.
+inline unsigned leading_digits(uint64_t word) {
+    // '0' to '9' become 0 to 9, everything else 10 or more; adding 0x76 takes those to the top bit. A carry into the
+    // next byte comes only from a character that is no digit, and what lies behind the first one does not count.
+    const uint64_t value = word ^ 0x3030303030303030ull;
+    const uint64_t other = (value | (value + 0x7676767676767676ull)) & 0x8080808080808080ull;
+    return static_cast<unsigned>(std::countr_zero(other)) / 8;
+}
+
+/// The number that eight digit values (not characters) write, the first one in the lowest byte: neighbours are joined
+/// to pairs, fours and the whole, as in D. Lemire, "Quickly parsing eight digits" (2018).
+inline uint32_t join_digits(uint64_t digits) {
+    digits = (digits * 10 + (digits >> 8)) & 0x00ff00ff00ff00ffull;
+    digits = (digits * 100 + (digits >> 16)) & 0x0000ffff0000ffffull;
+    return static_cast<uint32_t>(digits * 10000 + (digits >> 32));
+}
+
+/// The first `count` of the characters, 1 to 8, as a number.
+inline uint32_t first_digits(uint64_t word, unsigned count) {
+    return join_digits((word ^ 0x3030303030303030ull) << (64 - 8 * count));
+}
+
+/// A decimal number -d.d with 1 to 7 digits before the point and up to 15 behind it, without exponent, and correctly
+/// rounded. Returns its end, or null where the text has another form or rounding needs more care.
+inline const char* fast_float(const char* at, float& value) {
+    // Powers of ten to 10^22 are exact in double precision, and so is an integer below 2^53: one division rounds the
+    // quotient correctly (W. Clinger, "How to read floating point numbers accurately", 1990).
+    static constexpr std::array<double, 16> powers = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                      1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const uint64_t negative = *at == '-';
+    at += negative;
+    const uint64_t word = load_eight(at);
+    const unsigned whole = leading_digits(word);
+    if (whole - 1 > 6) return nullptr;
+    uint64_t digits;
+    unsigned decimals = 0;
+    at += whole;
+    if (*at == '.') {
+        const uint64_t behind = load_eight(at + 1);
+        decimals = leading_digits(behind);
+        if (decimals == 0) return nullptr;
+        at += 1 + decimals;
+        if (const unsigned all = whole + decimals; all <= 8) {
+            // Without the point the two runs of digits are one.
+            const uint64_t front = (word ^ 0x3030303030303030ull) << (64 - 8 * whole) >> 8 * decimals;
+            digits = join_digits(front | (behind ^ 0x3030303030303030ull) << (64 - 8 * decimals));
+        } else {
+            digits =
+                first_digits(word, whole) * static_cast<uint64_t>(powers[decimals]) + first_digits(behind, decimals);
+            if (decimals == 8) {
+                const uint64_t more = load_eight(at);
+                const unsigned count = leading_digits(more);
+                if (count > 0) {
+                    if (count == 8 || whole + decimals + count > 15) return nullptr;
+                    digits = digits * static_cast<uint64_t>(powers[count]) + first_digits(more, count);
+                    decimals += count, at += count;
+                }
+            }
+        }
+    } else {
+        digits = first_digits(word, whole);
+    }
+    const double rounded = static_cast<double>(digits) / powers[decimals];
+    // Rounding twice, to double and then to float, goes wrong only where the double lies half-way between two floats:
+    // then the decimal may have lain on either side. Every such quotient is normal as a float, or zero.
+    constexpr uint64_t below_float = (uint64_t{1} << 29) - 1, half_way = uint64_t{1} << 28;
+    if ((std::bit_cast<uint64_t>(rounded) & below_float) == half_way) return nullptr;
+    value = std::bit_cast<float>(std::bit_cast<uint32_t>(static_cast<float>(rounded)) |
+                                 static_cast<uint32_t>(negative << 31));
+    return at;
+}
+
+/// A whole number from 1 with up to 7 digits. Returns its end, or null where the text has another form.
+inline const char* fast_index(const char* at, uint32_t& value) {
+    const uint64_t word = load_eight(at);
+    const unsigned count = leading_digits(word);
+    if (count - 1 > 6) return nullptr;
+    value = first_digits(word, count);
+    return value == 0 ? nullptr : at + count;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,261 @@
+#include "common/measure/flip.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "common/error.h"
+#include "common/measure/planes.h"
+
+namespace lightwalk {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Section and equation numbers are those of the 2020 paper.
+namespace constant {
+constexpr float colour_exponent = 0.7f;      // q_c, 4.1.3
+constexpr float colour_split = 0.4f;         // p_c: this share of the largest colour error ...
+constexpr float colour_split_to = 0.95f;     // p_t: ... is mapped to here
+constexpr double feature_width_deg = 0.082;  // w, 4.2: peak to trough of the edge detector
+constexpr float feature_exponent = 0.5f;     // q_f
+}  // namespace constant
+
+/// A contrast sensitivity function as a sum of two Gaussians, one per opponent channel: Table 1.
+struct Sensitivity {
+    double a1, b1, a2, b2;
+};
+constexpr Sensitivity achromatic{1.0, 0.0047, 0.0, 1e-5}, red_green{1.0, 0.0053, 0.0, 1e-5},
+    blue_yellow{34.1, 0.04, 13.5, 0.025};
+
+using Kernel = std::vector<float>;
+
+Kernel to_kernel(const std::vector<double>& weights) { return Kernel(weights.begin(), weights.end()); }
+
+/// exp(-(scale i)²) for i in [-radius, radius].
+std::vector<double> bell(int radius, double scale) {
+    std::vector<double> weights;
+    for (int i = -radius; i <= radius; ++i) weights.push_back(std::exp(-(scale * i) * (scale * i)));
+    return weights;
+}
+
+double sum(const std::vector<double>& weights) {
+    double total = 0.0;
+    for (const double w : weights) total += w;
+    return total;
+}
+
+/// One separable term of a channel's spatial filter; its 1-D kernel sums to 1.
+struct Term {
+    double weight;
+    Kernel kernel;
+};
+
+/// The inverse Fourier transform of a sensitivity, sum of a √(π/b) exp(-π² d² / b), d in degrees (eq. 4); normalised
+/// so that the 2-D kernel sums to 1. The radius is three standard deviations of the widest term of all channels.
+std::vector<Term> spatial_filter(const Sensitivity& s, double pixels_per_degree) {
+    const double widest = std::sqrt(blue_yellow.b1 / (2.0 * pi * pi));
+    const int radius = static_cast<int>(std::ceil(3.0 * widest * pixels_per_degree));
+    std::vector<Term> terms;
+    double total = 0.0;
+    for (const auto& [a, b] : {std::pair(s.a1, s.b1), std::pair(s.a2, s.b2)}) {
+        if (a == 0.0) continue;
+        std::vector<double> weights = bell(radius, pi / std::sqrt(b) / pixels_per_degree);
+        const double once = sum(weights);
+        for (double& w : weights) w /= once;
+        terms.push_back({a * std::sqrt(pi / b) * once * once, to_kernel(weights)});
+        total += terms.back().weight;
+    }
+    for (Term& term : terms) term.weight /= total;
+    return terms;
+}
+
+/// The 1-D kernels of the feature detectors (4.2): a Gaussian, and its first (edge) and second (point) derivative with
+/// the positive weights scaled to sum to 1 and the negative ones to -1.
+struct FeatureKernels {
+    Kernel smooth, edge, point;
+};
+
+FeatureKernels feature_kernels(double pixels_per_degree) {
+    const double deviation = 0.5 * constant::feature_width_deg * pixels_per_degree;
+    const int radius = static_cast<int>(std::ceil(3.0 * deviation));
+    const auto gaussian = bell(radius, 1.0 / (std::numbers::sqrt2 * deviation));
+    auto smooth = gaussian, edge = gaussian, point = gaussian;
+    const double total = sum(gaussian);
+    for (int i = -radius; i <= radius; ++i) {
+        const double x = i / deviation;
+        smooth[size_t(i + radius)] /= total;
+        edge[size_t(i + radius)] *= -x;
+        point[size_t(i + radius)] *= x * x - 1.0;
+    }
+    for (std::vector<double>* weights : {&edge, &point}) {
+        double positive = 0.0, negative = 0.0;
+        for (const double w : *weights) (w > 0.0 ? positive : negative) += w;
+        for (double& w : *weights) w /= w > 0.0 ? positive : -negative;
+    }
+    return {to_kernel(smooth), to_kernel(edge), to_kernel(point)};
+}
+
+struct ColourSpace {
+    glm::mat3 to_xyz = glm::mat3(detail::rgb_to_xyz());
+    glm::mat3 from_xyz = glm::mat3(glm::inverse(detail::rgb_to_xyz()));
+    glm::vec3 white = glm::vec3(detail::rgb_to_xyz() * glm::dvec3(1.0));
+};
+
+const ColourSpace& colour_space() {
+    static const ColourSpace space;
+    return space;
+}
+
+/// Linearised CIELAB, in which the paper filters (4.1.1): Y in [-16, 100].
+glm::vec3 to_opponent(glm::vec3 rgb) {
+    const glm::vec3 v = colour_space().to_xyz * rgb / colour_space().white;
+    return {116.0f * v.y - 16.0f, 500.0f * (v.x - v.y), 200.0f * (v.y - v.z)};
+}
+
+glm::vec3 from_opponent(glm::vec3 o) {
+    const float y = (o.x + 16.0f) / 116.0f;
+    return colour_space().from_xyz * (glm::vec3(y + o.y / 500.0f, y, y - o.z / 200.0f) * colour_space().white);
+}
+
+/// CIELAB with the Hunt effect: a and b shrink with the lightness (4.1.2).
+glm::vec3 to_hunt_lab(glm::vec3 rgb) {
+    const glm::vec3 v = colour_space().to_xyz * rgb / colour_space().white;
+    const auto f = [](float t) {
+        constexpr float delta = 6.0f / 29.0f;
+        return t > delta * delta * delta ? std::cbrt(t) : t / (3.0f * delta * delta) + 4.0f / 29.0f;
+    };
+    const float fx = f(v.x), fy = f(v.y), fz = f(v.z);
+    const float lightness = 116.0f * fy - 16.0f;
+    return {lightness, 0.01f * lightness * 500.0f * (fx - fy), 0.01f * lightness * 200.0f * (fy - fz)};
+}
+
+/// The HyAB distance (Abasi et al. 2020): city-block in lightness, Euclidean in a and b.
+float hyab(glm::vec3 p, glm::vec3 q) {
+    const glm::vec3 d = p - q;
+    return std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);
+}
+
+/// Maps a HyAB distance to [0, 1] (4.1.3); green against blue is the largest within sRGB.
+float colour_error(float distance) {
+    static const float largest =
+        std::pow(hyab(to_hunt_lab({0.0f, 1.0f, 0.0f}), to_hunt_lab({0.0f, 0.0f, 1.0f})), constant::colour_exponent);
+    const float error = std::pow(distance, constant::colour_exponent);
+    const float split = constant::colour_split * largest;
+    if (error < split) return constant::colour_split_to / split * error;
+    return constant::colour_split_to + (error - split) / (largest - split) * (1.0f - constant::colour_split_to);
+}
+
+/// All that is needed from one image.
+struct Filtered {
+    std::array<Plane, 3> colour;  // opponent channels as the eye resolves them
+    Plane edge_x, edge_y, point_x, point_y;
+};
+
+Plane filter_both(const Plane& in, const Kernel& along_x, const Kernel& along_y) {
+    return filter_columns(filter_rows(in, along_x), along_y);
+}
+
+Plane filter_with(const Plane& in, const std::vector<Term>& terms) {
+    Plane out(in.width, in.height);
+    for (const Term& term : terms) {
+        const Plane part = filter_both(in, term.kernel, term.kernel);
+        const float weight = static_cast<float>(term.weight);
+        for (size_t i = 0; i < out.values.size(); ++i) out.values[i] += weight * part.values[i];
+    }
+    return out;
+}
+
+Filtered filtered(const ImageRgb& image, float pixels_per_degree) {
+    std::array<Plane, 3> opponent;
+    for (Plane& plane : opponent) plane = Plane(image.width, image.height);
+    Plane luminance(image.width, image.height);
+    for (size_t i = 0; i < image.pixels.size(); ++i) {
+        const glm::vec3 o = to_opponent(image.pixels[i]);
+        for (int c = 0; c < 3; ++c) opponent[size_t(c)].values[i] = o[c];
+        luminance.values[i] = (o.x + 16.0f) / 116.0f;
+    }
+    Filtered result;
+    constexpr std::array channels{achromatic, red_green, blue_yellow};
+    for (size_t c = 0; c < 3; ++c)
+        result.colour[c] = filter_with(opponent[c], spatial_filter(channels[c], pixels_per_degree));
+
+    const FeatureKernels kernels = feature_kernels(pixels_per_degree);
+    const Plane smooth = filter_rows(luminance, kernels.smooth);
+    result.edge_x = filter_columns(filter_rows(luminance, kernels.edge), kernels.smooth);
+    result.point_x = filter_columns(filter_rows(luminance, kernels.point), kernels.smooth);
+    result.edge_y = filter_columns(smooth, kernels.edge);
+    result.point_y = filter_columns(smooth, kernels.point);
+    return result;
+}
+
+float pixel_error(const Filtered& r, const Filtered& t, size_t i) {
+    const auto lab = [i](const Filtered& f) {
+        const glm::vec3 o(f.colour[0].values[i], f.colour[1].values[i], f.colour[2].values[i]);
+        return to_hunt_lab(glm::clamp(from_opponent(o), 0.0f, 1.0f));
+    };
+    const auto magnitude = [i](const Plane& x, const Plane& y) {
+        return std::sqrt(x.values[i] * x.values[i] + y.values[i] * y.values[i]);
+    };
+    const float colour = colour_error(hyab(lab(r), lab(t)));
+    const float edge = std::abs(magnitude(r.edge_x, r.edge_y) - magnitude(t.edge_x, t.edge_y));
+    const float point = std::abs(magnitude(r.point_x, r.point_y) - magnitude(t.point_x, t.point_y));
+    const float feature =
+        std::pow(std::max(edge, point) / std::numbers::sqrt2_v<float>, constant::feature_exponent);  // eq. 13
+    // A feature error raises the colour error towards 1 (eq. 14).
+    return std::clamp(std::pow(colour, 1.0f - feature), 0.0f, 1.0f);
+}
+
+bool finite(glm::vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+void check_pair(const ImageRgb& reference, const ImageRgb& test, float per_degree) {
+    if (reference.width != test.width || reference.height != test.height)
+        throw InputError("FLIP needs images of one size, not " + std::to_string(reference.width) + "x" +
+                         std::to_string(reference.height) + " and " + std::to_string(test.width) + "x" +
+                         std::to_string(test.height));
+    if (reference.pixels.empty()) throw InputError("FLIP needs images with at least one pixel");
+    if (!(per_degree > 0.0f && per_degree <= 1000.0f))
+        throw InputError("FLIP needs pixels per degree above 0 and at most 1000");
+}
+
+}  // namespace
+
+glm::dmat3 detail::rgb_to_xyz() {
+    // Columns are X, Y, Z of red, green and blue: the primaries (.64, .33), (.30, .60), (.15, .06) scaled so that
+    // they add up to white.
+    const auto xyz = [](double x, double y) { return glm::dvec3(x / y, 1.0, (1.0 - x - y) / y); };
+    const glm::dmat3 primaries(xyz(0.64, 0.33), xyz(0.30, 0.60), xyz(0.15, 0.06));
+    const glm::dvec3 scale = glm::inverse(primaries) * xyz(0.31271, 0.32902);
+    return glm::dmat3(primaries[0] * scale.x, primaries[1] * scale.y, primaries[2] * scale.z);
+}
+
+float pixels_per_degree(float distance_m, float width_m, float width_pixels) {
+    return distance_m * width_pixels / width_m * static_cast<float>(pi / 180.0);
+}
+
+ErrorMap flip_ldr(const ImageRgb& reference, const ImageRgb& test, float pixels_per_degree) {
+    check_pair(reference, test, pixels_per_degree);
+    // Where a value is not finite, both images show the same there, so that only this pixel tells of it.
+    ImageRgb r = reference, t = test;
+    std::vector<size_t> broken;
+    for (size_t i = 0; i < r.pixels.size(); ++i) {
+        const bool good_r = finite(r.pixels[i]), good_t = finite(t.pixels[i]);
+        if (!good_r || !good_t) {
+            broken.push_back(i);
+            r.pixels[i] = t.pixels[i] = good_r ? r.pixels[i] : good_t ? t.pixels[i] : glm::vec3(0.0f);
+        }
+        r.pixels[i] = glm::clamp(r.pixels[i], 0.0f, 1.0f);
+        t.pixels[i] = glm::clamp(t.pixels[i], 0.0f, 1.0f);
+    }
+    const Filtered of_reference = filtered(r, pixels_per_degree), of_test = filtered(t, pixels_per_degree);
+    ErrorMap map{r.width, r.height, std::vector<float>(r.pixels.size())};
+    for_row_bands(r.height, [&](int begin, int end) {
+        for (size_t i = size_t(begin) * size_t(r.width); i < size_t(end) * size_t(r.width); ++i)
+            map.values[i] = pixel_error(of_reference, of_test, i);
+    });
+    for (const size_t i : broken) map.values[i] = 1.0f;
+    return map;
+}
+
+}  // namespace lightwalk
