@@ -6,8 +6,8 @@ using namespace lightwalk;
 
 struct Obj : ModelChapter {
     // The textbook loader is the one the exercises complete; the others show what more can be had.
-    Choice method{"loader", {"textbook", "tinyobjloader", "assimp", "scan", "parallel"}, "textbook",
-                  "how an OBJ file is read"};
+    Choice method{
+        "loader", {"textbook", "tinyobjloader", "assimp", "scan", "parallel"}, "textbook", "how an OBJ file is read"};
 
     Pipeline clay = graphics({.vertex = "01_obj/mesh.vert", .fragment = "01_obj/clay.frag"});
 

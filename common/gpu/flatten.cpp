@@ -27,9 +27,7 @@ class Flattener {
         std::string text;
         try {
             text = read_file(file);
-        } catch (const InputError& e) {
-            throw ShaderError(e.what());
-        }
+        } catch (const InputError& e) { throw ShaderError(e.what()); }
         add(text, fs::relative(file, course_root()).string(), chapter_of(name));
     }
 
@@ -86,29 +84,31 @@ class Flattener {
     std::set<fs::path> seen_;
 };
 
-void add_header(FlatShader& shader, const Defines& defines) {
-    shader.text +=
+// Only the macros that the text names: what does not concern a shader must not make another variant of it.
+FlatShader with_header(FlatShader shader, const Defines& defines) {
+    std::string header =
         "#version 460\n"
         "#extension GL_EXT_scalar_block_layout : require\n"
         "#extension GL_GOOGLE_cpp_style_line_directive : require\n";
-    for (const auto& [name, value] : defines) shader.text += "#define " + name + " " + value + "\n";
+    for (const auto& [name, value] : defines)
+        if (shader.text.find(name) != shader.text.npos) header += "#define " + name + " " + value + "\n";
+    shader.text.insert(0, header);
+    return shader;
 }
 
 }  // namespace
 
 FlatShader flatten(const std::string& name, const Defines& defines) {
     Flattener flattener;
-    add_header(flattener.result, defines);
     flattener.include(name, "the pipeline", 0);
-    return std::move(flattener.result);
+    return with_header(std::move(flattener.result), defines);
 }
 
 FlatShader flatten_text(const std::string& text, const std::string& name, const std::string& chapter,
                         const Defines& defines) {
     Flattener flattener;
-    add_header(flattener.result, defines);
     flattener.add(text, name, chapter);
-    return std::move(flattener.result);
+    return with_header(std::move(flattener.result), defines);
 }
 
 Stage stage_of(const std::string& file_name) {

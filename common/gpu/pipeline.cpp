@@ -14,10 +14,14 @@ std::vector<Pipeline*>& live() {
 
 VkShaderStageFlagBits stage_bit(Stage stage) {
     switch (stage) {
-        case Stage::vertex: return VK_SHADER_STAGE_VERTEX_BIT;
-        case Stage::geometry: return VK_SHADER_STAGE_GEOMETRY_BIT;
-        case Stage::fragment: return VK_SHADER_STAGE_FRAGMENT_BIT;
-        case Stage::compute: return VK_SHADER_STAGE_COMPUTE_BIT;
+        case Stage::vertex:
+            return VK_SHADER_STAGE_VERTEX_BIT;
+        case Stage::geometry:
+            return VK_SHADER_STAGE_GEOMETRY_BIT;
+        case Stage::fragment:
+            return VK_SHADER_STAGE_FRAGMENT_BIT;
+        case Stage::compute:
+            return VK_SHADER_STAGE_COMPUTE_BIT;
     }
     return VK_SHADER_STAGE_ALL;
 }
@@ -162,15 +166,13 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
     std::vector<VkDescriptorSetLayoutBinding> entries;
     for (const Binding& binding : built->bindings)
         entries.push_back({binding.number, binding.type, 1, binding.stages, nullptr});
-    const VkDescriptorSetLayoutCreateInfo set_info{
-        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-        .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
-        .bindingCount = static_cast<uint32_t>(entries.size()),
-        .pBindings = entries.data()};
+    const VkDescriptorSetLayoutCreateInfo set_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                                                   .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
+                                                   .bindingCount = static_cast<uint32_t>(entries.size()),
+                                                   .pBindings = entries.data()};
     check(vkCreateDescriptorSetLayout(device_.handle, &set_info, nullptr, &built->set_layout), "set layout");
-    const VkPipelineLayoutCreateInfo layout_info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                                 .setLayoutCount = 1,
-                                                 .pSetLayouts = &built->set_layout};
+    const VkPipelineLayoutCreateInfo layout_info{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = 1, .pSetLayouts = &built->set_layout};
     check(vkCreatePipelineLayout(device_.handle, &layout_info, nullptr, &built->layout), "pipeline layout");
 
     std::vector<VkPipelineShaderStageCreateInfo> stage_infos;
@@ -185,9 +187,8 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
                                .pName = "main"});
     }
     if (pipeline.is_compute) {
-        const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                                               .stage = stage_infos[0],
-                                               .layout = built->layout};
+        const VkComputePipelineCreateInfo info{
+            .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO, .stage = stage_infos[0], .layout = built->layout};
         check(vkCreateComputePipelines(device_.handle, VK_NULL_HANDLE, 1, &info, nullptr, &built->handle),
               pipeline.compute.shader.c_str());
     } else {

@@ -28,7 +28,7 @@ class Pipeline {
     struct Compute {
         std::string shader;  ///< below shaders/
         Defines defines;
-        std::string source;   ///< a text instead of a file; `shader` is then its name in messages
+        std::string source;  ///< a text instead of a file; `shader` is then its name in messages
     };
     explicit Pipeline(Graphics desc);
     explicit Pipeline(Compute desc);

@@ -15,14 +15,14 @@ namespace lightwalk {
 struct MaterialOverride {
     std::optional<glm::vec3> diffuse, specular, emissive;  ///< linear
     std::optional<float> shininess, opacity;
-    std::map<std::string, std::filesystem::path> maps;     ///< by slot, such as "normal" or "height"
+    std::map<std::string, std::filesystem::path> maps;  ///< by slot, such as "normal" or "height"
 };
 
 struct SceneObject {
-    std::string name, parent;                   ///< parent: another object's name, or empty
-    std::filesystem::path model;                ///< relative to assets/, or absolute; empty: a group
-    glm::vec3 position{0.0f};                   ///< metres
-    glm::vec3 rotation_deg{0.0f};               ///< about x, then y, then z
+    std::string name, parent;      ///< parent: another object's name, or empty
+    std::filesystem::path model;   ///< relative to assets/, or absolute; empty: a group
+    glm::vec3 position{0.0f};      ///< metres
+    glm::vec3 rotation_deg{0.0f};  ///< about x, then y, then z
     glm::vec3 scale{1.0f};
     MaterialOverride material;
 };
@@ -32,8 +32,8 @@ struct SceneFile {
     Camera camera;
     std::vector<SceneObject> objects;  ///< a parent stands before its children
     std::vector<Light> lights;
-    glm::vec3 ambient{0.05f};          ///< linear radiance from everywhere
-    glm::vec3 background{0.02f};       ///< linear
+    glm::vec3 ambient{0.05f};     ///< linear radiance from everywhere
+    glm::vec3 background{0.02f};  ///< linear
     std::map<std::string, std::string> knobs;
 };
 
