@@ -291,9 +291,8 @@ SceneFile parse_scene(const std::string& text, const fs::path& path) {
 }
 
 fs::path find_asset(const fs::path& path) {
-    if (fs::exists(path)) return path;
-    const fs::path below = course_root() / "assets" / path;
-    if (fs::exists(below)) return below;
+    for (const fs::path& candidate : {path, course_root() / "assets" / path, course_root() / path})
+        if (fs::exists(candidate)) return candidate;
     throw InputError("no file " + path.string() + ", neither here nor below assets/");
 }
 

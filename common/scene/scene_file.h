@@ -45,7 +45,7 @@ SceneFile parse_scene(const std::string& text, const std::filesystem::path& path
 /// Writes what read_scene reads back, whole or not at all.
 void write_scene(const SceneFile& scene, const std::filesystem::path& path);
 
-/// An asset's path: as given if it exists, else below assets/. Throws InputError where it is in neither.
+/// An asset's path: as given if it exists, else below assets/ or the root. Throws InputError where it is in none.
 std::filesystem::path find_asset(const std::filesystem::path& path);
 
 /// The object's transform into its parent's space.
