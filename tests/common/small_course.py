@@ -8,6 +8,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -39,7 +40,7 @@ PRESETS = {"version": 4, "configurePresets": [
     {"name": "fuzz", "inherits": "default", "binaryDir": "${sourceDir}/build/fuzz"}]}
 COMPILE = """! grep -q 'syntax error' $1 || { echo $1:1: error: no; exit 1; }
 """
-CHAPTER = """#!/usr/bin/env python3
+CHAPTER = """#!PYTHON
 import os, sys
 words = sys.argv[1:]
 name = os.path.basename(sys.argv[0])
@@ -55,7 +56,7 @@ text = "flat" if os.path.exists("flat") else f"{name} {starter} {knobs}"
 drift = open("drift").read() if os.path.exists("drift") else ""
 open(words[words.index("--screenshot") + 1], "w").write(text + drift)
 """
-COMPARE = """#!/usr/bin/env python3
+COMPARE = """#!PYTHON
 import json, sys
 words = sys.argv[1:]
 a, b = (open(name).read() for name in words[:2])
@@ -67,7 +68,7 @@ print(json.dumps({"flip": {"mean": d, "p99": d, "max": d}, "rmse": d,
                   "nan": {"reference": 0, "test": 0}, "inf": {"reference": 0, "test": 0},
                   "nearly_constant": {"reference": "flat" in a, "test": "flat" in b}}))
 """
-CHECK = """#!/usr/bin/env python3
+CHECK = """#!PYTHON
 import json, os, sys
 exercise = sys.argv[sys.argv.index("--exercise") + 1]
 name = os.path.basename(sys.argv[0]).removeprefix("check_")
@@ -106,7 +107,7 @@ SHOTS_02 = {"shots": [{"name": "bunny", "caption": "Lit.", "set": {"method": "ph
                        "rejects": [{"chapter": "01_obj"}, {"set": {"method": "none"}}]}]}
 FILES = {
     "CMakeLists.txt": CMAKE, "CMakePresets.json": json.dumps(PRESETS), "compile": COMPILE,
-    ".gitignore": "build/\n__pycache__/\n", "tests/common/test_course.py": "",
+    ".clang-format": "DisableFormat: true\n", ".gitignore": "build/\n__pycache__/\n", "tests/common/test_course.py": "",
     "programs/compare": COMPARE, "programs/fuzz_obj": FUZZ,
     "programs/chapters/01_obj": CHAPTER, "programs/chapters/02_lambert": CHAPTER,
     "programs/tests/check_01_obj": CHECK, "programs/tests/check_02_lambert": CHECK,
@@ -129,7 +130,7 @@ def make_tree(root: Path):
     for name, text in FILES.items():
         path = root / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+        path.write_text(text.replace("#!PYTHON", f"#!{sys.executable}"))
         path.chmod(0o755 if text.startswith("#!") else 0o644)
 
 
