@@ -41,11 +41,6 @@ ObjData parse(std::string_view text, const std::string& name, Loader loader, con
     return data;
 }
 
-bool is_obj(const fs::path& path) {
-    const std::string extension = path.extension();
-    return extension == ".obj" || extension == ".OBJ" || extension == ".Obj";
-}
-
 }  // namespace
 
 std::string_view loader_name(Loader loader) { return names[static_cast<size_t>(loader)]; }
@@ -59,6 +54,11 @@ Loader loader_from_name(std::string_view name) {
         known += (i ? ", " : "") + std::string(names[i]);
     }
     throw InputError("unknown loader '" + std::string(name) + "'; there are: " + known);
+}
+
+bool is_obj(const fs::path& path) {
+    const std::string extension = path.extension();
+    return extension == ".obj" || extension == ".OBJ" || extension == ".Obj";
 }
 
 ObjData parse_obj(const fs::path& path, Loader loader) {

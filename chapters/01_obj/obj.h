@@ -72,6 +72,9 @@ ObjData parse_obj_text(std::string_view text, const std::string& name, Loader lo
 /// default material, because the shape is still worth seeing; a malformed MTL throws InputError.
 Model load_obj(const std::filesystem::path& path, Loader loader = Loader::parallel);
 
+/// By the file name's ending.
+bool is_obj(const std::filesystem::path& path);
+
 /// Any model file: .obj through `loader`, every other format through Assimp.
 Model load_model(const std::filesystem::path& path, Loader loader = Loader::parallel);
 

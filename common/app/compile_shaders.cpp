@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <set>
 
 #include "common/app/options.h"
 #include "common/course/exercise.h"
@@ -30,13 +31,18 @@ std::vector<Defines> variants(const Chapter& chapter, const std::string& text) {
     return result;
 }
 
-int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline) {
+// Compiles what no earlier state or variant has compiled already.
+int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, std::set<std::string>& seen) {
     std::string text;
     for (const std::string& shader : pipeline.shaders())
         if (pipeline.compute.source.empty()) text += flatten(shader, {}).text;
     int modules = 0;
     for (const Defines& defines : variants(chapter, text)) {
-        CompiledStages stages = compile_stages(pipeline, defines);
+        const std::vector<FlatShader> flat = flatten_stages(pipeline, defines);
+        std::string all;
+        for (const FlatShader& shader : flat) all += shader.text;
+        if (!seen.insert(std::move(all)).second) continue;
+        CompiledStages stages = compile_stages(pipeline, flat);
         assign_bindings(stages);
         for (size_t i = 0; i < stages.spirv.size(); ++i, ++modules)
             if (const std::string why = validate_spirv(stages.spirv[i]); !why.empty())
@@ -55,11 +61,12 @@ int compile_all_shaders(Chapter& chapter) {
         states.push_back("exercise," + id + "=solution");
     }
     int modules = 0;
+    std::set<std::string> seen;
     for (const std::string& state : states) {
         Exercises::use(state);
-        for (const Pipeline* pipeline : Pipeline::all()) modules += compile_pipeline(chapter, *pipeline);
+        for (const Pipeline* pipeline : Pipeline::all()) modules += compile_pipeline(chapter, *pipeline, seen);
     }
-    std::printf("%s: %d shader modules compiled and valid in %zu toggle states\n", chapter.name.c_str(), modules,
+    std::printf("%s: %d different shader modules compiled and valid in %zu toggle states\n", chapter.name.c_str(), modules,
                 states.size());
     return 0;
 }

@@ -60,20 +60,23 @@ BuiltPipeline::~BuiltPipeline() {
     for (const VkShaderModule module : modules) vkDestroyShaderModule(device_, module, nullptr);
 }
 
-CompiledStages compile_stages(const Pipeline& pipeline, const Defines& defines,
-                              std::vector<std::filesystem::path>* files) {
+std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Defines& defines) {
     Defines all = defines;
     for (const auto& define : pipeline.is_compute ? pipeline.compute.defines : pipeline.graphics.defines)
         all.insert(define);
+    std::vector<FlatShader> result;
+    for (const std::string& shader : pipeline.shaders())
+        result.push_back(pipeline.compute.source.empty() ? flatten(shader, all)
+                                                         : flatten_text(pipeline.compute.source, shader, "99", all));
+    return result;
+}
+
+CompiledStages compile_stages(const Pipeline& pipeline, const std::vector<FlatShader>& flat) {
     CompiledStages result;
-    for (const std::string& shader : pipeline.shaders()) {
-        const bool from_text = pipeline.is_compute && !pipeline.compute.source.empty();
-        const FlatShader flat =
-            from_text ? flatten_text(pipeline.compute.source, shader, "99", all) : flatten(shader, all);
-        if (files) files->insert(files->end(), flat.files.begin(), flat.files.end());
-        result.stages.push_back(from_text ? Stage::compute : stage_of(shader));
-        result.spirv.push_back(compile(result.stages.back(), flat.text, shader));
-        result.names.push_back(shader);
+    result.names = pipeline.shaders();
+    for (size_t i = 0; i < flat.size(); ++i) {
+        result.stages.push_back(pipeline.is_compute ? Stage::compute : stage_of(result.names[i]));
+        result.spirv.push_back(compile(result.stages[i], flat[i].text, result.names[i]));
     }
     return result;
 }
@@ -145,18 +148,14 @@ void PipelineLibrary::clear() {
 }
 
 std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, const TargetFormats& formats) {
-    std::vector<std::filesystem::path> files;
-    struct Watch {
-        PipelineLibrary& library;
-        std::vector<std::filesystem::path>& files;
-        ~Watch() {  // also after an error: the edit that mends it must be seen
-            for (const auto& file : files) {
-                std::error_code error;
-                library.files_.try_emplace(file, std::filesystem::last_write_time(file, error));
-            }
+    const std::vector<FlatShader> flat = flatten_stages(pipeline, defines);
+    // Before compiling: after an error, too, the edit that mends it must be seen.
+    for (const FlatShader& shader : flat)
+        for (const auto& file : shader.files) {
+            std::error_code error;
+            files_.try_emplace(file, std::filesystem::last_write_time(file, error));
         }
-    } watch{*this, files};
-    CompiledStages stages = compile_stages(pipeline, defines, &files);
+    CompiledStages stages = compile_stages(pipeline, flat);
 
     auto built = std::make_unique<BuiltPipeline>(device_.handle);
     built->bindings = assign_bindings(stages, &built->local_size);
