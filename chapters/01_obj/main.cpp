@@ -5,9 +5,11 @@
 using namespace lightwalk;
 
 struct Obj : ModelChapter {
+    // [knobs]
     // The textbook loader is the one the exercises complete; the others show what more can be had.
     Choice method{
         "loader", {"textbook", "tinyobjloader", "assimp", "scan", "parallel"}, "textbook", "how an OBJ file is read"};
+    // [/knobs]
 
     Pipeline clay = graphics({.vertex = "01_obj/mesh.vert", .fragment = "01_obj/clay.frag"});
 
@@ -15,6 +17,7 @@ struct Obj : ModelChapter {
     Loader loader() const override { return loader_from_name(method.text()); }
     bool reload_on_toggle() const override { return true; }
 
+    // [frame]
     void frame(Frame& frame) override {
         set_view(frame);
 
@@ -26,6 +29,7 @@ struct Obj : ModelChapter {
         // 2. Linear light to the codes a screen expects.
         encode_srgb(frame);
     }
+    // [/frame]
 
     std::vector<Command> commands() override {
         return {{"load-bench", "FILE", "time every loader on FILE; --json for JSON",

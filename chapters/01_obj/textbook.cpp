@@ -12,6 +12,7 @@
 namespace lightwalk {
 namespace {
 
+// [number]
 std::istringstream words_of(const std::string& line) {
     std::istringstream words(line);
     words.imbue(std::locale::classic());  // a German locale would read 1.5 as 1
@@ -25,6 +26,7 @@ float number(const std::string& word) {
         throw InputError(shown(word) + " is not a number that a float can hold");
     return value;
 }
+// [/number]
 
 std::vector<float> numbers(const std::string& line, size_t least, size_t most) {
     std::istringstream words = words_of(line);
