@@ -164,7 +164,7 @@ def wrong_pictures(chapter: str, shot: dict) -> list[tuple[str, str, list]]:
     for entry in shot.get("rejects", []):
         sets = [word for knob, value in entry.get("set", {}).items() for word in ("--set", f"{knob}={text(value)}")]
         if "chapter" in entry:
-            scene = ["--scene", ROOT / shot["scene"]] if "scene" in shot else []
+            scene = ["--scene", shot["scene"]] if "scene" in shot else []
             size = "x".join(str(side) for side in shot.get("size", [960, 540]))
             options = [*scene, "--size", size, "--time", shot.get("time_s", 0), *sets]
             wrong.append((f"drawn by {entry['chapter']}", entry["chapter"], options))
