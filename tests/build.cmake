@@ -50,6 +50,7 @@ foreach(script ${scripts})
     lightwalk_python_test(window.${name} window ${script})
   elseif(name STREQUAL "common.course")
     lightwalk_python_test(text.course text ${script})
+    set_tests_properties(text.course PROPERTIES COST 60)  # the longest: first
   else()
     lightwalk_python_test(python.${name} unit ${script})
   endif()

@@ -208,7 +208,8 @@ def main(words: list[str]) -> int:
             say(f"{picture['name']}: FLIP mean {flip['mean']:.6f}, p99 {flip['p99']:.6f}, "
                 f"largest step {picture['metrics']['max_diff']['steps']}")
         if not result["ok"]:
-            say(f"  expected {picture['expected']}\n  actual   {picture['actual']}\n  error    {picture['heatmap']}")
+            for key in ("expected", "actual", "heatmap"):
+                say(f"  {key:8} {picture[key] or 'none'}")
     return 0 if result["ok"] else 1
 
 
