@@ -71,7 +71,13 @@ void barrier(VkCommandBuffer commands, const Buffer& buffer, const Access& next)
     vkCmdPipelineBarrier2(commands, &info);
 }
 
+std::function<void(const std::string&)>& on_abandoned_device() {
+    static std::function<void(const std::string&)> callback;
+    return callback;
+}
+
 void abandon_device(const std::string& message) {
+    if (on_abandoned_device()) on_abandoned_device()(message);
     std::fflush(stdout);
     std::fprintf(stderr, "error: %s\n", message.c_str());
     std::fflush(stderr);
