@@ -5,11 +5,9 @@
 using namespace lightwalk;
 
 struct Obj : ModelChapter {
-    // [knobs]
     // The textbook loader is the one the exercises complete; the others show what more can be had.
     Choice method{
         "loader", {"textbook", "tinyobjloader", "assimp", "scan", "parallel"}, "textbook", "how an OBJ file is read"};
-    // [/knobs]
 
     Pipeline clay = graphics({.vertex = "01_obj/mesh.vert", .fragment = "01_obj/clay.frag"});
 

@@ -36,7 +36,6 @@ Lit light_pixel(MaterialData material) {
 }
 // [/light_pixel]
 
-// [main]
 void main() {
     MaterialData material = materials[material_index];
 #if METHOD == METHOD_GOURAUD
@@ -49,4 +48,3 @@ void main() {
 #endif
     color = vec4(diffuse_color(material, uv) * lit.diffuse + material.specular * lit.specular + material.emissive, 1.0);
 }
-// [/main]
