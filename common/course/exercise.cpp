@@ -15,7 +15,7 @@ struct State {
 
 struct Table {
     std::map<std::string, State, std::less<>> exercises;
-    unsigned generation = 0;
+    std::string state;  ///< made anew on the first question after a change
     bool scanned = false;
 };
 
@@ -35,8 +35,7 @@ Table& scanned_table() {
         if (!fs::is_directory(chapter.path() / "exercise")) continue;
         for (const auto& file : fs::directory_iterator(chapter.path() / "exercise")) {
             if (file.path().extension() != ".glsl") continue;
-            const std::string id =
-                chapter.path().filename().string().substr(0, 2) + "." + file.path().stem().string();
+            const std::string id = chapter.path().filename().string().substr(0, 2) + "." + file.path().stem().string();
             t.exercises[id].has_solution = fs::exists(chapter.path() / "solution" / file.path().filename());
         }
     }
@@ -75,13 +74,13 @@ void Exercises::use(std::string_view which) {
         }
         const bool solution = is_solution(item);
         for (auto& [id, state] : scanned_table().exercises) state.solution = solution;
-        ++table().generation;
+        table().state.clear();
     }
 }
 
 void Exercises::set(std::string_view id, bool solution) {
     find(id).solution = solution;
-    ++table().generation;
+    table().state.clear();
 }
 
 std::vector<std::string> Exercises::ids() {
@@ -96,6 +95,13 @@ void Exercises::declare(std::string_view id, bool has_solution) {
     table().exercises[std::string(id)].has_solution = has_solution;
 }
 
-unsigned Exercises::generation() { return table().generation; }
+const std::string& Exercises::state() {
+    Table& t = scanned_table();
+    if (t.state.empty()) {
+        t.state = "=";
+        for (const auto& [id, state] : t.exercises) t.state += state.solution && state.has_solution ? 's' : 'e';
+    }
+    return t.state;
+}
 
 }  // namespace lightwalk

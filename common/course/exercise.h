@@ -26,8 +26,8 @@ class Exercises {
     /// Makes a C++ exercise known; Toggle calls it.
     static void declare(std::string_view id, bool has_solution);
 
-    /// Counts the changes, so that what depends on a toggle knows when to be made anew.
-    static unsigned generation();
+    /// The state of every toggle as one word, so that what depends on toggles knows which variant it is.
+    static const std::string& state();
 };
 
 template <class Signature>
@@ -60,11 +60,11 @@ class Toggle<Result(Arguments...)> {
 
 /// Declares exercise::name and solution::name and the toggle `name` that calls one of them, within namespace
 /// lightwalk. EXERCISE("01.triangulate", void, triangulate, int a, int b);
-#define EXERCISE(id, result, name, ...)  \
-    namespace exercise {                 \
-    result name(__VA_ARGS__);            \
-    }                                    \
-    namespace solution {                 \
-    result name(__VA_ARGS__);            \
-    }                                    \
+#define EXERCISE(id, result, name, ...) \
+    namespace exercise {                \
+    result name(__VA_ARGS__);           \
+    }                                   \
+    namespace solution {                \
+    result name(__VA_ARGS__);           \
+    }                                   \
     inline const Toggle<result(__VA_ARGS__)> name { id, &exercise::name, LIGHTWALK_SOLUTION(name) }

@@ -1,9 +1,11 @@
 // Lets one header be GLSL and C++: between BEGIN_SHARED and END_SHARED use GLSL's type names.
-#ifdef __cplusplus
 #pragma once
+#ifdef __cplusplus
 #include <cstdint>
 #include <glm/glm.hpp>
-#define BEGIN_SHARED namespace lightwalk { using namespace glm;
+#define BEGIN_SHARED      \
+    namespace lightwalk { \
+    using namespace glm;
 #define END_SHARED }
 #else
 #define BEGIN_SHARED

@@ -1,7 +1,6 @@
 // Structs written once and read by GLSL and C++ alike. In GLSL they lie in buffers with scalar layout, which packs
 // members without padding, as C++ packs glm's vectors.
-#ifndef LIGHTWALK_STRUCTS_H
-#define LIGHTWALK_STRUCTS_H
+#pragma once
 #include "common/shared.h"
 
 BEGIN_SHARED
@@ -12,5 +11,42 @@ struct Vertex {
     vec2 uv;        // v = 0 is the bottom row of an image
 };
 
+// One drawn part of a mesh; gl_InstanceIndex counts them.
+struct Instance {
+    mat4 model;          // object to world
+    mat3 normal_matrix;  // inverse transpose of its upper 3×3
+    uint material;
+};
+
+// A material's numbers. The bits of `maps` say which of its textures exist.
+struct MaterialData {
+    vec3 diffuse;
+    float shininess;  // Blinn–Phong exponent
+    vec3 specular;
+    float opacity;
+    vec3 emissive;
+    uint maps;
+};
+
+// Texture slots, in the order of MaterialData::maps' bits. In a shader the texture is called <slot>_map.
+const uint DIFFUSE_MAP = 1u;          // sRGB colour
+const uint SPECULAR_MAP = 2u;         // linear
+const uint EMISSIVE_MAP = 4u;         // sRGB colour
+const uint OPACITY_MAP = 8u;          // linear
+const uint NORMAL_MAP = 16u;          // linear, +y up
+const uint HEIGHT_MAP = 32u;          // linear, 1 is the surface
+const uint ORM_MAP = 64u;             // linear: occlusion, roughness, metalness
+const uint OCCLUSION_MAP = 128u;      // linear
+const uint GLOSS_MAP = 256u;          // linear
+const uint DETAIL_NORMAL_MAP = 512u;  // linear, +y up
+
+// What every vertex and fragment may know of the camera.
+struct CameraView {
+    mat4 view_projection;  // world to clip space: y down, depth 1 near and 0 far
+    vec3 eye;              // metres, world space
+    float time_s;
+    vec2 size;  // pixels
+    uint seed;  // of --seed
+};
+
 END_SHARED
-#endif

@@ -1,0 +1,64 @@
+// What a reader of OBJ text collects, and how collected pieces become one ObjData.
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "01_obj/array.h"
+#include "01_obj/obj.h"
+
+namespace lightwalk {
+
+/// `o`, `g`, `usemtl` or `mtllib`, with the number of polygons of its piece that stand before it.
+struct NameLine {
+    enum Kind { object, group, material, library } kind;
+    size_t polygon;
+    std::string name;
+};
+
+/// What one thread has read. An index that the file counts from the end stays relative to its piece's start until the
+/// pieces before it are counted: see relative_index.
+struct Collected {
+    Array<float> positions, uvs, normals;
+    Array<Corner> corners;  ///< of polygons, one after the other
+    Array<uint32_t> sizes;  ///< corners of each polygon
+};
+
+/// One stretch of the file: where its share of a Collected begins and ends, and its name lines.
+struct Piece {
+    const Collected* from = nullptr;
+    struct Mark {
+        size_t positions = 0, uvs = 0, normals = 0, corners = 0, sizes = 0;
+    } begin, end;
+    std::vector<NameLine> names;
+};
+Piece::Mark mark(const Collected& collected);
+
+/// Indices are below 2^30, so that the upper half can hold piece-relative ones, down to -2^30.
+inline constexpr int64_t largest_index = (int64_t{1} << 30) - 1;
+inline constexpr uint32_t relative_bias = 0xC0000000u;
+inline bool is_relative(uint32_t index) { return index >= 0x80000000u && index != none; }
+inline uint32_t relative_index(int64_t from_piece_start) {
+    return static_cast<uint32_t>(static_cast<int64_t>(relative_bias) + from_piece_start);
+}
+
+/// Joins the pieces, in their order, on up to `threads` threads: names, absolute indices, triangles. Returns false
+/// where an index is out of range. Triangles and convex quadrilaterals are cut here, other polygons by the exercise
+/// triangulate.
+bool assemble(std::span<const Piece> pieces, unsigned threads, ObjData& data);
+
+/// Appends a run, unless it changes no name, and in place of one that starts at the same triangle.
+void add_run(std::vector<Run>& runs, const Run& run);
+
+/// Either version of the exercise triangulate.
+using Triangulate = std::vector<glm::uvec3> (*)(std::span<const glm::vec3>);
+
+/// The triangles of one polygon, checked: a student's version must not be able to corrupt memory. Throws Failure where
+/// it returns other than `count` - 2 triangles or a corner that does not exist.
+void cut_polygon(Triangulate triangulate, const Corner* polygon, size_t count, const Array<float>& positions,
+                 Corner* out);
+
+/// True where the four positions surely are a convex quadrilateral; false where they are not, or nearly not.
+bool surely_convex(const float* a, const float* b, const float* c, const float* d);
+
+}  // namespace lightwalk

@@ -1,0 +1,97 @@
+// The lexical layer that OBJ and MTL share: statements, words, and where they stand.
+#pragma once
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "common/error.h"
+
+namespace lightwalk {
+
+/// Space within a line. A carriage return counts, so that CRLF files need no other care.
+inline bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+inline std::string_view trim(std::string_view text) {
+    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+/// Without the mark that some editors put before UTF-8.
+inline std::string_view without_mark(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    return text;
+}
+
+/// Takes the next word off `rest`; empty at the end.
+inline std::string_view next_word(std::string_view& rest) {
+    size_t begin = 0, end;
+    while (begin < rest.size() && is_space(rest[begin])) ++begin;
+    for (end = begin; end < rest.size() && !is_space(rest[end]);) ++end;
+    const std::string_view word = rest.substr(begin, end - begin);
+    rest.remove_prefix(end);
+    return word;
+}
+
+/// As next_word, but a word that starts with # ends the line: numbers and faces may be followed by a comment.
+inline std::string_view next_value(std::string_view& rest) {
+    const std::string_view word = next_word(rest);
+    return word.starts_with('#') ? std::string_view() : word;
+}
+
+/// A piece of input for a message: printable, quoted, short.
+inline std::string shown(std::string_view text) {
+    std::string out = "'";
+    for (const char c : text.substr(0, 40)) out += c >= 32 && c < 127 ? c : '?';
+    return out + (text.size() > 40 ? "...'" : "'");
+}
+
+/// Walks over the statements of a text: lines, without blank ones and comments. A backslash at the end of a line joins
+/// the next one to it (but not in a comment, where it is just the end of somebody's Windows path).
+class Statements {
+  public:
+    explicit Statements(std::string_view text) : rest_(text) {}
+
+    /// False at the end. The statement is trimmed and valid until the next call.
+    bool next(std::string_view& statement) {
+        while (!rest_.empty()) {
+            line_ = next_line_;
+            std::string_view text = take_line();
+            const std::string_view trimmed = trim(text);
+            if (trimmed.starts_with('#')) continue;
+            if (trimmed.ends_with('\\')) {
+                joined_.clear();
+                for (text = trimmed; text.ends_with('\\'); text = trim(take_line()))
+                    joined_.append(text.substr(0, text.size() - 1)) += ' ';
+                joined_ += text;
+                text = joined_;
+            }
+            statement = trim(text);
+            if (!statement.empty()) return true;
+        }
+        return false;
+    }
+
+    /// Of the last statement's first line, from 1.
+    size_t line() const { return line_; }
+    std::string_view rest() const { return rest_; }
+
+  private:
+    std::string_view take_line() {
+        const size_t end = rest_.find('\n');
+        const std::string_view line = rest_.substr(0, end);
+        rest_.remove_prefix(end == rest_.npos ? rest_.size() : end + 1);
+        ++next_line_;
+        return line;
+    }
+
+    std::string_view rest_;
+    std::string joined_;
+    size_t line_ = 0, next_line_ = 1;
+};
+
+[[noreturn]] inline void fail_at(const std::string& file, size_t line, const std::string& reason) {
+    throw InputError(file + ":" + std::to_string(line) + ": " + reason);
+}
+
+}  // namespace lightwalk

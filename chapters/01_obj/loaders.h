@@ -1,0 +1,20 @@
+// The five loaders, each in its own file. Text in, triangles out; parse_obj chooses one.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "01_obj/obj.h"
+
+namespace lightwalk {
+
+// All throw InputError with file, line and reason; `name` is the file in messages.
+ObjData parse_textbook(std::string_view text, const std::string& name);
+ObjData parse_scan(std::string_view text, const std::string& name);
+/// `text` must be followed by at least 64 readable zero bytes.
+ObjData parse_parallel(std::string_view text, const std::string& name, ParseOptions options);
+/// Without objects and groups, which it does not tell apart; splits a quadrilateral along its shorter diagonal.
+ObjData parse_tinyobjloader(std::string_view text, const std::string& name);
+/// Positions, uvs and normals are those of Assimp's joined vertices, so that the three indices of a corner are equal.
+ObjData parse_assimp(std::string_view text, const std::string& name);
+
+}  // namespace lightwalk

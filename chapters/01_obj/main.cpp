@@ -1,0 +1,41 @@
+// Chapter 01: from a text file to a shaded mesh.
+#include "01_obj/load_bench.h"
+#include "01_obj/model_chapter.h"
+
+using namespace lightwalk;
+
+struct Obj : ModelChapter {
+    // The textbook loader is the one the exercises complete; the others show what more can be had.
+    Choice method{
+        "loader", {"textbook", "tinyobjloader", "assimp", "scan", "parallel"}, "textbook", "how an OBJ file is read"};
+
+    Pipeline clay = graphics({.vertex = "01_obj/mesh.vert", .fragment = "01_obj/clay.frag"});
+
+    std::string default_scene() const override { return "scenes/bunny.json"; }
+    Loader loader() const override { return loader_from_name(method.text()); }
+    bool reload_on_toggle() const override { return true; }
+
+    void frame(Frame& frame) override {
+        set_view(frame);
+
+        // 1. The mesh into the HDR target; what is nearer has the greater depth.
+        frame.raster("clay",
+                     {.color = {frame.hdr}, .depth = frame.depth, .clear = glm::vec4(scene.file.background, 1.0f)},
+                     [&](Raster& pass) { pass.use(clay).draw(scene); });
+
+        // 2. Linear light to the codes a screen expects.
+        encode_srgb(frame);
+    }
+
+    std::vector<Command> commands() override {
+        return {{"load-bench", "FILE", "time every loader on FILE; --json for JSON",
+                 [](const std::string& file, bool json) { return run_load_bench(file, 5, json); }},
+                {"dump-mesh", "FILE", "print counts, bounds, materials and a checksum of positions as JSON",
+                 [this](const std::string& file, bool) {
+                     dump_mesh(file, loader());
+                     return 0;
+                 }}};
+    }
+};
+
+CHAPTER(Obj)

@@ -1,0 +1,227 @@
+#include "01_obj/mtl.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <optional>
+
+#include "01_obj/float_parse.h"
+#include "01_obj/lines.h"
+#include "common/files.h"
+#include "common/scene/asset_path.h"
+
+namespace lightwalk {
+namespace {
+namespace fs = std::filesystem;
+
+std::string lower(std::string_view word) {
+    std::string out(word);
+    for (char& c : out)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return out;
+}
+
+float take_float(std::string_view& rest, std::string_view what) {
+    const std::string_view word = next_word(rest);
+    float value = 0.0f;
+    if (word.empty()) throw InputError("a number is missing after " + std::string(what));
+    if (parse_float(word, value) != FloatStatus::ok)
+        throw InputError(shown(word) + " after " + std::string(what) + " is not a number that a float can hold");
+    return value;
+}
+
+// One number, or three; one stands for all three.
+std::optional<glm::vec3> take_color(std::string_view rest, std::string_view what) {
+    std::string_view peek = rest;
+    if (const std::string_view form = next_word(peek); form == "spectral" || form == "xyz") return {};
+    glm::vec3 color(take_float(rest, what));
+    if (!next_value(peek).empty()) color.y = take_float(rest, what), color.z = take_float(rest, what);
+    return color;
+}
+
+bool take_switch(std::string_view& rest, std::string_view what) {
+    const std::string_view word = next_word(rest);
+    if (word != "on" && word != "off")
+        throw InputError(shown(word) + " after " + std::string(what) + ", expected on or off");
+    return word == "on";
+}
+
+// Up to three numbers; the last word of a line is the file even where it is a number.
+void take_up_to_three(std::string_view& rest, std::string_view what, glm::vec3& value) {
+    value.x = take_float(rest, what);
+    for (int i = 1; i < 3; ++i) {
+        std::string_view after = rest;
+        float number;
+        if (parse_float(next_word(after), number) != FloatStatus::ok || trim(after).empty()) return;
+        value[i] = number, rest = after;
+    }
+}
+
+TextureMap take_map(std::string_view rest, const fs::path& folder) {
+    TextureMap map;
+    for (rest = trim(rest); rest.starts_with('-');) {
+        std::string_view after = rest;
+        const std::string_view option = next_word(after);
+        glm::vec3 dropped;
+        if (option == "-bm")
+            map.bump_multiplier = take_float(after, option);
+        else if (option == "-o")
+            take_up_to_three(after, option, map.offset);
+        else if (option == "-s")
+            take_up_to_three(after, option, map.scale);
+        else if (option == "-t")
+            take_up_to_three(after, option, dropped);
+        else if (option == "-mm")
+            map.base_gain.x = take_float(after, option), map.base_gain.y = take_float(after, option);
+        else if (option == "-clamp")
+            map.clamp = take_switch(after, option);
+        else if (option == "-blendu" || option == "-blendv" || option == "-cc")
+            take_switch(after, option);
+        else if (option == "-boost" || option == "-texres")
+            take_float(after, option);
+        else if (option == "-type")
+            next_word(after);
+        else if (option == "-imfchan") {
+            const std::string_view channel = next_word(after);
+            if (channel.size() != 1 || std::string_view("rgbmlz").find(channel[0]) == std::string_view::npos)
+                throw InputError(shown(channel) + " after -imfchan, expected one of r g b m l z");
+            map.channel = channel[0];
+        } else
+            break;  // a file whose name starts with a dash
+        rest = trim(after);
+    }
+    if (rest.empty()) throw InputError("a texture map without a file");
+    map.file = resolve_file(rest, folder);
+    return map;
+}
+
+struct Reader {
+    std::vector<Material>& materials;
+    const fs::path& folder;
+    bool has_d = false;
+
+    void statement(std::string_view rest) {
+        const std::string written(next_word(rest)), keyword = lower(written);
+        if (keyword == "newmtl") {
+            if (trim(rest).empty()) throw InputError("newmtl without a name");
+            materials.emplace_back().name = trim(rest), has_d = false;
+            return;
+        }
+        const bool known = color_of(keyword) || number_of(keyword) || map_of(keyword) || keyword == "d" ||
+                           keyword == "tr" || keyword == "illum";
+        if (!known) return;
+        if (materials.empty()) throw InputError(written + " before the first newmtl");
+        Material& m = materials.back();
+        if (glm::vec3 Material::*color = color_of(keyword)) {
+            if (const auto value = take_color(rest, written)) m.*color = *value;
+        } else if (float Material::*number = number_of(keyword)) {
+            m.*number = take_float(rest, written);
+        } else if (TextureMap Material::*map = map_of(keyword)) {
+            m.*map = take_map(rest, folder);
+        } else if (keyword == "d") {
+            std::string_view after = rest;
+            if (next_word(after) == "-halo") rest = after;
+            m.opacity = take_float(rest, written), has_d = true;
+        } else if (keyword == "tr") {
+            // Programs disagree on what Tr is where d is given too; d is clear.
+            const float transparency = take_float(rest, written);
+            if (!has_d) m.opacity = 1.0f - transparency;
+        } else {
+            const float model = take_float(rest, written);
+            if (!(model >= 0.0f && model <= 10.0f)) throw InputError("illum is a whole number from 0 to 10");
+            m.illumination = static_cast<int>(model);
+        }
+    }
+
+    static glm::vec3 Material::*color_of(const std::string& k) {
+        return k == "ka"   ? &Material::ambient
+               : k == "kd" ? &Material::diffuse
+               : k == "ks" ? &Material::specular
+               : k == "ke" ? &Material::emissive
+                           : nullptr;
+    }
+    static float Material::*number_of(const std::string& k) {
+        return k == "ns"   ? &Material::shininess
+               : k == "ni" ? &Material::refraction
+               : k == "pr" ? &Material::roughness
+               : k == "pm" ? &Material::metalness
+                           : nullptr;
+    }
+    static TextureMap Material::*map_of(const std::string& k) {
+        static const std::map<std::string, TextureMap Material::*> maps = {{"map_ka", &Material::ambient_map},
+                                                                           {"map_kd", &Material::diffuse_map},
+                                                                           {"map_ks", &Material::specular_map},
+                                                                           {"map_ke", &Material::emissive_map},
+                                                                           {"map_ns", &Material::shininess_map},
+                                                                           {"map_d", &Material::opacity_map},
+                                                                           {"map_opacity", &Material::opacity_map},
+                                                                           {"map_bump", &Material::bump_map},
+                                                                           {"bump", &Material::bump_map},
+                                                                           {"norm", &Material::normal_map},
+                                                                           {"map_kn", &Material::normal_map},
+                                                                           {"disp", &Material::displacement_map},
+                                                                           {"map_disp", &Material::displacement_map},
+                                                                           {"map_pr", &Material::roughness_map},
+                                                                           {"map_pm", &Material::metalness_map}};
+        const auto it = maps.find(k);
+        return it == maps.end() ? nullptr : it->second;
+    }
+};
+
+// `mtllib` may name several files, and a name may hold spaces: the whole line is a name where such a file exists.
+std::vector<fs::path> library_files(const std::string& written, const fs::path& folder) {
+    std::error_code ignored;
+    const fs::path whole = resolve_file(written, folder);
+    if (fs::exists(whole, ignored) || written.find(' ') == written.npos) return {whole};
+    std::vector<fs::path> files;
+    std::string_view rest = written;
+    for (std::string_view word; !(word = next_word(rest)).empty();) {
+        files.push_back(resolve_file(word, folder));
+        if (!fs::exists(files.back(), ignored)) return {whole};
+    }
+    return files;
+}
+
+}  // namespace
+
+std::vector<Material> parse_mtl(std::string_view text, const std::string& name, const fs::path& folder) {
+    if (text.substr(0, 4096).find('\0') != text.npos)
+        throw InputError(name + ":1: the file is binary, expected MTL text");
+    std::vector<Material> materials;
+    Reader reader{materials, folder};
+    Statements statements(without_mark(text));
+    for (std::string_view statement; statements.next(statement);) try {
+            reader.statement(statement);
+        } catch (const InputError& error) { fail_at(name, statements.line(), error.what()); }
+    return materials;
+}
+
+std::vector<Material> load_mtl(const fs::path& path) {
+    return parse_mtl(read_file(path), path.string(), path.parent_path());
+}
+
+std::vector<Material> find_materials(const std::vector<std::string>& names, const std::vector<std::string>& libraries,
+                                     const fs::path& folder) {
+    std::map<std::string, Material> known;
+    for (const std::string& written : libraries)
+        for (const fs::path& file : library_files(written, folder)) {
+            std::error_code ignored;
+            if (!fs::is_regular_file(file, ignored)) {
+                std::fprintf(stderr, "warning: %s: no such material file; its materials are plain\n", file.c_str());
+                continue;
+            }
+            for (Material& material : load_mtl(file)) known.try_emplace(material.name, std::move(material));
+        }
+    std::vector<Material> found;
+    for (const std::string& name : names) {
+        const auto it = known.find(name);
+        if (it == known.end() && !known.empty())
+            std::fprintf(stderr, "warning: no material '%s' in the material files; it is plain\n", name.c_str());
+        Material& material = found.emplace_back();
+        if (it != known.end()) material = it->second;
+        material.name = name;
+    }
+    return found;
+}
+
+}  // namespace lightwalk

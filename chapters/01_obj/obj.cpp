@@ -1,0 +1,85 @@
+#include "01_obj/obj.h"
+
+#include <array>
+
+#include "01_obj/lines.h"
+#include "01_obj/loaders.h"
+#include "01_obj/mapped_file.h"
+#include "01_obj/mtl.h"
+#include "01_obj/scan.h"
+#include "common/error.h"
+#include "common/scene/import.h"
+
+namespace lightwalk {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 5> names = {"textbook", "tinyobjloader", "assimp", "scan", "parallel"};
+
+ObjData parse(std::string_view text, const std::string& name, Loader loader, const ParseOptions& options) {
+    text = without_mark(text);
+    check_is_text(text, name);
+    ObjData data;
+    switch (loader) {
+        case Loader::textbook:
+            data = parse_textbook(text, name);
+            break;
+        case Loader::tinyobjloader:
+            data = parse_tinyobjloader(text, name);
+            break;
+        case Loader::assimp:
+            data = parse_assimp(text, name);
+            break;
+        case Loader::scan:
+            data = parse_scan(text, name);
+            break;
+        case Loader::parallel:
+            data = parse_parallel(text, name, options);
+            break;
+    }
+    if (data.corners.empty()) throw InputError(name + ":1: no face in the file, expected a line such as f 1 2 3");
+    return data;
+}
+
+}  // namespace
+
+std::string_view loader_name(Loader loader) { return names[static_cast<size_t>(loader)]; }
+
+std::vector<std::string_view> loader_names() { return {names.begin(), names.end()}; }
+
+Loader loader_from_name(std::string_view name) {
+    std::string known;
+    for (size_t i = 0; i < names.size(); ++i) {
+        if (names[i] == name) return static_cast<Loader>(i);
+        known += (i ? ", " : "") + std::string(names[i]);
+    }
+    throw InputError("unknown loader '" + std::string(name) + "'; there are: " + known);
+}
+
+bool is_obj(const fs::path& path) {
+    const std::string extension = path.extension();
+    return extension == ".obj" || extension == ".OBJ" || extension == ".Obj";
+}
+
+ObjData parse_obj(const fs::path& path, Loader loader) {
+    const MappedFile file(path);
+    return parse(file.text(), path.string(), loader, {});
+}
+
+ObjData parse_obj_text(std::string_view text, const std::string& name, Loader loader, ParseOptions options) {
+    std::string padded(text);
+    padded.append(64, '\0');
+    return parse(std::string_view(padded).substr(0, text.size()), name, loader, options);
+}
+
+Model load_obj(const fs::path& path, Loader loader) {
+    if (loader == Loader::assimp) return import_model(path);
+    const ObjData data = parse_obj(path, loader);
+    return weld(data, find_materials(data.materials, data.libraries, path.parent_path()), path.stem());
+}
+
+Model load_model(const fs::path& path, Loader loader) {
+    return is_obj(path) ? load_obj(path, loader) : import_model(path);
+}
+
+}  // namespace lightwalk

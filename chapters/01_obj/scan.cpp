@@ -1,0 +1,165 @@
+#include "01_obj/scan.h"
+
+#include <charconv>
+
+#include "01_obj/float_parse.h"
+#include "01_obj/lines.h"
+#include "01_obj/loaders.h"
+
+namespace lightwalk {
+namespace {
+
+float float_or_throw(std::string_view word) {
+    float value = 0.0f;
+    switch (parse_float(word, value)) {
+        case FloatStatus::ok:
+            break;
+        case FloatStatus::not_a_number:
+            throw InputError(shown(word) + " is not a number such as -1.5 or 2e-3");
+        case FloatStatus::too_large:
+            throw InputError(shown(word) + " is too large for a float, at most 3.4028e38");
+    }
+    return value;
+}
+
+const char* plural(size_t count) { return count == 1 ? "" : "s"; }
+
+}  // namespace
+
+int read_floats(std::string_view rest, int least, int most, float* values, std::string_view usage) {
+    int count = 0;
+    for (std::string_view word; !(word = next_value(rest)).empty(); ++count) {
+        if (count == most) throw InputError("too many numbers, expected " + std::string(usage));
+        values[count] = float_or_throw(word);
+    }
+    if (count < least)
+        throw InputError(std::to_string(count) + " number" + plural(static_cast<size_t>(count)) + ", expected " +
+                         std::string(usage));
+    return count;
+}
+
+uint32_t Scanner::index(std::string_view& word, size_t so_far, size_t total, const char* what) {
+    int64_t number = 0;
+    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error == std::errc::invalid_argument)
+        throw InputError(shown(word) + " is not an index; a corner is v, v/vt, v//vn or v/vt/vn");
+    const std::string_view digits(word.data(), static_cast<size_t>(stop - word.data()));
+    word.remove_prefix(digits.size());
+    if (number == 0 && error == std::errc()) throw InputError("index 0; the first " + std::string(what) + " is 1");
+    if (error != std::errc() || number > largest_index || number < -largest_index)
+        throw InputError("index " + std::string(digits.substr(0, 40)) + " is out of range");
+    const int64_t from_start = number > 0 ? number - 1 : static_cast<int64_t>(so_far) + number;
+    if (total_ && (from_start < 0 || from_start >= static_cast<int64_t>(total)))
+        throw InputError("index " + std::string(digits) + " is out of range, there " + (total == 1 ? "is " : "are ") +
+                         std::to_string(number < 0 ? so_far : total) + " " + what + plural(total) +
+                         (number < 0 ? " before it" : ""));
+    return number > 0 ? static_cast<uint32_t>(from_start) : relative_index(from_start);
+}
+
+void Scanner::face(std::string_view rest) {
+    const size_t positions = (out_.positions.size() - start_.positions) / 3;
+    const size_t uvs = (out_.uvs.size() - start_.uvs) / 2, normals = (out_.normals.size() - start_.normals) / 3;
+    const Counts total = total_ ? *total_ : Counts();
+    const size_t first = out_.corners.size();
+    for (std::string_view word; !(word = next_value(rest)).empty();) {
+        const std::string_view whole = word;
+        Corner corner;
+        corner.position = index(word, positions, total.positions, "position");
+        if (word.starts_with('/')) {
+            word.remove_prefix(1);
+            if (!word.starts_with('/')) corner.uv = index(word, uvs, total.uvs, "uv");
+            if (word.starts_with('/')) {
+                word.remove_prefix(1);
+                corner.normal = index(word, normals, total.normals, "normal");
+            }
+        }
+        if (!word.empty()) throw InputError(shown(whole) + " is not a corner; write v, v/vt, v//vn or v/vt/vn");
+        out_.corners.push_back(corner);
+    }
+    const size_t count = out_.corners.size() - first;
+    if (count < 3)
+        throw InputError("a face with " + std::to_string(count) + " corner" + plural(count) + ", expected 3 or more");
+    out_.sizes.push_back(static_cast<uint32_t>(count));
+}
+
+void Scanner::statement(std::string_view text) {
+    std::string_view rest = text;
+    const std::string_view keyword = next_word(rest);
+    const auto name_line = [&](NameLine::Kind kind) {
+        names_.push_back({kind, out_.sizes.size() - start_.sizes, std::string(trim(rest))});
+    };
+    float values[7] = {};
+    if (keyword == "v") {
+        if (read_floats(rest, 3, 7, values, "v x y z, with w or r g b or both behind") == 5)
+            throw InputError("5 numbers, expected v x y z, with w or r g b or both behind");
+        std::memcpy(out_.positions.room(3), values, 3 * sizeof(float)), out_.positions.added(3);
+    } else if (keyword == "vt") {
+        read_floats(rest, 1, 3, values, "vt u v");
+        std::memcpy(out_.uvs.room(2), values, 2 * sizeof(float)), out_.uvs.added(2);
+    } else if (keyword == "vn") {
+        read_floats(rest, 3, 3, values, "vn x y z");
+        std::memcpy(out_.normals.room(3), values, 3 * sizeof(float)), out_.normals.added(3);
+    } else if (keyword == "f" || keyword == "fo") {
+        face(rest);
+    } else if (keyword == "o") {
+        name_line(NameLine::object);
+    } else if (keyword == "g") {
+        name_line(NameLine::group);
+    } else if (keyword == "usemtl") {
+        name_line(NameLine::material);
+    } else if (keyword == "mtllib") {
+        name_line(NameLine::library);
+    } else {
+        check_keyword(keyword);
+    }
+}
+
+void check_keyword(std::string_view keyword) {
+    for (const char c : keyword)
+        if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'))
+            throw InputError(shown(keyword) + " is not a statement; a line starts with a word such as v, vt, vn or f");
+}
+
+Piece Scanner::piece() { return {&out_, start_, mark(out_), std::move(names_)}; }
+
+void check_is_text(std::string_view text, const std::string& name) {
+    if (trim(text).empty()) throw InputError(name + ":1: the file is empty, expected OBJ text");
+    if (text.substr(0, 4096).find('\0') != text.npos)
+        throw InputError(name + ":1: the file is binary, expected OBJ text");
+}
+
+Counts count_elements(std::string_view text) {
+    Counts counts;
+    Statements statements(text);
+    for (std::string_view statement; statements.next(statement);) {
+        const std::string_view keyword = next_word(statement);
+        counts.positions += keyword == "v", counts.uvs += keyword == "vt", counts.normals += keyword == "vn";
+    }
+    return counts;
+}
+
+void throw_first_error(std::string_view text, const std::string& name) {
+    const Counts total = count_elements(text);
+    Collected collected;
+    Scanner scanner(collected, &total);
+    Statements statements(text);
+    for (std::string_view statement; statements.next(statement);) try {
+            scanner.statement(statement);
+        } catch (const InputError& error) { fail_at(name, statements.line(), error.what()); }
+    throw InputError(name + ": more than " + std::to_string(largest_index) + " elements or triangles");
+}
+
+ObjData parse_scan(std::string_view text, const std::string& name) {
+    Collected collected;
+    Scanner scanner(collected);
+    Statements statements(text);
+    ObjData data;
+    try {
+        for (std::string_view statement; statements.next(statement);) scanner.statement(statement);
+    } catch (const InputError&) { throw_first_error(text, name); }
+    const Piece piece = scanner.piece();
+    if (!assemble({&piece, 1}, 1, data)) throw_first_error(text, name);
+    return data;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,49 @@
+// Reading OBJ statements where they lie, in one pass: no copies, no streams, no locale.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "01_obj/assemble.h"
+
+namespace lightwalk {
+
+/// Reads one statement at a time into a Collected.
+class Scanner {
+  public:
+    /// Collects into `into`. With `total`, the number of elements in the whole file, an index out of range is an error
+    /// at once; without, assemble() finds it.
+    Scanner(Collected& into, const Counts* total = nullptr) : out_(into), start_(mark(into)), total_(total) {}
+
+    /// One trimmed statement that is not empty. Throws InputError with the reason alone.
+    void statement(std::string_view text);
+
+    /// What has been read since the constructor.
+    Piece piece();
+
+  private:
+    void face(std::string_view rest);
+    uint32_t index(std::string_view& word, size_t so_far, size_t total, const char* what);
+
+    Collected& out_;
+    Piece::Mark start_;
+    const Counts* total_;
+    std::vector<NameLine> names_;
+};
+
+/// Reads `count` numbers at least and `most` at most; returns how many. Throws InputError with the reason alone.
+int read_floats(std::string_view rest, int least, int most, float* values, std::string_view usage);
+
+/// Throws InputError, with the reason alone, unless a keyword that means nothing to us is a word. The format has many
+/// statements (l, p, s, curves, ...) that the course has no use for, and programs add their own.
+void check_keyword(std::string_view keyword);
+
+/// Throws InputError where the text cannot be OBJ: empty, or binary.
+void check_is_text(std::string_view text, const std::string& name);
+
+/// How many `v`, `vt` and `vn` statements.
+Counts count_elements(std::string_view text);
+
+/// Reads the text again, slowly and checking every index, and throws the first error with its line.
+[[noreturn]] void throw_first_error(std::string_view text, const std::string& name);
+
+}  // namespace lightwalk

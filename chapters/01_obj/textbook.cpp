@@ -1,0 +1,148 @@
+// The loader as one writes it first: a line at a time, and a stream for every line. It is the slowest and the easiest
+// to follow, and it calls this chapter's exercises.
+#include <algorithm>
+#include <locale>
+#include <sstream>
+
+#include "01_obj/exercises.h"
+#include "01_obj/lines.h"
+#include "01_obj/loaders.h"
+#include "01_obj/scan.h"
+
+namespace lightwalk {
+namespace {
+
+std::istringstream words_of(const std::string& line) {
+    std::istringstream words(line);
+    words.imbue(std::locale::classic());  // a German locale would read 1.5 as 1
+    return words;
+}
+
+float number(const std::string& word) {
+    float value = 0.0f;
+    std::istringstream in = words_of(word);
+    if (!(in >> value) || in.peek() != std::istringstream::traits_type::eof())
+        throw InputError(shown(word) + " is not a number that a float can hold");
+    return value;
+}
+
+std::vector<float> numbers(const std::string& line, size_t least, size_t most) {
+    std::istringstream words = words_of(line);
+    std::vector<float> values;
+    std::string word;
+    for (words >> word; words >> word && word[0] != '#';) values.push_back(number(word));
+    if (values.size() < least || values.size() > most)
+        throw InputError(std::to_string(values.size()) + " numbers, expected " + std::to_string(least) +
+                         (least == most ? "" : " to " + std::to_string(most)));
+    return values;
+}
+
+// A statement: a line and those that a backslash joins to it. Counts the lines; false at the end.
+bool read_statement(std::istream& in, std::string& statement, size_t& line, size_t& next_line) {
+    if (line = next_line; !std::getline(in, statement)) return false;
+    ++next_line;
+    statement = trim(statement);
+    if (statement.starts_with('#')) statement.clear();
+    for (std::string more; statement.ends_with('\\');) {
+        statement.back() = ' ';
+        if (!std::getline(in, more)) break;
+        ++next_line;
+        statement += trim(more);
+    }
+    return true;
+}
+
+uint32_t number_of(std::vector<std::string>& names, std::string_view name) {
+    for (uint32_t i = 0; i < names.size(); ++i)
+        if (names[i] == name) return i;
+    names.emplace_back(name);
+    return static_cast<uint32_t>(names.size() - 1);
+}
+
+struct Face {
+    std::vector<Corner> corners;
+    Run names;
+};
+
+class Reader {
+  public:
+    explicit Reader(const Counts& total) : total_(total) {}
+
+    void statement(const std::string& line) {
+        std::string keyword;
+        words_of(line) >> keyword;
+        const std::string_view rest = trim(std::string_view(line).substr(keyword.size()));
+        if (keyword == "v") {
+            const glm::vec3 p = parse_vertex_line(line);
+            for (int i = 0; i < 3; ++i) data_.positions.push_back(p[i]);
+            ++so_far_.positions;
+        } else if (keyword == "vt") {
+            std::vector<float> uv = numbers(line, 1, 3);
+            uv.resize(2);
+            for (const float x : uv) data_.uvs.push_back(x);
+            ++so_far_.uvs;
+        } else if (keyword == "vn") {
+            for (const float x : numbers(line, 3, 3)) data_.normals.push_back(x);
+            ++so_far_.normals;
+        } else if (keyword == "f" || keyword == "fo") {
+            faces_.push_back({checked(parse_face(line, so_far_, total_)), names_});
+        } else if (keyword == "o") {
+            names_.object = number_of(data_.objects, rest);
+        } else if (keyword == "g") {
+            names_.group = number_of(data_.groups, rest);
+        } else if (keyword == "usemtl") {
+            names_.material = number_of(data_.materials, rest);
+        } else if (keyword == "mtllib") {
+            data_.libraries.emplace_back(rest);
+        } else {
+            check_keyword(keyword);
+        }
+    }
+
+    ObjData finish() {
+        data_.runs = {Run()};
+        for (Face& face : faces_) {
+            face.names.first_triangle = static_cast<uint32_t>(data_.triangles());
+            add_run(data_.runs, face.names);
+            const size_t count = face.corners.size();
+            Corner* out = data_.corners.room(3 * (count - 2));
+            if (count == 3)
+                std::copy_n(face.corners.data(), 3, out);
+            else
+                cut_polygon(triangulate.function(), face.corners.data(), count, data_.positions, out);
+            data_.corners.added(3 * (count - 2));
+        }
+        return std::move(data_);
+    }
+
+  private:
+    // A student's parse_face may return anything; what it returns is used as an index.
+    std::vector<Corner> checked(std::vector<Corner> corners) const {
+        const auto in_range = [](uint32_t index, size_t count) { return index == none || index < count; };
+        for (const Corner& c : corners)
+            if (c.position >= total_.positions || !in_range(c.uv, total_.uvs) || !in_range(c.normal, total_.normals))
+                throw InputError("parse_face gave an index that is out of range");
+        if (corners.size() < 3) throw InputError("parse_face gave fewer than 3 corners");
+        return corners;
+    }
+
+    Counts so_far_, total_;
+    ObjData data_;
+    std::vector<Face> faces_;
+    Run names_;
+};
+
+}  // namespace
+
+ObjData parse_textbook(std::string_view text, const std::string& name) {
+    Reader reader(count_elements(text));
+    std::istringstream in{std::string(text)};
+    std::string statement;
+    for (size_t line = 1, next_line = 1; read_statement(in, statement, line, next_line);) try {
+            statement = trim(statement);
+            if (!statement.empty()) reader.statement(statement);
+        } catch (const InputError& error) { fail_at(name, line, error.what()); }
+    return reader.finish();
+}
+
+}  // namespace lightwalk

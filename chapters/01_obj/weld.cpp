@@ -1,0 +1,130 @@
+// From index triples to the one index per vertex that a GPU wants.
+#include <algorithm>
+#include <glm/glm.hpp>
+#include <utility>
+
+#include "01_obj/obj.h"
+
+namespace lightwalk {
+namespace {
+
+glm::vec3 at3(const Array<float>& values, uint32_t i) {
+    return {values[3 * size_t{i}], values[3 * size_t{i} + 1], values[3 * size_t{i} + 2]};
+}
+
+glm::vec3 unit(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return length > 0.0 ? glm::vec3(v / length) : glm::vec3(0.0f, 1.0f, 0.0f);
+}
+
+// Finds the vertex made for an index triple before. The index of the position is its own hash, without collisions; a
+// chain behind it holds the few vertices that share the position and differ in uv or normal.
+class VertexTable {
+  public:
+    explicit VertexTable(size_t positions) : first_(positions, none) {}
+    void next_mesh() { mesh_start_ = static_cast<uint32_t>(entries_.size()); }
+
+    /// The vertex's number in the mesh; a new one where `is_new`.
+    uint32_t find(const Corner& corner, bool& is_new) {
+        // Entries of earlier meshes lie behind all of this mesh's.
+        for (uint32_t i = first_[corner.position]; i != none && i >= mesh_start_; i = entries_[i].next)
+            if (entries_[i].uv == corner.uv && entries_[i].normal == corner.normal)
+                return is_new = false, i - mesh_start_;
+        const uint32_t i = static_cast<uint32_t>(entries_.size());
+        entries_.push_back({corner.uv, corner.normal, first_[corner.position]});
+        first_[corner.position] = i;
+        return is_new = true, i - mesh_start_;
+    }
+
+  private:
+    struct Entry {
+        uint32_t uv, normal, next;
+    };
+    std::vector<uint32_t> first_;
+    std::vector<Entry> entries_;
+    uint32_t mesh_start_ = 0;
+};
+
+// A range of triangles and where it goes.
+struct Stretch {
+    uint32_t mesh, material;
+    size_t begin, end;
+};
+
+// For each position, the sum of the normals of the faces that give none, weighted by area: the cross product of two
+// edges is twice the area long. Empty where every corner has a normal.
+std::vector<glm::dvec3> smooth_normals(const ObjData& data) {
+    std::vector<glm::dvec3> sums;
+    for (size_t i = 0; i < data.corners.size(); i += 3) {
+        const Corner* t = data.corners.data() + i;
+        if (t[0].normal != none && t[1].normal != none && t[2].normal != none) continue;
+        if (sums.empty()) sums.resize(data.positions.size() / 3, glm::dvec3(0.0));
+        const glm::dvec3 a = at3(data.positions, t[0].position), b = at3(data.positions, t[1].position),
+                         c = at3(data.positions, t[2].position);
+        const glm::dvec3 weighted = glm::cross(b - a, c - a);
+        for (int k = 0; k < 3; ++k) sums[t[k].position] += weighted;
+    }
+    return sums;
+}
+
+// One stretch for each run, those of a mesh and a material next to each other, in order of first use.
+std::vector<Stretch> stretches_by_mesh(const ObjData& data, Model& model, const std::string& name) {
+    std::vector<uint32_t> mesh_of(data.objects.size() + 1, none);
+    std::vector<Stretch> stretches;
+    for (size_t i = 0; i < data.runs.size(); ++i) {
+        const Run& run = data.runs[i];
+        const size_t end = i + 1 < data.runs.size() ? data.runs[i + 1].first_triangle : data.triangles();
+        if (end <= run.first_triangle) continue;
+        uint32_t& mesh = mesh_of[run.object == none ? data.objects.size() : run.object];
+        if (mesh == none) {
+            mesh = static_cast<uint32_t>(model.meshes.size());
+            model.meshes.emplace_back().name = run.object == none ? name : data.objects[run.object];
+            model.nodes.push_back({.name = model.meshes.back().name, .meshes = {mesh}});
+        }
+        const uint32_t material = run.material == none ? static_cast<uint32_t>(data.materials.size()) : run.material;
+        stretches.push_back({mesh, material, run.first_triangle, end});
+    }
+    std::stable_sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) {
+        return std::pair(a.mesh, a.material) < std::pair(b.mesh, b.material);
+    });
+    return stretches;
+}
+
+}  // namespace
+
+Model weld(const ObjData& data, std::vector<Material> materials, const std::string& name) {
+    Model model;
+    model.materials = std::move(materials);
+    const std::vector<Stretch> stretches = stretches_by_mesh(data, model, name);
+    for (const Stretch& s : stretches)
+        if (s.material >= model.materials.size()) model.materials.resize(s.material + 1);
+    const std::vector<glm::dvec3> smooth = smooth_normals(data);
+    VertexTable table(data.positions.size() / 3);
+    const auto vertex = [&](const Corner& c) {
+        const glm::dvec3 given = c.normal == none ? glm::dvec3(0.0) : glm::dvec3(at3(data.normals, c.normal));
+        const bool has_normal = given != glm::dvec3(0.0);
+        const size_t uv = 2 * size_t{c.uv};
+        return Vertex{at3(data.positions, c.position), unit(has_normal || smooth.empty() ? given : smooth[c.position]),
+                      c.uv == none ? glm::vec2(0.0f) : glm::vec2(data.uvs[uv], data.uvs[uv + 1])};
+    };
+    for (size_t i = 0; i < stretches.size(); ++i) {
+        const Stretch& s = stretches[i];
+        Mesh& mesh = model.meshes[s.mesh];
+        const bool new_mesh = i == 0 || stretches[i - 1].mesh != s.mesh;
+        if (new_mesh) table.next_mesh();
+        if (new_mesh || mesh.parts.back().material != s.material)
+            mesh.parts.push_back({static_cast<uint32_t>(mesh.indices.size()), 0, s.material});
+        if (new_mesh) mesh.indices.reserve(3 * (s.end - s.begin));
+        for (size_t k = 3 * s.begin; k < 3 * s.end; ++k) {
+            bool is_new;
+            mesh.indices.push_back(table.find(data.corners[k], is_new));
+            if (!is_new) continue;
+            mesh.vertices.push_back(vertex(data.corners[k]));
+            mesh.bounds.add(mesh.vertices.back().position);
+        }
+        mesh.parts.back().index_count = static_cast<uint32_t>(mesh.indices.size()) - mesh.parts.back().first_index;
+    }
+    return model;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,73 @@
+// A chapter: its knobs, its passes and one frame. What it declares as members registers itself.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/app/knob.h"
+#include "common/gpu/frame.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+/// An extra of a chapter's command line that runs instead of a frame: --flag ARGUMENT.
+struct Command {
+    std::string flag, argument, help;
+    std::function<int(const std::string& argument, bool json)> run;  ///< returns the exit code
+};
+
+/// A named picture: tests/NN_name/shots.json has a list of them.
+struct Shot {
+    std::string name, caption, scene;
+    glm::uvec2 size{960, 540};
+    float time_s = 0;
+    int frames = 1;
+    std::vector<std::pair<std::string, std::string>> set;
+};
+
+class Chapter {
+  public:
+    Chapter() { knobs_under_construction() = &knobs; }
+    virtual ~Chapter() = default;
+    Chapter(const Chapter&) = delete;
+
+    std::string name;  ///< NN_name
+    KnobList knobs;
+    Scene scene;
+    Camera camera;  ///< the scene's, moved by the window
+
+    /// Below assets/: shown without --scene.
+    virtual std::string default_scene() const = 0;
+    virtual Model load_model(const std::filesystem::path& file) = 0;
+
+    /// Once after the scene was loaded and again after each reload.
+    virtual void prepare(Gpu&) {}
+
+    /// Records one frame; what it leaves in frame.output is the picture.
+    virtual void frame(Frame& frame) = 0;
+    virtual std::vector<Command> commands() { return {}; }
+
+    /// What C++ exercises change apart from shaders needs the scene loaded anew when they are toggled.
+    virtual bool reload_on_toggle() const { return false; }
+};
+
+/// Reads a scene file or wraps a model file, and loads it. Throws InputError.
+void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file);
+
+/// Records, submits and waits for one frame with the camera's and the knobs' uniforms in place.
+void render(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, unsigned seed);
+
+/// frame.hdr to frame.output: clamped to 1 and sRGB-encoded. Chapters that map tones better do so themselves.
+void encode_srgb(Frame& frame);
+
+std::vector<Shot> read_shots(const std::string& chapter);
+
+/// The whole program: options, then a window, a picture or a list. Returns the exit code.
+int run_chapter(int argc, char** argv, const char* name, const std::function<std::unique_ptr<Chapter>()>& make);
+
+}  // namespace lightwalk
+
+#define CHAPTER(Type)                                                                                          \
+    int main(int argc, char** argv) {                                                                          \
+        return lightwalk::run_chapter(argc, argv, LIGHTWALK_CHAPTER, [] { return std::make_unique<Type>(); }); \
+    }

@@ -1,0 +1,172 @@
+#include "common/app/knob.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "common/error.h"
+
+namespace lightwalk {
+namespace {
+
+std::string upper(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
+}
+
+std::string format(double value) {
+    char buffer[32];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(value)).ptr;
+    return {buffer, end};
+}
+
+// How a value type maps to components.
+template <class T>
+struct Components {
+    static constexpr int count = 1;
+    static double get(const T& value, int) { return static_cast<double>(value); }
+    static void put(T& value, int, double number) { value = static_cast<T>(number); }
+};
+template <int N>
+struct Components<glm::vec<N, float>> {
+    static constexpr int count = N;
+    static double get(const glm::vec<N, float>& value, int i) { return static_cast<double>(value[i]); }
+    static void put(glm::vec<N, float>& value, int i, double number) { value[i] = static_cast<float>(number); }
+};
+
+template <class T>
+constexpr const char* kind = std::is_same_v<T, int>      ? "whole number"
+                             : Components<T>::count == 1 ? "number"
+                                                         : "numbers a,b,c";
+
+}  // namespace
+
+KnobList*& knobs_under_construction() {
+    static KnobList* list = nullptr;
+    return list;
+}
+
+KnobBase::KnobBase(std::string knob_name, std::string knob_help, std::string knob_unit)
+    : name(std::move(knob_name)), help(std::move(knob_help)), unit(std::move(knob_unit)) {
+    if (KnobList* list = knobs_under_construction()) list->push_back(this);
+}
+
+KnobBase::~KnobBase() {
+    if (KnobList* list = knobs_under_construction()) std::erase(*list, this);
+}
+
+template <class T>
+Knob<T>::Knob(std::string knob_name, T initial, Range<T> knob_range, std::string knob_help, std::string knob_unit)
+    : KnobBase(std::move(knob_name), std::move(knob_help), std::move(knob_unit)),
+      value(initial),
+      default_value(initial),
+      range(knob_range) {}
+
+template <class T>
+void Knob<T>::set(const std::string& given) {
+    using C = Components<T>;
+    const double lower = C::get(range.lower, 0), upper_bound = C::get(range.upper, 0);
+    const auto refuse = [&] {
+        throw InputError(name + "=" + given + ": expected a " + kind<T> + " from " + format(lower) + " to " +
+                         format(upper_bound) + (unit.empty() ? "" : " " + unit));
+    };
+    T parsed{};
+    const char* at = given.data();
+    const char* const end = at + given.size();
+    for (int i = 0; i < C::count; ++i) {
+        double number = 0;
+        const auto [next, error] = std::from_chars(at, end, number);
+        if (error != std::errc() || !std::isfinite(number) || number < lower || number > upper_bound) refuse();
+        if (std::is_same_v<T, int> && number != std::floor(number)) refuse();
+        C::put(parsed, i, number);
+        at = next;
+        if (i + 1 < C::count && (at == end || *at++ != ',')) refuse();
+    }
+    if (at != end) refuse();
+    value = parsed;
+}
+
+template <class T>
+std::string Knob<T>::text() const {
+    std::string result;
+    for (int i = 0; i < Components<T>::count; ++i) result += (i ? "," : "") + format(Components<T>::get(value, i));
+    return result;
+}
+
+template <class T>
+std::vector<float> Knob<T>::numbers() const {
+    std::vector<float> result;
+    for (int i = 0; i < Components<T>::count; ++i) result.push_back(static_cast<float>(Components<T>::get(value, i)));
+    return result;
+}
+
+template <class T>
+nlohmann::json Knob<T>::describe() const {
+    using C = Components<T>;
+    nlohmann::json defaults = nlohmann::json::array();
+    for (int i = 0; i < C::count; ++i) defaults.push_back(C::get(default_value, i));
+    return {{"name", name},
+            {"type", kind<T>},
+            {"default", C::count == 1 ? defaults[0] : defaults},
+            {"range", {C::get(range.lower, 0), C::get(range.upper, 0)}},
+            {"unit", unit},
+            {"help", help}};
+}
+
+template class Knob<float>;
+template class Knob<int>;
+template class Knob<glm::vec3>;
+
+Knob<bool>::Knob(std::string knob_name, bool initial, std::string knob_help)
+    : KnobBase(std::move(knob_name), std::move(knob_help), ""), value(initial), default_value(initial) {}
+
+void Knob<bool>::set(const std::string& given) {
+    if (given != "on" && given != "off" && given != "true" && given != "false")
+        throw InputError(name + "=" + given + ": expected on or off");
+    value = given == "on" || given == "true";
+}
+
+nlohmann::json Knob<bool>::describe() const {
+    return {{"name", name}, {"type", "switch"}, {"default", default_value ? "on" : "off"}, {"help", help}};
+}
+
+std::vector<std::pair<std::string, std::string>> Knob<bool>::macros() const {
+    return {{upper(name), value ? "1" : "0"}};
+}
+
+Choice::Choice(std::string knob_name, std::vector<std::string> names, std::string initial, std::string knob_help)
+    : KnobBase(std::move(knob_name), std::move(knob_help), ""), options(std::move(names)) {
+    set(initial);
+    default_index_ = index;
+}
+
+void Choice::set(const std::string& given) {
+    const auto it = std::find(options.begin(), options.end(), given);
+    std::string known;
+    for (const std::string& option : options) known += (known.empty() ? "" : ", ") + option;
+    if (it == options.end()) throw InputError(name + "=" + given + ": expected one of " + known);
+    index = static_cast<size_t>(it - options.begin());
+}
+
+nlohmann::json Choice::describe() const {
+    return {
+        {"name", name}, {"type", "choice"}, {"default", options[default_index_]}, {"options", options}, {"help", help}};
+}
+
+std::vector<std::pair<std::string, std::string>> Choice::macros() const {
+    std::vector<std::pair<std::string, std::string>> result{{upper(name), std::to_string(index)}};
+    for (size_t i = 0; i < options.size(); ++i) result.emplace_back(upper(name + "_" + options[i]), std::to_string(i));
+    return result;
+}
+
+KnobBase& find_knob(const KnobList& knobs, const std::string& name) {
+    std::string known;
+    for (KnobBase* knob : knobs) {
+        if (knob->name == name) return *knob;
+        known += (known.empty() ? "" : ", ") + knob->name;
+    }
+    throw InputError("unknown knob '" + name + "'; this chapter has: " + known);
+}
+
+}  // namespace lightwalk

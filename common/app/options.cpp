@@ -1,0 +1,100 @@
+#include "common/app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+
+#include "common/course/exercise.h"
+#include "common/error.h"
+
+namespace lightwalk {
+namespace {
+
+glm::uvec2 parse_size(const std::string& text) {
+    glm::uvec2 size(0);
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.x);
+    const bool cross = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+    const auto height = cross ? std::from_chars(width.ptr + 1, end, size.y) : width;
+    if (!cross || height.ec != std::errc() || height.ptr != end || size.x < 1 || size.y < 1 || size.x > 16384 ||
+        size.y > 16384)
+        throw InputError("--size " + text + ": expected WIDTHxHEIGHT, each from 1 to 16384, such as 960x540");
+    return size;
+}
+
+void apply_shot(Options& options, Chapter& chapter) {
+    std::string known;
+    for (const Shot& shot : read_shots(chapter.name)) {
+        known += (known.empty() ? "" : ", ") + shot.name;
+        if (shot.name != options.shot) continue;
+        if (options.scene.empty()) options.scene = shot.scene;
+        if (!options.size_given) options.size = shot.size;
+        if (!options.time_given) options.time_s = shot.time_s;
+        if (!options.frames_given) options.frames = shot.frames;
+        for (const auto& [name, value] : shot.set) find_knob(chapter.knobs, name).set(value);
+        return;
+    }
+    throw InputError("unknown shot '" + options.shot + "'; " + chapter.name + " has: " + known);
+}
+
+}  // namespace
+
+std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
+    Options o;
+    std::string size, validate = "off";
+    CLI::App app("Lightwalk, chapter " + chapter.name);
+    app.add_option("--scene", o.scene, "a scene file or any model file; default: " + chapter.default_scene());
+    app.add_option("--use", o.use, "solution (default), exercise, or a list such as exercise,02.phong=solution");
+    app.add_option("--set", o.set, "NAME=VALUE sets a knob; may be repeated")->allow_extra_args(false);
+    app.add_option("--budget", o.budget, "with --method auto: the greatest mean FLIP error allowed")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--shot", o.shot, "a named shot of the chapter: --list shots");
+    app.add_option("--size", size, "WIDTHxHEIGHT in pixels; default 960x540");
+    app.add_option("--time", o.time_given, "seconds on the chapter's clock")->check(CLI::Range(-1e6, 1e6));
+    auto* frames =
+        app.add_option("--frames", o.frames, "frames to render; the last one is kept")->check(CLI::Range(1, 100000));
+    app.add_option("--screenshot", o.screenshot, "render without a window, write a PNG, exit");
+    app.add_option("--timings", o.timings, "GPU milliseconds per pass, as JSON, to this file");
+    app.add_option("--list", o.list, "print and exit")
+        ->check(CLI::IsMember({"knobs", "shots", "exercises", "devices"}));
+    app.add_flag("--json", o.json, "lists and reports as JSON");
+    app.add_option("--device", o.device, "a part of a device's name, or hardware's type; --list devices");
+    app.add_option("--validate", validate, "Vulkan validation, core and synchronisation; a message is a failure")
+        ->check(CLI::IsMember({"on", "off"}));
+    app.add_option("--seed", o.seed, "seed for what is random");
+    app.add_flag("--compile-shaders", o.compile_shaders, "compile and validate all shaders in all variants, exit");
+    std::map<std::string, std::string> by_knob, by_command;
+    for (const KnobBase* knob : chapter.knobs)
+        app.add_option("--" + knob->name, by_knob[knob->name], knob->help)->group("Knobs");
+    const std::vector<Command> commands = chapter.commands();
+    for (const Command& command : commands)
+        app.add_option("--" + command.flag, by_command[command.flag], command.help)->type_name(command.argument);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::printf("%s", app.help().c_str());
+        return std::nullopt;
+    } catch (const CLI::ParseError& e) { throw InputError(std::string(e.what()) + "; --help lists what there is"); }
+    o.validate = validate == "on";
+    o.frames_given = !frames->empty();
+    o.size_given = !size.empty();
+    if (o.size_given) o.size = parse_size(size);
+    if (o.time_given) o.time_s = *o.time_given;
+    Exercises::use(o.use);
+    if (!o.shot.empty()) apply_shot(o, chapter);
+    for (const std::string& item : o.set) {
+        const size_t equals = item.find('=');
+        if (equals == item.npos) throw InputError("--set " + item + ": expected NAME=VALUE");
+        find_knob(chapter.knobs, item.substr(0, equals)).set(item.substr(equals + 1));
+    }
+    for (const auto& [name, value] : by_knob)
+        if (!app.get_option("--" + name)->empty()) find_knob(chapter.knobs, name).set(value);
+    for (const Command& command : commands)
+        if (!app.get_option("--" + command.flag)->empty())
+            o.command = [command, argument = by_command[command.flag], json = o.json] {
+                return command.run(argument, json);
+            };
+    return o;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,38 @@
+// The command line every chapter executable takes.
+#pragma once
+#include <optional>
+
+#include "common/app/chapter.h"
+
+namespace lightwalk {
+
+struct Options {
+    std::string scene, use = "solution", shot, screenshot, timings, study, list, device;
+    std::vector<std::string> set;  ///< NAME=VALUE
+    glm::uvec2 size{960, 540};
+    bool size_given = false;
+    float time_s = 0;
+    std::optional<float> time_given;
+    int frames = 1;
+    bool frames_given = false, json = false, validate = false, compile_shaders = false;
+    double budget = 0;
+    unsigned seed = 0;
+    std::function<int()> command;  ///< a chapter's own, where one was asked for
+    bool headless() const { return !screenshot.empty() || !timings.empty() || !study.empty(); }
+};
+
+/// Reads the command line and applies shot, knobs and toggles to the chapter. Throws InputError. Where only help was
+/// asked for, prints it and returns nothing.
+std::optional<Options> read_options(int argc, char** argv, Chapter& chapter);
+
+int print_list(const Options& options, Chapter& chapter);
+
+/// Make the device in `gpu`, which must outlive the chapter, and run it. Return the exit code.
+int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu);
+int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu);
+
+/// Compiles every pipeline of the chapter in every variant of its choices and toggles, and validates the SPIR-V. Needs
+/// no device. Throws ShaderError.
+int compile_all_shaders(Chapter& chapter);
+
+}  // namespace lightwalk

@@ -1,0 +1,83 @@
+"""Configures and builds the C++ side: nothing is said where nothing is to do."""
+
+import contextlib
+import fcntl
+import os
+import re
+import subprocess
+from pathlib import Path
+
+from progress import Progress
+from tree import ROOT, Failure, relative, warn
+
+
+class BuildFailure(Failure):
+    """The build failed; `said` is what the compiler printed."""
+
+    said = ""
+
+
+STATUS = re.compile(r"\[(\d+)/(\d+)\] ")
+
+
+@contextlib.contextmanager
+def alone(folder: Path):
+    """Two commands at once in one tree build one after the other."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / ".lock", "w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            warn("waiting for another ./course that builds here")
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def build(targets: list[str] = (), preset: str = "default") -> Path:
+    """Builds the targets (all without any) of a preset and returns its folder. Raises Failure."""
+    folder = ROOT / "build" / ("" if preset == "default" else preset)
+    with alone(folder):
+        if not is_configured(folder):
+            configure(preset, folder)
+        run_ninja(folder, list(targets))
+    return folder
+
+
+def is_configured(folder: Path, root: Path = ROOT) -> bool:
+    """True where ninja can go on by itself; it runs cmake again where a file of the build changed."""
+    cache = folder / "CMakeCache.txt"
+    return (folder / "build.ninja").exists() and cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={root}\n" in \
+        cache.read_text(errors="replace")
+
+
+def configure(preset: str, folder: Path, root: Path = ROOT):
+    warn(f"configuring {relative(folder)}")
+    # --fresh: a tree that was moved or half configured starts anew.
+    done = subprocess.run(["cmake", "--fresh", "--preset", preset], cwd=root, text=True, errors="replace",
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if done.returncode:
+        warn(done.stdout.rstrip())
+        raise Failure(f"cmake --preset {preset} failed")
+
+
+def run_ninja(folder: Path, targets: list[str]):
+    said = []
+    ninja = subprocess.Popen(["ninja", "-C", folder, *targets], env=dict(os.environ, NINJA_STATUS="[%f/%t] "), text=True,
+                             errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    try:
+        with Progress("building") as progress:
+            for line in ninja.stdout:
+                status = STATUS.match(line)
+                if status:
+                    note = line[status.end():].strip()
+                    if not note.startswith(("Re-checking globbed", "Re-running CMake")):
+                        progress.show(int(status[1]), int(status[2]), note.rsplit("/", 1)[-1])
+                elif not line.startswith(("ninja: Entering", "ninja: no work", "-- ")):
+                    said.append(line)
+                    progress.say(line.rstrip())
+    finally:
+        code = ninja.wait()
+    if code:
+        failure = BuildFailure("the build failed")
+        failure.said = "".join(said)
+        raise failure

@@ -1,0 +1,176 @@
+"""Says which exercises are right, what is wrong with the others, and how far a student is.
+
+A chapter's checks are a program, build/tests/check_NN_name, which tests/NN_name is to give:
+
+    check_NN_name [--exercise NN.name] [--use exercise|solution]
+
+It checks one exercise or all of the chapter, the student's version unless told otherwise, and prints one JSON object
+per exercise on a line of its own:
+
+    {"exercise": "02.phong", "ok": false, "passed": 11, "failed": 3,
+     "first_failure": "phong(n·h = 0, shininess = 0) gave NaN, expected 0", "hint": "a sentence"}
+
+first_failure and hint are null or missing where there is nothing to say. A file that does not compile is a failure
+like any other; first_failure then holds the compiler's line. Exit code 0 if all are right, 1 if not, 2 if there is no
+such exercise. A program that prints nothing, or dies, or runs for more than a minute per exercise, counts as open.
+
+The numbers come first. Where they are right the exercise's pictures are drawn too, those shots that name it in
+"exercises" (shots.py), and compared with their goldens. In a handout, where no reference can stand in for the other
+exercises of a picture, that waits until their numbers are right.
+"""
+
+import functools
+import json
+import subprocess
+
+from build import build
+from progress import Progress
+from shots import compare, exceeded, golden_path, limits_of, render_shot
+from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, relative, say,
+                  shots)
+
+HELP = """Checks your exercises: what is right, and the first thing that is wrong with the others.
+
+  ./course check               all chapters
+  ./course check 02            one chapter
+  ./course check 02.phong      one exercise
+  ./course check 02 --hint     with a hint for each that is still open
+  ./course progress            one line per chapter
+
+Exit code 1 while something is open."""
+TIMEOUT_S = 60
+
+
+def add_arguments(parser):
+    parser.add_argument("what", nargs="?", default="all", metavar="NN | NN.name | all")
+    parser.add_argument("--hint", action="store_true", help="a hint for each exercise that is open")
+    parser.add_argument("--json", action="store_true", help="one JSON object per exercise")
+
+
+def run(arguments, _rest) -> int:
+    selected = select(arguments.what)
+    named = sorted({chapter for chapter, _ in selected})
+    build([f"check_{chapter}" for chapter in named] + named + ["compare"])
+    results = []
+    with Progress("checking") as progress:
+        for number, (chapter, exercise) in enumerate(selected):
+            progress.show(number, len(selected), exercise)
+            results.append(check(chapter, exercise))
+            if arguments.command == "check":
+                progress.clear()
+                show(results[-1], arguments)
+    if arguments.command == "progress":
+        show_progress(named, results, arguments.json)
+    elif not arguments.json:
+        say(summary(results))
+    return 0 if all(result["ok"] for result in results) else 1
+
+
+def select(what: str) -> list[tuple[str, str]]:
+    """(chapter, exercise id) for all, 02 or 02.phong. Raises UsageError."""
+    known = {chapter: exercises(chapter) for chapter in chapters()}
+    if what == "all":
+        selected = [(chapter, exercise) for chapter in known for exercise in known[chapter]]
+    else:
+        word, _, name = what.partition(".")
+        chapter = find_chapter(word)
+        selected = [(chapter, exercise) for exercise in known[chapter]
+                    if not name or exercise == f"{chapter[:2]}.{name}"]
+        if name and not selected:
+            raise UsageError(f"there is no exercise '{what}'; chapter {chapter[:2]} has "
+                             f"{', '.join(known[chapter]) or 'none'}")
+    if not selected:
+        raise UsageError(f"there is no exercise in {what}")
+    return selected
+
+
+def check(chapter: str, exercise: str, use: str = "exercise", root=ROOT) -> dict:
+    """What is to be said of one exercise: the protocol's object, with "file" and "chapter"."""
+    result = {"exercise": exercise, "ok": False, "passed": 0, "failed": 0, "first_failure": None, "hint": None}
+    result |= check_numbers(chapter, exercise, use, root)
+    if result["ok"] and use == "exercise" and root == ROOT:
+        check_pictures(chapter, exercise, result)
+    return result | {"chapter": chapter, "file": relative(exercises(chapter)[exercise])}
+
+
+def check_numbers(chapter: str, exercise: str, use: str = "exercise", root=ROOT) -> dict:
+    """The protocol's object, or what stands in for it where the program gave none."""
+    program = root / "build" / "tests" / f"check_{chapter}"
+    try:
+        done = subprocess.run([program, "--exercise", exercise, "--use", use], cwd=root, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace",
+                              timeout=TIMEOUT_S)
+    except OSError as error:
+        raise Failure(f"{relative(program)}: {error.strerror}") from None
+    except subprocess.TimeoutExpired:
+        return {"first_failure": f"it did not end within {TIMEOUT_S} s"}
+    for line in done.stdout.splitlines():
+        try:
+            found = json.loads(line)
+        except ValueError:
+            continue
+        if isinstance(found, dict) and found.get("exercise") == exercise:
+            return found | {"ok": found.get("ok") is True and done.returncode == 0}
+    words = done.stderr.strip().splitlines()
+    why = f"it was ended by signal {-done.returncode}" if done.returncode < 0 else \
+        f"its check ended with {done.returncode}"
+    return {"first_failure": f"{why}: {words[-1]}" if words else why}
+
+
+@functools.cache
+def numbers_are_right(exercise: str) -> bool:
+    return check_numbers(find_chapter(exercise[:2]), exercise)["ok"]
+
+
+def check_pictures(chapter: str, exercise: str, result: dict):
+    """Where the numbers are right the picture must be: the student's version against the golden."""
+    for shot in shots(chapter):
+        if exercise not in shot.get("exercises", []):
+            continue
+        others = [other for other in shot["exercises"] if other != exercise]
+        if not has_solutions() and not all(numbers_are_right(other) for other in others):
+            continue
+        picture = BUILD / "check" / chapter / f"{shot['name']}.{exercise}.png"
+        heatmap = picture.with_suffix(".flip.png")
+        try:
+            render_shot(chapter, shot, picture, f"solution,{exercise}=exercise" if has_solutions() else "exercise")
+            why = exceeded(compare(golden_path(chapter, shot["name"]), picture, heatmap), limits_of(shot))
+        except Failure as failure:
+            why = [str(failure)]
+        if why:
+            result |= {"ok": False, "failed": result["failed"] + 1,
+                       "first_failure": f"the numbers are right, the picture of {shot['name']} is not: {why[0]}; "
+                                        f"look at {relative(picture)} and {relative(heatmap)}"}
+            return
+        result["passed"] += 1
+
+
+def show(result: dict, arguments):
+    if arguments.json:
+        say(json.dumps(result, ensure_ascii=False))
+        return
+    counted = f"{result['passed']} of {result['passed'] + result['failed']} checks"
+    say(f"{'ok  ' if result['ok'] else 'open'}  {result['exercise']}  {counted}  {result['file']}")
+    if not result["ok"] and result["first_failure"]:
+        say(f"      {result['first_failure']}")
+    if not result["ok"] and arguments.hint:
+        say(f"      hint: {result['hint'] or 'there is none'}")
+
+
+def show_progress(named: list[str], results: list[dict], as_json: bool):
+    for chapter in named:
+        of_chapter = [result for result in results if result["chapter"] == chapter]
+        done = sum(result["ok"] for result in of_chapter)
+        if as_json:
+            say(json.dumps({"chapter": chapter, "done": done, "exercises": len(of_chapter),
+                            "open": [result["exercise"] for result in of_chapter if not result["ok"]]}))
+        else:
+            say(f"{chapter:24} [{'#' * done}{'.' * (len(of_chapter) - done)}] {done} of {len(of_chapter)}")
+    if not as_json:
+        say(summary(results))
+
+
+def summary(results: list[dict]) -> str:
+    opened = [result["exercise"] for result in results if not result["ok"]]
+    return f"{len(results) - len(opened)} of {len(results)} exercises are right" + \
+        (f"; next: {opened[0]}" if opened else "")

@@ -1,0 +1,70 @@
+"""What ./course does once its packages are there: finds the command's module and runs it.
+
+Each command is a module with HELP, `add_arguments(parser)` and `run(arguments, rest) -> exit code`, where rest is what
+the parser does not know; a module without PASSES_OPTIONS refuses it. One with `run_words(words)` parses for itself.
+Exit codes: 0; 1 it failed; 2 it was asked wrongly; 130 it was interrupted.
+"""
+
+import argparse
+import importlib
+import os
+import signal
+import sys
+
+from tree import Failure, UsageError, warn
+
+# command: its module. The help of all of them is in the shell script, which must print it without Python.
+COMMANDS = {
+    "run": "run",
+    "test": "run_tests",
+    "accept": "accept",
+    "check": "check",
+    "progress": "check",
+    "quote": "text_check",
+    "format": "format_tree",
+    "fuzz": "fuzz",
+    "handout": "handout",
+    "grade": "grade",
+    "doctor": "doctor",
+    "clean": "clean",
+}
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        raise UsageError(f"{message}; see ./course {self.command} --help")
+
+
+def main(words: list[str]) -> int:
+    command = words[0] if words else ""
+    if command not in COMMANDS:
+        raise UsageError(f"there is no command '{command}'; there are {', '.join(COMMANDS)}")
+    module = importlib.import_module(COMMANDS[command])
+    if hasattr(module, "run_words"):
+        return module.run_words(words[1:])
+    parser = Parser(prog=f"./course {command}", formatter_class=argparse.RawDescriptionHelpFormatter,
+                    description=module.HELP, allow_abbrev=False)
+    parser.command = command
+    module.add_arguments(parser)
+    arguments, rest = parser.parse_known_args(words[1:])
+    arguments.command = command
+    if rest and not getattr(module, "PASSES_OPTIONS", False):
+        parser.error(f"'{rest[0]}' means nothing here")
+    return module.run(arguments, rest)
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except UsageError as error:
+        warn(f"course: {error}")
+        sys.exit(2)
+    except Failure as error:
+        if str(error):
+            warn(f"course: {error}")
+        sys.exit(1)
+    except KeyboardInterrupt:
+        sys.exit(130)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(128 + signal.SIGPIPE)

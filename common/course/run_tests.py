@@ -1,0 +1,81 @@
+"""Builds everything, runs every test, writes the report."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+from build import build
+from report import write_report
+from tree import BUILD, Failure, UsageError, relative, say
+
+HELP = """Builds everything, runs every test and writes build/report/index.html.
+
+  ./course test                  all of them
+  ./course test shot.02          those whose name matches this regular expression
+  ./course test --sanitize       all, then again under the address and undefined-behaviour sanitizers, without windows
+  ./course test -L window        other options go to ctest
+
+With CI=true in the environment the unit tests run under the sanitizers too. The last line counts all tests run."""
+PASSES_OPTIONS = True
+# Which tests run again under the sanitizers.
+SANITIZED = {"all": ["-LE", "window|text"], "unit": ["-L", "unit", "-LE", "window|text"]}
+
+
+def add_arguments(parser):
+    parser.add_argument("pattern", nargs="?", metavar="PATTERN", help="a regular expression for the tests' names")
+    parser.add_argument("--sanitize", action="store_true", help="all but window tests under the sanitizers as well")
+
+
+def run(arguments, rest) -> int:
+    if arguments.pattern:
+        try:
+            re.compile(arguments.pattern)
+        except re.error as error:
+            raise UsageError(f"'{arguments.pattern}' is no regular expression: {error}") from None
+    selection = (["-R", arguments.pattern] if arguments.pattern else []) + rest
+    results = BUILD / "results"
+    if not selection:
+        shutil.rmtree(results, ignore_errors=True)
+    results.mkdir(parents=True, exist_ok=True)
+    build()
+    runs = [run_ctest(BUILD, results / "tests.xml", selection)]
+    again = "all" if arguments.sanitize else "unit" if os.environ.get("CI") == "true" and not selection else None
+    if again:
+        say("\nunder the sanitizers:")
+        folder = build(preset="sanitizer")
+        runs.append(run_ctest(folder, results / "sanitizer.xml", SANITIZED[again] + selection))
+    report = BUILD / "report" / "index.html"
+    write_report(results, report)
+    total, failed = (sum(counts) for counts in zip(*runs))
+    if not total:
+        raise UsageError(f"no test matches {' '.join(selection)}; ctest --test-dir build -N lists them")
+    say(f"\nreport: {relative(report)}")
+    say(closing_line(total, failed))
+    return 1 if failed else 0
+
+
+def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:
+    """(tests, failures). Raises Failure where ctest itself failed."""
+    junit.unlink(missing_ok=True)
+    command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "-j", str(os.cpu_count() or 1),
+               "--output-junit", str(junit), *(["--progress"] if sys.stdout.isatty() else []), *selection]
+    code = subprocess.run(command, stdin=subprocess.DEVNULL).returncode
+    if not junit.exists():
+        if code:
+            raise Failure(f"{' '.join(command)} ended with {code}")
+        return 0, 0
+    suite = xml.parse(junit).getroot()
+    total, failed = int(suite.get("tests")), int(suite.get("failures"))
+    if code and not failed:
+        raise Failure(f"{' '.join(command)} ended with {code} although no test failed")
+    return total, failed
+
+
+def closing_line(total: int, failed: int) -> str:
+    """As ctest ends, which is what a CI reads, over all its runs."""
+    percent = round(100 * (total - failed) / total)
+    return f"{min(percent, 99) if failed else 100}% tests passed, {failed} tests failed out of {total}"

@@ -1,0 +1,220 @@
+"""Shots: named pictures, and the tests that compare them with their goldens.
+
+tests/NN_name/shots.json says what they are. The chapter's executable reads it for --shot, this file for the tests:
+
+    {"shots": [{
+        "name": "bunny",                        the golden is tests/NN_name/golden/bunny.png
+        "caption": "One sentence.",             for the gallery and the report
+        "scene": "assets/models/bunny.obj",     what --scene takes, from the root; without it the chapter's own
+        "size": [960, 540],                     pixels
+        "time_s": 0, "frames": 1,               as --time and --frames
+        "set": {"method": "phong"},             knobs
+                                                -- from here on for this file alone; the executable passes over it --
+        "limits": {"flip_mean": 0.002, "flip_p99": 0.05, "max_diff": 64},
+                                                the most that a picture may differ: FLIP's mean and 99th percentile,
+                                                and of any channel of any pixel, in steps of 1/255
+        "exercises": ["02.phong"],              this picture shows these: it must reject the starter of each
+        "rejects": [{"chapter": "01_obj"},      it must also reject the same scene as an earlier chapter draws it,
+                    {"set": {"method": "none"}},         or with other knobs,
+                    {"use": "exercise"}]                 or with another --use
+    }]}
+
+Only "name" and "caption" are required. As a test (ctest runs these; a failure is exit code 1 and a line that says why):
+
+    shots.py check NN_name SHOT    the reference's picture against the golden
+    shots.py teeth NN_name SHOT    the golden against pictures that it must reject
+
+Each writes what it found to build/results/shot.NN.SHOT.json or teeth.NN.SHOT.json, from which the report is made:
+
+    {"kind": "shot" | "teeth", "chapter", "name", "caption", "ok": bool, "why": [lines], "again": a command,
+     "seconds", "limits", "pictures": [{"name", "ok", "expected", "actual", "heatmap", "metrics"}]}
+
+where metrics is what `compare --json` printed, or null, and paths count from the root. A shot has one picture, called
+like the shot; teeth have one for each picture to be rejected ("02.phong as handed out", "drawn by 01_obj").
+"""
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from tree import BUILD, ROOT, Failure, chapter_program, find_shots, relative, say, warn, write_atomically
+
+LIMITS = {"flip_mean": 0.002, "flip_p99": 0.05, "max_diff": 64}
+TIMEOUT_S = 300  # under a sanitizer; a picture takes a second or two
+
+
+def golden_path(chapter: str, name: str) -> Path:
+    return ROOT / "tests" / chapter / "golden" / f"{name}.png"
+
+
+def limits_of(shot: dict) -> dict:
+    return LIMITS | shot.get("limits", {})
+
+
+def run_program(command: list) -> subprocess.CompletedProcess:
+    """Runs one of our programs. Raises Failure with its own words where it cannot be run or does not end."""
+    try:
+        return subprocess.run([str(word) for word in command], cwd=ROOT, text=True, errors="replace",
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              timeout=TIMEOUT_S)
+    except OSError as error:
+        raise Failure(f"{relative(command[0])}: {error.strerror}") from None
+    except subprocess.TimeoutExpired:
+        raise Failure(f"{Path(command[0]).name} did not end within {TIMEOUT_S} s") from None
+
+
+def render(chapter: str, options: list, picture: Path):
+    """Draws a picture without a window. Raises Failure with the program's own words."""
+    picture.parent.mkdir(parents=True, exist_ok=True)
+    picture.unlink(missing_ok=True)
+    done = run_program([chapter_program(chapter), *options, "--screenshot", picture])
+    if done.returncode or not picture.exists():
+        words = (done.stderr.strip() or done.stdout.strip() or "it said nothing")[-2000:]
+        raise Failure(f"{chapter} ended with {done.returncode}: {words}")
+
+
+def render_shot(chapter: str, shot: dict, picture: Path, use: str = "solution"):
+    render(chapter, ["--shot", shot["name"], "--use", use, "--validate", "on"], picture)
+
+
+def compare(expected: Path, actual: Path, heatmap: Path | None = None) -> dict:
+    """What build/compare --json says of two pictures. Raises Failure where they cannot be compared."""
+    if heatmap:
+        heatmap.parent.mkdir(parents=True, exist_ok=True)
+    done = run_program([BUILD / "compare", expected, actual, "--json", *(["--heatmap", heatmap] if heatmap else [])])
+    if done.returncode:
+        raise Failure(done.stderr.strip() or f"compare ended with {done.returncode}")
+    return json.loads(done.stdout)
+
+
+def unfit(metrics: dict) -> list[str]:
+    """Why a picture can be no golden and equal none, whatever it is compared with."""
+    why = []
+    if metrics["nearly_constant"]["test"]:
+        why.append("the picture is nearly one colour: nothing was drawn")
+    for kind in ("nan", "inf"):
+        if metrics[kind]["test"]:
+            why.append(f"{metrics[kind]['test']} pixels are {kind}")
+    return why
+
+
+def exceeded(metrics: dict, limits: dict) -> list[str]:
+    """The limits that a comparison is over, one line each."""
+    found = {"flip_mean": metrics["flip"]["mean"], "flip_p99": metrics["flip"]["p99"],
+             "max_diff": metrics["max_diff"]["steps"]}
+    why = []
+    for name, limit in limits.items():
+        if not found[name] <= limit:  # a NaN is over every limit
+            where = f" at ({metrics['max_diff']['x']}, {metrics['max_diff']['y']})" if name == "max_diff" else ""
+            why.append(f"{name} is {found[name]:.6g}{where}, at most {limit:.6g}")
+    return why
+
+
+def check(chapter: str, shot: dict) -> dict:
+    """The reference's picture against the golden."""
+    name = shot["name"]
+    actual = BUILD / "shots" / chapter / f"{name}.png"
+    heatmap = actual.with_suffix(".flip.png")
+    golden = golden_path(chapter, name)
+    metrics, why = None, []
+    try:
+        render_shot(chapter, shot, actual)
+        if golden.exists():
+            metrics = compare(golden, actual, heatmap)
+            why = unfit(metrics) + exceeded(metrics, limits_of(shot))
+        else:
+            why = [f"there is no {relative(golden)}; look at {relative(actual)}, then ./course accept "
+                   f"{chapter[:2]}.{name}"]
+    except Failure as failure:
+        why = [str(failure)]
+    return {"ok": not why, "why": why,
+            "pictures": [picture_entry(name, not why, golden, actual, heatmap, metrics)]}
+
+
+def teeth(chapter: str, shot: dict) -> dict:
+    """The golden against pictures that are wrong: each must be over a limit."""
+    golden = golden_path(chapter, shot["name"])
+    why, pictures = [], []
+    for number, (name, program, options) in enumerate(wrong_pictures(chapter, shot)):
+        actual = BUILD / "shots" / chapter / f"{shot['name']}.wrong{number}.png"
+        heatmap = actual.with_suffix(".flip.png")
+        metrics = None
+        try:
+            render(program, options, actual)
+            metrics = compare(golden, actual, heatmap)
+            ok = bool(exceeded(metrics, limits_of(shot)))
+            if not ok:
+                why.append(f"the golden does not reject the picture: {name}")
+        except Failure as failure:
+            ok = False
+            why.append(f"{name}: {failure}")
+        pictures.append(picture_entry(name, ok, golden, actual, heatmap, metrics))
+    if not pictures:
+        why.append("the shot names nothing that its golden must reject")
+    return {"ok": not why, "why": why, "pictures": pictures}
+
+
+def wrong_pictures(chapter: str, shot: dict) -> list[tuple[str, str, list]]:
+    """(what it is, the chapter that draws it, its options) for each picture that the golden must reject."""
+    same = ["--shot", shot["name"]]
+    wrong = [(f"{exercise} as handed out", chapter, [*same, "--use", f"solution,{exercise}=exercise"])
+             for exercise in shot.get("exercises", [])]
+    for entry in shot.get("rejects", []):
+        sets = [word for knob, value in entry.get("set", {}).items() for word in ("--set", f"{knob}={text(value)}")]
+        if "chapter" in entry:
+            scene = ["--scene", ROOT / shot["scene"]] if "scene" in shot else []
+            size = "x".join(str(side) for side in shot.get("size", [960, 540]))
+            options = [*scene, "--size", size, "--time", shot.get("time_s", 0), *sets]
+            wrong.append((f"drawn by {entry['chapter']}", entry["chapter"], options))
+        else:
+            use = entry.get("use", "solution")
+            name = ", ".join(sets[1::2] + (["--use " + use] if "use" in entry else []))
+            wrong.append((name, chapter, [*same, "--use", use, *sets]))
+    return wrong
+
+
+def text(value) -> str:
+    """A knob's value as --set takes it."""
+    return value if isinstance(value, str) else json.dumps(value)
+
+
+def picture_entry(name, ok, golden, actual, heatmap, metrics) -> dict:
+    return {"name": name, "ok": ok, "metrics": metrics,
+            "expected": relative(golden) if golden.exists() else None,
+            "actual": relative(actual) if actual.exists() else None,
+            "heatmap": relative(heatmap) if metrics and heatmap.exists() else None}
+
+
+def main(words: list[str]) -> int:
+    if len(words) != 3 or words[0] not in ("check", "teeth"):
+        warn("usage: shots.py check|teeth NN_name SHOT")
+        return 2
+    kind, chapter, name = words
+    [(_, shot)] = find_shots(f"{chapter}.{name}")
+    start = time.monotonic()
+    result = check(chapter, shot) if kind == "check" else teeth(chapter, shot)
+    label = "shot" if kind == "check" else "teeth"
+    result = {"kind": label, "chapter": chapter, "name": name, "caption": shot.get("caption", ""),
+              "again": f"./course run {chapter[:2]} --shot {name}", "seconds": round(time.monotonic() - start, 3),
+              "limits": limits_of(shot), **result}
+    write_atomically(BUILD / "results" / f"{label}.{chapter[:2]}.{name}.json", json.dumps(result, indent=1) + "\n")
+    for line in result["why"]:
+        say(f"{chapter}.{name}: {line}")
+    for picture in result["pictures"]:
+        if picture["metrics"]:
+            flip = picture["metrics"]["flip"]
+            say(f"{picture['name']}: FLIP mean {flip['mean']:.6f}, p99 {flip['p99']:.6f}, "
+                f"largest step {picture['metrics']['max_diff']['steps']}")
+        if not result["ok"]:
+            say(f"  expected {picture['expected']}\n  actual   {picture['actual']}\n  error    {picture['heatmap']}")
+    return 0 if result["ok"] else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except Failure as error:
+        warn(str(error))
+        sys.exit(1)

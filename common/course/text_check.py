@@ -1,0 +1,224 @@
+"""Checks what is written: lessons' quotes, links, credits, what each chapter must have, the layout of the code.
+
+A lesson quotes code by a marker. In docs/NN_name.md
+
+    <!-- quote: chapters/01_obj/main.cpp#frame -->
+    ```cpp
+    (filled by ./course quote)
+    ```
+
+and in main.cpp the lines between `// [frame]` and `// [/frame]`, each on a line of its own. The block equals them
+without their indentation; other markers within them are left out.
+
+As a program it prints what is wrong, one "file:line: what" each, and ends with 1 if there is any.
+"""
+
+import fnmatch
+import re
+import sys
+from pathlib import Path
+
+from format_tree import unformatted
+from tree import ROOT, Failure, chapters, exercises, files, say, shots, write_atomically
+
+HELP = "Fills the code that lessons quote (<!-- quote: FILE#MARKER --> before a block of code) from the source."
+
+QUOTE = re.compile(r"\s*<!-- quote: (\S+?)#(\S+) -->\s*$")
+FENCE = re.compile(r"\s*(```+|~~~+)")
+MARKER = re.compile(r"\s*(?://|#) \[(/?)([\w.-]+)\]\s*$")
+LINK = re.compile(r"!?\[[^\]]*\]\(<?([^)\s>]+)>?[^)]*\)|(?:src|href)=[\"']([^\"']+)[\"']")
+# Paths that mean something on one machine only.
+PRIVATE = re.compile(r"(?<![\w.])/(?:%s)/\w" % "|".join(["work", "root", "home", "Users"]))
+
+
+def add_arguments(parser):
+    pass
+
+
+def run(_arguments, _rest) -> int:
+    wrong = [problem for name in lessons() for problem in check_quotes(name, write=True)]
+    for problem in wrong:
+        say(problem)
+    return 1 if wrong else 0
+
+
+def lessons() -> list[Path]:
+    return [name for name in files() if name.suffix == ".md"]
+
+
+def quoted(source: Path, marker: str) -> list[str]:
+    """The lines that a marker names, without their common indentation. Raises Failure."""
+    if not (ROOT / source).is_file():
+        raise Failure(f"there is no {source}")
+    if "solution" in source.parts:
+        raise Failure(f"{source} would give the exercise away, and is in no handout")
+    found, inside = [], False
+    for line in (ROOT / source).read_text().splitlines():
+        match = MARKER.match(line)
+        if match and match[2] == marker:
+            if match[1]:
+                break
+            inside = True
+        elif inside and not match:
+            found.append(line.rstrip())
+    else:
+        raise Failure(f"{source} has no lines from [{marker}] to [/{marker}]")
+    indents = [len(line) - len(line.lstrip()) for line in found if line]
+    return [line[min(indents, default=0):] for line in found]
+
+
+def check_quotes(lesson: Path, write: bool = False) -> list[str]:
+    """Compares a lesson's quoted blocks with the source, or fills them."""
+    lines = (ROOT / lesson).read_text().splitlines()
+    wrong, out, i = [], [], 0
+    while i < len(lines):
+        out.append(lines[i])
+        match = QUOTE.match(lines[i])
+        i += 1
+        if not match:
+            continue
+        here = f"{lesson}:{i}"
+        fence = FENCE.match(lines[i]) if i < len(lines) else None
+        if not fence:
+            wrong.append(f"{here}: no block of code follows the quote")
+            continue
+        end = next((j for j in range(i + 1, len(lines)) if lines[j].strip() == fence[1]), None)
+        if end is None:
+            wrong.append(f"{here}: the quoted block does not end")
+            continue
+        body = lines[i + 1:end]
+        try:
+            source = quoted(Path(match[1]), match[2])
+        except Failure as failure:
+            wrong.append(f"{here}: {failure}")
+            source = body
+        if body != source and not write:
+            wrong.append(f"{here}: the block is not what {match[1]} says at [{match[2]}]; ./course quote fills it")
+        out += [lines[i], *source, lines[end]]
+        i = end + 1
+    if write and out != lines:
+        write_atomically(ROOT / lesson, "\n".join(out) + "\n")
+    return wrong
+
+
+def prose(name: Path) -> list[tuple[int, str]]:
+    """(line number, text) of a Markdown file without its code."""
+    found, fence = [], None
+    for number, line in enumerate((ROOT / name).read_text().splitlines(), 1):
+        match = FENCE.match(line)
+        if fence:
+            fence = None if line.strip() == fence else fence
+        elif match:
+            fence = match[1]
+        else:
+            found.append((number, re.sub(r"`[^`]*`", "", line)))
+    return found
+
+
+def anchors(name: Path) -> set[str]:
+    """The headings' anchors as GitHub makes them."""
+    found = set()
+    text = (ROOT / name).read_text()
+    for title in re.findall(r"^#+\s+(.*?)\s*#*$", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S), re.M):
+        title = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", title)
+        base = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+        anchor, count = base, 0
+        while anchor in found:
+            count += 1
+            anchor = f"{base}-{count}"
+        found.add(anchor)
+    return found | set(re.findall(r"<a (?:id|name)=\"([^\"]+)\"", text))
+
+
+def check_links(name: Path) -> list[str]:
+    wrong = []
+    for number, line in prose(name):
+        for match in LINK.finditer(line):
+            link = match[1] or match[2]
+            if re.match(r"[a-z]+:", link):
+                continue
+            path, _, anchor = link.partition("#")
+            target = (ROOT / name.parent / path).resolve() if path else ROOT / name
+            if not target.exists() or not target.is_relative_to(ROOT):
+                wrong.append(f"{name}:{number}: the link {link} leads nowhere")
+            elif anchor and target.suffix == ".md" and anchor not in anchors(target.relative_to(ROOT)):
+                wrong.append(f"{name}:{number}: {target.name} has no heading #{anchor}")
+    return wrong
+
+
+def check_chapters() -> list[str]:
+    """Each chapter has a lesson and tests; its shots name what exists; one of them rejects an earlier chapter."""
+    wrong = []
+    known = {exercise for chapter in chapters() for exercise in exercises(chapter)}
+    for number, chapter in enumerate(chapters()):
+        for needed in (f"docs/{chapter}.md", f"tests/{chapter}/shots.json"):
+            if not (ROOT / needed).exists():
+                wrong.append(f"{needed}: chapter {chapter} needs it")
+        file, found = f"tests/{chapter}/shots.json", shots(chapter)
+        names = [shot["name"] for shot in found]
+        wrong += [f"{file}: two shots are called {name}" for name in sorted(set(names)) if names.count(name) > 1]
+        wrong += [f"{file}: there is no exercise {exercise}" for shot in found
+                  for exercise in shot.get("exercises", []) if exercise not in known]
+        earlier = [entry["chapter"] for shot in found for entry in shot.get("rejects", []) if "chapter" in entry]
+        wrong += [f"{file}: {name} is no earlier chapter" for name in earlier if name not in chapters()[:number]]
+        if found and number and not earlier:
+            wrong.append(f"{file}: no golden has to reject the picture of an earlier chapter")
+        goldens = (ROOT / "tests" / chapter / "golden").glob("*.png")
+        wrong += [f"tests/{chapter}/golden/{path.name}: no shot has this name" for path in sorted(goldens)
+                  if path.stem not in names]
+    return wrong
+
+
+def check_private_paths(name: Path) -> list[str]:
+    try:
+        lines = (ROOT / name).read_text().splitlines()
+    except UnicodeDecodeError:
+        return []
+    return [f"{name}:{number}: a path of one machine: {line.strip()[:80]}"
+            for number, line in enumerate(lines, 1) if PRIVATE.search(line)]
+
+
+def braces(pattern: str) -> list[str]:
+    """a_{b,c}.png as a_b.png and a_c.png."""
+    match = re.search(r"\{([^}]*)\}", pattern)
+    if not match:
+        return [pattern]
+    return [name for part in match[1].split(",")
+            for name in braces(pattern[:match.start()] + part + pattern[match.end():])]
+
+
+def check_credits() -> list[str]:
+    """Each file of assets is in the first column of CREDITS.md's table, and the other way round."""
+    credits = Path("assets/CREDITS.md")
+    present = {str(name.relative_to("assets")) for name in files() if name.parts[0] == "assets"} - {"CREDITS.md"}
+    if not (ROOT / credits).exists():
+        return [f"{credits}: it is missing"] if present else []
+    wrong, credited = [], set()
+    for number, line in enumerate((ROOT / credits).read_text().splitlines(), 1):
+        cells = line.split("|")
+        if len(cells) < 4 or cells[1].strip() in ("file", "") or set(cells[1].strip()) <= set("-: "):
+            continue
+        for pattern in re.split(r",\s+", cells[1].strip()):
+            for name in braces(pattern):
+                found = fnmatch.filter(present, name)
+                credited.update(found)
+                if not found:
+                    wrong.append(f"{credits}:{number}: there is no assets/{name}")
+    return wrong + [f"assets/{name}: {credits} does not name it" for name in sorted(present - credited)]
+
+
+def check_all() -> list[str]:
+    wrong = []
+    for name in files():
+        if name.suffix == ".md":
+            wrong += check_quotes(name) + check_links(name)
+        wrong += check_private_paths(name)
+    wrong += [f"{name}: not as clang-format writes it; ./course format does" for name in unformatted()]
+    return wrong + check_chapters() + check_credits()
+
+
+if __name__ == "__main__":
+    problems = check_all()
+    for problem in problems:
+        say(problem)
+    sys.exit(1 if problems else 0)

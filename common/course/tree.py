@@ -1,0 +1,112 @@
+"""The course's tree: where things lie, which chapters and shots there are, and how a command says that it cannot."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+# A test of another build folder (the sanitizers') says so in the environment.
+BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
+
+
+class UsageError(Exception):
+    """What the person typed cannot be done: one line that says what would be right. Exit code 2."""
+
+
+class Failure(Exception):
+    """It was tried and failed: one line. Exit code 1. An empty line where all is said already."""
+
+
+def chapters() -> list[str]:
+    """The chapters' names, "01_obj" and so on, in order."""
+    return sorted(path.name for path in (ROOT / "chapters").glob("[0-9][0-9]_*") if path.is_dir())
+
+
+def find_chapter(word: str) -> str:
+    """The chapter that a person means by 02, 2, 02_lambert_phong or lambert_phong."""
+    for name in chapters():
+        number, title = name.split("_", 1)
+        if word in (name, number, number.lstrip("0"), title):
+            return name
+    raise UsageError(f"there is no chapter '{word}'; there are {', '.join(chapters())}")
+
+
+def chapter_program(chapter: str) -> Path:
+    return BUILD / "chapters" / chapter
+
+
+def shots(chapter: str) -> list[dict]:
+    """The chapter's named pictures, as shots.py describes them. Empty where it has none."""
+    path = ROOT / "tests" / chapter / "shots.json"
+    if not path.exists():
+        return []
+    try:
+        return json.loads(path.read_text())["shots"]
+    except (ValueError, KeyError, TypeError) as error:
+        raise Failure(f"{path.relative_to(ROOT)} is not a list of shots: {error}") from None
+
+
+def find_shots(word: str) -> list[tuple[str, dict]]:
+    """(chapter, shot) for "", "02", "02.SHOT" or "02_lambert_phong.SHOT"."""
+    chapter_word, _, shot_word = word.partition(".")
+    named = [find_chapter(chapter_word)] if chapter_word else chapters()
+    found = [(chapter, shot) for chapter in named for shot in shots(chapter)
+             if not shot_word or shot["name"] == shot_word]
+    if not found:
+        names = ", ".join(f"{chapter[:2]}.{shot['name']}" for chapter in named for shot in shots(chapter))
+        raise UsageError(f"there is no shot '{word}'; there are {names or 'none'}")
+    return found
+
+
+def exercises(chapter: str) -> dict[str, Path]:
+    """The chapter's exercises by id, "02.phong", and the one file of each."""
+    found = {}
+    for folder in (ROOT / "chapters" / chapter / "exercise", ROOT / "shaders" / chapter / "exercise"):
+        for path in folder.glob("*.*"):
+            if path.suffix in (".cpp", ".glsl"):
+                found[f"{chapter[:2]}.{path.stem}"] = path
+    return dict(sorted(found.items()))
+
+
+def has_solutions() -> bool:
+    return any(ROOT.glob("chapters/*/solution")) or any(ROOT.glob("shaders/*/solution"))
+
+
+def files() -> list[Path]:
+    """The files of the course, relative to the root: what git knows or would add, without what is built."""
+    if (ROOT / ".git").exists():
+        listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+                                stdout=subprocess.PIPE, check=True).stdout.decode().split("\0")
+        return sorted(Path(name) for name in listed if name and (ROOT / name).is_file())
+    found = []
+    for folder, folders, names in os.walk(ROOT):
+        folders[:] = [name for name in folders if name not in ("build", "__pycache__", ".git")]
+        found += [(Path(folder) / name).relative_to(ROOT) for name in names]
+    return sorted(found)
+
+
+def relative(path: Path) -> str:
+    """How a path is printed: from the root where it lies in the tree."""
+    path = Path(path)
+    return str(path.relative_to(ROOT)) if path.is_relative_to(ROOT) else str(path)
+
+
+def write_atomically(path: Path, data: bytes | str):
+    """Writes beside `path` and renames: a reader sees the old file or the whole new one."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    beside = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        beside.write_bytes(data.encode() if isinstance(data, str) else data)
+        os.replace(beside, path)
+    finally:
+        beside.unlink(missing_ok=True)
+
+
+def say(line: str = ""):
+    print(line, flush=True)
+
+
+def warn(line: str):
+    print(line, file=sys.stderr, flush=True)

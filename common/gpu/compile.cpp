@@ -1,0 +1,146 @@
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+#include <cstring>
+#include <fstream>
+#include <regex>
+#include <spirv-tools/libspirv.hpp>
+#include <sstream>
+
+#include "common/files.h"
+#include "common/gpu/glsl.h"
+
+namespace lightwalk {
+namespace fs = std::filesystem;
+namespace {
+
+EShLanguage language(Stage stage) {
+    switch (stage) {
+        case Stage::vertex:
+            return EShLangVertex;
+        case Stage::geometry:
+            return EShLangGeometry;
+        case Stage::fragment:
+            return EShLangFragment;
+        case Stage::compute:
+            return EShLangCompute;
+    }
+    return EShLangVertex;
+}
+
+// "file:line: message" and the line itself, from glslang's "ERROR: file:line: message".
+std::string readable(const std::string& log) {
+    static const std::regex pattern(R"(ERROR: ("?)([^:"]+)\1:(\d+): (.*))");
+    std::istringstream in(log);
+    std::string line, result;
+    while (std::getline(in, line)) {
+        std::smatch match;
+        if (!std::regex_match(line, match, pattern)) continue;
+        const std::string file = match[2];
+        const int number = std::stoi(match[3]);
+        const std::string message = match[4];
+        if (message.find("compilation terminated") != message.npos) continue;
+        result += (result.empty() ? "" : "\n") + file + ":" + std::to_string(number) + ": " + message;
+        std::ifstream source(course_root() / file);
+        std::string text;
+        for (int i = 0; i < number && std::getline(source, text); ++i) {}
+        if (source) result += "\n    " + text;
+    }
+    return result.empty() ? log : result;
+}
+
+std::vector<uint32_t> compile_now(Stage stage, const std::string& text, const std::string& name) {
+    static const bool initialised = glslang::InitializeProcess();
+    (void)initialised;
+    const char* string = text.c_str();
+    const int length = static_cast<int>(text.size());
+    const char* shown = name.c_str();
+    glslang::TShader shader(language(stage));
+    shader.setStringsWithLengthsAndNames(&string, &length, &shown, 1);
+    shader.setEnvInput(glslang::EShSourceGlsl, language(stage), glslang::EShClientVulkan, 460);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
+    shader.setAutoMapBindings(true);
+    shader.setAutoMapLocations(true);
+    const auto rules = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
+    if (!shader.parse(GetDefaultResources(), 460, false, rules)) throw ShaderError(readable(shader.getInfoLog()));
+    glslang::TProgram program;
+    program.addShader(&shader);
+    if (!program.link(rules) || !program.mapIO()) throw ShaderError(name + ": " + program.getInfoLog());
+    std::vector<uint32_t> spirv;
+    glslang::SpvOptions options;
+    glslang::GlslangToSpv(*program.getIntermediate(language(stage)), spirv, &options);
+    return spirv;
+}
+
+const fs::path& cache_folder() {
+    static const fs::path folder = [] {
+        std::error_code error;
+        if (const char* given = std::getenv("LIGHTWALK_CACHE")) {
+            fs::create_directories(given, error);
+            return fs::path(given);
+        }
+        fs::path beside = course_root() / "build" / "shader_cache";
+        fs::create_directories(beside, error);
+        if (!error) return beside;
+        fs::path temporary = fs::temp_directory_path(error) / "lightwalk_shader_cache";
+        fs::create_directories(temporary, error);
+        return temporary;
+    }();
+    return folder;
+}
+
+// An entry: the words of the module, then their hash, so that a damaged file is not believed.
+bool load(const fs::path& file, std::vector<uint32_t>& spirv) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(in), {});
+    uint64_t stored = 0;
+    if (bytes.size() < 20 + sizeof stored || (bytes.size() - sizeof stored) % 4 != 0) return false;
+    const std::string_view words(bytes.data(), bytes.size() - sizeof stored);
+    std::memcpy(&stored, bytes.data() + words.size(), sizeof stored);
+    if (stored != hash_bytes(words)) return false;
+    spirv.resize(words.size() / 4);
+    std::memcpy(spirv.data(), words.data(), words.size());
+    return true;
+}
+
+void store(const fs::path& file, const std::vector<uint32_t>& spirv) {
+    std::string bytes(reinterpret_cast<const char*>(spirv.data()), spirv.size() * 4);
+    const uint64_t hash = hash_bytes(bytes);
+    bytes.append(reinterpret_cast<const char*>(&hash), sizeof hash);
+    try {
+        write_file(file, bytes);
+    } catch (const InputError&) {
+        // A cache that cannot be written is only slower.
+    }
+}
+
+}  // namespace
+
+std::vector<uint32_t> compile(Stage stage, const std::string& flat_text, const std::string& name) {
+    const std::string key = std::to_string(static_cast<int>(stage)) + " glslang " +
+                            std::to_string(glslang::GetSpirvGeneratorVersion()) + " spirv 1.5\n";
+    char file[40];
+    std::snprintf(file, sizeof file, "%016llx%016llx.spv",
+                  static_cast<unsigned long long>(hash_bytes(flat_text, hash_bytes(key))),
+                  static_cast<unsigned long long>(hash_bytes(flat_text, hash_bytes(key, 7))));
+    std::vector<uint32_t> spirv;
+    if (load(cache_folder() / file, spirv)) return spirv;
+    spirv = compile_now(stage, flat_text, name);
+    store(cache_folder() / file, spirv);
+    return spirv;
+}
+
+std::string validate_spirv(const std::vector<uint32_t>& spirv) {
+    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
+    std::string messages;
+    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* text) {
+        messages += (messages.empty() ? "" : "; ") + std::string(text);
+    });
+    spvtools::ValidatorOptions options;
+    options.SetScalarBlockLayout(true);
+    return tools.Validate(spirv.data(), spirv.size(), options) ? "" : messages.empty() ? "invalid" : messages;
+}
+
+}  // namespace lightwalk

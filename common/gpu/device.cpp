@@ -1,0 +1,238 @@
+#include "common/gpu/device.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include "common/error.h"
+#include "common/gpu/device_features.h"
+
+namespace lightwalk {
+
+void check(VkResult result, const char* what) {
+    const auto name = [&] {
+        switch (result) {
+            case VK_ERROR_OUT_OF_HOST_MEMORY:
+                return std::string("out of host memory");
+            case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+                return std::string("out of device memory");
+            case VK_ERROR_DEVICE_LOST:
+                return std::string("the device was lost");
+            case VK_ERROR_INITIALIZATION_FAILED:
+                return std::string("initialisation failed");
+            case VK_TIMEOUT:
+                return std::string("timed out");
+            default:
+                return "VkResult " + std::to_string(static_cast<int>(result));
+        }
+    };
+    if (result != VK_SUCCESS) throw Failure(std::string(what) + ": " + name());
+}
+
+VkBool32 keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                      const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+    auto* device = static_cast<Device*>(user);
+    const std::lock_guard lock(device->mutex_);
+    device->messages_.push_back(data->pMessage);
+    return VK_FALSE;
+}
+
+namespace {
+
+constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
+
+bool has_instance_extension(const char* name, const char* layer = nullptr) {
+    uint32_t count = 0;
+    if (vkEnumerateInstanceExtensionProperties(layer, &count, nullptr) != VK_SUCCESS) return false;
+    std::vector<VkExtensionProperties> all(count);
+    vkEnumerateInstanceExtensionProperties(layer, &count, all.data());
+    return std::any_of(all.begin(), all.end(), [&](const auto& e) { return !std::strcmp(e.extensionName, name); });
+}
+
+bool has_layer(const char* name) {
+    uint32_t count = 0;
+    vkEnumerateInstanceLayerProperties(&count, nullptr);
+    std::vector<VkLayerProperties> all(count);
+    vkEnumerateInstanceLayerProperties(&count, all.data());
+    return std::any_of(all.begin(), all.end(), [&](const auto& l) { return !std::strcmp(l.layerName, name); });
+}
+
+VkInstance make_instance(const DeviceOptions& options, bool debug_utils) {
+    const VkApplicationInfo app{
+        .sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .pApplicationName = "Lightwalk", .apiVersion = VK_API_VERSION_1_3};
+    std::vector<const char*> extensions = options.surface_extensions;
+    if (debug_utils) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    const VkValidationFeatureEnableEXT synchronisation = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+    const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
+                                           .enabledValidationFeatureCount = 1,
+                                           .pEnabledValidationFeatures = &synchronisation};
+    if (options.validate && !has_layer(validation_layer))
+        throw InputError("--validate on needs the Vulkan validation layer: apt install vulkan-validationlayers");
+    const VkInstanceCreateInfo create{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+                                      .pNext = options.validate ? &features : nullptr,
+                                      .pApplicationInfo = &app,
+                                      .enabledLayerCount = options.validate ? 1u : 0u,
+                                      .ppEnabledLayerNames = &validation_layer,
+                                      .enabledExtensionCount = static_cast<uint32_t>(extensions.size()),
+                                      .ppEnabledExtensionNames = extensions.data()};
+    VkInstance instance = VK_NULL_HANDLE;
+    const VkResult result = vkCreateInstance(&create, nullptr, &instance);
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw InputError(no_driver_message);
+    check(result, "vkCreateInstance");
+    return instance;
+}
+
+std::vector<VkPhysicalDevice> physical_devices(VkInstance instance) {
+    uint32_t count = 0;
+    vkEnumeratePhysicalDevices(instance, &count, nullptr);
+    std::vector<VkPhysicalDevice> all(count);
+    vkEnumeratePhysicalDevices(instance, &count, all.data());
+    if (all.empty()) throw InputError(no_driver_message);
+    std::stable_sort(all.begin(), all.end(), [](auto a, auto b) { return device_rank(a) < device_rank(b); });
+    return all;
+}
+
+std::string lower(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, const std::string& wanted) {
+    std::string known;
+    for (const VkPhysicalDevice physical : all) {
+        const DeviceInfo info = describe_device(physical);
+        const bool named = lower(info.name).find(lower(wanted)) != std::string::npos || info.type == lower(wanted);
+        if (named && info.lacks.empty()) return physical;
+        known += (known.empty() ? "" : ", ") + info.name + " (" + info.type +
+                 (info.lacks.empty() ? ")" : ", lacks " + info.lacks + ")");
+    }
+    if (wanted.empty()) throw InputError("no device has what the course needs: " + known);
+    throw InputError("--device " + wanted + ": no usable device of that name; there are: " + known);
+}
+
+template <class F>
+void load(VkInstance instance, F& function, const char* name) {
+    function = reinterpret_cast<F>(vkGetInstanceProcAddr(instance, name));
+}
+
+}  // namespace
+
+std::vector<DeviceInfo> list_devices() {
+    const VkInstance instance = make_instance({}, false);
+    std::vector<DeviceInfo> result;
+    try {
+        for (const VkPhysicalDevice physical : physical_devices(instance)) result.push_back(describe_device(physical));
+    } catch (...) {
+        vkDestroyInstance(instance, nullptr);
+        throw;
+    }
+    vkDestroyInstance(instance, nullptr);
+    return result;
+}
+
+Device::Device(const DeviceOptions& options) {
+    const bool debug_utils =
+        has_instance_extension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME) ||
+        (options.validate && has_instance_extension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, validation_layer));
+    instance = make_instance(options, debug_utils);
+    if (debug_utils) {
+        load(instance, set_name_, "vkSetDebugUtilsObjectNameEXT");
+        load(instance, begin_label_, "vkCmdBeginDebugUtilsLabelEXT");
+        load(instance, end_label_, "vkCmdEndDebugUtilsLabelEXT");
+    }
+    if (options.validate) {
+        const VkDebugUtilsMessengerCreateInfoEXT create{
+            .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
+            .messageSeverity =
+                VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
+            .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
+            .pfnUserCallback = keep_message,
+            .pUserData = this};
+        PFN_vkCreateDebugUtilsMessengerEXT create_messenger = nullptr;
+        load(instance, create_messenger, "vkCreateDebugUtilsMessengerEXT");
+        check(create_messenger(instance, &create, nullptr, &messenger_), "vkCreateDebugUtilsMessengerEXT");
+    }
+    try {
+        physical = choose(physical_devices(instance), options.name);
+    } catch (...) {
+        vkDestroyInstance(instance, nullptr);
+        throw;
+    }
+    vkGetPhysicalDeviceProperties(physical, &properties);
+    info = describe_device(physical);
+    queue_family = *graphics_family(physical);
+
+    const float priority = 1.0f;
+    const VkDeviceQueueCreateInfo queues{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                         .queueFamilyIndex = queue_family,
+                                         .queueCount = 1,
+                                         .pQueuePriorities = &priority};
+    DeviceFeatures features(physical);
+    std::vector<const char*> extensions{VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+    if (!options.surface_extensions.empty()) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    const VkDeviceCreateInfo create{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                                    .pNext = &features.core,
+                                    .queueCreateInfoCount = 1,
+                                    .pQueueCreateInfos = &queues,
+                                    .enabledExtensionCount = static_cast<uint32_t>(extensions.size()),
+                                    .ppEnabledExtensionNames = extensions.data()};
+    check(vkCreateDevice(physical, &create, nullptr, &handle), "vkCreateDevice");
+    vkGetDeviceQueue(handle, queue_family, 0, &queue);
+    push_descriptors =
+        reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(vkGetDeviceProcAddr(handle, "vkCmdPushDescriptorSetKHR"));
+}
+
+Device::~Device() {
+    vkDestroyDevice(handle, nullptr);
+    if (messenger_) {
+        PFN_vkDestroyDebugUtilsMessengerEXT destroy = nullptr;
+        load(instance, destroy, "vkDestroyDebugUtilsMessengerEXT");
+        destroy(instance, messenger_, nullptr);
+    }
+    vkDestroyInstance(instance, nullptr);
+}
+
+void Device::set_name(VkObjectType type, uint64_t object, const std::string& name) const {
+    if (!set_name_) return;
+    const VkDebugUtilsObjectNameInfoEXT info_name{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
+                                                  .objectType = type,
+                                                  .objectHandle = object,
+                                                  .pObjectName = name.c_str()};
+    set_name_(handle, &info_name);
+}
+
+void Device::begin_label(VkCommandBuffer commands, const char* name) const {
+    const VkDebugUtilsLabelEXT label{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT, .pLabelName = name};
+    if (begin_label_) begin_label_(commands, &label);
+}
+
+void Device::end_label(VkCommandBuffer commands) const {
+    if (end_label_) end_label_(commands);
+}
+
+size_t Device::validation_message_count() const {
+    const std::lock_guard lock(mutex_);
+    return messages_.size();
+}
+
+void Device::check_validation() const {
+    const std::lock_guard lock(mutex_);
+    if (messages_.empty()) return;
+    throw Failure("validation said " + std::to_string(messages_.size()) + " things; the first: " + messages_[0]);
+}
+
+uint32_t Device::memory_type(uint32_t type_mask, VkMemoryPropertyFlags wanted) const {
+    VkPhysicalDeviceMemoryProperties memory;
+    vkGetPhysicalDeviceMemoryProperties(physical, &memory);
+    for (uint32_t i = 0; i < memory.memoryTypeCount; ++i)
+        if ((type_mask >> i & 1) && (memory.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
+    throw Failure("the device has no memory type with the wanted properties");
+}
+
+uint64_t Device::timeout_ns() const {
+    const char* given = std::getenv("LIGHTWALK_TIMEOUT_S");
+    const double seconds = given ? std::atof(given) : 60.0;
+    return static_cast<uint64_t>((seconds > 0 ? seconds : 60.0) * 1e9);
+}
+
+}  // namespace lightwalk

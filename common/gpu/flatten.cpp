@@ -1,0 +1,132 @@
+#include <cstdlib>
+#include <cstring>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "common/course/exercise.h"
+#include "common/files.h"
+#include "common/gpu/glsl.h"
+
+namespace lightwalk {
+namespace fs = std::filesystem;
+namespace {
+
+// "02" for "02_lambert_phong/x.glsl", "00" for common.
+std::string chapter_of(const std::string& name) {
+    return name.size() > 2 && std::isdigit(static_cast<unsigned char>(name[0])) ? name.substr(0, 2) : "00";
+}
+
+// $LIGHTWALK_OVERLAY: a folder whose shaders stand in for those of the same path, to try a change without making it.
+fs::path overlaid(const fs::path& file) {
+    static const char* const overlay = std::getenv("LIGHTWALK_OVERLAY");
+    if (!overlay) return file;
+    const fs::path other = fs::path(overlay) / fs::relative(file, course_root());
+    return fs::exists(other) ? other : file;
+}
+
+class Flattener {
+  public:
+    FlatShader result;
+
+    void include(const std::string& name, const std::string& from, int line) {
+        const fs::path file = resolve(name, from, line);
+        if (!seen_.insert(file).second) return;
+        result.files.push_back(file);
+        std::string text;
+        try {
+            text = read_file(overlaid(file));
+        } catch (const InputError& e) { throw ShaderError(e.what()); }
+        add(text, fs::relative(file, course_root()).string(), chapter_of(name));
+    }
+
+    void add(const std::string& text, const std::string& shown, const std::string& chapter) {
+        static const std::regex directive(R"re(^\s*#\s*include\s+"([^"]+)".*)re");
+        std::istringstream in(text);
+        std::string line;
+        int number = 0, depth = 0;
+        result.text += "#line 1 \"" + shown + "\"\n";
+        while (std::getline(in, line)) {
+            ++number;
+            const size_t hash = line.find_first_not_of(" \t");
+            const bool is_directive = hash != line.npos && line[hash] == '#';
+            const auto starts = [&](const char* word) {
+                const size_t at = line.find_first_not_of(" \t", hash + 1);
+                return is_directive && at != line.npos && line.compare(at, std::strlen(word), word) == 0;
+            };
+            if (starts("if")) ++depth;
+            if (starts("endif")) --depth;
+            std::smatch match;
+            if (!starts("include")) {
+                result.text += line + "\n";
+                continue;
+            }
+            if (!std::regex_match(line, match, directive)) {  // <...>: a C++ header of a shared struct
+                result.text += "\n";
+                continue;
+            }
+            const std::string name = match[1];
+            // Included once, wherever first met: within an #if that would depend on the order of files.
+            if (depth > 0)
+                throw ShaderError(shown + ":" + std::to_string(number) + ": #include within #if; move it to the top");
+            if (chapter_of(name) > chapter)
+                throw ShaderError(shown + ":" + std::to_string(number) + ": chapter " + chapter +
+                                  " may not include the later chapter's " + name);
+            include(name, shown, number);
+            result.text += "#line " + std::to_string(number + 1) + " \"" + shown + "\"\n";
+        }
+    }
+
+  private:
+    fs::path resolve(const std::string& name, const std::string& from, int line) const {
+        const fs::path root = course_root() / "shaders";
+        if (fs::exists(root / name)) return root / name;
+        const fs::path folder = fs::path(name).parent_path(), file = fs::path(name).filename();
+        const fs::path exercise = root / folder / "exercise" / file;
+        if (fs::exists(exercise)) {
+            const std::string id = chapter_of(name) + "." + file.stem().string();
+            return Exercises::uses_solution(id) ? root / folder / "solution" / file : exercise;
+        }
+        throw ShaderError(from + ":" + std::to_string(line) + ": no file shaders/" + name);
+    }
+
+    std::set<fs::path> seen_;
+};
+
+// Only the macros that the text names: what does not concern a shader must not make another variant of it.
+FlatShader with_header(FlatShader shader, const Defines& defines) {
+    std::string header =
+        "#version 460\n"
+        "#extension GL_EXT_scalar_block_layout : require\n"
+        "#extension GL_GOOGLE_cpp_style_line_directive : require\n";
+    for (const auto& [name, value] : defines)
+        if (shader.text.find(name) != shader.text.npos) header += "#define " + name + " " + value + "\n";
+    shader.text.insert(0, header);
+    return shader;
+}
+
+}  // namespace
+
+FlatShader flatten(const std::string& name, const Defines& defines) {
+    Flattener flattener;
+    flattener.include(name, "the pipeline", 0);
+    return with_header(std::move(flattener.result), defines);
+}
+
+FlatShader flatten_text(const std::string& text, const std::string& name, const std::string& chapter,
+                        const Defines& defines) {
+    Flattener flattener;
+    flattener.add(text, name, chapter);
+    return with_header(std::move(flattener.result), defines);
+}
+
+Stage stage_of(const std::string& file_name) {
+    const std::string extension = fs::path(file_name).extension().string();
+    if (extension == ".vert") return Stage::vertex;
+    if (extension == ".geom") return Stage::geometry;
+    if (extension == ".frag") return Stage::fragment;
+    if (extension == ".comp") return Stage::compute;
+    throw ShaderError(file_name + ": a shader ends in .vert, .geom, .frag or .comp");
+}
+
+}  // namespace lightwalk

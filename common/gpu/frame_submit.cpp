@@ -1,0 +1,69 @@
+#include <array>
+
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+void Frame::end(VkSemaphore wait, VkSemaphore signal) {
+    const size_t count = passes_.size();
+    if (count == 0) return;
+    const auto semaphore_info = [](VkSemaphore semaphore, uint64_t value) {
+        return VkSemaphoreSubmitInfo{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                     .semaphore = semaphore,
+                                     .value = value,
+                                     .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
+    };
+    std::vector<VkCommandBufferSubmitInfo> commands(count);
+    std::vector<std::array<VkSemaphoreSubmitInfo, 2>> signals(count);
+    std::vector<VkSubmitInfo2> submits(count);
+    const VkSemaphoreSubmitInfo first_wait = semaphore_info(wait, 0);
+    for (size_t i = 0; i < count; ++i) {
+        commands[i] = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, .commandBuffer = passes_[i].commands};
+        signals[i] = {semaphore_info(timeline_, counted_ + i + 1), semaphore_info(signal, 0)};
+        submits[i] = {.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                      .commandBufferInfoCount = 1,
+                      .pCommandBufferInfos = &commands[i],
+                      .signalSemaphoreInfoCount = 1,
+                      .pSignalSemaphoreInfos = signals[i].data()};
+    }
+    if (wait) {
+        submits.front().waitSemaphoreInfoCount = 1;
+        submits.front().pWaitSemaphoreInfos = &first_wait;
+    }
+    if (signal) submits.back().signalSemaphoreInfoCount = 2;
+    check(vkQueueSubmit2(gpu.device.queue, static_cast<uint32_t>(count), submits.data(), VK_NULL_HANDLE),
+          "vkQueueSubmit2");
+    const uint64_t target = counted_ + count;
+    const VkSemaphoreWaitInfo wait_info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
+                                        .semaphoreCount = 1,
+                                        .pSemaphores = &timeline_,
+                                        .pValues = &target};
+    const VkResult waited = vkWaitSemaphores(gpu.device.handle, &wait_info, gpu.device.timeout_ns());
+    if (waited != VK_SUCCESS) {
+        uint64_t reached = counted_;
+        vkGetSemaphoreCounterValue(gpu.device.handle, timeline_, &reached);
+        const std::string& name = passes_[std::min<size_t>(reached - counted_, count - 1)].name;
+        if (waited == VK_TIMEOUT)
+            abandon_device("pass '" + name + "' did not end within " +
+                           std::to_string(static_cast<double>(gpu.device.timeout_ns()) / 1e9).substr(0, 4) +
+                           " s; look for a loop without an end in its shaders");
+        check(waited, ("pass '" + name + "'").c_str());
+    }
+    counted_ = target;
+    read_times();
+}
+
+void Frame::read_times() {
+    std::vector<uint64_t> stamps(2 * passes_.size());
+    check(vkGetQueryPoolResults(gpu.device.handle, queries_, 0, static_cast<uint32_t>(stamps.size()),
+                                stamps.size() * sizeof(uint64_t), stamps.data(), sizeof(uint64_t),
+                                VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+          "vkGetQueryPoolResults");
+    const double tick_ms = static_cast<double>(gpu.device.properties.limits.timestampPeriod) * 1e-6;
+    times.clear();
+    for (size_t i = 0; i < passes_.size(); ++i)
+        times.push_back(
+            {passes_[i].name, passes_[i].stage, static_cast<double>(stamps[2 * i + 1] - stamps[2 * i]) * tick_ms});
+}
+
+}  // namespace lightwalk

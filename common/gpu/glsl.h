@@ -1,0 +1,46 @@
+// From GLSL on disk to SPIR-V: includes, exercise toggles, compilation and the cache.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+
+namespace lightwalk {
+
+/// A shader that does not compile: its text names file and line and shows the line.
+struct ShaderError : Failure {
+    using Failure::Failure;
+};
+
+enum class Stage { vertex, geometry, fragment, compute };
+
+/// GLSL with every #include replaced by the file's text and #line directives in between.
+struct FlatShader {
+    std::string text;
+    std::vector<std::filesystem::path> files;  ///< all files read, to watch for edits
+};
+
+using Defines = std::map<std::string, std::string>;
+
+/// Reads shaders/`name` and its includes. An include is a path below shaders/; "NN_name/f.glsl" that is not there
+/// itself is exercise/f.glsl or solution/f.glsl of that folder, as the toggle "NN.f" says. A file is included once.
+/// Chapter NN may include chapters up to NN. Throws ShaderError (missing, later chapter, include within #if).
+FlatShader flatten(const std::string& name, const Defines& defines);
+
+/// The same for a text that is not on disk, which may include what chapter `chapter` ("99": any) may.
+FlatShader flatten_text(const std::string& text, const std::string& name, const std::string& chapter,
+                        const Defines& defines);
+
+/// SPIR-V 1.5 for Vulkan 1.3, from the cache where it holds this very text. `name` is for messages. Throws ShaderError.
+/// The cache ($LIGHTWALK_CACHE, else build/shader_cache below the course, else a temporary folder) may be shared by
+/// processes: an entry appears whole or not at all, and one that is damaged is made anew.
+std::vector<uint32_t> compile(Stage stage, const std::string& flat_text, const std::string& name);
+
+/// What spirv-val says against it for Vulkan 1.3 with scalar block layout; empty: valid.
+std::string validate_spirv(const std::vector<uint32_t>& spirv);
+
+Stage stage_of(const std::string& file_name);
+
+}  // namespace lightwalk

@@ -1,0 +1,58 @@
+// The device with what belongs to it: samplers, pipelines, uploads and read-backs.
+#pragma once
+#include <functional>
+#include <span>
+
+#include "common/gpu/device.h"
+#include "common/gpu/pipeline.h"
+#include "common/gpu/resources.h"
+
+namespace lightwalk {
+
+class Gpu {
+  public:
+    explicit Gpu(const DeviceOptions& options);
+    ~Gpu();
+    Gpu(const Gpu&) = delete;
+
+    Device device;
+    Samplers samplers{device};
+    PipelineLibrary pipelines{device};
+
+    /// A device-local buffer holding `bytes`, through a staging buffer. Every pass may read it.
+    Buffer upload(const std::string& name, std::span<const std::byte> bytes);
+    template <class T>
+    Buffer upload(const std::string& name, const std::vector<T>& items) {
+        return upload(name, std::as_bytes(std::span(items)));
+    }
+
+    /// Fills level 0 of every layer from tightly packed texels and makes the other mips by repeated halving.
+    void upload(Image& image, std::span<const std::byte> texels);
+
+    /// The texels of level 0, layer 0, tightly packed. Waits.
+    std::vector<std::byte> read_back(const Image& image);
+    std::vector<std::byte> read_back(const Buffer& buffer);
+
+    /// Records, submits and waits: for uploads and read-backs, not for frames.
+    void submit_now(const std::function<void(VkCommandBuffer)>& record);
+
+    /// Bytes uploaded so far, to show that nothing is uploaded twice.
+    uint64_t uploaded_bytes = 0;
+
+  private:
+    VkCommandPool pool_ = VK_NULL_HANDLE;
+    VkFence fence_ = VK_NULL_HANDLE;
+};
+
+/// The barrier that lets `next` follow what was done to the resource, or nothing where none is needed.
+void barrier(VkCommandBuffer commands, const Image& image, const Access& next);
+void barrier(VkCommandBuffer commands, const Buffer& buffer, const Access& next);
+
+/// Ends the process at once with a line on stderr and exit code 1: the device is still busy with a command that never
+/// ends, so that destroying anything would wait for ever.
+[[noreturn]] void abandon_device(const std::string& message);
+
+/// Called with the message before the process ends so; empty: the line goes to stderr alone.
+std::function<void(const std::string&)>& on_abandoned_device();
+
+}  // namespace lightwalk

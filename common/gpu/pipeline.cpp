@@ -1,0 +1,201 @@
+#include "common/gpu/pipeline.h"
+
+#include <algorithm>
+
+#include "common/course/exercise.h"
+
+namespace lightwalk {
+namespace {
+
+std::vector<Pipeline*>& live() {
+    static std::vector<Pipeline*> list;
+    return list;
+}
+
+VkShaderStageFlagBits stage_bit(Stage stage) {
+    switch (stage) {
+        case Stage::vertex:
+            return VK_SHADER_STAGE_VERTEX_BIT;
+        case Stage::geometry:
+            return VK_SHADER_STAGE_GEOMETRY_BIT;
+        case Stage::fragment:
+            return VK_SHADER_STAGE_FRAGMENT_BIT;
+        case Stage::compute:
+            return VK_SHADER_STAGE_COMPUTE_BIT;
+    }
+    return VK_SHADER_STAGE_ALL;
+}
+
+// What identifies a pipeline apart from toggles and choices.
+std::string identity(const Pipeline& p, const TargetFormats& formats) {
+    std::string key;
+    for (const std::string& shader : p.shaders()) key += shader + " ";
+    if (p.is_compute) {
+        for (const auto& [name, value] : p.compute.defines) key += name + "=" + value + " ";
+        return key + (p.compute.source.empty() ? "" : std::to_string(std::hash<std::string>{}(p.compute.source)));
+    }
+    const Pipeline::Graphics& g = p.graphics;
+    for (const auto& [name, value] : g.defines) key += name + "=" + value + " ";
+    for (const int value : {int(g.cull), int(g.depth_test), int(g.depth_write), int(g.blend), int(g.topology)})
+        key += std::to_string(value) + ",";
+    for (const VkFormat format : formats.color) key += " " + std::to_string(format);
+    return key + " depth " + std::to_string(formats.depth);
+}
+
+}  // namespace
+
+Pipeline::Pipeline(Graphics desc) : graphics(std::move(desc)) { live().push_back(this); }
+Pipeline::Pipeline(Compute desc) : compute(std::move(desc)), is_compute(true) { live().push_back(this); }
+Pipeline::~Pipeline() { std::erase(live(), this); }
+const std::vector<Pipeline*>& Pipeline::all() { return live(); }
+
+std::vector<std::string> Pipeline::shaders() const {
+    if (is_compute) return {compute.shader};
+    std::vector<std::string> result{graphics.vertex};
+    if (!graphics.geometry.empty()) result.push_back(graphics.geometry);
+    if (!graphics.fragment.empty()) result.push_back(graphics.fragment);
+    return result;
+}
+
+BuiltPipeline::~BuiltPipeline() {
+    vkDestroyPipeline(device_, handle, nullptr);
+    vkDestroyPipelineLayout(device_, layout, nullptr);
+    vkDestroyDescriptorSetLayout(device_, set_layout, nullptr);
+    for (const VkShaderModule module : modules) vkDestroyShaderModule(device_, module, nullptr);
+}
+
+std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Defines& defines) {
+    Defines all = defines;
+    for (const auto& define : pipeline.is_compute ? pipeline.compute.defines : pipeline.graphics.defines)
+        all.insert(define);
+    std::vector<FlatShader> result;
+    for (const std::string& shader : pipeline.shaders())
+        result.push_back(pipeline.compute.source.empty() ? flatten(shader, all)
+                                                         : flatten_text(pipeline.compute.source, shader, "99", all));
+    return result;
+}
+
+CompiledStages compile_stages(const Pipeline& pipeline, const std::vector<FlatShader>& flat) {
+    CompiledStages result;
+    result.names = pipeline.shaders();
+    for (size_t i = 0; i < flat.size(); ++i) {
+        result.stages.push_back(pipeline.is_compute ? Stage::compute : stage_of(result.names[i]));
+        result.spirv.push_back(compile(result.stages[i], flat[i].text, result.names[i]));
+    }
+    return result;
+}
+
+std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_size) {
+    std::map<std::string, Binding> merged;
+    std::vector<Reflection> reflections;
+    for (size_t i = 0; i < stages.stages.size(); ++i) {
+        reflections.push_back(reflect(stages.spirv[i]));
+        if (local_size) *local_size = reflections.back().local_size;
+        for (const Binding& binding : reflections.back().bindings) {
+            auto [it, added] = merged.emplace(binding.name, binding);
+            if (!added && (it->second.type != binding.type || it->second.bytes != binding.bytes))
+                throw ShaderError(stages.names[i] + ": '" + binding.name + "' is declared otherwise in another stage");
+            it->second.stages |= stage_bit(stages.stages[i]);
+            it->second.writable |= binding.writable;
+        }
+    }
+    uint32_t number = 0;
+    for (auto& [name, binding] : merged) binding.number = number++;
+    for (size_t i = 0; i < reflections.size(); ++i)
+        for (const Binding& binding : reflections[i].bindings)
+            stages.spirv[i][binding.offset_of_number] = merged.at(binding.name).number;
+    std::vector<Binding> result;
+    for (auto& [name, binding] : merged) result.push_back(std::move(binding));
+    return result;
+}
+
+const BuiltPipeline* PipelineLibrary::get(const Pipeline& pipeline, const TargetFormats& formats) {
+    const std::string same = identity(pipeline, formats);
+    std::string key = same;
+    for (const auto& [name, value] : defines) key += " " + name + "=" + value;
+    key += " toggles " + Exercises::state();
+    Variant& variant = variants_[key];
+    if (!variant.stale) return variant.built.get();
+    try {
+        variant.built = build(pipeline, formats);
+        last_good_[same] = key;
+        errors.erase(same);
+    } catch (const ShaderError& e) {
+        if (!keep_last_good) throw;
+        errors[same] = e.what();
+        const auto good = last_good_.find(same);
+        if (!variant.built && good != last_good_.end() && good->second != key)
+            return variants_[good->second].built.get();
+    }
+    variant.stale = !variant.built;
+    return variant.built.get();
+}
+
+bool PipelineLibrary::forget_changed_files() {
+    bool changed = false;
+    for (auto& [file, time] : files_) {
+        std::error_code error;
+        const auto now = std::filesystem::last_write_time(file, error);
+        if (error || now == time) continue;
+        time = now;
+        changed = true;
+    }
+    if (changed)
+        for (auto& [key, variant] : variants_) variant.stale = true;
+    return changed;
+}
+
+void PipelineLibrary::clear() {
+    variants_.clear();
+    last_good_.clear();
+    errors.clear();
+}
+
+std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, const TargetFormats& formats) {
+    const std::vector<FlatShader> flat = flatten_stages(pipeline, defines);
+    // Before compiling: after an error, too, the edit that mends it must be seen.
+    for (const FlatShader& shader : flat)
+        for (const auto& file : shader.files) {
+            std::error_code error;
+            files_.try_emplace(file, std::filesystem::last_write_time(file, error));
+        }
+    CompiledStages stages = compile_stages(pipeline, flat);
+
+    auto built = std::make_unique<BuiltPipeline>(device_.handle);
+    built->bindings = assign_bindings(stages, &built->local_size);
+    std::vector<VkDescriptorSetLayoutBinding> entries;
+    for (const Binding& binding : built->bindings)
+        entries.push_back({binding.number, binding.type, 1, binding.stages, nullptr});
+    const VkDescriptorSetLayoutCreateInfo set_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                                                   .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
+                                                   .bindingCount = static_cast<uint32_t>(entries.size()),
+                                                   .pBindings = entries.data()};
+    check(vkCreateDescriptorSetLayout(device_.handle, &set_info, nullptr, &built->set_layout), "set layout");
+    const VkPipelineLayoutCreateInfo layout_info{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = 1, .pSetLayouts = &built->set_layout};
+    check(vkCreatePipelineLayout(device_.handle, &layout_info, nullptr, &built->layout), "pipeline layout");
+
+    std::vector<VkPipelineShaderStageCreateInfo> stage_infos;
+    for (size_t i = 0; i < stages.stages.size(); ++i) {
+        const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                            .codeSize = stages.spirv[i].size() * 4,
+                                            .pCode = stages.spirv[i].data()};
+        check(vkCreateShaderModule(device_.handle, &info, nullptr, &built->modules.emplace_back()), "shader module");
+        stage_infos.push_back({.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                               .stage = stage_bit(stages.stages[i]),
+                               .module = built->modules.back(),
+                               .pName = "main"});
+    }
+    if (pipeline.is_compute) {
+        const VkComputePipelineCreateInfo info{
+            .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO, .stage = stage_infos[0], .layout = built->layout};
+        check(vkCreateComputePipelines(device_.handle, VK_NULL_HANDLE, 1, &info, nullptr, &built->handle),
+              pipeline.compute.shader.c_str());
+    } else {
+        built->handle = create_graphics(device_, pipeline.graphics, formats, stage_infos, built->layout);
+    }
+    device_.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(built->handle), stages.names.back());
+    return built;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,123 @@
+// Pipelines as a chapter states them, and the library that builds each variant when it is first used.
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/gpu/device.h"
+#include "common/gpu/glsl.h"
+#include "common/gpu/reflect.h"
+
+namespace lightwalk {
+
+enum class Blend { opaque, alpha, add };
+
+/// A pipeline's description. It builds nothing by itself: the variant in use follows the toggles and choices of the
+/// moment. Every live one is in Pipeline::all(), so that the build can compile them all.
+class Pipeline {
+  public:
+    struct Graphics {
+        std::string vertex, geometry, fragment;  ///< below shaders/
+        VkCullModeFlags cull = VK_CULL_MODE_BACK_BIT;
+        bool depth_test = true, depth_write = true;
+        Blend blend = Blend::opaque;
+        VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+        Defines defines;
+    };
+    struct Compute {
+        std::string shader;  ///< below shaders/
+        Defines defines;
+        std::string source;  ///< a text instead of a file; `shader` is then its name in messages
+    };
+    explicit Pipeline(Graphics desc);
+    explicit Pipeline(Compute desc);
+    ~Pipeline();
+    Pipeline(const Pipeline&) = delete;
+
+    static const std::vector<Pipeline*>& all();
+    std::vector<std::string> shaders() const;
+
+    Graphics graphics;
+    Compute compute;
+    bool is_compute = false;
+};
+
+inline Pipeline graphics(Pipeline::Graphics desc) { return Pipeline(std::move(desc)); }
+inline Pipeline compute(Pipeline::Compute desc) { return Pipeline(std::move(desc)); }
+
+/// The formats a graphics pipeline draws into.
+struct TargetFormats {
+    std::vector<VkFormat> color;
+    VkFormat depth = VK_FORMAT_UNDEFINED;
+    auto operator<=>(const TargetFormats&) const = default;
+};
+
+/// One variant, built.
+struct BuiltPipeline {
+    explicit BuiltPipeline(VkDevice device) : device_(device) {}
+    ~BuiltPipeline();
+    BuiltPipeline(const BuiltPipeline&) = delete;
+    VkPipeline handle = VK_NULL_HANDLE;
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
+    std::vector<Binding> bindings;
+    glm::uvec3 local_size{1};
+    std::vector<VkShaderModule> modules;
+
+  private:
+    VkDevice device_;
+};
+
+class PipelineLibrary {
+  public:
+    explicit PipelineLibrary(Device& device) : device_(device) {}
+
+    /// Macros of the moment: METHOD, METHOD_PHONG ... A change selects other variants.
+    Defines defines;
+
+    /// Window mode: a variant that does not compile leaves the last good one in place, and `errors` says why.
+    bool keep_last_good = false;
+    std::map<std::string, std::string> errors;  ///< by pipeline: file:line: message
+
+    /// The variant for the toggles and defines of the moment; null where there is none and keep_last_good is set.
+    /// Throws ShaderError otherwise.
+    const BuiltPipeline* get(const Pipeline& pipeline, const TargetFormats& formats);
+
+    /// Looks whether a file that was read has changed, and forgets what was built from it. True where one had.
+    bool forget_changed_files();
+
+    /// Forgets all that was built; nothing may be in flight.
+    void clear();
+
+  private:
+    std::unique_ptr<BuiltPipeline> build(const Pipeline& pipeline, const TargetFormats& formats);
+    struct Variant {
+        std::unique_ptr<BuiltPipeline> built;
+        bool stale = true;
+    };
+    Device& device_;
+    std::map<std::string, Variant> variants_;
+    std::map<std::string, std::string> last_good_;  ///< pipeline and formats → variant
+    std::map<std::filesystem::path, std::filesystem::file_time_type> files_;
+};
+
+VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const TargetFormats& formats,
+                           const std::vector<VkPipelineShaderStageCreateInfo>& stages, VkPipelineLayout layout);
+
+/// A pipeline's stages as text, with `defines` and the pipeline's own.
+std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Defines& defines);
+
+/// The same compiled.
+struct CompiledStages {
+    std::vector<Stage> stages;
+    std::vector<std::vector<uint32_t>> spirv;
+    std::vector<std::string> names;
+};
+CompiledStages compile_stages(const Pipeline& pipeline, const std::vector<FlatShader>& flat);
+
+/// Numbers the bindings of all stages by name and writes the numbers into the modules. Returns them, merged. Throws
+/// ShaderError where two stages use one name for different things.
+std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_size = nullptr);
+
+}  // namespace lightwalk

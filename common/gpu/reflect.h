@@ -1,0 +1,42 @@
+// What a shader wants bound, read from its SPIR-V, so that nobody writes a set or binding number.
+#pragma once
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace lightwalk {
+
+/// A member of a uniform block.
+struct BlockMember {
+    enum class Type { number, integer, unsigned_integer, other };
+    std::string name;
+    Type type = Type::other;
+    uint32_t offset = 0;      ///< bytes
+    uint32_t components = 1;  ///< 1 to 4
+};
+
+/// A binding by the name that GLSL code uses: the variable's; for a block without an instance name its only member's,
+/// or the block's own where it has several.
+struct Binding {
+    std::string name;
+    VkDescriptorType type = VK_DESCRIPTOR_TYPE_MAX_ENUM;
+    uint32_t number = 0;
+    VkShaderStageFlags stages = 0;
+    uint32_t bytes = 0;     ///< of a uniform block
+    bool writable = false;  ///< a storage buffer or image without `readonly`
+    std::vector<BlockMember> members;
+    uint32_t offset_of_number = 0;  ///< word of the module that holds the binding number
+};
+
+struct Reflection {
+    std::vector<Binding> bindings;
+    glm::uvec3 local_size{1};  ///< of a compute shader
+};
+
+/// Throws Failure where the module cannot be read.
+Reflection reflect(const std::vector<uint32_t>& spirv);
+
+}  // namespace lightwalk

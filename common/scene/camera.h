@@ -1,0 +1,17 @@
+// A pinhole camera: where it stands, where it looks, what it sees.
+#pragma once
+#include <glm/glm.hpp>
+
+namespace lightwalk {
+
+/// Right-handed world, +y up. `target` differs from `position`; `up` is not along the view.
+struct Camera {
+    glm::vec3 position{0.0f, 0.0f, 3.0f};  ///< metres
+    glm::vec3 target{0.0f};                ///< metres; it appears in the middle of the picture
+    glm::vec3 up{0.0f, 1.0f, 0.0f};        ///< any length above 0
+    float fov_y_rad = 0.8f;                ///< full vertical field of view, in (0, pi)
+    float near_m = 0.05f;                  ///< above 0; depth 1
+    float far_m = 1000.0f;                 ///< above near_m, may be infinity; depth 0
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,33 @@
+// Textures by file: each is decoded and uploaded once, however many materials name it.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "common/gpu/gpu.h"
+
+namespace lightwalk {
+
+/// What a texture's numbers mean: sRGB-encoded colour, or linear data such as normals and heights.
+enum class TextureKind { color, data };
+
+class ImagePool {
+  public:
+    explicit ImagePool(Gpu& gpu) : gpu_(gpu) {}
+
+    /// 8- and 16-bit PNG, JPEG and the like, and .hdr (RGBA16F, clamped to its range), with all mips. Grey fills r, g
+    /// and b; a missing alpha is 1. Throws InputError: missing, empty, damaged, or larger than the device allows.
+    std::shared_ptr<Image> load(const std::filesystem::path& file, TextureKind kind);
+
+    /// One texel of that colour, for a slot without a texture.
+    std::shared_ptr<Image> constant(glm::vec4 value);
+
+    void clear() { images_.clear(); }
+    size_t size() const { return images_.size(); }
+
+  private:
+    Gpu& gpu_;
+    std::map<std::string, std::shared_ptr<Image>> images_;
+};
+
+}  // namespace lightwalk

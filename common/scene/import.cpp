@@ -1,0 +1,204 @@
+#include "common/scene/import.h"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "common/error.h"
+#include "common/scene/asset_path.h"
+
+namespace lightwalk {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 9> formats = {".gltf", ".glb", ".ply", ".stl", ".dae",
+                                                     ".fbx",  ".3ds", ".off", ".obj"};
+
+// Assimp's matrices are rows, glm's are columns.
+glm::mat4 to_glm(const aiMatrix4x4& m) {
+    return glm::transpose(glm::mat4(m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4,  //
+                                    m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4));
+}
+
+glm::vec3 to_glm(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+
+// Assimp makes room for the counts in the header of a PLY or OFF file before it looks whether the file is that long.
+void check_counts(const fs::path& path, const std::string& extension, uintmax_t file_bytes) {
+    if (extension != ".ply" && extension != ".off") return;
+    std::ifstream in(path, std::ios::binary);
+    std::string line;
+    for (int i = 0; i < 200 && std::getline(in, line) && !line.starts_with("end_header"); ++i) {
+        std::istringstream words(line);
+        std::string word;
+        if (extension == ".ply" && !(words >> word && word == "element" && words >> word)) continue;
+        if (extension == ".off" && (line.starts_with('#') || !(words >> std::ws && std::isdigit(words.peek()))))
+            continue;
+        for (unsigned long long count; words >> count || !words.eof();)
+            if (words.fail() || count > file_bytes)
+                throw InputError(path.string() + ":" + std::to_string(i + 1) +
+                                 ": the header announces more elements than the file has bytes");
+        if (extension == ".off") return;
+    }
+}
+
+int hex_digit(char c) {
+    const size_t at =
+        std::string_view("0123456789abcdef").find(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
+    return at == std::string_view::npos ? -1 : static_cast<int>(at);
+}
+
+// glTF and Collada name files by URIs, in which a space is %20 (RFC 3986, 2.1).
+std::string decode_uri(std::string_view text) {
+    std::string out;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const int high = i + 2 < text.size() ? hex_digit(text[i + 1]) : -1;
+        const int low = high >= 0 ? hex_digit(text[i + 2]) : -1;
+        if (text[i] == '%' && low >= 0)
+            out += static_cast<char>(16 * high + low), i += 2;
+        else
+            out += text[i];
+    }
+    return out;
+}
+
+TextureMap texture(const aiMaterial& material, aiTextureType type, const aiScene& scene, const fs::path& path) {
+    aiString file;
+    if (material.GetTexture(type, 0, &file) != AI_SUCCESS || file.length == 0) return {};
+    if (scene.GetEmbeddedTexture(file.C_Str())) {
+        std::fprintf(stderr, "warning: %s: texture '%s' lies inside the model file, which is not supported; left out\n",
+                     path.c_str(), file.C_Str());
+        return {};
+    }
+    const bool is_uri = path.extension() == ".gltf" || path.extension() == ".glb" || path.extension() == ".dae";
+    TextureMap map;
+    map.file = resolve_file(is_uri ? decode_uri(file.C_Str()) : file.C_Str(), path.parent_path());
+    return map;
+}
+
+Material to_material(const aiMaterial& from, const aiScene& scene, const fs::path& path) {
+    Material to;
+    to.name = from.GetName().C_Str();
+    const auto color = [&](const char* key, unsigned type, unsigned index, glm::vec3& value) {
+        aiColor3D c;
+        if (from.Get(key, type, index, c) == AI_SUCCESS) value = {c.r, c.g, c.b};
+    };
+    color(AI_MATKEY_COLOR_AMBIENT, to.ambient);
+    color(AI_MATKEY_COLOR_DIFFUSE, to.diffuse);
+    color(AI_MATKEY_BASE_COLOR, to.diffuse);
+    color(AI_MATKEY_COLOR_SPECULAR, to.specular);
+    color(AI_MATKEY_COLOR_EMISSIVE, to.emissive);
+    from.Get(AI_MATKEY_SHININESS, to.shininess);
+    from.Get(AI_MATKEY_OPACITY, to.opacity);
+    from.Get(AI_MATKEY_REFRACTI, to.refraction);
+    from.Get(AI_MATKEY_ROUGHNESS_FACTOR, to.roughness);
+    from.Get(AI_MATKEY_METALLIC_FACTOR, to.metalness);
+    static constexpr std::pair<aiTextureType, TextureMap Material::*> maps[] = {
+        {aiTextureType_DIFFUSE, &Material::diffuse_map},
+        {aiTextureType_BASE_COLOR, &Material::diffuse_map},
+        {aiTextureType_SPECULAR, &Material::specular_map},
+        {aiTextureType_AMBIENT, &Material::ambient_map},
+        {aiTextureType_EMISSIVE, &Material::emissive_map},
+        {aiTextureType_SHININESS, &Material::shininess_map},
+        {aiTextureType_OPACITY, &Material::opacity_map},
+        {aiTextureType_HEIGHT, &Material::bump_map},
+        {aiTextureType_NORMALS, &Material::normal_map},
+        {aiTextureType_DISPLACEMENT, &Material::displacement_map},
+        {aiTextureType_METALNESS, &Material::metalness_map},
+        {aiTextureType_DIFFUSE_ROUGHNESS, &Material::roughness_map}};
+    for (const auto& [type, map] : maps)
+        if (!(to.*map)) to.*map = texture(from, type, scene, path);
+    return to;
+}
+
+Mesh to_mesh(const aiMesh& from) {
+    Mesh to;
+    to.name = from.mName.C_Str();
+    for (unsigned i = 0; i < from.mNumVertices; ++i) {
+        Vertex vertex{to_glm(from.mVertices[i]), glm::vec3(0.0f), glm::vec2(0.0f)};
+        if (from.HasNormals()) vertex.normal = to_glm(from.mNormals[i]);
+        if (const float length = glm::length(vertex.normal); length > 0.0f) vertex.normal /= length;
+        if (from.HasTextureCoords(0)) vertex.uv = glm::vec2(to_glm(from.mTextureCoords[0][i]));
+        to.bounds.add(vertex.position);
+        to.vertices.push_back(vertex);
+    }
+    for (unsigned i = 0; i < from.mNumFaces; ++i) {
+        const aiFace& face = from.mFaces[i];
+        if (face.mNumIndices != 3) continue;  // points and lines
+        to.indices.insert(to.indices.end(), face.mIndices, face.mIndices + 3);
+    }
+    to.parts = {{0, static_cast<uint32_t>(to.indices.size()), from.mMaterialIndex}};
+    fill_missing_normals(to);
+    return to;
+}
+
+// Parents before children. Without recursion: the depth of the tree is the file's choice.
+std::vector<Node> to_nodes(const aiNode& root) {
+    std::vector<Node> nodes;
+    std::vector<std::pair<const aiNode*, int>> waiting = {{&root, -1}};
+    while (!waiting.empty()) {
+        const auto [from, parent] = waiting.back();
+        waiting.pop_back();
+        Node& to = nodes.emplace_back();
+        to.name = from->mName.C_Str();
+        to.parent = parent;
+        to.local = to_glm(from->mTransformation);
+        to.meshes.assign(from->mMeshes, from->mMeshes + from->mNumMeshes);
+        for (unsigned i = from->mNumChildren; i-- > 0;)
+            waiting.emplace_back(from->mChildren[i], static_cast<int>(nodes.size() - 1));
+    }
+    return nodes;
+}
+
+std::string first_line(std::string text) {
+    text = text.substr(0, text.find_first_of("\r\n"));
+    return text.empty() ? "cannot be read" : text;
+}
+
+}  // namespace
+
+Model import_model(const fs::path& path) {
+    const std::string name = path.string();
+    std::string extension = path.extension();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::error_code error;
+    if (!fs::exists(path, error)) throw InputError(name + ": cannot be opened: no such file");
+    if (!fs::is_regular_file(path, error)) throw InputError(name + ": is not a file");
+    if (std::find(formats.begin(), formats.end(), extension) == formats.end()) {
+        std::string known;
+        for (const std::string_view format : formats) known += (known.empty() ? "" : ", ") + std::string(format);
+        throw InputError(name + ": unknown model format '" + extension + "'; there are: " + known);
+    }
+    const uintmax_t bytes = fs::file_size(path, error);
+    if (error || bytes == 0) throw InputError(name + ": the file is empty");
+    check_counts(path, extension, bytes);
+
+    Assimp::Importer importer;
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+    const aiScene* scene = nullptr;
+    try {
+        scene = importer.ReadFile(name, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
+                                            aiProcess_SortByPType | aiProcess_ValidateDataStructure);
+    } catch (const std::exception& failed) { throw InputError(name + ": " + first_line(failed.what())); }
+    if (!scene) throw InputError(name + ": " + first_line(importer.GetErrorString()));
+    if (scene->mNumMeshes == 0) throw InputError(name + ": no triangle in the file");
+
+    Model model;
+    for (unsigned i = 0; i < scene->mNumMaterials; ++i)
+        model.materials.push_back(to_material(*scene->mMaterials[i], *scene, path));
+    if (model.materials.empty()) model.materials.emplace_back();
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i) model.meshes.push_back(to_mesh(*scene->mMeshes[i]));
+    model.nodes = to_nodes(*scene->mRootNode);
+    return model;
+}
+
+}  // namespace lightwalk

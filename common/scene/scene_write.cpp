@@ -1,0 +1,67 @@
+#include <nlohmann/json.hpp>
+
+#include "common/files.h"
+#include "common/scene/scene_file.h"
+
+namespace lightwalk {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json list(glm::vec3 v) { return {v.x, v.y, v.z}; }
+
+json object_json(const SceneObject& o) {
+    json j = json::object();
+    if (!o.name.empty()) j["name"] = o.name;
+    if (!o.parent.empty()) j["parent"] = o.parent;
+    if (!o.model.empty()) j["model"] = o.model.generic_string();
+    if (o.position != glm::vec3(0.0f)) j["position"] = list(o.position);
+    if (o.rotation_deg != glm::vec3(0.0f)) j["rotation_deg"] = list(o.rotation_deg);
+    if (o.scale != glm::vec3(1.0f)) j["scale"] = list(o.scale);
+    json material = json::object();
+    const MaterialOverride& m = o.material;
+    if (m.diffuse) material["diffuse"] = list(*m.diffuse);
+    if (m.specular) material["specular"] = list(*m.specular);
+    if (m.emissive) material["emissive"] = list(*m.emissive);
+    if (m.shininess) material["shininess"] = *m.shininess;
+    if (m.opacity) material["opacity"] = *m.opacity;
+    for (const auto& [slot, file] : m.maps) material["maps"][slot] = file.generic_string();
+    if (!material.empty()) j["material"] = material;
+    return j;
+}
+
+json light_json(const Light& light) {
+    static constexpr const char* kinds[] = {"directional", "point", "spot"};
+    json j{{"type", kinds[static_cast<int>(light.kind)]}, {"color", list(light.color)}, {"intensity", light.intensity}};
+    if (light.kind != Light::Kind::point) j["direction"] = list(light.direction);
+    if (light.kind != Light::Kind::directional) {
+        j["position"] = list(light.position);
+        j["range_m"] = light.range_m;
+    }
+    if (light.kind == Light::Kind::spot) {
+        j["inner_deg"] = glm::degrees(light.inner_rad);
+        j["outer_deg"] = glm::degrees(light.outer_rad);
+        j["softness"] = light.softness;
+    }
+    return j;
+}
+
+}  // namespace
+
+void write_scene(const SceneFile& scene, const std::filesystem::path& path) {
+    json j;
+    const Camera& c = scene.camera;
+    j["camera"] = {{"position", list(c.position)},         {"target", list(c.target)}, {"up", list(c.up)},
+                   {"fov_deg", glm::degrees(c.fov_y_rad)}, {"near_m", c.near_m},       {"far_m", c.far_m}};
+    j["ambient"] = list(scene.ambient);
+    j["background"] = list(scene.background);
+    j["objects"] = json::array();
+    for (const SceneObject& o : scene.objects) j["objects"].push_back(object_json(o));
+    j["lights"] = json::array();
+    for (const Light& light : scene.lights) j["lights"].push_back(light_json(light));
+    j["knobs"] = json::object();
+    for (const auto& [name, value] : scene.knobs) j["knobs"][name] = value;
+    write_file(path, j.dump(1, '\t') + "\n");
+}
+
+}  // namespace lightwalk

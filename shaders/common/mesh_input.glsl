@@ -1,0 +1,6 @@
+// What a vertex shader reads: the mesh's vertices by gl_VertexIndex, the placed part by gl_InstanceIndex, the camera.
+#include "common/structs.h"
+
+layout(scalar) readonly buffer VertexBuffer { Vertex vertices[]; };
+layout(scalar) readonly buffer InstanceBuffer { Instance instances[]; };
+layout(scalar) uniform ViewBlock { CameraView view; };
