@@ -96,7 +96,7 @@ class Limits:
         shown = list(errors)
         for line in (study.one_step[0], study.doubling_change):
             # Lines further away than a decade would squeeze the points.
-            if line and (not errors or min(errors) / 10 <= line <= max(errors) * 10):
+            if line and errors and min(errors) / 10 <= line <= max(errors) * 10:
                 shown.append(line)
         self.y = widened(min(shown), max(shown), 0.10, 0.14) if shown else None
 
