@@ -44,3 +44,6 @@ endforeach()
 
 lightwalk_python_test(text.tree text common/course/text_check.py)
 lightwalk_python_test(text.course text tests/common/test_course.py)
+lightwalk_python_test(text.chart text tests/common/test_chart.py)
+lightwalk_python_test(text.report text tests/common/test_report.py)
+lightwalk_python_test(unit.compare unit tests/common/test_compare.py)

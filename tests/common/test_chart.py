@@ -1,7 +1,9 @@
 """Charts of studies: what is drawn where, what is refused, and that the same study gives the same file."""
 
+import contextlib
 import copy
 import hashlib
+import io
 import json
 import math
 import subprocess
@@ -159,11 +161,10 @@ class Drawing(unittest.TestCase):
         empty.write_text("{}")
         unfinished.write_text(json.dumps(STUDY | {"points": [point("s", "a", math.nan, 1)]}))
         for path in (torn, empty, unfinished, self.folder / "missing.json", self.folder):
-            done = subprocess.run([sys.executable, ROOT / "common/course/chart.py", path, "--out", self.folder / "o"],
-                                  capture_output=True, text=True)
-            with self.subTest(path.name):
-                self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
-                self.assertIn("chart: ", done.stderr)
+            with self.subTest(path.name), contextlib.redirect_stderr(io.StringIO()) as said:
+                self.assertEqual(chart.main([str(path), "--out", str(self.folder / "o")]), 2)
+                self.assertEqual(said.getvalue().count("\n"), 1)
+                self.assertIn("chart: ", said.getvalue())
         self.assertFalse((self.folder / "o").exists())
 
     def test_loading(self):
