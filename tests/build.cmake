@@ -1,4 +1,4 @@
-# What ctest runs beside the Catch2 programs: shots, the golden's teeth, the text. One test per shot, from shots.json.
+# What ctest runs beside the Catch2 programs: shots, the goldens' teeth, Python's tests, the text.
 
 find_program(PYTHON3 python3 PATHS /usr/bin NO_DEFAULT_PATH)  # Debian's has Debian's matplotlib
 find_program(PYTHON3 python3 REQUIRED)
@@ -42,8 +42,20 @@ foreach(chapter ${LIGHTWALK_CHAPTERS})
   endforeach()
 endforeach()
 
+# tests/*/test_NAME.py. Those of windows, and what runs none of our programs, do not run again under the sanitizers.
+file(GLOB scripts CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests/*/test_*.py)
+foreach(script ${scripts})
+  string(REGEX REPLACE "^tests/(.*)/test_(.*)\\.py$" "\\1.\\2" name ${script})
+  if(name MATCHES "window")
+    lightwalk_python_test(window.${name} window ${script})
+  elseif(name STREQUAL "common.course")
+    lightwalk_python_test(text.course text ${script})
+    set_tests_properties(text.course PROPERTIES COST 60)  # the longest: first
+  elseif(name MATCHES "common.(chart|report)")
+    string(REPLACE "common." "text." name ${name})
+    lightwalk_python_test(${name} text ${script})
+  else()
+    lightwalk_python_test(python.${name} unit ${script})
+  endif()
+endforeach()
 lightwalk_python_test(text.tree text common/course/text_check.py)
-lightwalk_python_test(text.course text tests/common/test_course.py)
-lightwalk_python_test(text.chart text tests/common/test_chart.py)
-lightwalk_python_test(text.report text tests/common/test_report.py)
-lightwalk_python_test(unit.compare unit tests/common/test_compare.py)

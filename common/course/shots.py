@@ -164,7 +164,7 @@ def wrong_pictures(chapter: str, shot: dict) -> list[tuple[str, str, list]]:
     for entry in shot.get("rejects", []):
         sets = [word for knob, value in entry.get("set", {}).items() for word in ("--set", f"{knob}={text(value)}")]
         if "chapter" in entry:
-            scene = ["--scene", ROOT / shot["scene"]] if "scene" in shot else []
+            scene = ["--scene", shot["scene"]] if "scene" in shot else []
             size = "x".join(str(side) for side in shot.get("size", [960, 540]))
             options = [*scene, "--size", size, "--time", shot.get("time_s", 0), *sets]
             wrong.append((f"drawn by {entry['chapter']}", entry["chapter"], options))
@@ -208,7 +208,8 @@ def main(words: list[str]) -> int:
             say(f"{picture['name']}: FLIP mean {flip['mean']:.6f}, p99 {flip['p99']:.6f}, "
                 f"largest step {picture['metrics']['max_diff']['steps']}")
         if not result["ok"]:
-            say(f"  expected {picture['expected']}\n  actual   {picture['actual']}\n  error    {picture['heatmap']}")
+            for key in ("expected", "actual", "heatmap"):
+                say(f"  {key:8} {picture[key] or 'none'}")
     return 0 if result["ok"] else 1
 
 
