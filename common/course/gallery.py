@@ -27,7 +27,8 @@ def write_gallery(shots: list[dict], out: Path):
     chapters = list(dict.fromkeys(shot["chapter"] for shot in shots))
     links = "".join(f'<li><a href="#{escape(chapter)}">{escape(chapter_title(chapter))}</a></li>'
                     for chapter in chapters)
-    body = (f"<h1>Lightwalk</h1>\n<p>{len(shots)} pictures of {len(chapters)} chapters. A click shows one in full; the "
+    drawn = sum(not shot["error"] for shot in shots)
+    body = (f"<h1>Lightwalk</h1>\n<p>{drawn} pictures of {len(chapters)} chapters. A click shows one in full; the "
             f"line below it draws it again.</p>\n<nav><ul>{links}</ul></nav>\n") if shots else \
         "<h1>Lightwalk</h1>\n<p>No chapter has a picture yet.</p>\n"
     for chapter in chapters:

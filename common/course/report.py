@@ -143,7 +143,8 @@ def chapter_section(chapter: str, results: list[dict], pictures: Pictures) -> st
     body = f'<section id="{escape(chapter)}">\n<h2>{escape(chapter_title(chapter))}</h2>\n'
     shots = [result for result in results if result["kind"] == "shot"]
     if shots:
-        body += "<h3>Pictures</h3>\n" + "".join(shot_card(result, pictures) for result in shots)
+        body += ('<h3>Pictures</h3>\n<p class="quiet">Pictures that passed are shown as WebP; the figures are those of the '
+                 "exact ones.</p>\n") + "".join(shot_card(result, pictures) for result in shots)
     teeth = [(result, picture) for result in results if result["kind"] == "teeth" for picture in result["pictures"]]
     if teeth:
         body += "<h3>Pictures that the goldens must reject</h3>\n" + teeth_table(teeth)

@@ -130,7 +130,7 @@ class Drawing(unittest.TestCase):
         self.assertEqual(len({(axis.get_xlim(), axis.get_ylim()) for axis in figure.axes}), 1)
 
     def test_labels_cover_neither_each_other_nor_a_point(self):
-        points = [point("s", f"method_{i}", 0.02 * 0.8**i * (j + 1), 0.3 * 1.1**i * (j + 1), {"n": j})
+        points = [point("s", f"method_{i}", 0.02 * 0.98**i * (j + 1), 0.3 * 1.005**i * (j + 1), {"n": j})
                   for i in range(6) for j in range(2)]
         s = study(points=points)
         figure = self.figure(s)

@@ -94,6 +94,10 @@ class ReportText(ReportCase):
         for text in ("What good shows.", "02.phong", "unit.good"):
             self.assertNotIn(text, failed)
             self.assertIn(text, chapters)
+        self.assertEqual(html.count("class=over"), 3)  # bad is over each limit; what the teeth rejected is as it should
+        self.assertIn("image/png", failed)  # exact where it matters
+        self.assertNotIn("image/webp", failed)
+        self.assertIn("image/webp", chapters)
         self.assertIn('href="#failed-shot.02_lambert_phong.bad"', chapters)
         self.assertIn('id="failed-shot.02_lambert_phong.bad"', failed)
 
