@@ -15,6 +15,7 @@ struct Obj : ModelChapter {
     Loader loader() const override { return loader_from_name(method.text()); }
     bool reload_on_toggle() const override { return true; }
 
+    // [frame]
     void frame(Frame& frame) override {
         set_view(frame);
 
@@ -26,6 +27,7 @@ struct Obj : ModelChapter {
         // 2. Linear light to the codes a screen expects.
         encode_srgb(frame);
     }
+    // [/frame]
 
     std::vector<Command> commands() override {
         return {{"load-bench", "FILE", "time every loader on FILE; --json for JSON",

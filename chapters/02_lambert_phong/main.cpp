@@ -5,10 +5,12 @@
 using namespace lightwalk;
 
 struct LambertPhong : ModelChapter {
+    // [method]
     Choice method{"method",
                   {"gouraud", "phong", "blinn_phong", "blinn_phong_normalised"},
                   "blinn_phong_normalised",
                   "how highlights are computed; gouraud does so at vertices"};
+    // [/method]
     Choice diffuse{"diffuse", {"lambert", "wrapped"}, "lambert", "how matt surfaces receive light"};
     Knob<bool> ambient{"ambient", true, "add the scene's ambient light"};
     Knob<float> shininess{"shininess", 0.0f, {0.0f, 4096.0f}, "exponent of all highlights; 0: each material's own"};
@@ -25,6 +27,7 @@ struct LambertPhong : ModelChapter {
 
     void prepare(Gpu& gpu) override { lights = upload_directional_lights(gpu, scene.file.lights); }
 
+    // [frame]
     void frame(Frame& frame) override {
         set_view(frame);
 
@@ -40,6 +43,7 @@ struct LambertPhong : ModelChapter {
         // 2. Linear light to the codes a screen expects.
         encode_srgb(frame);
     }
+    // [/frame]
 };
 
 CHAPTER(LambertPhong)

@@ -28,7 +28,7 @@ struct Shot {
 class Chapter {
   public:
     Chapter() { knobs_under_construction() = &knobs; }
-    virtual ~Chapter() = default;
+    virtual ~Chapter();
     Chapter(const Chapter&) = delete;
 
     std::string name;  ///< NN_name
@@ -49,12 +49,19 @@ class Chapter {
 
     /// What C++ exercises change apart from shaders needs the scene loaded anew when they are toggled.
     virtual bool reload_on_toggle() const { return false; }
+
+    /// What moves, or gathers samples over frames, is drawn without a pause; the window's clock runs from the start.
+    virtual bool animated() const { return false; }
 };
 
 /// Reads a scene file or wraps a model file, and loads it. Throws InputError.
 void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file);
 
-/// Records, submits and waits for one frame with the camera's and the knobs' uniforms in place.
+/// Records one frame with the knobs' uniforms and macros in place. Frame::end() is left to the caller, also where this
+/// throws: what was recorded has to be submitted.
+void record(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, unsigned seed);
+
+/// Records, submits and waits for one frame.
 void render(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, unsigned seed);
 
 /// frame.hdr to frame.output: clamped to 1 and sRGB-encoded. Chapters that map tones better do so themselves.
@@ -62,8 +69,10 @@ void encode_srgb(Frame& frame);
 
 std::vector<Shot> read_shots(const std::string& chapter);
 
+using MakeChapter = std::function<std::unique_ptr<Chapter>()>;
+
 /// The whole program: options, then a window, a picture or a list. Returns the exit code.
-int run_chapter(int argc, char** argv, const char* name, const std::function<std::unique_ptr<Chapter>()>& make);
+int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make);
 
 }  // namespace lightwalk
 

@@ -30,6 +30,11 @@ const Pipeline encode = compute({.shader = "common/encode_srgb.comp", .defines =
 
 }  // namespace
 
+Chapter::~Chapter() {
+    // A chapter made after this one may be gone already, or still register its knobs with itself.
+    if (knobs_under_construction() == &knobs) knobs_under_construction() = nullptr;
+}
+
 void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given) {
     const auto loader = [&](const std::filesystem::path& file) { return chapter.load_model(file); };
     const std::filesystem::path file = find_asset(given);
@@ -47,7 +52,7 @@ void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given) 
     chapter.prepare(gpu);
 }
 
-void render(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, unsigned seed) {
+void record(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, unsigned seed) {
     Defines defines;
     for (const KnobBase* knob : chapter.knobs)
         for (const auto& [name, value] : knob->macros()) defines[name] = value;
@@ -56,6 +61,10 @@ void render(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, unsig
     frame.begin(size, time_s);
     frame.seed = seed;
     chapter.frame(frame);
+}
+
+void render(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, unsigned seed) {
+    record(chapter, frame, size, time_s, seed);
     frame.end();
 }
 

@@ -6,7 +6,7 @@
 
 namespace lightwalk {
 
-int run_chapter(int argc, char** argv, const char* name, const std::function<std::unique_ptr<Chapter>()>& make) {
+int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make) {
     try {
         std::unique_ptr<Gpu> gpu;  // before the chapter, whose images and buffers it must outlive
         const std::unique_ptr<Chapter> chapter = make();
@@ -17,7 +17,7 @@ int run_chapter(int argc, char** argv, const char* name, const std::function<std
         if (options->compile_shaders) return compile_all_shaders(*chapter);
         if (options->command) return options->command();
         if (options->headless()) return run_headless(*options, *chapter, gpu);
-        return run_window(*options, *chapter, gpu);
+        return run_window(*options, *chapter, gpu, make);
     } catch (const InputError& e) {
         std::fprintf(stderr, "error: %s\n", e.what());
         return 2;

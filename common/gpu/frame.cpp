@@ -1,6 +1,7 @@
 #include "common/gpu/frame.h"
 
 #include <cstring>
+#include <utility>
 
 #include "common/error.h"
 
@@ -131,7 +132,15 @@ void Frame::end_pass() {
     check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
 }
 
+void Frame::run_after_pass(size_t outputs_before) {
+    if (!after_pass || outputs.size() == outputs_before) return;
+    const auto function = std::exchange(after_pass, nullptr);  // its own passes do not call it
+    function();
+    after_pass = function;
+}
+
 void Frame::raster(const std::string& name, const RasterTargets& targets, const std::function<void(Raster&)>& record) {
+    const size_t outputs_before = outputs.size();
     const VkCommandBuffer commands = begin_pass(name, "raster");
     shader_barriers(commands, false, targets.reads, targets.writes);
     Raster pass(*this, name, commands, targets.reads, targets.writes);
@@ -171,19 +180,36 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, const 
     const VkViewport viewport{.width = float(extent.x), .height = float(extent.y), .maxDepth = 1.0f};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &area);
-    record(pass);
-    vkCmdEndRendering(commands);
-    end_pass();
+    // A pass that throws is ended all the same: its barriers are in the images' histories, so it must be submitted.
+    const auto end_rendering = [&] {
+        vkCmdEndRendering(commands);
+        end_pass();
+    };
+    try {
+        record(pass);
+    } catch (...) {
+        end_rendering();
+        throw;
+    }
+    end_rendering();
+    run_after_pass(outputs_before);
 }
 
 void Frame::compute(const std::string& name, const ComputeAccess& access, const std::function<void(Compute&)>& record) {
+    const size_t outputs_before = outputs.size();
     const VkCommandBuffer commands = begin_pass(name, "compute");
     shader_barriers(commands, true, access.reads, access.writes);
     for (const Resource& written : access.writes)
         if (written.image) outputs.emplace_back(name, written.image);
     Compute pass(*this, name, commands, access.reads, access.writes);
-    record(pass);
+    try {
+        record(pass);
+    } catch (...) {
+        end_pass();
+        throw;
+    }
     end_pass();
+    run_after_pass(outputs_before);
 }
 
 void Frame::transfer(const std::string& name, const ComputeAccess& access,

@@ -48,6 +48,9 @@ class Frame {
     /// The image each pass of this frame wrote first, in order, to look at.
     std::vector<std::pair<std::string, const Image*>> outputs;
 
+    /// Called after each pass that wrote an image, before a later pass can overwrite it: for whoever wants to look.
+    std::function<void()> after_pass;
+
     /// Uniform blocks every shader may name: bytes by name, and a function for those whose layout the shader decides.
     std::map<std::string, std::vector<std::byte>> globals;
     std::function<std::vector<std::byte>(const Binding&)> fill_block;
@@ -63,6 +66,7 @@ class Frame {
     };
     VkCommandBuffer begin_pass(const std::string& name, const char* stage);
     void end_pass();
+    void run_after_pass(size_t outputs_before);
     void read_times();
     std::vector<Recorded> passes_;
     std::vector<VkCommandBuffer> free_commands_;

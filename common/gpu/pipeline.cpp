@@ -115,20 +115,21 @@ const BuiltPipeline* PipelineLibrary::get(const Pipeline& pipeline, const Target
     for (const auto& [name, value] : defines) key += " " + name + "=" + value;
     key += " toggles " + Exercises::state();
     Variant& variant = variants_[key];
-    if (!variant.stale) return variant.built.get();
-    try {
-        variant.built = build(pipeline, formats);
-        last_good_[same] = key;
-        errors.erase(same);
-    } catch (const ShaderError& e) {
-        if (!keep_last_good) throw;
-        errors[same] = e.what();
-        const auto good = last_good_.find(same);
-        if (!variant.built && good != last_good_.end() && good->second != key)
-            return variants_[good->second].built.get();
+    if (variant.stale) {
+        try {
+            variant.built = build(pipeline, formats);
+            variant.error.clear();
+            last_good_[same] = key;
+        } catch (const ShaderError& e) {
+            if (!keep_last_good) throw;
+            variant.error = e.what();
+        }
+        variant.stale = false;  // what did not compile will not until a file has changed
     }
-    variant.stale = !variant.built;
-    return variant.built.get();
+    if (!variant.error.empty()) errors[same] = variant.error;
+    if (variant.built) return variant.built.get();
+    const auto good = last_good_.find(same);
+    return good == last_good_.end() ? nullptr : variants_[good->second].built.get();
 }
 
 bool PipelineLibrary::forget_changed_files() {
@@ -140,9 +141,12 @@ bool PipelineLibrary::forget_changed_files() {
         time = now;
         changed = true;
     }
-    if (changed)
-        for (auto& [key, variant] : variants_) variant.stale = true;
+    if (changed) rebuild();
     return changed;
+}
+
+void PipelineLibrary::rebuild() {
+    for (auto& [key, variant] : variants_) variant.stale = true;
 }
 
 void PipelineLibrary::clear() {

@@ -78,7 +78,9 @@ class PipelineLibrary {
 
     /// Window mode: a variant that does not compile leaves the last good one in place, and `errors` says why.
     bool keep_last_good = false;
-    std::map<std::string, std::string> errors;  ///< by pipeline: file:line: message
+    /// By pipeline: file:line: message. Every get() of a variant that did not compile puts it there, so that clearing
+    /// it before a frame leaves the errors of what that frame uses.
+    std::map<std::string, std::string> errors;
 
     /// The variant for the toggles and defines of the moment; null where there is none and keep_last_good is set.
     /// Throws ShaderError otherwise.
@@ -86,6 +88,9 @@ class PipelineLibrary {
 
     /// Looks whether a file that was read has changed, and forgets what was built from it. True where one had.
     bool forget_changed_files();
+
+    /// Builds everything anew when it is next used, and keeps the last good one where that fails.
+    void rebuild();
 
     /// Forgets all that was built; nothing may be in flight.
     void clear();
@@ -95,6 +100,7 @@ class PipelineLibrary {
     struct Variant {
         std::unique_ptr<BuiltPipeline> built;
         bool stale = true;
+        std::string error;
     };
     Device& device_;
     std::map<std::string, Variant> variants_;

@@ -1,0 +1,33 @@
+// Moves a camera: around its target, with the picture, towards the target, or freely.
+#pragma once
+#include "common/scene/camera.h"
+#include "common/scene/mesh.h"
+
+namespace lightwalk {
+
+/// Angles and shares come from the caller, lengths from the scene: a step is a share of what is looked at.
+class CameraControl {
+  public:
+    /// Turns around the target, keeping the horizon level: `turn_rad` about +y, `tilt_rad` up and down to the poles.
+    static void orbit(Camera& camera, float turn_rad, float tilt_rad);
+
+    /// Moves with the picture: `pixels` of a picture `height` pixels high, y down, so that the target's plane follows.
+    static void pan(Camera& camera, glm::vec2 pixels, float height);
+
+    /// Halves the distance to the target in about seven notches. Stops short of the target and of `bounds` far away.
+    static void zoom(Camera& camera, float notches, const Bounds& bounds);
+
+    /// Looks around from where the camera stands.
+    static void look(Camera& camera, float turn_rad, float tilt_rad);
+
+    /// Moves eye and target by metres along the camera's right, up and forward.
+    static void fly(Camera& camera, glm::vec3 metres);
+
+    /// Keeps the direction of view and steps back until all of `bounds` is in the picture.
+    static void frame(Camera& camera, const Bounds& bounds, float aspect);
+
+    /// A fifth of the scene a second, in metres.
+    static float fly_speed(const Bounds& bounds);
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,55 @@
+// The window system: one window, and what the person did since the last look.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+#include <vulkan/vulkan.h>
+
+struct GLFWwindow;
+
+namespace lightwalk {
+
+struct KeyPress {
+    int key = 0;   ///< GLFW_KEY_...
+    int mods = 0;  ///< GLFW_MOD_...
+};
+
+/// Lengths in the window's own coordinates, y down.
+struct Input {
+    glm::vec2 cursor{0.0f}, moved{0.0f};
+    float wheel = 0.0f;  ///< notches, away from the person is positive
+    bool left = false, right = false, middle = false, shift = false;  ///< held now
+    std::vector<KeyPress> pressed;
+    bool happened = false;  ///< anything at all: worth a new picture
+};
+
+class Display {
+  public:
+    /// Throws InputError where there is no display; `without` says what to do instead.
+    Display(const std::string& title, glm::ivec2 size, const std::string& without);
+    ~Display();
+    Display(const Display&) = delete;
+
+    GLFWwindow* window = nullptr;
+
+    static std::vector<const char*> surface_extensions();
+    VkSurfaceKHR make_surface(VkInstance instance) const;
+
+    /// What happened since the last call; waits up to `wait_s` for something to happen.
+    Input poll(double wait_s);
+
+    bool wants_to_close() const;
+    bool is_minimised() const;
+    bool is_held(int key) const;
+    glm::uvec2 framebuffer_size() const;  ///< pixels; 0 while minimised on some systems
+    glm::ivec2 size() const;              ///< in the window's own coordinates
+    float scale() const;                  ///< of text, as the desktop asks for
+
+  private:
+    struct Events;
+    std::unique_ptr<Events> events_;
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,12 @@
+// What happened, one line each on standard output, for tests and for whoever wonders. Only with LIGHTWALK_LOG=1.
+#pragma once
+#include <string>
+
+namespace lightwalk {
+
+void log_event(const std::string& text);
+
+/// Logs where the widget drawn last is, in window coordinates, when it has moved: "place NAME left top right bottom".
+void log_place(const std::string& name);
+
+}  // namespace lightwalk

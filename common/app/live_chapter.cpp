@@ -1,0 +1,78 @@
+#include "common/app/live_chapter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/course/exercise.h"
+#include "common/error.h"
+
+namespace lightwalk {
+
+LiveChapter::LiveChapter(Chapter& c, Gpu& gpu, std::filesystem::path scene)
+    : chapter(c), gpu_(gpu), scene_(std::move(scene)) {}
+
+void LiveChapter::load() {
+    loaded_with_ = Exercises::state();
+    try {
+        load_scene(chapter, gpu_, scene_);
+    } catch (const std::exception& e) {
+        const auto ids = exercises_of(chapter);
+        if (!chapter.reload_on_toggle() || std::all_of(ids.begin(), ids.end(), Exercises::uses_solution)) throw;
+        load_error = e.what();
+        const ToggleScope reference(true);
+        chapter.scene = Scene();
+        load_scene(chapter, gpu_, scene_);
+    }
+}
+
+void LiveChapter::reload() {
+    loaded_with_ = Exercises::state();
+    const Camera camera = chapter.camera;
+    std::vector<std::string> settings;
+    for (const KnobBase* knob : chapter.knobs) settings.push_back(knob->text());
+    Scene kept = std::exchange(chapter.scene, Scene());
+    try {
+        load_scene(chapter, gpu_, scene_);
+        load_error.clear();
+    } catch (const std::exception& e) {
+        load_error = e.what();
+        chapter.scene = std::move(kept);
+        chapter.prepare(gpu_);
+    }
+    chapter.camera = camera;
+    for (size_t i = 0; i < settings.size(); ++i) chapter.knobs[i]->set(settings[i]);
+}
+
+void LiveChapter::draw(Frame& frame, glm::uvec2 size, float time_s, unsigned seed) {
+    if (chapter.reload_on_toggle() && loaded_with_ != Exercises::state()) reload();
+    frame_error.clear();
+    try {
+        record(chapter, frame, size, time_s, seed);
+    } catch (const std::exception& e) {
+        frame_error = e.what();
+    }
+    frame.end();
+}
+
+ToggleScope::ToggleScope(bool solution) {
+    for (const std::string& id : Exercises::ids()) {
+        before_.emplace_back(id, Exercises::uses_solution(id));
+        Exercises::set(id, solution);
+    }
+}
+
+ToggleScope::~ToggleScope() {
+    for (const auto& [id, solution] : before_) Exercises::set(id, solution);
+}
+
+std::vector<std::string> exercises_of(const Chapter& chapter) {
+    const std::string number = chapter.name.substr(0, 2);
+    std::vector<std::string> result;
+    for (const std::string& id : Exercises::ids())
+        if (id.substr(0, 2) == number) result.push_back(id);
+    for (const std::string& id : Exercises::ids())
+        if (id.substr(0, 2) < number) result.push_back(id);
+    return result;
+}
+
+}  // namespace lightwalk
