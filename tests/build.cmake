@@ -17,8 +17,14 @@ endforeach()
 foreach(chapter ${LIGHTWALK_CHAPTERS})
   set(list ${PROJECT_SOURCE_DIR}/tests/${chapter}/shots.json)
   # A handout has no reference to draw with; ./course check draws there.
-  if(NOT EXISTS ${list} OR NOT (EXISTS ${PROJECT_SOURCE_DIR}/shaders/${chapter}/solution
-                                OR EXISTS ${PROJECT_SOURCE_DIR}/chapters/${chapter}/solution))
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/shaders/${chapter}/solution
+     AND NOT EXISTS ${PROJECT_SOURCE_DIR}/chapters/${chapter}/solution)
+    continue()
+  endif()
+  if(TARGET check_${chapter})
+    lightwalk_python_test(teeth.check.${chapter} "teeth;${chapter}" common/course/check_teeth.py ${chapter})
+  endif()
+  if(NOT EXISTS ${list})
     continue()
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
