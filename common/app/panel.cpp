@@ -82,7 +82,6 @@ Requests Panel::draw(PanelState& state, float scale) {
     ImGui::PopFont();
     if (section("Exercises")) exercises(state, requests);
     if (!state.chapter.knobs.empty() && section("Knobs")) knobs(state, requests);
-    if (section("Mine beside reference")) split(state, requests);
     if (section("Look at")) look(state, requests);
     if (section("GPU time")) times(state);
     footer(state, requests);
@@ -103,7 +102,9 @@ void Panel::exercises(PanelState& state, Requests& requests) {
     if (ids.empty()) ImGui::TextColored(quiet_color, "none in this chapter");
     if (!ids.empty() && !any_solution)
         ImGui::TextColored(quiet_color, "This tree is a handout: it has no reference.");
-    if (any_solution && ImGui::Button("switch all   F2", {-1.0f, 0.0f})) requests.all_toggles = true;
+    if (!any_solution) return;
+    if (ImGui::Button("switch all   F2", {-1.0f, 0.0f})) requests.all_toggles = true;
+    split(state, requests);
 }
 
 void Panel::knobs(PanelState& state, Requests& requests) {
@@ -116,9 +117,10 @@ void Panel::knobs(PanelState& state, Requests& requests) {
 
 void Panel::split(PanelState& state, Requests& requests) {
     bool on = state.split.on();
-    if (ImGui::Checkbox("split the picture", &on)) requests.split = true;
+    if (ImGui::Checkbox("mine beside reference   Tab", &on)) requests.split = true;
     log_place("split");
-    help_on_hover("Your version on the left, the reference on the right. Drag the line between them.");
+    help_on_hover("Mine on the left, as the switches say; all of mine where they all say reference.\n"
+                  "The reference on the right. Drag the line between them.");
     if (!state.split.on()) return;
     if (const auto& difference = state.split.difference) {
         ImGui::Text("FLIP %.4f", difference->flip_mean);
@@ -163,7 +165,10 @@ void Panel::look(PanelState& state, Requests& requests) {
 void Panel::times(PanelState& state) {
     const bool same = std::equal(smooth_.begin(), smooth_.end(), state.times.begin(), state.times.end(),
                                  [](const PassTime& a, const PassTime& b) { return a.name == b.name; });
+    averaged_ = same ? averaged_ + 1 : 0;
     if (!same) smooth_ = state.times;
+    // The average over about ten frames: a figure that can be read while it changes. The first frame only warms up.
+    const double weight = std::max(0.1, 1.0 / std::max(averaged_, 1));
     double total = 0;
     ImGui::BeginTable("times", 3, ImGuiTableFlags_SizingFixedFit);
     ImGui::TableSetupColumn("pass", ImGuiTableColumnFlags_WidthStretch);
@@ -176,8 +181,7 @@ void Panel::times(PanelState& state) {
         ImGui::Text("%7.2f ms", ms);
     };
     for (size_t i = 0; i < smooth_.size(); ++i) {
-        // The average over about ten frames: a figure that can be read while it changes.
-        smooth_[i].gpu_ms += 0.1 * (state.times[i].gpu_ms - smooth_[i].gpu_ms);
+        smooth_[i].gpu_ms += weight * (state.times[i].gpu_ms - smooth_[i].gpu_ms);
         row(smooth_[i].name.c_str(), smooth_[i].stage.c_str(), smooth_[i].gpu_ms);
         total += smooth_[i].gpu_ms;
     }

@@ -53,6 +53,7 @@ class Panel {
     const Overlay& overlay_;
     std::string title_;
     std::vector<PassTime> smooth_;
+    int averaged_ = 0;  ///< frames since the passes changed
 };
 
 }  // namespace lightwalk

@@ -165,7 +165,7 @@ void Window::draw() {
     }
     const double ended = now();
     const double milliseconds = 1e3 * (ended - started);
-    frame_ms_ += (frame_ms_ == 0 ? 1.0 : 0.1) * (milliseconds - frame_ms_);
+    frame_ms_ += (drawn_++ < 2 ? 1.0 : 0.1) * (milliseconds - frame_ms_);
     last_draw_ = ended;
     compared_ = false;
     obey(requests);
