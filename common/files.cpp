@@ -35,9 +35,7 @@ std::string read_file(const fs::path& path) {
 
 namespace {
 
-fs::path temporary_beside(const fs::path& path) {
-    return path.string() + ".part" + std::to_string(getpid());
-}
+fs::path temporary_beside(const fs::path& path) { return path.string() + ".part" + std::to_string(getpid()); }
 
 }  // namespace
 

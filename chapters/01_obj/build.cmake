@@ -1,2 +1,2 @@
-# The loaders this chapter is measured against.
-target_link_libraries(chapter_${chapter} PUBLIC tinyobjloader::tinyobjloader)
+# The two public parsers that the loaders are measured against.
+target_link_libraries(chapter_01_obj PUBLIC tinyobjloader::tinyobjloader assimp::assimp)

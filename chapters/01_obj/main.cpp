@@ -1,12 +1,13 @@
 // Chapter 01: from a text file to a shaded mesh.
+#include "01_obj/load_bench.h"
 #include "01_obj/model_chapter.h"
 
 using namespace lightwalk;
 
 struct Obj : ModelChapter {
     // The textbook loader is the one the exercises complete; the others show what more can be had.
-    Choice method{"loader", {"textbook", "tinyobjloader", "assimp", "scan", "parallel"}, "textbook",
-                  "how an OBJ file is read"};
+    Choice method{
+        "loader", {"textbook", "tinyobjloader", "assimp", "scan", "parallel"}, "textbook", "how an OBJ file is read"};
 
     Pipeline clay = graphics({.vertex = "01_obj/mesh.vert", .fragment = "01_obj/clay.frag"});
 
@@ -26,6 +27,15 @@ struct Obj : ModelChapter {
         encode_srgb(frame);
     }
 
+    std::vector<Command> commands() override {
+        return {{"load-bench", "FILE", "time every loader on FILE; --json for JSON",
+                 [](const std::string& file, bool json) { return run_load_bench(file, 5, json); }},
+                {"dump-mesh", "FILE", "print counts, bounds, materials and a checksum of positions as JSON",
+                 [this](const std::string& file, bool) {
+                     dump_mesh(file, loader());
+                     return 0;
+                 }}};
+    }
 };
 
 CHAPTER(Obj)

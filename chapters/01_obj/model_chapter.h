@@ -18,10 +18,10 @@ class ModelChapter : public Chapter {
     void set_view(Frame& frame) const {
         const float aspect = static_cast<float>(frame.size.x) / static_cast<float>(frame.size.y);
         const CameraView view{.view_projection = view_projection(camera, aspect),
-                        .eye = camera.position,
-                        .time_s = frame.time_s,
-                        .size = frame.size,
-                        .seed = frame.seed};
+                              .eye = camera.position,
+                              .time_s = frame.time_s,
+                              .size = frame.size,
+                              .seed = frame.seed};
         const auto bytes = std::as_bytes(std::span(&view, 1));
         frame.globals["view"].assign(bytes.begin(), bytes.end());
     }

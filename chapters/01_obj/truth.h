@@ -33,7 +33,7 @@ inline uint64_t ulps(float a, float b) {
 }
 
 /// An OBJ file that is known to be well-formed, read as plainly as can be: floats by nearest_float, indices by strtol,
-/// polygons by the reference of triangulate. Without names.
+/// polygons by the version of triangulate in use. Without names.
 inline ObjData parse(std::string_view text) {
     ObjData data;
     struct Face {

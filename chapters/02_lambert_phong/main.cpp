@@ -5,15 +5,17 @@
 using namespace lightwalk;
 
 struct LambertPhong : ModelChapter {
-    Choice method{"method", {"gouraud", "phong", "blinn_phong", "blinn_phong_normalised"}, "blinn_phong_normalised",
+    Choice method{"method",
+                  {"gouraud", "phong", "blinn_phong", "blinn_phong_normalised"},
+                  "blinn_phong_normalised",
                   "how highlights are computed; gouraud does so at vertices"};
     Choice diffuse{"diffuse", {"lambert", "wrapped"}, "lambert", "how matt surfaces receive light"};
     Knob<bool> ambient{"ambient", true, "add the scene's ambient light"};
     Knob<float> shininess{"shininess", 0.0f, {0.0f, 4096.0f}, "exponent of all highlights; 0: each material's own"};
     Knob<float> wrap{"wrap", 0.5f, {0.0f, 1.0f}, "how far wrapped light reaches around; 0 is Lambert"};
     Knob<float> wrap_power{"wrap_power", 1.5f, {0.1f, 8.0f}, "exponent of wrapped light"};
-    Knob<glm::vec3> wrap_tint{"wrap_tint", {1.0f, 0.35f, 0.2f}, {glm::vec3(0.0f), glm::vec3(1.0f)},
-                              "colour of wrapped light at the edge"};
+    Knob<glm::vec3> wrap_tint{
+        "wrap_tint", {1.0f, 0.35f, 0.2f}, {glm::vec3(0.0f), glm::vec3(1.0f)}, "colour of wrapped light at the edge"};
     Knob<int> samples{"samples", 1, {1, 64}, "shading samples a pixel, along each side; many give the truth"};
 
     Pipeline shade = graphics({.vertex = "02_lambert_phong/shade.vert", .fragment = "02_lambert_phong/shade.frag"});

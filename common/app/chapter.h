@@ -34,7 +34,7 @@ class Chapter {
     std::string name;  ///< NN_name
     KnobList knobs;
     Scene scene;
-    Camera camera;     ///< the scene's, moved by the window
+    Camera camera;  ///< the scene's, moved by the window
 
     /// Below assets/: shown without --scene.
     virtual std::string default_scene() const = 0;
@@ -76,8 +76,7 @@ int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make
 
 }  // namespace lightwalk
 
-#define CHAPTER(Type)                                                                          \
-    int main(int argc, char** argv) {                                                          \
-        return lightwalk::run_chapter(argc, argv, LIGHTWALK_CHAPTER,                           \
-                                      [] { return std::make_unique<Type>(); });                \
+#define CHAPTER(Type)                                                                                          \
+    int main(int argc, char** argv) {                                                                          \
+        return lightwalk::run_chapter(argc, argv, LIGHTWALK_CHAPTER, [] { return std::make_unique<Type>(); }); \
     }

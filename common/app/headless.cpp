@@ -35,15 +35,15 @@ json timings_json(const Gpu& gpu, const Options& options, const std::vector<std:
         for (const auto& frame : frames)
             if (i < frame.size()) samples.push_back(frame[i].gpu_ms);
         const Quartiles q = quartiles(samples);
-        passes.push_back({{"name", frames[0][i].name}, {"stage", frames[0][i].stage}, {"gpu_ms", q.median},
-                          {"q1_ms", q.q1}, {"q3_ms", q.q3}});
+        passes.push_back({{"name", frames[0][i].name},
+                          {"stage", frames[0][i].stage},
+                          {"gpu_ms", q.median},
+                          {"q1_ms", q.q1},
+                          {"q3_ms", q.q3}});
     }
-    return {{"device", gpu.device.info.name},
-            {"driver", gpu.device.info.driver},
-            {"software", gpu.device.software()},
-            {"size", {options.size.x, options.size.y}},
-            {"frames", frames.size()},
-            {"passes", passes}};
+    return {{"device", gpu.device.info.name},    {"driver", gpu.device.info.driver},
+            {"software", gpu.device.software()}, {"size", {options.size.x, options.size.y}},
+            {"frames", frames.size()},           {"passes", passes}};
 }
 
 }  // namespace

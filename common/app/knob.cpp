@@ -36,7 +36,9 @@ struct Components<glm::vec<N, float>> {
 };
 
 template <class T>
-constexpr const char* kind = std::is_same_v<T, int> ? "whole number" : Components<T>::count == 1 ? "number" : "numbers a,b,c";
+constexpr const char* kind = std::is_same_v<T, int>      ? "whole number"
+                             : Components<T>::count == 1 ? "number"
+                                                         : "numbers a,b,c";
 
 }  // namespace
 
@@ -88,16 +90,14 @@ void Knob<T>::set(const std::string& given) {
 template <class T>
 std::string Knob<T>::text() const {
     std::string result;
-    for (int i = 0; i < Components<T>::count; ++i)
-        result += (i ? "," : "") + format(Components<T>::get(value, i));
+    for (int i = 0; i < Components<T>::count; ++i) result += (i ? "," : "") + format(Components<T>::get(value, i));
     return result;
 }
 
 template <class T>
 std::vector<float> Knob<T>::numbers() const {
     std::vector<float> result;
-    for (int i = 0; i < Components<T>::count; ++i)
-        result.push_back(static_cast<float>(Components<T>::get(value, i)));
+    for (int i = 0; i < Components<T>::count; ++i) result.push_back(static_cast<float>(Components<T>::get(value, i)));
     return result;
 }
 
@@ -150,14 +150,13 @@ void Choice::set(const std::string& given) {
 }
 
 nlohmann::json Choice::describe() const {
-    return {{"name", name}, {"type", "choice"}, {"default", options[default_index_]}, {"options", options},
-            {"help", help}};
+    return {
+        {"name", name}, {"type", "choice"}, {"default", options[default_index_]}, {"options", options}, {"help", help}};
 }
 
 std::vector<std::pair<std::string, std::string>> Choice::macros() const {
     std::vector<std::pair<std::string, std::string>> result{{upper(name), std::to_string(index)}};
-    for (size_t i = 0; i < options.size(); ++i)
-        result.emplace_back(upper(name + "_" + options[i]), std::to_string(i));
+    for (size_t i = 0; i < options.size(); ++i) result.emplace_back(upper(name + "_" + options[i]), std::to_string(i));
     return result;
 }
 

@@ -82,7 +82,8 @@ std::vector<Shot> read_shots(const std::string& chapter) {
             shot.name = entry.at("name").get<std::string>();
             shot.caption = entry.value("caption", "");
             shot.scene = entry.value("scene", "");
-            if (entry.contains("size")) shot.size = {entry["size"].at(0).get<unsigned>(), entry["size"].at(1).get<unsigned>()};
+            if (entry.contains("size"))
+                shot.size = {entry["size"].at(0).get<unsigned>(), entry["size"].at(1).get<unsigned>()};
             shot.time_s = entry.value("time_s", 0.0f);
             shot.frames = entry.value("frames", 1);
             if (entry.contains("set"))
@@ -90,9 +91,7 @@ std::vector<Shot> read_shots(const std::string& chapter) {
                     shot.set.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
             shots.push_back(std::move(shot));
         }
-    } catch (const json::exception& e) {
-        throw InputError(path.string() + ": " + e.what());
-    }
+    } catch (const json::exception& e) { throw InputError(path.string() + ": " + e.what()); }
     return shots;
 }
 

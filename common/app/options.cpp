@@ -51,11 +51,12 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--shot", o.shot, "a named shot of the chapter: --list shots");
     app.add_option("--size", size, "WIDTHxHEIGHT in pixels; default 960x540");
     app.add_option("--time", o.time_given, "seconds on the chapter's clock")->check(CLI::Range(-1e6, 1e6));
-    auto* frames = app.add_option("--frames", o.frames, "frames to render; the last one is kept")
-                       ->check(CLI::Range(1, 100000));
+    auto* frames =
+        app.add_option("--frames", o.frames, "frames to render; the last one is kept")->check(CLI::Range(1, 100000));
     app.add_option("--screenshot", o.screenshot, "render without a window, write a PNG, exit");
     app.add_option("--timings", o.timings, "GPU milliseconds per pass, as JSON, to this file");
-    app.add_option("--list", o.list, "print and exit")->check(CLI::IsMember({"knobs", "shots", "exercises", "devices"}));
+    app.add_option("--list", o.list, "print and exit")
+        ->check(CLI::IsMember({"knobs", "shots", "exercises", "devices"}));
     app.add_flag("--json", o.json, "lists and reports as JSON");
     app.add_option("--device", o.device, "a part of a device's name, or hardware's type; --list devices");
     app.add_option("--validate", validate, "Vulkan validation, core and synchronisation; a message is a failure")
@@ -73,9 +74,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     } catch (const CLI::CallForHelp&) {
         std::printf("%s", app.help().c_str());
         return std::nullopt;
-    } catch (const CLI::ParseError& e) {
-        throw InputError(std::string(e.what()) + "; --help lists what there is");
-    }
+    } catch (const CLI::ParseError& e) { throw InputError(std::string(e.what()) + "; --help lists what there is"); }
     o.validate = validate == "on";
     o.frames_given = !frames->empty();
     o.size_given = !size.empty();

@@ -35,8 +35,7 @@ Table& scanned_table() {
         if (!fs::is_directory(chapter.path() / "exercise")) continue;
         for (const auto& file : fs::directory_iterator(chapter.path() / "exercise")) {
             if (file.path().extension() != ".glsl") continue;
-            const std::string id =
-                chapter.path().filename().string().substr(0, 2) + "." + file.path().stem().string();
+            const std::string id = chapter.path().filename().string().substr(0, 2) + "." + file.path().stem().string();
             t.exercises[id].has_solution = fs::exists(chapter.path() / "solution" / file.path().filename());
         }
     }

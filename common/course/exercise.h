@@ -60,11 +60,11 @@ class Toggle<Result(Arguments...)> {
 
 /// Declares exercise::name and solution::name and the toggle `name` that calls one of them, within namespace
 /// lightwalk. EXERCISE("01.triangulate", void, triangulate, int a, int b);
-#define EXERCISE(id, result, name, ...)  \
-    namespace exercise {                 \
-    result name(__VA_ARGS__);            \
-    }                                    \
-    namespace solution {                 \
-    result name(__VA_ARGS__);            \
-    }                                    \
+#define EXERCISE(id, result, name, ...) \
+    namespace exercise {                \
+    result name(__VA_ARGS__);           \
+    }                                   \
+    namespace solution {                \
+    result name(__VA_ARGS__);           \
+    }                                   \
     inline const Toggle<result(__VA_ARGS__)> name { id, &exercise::name, LIGHTWALK_SOLUTION(name) }

@@ -6,6 +6,7 @@ nothing. What one leaves out counts as handed out.
 """
 
 import json
+import shutil
 import tarfile
 import zipfile
 from pathlib import Path
@@ -100,6 +101,7 @@ def make_scratch() -> Path:
     present = {name for name in files() if not (ROOT / name).is_symlink()}
     for name in present:
         write_if_new(scratch / name, (ROOT / name).read_bytes())
+        shutil.copymode(ROOT / name, scratch / name)
     for old in [path for path in scratch.rglob("*") if path.is_file()]:
         inside = old.relative_to(scratch)
         if inside.parts[0] != "build" and inside not in present:

@@ -30,7 +30,7 @@ def run_words(words: list[str]) -> int:
         raise UsageError(f"say which chapter first, as in ./course run 01 {' '.join(words)}")
     if words and words != ["--gallery"]:
         return start(find_chapter(words[0]), words[1:])
-    build(["chapters"])
+    build(["programs"])
     if words or not has_display():
         return draw_gallery()
     menu = BUILD / "menu"

@@ -77,4 +77,5 @@ def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int
 
 def closing_line(total: int, failed: int) -> str:
     """As ctest ends, which is what a CI reads, over all its runs."""
-    return f"{100 * (total - failed) // total}% tests passed, {failed} tests failed out of {total}"
+    percent = round(100 * (total - failed) / total)
+    return f"{min(percent, 99) if failed else 100}% tests passed, {failed} tests failed out of {total}"

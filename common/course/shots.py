@@ -7,7 +7,7 @@ tests/NN_name/shots.json says what they are. The chapter's executable reads it f
         "caption": "One sentence.",             for the gallery and the report
         "scene": "assets/models/bunny.obj",     what --scene takes, from the root; without it the chapter's own
         "size": [960, 540],                     pixels
-        "time_s": 0, "frames": 1, "seed": 1,    as the options of these names
+        "time_s": 0, "frames": 1,               as --time and --frames
         "set": {"method": "phong"},             knobs
                                                 -- from here on for this file alone; the executable passes over it --
         "limits": {"flip_mean": 0.002, "flip_p99": 0.05, "max_diff": 64},
@@ -177,9 +177,7 @@ def wrong_pictures(chapter: str, shot: dict) -> list[tuple[str, str, list]]:
 
 def text(value) -> str:
     """A knob's value as --set takes it."""
-    if isinstance(value, list):
-        return ",".join(text(part) for part in value)
-    return str(value).lower() if isinstance(value, bool) else str(value)
+    return value if isinstance(value, str) else json.dumps(value)
 
 
 def picture_entry(name, ok, golden, actual, heatmap, metrics) -> dict:

@@ -1,11 +1,11 @@
 #include <glslang/Public/ResourceLimits.h>
-#include <glslang/SPIRV/GlslangToSpv.h>
 #include <glslang/Public/ShaderLang.h>
-#include <spirv-tools/libspirv.hpp>
+#include <glslang/SPIRV/GlslangToSpv.h>
 
 #include <cstring>
 #include <fstream>
 #include <regex>
+#include <spirv-tools/libspirv.hpp>
 #include <sstream>
 
 #include "common/files.h"
@@ -17,10 +17,14 @@ namespace {
 
 EShLanguage language(Stage stage) {
     switch (stage) {
-        case Stage::vertex: return EShLangVertex;
-        case Stage::geometry: return EShLangGeometry;
-        case Stage::fragment: return EShLangFragment;
-        case Stage::compute: return EShLangCompute;
+        case Stage::vertex:
+            return EShLangVertex;
+        case Stage::geometry:
+            return EShLangGeometry;
+        case Stage::fragment:
+            return EShLangFragment;
+        case Stage::compute:
+            return EShLangCompute;
     }
     return EShLangVertex;
 }
@@ -60,8 +64,7 @@ std::vector<uint32_t> compile_now(Stage stage, const std::string& text, const st
     shader.setAutoMapBindings(true);
     shader.setAutoMapLocations(true);
     const auto rules = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
-    if (!shader.parse(GetDefaultResources(), 460, false, rules))
-        throw ShaderError(readable(shader.getInfoLog()));
+    if (!shader.parse(GetDefaultResources(), 460, false, rules)) throw ShaderError(readable(shader.getInfoLog()));
     glslang::TProgram program;
     program.addShader(&shader);
     if (!program.link(rules) || !program.mapIO()) throw ShaderError(name + ": " + program.getInfoLog());

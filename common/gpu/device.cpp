@@ -12,12 +12,18 @@ namespace lightwalk {
 void check(VkResult result, const char* what) {
     const auto name = [&] {
         switch (result) {
-            case VK_ERROR_OUT_OF_HOST_MEMORY: return std::string("out of host memory");
-            case VK_ERROR_OUT_OF_DEVICE_MEMORY: return std::string("out of device memory");
-            case VK_ERROR_DEVICE_LOST: return std::string("the device was lost");
-            case VK_ERROR_INITIALIZATION_FAILED: return std::string("initialisation failed");
-            case VK_TIMEOUT: return std::string("timed out");
-            default: return "VkResult " + std::to_string(static_cast<int>(result));
+            case VK_ERROR_OUT_OF_HOST_MEMORY:
+                return std::string("out of host memory");
+            case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+                return std::string("out of device memory");
+            case VK_ERROR_DEVICE_LOST:
+                return std::string("the device was lost");
+            case VK_ERROR_INITIALIZATION_FAILED:
+                return std::string("initialisation failed");
+            case VK_TIMEOUT:
+                return std::string("timed out");
+            default:
+                return "VkResult " + std::to_string(static_cast<int>(result));
         }
     };
     if (result != VK_SUCCESS) throw Failure(std::string(what) + ": " + name());
@@ -52,9 +58,8 @@ bool has_layer(const char* name) {
 }
 
 VkInstance make_instance(const DeviceOptions& options, bool debug_utils) {
-    const VkApplicationInfo app{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
-                                .pApplicationName = "Lightwalk",
-                                .apiVersion = VK_API_VERSION_1_3};
+    const VkApplicationInfo app{
+        .sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .pApplicationName = "Lightwalk", .apiVersion = VK_API_VERSION_1_3};
     std::vector<const char*> extensions = options.surface_extensions;
     if (debug_utils) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     const VkValidationFeatureEnableEXT synchronisation = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
@@ -83,8 +88,7 @@ std::vector<VkPhysicalDevice> physical_devices(VkInstance instance) {
     std::vector<VkPhysicalDevice> all(count);
     vkEnumeratePhysicalDevices(instance, &count, all.data());
     if (all.empty()) throw InputError(no_driver_message);
-    std::stable_sort(all.begin(), all.end(),
-                     [](auto a, auto b) { return device_rank(a) < device_rank(b); });
+    std::stable_sort(all.begin(), all.end(), [](auto a, auto b) { return device_rank(a) < device_rank(b); });
     return all;
 }
 
@@ -174,8 +178,8 @@ Device::Device(const DeviceOptions& options) {
                                     .ppEnabledExtensionNames = extensions.data()};
     check(vkCreateDevice(physical, &create, nullptr, &handle), "vkCreateDevice");
     vkGetDeviceQueue(handle, queue_family, 0, &queue);
-    push_descriptors = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
-        vkGetDeviceProcAddr(handle, "vkCmdPushDescriptorSetKHR"));
+    push_descriptors =
+        reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(vkGetDeviceProcAddr(handle, "vkCmdPushDescriptorSetKHR"));
 }
 
 Device::~Device() {

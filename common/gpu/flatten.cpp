@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <cstring>
 #include <regex>
 #include <set>
@@ -16,6 +17,14 @@ std::string chapter_of(const std::string& name) {
     return name.size() > 2 && std::isdigit(static_cast<unsigned char>(name[0])) ? name.substr(0, 2) : "00";
 }
 
+// $LIGHTWALK_OVERLAY: a folder whose shaders stand in for those of the same path, to try a change without making it.
+fs::path overlaid(const fs::path& file) {
+    static const char* const overlay = std::getenv("LIGHTWALK_OVERLAY");
+    if (!overlay) return file;
+    const fs::path other = fs::path(overlay) / fs::relative(file, course_root());
+    return fs::exists(other) ? other : file;
+}
+
 class Flattener {
   public:
     FlatShader result;
@@ -26,10 +35,8 @@ class Flattener {
         result.files.push_back(file);
         std::string text;
         try {
-            text = read_file(file);
-        } catch (const InputError& e) {
-            throw ShaderError(e.what());
-        }
+            text = read_file(overlaid(file));
+        } catch (const InputError& e) { throw ShaderError(e.what()); }
         add(text, fs::relative(file, course_root()).string(), chapter_of(name));
     }
 
@@ -86,29 +93,31 @@ class Flattener {
     std::set<fs::path> seen_;
 };
 
-void add_header(FlatShader& shader, const Defines& defines) {
-    shader.text +=
+// Only the macros that the text names: what does not concern a shader must not make another variant of it.
+FlatShader with_header(FlatShader shader, const Defines& defines) {
+    std::string header =
         "#version 460\n"
         "#extension GL_EXT_scalar_block_layout : require\n"
         "#extension GL_GOOGLE_cpp_style_line_directive : require\n";
-    for (const auto& [name, value] : defines) shader.text += "#define " + name + " " + value + "\n";
+    for (const auto& [name, value] : defines)
+        if (shader.text.find(name) != shader.text.npos) header += "#define " + name + " " + value + "\n";
+    shader.text.insert(0, header);
+    return shader;
 }
 
 }  // namespace
 
 FlatShader flatten(const std::string& name, const Defines& defines) {
     Flattener flattener;
-    add_header(flattener.result, defines);
     flattener.include(name, "the pipeline", 0);
-    return std::move(flattener.result);
+    return with_header(std::move(flattener.result), defines);
 }
 
 FlatShader flatten_text(const std::string& text, const std::string& name, const std::string& chapter,
                         const Defines& defines) {
     Flattener flattener;
-    add_header(flattener.result, defines);
     flattener.add(text, name, chapter);
-    return std::move(flattener.result);
+    return with_header(std::move(flattener.result), defines);
 }
 
 Stage stage_of(const std::string& file_name) {

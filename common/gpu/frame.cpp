@@ -52,8 +52,8 @@ void shader_barriers(VkCommandBuffer commands, bool compute, const std::vector<R
 VkRenderingAttachmentInfo attachment(const Image& image, bool keep, const VkClearValue& clear) {
     return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
             .imageView = image.desc.mips > 1 ? image.mip_view(0) : image.view,
-            .imageLayout = image.is_depth() ? VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL
-                                            : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+            .imageLayout =
+                image.is_depth() ? VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
             .loadOp = keep ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR,
             .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
             .clearValue = clear};
@@ -195,8 +195,7 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, const 
     run_after_pass(outputs_before);
 }
 
-void Frame::compute(const std::string& name, const ComputeAccess& access,
-                    const std::function<void(Compute&)>& record) {
+void Frame::compute(const std::string& name, const ComputeAccess& access, const std::function<void(Compute&)>& record) {
     const size_t outputs_before = outputs.size();
     const VkCommandBuffer commands = begin_pass(name, "compute");
     shader_barriers(commands, true, access.reads, access.writes);
@@ -219,10 +218,10 @@ void Frame::transfer(const std::string& name, const ComputeAccess& access,
     const auto all = [&](const std::vector<Resource>& list, const Access& next) {
         for (const Resource& r : list) r.image ? barrier(commands, *r.image, next) : barrier(commands, *r.buffer, next);
     };
-    all(access.reads, {VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
-                       VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, false});
-    all(access.writes, {VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true});
+    all(access.reads,
+        {VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, false});
+    all(access.writes,
+        {VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true});
     record(commands);
     end_pass();
 }

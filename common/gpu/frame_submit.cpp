@@ -62,8 +62,8 @@ void Frame::read_times() {
     const double tick_ms = static_cast<double>(gpu.device.properties.limits.timestampPeriod) * 1e-6;
     times.clear();
     for (size_t i = 0; i < passes_.size(); ++i)
-        times.push_back({passes_[i].name, passes_[i].stage,
-                         static_cast<double>(stamps[2 * i + 1] - stamps[2 * i]) * tick_ms});
+        times.push_back(
+            {passes_[i].name, passes_[i].stage, static_cast<double>(stamps[2 * i + 1] - stamps[2 * i]) * tick_ms});
 }
 
 }  // namespace lightwalk

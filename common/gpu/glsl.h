@@ -24,9 +24,9 @@ struct FlatShader {
 
 using Defines = std::map<std::string, std::string>;
 
-/// Reads shaders/`name` and its includes. An include is a path below shaders/; "NN_name/f.glsl" that is not there itself
-/// is exercise/f.glsl or solution/f.glsl of that folder, as the toggle "NN.f" says. A file is included once. Chapter NN
-/// may include chapters up to NN. Throws ShaderError (missing, later chapter, include within #if).
+/// Reads shaders/`name` and its includes. An include is a path below shaders/; "NN_name/f.glsl" that is not there
+/// itself is exercise/f.glsl or solution/f.glsl of that folder, as the toggle "NN.f" says. A file is included once.
+/// Chapter NN may include chapters up to NN. Throws ShaderError (missing, later chapter, include within #if).
 FlatShader flatten(const std::string& name, const Defines& defines);
 
 /// The same for a text that is not on disk, which may include what chapter `chapter` ("99": any) may.

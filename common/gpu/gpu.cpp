@@ -49,9 +49,8 @@ void barrier(VkCommandBuffer commands, const Image& image, const Access& next) {
                                     .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                                     .image = image.handle,
                                     .subresourceRange = image.range()};
-    const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                .imageMemoryBarrierCount = 1,
-                                .pImageMemoryBarriers = &one};
+    const VkDependencyInfo info{
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &one};
     vkCmdPipelineBarrier2(commands, &info);
 }
 
@@ -67,13 +66,18 @@ void barrier(VkCommandBuffer commands, const Buffer& buffer, const Access& next)
                                      .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                                      .buffer = buffer.handle,
                                      .size = VK_WHOLE_SIZE};
-    const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                .bufferMemoryBarrierCount = 1,
-                                .pBufferMemoryBarriers = &one};
+    const VkDependencyInfo info{
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .bufferMemoryBarrierCount = 1, .pBufferMemoryBarriers = &one};
     vkCmdPipelineBarrier2(commands, &info);
 }
 
+std::function<void(const std::string&)>& on_abandoned_device() {
+    static std::function<void(const std::string&)> callback;
+    return callback;
+}
+
 void abandon_device(const std::string& message) {
+    if (on_abandoned_device()) on_abandoned_device()(message);
     std::fflush(stdout);
     std::fprintf(stderr, "error: %s\n", message.c_str());
     std::fflush(stderr);
@@ -110,9 +114,8 @@ void Gpu::submit_now(const std::function<void(VkCommandBuffer)>& record) {
     check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
     const VkCommandBufferSubmitInfo command_info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                                  .commandBuffer = commands};
-    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-                               .commandBufferInfoCount = 1,
-                               .pCommandBufferInfos = &command_info};
+    const VkSubmitInfo2 submit{
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2, .commandBufferInfoCount = 1, .pCommandBufferInfos = &command_info};
     check(vkQueueSubmit2(device.queue, 1, &submit, fence_), "vkQueueSubmit2");
     const VkResult waited = vkWaitForFences(device.handle, 1, &fence_, VK_TRUE, device.timeout_ns());
     if (waited == VK_TIMEOUT) abandon_device("a transfer did not finish");
@@ -151,19 +154,24 @@ void Gpu::upload(Image& image, std::span<const std::byte> texels) {
             .imageExtent = {d.size.x, d.size.y, 1}};
         vkCmdCopyBufferToImage(commands, staging.handle, image.handle, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
                                &region);
-        if (d.mips > 1) barrier(commands, image, {transfer_write.stages, VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true});
+        if (d.mips > 1)
+            barrier(commands, image,
+                    {transfer_write.stages, VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+                     VK_IMAGE_LAYOUT_GENERAL, true});
         for (uint32_t mip = 1; mip < d.mips; ++mip) {
             const auto extent = [&](uint32_t level) {
-                return VkOffset3D{int32_t(std::max(1u, d.size.x >> level)), int32_t(std::max(1u, d.size.y >> level)), 1};
+                return VkOffset3D{int32_t(std::max(1u, d.size.x >> level)), int32_t(std::max(1u, d.size.y >> level)),
+                                  1};
             };
-            const VkImageBlit blit{
-                .srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip - 1, 0, d.layers},
-                .srcOffsets = {{}, extent(mip - 1)},
-                .dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, d.layers},
-                .dstOffsets = {{}, extent(mip)}};
+            const VkImageBlit blit{.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip - 1, 0, d.layers},
+                                   .srcOffsets = {{}, extent(mip - 1)},
+                                   .dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, d.layers},
+                                   .dstOffsets = {{}, extent(mip)}};
             vkCmdBlitImage(commands, image.handle, VK_IMAGE_LAYOUT_GENERAL, image.handle, VK_IMAGE_LAYOUT_GENERAL, 1,
                            &blit, VK_FILTER_LINEAR);
-            barrier(commands, image, {transfer_write.stages, VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true});
+            barrier(commands, image,
+                    {transfer_write.stages, VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+                     VK_IMAGE_LAYOUT_GENERAL, true});
         }
         barrier(commands, image, shader_read);
     });

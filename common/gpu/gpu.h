@@ -52,4 +52,7 @@ void barrier(VkCommandBuffer commands, const Buffer& buffer, const Access& next)
 /// ends, so that destroying anything would wait for ever.
 [[noreturn]] void abandon_device(const std::string& message);
 
+/// Called with the message before the process ends so; empty: the line goes to stderr alone.
+std::function<void(const std::string&)>& on_abandoned_device();
+
 }  // namespace lightwalk

@@ -56,9 +56,9 @@ void Pass::set_image(const std::string& name_in_shader, const Image& image, Samp
     check_stated(name_in_shader, &image, image.constant, storage);
     Bound& bound = bound_[binding.number];
     bound.image = {.sampler = storage ? VK_NULL_HANDLE : frame.gpu.samplers[sampling],
-                   .imageView = mip >= 0                             ? image.mip_view(static_cast<uint32_t>(mip))
+                   .imageView = mip >= 0                         ? image.mip_view(static_cast<uint32_t>(mip))
                                 : storage && image.desc.mips > 1 ? image.mip_view(0)
-                                                                     : image.view,
+                                                                 : image.view,
                    .imageLayout = storage || writable_.count(&image) ? VK_IMAGE_LAYOUT_GENERAL
                                                                      : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     bound.dirty = true;

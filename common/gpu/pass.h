@@ -99,8 +99,7 @@ class PassSetters : public Pass {
     }
     /// A uniform block, copied now.
     template <class T>
-        requires(std::is_trivially_copyable_v<T>)
-    Self& set(const std::string& binding, const T& value) {
+    requires(std::is_trivially_copyable_v<T>) Self& set(const std::string& binding, const T& value) {
         set_bytes(binding, std::as_bytes(std::span(&value, 1)));
         return self();
     }

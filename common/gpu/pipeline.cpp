@@ -14,10 +14,14 @@ std::vector<Pipeline*>& live() {
 
 VkShaderStageFlagBits stage_bit(Stage stage) {
     switch (stage) {
-        case Stage::vertex: return VK_SHADER_STAGE_VERTEX_BIT;
-        case Stage::geometry: return VK_SHADER_STAGE_GEOMETRY_BIT;
-        case Stage::fragment: return VK_SHADER_STAGE_FRAGMENT_BIT;
-        case Stage::compute: return VK_SHADER_STAGE_COMPUTE_BIT;
+        case Stage::vertex:
+            return VK_SHADER_STAGE_VERTEX_BIT;
+        case Stage::geometry:
+            return VK_SHADER_STAGE_GEOMETRY_BIT;
+        case Stage::fragment:
+            return VK_SHADER_STAGE_FRAGMENT_BIT;
+        case Stage::compute:
+            return VK_SHADER_STAGE_COMPUTE_BIT;
     }
     return VK_SHADER_STAGE_ALL;
 }
@@ -60,20 +64,23 @@ BuiltPipeline::~BuiltPipeline() {
     for (const VkShaderModule module : modules) vkDestroyShaderModule(device_, module, nullptr);
 }
 
-CompiledStages compile_stages(const Pipeline& pipeline, const Defines& defines,
-                              std::vector<std::filesystem::path>* files) {
+std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Defines& defines) {
     Defines all = defines;
     for (const auto& define : pipeline.is_compute ? pipeline.compute.defines : pipeline.graphics.defines)
         all.insert(define);
+    std::vector<FlatShader> result;
+    for (const std::string& shader : pipeline.shaders())
+        result.push_back(pipeline.compute.source.empty() ? flatten(shader, all)
+                                                         : flatten_text(pipeline.compute.source, shader, "99", all));
+    return result;
+}
+
+CompiledStages compile_stages(const Pipeline& pipeline, const std::vector<FlatShader>& flat) {
     CompiledStages result;
-    for (const std::string& shader : pipeline.shaders()) {
-        const bool from_text = pipeline.is_compute && !pipeline.compute.source.empty();
-        const FlatShader flat =
-            from_text ? flatten_text(pipeline.compute.source, shader, "99", all) : flatten(shader, all);
-        if (files) files->insert(files->end(), flat.files.begin(), flat.files.end());
-        result.stages.push_back(from_text ? Stage::compute : stage_of(shader));
-        result.spirv.push_back(compile(result.stages.back(), flat.text, shader));
-        result.names.push_back(shader);
+    result.names = pipeline.shaders();
+    for (size_t i = 0; i < flat.size(); ++i) {
+        result.stages.push_back(pipeline.is_compute ? Stage::compute : stage_of(result.names[i]));
+        result.spirv.push_back(compile(result.stages[i], flat[i].text, result.names[i]));
     }
     return result;
 }
@@ -149,33 +156,27 @@ void PipelineLibrary::clear() {
 }
 
 std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, const TargetFormats& formats) {
-    std::vector<std::filesystem::path> files;
-    struct Watch {
-        PipelineLibrary& library;
-        std::vector<std::filesystem::path>& files;
-        ~Watch() {  // also after an error: the edit that mends it must be seen
-            for (const auto& file : files) {
-                std::error_code error;
-                library.files_.try_emplace(file, std::filesystem::last_write_time(file, error));
-            }
+    const std::vector<FlatShader> flat = flatten_stages(pipeline, defines);
+    // Before compiling: after an error, too, the edit that mends it must be seen.
+    for (const FlatShader& shader : flat)
+        for (const auto& file : shader.files) {
+            std::error_code error;
+            files_.try_emplace(file, std::filesystem::last_write_time(file, error));
         }
-    } watch{*this, files};
-    CompiledStages stages = compile_stages(pipeline, defines, &files);
+    CompiledStages stages = compile_stages(pipeline, flat);
 
     auto built = std::make_unique<BuiltPipeline>(device_.handle);
     built->bindings = assign_bindings(stages, &built->local_size);
     std::vector<VkDescriptorSetLayoutBinding> entries;
     for (const Binding& binding : built->bindings)
         entries.push_back({binding.number, binding.type, 1, binding.stages, nullptr});
-    const VkDescriptorSetLayoutCreateInfo set_info{
-        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-        .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
-        .bindingCount = static_cast<uint32_t>(entries.size()),
-        .pBindings = entries.data()};
+    const VkDescriptorSetLayoutCreateInfo set_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                                                   .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
+                                                   .bindingCount = static_cast<uint32_t>(entries.size()),
+                                                   .pBindings = entries.data()};
     check(vkCreateDescriptorSetLayout(device_.handle, &set_info, nullptr, &built->set_layout), "set layout");
-    const VkPipelineLayoutCreateInfo layout_info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                                 .setLayoutCount = 1,
-                                                 .pSetLayouts = &built->set_layout};
+    const VkPipelineLayoutCreateInfo layout_info{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = 1, .pSetLayouts = &built->set_layout};
     check(vkCreatePipelineLayout(device_.handle, &layout_info, nullptr, &built->layout), "pipeline layout");
 
     std::vector<VkPipelineShaderStageCreateInfo> stage_infos;
@@ -190,9 +191,8 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
                                .pName = "main"});
     }
     if (pipeline.is_compute) {
-        const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                                               .stage = stage_infos[0],
-                                               .layout = built->layout};
+        const VkComputePipelineCreateInfo info{
+            .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO, .stage = stage_infos[0], .layout = built->layout};
         check(vkCreateComputePipelines(device_.handle, VK_NULL_HANDLE, 1, &info, nullptr, &built->handle),
               pipeline.compute.shader.c_str());
     } else {

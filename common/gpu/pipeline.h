@@ -28,7 +28,7 @@ class Pipeline {
     struct Compute {
         std::string shader;  ///< below shaders/
         Defines defines;
-        std::string source;   ///< a text instead of a file; `shader` is then its name in messages
+        std::string source;  ///< a text instead of a file; `shader` is then its name in messages
     };
     explicit Pipeline(Graphics desc);
     explicit Pipeline(Compute desc);
@@ -111,14 +111,16 @@ class PipelineLibrary {
 VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const TargetFormats& formats,
                            const std::vector<VkPipelineShaderStageCreateInfo>& stages, VkPipelineLayout layout);
 
-/// A pipeline's stages, flattened and compiled with `defines`; `files` collects what was read.
+/// A pipeline's stages as text, with `defines` and the pipeline's own.
+std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Defines& defines);
+
+/// The same compiled.
 struct CompiledStages {
     std::vector<Stage> stages;
     std::vector<std::vector<uint32_t>> spirv;
     std::vector<std::string> names;
 };
-CompiledStages compile_stages(const Pipeline& pipeline, const Defines& defines,
-                              std::vector<std::filesystem::path>* files = nullptr);
+CompiledStages compile_stages(const Pipeline& pipeline, const std::vector<FlatShader>& flat);
 
 /// Numbers the bindings of all stages by name and writes the numbers into the modules. Returns them, merged. Throws
 /// ShaderError where two stages use one name for different things.

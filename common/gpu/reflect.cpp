@@ -43,10 +43,17 @@ std::vector<BlockMember> members_of(spvc_compiler compiler, const spvc_reflected
         member.components = spvc_type_get_vector_size(member_type);
         if (spvc_type_get_columns(member_type) > 1 || spvc_type_get_num_array_dimensions(member_type)) continue;
         switch (spvc_type_get_basetype(member_type)) {
-            case SPVC_BASETYPE_FP32: member.type = BlockMember::Type::number; break;
-            case SPVC_BASETYPE_INT32: member.type = BlockMember::Type::integer; break;
-            case SPVC_BASETYPE_UINT32: member.type = BlockMember::Type::unsigned_integer; break;
-            default: break;
+            case SPVC_BASETYPE_FP32:
+                member.type = BlockMember::Type::number;
+                break;
+            case SPVC_BASETYPE_INT32:
+                member.type = BlockMember::Type::integer;
+                break;
+            case SPVC_BASETYPE_UINT32:
+                member.type = BlockMember::Type::unsigned_integer;
+                break;
+            default:
+                break;
         }
     }
     return result;
@@ -84,8 +91,7 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
         size_t count = 0;
         spvc_resources_get_resource_list_for_type(resources, kind, &list, &count);
         for (size_t i = 0; i < count; ++i) {
-            const bool block =
-                type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER || type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+            const bool block = type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER || type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
             const spvc_type base = spvc_compiler_get_type_handle(compiler, list[i].base_type_id);
             Binding binding{.name = name_of(compiler, list[i], base, block), .type = type};
             if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) {

@@ -25,8 +25,8 @@ struct Binding {
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_MAX_ENUM;
     uint32_t number = 0;
     VkShaderStageFlags stages = 0;
-    uint32_t bytes = 0;      ///< of a uniform block
-    bool writable = false;   ///< a storage buffer or image without `readonly`
+    uint32_t bytes = 0;     ///< of a uniform block
+    bool writable = false;  ///< a storage buffer or image without `readonly`
     std::vector<BlockMember> members;
     uint32_t offset_of_number = 0;  ///< word of the module that holds the binding number
 };

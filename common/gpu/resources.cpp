@@ -21,12 +21,11 @@ VkDeviceMemory allocate(Device& device, const VkMemoryRequirements& needs, VkMem
 
 Buffer::Buffer(Device& device, const Desc& desc) : bytes(std::max<VkDeviceSize>(desc.bytes, 16)), name(desc.name) {
     device_ = &device;
-    const VkBufferCreateInfo info{
-        .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
-        .size = bytes,
-        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
-                 VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
-                 VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT};
+    const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                  .size = bytes,
+                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
+                                           VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+                                           VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT};
     check(vkCreateBuffer(device.handle, &info, nullptr, &handle), ("buffer " + name).c_str());
     device.set_name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(handle), name);
     VkMemoryRequirements needs;
@@ -70,30 +69,28 @@ Image::Image(Device& device, const Desc& wanted) : desc(wanted) {
     if (has & VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     if (has & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     if (is_depth()) usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-    const VkImageCreateInfo info{
-        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
-        .flags = desc.cube ? VkImageCreateFlags(VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT) : 0,
-        .imageType = VK_IMAGE_TYPE_2D,
-        .format = desc.format,
-        .extent = {desc.size.x, desc.size.y, 1},
-        .mipLevels = desc.mips,
-        .arrayLayers = desc.layers,
-        .samples = VK_SAMPLE_COUNT_1_BIT,
-        .usage = usage};
+    const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                 .flags = desc.cube ? VkImageCreateFlags(VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT) : 0,
+                                 .imageType = VK_IMAGE_TYPE_2D,
+                                 .format = desc.format,
+                                 .extent = {desc.size.x, desc.size.y, 1},
+                                 .mipLevels = desc.mips,
+                                 .arrayLayers = desc.layers,
+                                 .samples = VK_SAMPLE_COUNT_1_BIT,
+                                 .usage = usage};
     check(vkCreateImage(device.handle, &info, nullptr, &handle), ("image " + desc.name).c_str());
     device.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(handle), desc.name);
     VkMemoryRequirements needs;
     vkGetImageMemoryRequirements(device.handle, handle, &needs);
     memory_ = allocate(device, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, desc.name);
     check(vkBindImageMemory(device.handle, handle, memory_, 0), "vkBindImageMemory");
-    const VkImageViewCreateInfo view_info{
-        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-        .image = handle,
-        .viewType = desc.cube         ? VK_IMAGE_VIEW_TYPE_CUBE
-                    : desc.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
-                                      : VK_IMAGE_VIEW_TYPE_2D,
-        .format = desc.format,
-        .subresourceRange = range()};
+    const VkImageViewCreateInfo view_info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                          .image = handle,
+                                          .viewType = desc.cube         ? VK_IMAGE_VIEW_TYPE_CUBE
+                                                      : desc.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
+                                                                        : VK_IMAGE_VIEW_TYPE_2D,
+                                          .format = desc.format,
+                                          .subresourceRange = range()};
     check(vkCreateImageView(device.handle, &view_info, nullptr, &view), ("view of " + desc.name).c_str());
 }
 
@@ -138,21 +135,27 @@ void Image::swap(Image& other) noexcept {
 
 uint32_t texel_bytes(VkFormat format) {
     switch (format) {
-        case VK_FORMAT_R8_UNORM: return 1;
+        case VK_FORMAT_R8_UNORM:
+            return 1;
         case VK_FORMAT_R16_UNORM:
         case VK_FORMAT_D16_UNORM:
-        case VK_FORMAT_R16_SFLOAT: return 2;
+        case VK_FORMAT_R16_SFLOAT:
+            return 2;
         case VK_FORMAT_R8G8B8A8_UNORM:
         case VK_FORMAT_R8G8B8A8_SRGB:
         case VK_FORMAT_B8G8R8A8_UNORM:
         case VK_FORMAT_R16G16_SFLOAT:
         case VK_FORMAT_R32_UINT:
         case VK_FORMAT_D32_SFLOAT:
-        case VK_FORMAT_R32_SFLOAT: return 4;
+        case VK_FORMAT_R32_SFLOAT:
+            return 4;
         case VK_FORMAT_R16G16B16A16_UNORM:
-        case VK_FORMAT_R16G16B16A16_SFLOAT: return 8;
-        case VK_FORMAT_R32G32B32A32_SFLOAT: return 16;
-        default: throw Failure("texel_bytes: format " + std::to_string(format) + " is not in the table");
+        case VK_FORMAT_R16G16B16A16_SFLOAT:
+            return 8;
+        case VK_FORMAT_R32G32B32A32_SFLOAT:
+            return 16;
+        default:
+            throw Failure("texel_bytes: format " + std::to_string(format) + " is not in the table");
     }
 }
 
@@ -163,15 +166,15 @@ Samplers::Samplers(Device& device) : device_(device) {
                                           std::pair{VK_FILTER_LINEAR, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE},
                                           std::pair{VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE},
                                           std::pair{VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_REPEAT}}) {
-        const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
-                                       .magFilter = filter,
-                                       .minFilter = filter,
-                                       .mipmapMode = filter == VK_FILTER_LINEAR ? VK_SAMPLER_MIPMAP_MODE_LINEAR
-                                                                                : VK_SAMPLER_MIPMAP_MODE_NEAREST,
-                                       .addressModeU = address,
-                                       .addressModeV = address,
-                                       .addressModeW = address,
-                                       .maxLod = VK_LOD_CLAMP_NONE};
+        const VkSamplerCreateInfo info{
+            .sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+            .magFilter = filter,
+            .minFilter = filter,
+            .mipmapMode = filter == VK_FILTER_LINEAR ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST,
+            .addressModeU = address,
+            .addressModeV = address,
+            .addressModeW = address,
+            .maxLod = VK_LOD_CLAMP_NONE};
         check(vkCreateSampler(device.handle, &info, nullptr, &samplers_.emplace_back()), "vkCreateSampler");
     }
 }

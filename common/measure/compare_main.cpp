@@ -32,6 +32,7 @@ struct Comparison {
     Difference difference;
     StepDifference steps;
     std::optional<ExposureRange> exposures;  // HDR only
+    bool constant_reference = false, constant_test = false;
 };
 
 Comparison compare(const Options& options) {
@@ -48,6 +49,7 @@ Comparison compare(const Options& options) {
     }
     c.difference = difference(reference, test);
     c.steps = max_step_difference(reference8, test8);
+    c.constant_reference = is_nearly_constant(reference8), c.constant_test = is_nearly_constant(test8);
     if (hdr) {
         c.exposures = options.exposures.empty() ? automatic_exposures(reference)
                                                 : exposure_range(options.exposures[0], options.exposures[1]);
@@ -80,6 +82,7 @@ nlohmann::ordered_json as_json(const Options& options, const Comparison& c) {
         {"max", c.difference.max},
         {"psnr_db", psnr_db(c.difference.mse)},  // null where infinite
         {"max_diff", {{"steps", c.steps.steps}, {"x", c.steps.x}, {"y", c.steps.y}, {"pixels", c.steps.pixels}}},
+        {"nearly_constant", {{"reference", c.constant_reference}, {"test", c.constant_test}}},
         {"nan", {{"reference", c.difference.reference.nan}, {"test", c.difference.test.nan}}},
         {"inf", {{"reference", c.difference.reference.inf}, {"test", c.difference.test.inf}}}};
     if (c.exposures)

@@ -29,9 +29,9 @@ struct Sensitivity {
 constexpr Sensitivity achromatic{1.0, 0.0047, 0.0, 1e-5}, red_green{1.0, 0.0053, 0.0, 1e-5},
     blue_yellow{34.1, 0.04, 13.5, 0.025};
 
-using Kernel = std::vector<float>;
-
-Kernel to_kernel(const std::vector<double>& weights) { return Kernel(weights.begin(), weights.end()); }
+Kernel to_kernel(const std::vector<double>& weights, float sum) {
+    return {std::vector<float>(weights.begin(), weights.end()), sum};
+}
 
 /// exp(-(scale i)²) for i in [-radius, radius].
 std::vector<double> bell(int radius, double scale) {
@@ -64,7 +64,7 @@ std::vector<Term> spatial_filter(const Sensitivity& s, double pixels_per_degree)
         std::vector<double> weights = bell(radius, pi / std::sqrt(b) / pixels_per_degree);
         const double once = sum(weights);
         for (double& w : weights) w /= once;
-        terms.push_back({a * std::sqrt(pi / b) * once * once, to_kernel(weights)});
+        terms.push_back({a * std::sqrt(pi / b) * once * once, to_kernel(weights, 1.0f)});
         total += terms.back().weight;
     }
     for (Term& term : terms) term.weight /= total;
@@ -94,7 +94,7 @@ FeatureKernels feature_kernels(double pixels_per_degree) {
         for (const double w : *weights) (w > 0.0 ? positive : negative) += w;
         for (double& w : *weights) w /= w > 0.0 ? positive : -negative;
     }
-    return {to_kernel(smooth), to_kernel(edge), to_kernel(point)};
+    return {to_kernel(smooth, 1.0f), to_kernel(edge, 0.0f), to_kernel(point, 0.0f)};
 }
 
 struct ColourSpace {

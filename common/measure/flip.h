@@ -23,6 +23,8 @@ constexpr float default_pixels_per_degree = 67.020643f;
 struct ErrorMap {
     int width = 0, height = 0;
     std::vector<float> values;
+
+    float at(int x, int y) const { return values[size_t(y) * size_t(width) + size_t(x)]; }
 };
 
 /// LDR-FLIP of linear-light images in [0, 1] (values outside are clamped). flip(a, b) equals flip(b, a) bit for bit.

@@ -57,33 +57,27 @@ std::string lower_extension(const fs::path& path) {
     return extension;
 }
 
-/// Where stb accepts a cut-off file and fills the rest with grey or rubbish, we have to look ourselves.
-bool is_truncated(const std::string& bytes, int width, int height) {
-    if (bytes.starts_with("\xFF\xD8")) {
-        // A JPEG's end marker (FFD9) stands after the last start of scan (FFDA).
-        const size_t end = bytes.rfind("\xFF\xD9"), scan = bytes.rfind("\xFF\xDA");
-        return end == std::string::npos || scan == std::string::npos || end < scan;
-    }
-    if (bytes.starts_with("#?")) {
-        const size_t header = bytes.find("\n\n");
-        const size_t data = header == std::string::npos ? header : bytes.find('\n', header + 2);
-        if (data == std::string::npos) return true;
-        const bool packed = width >= 8 && width < 32768 && bytes.compare(data + 1, 2, "\x02\x02") == 0;
-        return !packed && bytes.size() - data - 1 < 4 * static_cast<size_t>(width) * static_cast<size_t>(height);
-    }
-    return false;
+/// stb takes a JPEG that is cut off and fills the rest with grey. Its end marker (FFD9) must stand after the last
+/// start of scan (FFDA).
+bool is_cut_jpeg(const std::string& bytes) {
+    if (!bytes.starts_with("\xFF\xD8")) return false;
+    const size_t end = bytes.rfind("\xFF\xD9"), scan = bytes.rfind("\xFF\xDA");
+    return end == std::string::npos || scan == std::string::npos || end < scan;
 }
 
 [[noreturn]] void reject(const fs::path& path, const std::string& why) {
     throw InputError(path.string() + ": " + why + "; expected a whole PNG, JPEG, .hdr or .pfm image");
 }
 
-void check_size(const fs::path& path, int64_t width, int64_t height) {
-    if (width < 1 || height < 1) reject(path, "has no pixels");
-    if (width > max_image_side || height > max_image_side || width * height > max_image_pixels)
-        throw InputError(path.string() + ": " + std::to_string(width) + "x" + std::to_string(height) +
-                         " pixels is too large; at most " + std::to_string(max_image_side) + " a side and " +
-                         std::to_string(max_image_pixels >> 20) + " Mi pixels");
+/// stb calls a PNG it finds too large "unknown"; so its header (width and height at byte 16, big endian) is read first.
+void check_png_size(const fs::path& path, const std::string& bytes) {
+    if (!bytes.starts_with("\x89PNG") || bytes.size() < 24) return;
+    const auto number = [&](size_t at) {
+        int64_t value = 0;
+        for (size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<uint8_t>(bytes[i]);
+        return value;
+    };
+    check_image_size(path, number(16), number(20));
 }
 
 struct Encoded {
@@ -97,13 +91,16 @@ Encoded read_encoded(const fs::path& path) {
     Encoded file{read_file(path)};
     if (file.bytes.empty()) reject(path, "is empty");
     if (file.bytes.size() > size_t(1) << 30) reject(path, "is larger than 1 GiB");
+    check_png_size(path, file.bytes);
     int width = 0, height = 0, channels = 0;
+    if (file.bytes.starts_with("#?")) reject(path, "is a Radiance image, which must be named .hdr");
     if (!stbi_info_from_memory(file.data(), file.size(), &width, &height, &channels)) {
-        const bool cut = file.bytes.starts_with("\x89PNG") || file.bytes.starts_with("\xFF\xD8");
-        reject(path, cut ? "has a broken header" : "is not an image");
+        const bool known = file.bytes.starts_with("\x89PNG") || file.bytes.starts_with("\xFF\xD8");
+        const char* why = stbi_failure_reason();
+        reject(path, known ? std::string("has a broken header (") + (why ? why : "cut off") + ")" : "is not an image");
     }
-    check_size(path, width, height);
-    if (is_truncated(file.bytes, width, height)) reject(path, "is cut off");
+    check_image_size(path, width, height);
+    if (is_cut_jpeg(file.bytes)) reject(path, "is cut off");
     return file;
 }
 
@@ -125,6 +122,14 @@ StbPixels<Value> loaded(Value* pixels, const fs::path& path) {
 }
 
 }  // namespace
+
+void check_image_size(const fs::path& path, int64_t width, int64_t height) {
+    if (width < 1 || height < 1) reject(path, "has no pixels");
+    if (width > max_image_side || height > max_image_side || width * height > max_image_pixels)
+        throw InputError(path.string() + ": " + std::to_string(width) + "x" + std::to_string(height) +
+                         " pixels is too large; at most " + std::to_string(max_image_side) + " a side and " +
+                         std::to_string(max_image_pixels >> 20) + " Mi pixels");
+}
 
 bool is_hdr_name(const fs::path& path) {
     const std::string extension = lower_extension(path);
@@ -149,16 +154,9 @@ Image8 read_image8(const fs::path& path) {
 
 ImageRgb read_image_linear(const fs::path& path) {
     if (lower_extension(path) == ".pfm") return read_pfm(path);
+    if (lower_extension(path) == ".hdr") return read_radiance(path);
     const Encoded file = read_encoded(path);
     int width = 0, height = 0, channels = 0;
-    if (stbi_is_hdr_from_memory(file.data(), file.size())) {
-        const auto decoded =
-            loaded(stbi_loadf_from_memory(file.data(), file.size(), &width, &height, &channels, 3), path);
-        ImageRgb image(width, height);
-        for (size_t i = 0; i < image.pixels.size(); ++i)
-            image.pixels[i] = {decoded[3 * i], decoded[3 * i + 1], decoded[3 * i + 2]};
-        return image;
-    }
     if (!stbi_is_16_bit_from_memory(file.data(), file.size())) return to_linear(read_image8(path));
     const auto decoded =
         loaded(stbi_load_16_from_memory(file.data(), file.size(), &width, &height, &channels, 3), path);
@@ -170,7 +168,7 @@ ImageRgb read_image_linear(const fs::path& path) {
 }
 
 void write_png(const fs::path& path, const Image8& image) {
-    check_size(path, image.width, image.height);
+    check_image_size(path, image.width, image.height);
     std::string bytes;
     const auto append = [](void* to, void* data, int size) {
         static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<size_t>(size));

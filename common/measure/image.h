@@ -55,6 +55,9 @@ Image8 read_image8(const std::filesystem::path& path);
 /// hold linear light already. Throws InputError as read_image8 does.
 ImageRgb read_image_linear(const std::filesystem::path& path);
 
+/// Throws InputError, naming the file, where a declared size is below 1 or above the limits.
+void check_image_size(const std::filesystem::path& path, int64_t width, int64_t height);
+
 /// Writes a PNG whole or not at all. Throws InputError where it cannot be written.
 void write_png(const std::filesystem::path& path, const Image8& image);
 
@@ -63,5 +66,8 @@ void write_png(const std::filesystem::path& path, const Image8& image);
 /// Throw InputError as above.
 void write_pfm(const std::filesystem::path& path, const ImageRgb& image);
 ImageRgb read_pfm(const std::filesystem::path& path);
+
+/// Radiance RGBE, flat or run-length coded, rows from the top; EXPOSURE lines are not applied. Throws InputError.
+ImageRgb read_radiance(const std::filesystem::path& path);
 
 }  // namespace lightwalk

@@ -50,9 +50,7 @@ ImageRgb read_pfm(const std::filesystem::path& path) {
     const int height = number<int>(next_word(rest), path);
     const bool big_endian = number<float>(next_word(rest), path) > 0.0f;
     const int channels = kind == "PF" ? 3 : 1;
-    if (width < 1 || height < 1) reject(path, "has no pixels");
-    if (width > max_image_side || height > max_image_side || int64_t(width) * height > max_image_pixels)
-        reject(path, std::to_string(width) + "x" + std::to_string(height) + " pixels is too large");
+    check_image_size(path, width, height);
     const size_t row = static_cast<size_t>(width) * size_t(channels);
     if (rest.size() < row * size_t(height) * sizeof(float)) reject(path, "is cut off");
 

@@ -21,8 +21,8 @@ constexpr int block = 16;
 
 }  // namespace
 
-Plane filter_rows(const Plane& in, std::span<const float> kernel) {
-    const int radius = static_cast<int>(kernel.size() / 2);
+Plane filter_rows(const Plane& in, const Kernel& kernel) {
+    const int taps = static_cast<int>(kernel.weights.size()), radius = taps / 2;
     Plane out(in.width, in.height);
     for_row_bands(in.height, [&](int begin, int end) {
         // One row with its borders repeated, and room for the last block to run over.
@@ -33,39 +33,33 @@ Plane filter_rows(const Plane& in, std::span<const float> kernel) {
             std::copy_n(row, in.width, padded.begin() + radius);
             std::fill(padded.begin() + radius + in.width, padded.end(), row[in.width - 1]);
             for (int x = 0; x < in.width; x += block) {
-                float sum[block] = {};
-                for (size_t tap = 0; tap < kernel.size(); ++tap) {
-                    const float weight = kernel[tap];
-                    const float* from = padded.data() + x + tap;
-                    for (int i = 0; i < block; ++i) sum[i] += weight * from[i];
+                const float* centre = padded.data() + x + radius;
+                float total[block];
+                for (int i = 0; i < block; ++i) total[i] = kernel.sum * centre[i];
+                for (int tap = 0; tap < taps; ++tap) {
+                    const float weight = kernel.weights[size_t(tap)];
+                    const float* from = centre + tap - radius;
+                    for (int i = 0; i < block; ++i) total[i] += weight * (from[i] - centre[i]);
                 }
-                std::copy_n(sum, std::min(block, in.width - x), out.row(y) + x);
+                std::copy_n(total, std::min(block, in.width - x), out.row(y) + x);
             }
         }
     });
     return out;
 }
 
-Plane filter_columns(const Plane& in, std::span<const float> kernel) {
-    const int radius = static_cast<int>(kernel.size() / 2);
+Plane filter_columns(const Plane& in, const Kernel& kernel) {
+    const int taps = static_cast<int>(kernel.weights.size()), radius = taps / 2;
     Plane out(in.width, in.height);
     for_row_bands(in.height, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
-            int x = 0;
-            for (; x + block <= in.width; x += block) {
-                float sum[block] = {};
-                for (int tap = 0; tap < static_cast<int>(kernel.size()); ++tap) {
-                    const float weight = kernel[size_t(tap)];
-                    const float* from = in.row(std::clamp(y + tap - radius, 0, in.height - 1)) + x;
-                    for (int i = 0; i < block; ++i) sum[i] += weight * from[i];
-                }
-                std::copy_n(sum, block, out.row(y) + x);
-            }
-            for (; x < in.width; ++x) {
-                float sum = 0.0f;
-                for (int tap = 0; tap < static_cast<int>(kernel.size()); ++tap)
-                    sum += kernel[size_t(tap)] * in.row(std::clamp(y + tap - radius, 0, in.height - 1))[x];
-                out.row(y)[x] = sum;
+            const float* centre = in.row(y);
+            float* to = out.row(y);
+            for (int x = 0; x < in.width; ++x) to[x] = kernel.sum * centre[x];
+            for (int tap = 0; tap < taps; ++tap) {
+                const float weight = kernel.weights[size_t(tap)];
+                const float* from = in.row(std::clamp(y + tap - radius, 0, in.height - 1));
+                for (int x = 0; x < in.width; ++x) to[x] += weight * (from[x] - centre[x]);
             }
         }
     });

@@ -1,7 +1,6 @@
 // Filtering for FLIP: planes of floats, separable kernels, borders repeated, rows spread over threads.
 #pragma once
 #include <functional>
-#include <span>
 #include <vector>
 
 namespace lightwalk {
@@ -20,10 +19,18 @@ struct Plane {
 /// Calls work(y_begin, y_end) over [0, height) from as many threads as there are cores, at most 8.
 void for_row_bands(int height, const std::function<void(int, int)>& work);
 
-/// out(x, y) = sum of kernel[r + i] * in(x + i, y), i in [-r, r], kernel.size() = 2r + 1; beyond the border the
-/// border's value repeats. The sum's order is fixed, so that the result does not depend on the number of threads.
-Plane filter_rows(const Plane& in, std::span<const float> kernel);
+/// 1-D weights, 2r + 1 of them, and what they sum to: 1 for a blur, 0 for a derivative.
+struct Kernel {
+    std::vector<float> weights;
+    float sum = 1.0f;
+};
+
+/// out(x, y) = sum of weights[r + i] * in(x + i, y), i in [-r, r]; beyond the border the border's value repeats.
+/// Computed as sum * in(x, y) plus the weighted differences from in(x, y), so that a constant stays exactly what it is
+/// and its derivative is exactly 0 (FLIP takes a square root of that). The order of the additions is fixed: the result
+/// does not depend on the number of threads.
+Plane filter_rows(const Plane& in, const Kernel& kernel);
 /// The same along y.
-Plane filter_columns(const Plane& in, std::span<const float> kernel);
+Plane filter_columns(const Plane& in, const Kernel& kernel);
 
 }  // namespace lightwalk

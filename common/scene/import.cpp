@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
+#include <cctype>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -48,6 +49,26 @@ void check_counts(const fs::path& path, const std::string& extension, uintmax_t 
     }
 }
 
+int hex_digit(char c) {
+    const size_t at =
+        std::string_view("0123456789abcdef").find(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
+    return at == std::string_view::npos ? -1 : static_cast<int>(at);
+}
+
+// glTF and Collada name files by URIs, in which a space is %20 (RFC 3986, 2.1).
+std::string decode_uri(std::string_view text) {
+    std::string out;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const int high = i + 2 < text.size() ? hex_digit(text[i + 1]) : -1;
+        const int low = high >= 0 ? hex_digit(text[i + 2]) : -1;
+        if (text[i] == '%' && low >= 0)
+            out += static_cast<char>(16 * high + low), i += 2;
+        else
+            out += text[i];
+    }
+    return out;
+}
+
 TextureMap texture(const aiMaterial& material, aiTextureType type, const aiScene& scene, const fs::path& path) {
     aiString file;
     if (material.GetTexture(type, 0, &file) != AI_SUCCESS || file.length == 0) return {};
@@ -56,7 +77,10 @@ TextureMap texture(const aiMaterial& material, aiTextureType type, const aiScene
                      path.c_str(), file.C_Str());
         return {};
     }
-    return {.file = resolve_file(file.C_Str(), path.parent_path())};
+    const bool is_uri = path.extension() == ".gltf" || path.extension() == ".glb" || path.extension() == ".dae";
+    TextureMap map;
+    map.file = resolve_file(is_uri ? decode_uri(file.C_Str()) : file.C_Str(), path.parent_path());
+    return map;
 }
 
 Material to_material(const aiMaterial& from, const aiScene& scene, const fs::path& path) {

@@ -59,7 +59,8 @@ class LineReader : public json::json_sax_t {
         const size_t end = std::min(position ? position - 1 : 0, text_.size());
         const auto at = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(end), '\n');
         std::string why = e.what();
-        if (const size_t colon = why.rfind(": "); colon != why.npos) why = why.substr(why.find(": ", why.find("column")) + 2);
+        if (const size_t colon = why.rfind(": "); colon != why.npos)
+            why = why.substr(why.find(": ", why.find("column")) + 2);
         throw InputError(result_.file + ":" + std::to_string(at) + ": not JSON: " + why);
     }
 

@@ -8,13 +8,13 @@ namespace lightwalk {
 struct Light {
     enum class Kind { directional, point, spot };
     Kind kind = Kind::directional;
-    glm::vec3 color{1.0f};                    ///< linear, 0 to 1
-    float intensity = 1.0f;                   ///< at the surface (directional) or at 1 m; 0 to 1e6
-    glm::vec3 position{0.0f};                 ///< metres; point and spot
-    glm::vec3 direction{0.0f, -1.0f, 0.0f};   ///< the way the light travels; directional and spot
-    float range_m = 10.0f;                    ///< beyond it a ranged falloff is 0; point and spot; above or equal 0
-    float inner_rad = 0.3f, outer_rad = 0.5f; ///< half angles of a spot's cone, 0 <= inner <= outer <= pi
-    float softness = 0.5f;                    ///< 0 linear to 1 soft
+    glm::vec3 color{1.0f};                     ///< linear, 0 to 1
+    float intensity = 1.0f;                    ///< at the surface (directional) or at 1 m; 0 to 1e6
+    glm::vec3 position{0.0f};                  ///< metres; point and spot
+    glm::vec3 direction{0.0f, -1.0f, 0.0f};    ///< the way the light travels; directional and spot
+    float range_m = 10.0f;                     ///< beyond it a ranged falloff is 0; point and spot; above or equal 0
+    float inner_rad = 0.3f, outer_rad = 0.5f;  ///< half angles of a spot's cone, 0 <= inner <= outer <= pi
+    float softness = 0.5f;                     ///< 0 linear to 1 soft
 };
 
 }  // namespace lightwalk

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "common/structs.h"
 #include "common/scene/material.h"
+#include "common/structs.h"
 
 namespace lightwalk {
 

@@ -116,7 +116,8 @@ void Scene::place(Gpu& gpu, const SceneObject& object, const glm::mat4& world, c
                     try {
                         item.maps[std::string(slot.name) + "_map"] = images_->load((own.*slot.map).file, slot.kind);
                     } catch (const InputError& e) {
-                        std::fprintf(stderr, "warning: material '%s': %s; drawn without it\n", own.name.c_str(), e.what());
+                        std::fprintf(stderr, "warning: material '%s': %s; drawn without it\n", own.name.c_str(),
+                                     e.what());
                     }
                 }
                 for (const auto& [name, texture] : object.material.maps)
@@ -167,7 +168,8 @@ SceneFile scene_of_model(const std::filesystem::path& model, const Bounds& bound
     Camera& camera = scene.camera;
     camera.fov_y_rad = glm::radians(35.0f);
     camera.target = center;
-    camera.position = center + glm::normalize(glm::vec3(0.55f, 0.3f, 1.0f)) * radius / std::sin(0.5f * camera.fov_y_rad);
+    camera.position =
+        center + glm::normalize(glm::vec3(0.55f, 0.3f, 1.0f)) * radius / std::sin(0.5f * camera.fov_y_rad);
     camera.near_m = radius * 0.02f;
     camera.far_m = radius * 100.0f;
     scene.lights = {{.color = {1.0f, 0.96f, 0.9f}, .direction = glm::normalize(glm::vec3(-0.6f, -0.9f, -0.7f))},

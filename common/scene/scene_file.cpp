@@ -95,9 +95,7 @@ void each(const JsonWithLines& source, Reader& parent, const char* key, F read) 
 fs::path asset(const JsonWithLines& source, const std::string& pointer, const std::string& name) {
     try {
         find_asset(name);
-    } catch (const InputError& e) {
-        throw InputError(source.where(pointer) + ": " + e.what());
-    }
+    } catch (const InputError& e) { throw InputError(source.where(pointer) + ": " + e.what()); }
     return name;
 }
 
@@ -174,9 +172,12 @@ Light read_light(Reader r) {
     Light light;
     std::string kind = "directional";
     r.string("type", kind);
-    if (kind == "point") light.kind = Light::Kind::point;
-    else if (kind == "spot") light.kind = Light::Kind::spot;
-    else if (kind != "directional") r.refuse("type", "is '" + kind + "', expected directional, point or spot");
+    if (kind == "point")
+        light.kind = Light::Kind::point;
+    else if (kind == "spot")
+        light.kind = Light::Kind::spot;
+    else if (kind != "directional")
+        r.refuse("type", "is '" + kind + "', expected directional, point or spot");
     r.vector("color", light.color, 0, 1);
     r.number("intensity", light.intensity, 0, 1e6);
     if (light.kind != Light::Kind::point) {
@@ -268,7 +269,7 @@ SceneFile read(const std::string& text, const fs::path& path, std::vector<fs::pa
     if (const json* knobs = r.find("knobs")) {
         if (!knobs->is_object()) r.refuse("knobs", "must be an object { name: value }");
         for (const auto& [name, value] : knobs->items())
-            scene.knobs[name] = value.is_string() ? value.get<std::string>()
+            scene.knobs[name] = value.is_string()    ? value.get<std::string>()
                                 : value.is_boolean() ? (value.get<bool>() ? "on" : "off")
                                                      : value.dump();
     }
@@ -290,9 +291,8 @@ SceneFile parse_scene(const std::string& text, const fs::path& path) {
 }
 
 fs::path find_asset(const fs::path& path) {
-    if (fs::exists(path)) return path;
-    const fs::path below = course_root() / "assets" / path;
-    if (fs::exists(below)) return below;
+    for (const fs::path& candidate : {path, course_root() / "assets" / path, course_root() / path})
+        if (fs::exists(candidate)) return candidate;
     throw InputError("no file " + path.string() + ", neither here nor below assets/");
 }
 

@@ -15,14 +15,14 @@ namespace lightwalk {
 struct MaterialOverride {
     std::optional<glm::vec3> diffuse, specular, emissive;  ///< linear
     std::optional<float> shininess, opacity;
-    std::map<std::string, std::filesystem::path> maps;     ///< by slot, such as "normal" or "height"
+    std::map<std::string, std::filesystem::path> maps;  ///< by slot, such as "normal" or "height"
 };
 
 struct SceneObject {
-    std::string name, parent;                   ///< parent: another object's name, or empty
-    std::filesystem::path model;                ///< relative to assets/, or absolute; empty: a group
-    glm::vec3 position{0.0f};                   ///< metres
-    glm::vec3 rotation_deg{0.0f};               ///< about x, then y, then z
+    std::string name, parent;      ///< parent: another object's name, or empty
+    std::filesystem::path model;   ///< relative to assets/, or absolute; empty: a group
+    glm::vec3 position{0.0f};      ///< metres
+    glm::vec3 rotation_deg{0.0f};  ///< about x, then y, then z
     glm::vec3 scale{1.0f};
     MaterialOverride material;
 };
@@ -32,8 +32,8 @@ struct SceneFile {
     Camera camera;
     std::vector<SceneObject> objects;  ///< a parent stands before its children
     std::vector<Light> lights;
-    glm::vec3 ambient{0.05f};          ///< linear radiance from everywhere
-    glm::vec3 background{0.02f};       ///< linear
+    glm::vec3 ambient{0.05f};     ///< linear radiance from everywhere
+    glm::vec3 background{0.02f};  ///< linear
     std::map<std::string, std::string> knobs;
 };
 
@@ -45,7 +45,7 @@ SceneFile parse_scene(const std::string& text, const std::filesystem::path& path
 /// Writes what read_scene reads back, whole or not at all.
 void write_scene(const SceneFile& scene, const std::filesystem::path& path);
 
-/// An asset's path: as given if it exists, else below assets/. Throws InputError where it is in neither.
+/// An asset's path: as given if it exists, else below assets/ or the root. Throws InputError where it is in none.
 std::filesystem::path find_asset(const std::filesystem::path& path);
 
 /// The object's transform into its parent's space.

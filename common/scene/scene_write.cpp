@@ -51,7 +51,7 @@ json light_json(const Light& light) {
 void write_scene(const SceneFile& scene, const std::filesystem::path& path) {
     json j;
     const Camera& c = scene.camera;
-    j["camera"] = {{"position", list(c.position)},       {"target", list(c.target)}, {"up", list(c.up)},
+    j["camera"] = {{"position", list(c.position)},         {"target", list(c.target)}, {"up", list(c.up)},
                    {"fov_deg", glm::degrees(c.fov_y_rad)}, {"near_m", c.near_m},       {"far_m", c.far_m}};
     j["ambient"] = list(scene.ambient);
     j["background"] = list(scene.background);

@@ -3,7 +3,9 @@
 #ifdef __cplusplus
 #include <cstdint>
 #include <glm/glm.hpp>
-#define BEGIN_SHARED namespace lightwalk { using namespace glm;
+#define BEGIN_SHARED      \
+    namespace lightwalk { \
+    using namespace glm;
 #define END_SHARED }
 #else
 #define BEGIN_SHARED

@@ -29,24 +29,24 @@ struct MaterialData {
 };
 
 // Texture slots, in the order of MaterialData::maps' bits. In a shader the texture is called <slot>_map.
-const uint DIFFUSE_MAP = 1u;         // sRGB colour
-const uint SPECULAR_MAP = 2u;        // linear
-const uint EMISSIVE_MAP = 4u;        // sRGB colour
-const uint OPACITY_MAP = 8u;         // linear
-const uint NORMAL_MAP = 16u;         // linear, +y up
-const uint HEIGHT_MAP = 32u;         // linear, 1 is the surface
-const uint ORM_MAP = 64u;            // linear: occlusion, roughness, metalness
-const uint OCCLUSION_MAP = 128u;     // linear
-const uint GLOSS_MAP = 256u;         // linear
-const uint DETAIL_NORMAL_MAP = 512u; // linear, +y up
+const uint DIFFUSE_MAP = 1u;          // sRGB colour
+const uint SPECULAR_MAP = 2u;         // linear
+const uint EMISSIVE_MAP = 4u;         // sRGB colour
+const uint OPACITY_MAP = 8u;          // linear
+const uint NORMAL_MAP = 16u;          // linear, +y up
+const uint HEIGHT_MAP = 32u;          // linear, 1 is the surface
+const uint ORM_MAP = 64u;             // linear: occlusion, roughness, metalness
+const uint OCCLUSION_MAP = 128u;      // linear
+const uint GLOSS_MAP = 256u;          // linear
+const uint DETAIL_NORMAL_MAP = 512u;  // linear, +y up
 
 // What every vertex and fragment may know of the camera.
 struct CameraView {
     mat4 view_projection;  // world to clip space: y down, depth 1 near and 0 far
     vec3 eye;              // metres, world space
     float time_s;
-    vec2 size;             // pixels
-    uint seed;             // of --seed
+    vec2 size;  // pixels
+    uint seed;  // of --seed
 };
 
 END_SHARED

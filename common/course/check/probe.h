@@ -1,0 +1,71 @@
+// Probes: a GLSL function run on the device over a table of inputs, and compared with the truth in double precision.
+#pragma once
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/gpu/gpu.h"
+
+namespace lightwalk {
+
+/// One call's arguments, flattened in the order of the signature: a vec3 is three numbers, a matrix its columns, a
+/// struct its members. Whole numbers for int, uint and bool.
+using Row = std::vector<double>;
+using Table = std::vector<Row>;
+
+/// How far a result may be from the truth: the largest of the three.
+struct Bound {
+    double absolute = 0;
+    double relative = 0;
+    double ulps = 0;  ///< units in the last place of the truth as a float
+    double allowed(double truth) const;
+};
+
+struct Probe {
+    std::string include;    ///< "02_lambert_phong/blinn_phong.glsl": the exercise or the solution, by the toggle
+    std::string signature;  ///< "float blinn_phong(vec3 normal, vec3 to_light, vec3 to_eye, float shininess)"
+    Table inputs;
+    std::function<Row(std::span<const double>)> truth;  ///< inputs exactly as the device gets them
+    Bound bound;
+    Defines defines;        ///< macros the file expects
+};
+
+/// The results of each call, flattened. `probe.truth` and `bound` are not needed; `outputs` says how many numbers the
+/// result has. Throws ShaderError where the file does not compile.
+Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs);
+
+/// The worst input in words a student understands: "f(a = 0, b = (0, 1, 0)) gave NaN, expected 0"; empty where every
+/// result is within its bound. A NaN or infinity is wrong unless the truth is the same.
+std::string worst_of(const Probe& probe, const Table& results);
+
+/// "f(a = 0, b = (0, 1, 0))".
+std::string call_text(const Probe& probe, std::span<const double> row);
+std::string number_text(double value);
+
+/// Appends a vector's components.
+template <class Vector>
+void append(Row& row, const Vector& v) {
+    for (int i = 0; i < Vector::length(); ++i) row.push_back(static_cast<double>(v[i]));
+}
+
+/// Reproducible random numbers for tables, rounded to float so that the truth sees what the device sees.
+class Random {
+  public:
+    explicit Random(unsigned seed = 1) : engine_(seed) {}
+    double uniform(double lower, double upper) {
+        return static_cast<float>(std::uniform_real_distribution<double>(lower, upper)(engine_));
+    }
+    /// A direction evenly distributed over the sphere.
+    glm::vec3 direction();
+    /// Evenly in the logarithm: for exponents and distances.
+    double logarithmic(double lower, double upper) { return static_cast<float>(std::exp(uniform(std::log(lower), std::log(upper)))); }
+
+  private:
+    std::mt19937 engine_;
+};
+
+}  // namespace lightwalk

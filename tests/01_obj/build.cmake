@@ -1,0 +1,9 @@
+# Fuzzing: cmake --preset fuzz, then build/fuzz/tests/fuzz_obj tests/01_obj/corpus/obj
+if(LIGHTWALK_FUZZ)
+  foreach(name fuzz_obj fuzz_mtl)
+    add_executable(${name} ${CMAKE_CURRENT_LIST_DIR}/fuzz/${name}.cpp ${CMAKE_CURRENT_LIST_DIR}/agreement.cpp)
+    target_link_libraries(${name} PRIVATE chapter_01_obj $<TARGET_OBJECTS:chapter_01_obj>)
+    target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  endforeach()
+endif()

@@ -1,0 +1,177 @@
+"""A small course for the tests of ./course: its programs are scripts, its pictures text files.
+
+Files at its root change what they do: "crash", "flat" (a picture on which nothing is), "drift" (words added to each
+picture), "no_teeth" (a starter draws what the solution does), "broken" (a unit test and a fuzz target fail).
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+REAL = Path(__file__).resolve().parents[2]
+
+CMAKE = """cmake_minimum_required(VERSION 3.25)
+project(small NONE)
+set(LIGHTWALK_CHAPTERS 01_obj 02_lambert)
+file(COPY programs/ DESTINATION ${PROJECT_BINARY_DIR} USE_SOURCE_PERMISSIONS)
+foreach(name ${LIGHTWALK_CHAPTERS})
+  add_custom_target(${name})
+  set(exercise ${PROJECT_SOURCE_DIR}/chapters/${name}/exercise/one.cpp)
+  add_custom_command(OUTPUT check_${name}.built DEPENDS ${exercise}
+    COMMAND sh ${PROJECT_SOURCE_DIR}/compile ${exercise}
+    COMMAND ${CMAKE_COMMAND} -E touch check_${name}.built)
+  add_custom_target(check_${name} DEPENDS check_${name}.built)
+endforeach()
+add_custom_target(compare)
+add_custom_target(programs)
+add_custom_target(fuzzers)
+enable_testing()
+add_test(NAME unit.common COMMAND sh -c "! test -e ${PROJECT_SOURCE_DIR}/broken")
+include(tests/build.cmake)
+"""
+PRESETS = {"version": 4, "configurePresets": [
+    {"name": "default", "generator": "Ninja", "binaryDir": "${sourceDir}/build"},
+    {"name": "sanitizer", "inherits": "default", "binaryDir": "${sourceDir}/build/sanitizer"},
+    {"name": "fuzz", "inherits": "default", "binaryDir": "${sourceDir}/build/fuzz"}]}
+COMPILE = """! grep -q 'syntax error' $1 || { echo $1:1: error: no; exit 1; }
+"""
+CHAPTER = """#!PYTHON
+import os, sys
+words = sys.argv[1:]
+name = os.path.basename(sys.argv[0])
+if "--screenshot" not in words:
+    print(name, *words, "in", os.getcwd())
+    sys.exit(7 if "--fail" in words else 0)
+if os.path.exists("crash"):
+    sys.exit("mesh.frag:3: no such function")
+use = words[words.index("--use") + 1] if "--use" in words else "solution"
+starter = "exercise" in use and not os.path.exists("no_teeth")
+knobs = [word for word in words if "=" in word and word != use]
+text = "flat" if os.path.exists("flat") else f"{name} {starter} {knobs}"
+drift = open("drift").read() if os.path.exists("drift") else ""
+open(words[words.index("--screenshot") + 1], "w").write(text + drift)
+"""
+COMPARE = """#!PYTHON
+import json, sys
+words = sys.argv[1:]
+a, b = (open(name).read() for name in words[:2])
+if "--heatmap" in words:
+    open(words[words.index("--heatmap") + 1], "w").write("hot")
+d = 0.0 if a == b else 0.001 if a == b.rstrip("~") else 0.5
+print(json.dumps({"flip": {"mean": d, "p99": d, "max": d}, "rmse": d,
+                  "max_diff": {"steps": int(d * 200), "x": 1, "y": 2, "pixels": 3},
+                  "nan": {"reference": 0, "test": 0}, "inf": {"reference": 0, "test": 0},
+                  "nearly_constant": {"reference": "flat" in a, "test": "flat" in b}}))
+"""
+CHECK = """#!PYTHON
+import json, os, sys
+exercise = sys.argv[sys.argv.index("--exercise") + 1]
+name = os.path.basename(sys.argv[0]).removeprefix("check_")
+said = open(f"chapters/{name}/exercise/{exercise[3:]}.cpp").read()
+if "die" in said:
+    os.abort()
+ok = "right" in said
+print("a line that is no JSON")
+print(json.dumps({"exercise": exercise, "ok": ok, "passed": 2 + ok, "failed": 1 - ok,
+                  "first_failure": None if ok else "one(0) gave 1, expected 0", "hint": "think"}))
+sys.exit(0 if ok else 1)
+"""
+FUZZ = """#!/bin/sh
+echo stat::number_of_executed_units: 9
+! test -e broken
+"""
+MAIN = """int x;
+// [frame]
+  draw();
+      // [inner]
+      twice();
+// [/inner]
+// [/frame]
+"""
+LESSON = """# The lesson
+See [the chapter](../chapters/01_obj/main.cpp) and [there](01_obj.md#the-lesson).
+<!-- quote: chapters/01_obj/main.cpp#frame -->
+```cpp
+draw();
+    twice();
+```
+"""
+SHOTS_01 = {"shots": [{"name": "bunny", "caption": "A bunny.", "exercises": ["01.one"]},
+                      {"name": "car", "caption": "A car."}]}
+SHOTS_02 = {"shots": [{"name": "bunny", "caption": "Lit.", "set": {"method": "phong"}, "exercises": ["02.one"],
+                       "rejects": [{"chapter": "01_obj"}, {"set": {"method": "none"}}]}]}
+FILES = {
+    "CMakeLists.txt": CMAKE, "CMakePresets.json": json.dumps(PRESETS), "compile": COMPILE,
+    ".clang-format": "DisableFormat: true\n", ".gitignore": "build/\n__pycache__/\n", "tests/common/test_course.py": "",
+    "programs/compare": COMPARE, "programs/fuzz_obj": FUZZ,
+    "programs/chapters/01_obj": CHAPTER, "programs/chapters/02_lambert": CHAPTER,
+    "programs/tests/check_01_obj": CHECK, "programs/tests/check_02_lambert": CHECK,
+    "chapters/01_obj/main.cpp": MAIN, "chapters/02_lambert/main.cpp": "",
+    "chapters/01_obj/exercise/one.cpp": "open", "chapters/01_obj/solution/one.cpp": "right",
+    "chapters/02_lambert/exercise/one.cpp": "right", "chapters/02_lambert/solution/one.cpp": "right",
+    "docs/01_obj.md": LESSON, "docs/02_lambert.md": "# Two\n",
+    "assets/CREDITS.md": "| file | what | who |\n|---|---|---|\n| models/{a,b}.obj | x | y |\n",
+    "assets/models/a.obj": "v", "assets/models/b.obj": "v",
+    "tests/01_obj/shots.json": json.dumps(SHOTS_01), "tests/02_lambert/shots.json": json.dumps(SHOTS_02),
+}
+
+
+def make_tree(root: Path):
+    shutil.copytree(REAL / "common/course", root / "common/course",
+                    ignore=shutil.ignore_patterns("*.h", "*.cpp", "__pycache__"))
+    for name in ("course", "tests/build.cmake"):
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(REAL / name, root / name)
+    for name, text in FILES.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text.replace("#!PYTHON", f"#!{sys.executable}"))
+        path.chmod(0o755 if text.startswith("#!") else 0o644)
+
+
+class Course(unittest.TestCase):
+    """A tree, made once for the tests of a class."""
+
+    @classmethod
+    def setUpClass(cls):
+        made = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(made.cleanup)
+        cls.outside = Path(made.name).resolve()
+        cls.root = cls.outside / "tree"
+        make_tree(cls.root)
+
+    def run_program(self, command, code=0, cwd="/", **environment):
+        """Runs it, asserts its exit code, and returns all that it printed."""
+        # Neither the display nor the build folder nor the CI of whoever runs this test.
+        outer = ("DISPLAY", "WAYLAND_DISPLAY", "LIGHTWALK_BUILD", "CI")
+        clean = {name: value for name, value in os.environ.items() if name not in outer} | environment
+        done = subprocess.run(command, cwd=cwd, env=clean, text=True, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.assertEqual(done.returncode, code, done.stdout)
+        return done.stdout
+
+    def course(self, *words, **options):
+        return self.run_program([self.root / "course", *words], **options)
+
+    def put(self, name: str, text: str = ""):
+        """A file of the tree for this test; afterwards it is as before."""
+        path = self.root / name
+        self.restore_afterwards(path)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+    def remove(self, name: str):
+        self.restore_afterwards(self.root / name)
+        (self.root / name).unlink()
+
+    def restore_afterwards(self, path: Path):
+        before = path.read_bytes() if path.exists() else None
+        self.addCleanup(lambda: path.unlink(missing_ok=True) if before is None else path.write_bytes(before))
+
+    def accept(self):
+        return self.course("accept", "--yes")

@@ -1,0 +1,275 @@
+"""Tests of ./course: what a person types and reads."""
+
+import io
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+import unittest
+import zipfile
+
+from small_course import LESSON, REAL, Course
+
+sys.path.insert(0, str(REAL / "common/course"))
+import cli  # noqa: E402
+from progress import Progress  # noqa: E402
+
+
+class Commands(Course):
+    def test_help_names_every_command_and_each_has_help(self):
+        listed = set(re.findall(r"^  \./course (\w+)", self.course("--help"), re.M))
+        self.assertEqual(listed, set(cli.COMMANDS))
+        for command in cli.COMMANDS:
+            self.assertTrue(self.course(command, "--help").strip())
+
+    def test_bad_words_are_one_line_and_2(self):
+        for words, expected in (("rum", "no command 'rum'; there are run"), ("run 03", "there are 01_obj, 02_lambert"),
+                                ("run --size 1x1", "./course run 01 --size"), ("check 01.two", "chapter 01 has 01.one"),
+                                ("accept 01.cat", "there are 01.bunny, 01.car"), ("fuzz 0", "no time to fuzz"),
+                                ("clean all", "means nothing here"), ("test (", "no regular expression"),
+                                ("handout /", "name a folder"), ("grade nobody", "no such file")):
+            printed = self.course(*words.split(), code=2)
+            self.assertIn(expected, printed)
+            self.assertEqual(printed.count("\n"), 1, printed)
+
+    def test_run_passes_options_and_exit_code_and_keeps_the_folder(self):
+        for word in ("02", "2", "lambert", "02_lambert"):
+            printed = self.course("run", word, "--set", "method=phong", "--help", cwd="/usr")
+            self.assertIn("02_lambert --set method=phong --help in /usr\n", printed)
+        self.course("run", "01", "--fail", code=7)
+
+    def test_through_a_link(self):
+        (self.outside / "link").symlink_to(self.root / "course")
+        self.assertIn("01_obj in", self.run_program([self.outside / "link", "run", "01"]))
+
+    def test_display_starts_the_menu_or_the_first_chapter(self):
+        self.assertIn("01_obj in", self.course("run", DISPLAY=":9"))
+        self.put("build/menu", "#!/bin/sh\necho the menu\n")
+        (self.root / "build/menu").chmod(0o755)
+        self.assertIn("the menu", self.course("run", DISPLAY=":9"))
+
+    def test_gallery_draws_what_is_new(self):
+        self.assertIn("3 pictures", self.course("run"))
+        self.assertIn("01_obj/bunny.png", (self.root / "build/gallery/index.html").read_text())
+        self.assertNotIn("drew", self.course("run"))
+        self.put("shaders/common/new.glsl")
+        self.assertIn("drew 3", self.course("run"))
+        self.put("tests/02_lambert/shots.json", json.dumps({"shots": [{"name": "bunny", "caption": "One."}]}))
+        self.assertIn("drew 1", self.course("run"))
+        self.put("crash")
+        self.put("shaders/common/newer.glsl")
+        self.assertIn("mesh.frag:3", self.course("run", code=1))
+        (self.root / "crash").unlink()
+        self.assertIn("drew 3", self.course("run"))
+
+    def test_interrupt_is_quiet_and_130(self):
+        self.course("run", "01")
+        self.put("compile", "sleep 20\n")
+        self.put("chapters/01_obj/exercise/one.cpp", "changed")
+        course = subprocess.Popen([self.root / "course", "check", "01"], stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, text=True, start_new_session=True)
+        time.sleep(1.5)
+        os.killpg(course.pid, signal.SIGINT)
+        printed, _ = course.communicate(timeout=10)
+        self.assertEqual(course.returncode, 130, printed)
+        self.assertNotIn("Traceback", printed)
+
+    def test_doctor_fuzz_and_clean(self):
+        self.assertIn("cmake", self.course("doctor"))
+        self.assertIn("obj: 9 runs, nothing found\n1 of 1 targets held", self.course("fuzz", "1"))
+        self.put("broken")
+        self.assertIn("0 of 1 targets held; not fuzz_obj", self.course("fuzz", "1", code=1))
+        self.course("clean")
+        self.assertFalse((self.root / "build").exists())
+
+    def test_progress_without_a_terminal_is_few_lines(self):
+        out = io.StringIO()
+        with Progress("x", out) as progress:
+            for i in range(1001):
+                progress.show(i, 1000)
+        self.assertEqual(out.getvalue().count("\n"), 11)
+
+
+class Tests(Course):
+    """The small tree has unit.common, three shots, two teeth and two texts, of which one is this file's empty stand-in."""
+
+    def test_green_red_and_the_closing_line(self):
+        self.accept()
+        self.assertEqual(self.course("test").splitlines()[-1], "100% tests passed, 0 tests failed out of 8")
+        self.assertTrue((self.root / "build/report/index.html").exists())
+        self.put("broken")
+        self.assertEqual(self.course("test", code=1).splitlines()[-1], "88% tests passed, 1 tests failed out of 8")
+
+    def test_pattern_labels_and_nothing(self):
+        self.accept()
+        self.assertIn("out of 2", self.course("test", "shot.01").splitlines()[-1])
+        self.assertIn("out of 2", self.course("test", "-L", "teeth").splitlines()[-1])
+        self.assertIn("no test matches -R nothing", self.course("test", "nothing", code=2))
+
+    def test_sanitizers_are_counted(self):
+        self.accept()
+        self.assertIn("out of 14", self.course("test", "--sanitize").splitlines()[-1])
+        self.assertIn("out of 9", self.course("test", CI="true").splitlines()[-1])
+
+    def test_nothing_to_build_says_nothing(self):
+        self.course("run", "01")
+        self.assertRegex(self.course("run", "01"), r"\A01_obj in /\n\Z")
+
+
+class Shots(Course):
+    def setUp(self):
+        for golden in self.root.glob("tests/*/golden/*"):
+            golden.unlink()
+        self.course("run", "01")
+
+    def shot(self, *words, code=0):
+        return self.run_program([sys.executable, self.root / "common/course/shots.py", *words], code)
+
+    def test_missing_golden_fails(self):
+        self.assertIn("there is no tests/01_obj/golden/bunny.png", self.shot("check", "01_obj", "bunny", code=1))
+
+    def test_result_is_written(self):
+        self.accept()
+        self.shot("check", "01_obj", "bunny")
+        result = json.loads((self.root / "build/results/shot.01.bunny.json").read_text())
+        self.assertTrue(result["ok"])
+        [picture] = result["pictures"]
+        for key in ("expected", "actual", "heatmap"):
+            self.assertTrue((self.root / picture[key]).exists(), key)
+
+    def test_difference_fails_over_a_limit_and_passes_under_it(self):
+        self.accept()
+        self.put("drift", "~")
+        self.shot("check", "01_obj", "bunny")
+        self.put("drift", "!")
+        self.assertIn("flip_mean is 0.5, at most 0.002", self.shot("check", "01_obj", "bunny", code=1))
+
+    def test_nearly_constant_fails_and_is_not_accepted(self):
+        self.put("flat")
+        self.assertIn("refused: the picture is nearly one colour", self.course("accept", "01", "--yes", code=1))
+        self.assertEqual(list(self.root.glob("tests/01_obj/golden/*")), [])
+        (self.root / "flat").unlink()
+        self.accept()
+        self.put("flat")
+        self.assertIn("nearly one colour", self.shot("check", "01_obj", "bunny", code=1))
+
+    def test_program_that_fails_is_quoted(self):
+        self.accept()
+        self.put("crash")
+        self.assertIn("mesh.frag:3: no such function", self.shot("check", "01_obj", "bunny", code=1))
+
+    def test_teeth(self):
+        self.accept()
+        self.shot("teeth", "02_lambert", "bunny")
+        result = json.loads((self.root / "build/results/teeth.02.bunny.json").read_text())
+        self.assertEqual([picture["name"] for picture in result["pictures"]],
+                         ["02.one as handed out", "drawn by 01_obj", "method=none"])
+        self.put("no_teeth")
+        self.assertIn("does not reject the picture: 02.one as handed out",
+                      self.shot("teeth", "02_lambert", "bunny", code=1))
+
+    def test_accept_asks_first_and_says_what_changed(self):
+        self.assertIn("add --yes", self.course("accept", "01.car", code=2))
+        self.assertFalse((self.root / "tests/01_obj/golden/car.png").exists())
+        self.assertIn("a new picture", self.course("accept", "01.car", "--yes"))
+        self.assertIn("01.car: as it was", self.course("accept", "01.car", "--yes"))
+        self.put("drift", "!")
+        self.assertIn("FLIP mean 0.500000", self.course("accept", "01.car", "--yes"))
+        self.assertIn("!", (self.root / "tests/01_obj/golden/car.png").read_text())
+
+
+class Exercises(Course):
+    def test_check_says_what_is_wrong(self):
+        self.put("no_teeth")
+        self.accept()
+        printed = self.course("check", "01", code=1)
+        self.assertIn("open  01.one  2 of 3 checks  chapters/01_obj/exercise/one.cpp\n"
+                      "      one(0) gave 1, expected 0", printed)
+        self.assertNotIn("think", printed)
+        self.assertIn("hint: think", self.course("check", "01.one", "--hint", code=1))
+        self.assertIn("1 of 2 exercises are right; next: 01.one", self.course("check", code=1))
+        lines = self.course("check", "--json", code=1).splitlines()
+        self.assertEqual([json.loads(line)["ok"] for line in lines if line[0] == "{"], [False, True])
+        self.assertIn("02_lambert               [#] 1 of 1", self.course("progress", code=1))
+
+    def test_the_picture_comes_last(self):
+        self.accept()
+        self.assertIn("the numbers are right, the picture of bunny is not", self.course("check", "02", code=1))
+        self.put("no_teeth")
+        self.assertIn("ok    02.one", self.course("check", "02"))
+
+    def test_a_check_that_dies_is_open(self):
+        self.put("chapters/01_obj/exercise/one.cpp", "die")
+        self.assertIn("ended by signal 6", self.course("check", "01", code=1))
+
+    def test_handout_has_no_solution_and_works(self):
+        self.accept()
+        folder = self.outside / "handout"
+        self.assertIn("2 exercises", self.course("handout", str(folder)))
+        self.assertEqual(list(folder.rglob("solution")), [])
+        self.assertTrue((folder / "chapters/01_obj/exercise/one.cpp").exists())
+        self.assertIn("out of 3", self.run_program([folder / "course", "test"]).splitlines()[-1])
+        self.course("handout", str(folder), code=2)
+
+    def test_grade(self):
+        students = self.outside / "students"
+        for name, text in (("ann", "right"), ("ben", "wrong"), ("cat", "syntax error"), ("dan", None)):
+            folder = students / name / "chapters/01_obj/exercise"
+            folder.mkdir(parents=True)
+            if text:
+                (folder / "one.cpp").write_text(text)
+        with zipfile.ZipFile(students / "eve.zip", "w") as archive:
+            archive.writestr("course/chapters/01_obj/exercise/one.cpp", "right")
+            archive.writestr("../../chapters/01_obj/exercise/one.cpp", "wrong")
+        grades = [" ".join(line.split()) for line in self.course("grade", str(students)).splitlines() if " of 2 " in f"{line} "]
+        self.assertEqual(grades, ["ann 2 of 2", "ben 1 of 2 open: 01.one", "cat 1 of 2 open: 01.one",
+                                  "dan 0 of 2 holds no exercise", "eve 2 of 2"])
+        self.assertIn("does not compile: 1: error: no", self.course("grade", "--json", str(students / "cat")))
+
+
+class Text(Course):
+    def wrong(self):
+        check = [sys.executable, self.root / "common/course/text_check.py"]
+        done = subprocess.run(check, stdout=subprocess.PIPE, text=True)
+        self.assertEqual(done.returncode, 1 if done.stdout else 0)
+        return done.stdout
+
+    def test_the_tree_is_right(self):
+        self.assertEqual(self.wrong(), "")
+
+    def test_quotes(self):
+        self.put("docs/01_obj.md", LESSON.replace("twice", "thrice"))
+        self.assertIn("docs/01_obj.md:3: the block is not what chapters/01_obj/main.cpp says", self.wrong())
+        self.course("quote")
+        self.assertEqual((self.root / "docs/01_obj.md").read_text(), LESSON)
+        self.put("docs/01_obj.md", LESSON.replace("#frame", "#gone"))
+        self.assertIn("has no lines from [gone] to [/gone]", self.wrong())
+        self.put("docs/01_obj.md", LESSON.replace("01_obj/main.cpp#frame", "01_obj/solution/one.cpp#x"))
+        self.assertIn("would give the exercise away", self.wrong())
+
+    def test_links(self):
+        for bad in ("[a](nowhere.md)", "![a](01.png)", "[a](01_obj.md#no-such)", "<img src='x.png'>", "[a](../../x)"):
+            self.put("docs/02_lambert.md", f"# Two\n{bad}\n`[a](code.md)` [b](https://example.org)\n")
+            self.assertEqual(self.wrong().count("docs/02_lambert.md:2:"), 1, bad)
+
+    def test_credits_both_ways(self):
+        self.put("assets/models/c.obj")
+        self.assertIn("assets/models/c.obj: assets/CREDITS.md does not name it", self.wrong())
+        self.remove("assets/models/b.obj")
+        self.assertIn("assets/CREDITS.md:3: there is no assets/models/b.obj", self.wrong())
+
+    def test_private_paths_and_what_a_chapter_needs(self):
+        self.put("docs/02_lambert.md", "see /" + "work/main/x\n")
+        self.assertIn("a path of one machine", self.wrong())
+        self.remove("docs/02_lambert.md")
+        self.assertIn("docs/02_lambert.md: chapter 02_lambert needs it", self.wrong())
+        self.put("tests/02_lambert/shots.json", '{"shots": [{"name": "a", "caption": "", "exercises": ["02.no"]}]}')
+        self.assertIn("there is no exercise 02.no", self.wrong())
+        self.assertIn("no golden has to reject the picture of an earlier chapter", self.wrong())
+
+
+if __name__ == "__main__":
+    unittest.main()

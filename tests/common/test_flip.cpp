@@ -1,0 +1,178 @@
+// FLIP against what the papers let one derive by hand, and against a brute-force double-precision version.
+// The authors publish the means of one image pair (LDR 0.159691, HDR 0.283478); the images are not in this
+// repository, so those two figures are not checked here.
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "catch.h"
+#include "common/error.h"
+#include "common/measure/flip.h"
+#include "flip_truth.h"
+
+using namespace lightwalk;
+
+namespace {
+
+constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+ImageRgb noise(int width, int height, unsigned seed, float largest = 1.0f) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> value(0.0f, largest);
+    ImageRgb image(width, height);
+    for (glm::vec3& p : image.pixels) p = {value(random), value(random), value(random)};
+    return image;
+}
+
+float constant_flip(glm::vec3 a, glm::vec3 b) { return flip_ldr(ImageRgb(5, 4, a), ImageRgb(5, 4, b)).at(2, 2); }
+
+double truth_of_constants(glm::vec3 a, glm::vec3 b) {
+    return flip_truth::colour_difference({a.x, a.y, a.z}, {b.x, b.y, b.z});
+}
+
+double worst_against_truth(const ImageRgb& a, const ImageRgb& b, float per_degree) {
+    const ErrorMap map = flip_ldr(a, b, per_degree);
+    const auto truth = flip_truth::flip(a, b, double(per_degree));
+    double worst = 0;
+    for (size_t i = 0; i < truth.size(); ++i) worst = std::max(worst, std::abs(truth[i] - double(map.values[i])));
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("FLIP of an image with itself is exactly 0") {
+    const ImageRgb image = noise(37, 23, 1);
+    for (const float v : flip_ldr(image, image).values) REQUIRE(v == 0.0f);
+    for (const float v : flip_hdr(image, image).values) REQUIRE(v == 0.0f);
+}
+
+TEST_CASE("FLIP of constant images is the redistributed colour difference") {
+    // Filters leave a constant as it is and no feature is found, so only section 4.1.3 is left.
+    // Black against white by hand: HyAB is 100; green to blue is the largest, 308.97 in double precision.
+    const double largest = flip_truth::hyab(flip_truth::hunt_lab({0, 1, 0}), flip_truth::hunt_lab({0, 0, 1}));
+    const double c_max = std::pow(largest, 0.7), knee = 0.4 * c_max, black_white = std::pow(100.0, 0.7);
+    REQUIRE(black_white > knee);
+    const double by_hand = 0.95 + 0.05 * (black_white - knee) / (c_max - knee);
+    CHECK(constant_flip(glm::vec3(0), glm::vec3(1)) == Approx(by_hand).margin(1e-5));
+    CHECK(by_hand == Approx(0.97).margin(0.01));  // not 1: green against blue is further apart than black and white
+    CHECK(constant_flip({0, 1, 0}, {0, 0, 1}) == Approx(1.0).margin(1e-5));
+
+    const std::vector<glm::vec3> colours = {{0, 0, 0},       {1, 1, 1},          {1, 0, 0},         {0, 1, 0},
+                                            {0, 0, 1},       {.5f, .5f, .5f},    {.18f, .2f, .16f}, {.5f, .502f, .5f},
+                                            {.9f, .1f, .4f}, {.001f, .002f, .0f}};
+    for (const glm::vec3& a : colours)
+        for (const glm::vec3& b : colours) {
+            INFO("(" << a.x << " " << a.y << " " << a.z << ") against (" << b.x << " " << b.y << " " << b.z << ")");
+            // d^0.7 has no bound on its slope at 0, so that the tolerance is one of single precision there.
+            CHECK(constant_flip(a, b) == Approx(truth_of_constants(a, b)).margin(3e-5));
+        }
+}
+
+TEST_CASE("FLIP's knee: 40% of the largest power is mapped to 0.95") {
+    // A grey pair with lightness difference d has HyAB d, so d = largest * 0.4^(1/0.7) must give 0.95.
+    const double largest = flip_truth::hyab(flip_truth::hunt_lab({0, 1, 0}), flip_truth::hunt_lab({0, 0, 1}));
+    const double lightness = largest * std::pow(0.4, 1 / 0.7);
+    REQUIRE(lightness < 100.0);
+    const double grey = std::pow((lightness + 16) / 116, 3);
+    CHECK(constant_flip(glm::vec3(0), glm::vec3(float(grey))) == Approx(0.95).margin(1e-4));
+}
+
+TEST_CASE("FLIP agrees with a brute-force convolution in double precision") {
+    ImageRgb edge_a(24, 20, glm::vec3(.2f)), edge_b = edge_a, point = edge_a, line = edge_a;
+    for (int y = 0; y < 20; ++y)
+        for (int x = 12; x < 24; ++x) edge_a.at(x, y) = {.7f, .6f, .5f};
+    for (int y = 0; y < 20; ++y)
+        for (int x = 14; x < 24; ++x) edge_b.at(x, y) = {.7f, .6f, .5f};
+    point.at(9, 11) = {1, 1, 1};
+    for (int x = 0; x < 24; ++x) line.at(x, 0) = {0, .9f, .1f};
+    for (const float per_degree : {67.0206f, 25.0f, 8.0f}) {
+        INFO("pixels per degree " << per_degree);
+        // At 8 a neighbour's colour weighs 1e-8, below single precision, where the feature's exponent (0.26 here)
+        // would still make 0.003 of it.
+        const double tolerance = per_degree > 10.0f ? 2e-4 : 5e-3;
+        CHECK(worst_against_truth(edge_a, edge_b, per_degree) < tolerance);
+        CHECK(worst_against_truth(edge_a, ImageRgb(24, 20, glm::vec3(.2f)), per_degree) < tolerance);
+        CHECK(worst_against_truth(ImageRgb(24, 20, glm::vec3(.2f)), point, per_degree) < tolerance);
+        CHECK(worst_against_truth(point, line, per_degree) < tolerance);
+        CHECK(worst_against_truth(noise(13, 11, 3), noise(13, 11, 4), per_degree) < tolerance);
+    }
+    CHECK(worst_against_truth(noise(1, 1, 3), noise(1, 1, 4), 67.0f) < 2e-4);
+    CHECK(worst_against_truth(noise(1, 40, 3), noise(1, 40, 4), 67.0f) < 2e-4);
+    CHECK(worst_against_truth(noise(33, 1, 3), noise(33, 1, 4), 67.0f) < 2e-4);
+}
+
+TEST_CASE("FLIP sees a moved edge where the edge is, and not far from it") {
+    ImageRgb a(80, 9, glm::vec3(0.1f)), b = a;
+    for (int y = 0; y < 9; ++y)
+        for (int x = 0; x < 80; ++x) {
+            if (x >= 40) a.at(x, y) = glm::vec3(.8f);
+            if (x >= 41) b.at(x, y) = glm::vec3(.8f);
+        }
+    const ErrorMap map = flip_ldr(a, b);
+    CHECK(map.at(40, 4) > 0.2f);
+    CHECK(map.at(5, 4) == 0.0f);
+    CHECK(map.at(75, 4) == 0.0f);
+}
+
+TEST_CASE("FLIP is symmetric bit for bit and lies in [0, 1]") {
+    for (const auto& [width, height] : {std::pair(50, 41), std::pair(1, 1), std::pair(3, 70), std::pair(64, 2)}) {
+        ImageRgb a = noise(width, height, 5), b = noise(width, height, 6);
+        for (size_t i = 0; i < a.pixels.size(); i += 3) a.pixels[i] = glm::vec3(float(i % 2));
+        const ErrorMap ab = flip_ldr(a, b), ba = flip_ldr(b, a);
+        CHECK(ab.values == ba.values);
+        for (const float v : ab.values) CHECK((v >= 0.0f && v <= 1.0f));
+        CHECK(flip_hdr(a, b, exposure_range(-2, 3)).values == flip_hdr(b, a, exposure_range(-2, 3)).values);
+    }
+}
+
+TEST_CASE("FLIP: from further away, fine differences fade and broad ones stay") {
+    ImageRgb checker(64, 64), grey(64, 64, glm::vec3(0.5f));
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) checker.at(x, y) = glm::vec3(float((x + y) % 2));
+    double before = 2.0;
+    for (const float per_degree : {5.0f, 15.0f, 30.0f, 67.0f}) {
+        const double mean = summarize(flip_ldr(grey, checker, per_degree)).mean;
+        INFO("pixels per degree " << per_degree << ", mean " << mean);
+        CHECK(mean < before);
+        before = mean;
+    }
+    CHECK(before < 0.05);
+    const ImageRgb lighter(64, 64, glm::vec3(0.6f));
+    CHECK(flip_ldr(grey, lighter, 5.0f).values[0] == Approx(flip_ldr(grey, lighter, 67.0f).values[0]).margin(1e-6));
+}
+
+TEST_CASE("pixels per degree: the papers' screen gives 67.0206") {
+    CHECK(pixels_per_degree(0.7f, 0.7f, 3840) == Approx(67.0206).margin(1e-4));
+    CHECK(default_pixels_per_degree == pixels_per_degree(0.7f, 0.7f, 3840));
+    CHECK(pixels_per_degree(1.4f, 0.7f, 3840) == Approx(2 * 67.0206).margin(1e-3));
+}
+
+TEST_CASE("FLIP: NaN and Inf are errors of their own pixels only") {
+    const ImageRgb a = noise(30, 30, 7);
+    for (const float bad : {nan_value, infinite, -infinite}) {
+        ImageRgb b = a;
+        b.at(10, 12).y = bad;
+        for (const auto& map : {flip_ldr(a, b), flip_ldr(b, a), flip_hdr(a, b), flip_hdr(b, a)})
+            for (int y = 0; y < 30; ++y)
+                for (int x = 0; x < 30; ++x) REQUIRE(map.at(x, y) == (x == 10 && y == 12 ? 1.0f : 0.0f));
+    }
+}
+
+TEST_CASE("FLIP refuses what it cannot compare") {
+    CHECK_THROWS_AS(flip_ldr(ImageRgb(3, 4), ImageRgb(4, 3)), InputError);
+    CHECK_THROWS_AS(flip_ldr(ImageRgb(), ImageRgb()), InputError);
+    CHECK_THROWS_AS(flip_ldr(ImageRgb(2, 2), ImageRgb(2, 2), 0.0f), InputError);
+    CHECK_THROWS_AS(flip_ldr(ImageRgb(2, 2), ImageRgb(2, 2), nan_value), InputError);
+}
+
+TEST_CASE("The RGB to XYZ matrix is the one of the rational numbers") {
+    const glm::dmat3 m = lightwalk::detail::rgb_to_xyz();
+    for (const auto& [column, unit] : {std::pair(0, flip_truth::Vec{1, 0, 0}), std::pair(1, flip_truth::Vec{0, 1, 0}),
+                                       std::pair(2, flip_truth::Vec{0, 0, 1})}) {
+        const flip_truth::Vec expected = flip_truth::xyz(unit);
+        CHECK(m[column].x == Approx(expected.x).margin(1e-6));
+        CHECK(m[column].y == Approx(expected.y).margin(1e-6));
+        CHECK(m[column].z == Approx(expected.z).margin(1e-6));
+    }
+}

@@ -1,0 +1,212 @@
+// Images on disk: what is written comes back, and a file that is no image gives one clear line.
+#include <stb_image_write.h>
+#include <unistd.h>
+
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include "catch.h"
+#include "common/error.h"
+#include "common/files.h"
+#include "common/measure/image.h"
+
+using namespace lightwalk;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder of its own for each test case, removed at the end.
+struct Scratch {
+    fs::path folder = fs::temp_directory_path() / ("lightwalk_image_" + std::to_string(getpid()));
+    Scratch() { fs::create_directories(folder); }
+    ~Scratch() {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+    }
+    fs::path operator/(const char* name) const { return folder / name; }
+};
+
+Image8 pattern(int width, int height) {
+    Image8 image(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            image.at(x, y) = {uint8_t(x * 7), uint8_t(y * 11), uint8_t(x * y), uint8_t(255 - x)};
+    return image;
+}
+
+std::string message_of(const fs::path& path) {
+    try {
+        read_image_linear(path);
+    } catch (const InputError& error) { return error.what(); }
+    return "no error";
+}
+
+/// A 16-bit grey PNG of one pixel row, 0 and 32768 and 65535, made by hand: stored (uncompressed) deflate.
+std::string grey16_png() {
+    const auto big_endian = [](uint32_t v) { return std::string{char(v >> 24), char(v >> 16), char(v >> 8), char(v)}; };
+    const auto chunk = [&](const std::string& type_and_data) {
+        uint32_t crc = ~0u;
+        for (const char c : type_and_data) {
+            crc ^= uint8_t(c);
+            for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xEDB88320u : 0u);
+        }
+        return big_endian(uint32_t(type_and_data.size() - 4)) + type_and_data + big_endian(~crc);
+    };
+    const std::string row("\0\0\0\x80\0\xFF\xFF", 7);
+    uint32_t a = 1, b = 0;
+    for (const char c : row) a += uint8_t(c), b += a;
+    const std::string zlib = std::string("\x78\x01\x01\x07\x00\xF8\xFF", 7) + row + big_endian(b << 16 | a);
+    return std::string("\x89PNG\r\n\x1A\n") +
+           chunk("IHDR" + big_endian(3) + big_endian(1) + std::string("\x10\0\0\0\0", 5)) + chunk("IDAT" + zlib) +
+           chunk("IEND");
+}
+
+/// A .hdr of the given rows, not packed.
+std::string radiance(int width, int height, const std::string& rgbe) {
+    return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) +
+           "\n" + rgbe;
+}
+
+}  // namespace
+
+TEST_CASE("sRGB: known values, both ways, every 8-bit step") {
+    CHECK(srgb_to_linear(0.0f) == 0.0f);
+    CHECK(srgb_to_linear(1.0f) == Approx(1.0));
+    CHECK(srgb_to_linear(0.5f) == Approx(0.21404114).epsilon(1e-6));
+    CHECK(linear_to_srgb(0.5f) == Approx(0.73535698).epsilon(1e-6));
+    CHECK(linear_to_srgb(0.18f) == Approx(0.46135613).epsilon(1e-6));
+    CHECK(srgb_to_linear(0.04f) == Approx(0.04 / 12.92));
+    Image8 steps(256, 1);
+    for (int i = 0; i < 256; ++i) steps.at(i, 0) = {uint8_t(i), uint8_t(i), uint8_t(255 - i), 255};
+    CHECK(to_srgb8(to_linear(steps)).pixels == steps.pixels);
+}
+
+TEST_CASE("to_srgb8 clamps, and NaN is black") {
+    ImageRgb image(1, 1, {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -3.0f});
+    CHECK(to_srgb8(image).at(0, 0) == glm::u8vec4(0, 255, 0, 255));
+}
+
+TEST_CASE("A PNG comes back as it was written") {
+    const Scratch scratch;
+    const Image8 image = pattern(33, 17);
+    write_png(scratch / "a.png", image);
+    const Image8 back = read_image8(scratch / "a.png");
+    CHECK(back.width == 33);
+    CHECK(back.height == 17);
+    CHECK(back.pixels == image.pixels);
+    CHECK(read_image_linear(scratch / "a.png").pixels == to_linear(image).pixels);
+}
+
+TEST_CASE("A 16-bit grey PNG keeps its depth in linear light and rounds to 8 bits") {
+    const Scratch scratch;
+    write_file(scratch / "g.png", grey16_png());
+    const ImageRgb linear = read_image_linear(scratch / "g.png");
+    REQUIRE(linear.width == 3);
+    CHECK(linear.at(1, 0).x == srgb_to_linear(32768.0f / 65535.0f));
+    CHECK(linear.at(1, 0).x == linear.at(1, 0).z);
+    const Image8 coded = read_image8(scratch / "g.png");
+    CHECK(coded.at(0, 0) == glm::u8vec4(0, 0, 0, 255));
+    CHECK(coded.at(1, 0) == glm::u8vec4(128, 128, 128, 255));
+    CHECK(coded.at(2, 0) == glm::u8vec4(255, 255, 255, 255));
+}
+
+TEST_CASE("A PFM keeps every bit, NaN and Inf included") {
+    const Scratch scratch;
+    ImageRgb image(3, 2);
+    image.pixels = {
+        {0, -0.0f, 1e-40f}, {1e30f, -7, .1f},
+        {1, 2, 3},          {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 5},
+        {6, 7, 8},          {9, 10, 11}};
+    write_pfm(scratch / "a.pfm", image);
+    const ImageRgb back = read_image_linear(scratch / "a.pfm");
+    REQUIRE((back.width == 3 && back.height == 2));
+    for (size_t i = 0; i < image.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            CHECK(std::bit_cast<uint32_t>(back.pixels[i][c]) == std::bit_cast<uint32_t>(image.pixels[i][c]));
+    write_file(scratch / "grey.pfm", std::string("Pf\n1 2\n1.0\n\x3F\x80\0\0\x40\0\0\0", 19));  // big endian: 1, 2
+    const ImageRgb grey = read_pfm(scratch / "grey.pfm");
+    CHECK(grey.at(0, 0) == glm::vec3(2.0f));  // the last row of the file is the top one
+    CHECK(grey.at(0, 1) == glm::vec3(1.0f));
+}
+
+TEST_CASE("A .hdr is linear as it stands") {
+    const Scratch scratch;
+    write_file(scratch / "a.hdr",
+               radiance(2, 1, std::string("\x80\x40\x20\x81\0\0\0\0", 8)));  // mantissas * 2^(129-136)
+    const ImageRgb image = read_image_linear(scratch / "a.hdr");
+    REQUIRE((image.width == 2 && image.height == 1));
+    CHECK(image.at(0, 0) == glm::vec3(1.0f, 0.5f, 0.25f));
+    CHECK(image.at(1, 0) == glm::vec3(0.0f));
+    // One row of 8, each component on its own: a run of 8, then 8 as they are, then two runs.
+    write_file(scratch / "packed.hdr", radiance(8, 1,
+                                                std::string("\x02\x02\0\x08"
+                                                            "\x88\x40"
+                                                            "\x08\x01\x02\x03\x04\x05\x06\x07\x08"
+                                                            "\x84\0\x84\x80"
+                                                            "\x88\x88",
+                                                            4 + 2 + 9 + 4 + 2)));
+    const ImageRgb packed = read_image_linear(scratch / "packed.hdr");
+    CHECK(packed.at(0, 0) == glm::vec3(64, 1, 0));
+    CHECK(packed.at(7, 0) == glm::vec3(64, 8, 128));
+    // The older form: a pixel, then the marker 1 1 1 n that repeats it.
+    write_file(scratch / "old.hdr", radiance(4, 1, "\x05\x06\x07\x88\x01\x01\x01\x03"));
+    CHECK(read_image_linear(scratch / "old.hdr").at(3, 0) == glm::vec3(5, 6, 7));
+    CHECK(is_hdr_name("x/y.HDR"));
+    CHECK_FALSE(is_hdr_name("hdr.png"));
+    CHECK_THROWS_AS(read_image8(scratch / "a.hdr"), InputError);
+}
+
+TEST_CASE("What is not a whole image is refused in one line that names the file") {
+    const Scratch scratch;
+    write_png(scratch / "whole.png", pattern(64, 64));
+    const std::string whole = read_file(scratch / "whole.png");
+    const auto refused = [&](const char* name, const std::string& bytes, const char* why) {
+        write_file(scratch / name, bytes);
+        const std::string message = message_of(scratch / name);
+        INFO(name << ": " << message);
+        CHECK(message.find((scratch / name).string()) != std::string::npos);
+        CHECK(message.find(why) != std::string::npos);
+        CHECK(message.find('\n') == std::string::npos);
+    };
+    CHECK(message_of(scratch / "missing.png").find("cannot be opened") != std::string::npos);
+    CHECK(message_of(scratch.folder).find("is a folder") != std::string::npos);
+    refused("empty.png", "", "is empty");
+    refused("text.png", "this is not an image at all, but it is long enough to look at", "is not an image");
+    refused("header.png", whole.substr(0, 20), "broken header");
+    for (const size_t keep : {whole.size() / 4, whole.size() / 2, whole.size() - 40})
+        refused("cut.png", whole.substr(0, keep), "broken or cut off");
+    std::string huge = whole;
+    huge.replace(16, 8, std::string("\0\x0F\x42\x40\0\x0F\x42\x40", 8));  // 1,000,000 x 1,000,000
+    refused("huge.png", huge, "too large");
+    refused("cut.hdr", radiance(4, 4, std::string(60, 'x')), "cut off");
+    refused("packed.hdr", radiance(16, 2, std::string("\x02\x02\0\x10\x90", 5)), "cut off");
+    refused("run.hdr", radiance(8, 1, std::string("\x02\x02\0\x08\x89\x01", 6)), "leaves its row");
+    refused("empty_run.hdr", radiance(8, 1, std::string("\x02\x02\0\x08\0\0\0\0\0\0", 10)), "leaves its row");
+    refused("old_run.hdr", radiance(2, 1, "\x05\x05\x05\x05\x01\x01\x01\x09"), "leaves its row");
+    refused("size.hdr", "#?RADIANCE\n\n+X 4 -Y 4\n", "no size");
+    refused("large.hdr", radiance(999999, 4, ""), "too large");
+    refused("cut.pfm", "PF\n2 2\n-1\nxxxx", "cut off");
+    refused("word.pfm", "PF\ntwo 2\n-1\nxxxx", "no number");
+    refused("kind.pfm", "P6\n2 2\n255\nxxxx", "is not a PFM");
+    refused("large.pfm", "PF\n99999 99999\n-1\nxxxx", "too large");
+    refused("negative.pfm", "PF\n-1 4\n-1\nxxxx", "no pixels");
+    std::string jpeg;
+    const auto append = [](void* to, void* data, int size) {
+        static_cast<std::string*>(to)->append(static_cast<const char*>(data), size_t(size));
+    };
+    stbi_write_jpg_to_func(append, &jpeg, 64, 64, 4, pattern(64, 64).pixels.data(), 90);
+    write_file(scratch / "whole.jpg", jpeg);
+    CHECK(read_image8(scratch / "whole.jpg").width == 64);
+    refused("half.jpg", jpeg.substr(0, jpeg.size() / 2), "cut off");  // stb alone would fill it with grey
+    refused("cut.jpg", std::string("\xFF\xD8\xFF\xE0\0\x10JFIF\0\x01\x01\0\0\x01\0\x01\0\0", 20), "broken header");
+}
+
+TEST_CASE("A PNG that cannot be written leaves nothing behind") {
+    const Scratch scratch;
+    CHECK_THROWS_AS(write_png(scratch / "no/such/folder.png", pattern(4, 4)), InputError);
+    CHECK_THROWS_AS(write_png(scratch / "empty.png", Image8()), InputError);
+    CHECK(fs::is_empty(scratch.folder));
+}

@@ -1,0 +1,111 @@
+// Other formats through Assimp: transforms in the right order, and bad files refused.
+#include "catch.h"
+#include "common/error.h"
+#include "common/files.h"
+#include "common/scene/import.h"
+
+using namespace lightwalk;
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path data(const char* name) { return course_root() / "tests/common/data" / name; }
+
+// Where each node that has the mesh puts the vertex that lies at `point` in the mesh.
+std::vector<glm::vec3> placed(const Model& model, glm::vec3 point) {
+    const auto world = world_transforms(model);
+    std::vector<glm::vec3> places;
+    for (size_t i = 0; i < model.nodes.size(); ++i)
+        for (size_t k = 0; k < model.nodes[i].meshes.size(); ++k)
+            places.push_back(glm::vec3(world[i] * glm::vec4(point, 1.0f)));
+    return places;
+}
+
+bool near(glm::vec3 a, glm::vec3 b) { return glm::length(a - b) < 1e-5f; }
+
+struct TemporaryFile {
+    fs::path path;
+    TemporaryFile(const char* name, std::string_view bytes) : path(fs::temp_directory_path() / name) {
+        write_file(path, bytes);
+    }
+    ~TemporaryFile() { fs::remove(path); }
+};
+
+}  // namespace
+
+TEST_CASE("import: nested nodes, and one mesh under two of them") {
+    for (const char* file : {"nested.gltf", "nested.dae"}) {
+        CAPTURE(file);
+        const Model model = import_model(data(file));
+        REQUIRE(model.meshes.size() == 1);
+        CHECK(model.meshes[0].vertices.size() == 3);
+        CHECK(model.meshes[0].indices.size() == 3);
+        for (const Vertex& v : model.meshes[0].vertices) CHECK(near(v.normal, {0, 0, 1}));  // the file gives none
+        for (size_t i = 0; i < model.nodes.size(); ++i) CHECK(model.nodes[i].parent < static_cast<int>(i));
+        // leaf: moved by (0, 0, 5), scaled by (2, 3, 4), turned by 90 degrees about z (x to y, y to -x), moved by 10 in
+        // x. other: halved, then moved by (10, -1, 0).
+        const auto x = placed(model, {1, 0, 0}), y = placed(model, {0, 1, 0});
+        REQUIRE(x.size() == 2);
+        CHECK(near(x[0], {10, 2, 20}));
+        CHECK(near(y[0], {7, 0, 20}));
+        CHECK(near(x[1], {10.5f, -1, 0}));
+        CHECK(near(y[1], {10, -0.5f, 0}));
+        const Bounds bounds = model_bounds(model);
+        CHECK(near(bounds.lower, {7, -1, 0}));
+        CHECK(near(bounds.upper, {10.5f, 2, 20}));
+    }
+}
+
+TEST_CASE("import: materials and texture paths") {
+    const Model model = import_model(data("nested.gltf"));
+    const Material& material = model.materials[model.meshes[0].parts[0].material];
+    CHECK(material.name == "red");
+    CHECK(material.diffuse == glm::vec3(1, 0, 0));
+    CHECK(material.metalness == 0.25f);
+    CHECK(material.roughness == 0.75f);
+    CHECK(material.diffuse_map.file == data("wood grain.png"));
+}
+
+TEST_CASE("import: other formats") {
+    CHECK(import_model(data("square.ply")).meshes[0].indices.size() == 6);
+    CHECK(import_model(data("triangle.stl")).meshes[0].indices.size() == 3);
+}
+
+TEST_CASE("import: bad files are refused in one line") {
+    const auto refuse = [](const fs::path& path) {
+        CAPTURE(path);
+        try {
+            import_model(path);
+            FAIL_CHECK("it found nothing wrong");
+        } catch (const InputError& error) {
+            CHECK(std::string(error.what()).starts_with(path.string()));
+            CHECK(std::string(error.what()).find('\n') == std::string::npos);
+        }
+    };
+    refuse("/no/such/model.gltf");
+    refuse(fs::temp_directory_path());
+    refuse(course_root() / "LICENSE");
+    const std::string gltf = read_file(data("nested.gltf")), ply = read_file(data("square.ply"));
+    const auto refuse_bytes = [&](const char* name, const std::string& bytes) {
+        refuse(TemporaryFile(name, bytes).path);
+    };
+    const auto changed = [](std::string text, std::string_view from, std::string_view to) {
+        const size_t at = text.find(from);
+        REQUIRE(at != std::string::npos);
+        return text.replace(at, from.size(), to);
+    };
+    for (const char* name : {"lightwalk.gltf", "lightwalk.glb", "lightwalk.ply", "lightwalk.stl", "lightwalk.dae",
+                             "lightwalk.fbx", "lightwalk.3ds", "lightwalk.off"}) {
+        refuse_bytes(name, "");
+        refuse_bytes(name, "no model at all\n");
+        refuse_bytes(name, read_file(course_root() / "assets/models/smart_car_albedo.png"));
+    }
+    refuse_bytes("lightwalk.gltf", gltf.substr(0, gltf.size() / 2));
+    refuse_bytes("lightwalk.gltf", changed(gltf, "\"count\": 3", "\"count\": 1000000000"));
+    refuse_bytes("lightwalk.gltf", changed(gltf, "\"bufferView\": 1", "\"bufferView\": 9"));
+    refuse_bytes("lightwalk.ply", changed(ply, "vertex 4", "vertex 1000000000"));
+    refuse_bytes("lightwalk.ply", changed(ply, "face 1", "face 4000000000"));
+    refuse_bytes("lightwalk.ply", changed(ply, "4 0 1 2 3", "4 0 1 2 9"));
+    refuse_bytes("lightwalk.off", "OFF\n1000000000 1 0\n0 0 0\n");
+    refuse_bytes("lightwalk.stl", std::string(80, '\1') + "\xff\xff\xff\x7f");
+}

@@ -1,0 +1,62 @@
+// The probes themselves.
+#include "catch.h"
+#include "common/course/check/check.h"
+
+using namespace lightwalk;
+
+namespace {
+
+Probe probe_of(const std::string& include, const std::string& signature, Table inputs) {
+    return {.include = include, .signature = signature, .inputs = std::move(inputs)};
+}
+
+}  // namespace
+
+TEST_CASE("a probe runs a GLSL function over a table") {
+    Probe probe = probe_of("common/srgb.glsl", "vec3 encode_srgb(vec3 linear)", {{0, 1, 0.5}, {0.0031308, -1, 2}});
+    const Table results = run_probe(check_device(), probe, 3);
+    CHECK(results[0][0] == 0);
+    CHECK(results[0][1] == Approx(1));
+    CHECK(results[0][2] == Approx(0.735357).margin(1e-5));
+    CHECK(results[1][1] == 0);
+    CHECK(results[1][2] == Approx(1));
+}
+
+TEST_CASE("a NaN is found whatever the bound, and named with its input") {
+    Probe probe = probe_of("common/srgb.glsl", "vec3 encode_srgb(vec3 linear)", {{0, 0, 0}, {1, 2, 3}});
+    probe.bound = {.absolute = 1e9};
+    probe.truth = [](std::span<const double>) { return Row{0, 0, 0}; };
+    CHECK(worst_of(probe, {{0, 0, 0}, {0, 0, 0}}).empty());
+    CHECK(worst_of(probe, {{0, 0, 0}, {0, std::nan(""), 0}}) ==
+          "encode_srgb(linear = (1, 2, 3)) gave (0, NaN, 0), expected (0, 0, 0)");
+}
+
+TEST_CASE("the worst input is the one furthest outside its bound") {
+    Probe probe = probe_of("x.glsl", "float f(float a)", {{1}, {2}, {3}});
+    probe.truth = [](std::span<const double> in) { return Row{in[0]}; };
+    probe.bound = {.absolute = 0.01};
+    CHECK(worst_of(probe, {{1.02}, {2.5}, {3.0}}) == "f(a = 2) gave 2.5, expected 2");
+    CHECK(worst_of(probe, {{1.009}, {2}, {3}}).empty());
+}
+
+TEST_CASE("a bound in units of the last place follows the truth's size") {
+    const Bound bound{.ulps = 1};
+    CHECK(bound.allowed(1.0) == Approx(1.1920929e-7));
+    CHECK(bound.allowed(1024.0) == Approx(1.2207e-4).epsilon(1e-3));
+}
+
+TEST_CASE("a row that does not fit the signature is refused") {
+    CHECK_THROWS(run_probe(check_device(), probe_of("common/srgb.glsl", "vec3 encode_srgb(vec3 linear)", {{1, 2}}), 3));
+}
+
+TEST_CASE("a function that is not there is a compile error with file and line") {
+    CHECK_THROWS_WITH(run_probe(check_device(), probe_of("common/srgb.glsl", "float absent(float x)", {{1}}), 1),
+                      Catch::Matchers::Contains("absent"));
+}
+
+TEST_CASE("ints travel as ints") {
+    const Probe probe = probe_of("common/srgb.glsl", "int abs(int x)", {{-7}, {5}});
+    const Table results = run_probe(check_device(), probe, 1);
+    CHECK(results[0][0] == 7);
+    CHECK(results[1][0] == 5);
+}
