@@ -11,7 +11,6 @@ namespace lightwalk {
 namespace {
 
 bool section(const char* name) {
-    ImGui::Dummy({0.0f, 2.0f});
     ImGui::PushStyleColor(ImGuiCol_Header, {0.115f, 0.13f, 0.155f, 1.0f});
     const bool open = ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
     ImGui::PopStyleColor();
@@ -38,7 +37,7 @@ bool half_switch(const char* label, bool lit, const ImVec4& color, float width) 
 
 // The exercise's mine | reference. True where it was switched.
 bool exercise_row(const std::string& id) {
-    const float width = ImGui::GetFontSize() * 4.9f, gap = 2.0f;
+    const float width = ImGui::GetFontSize() * 5.5f, gap = 2.0f;
     ImGui::PushID(id.c_str());
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(id.c_str());
@@ -198,10 +197,11 @@ void Panel::times(PanelState& state) {
 }
 
 void Panel::footer(PanelState& state, Requests& requests) {
-    ImGui::Dummy({0.0f, 4.0f});
-    const float third = (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;
+    ImGui::Separator();
+    const float width = (ImGui::GetContentRegionAvail().x - 3.0f * ImGui::GetStyle().ItemSpacing.x) / 4.0f;
     const auto button = [&](const char* label, const char* help, bool& request) {
-        if (ImGui::Button(label, {third, 0.0f})) request = true;
+        if (ImGui::Button(label, {width, 0.0f})) request = true;
+        log_place(std::string("button.") + label);
         help_on_hover(help);
     };
     button("Reload", "F5: the scene and all shaders from disk", requests.reload);
@@ -209,18 +209,15 @@ void Panel::footer(PanelState& state, Requests& requests) {
     button("Picture", "F12: the picture as a PNG in the current folder", requests.screenshot);
     ImGui::SameLine();
     button("Save", "Ctrl+S: the scene with camera and knobs", requests.save);
-    if (ImGui::Button(state.clock_runs ? "Stop" : "Run", {third, 0.0f})) requests.clock = true;
-    help_on_hover("Space: the chapter's clock");
     ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(quiet_color, "%.1f s", static_cast<double>(state.time_s));
-    ImGui::PushTextWrapPos();
+    button(state.clock_runs ? "Stop" : "Run", "Space: the chapter's clock", requests.clock);
+    if (state.clock_runs || state.time_s != 0.0f)
+        ImGui::TextColored(quiet_color, "clock at %.1f s", static_cast<double>(state.time_s));
     ImGui::TextColored(quiet_color,
                        "drag: orbit   Shift+drag: pan   wheel: zoom\n"
                        "right button + WASD QE: fly   Shift: faster\n"
                        "F: whole scene   Home: its own camera\n"
                        "H: hide this   Esc: close");
-    ImGui::PopTextWrapPos();
 }
 
 }  // namespace lightwalk
