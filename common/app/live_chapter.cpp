@@ -11,8 +11,12 @@ namespace lightwalk {
 LiveChapter::LiveChapter(Chapter& c, Gpu& gpu, std::filesystem::path scene)
     : chapter(c), gpu_(gpu), scene_(std::move(scene)) {}
 
+std::string LiveChapter::key() const {
+    return chapter.load_key() + (chapter.reload_on_toggle() ? Exercises::state() : "");
+}
+
 void LiveChapter::load() {
-    loaded_with_ = Exercises::state();
+    loaded_with_ = key();
     try {
         load_scene(chapter, gpu_, scene_);
     } catch (const std::exception& e) {
@@ -26,7 +30,7 @@ void LiveChapter::load() {
 }
 
 void LiveChapter::reload() {
-    loaded_with_ = Exercises::state();
+    loaded_with_ = key();
     const Camera camera = chapter.camera;
     std::vector<std::string> settings;
     for (const KnobBase* knob : chapter.knobs) settings.push_back(knob->text());
@@ -44,7 +48,7 @@ void LiveChapter::reload() {
 }
 
 void LiveChapter::draw(Frame& frame, glm::uvec2 size, float time_s, unsigned seed) {
-    if (chapter.reload_on_toggle() && loaded_with_ != Exercises::state()) reload();
+    if (loaded_with_ != key()) reload();
     frame_error.clear();
     try {
         record(chapter, frame, size, time_s, seed);

@@ -17,16 +17,17 @@ class LiveChapter {
     /// The scene again, as the toggles say. Camera and knobs stay; where it fails, so does the old scene.
     void reload();
 
-    /// Records and submits a frame. Loads the scene anew first where toggles change how it is loaded.
+    /// Records and submits a frame. Loads the scene anew first where toggles or knobs change how it is loaded.
     void draw(Frame& frame, glm::uvec2 size, float time_s, unsigned seed);
 
     std::string load_error;   ///< of the last load; empty: it went well
     std::string frame_error;  ///< of the last frame
 
   private:
+    std::string key() const;  ///< of what loading depends on
     Gpu& gpu_;
     std::filesystem::path scene_;
-    std::string loaded_with_;  ///< the toggles' state
+    std::string loaded_with_;
 };
 
 /// Sets toggles for as long as it lives.

@@ -11,7 +11,6 @@ namespace lightwalk {
 namespace {
 
 bool section(const char* name) {
-    ImGui::Dummy({0.0f, 2.0f});
     ImGui::PushStyleColor(ImGuiCol_Header, {0.115f, 0.13f, 0.155f, 1.0f});
     const bool open = ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
     ImGui::PopStyleColor();
@@ -38,7 +37,7 @@ bool half_switch(const char* label, bool lit, const ImVec4& color, float width) 
 
 // The exercise's mine | reference. True where it was switched.
 bool exercise_row(const std::string& id) {
-    const float width = ImGui::GetFontSize() * 4.9f, gap = 2.0f;
+    const float width = ImGui::GetFontSize() * 5.5f, gap = 2.0f;
     ImGui::PushID(id.c_str());
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(id.c_str());
@@ -82,7 +81,6 @@ Requests Panel::draw(PanelState& state, float scale) {
     ImGui::PopFont();
     if (section("Exercises")) exercises(state, requests);
     if (!state.chapter.knobs.empty() && section("Knobs")) knobs(state, requests);
-    if (section("Mine beside reference")) split(state, requests);
     if (section("Look at")) look(state, requests);
     if (section("GPU time")) times(state);
     footer(state, requests);
@@ -103,7 +101,9 @@ void Panel::exercises(PanelState& state, Requests& requests) {
     if (ids.empty()) ImGui::TextColored(quiet_color, "none in this chapter");
     if (!ids.empty() && !any_solution)
         ImGui::TextColored(quiet_color, "This tree is a handout: it has no reference.");
-    if (any_solution && ImGui::Button("switch all   F2", {-1.0f, 0.0f})) requests.all_toggles = true;
+    if (!any_solution) return;
+    if (ImGui::Button("switch all   F2", {-1.0f, 0.0f})) requests.all_toggles = true;
+    split(state, requests);
 }
 
 void Panel::knobs(PanelState& state, Requests& requests) {
@@ -116,9 +116,10 @@ void Panel::knobs(PanelState& state, Requests& requests) {
 
 void Panel::split(PanelState& state, Requests& requests) {
     bool on = state.split.on();
-    if (ImGui::Checkbox("split the picture", &on)) requests.split = true;
+    if (ImGui::Checkbox("mine beside reference   Tab", &on)) requests.split = true;
     log_place("split");
-    help_on_hover("Your version on the left, the reference on the right. Drag the line between them.");
+    help_on_hover("Mine on the left, as the switches say; all of mine where they all say reference.\n"
+                  "The reference on the right. Drag the line between them.");
     if (!state.split.on()) return;
     if (const auto& difference = state.split.difference) {
         ImGui::Text("FLIP %.4f", difference->flip_mean);
@@ -163,7 +164,10 @@ void Panel::look(PanelState& state, Requests& requests) {
 void Panel::times(PanelState& state) {
     const bool same = std::equal(smooth_.begin(), smooth_.end(), state.times.begin(), state.times.end(),
                                  [](const PassTime& a, const PassTime& b) { return a.name == b.name; });
+    averaged_ = same ? averaged_ + 1 : 0;
     if (!same) smooth_ = state.times;
+    // The average over about ten frames: a figure that can be read while it changes. The first frame only warms up.
+    const double weight = std::max(0.1, 1.0 / std::max(averaged_, 1));
     double total = 0;
     ImGui::BeginTable("times", 3, ImGuiTableFlags_SizingFixedFit);
     ImGui::TableSetupColumn("pass", ImGuiTableColumnFlags_WidthStretch);
@@ -176,8 +180,7 @@ void Panel::times(PanelState& state) {
         ImGui::Text("%7.2f ms", ms);
     };
     for (size_t i = 0; i < smooth_.size(); ++i) {
-        // The average over about ten frames: a figure that can be read while it changes.
-        smooth_[i].gpu_ms += 0.1 * (state.times[i].gpu_ms - smooth_[i].gpu_ms);
+        smooth_[i].gpu_ms += weight * (state.times[i].gpu_ms - smooth_[i].gpu_ms);
         row(smooth_[i].name.c_str(), smooth_[i].stage.c_str(), smooth_[i].gpu_ms);
         total += smooth_[i].gpu_ms;
     }
@@ -194,10 +197,11 @@ void Panel::times(PanelState& state) {
 }
 
 void Panel::footer(PanelState& state, Requests& requests) {
-    ImGui::Dummy({0.0f, 4.0f});
-    const float third = (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;
+    ImGui::Separator();
+    const float width = (ImGui::GetContentRegionAvail().x - 3.0f * ImGui::GetStyle().ItemSpacing.x) / 4.0f;
     const auto button = [&](const char* label, const char* help, bool& request) {
-        if (ImGui::Button(label, {third, 0.0f})) request = true;
+        if (ImGui::Button(label, {width, 0.0f})) request = true;
+        log_place(std::string("button.") + label);
         help_on_hover(help);
     };
     button("Reload", "F5: the scene and all shaders from disk", requests.reload);
@@ -205,18 +209,15 @@ void Panel::footer(PanelState& state, Requests& requests) {
     button("Picture", "F12: the picture as a PNG in the current folder", requests.screenshot);
     ImGui::SameLine();
     button("Save", "Ctrl+S: the scene with camera and knobs", requests.save);
-    if (ImGui::Button(state.clock_runs ? "Stop" : "Run", {third, 0.0f})) requests.clock = true;
-    help_on_hover("Space: the chapter's clock");
     ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(quiet_color, "%.1f s", static_cast<double>(state.time_s));
-    ImGui::PushTextWrapPos();
+    button(state.clock_runs ? "Stop" : "Run", "Space: the chapter's clock", requests.clock);
+    if (state.clock_runs || state.time_s != 0.0f)
+        ImGui::TextColored(quiet_color, "clock at %.1f s", static_cast<double>(state.time_s));
     ImGui::TextColored(quiet_color,
                        "drag: orbit   Shift+drag: pan   wheel: zoom\n"
                        "right button + WASD QE: fly   Shift: faster\n"
                        "F: whole scene   Home: its own camera\n"
                        "H: hide this   Esc: close");
-    ImGui::PopTextWrapPos();
 }
 
 }  // namespace lightwalk

@@ -29,7 +29,7 @@ class Panel {
   public:
     Panel(const Chapter& chapter, const Overlay& overlay);
 
-    static constexpr int default_width = 320;  ///< pixels at scale 1
+    static constexpr int default_width = 340;  ///< pixels at scale 1
     bool visible = true;
 
     /// Of the right edge of the window, in pixels; 0 while it is hidden.
@@ -53,6 +53,7 @@ class Panel {
     const Overlay& overlay_;
     std::string title_;
     std::vector<PassTime> smooth_;
+    int averaged_ = 0;  ///< frames since the passes changed
 };
 
 }  // namespace lightwalk

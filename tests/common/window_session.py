@@ -1,0 +1,191 @@
+"""A program in a window of a virtual X server: what it says, what is on the screen, the mouse and the keyboard."""
+import ctypes
+import os
+import re
+import shutil
+import struct
+import subprocess
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
+PATIENCE_S = float(os.environ.get("LIGHTWALK_PATIENCE_S", "60"))
+
+
+def missing_programs() -> list[str]:
+    return [name for name in ("Xvfb", "xdotool") if not shutil.which(name)]
+
+
+class XServer:
+    """Xvfb on a free display. Its screen lies in a file, in the format of xwd."""
+
+    def __init__(self, width: int = 1400, height: int = 900):
+        self.folder = tempfile.TemporaryDirectory(prefix="lightwalk_x_")
+        read, write = os.pipe()
+        self.process = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-fbdir", self.folder.name,
+             "-nolisten", "tcp"], pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as answer:
+            number = answer.readline().strip()
+        if not number:
+            raise RuntimeError("Xvfb did not start")
+        self.display = ":" + number
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait(10)
+        self.folder.cleanup()
+
+    def screen(self, left: int, top: int, width: int, height: int) -> bytes:
+        """Three bytes a pixel: red, green, blue; rows from the top."""
+        data = Path(self.folder.name, "Xvfb_screen0").read_bytes()
+        header = struct.unpack(">25I", data[:100])
+        line, colors = header[12], header[19]
+        start = header[0] + 12 * colors
+        rows = []
+        for y in range(top, top + height):
+            row = data[start + y * line + 4 * left:start + y * line + 4 * (left + width)]
+            rgb = bytearray(3 * width)
+            rgb[0::3], rgb[1::3], rgb[2::3] = row[2::4], row[1::4], row[0::4]
+            rows.append(bytes(rgb))
+        return b"".join(rows)
+
+
+class Session:
+    """One program, started with LIGHTWALK_LOG=1, and its window."""
+
+    def __init__(self, server: XServer, program: Path, options: list[str], folder: Path, **environment: str):
+        self.server = server
+        self.environment = {**os.environ, "DISPLAY": server.display, "LIGHTWALK_LOG": "1", **environment}
+        self.environment.pop("WAYLAND_DISPLAY", None)
+        self.lines: list[str] = []
+        self.errors: list[str] = []
+        self.places: dict[str, tuple[float, float]] = {}
+        self.process = subprocess.Popen([str(program), *options], cwd=folder, env=self.environment, text=True,
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.readers = [threading.Thread(target=self.read, args=(pipe, target), daemon=True)
+                        for pipe, target in ((self.process.stdout, self.lines), (self.process.stderr, self.errors))]
+        for reader in self.readers:
+            reader.start()
+        self.window = ""
+        until = time.monotonic() + PATIENCE_S
+        while not self.window and self.process.poll() is None and time.monotonic() < until:
+            found = self.xdotool("search", "--onlyvisible", "--name", "Lightwalk", check=False).split()
+            self.window = found[0] if found else ""
+            time.sleep(0.1)
+        if not self.window:
+            raise AssertionError("no window appeared: " + "\n".join(self.errors))
+        self.wait_for_line("first picture", 0)
+        self.focus()
+
+    def read(self, pipe, target: list[str]):
+        for line in pipe:
+            line = line.rstrip("\n")
+            place = re.fullmatch(r"place (.*) (-?\d+) (-?\d+) (-?\d+) (-?\d+)", line)
+            if place:
+                left, top, right, bottom = map(int, place.groups()[1:])
+                self.places[place[1]] = ((left + right) / 2, (top + bottom) / 2)
+            else:
+                target.append(line)
+
+    def xdotool(self, *words: str, check: bool = True) -> str:
+        return subprocess.run(["xdotool", *words], env=self.environment, check=check, capture_output=True,
+                              text=True).stdout
+
+    def focus(self):
+        self.xdotool("windowfocus", "--sync", self.window)
+
+    def key(self, *keys: str):
+        self.xdotool("key", *keys)
+
+    def click(self, place: str, button: int = 1):
+        self.wait(lambda: place in self.places, f"a widget '{place}'")
+        x, y = self.places[place]
+        # A panel looks once a picture at where the mouse is: arrive, then press, then let go.
+        self.xdotool("mousemove", "--window", self.window, str(round(x)), str(round(y)))
+        time.sleep(0.25)
+        self.xdotool("mousedown", str(button))
+        time.sleep(0.25)
+        self.xdotool("mouseup", str(button))
+
+    def drag(self, start: tuple[int, int], end: tuple[int, int], button: int = 1):
+        self.xdotool("mousemove", "--window", self.window, *map(str, start))
+        time.sleep(0.2)
+        self.xdotool("mousedown", str(button))
+        time.sleep(0.2)
+        for step in (0.25, 0.5, 0.75, 1.0):
+            at = [round(a + (b - a) * step) for a, b in zip(start, end)]
+            self.xdotool("mousemove", "--window", self.window, *map(str, at))
+            time.sleep(0.1)
+        self.xdotool("mouseup", str(button))
+
+    def wait(self, condition, what: str):
+        until = time.monotonic() + PATIENCE_S
+        while not condition():
+            if self.process.poll() is not None:
+                raise AssertionError(f"it ended while waiting for {what}: " + "\n".join(self.errors))
+            if time.monotonic() > until:
+                raise AssertionError(f"waited in vain for {what}; it said: {self.lines} {self.errors}")
+            time.sleep(0.01)
+
+    def wait_for_line(self, pattern: str, since: int) -> re.Match:
+        """The first line after the first `since` that matches as a whole."""
+        self.wait(lambda: any(re.fullmatch(pattern, line) for line in self.lines[since:]), f"a line '{pattern}'")
+        return next(m for m in (re.fullmatch(pattern, line) for line in self.lines[since:]) if m)
+
+    def said(self) -> int:
+        return len(self.lines)
+
+    def geometry(self) -> tuple[int, int, int, int]:
+        words = dict(re.findall(r"(\w+)=(\d+)", self.xdotool("getwindowgeometry", "--shell", self.window)))
+        return tuple(int(words[key]) for key in ("X", "Y", "WIDTH", "HEIGHT"))
+
+    def pixels(self, left: int, top: int, width: int, height: int) -> bytes:
+        x, y = self.geometry()[:2]
+        return self.server.screen(x + left, y + top, width, height)
+
+    def settled(self, *area: int) -> bytes:
+        """The pixels of an area once they have stopped changing."""
+        before, since = self.pixels(*area), time.monotonic()
+        until = time.monotonic() + PATIENCE_S
+        while time.monotonic() - since < 0.8:
+            if time.monotonic() > until:
+                raise AssertionError("the picture does not come to rest")
+            time.sleep(0.05)
+            now = self.pixels(*area)
+            if now != before:
+                before, since = now, time.monotonic()
+        return before
+
+    def set_minimised(self, minimised: bool):
+        """What a window manager does: the property first, then the mapping (ICCCM 4.1.3.1)."""
+        x11 = ctypes.CDLL("libX11.so.6")
+        x11.XOpenDisplay.restype = ctypes.c_void_p
+        for function in (x11.XInternAtom, x11.XChangeProperty, x11.XSync, x11.XCloseDisplay):
+            function.argtypes = None
+        display = ctypes.c_void_p(x11.XOpenDisplay(self.server.display.encode()))
+        state = x11.XInternAtom(display, b"WM_STATE", 0)
+        value = (ctypes.c_long * 2)(3 if minimised else 1, 0)
+        x11.XChangeProperty(display, ctypes.c_ulong(int(self.window)), ctypes.c_ulong(state), ctypes.c_ulong(state),
+                            32, 0, value, 2)
+        x11.XSync(display, 0)
+        x11.XCloseDisplay(display)
+        self.xdotool("windowunmap" if minimised else "windowmap", "--sync", self.window)
+
+    def end(self, patience_s: float = 20) -> int:
+        """Its exit code."""
+        try:
+            code = self.process.wait(patience_s)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+            raise AssertionError("it did not end") from None
+        for reader in self.readers:
+            reader.join(5)
+        self.process.stdout.close()
+        self.process.stderr.close()
+        return code
