@@ -30,7 +30,7 @@ void set_knob(Options& options, Chapter& chapter, const std::string& name, const
     }
     KnobBase& knob = find_knob(chapter.knobs, name);
     knob.set(value);
-    knob.given = true;
+    knob.pinned = true;
 }
 
 void apply_shot(Options& options, Chapter& chapter) {

@@ -46,7 +46,7 @@ std::vector<std::string> load_scene(Chapter& chapter, Gpu& gpu, const std::files
     const bool is_scene = file.extension() == ".json";
     SceneFile scene = is_scene ? read_scene(file) : scene_of_model(file, {});
     for (const auto& [name, value] : scene.knobs)
-        if (KnobBase& knob = find_knob(chapter.knobs, name); !knob.given) knob.set(value);
+        if (KnobBase& knob = find_knob(chapter.knobs, name); !knob.pinned) knob.set(value);
     std::vector<std::string> explanation;
     const auto choose = [&](std::vector<std::string> lines) {
         explanation.insert(explanation.end(), lines.begin(), lines.end());
