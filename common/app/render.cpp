@@ -35,10 +35,6 @@ Chapter::~Chapter() {
     if (knobs_under_construction() == &knobs) knobs_under_construction() = nullptr;
 }
 
-std::vector<std::string> Chapter::choose(double, glm::uvec2) {
-    throw InputError("chapter " + name + " has no rule for --method auto");
-}
-
 std::vector<std::string> load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given, double budget,
                                     glm::uvec2 size) {
     const auto loader = [&](const std::filesystem::path& file) { return chapter.load_model(file); };
