@@ -38,6 +38,10 @@ function(lightwalk_common)
   lightwalk_library(lightwalk_measure FOLDER common/measure LINK lightwalk_base PkgConfig::stb)
   lightwalk_library(lightwalk_gpu FOLDER common/gpu LINK lightwalk_course Vulkan::Vulkan glslang::glslang
                     glslang::SPIRV glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS})
+  if(LIGHTWALK_SANITIZE OR LIGHTWALK_FUZZ)
+    # Debian builds glslang without type information, which this check of the undefined-behaviour sanitizer needs.
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/common/gpu/compile.cpp PROPERTIES COMPILE_OPTIONS -fno-sanitize=vptr)
+  endif()
   lightwalk_library(lightwalk_scene FOLDER common/scene LINK lightwalk_gpu assimp::assimp PkgConfig::stb)
   lightwalk_library(lightwalk_app FOLDER common/app LINK lightwalk_scene lightwalk_measure glfw PkgConfig::imgui
                     CLI11::CLI11)
