@@ -52,9 +52,7 @@ void LiveChapter::draw(Frame& frame, glm::uvec2 size, float time_s, unsigned see
     frame_error.clear();
     try {
         record(chapter, frame, size, time_s, seed);
-    } catch (const std::exception& e) {
-        frame_error = e.what();
-    }
+    } catch (const std::exception& e) { frame_error = e.what(); }
     frame.end();
 }
 

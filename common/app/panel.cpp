@@ -99,8 +99,7 @@ void Panel::exercises(PanelState& state, Requests& requests) {
         any_solution = any_solution || Exercises::has_solution(id);
     }
     if (ids.empty()) ImGui::TextColored(quiet_color, "none in this chapter");
-    if (!ids.empty() && !any_solution)
-        ImGui::TextColored(quiet_color, "This tree is a handout: it has no reference.");
+    if (!ids.empty() && !any_solution) ImGui::TextColored(quiet_color, "This tree is a handout: it has no reference.");
     if (!any_solution) return;
     if (ImGui::Button("switch all   F2", {-1.0f, 0.0f})) requests.all_toggles = true;
     split(state, requests);
@@ -118,16 +117,18 @@ void Panel::split(PanelState& state, Requests& requests) {
     bool on = state.split.on();
     if (ImGui::Checkbox("mine beside reference   Tab", &on)) requests.split = true;
     log_place("split");
-    help_on_hover("Mine on the left, as the switches say; all of mine where they all say reference.\n"
-                  "The reference on the right. Drag the line between them.");
+    help_on_hover(
+        "Mine on the left, as the switches say; all of mine where they all say reference.\n"
+        "The reference on the right. Drag the line between them.");
     if (!state.split.on()) return;
     if (const auto& difference = state.split.difference) {
         ImGui::Text("FLIP %.4f", difference->flip_mean);
         ImGui::SameLine();
         ImGui::TextColored(quiet_color, difference->shrink == 1 ? "mean error, 0 to 1" : "mean, at 1/%d of the size",
                            difference->shrink);
-        help_on_hover("How visible the difference is to someone who flips between the two pictures.\n"
-                      "Computed when the picture stands still.");
+        help_on_hover(
+            "How visible the difference is to someone who flips between the two pictures.\n"
+            "Computed when the picture stands still.");
     } else {
         ImGui::TextColored(quiet_color, "FLIP: when the picture stands still");
     }

@@ -22,7 +22,7 @@ struct PanelState {
     double frame_ms = 0;               ///< from one picture to the next, wall clock
     bool clock_runs = false;
     float time_s = 0;
-    glm::uvec2 picture{0};             ///< pixels
+    glm::uvec2 picture{0};  ///< pixels
 };
 
 class Panel {

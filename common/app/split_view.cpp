@@ -35,8 +35,8 @@ PictureDifference compare_pictures(const Image8& mine, const Image8& reference) 
 }
 
 uint64_t hash(const Image8& image, uint64_t seed) {
-    return hash_bytes({reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size() * sizeof image.pixels[0]},
-                      seed);
+    return hash_bytes(
+        {reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size() * sizeof image.pixels[0]}, seed);
 }
 
 }  // namespace
@@ -97,9 +97,8 @@ void SplitView::compare(const Image& mine, const Image& reference) {
     if (pictures == compared_ && difference) return;
     compared_ = pictures;
     difference.reset();
-    running_ = std::async(std::launch::async, [left = std::move(left), right = std::move(right)] {
-        return compare_pictures(left, right);
-    });
+    running_ = std::async(std::launch::async,
+                          [left = std::move(left), right = std::move(right)] { return compare_pictures(left, right); });
 }
 
 bool SplitView::poll() {

@@ -48,8 +48,8 @@ class SceneStudy {
         const double change =
             study_errors(picture(truth.at("doubled")), reference).at(study_.at("error_metric")).get<double>();
         if (!(change <= truth.at("most_change").get<double>()))
-            throw Failure(scene_ + ": doubling the truth's samples changes it by " + json(change).dump() + ", at most " +
-                          truth.at("most_change").dump() + " was expected");
+            throw Failure(scene_ + ": doubling the truth's samples changes it by " + json(change).dump() +
+                          ", at most " + truth.at("most_change").dump() + " was expected");
         const std::vector<StudyPoint> points = study_points(study_);
         std::vector<json> errors;
         for (const StudyPoint& point : points) {
@@ -107,13 +107,13 @@ class SceneStudy {
                 const json number = json::parse(value, nullptr, false);
                 knobs[name] = number.is_number() ? number : json(value);
             }
-            result.push_back({{"scene", std::filesystem::path(scene_).stem().string()},
-                              {"method", points[i].method},
-                              {"knobs", knobs},
-                              {"error", errors[i]},
-                              {"time_ms",
-                               {{"median", q.median}, {"q1", q.q1}, {"q3", q.q3}, {"rounds", rounds},
-                                {"per_pass", per_pass}}}});
+            result.push_back(
+                {{"scene", std::filesystem::path(scene_).stem().string()},
+                 {"method", points[i].method},
+                 {"knobs", knobs},
+                 {"error", errors[i]},
+                 {"time_ms",
+                  {{"median", q.median}, {"q1", q.q1}, {"q3", q.q3}, {"rounds", rounds}, {"per_pass", per_pass}}}});
         }
         return result;
     }
@@ -169,7 +169,7 @@ ImageRgb read_hdr(Gpu& gpu, const Image& hdr) {
 json study_errors(const ImageRgb& truth, const ImageRgb& test) {
     const ErrorSummary flip = summarize(flip_ldr(truth, test));
     const Difference d = difference(truth, test);
-    return {{"flip_mean", flip.mean}, {"flip_p99", flip.p99}, {"rmse", d.rmse}, {"relative_rmse", d.relative_rmse},
+    return {{"flip_mean", flip.mean}, {"flip_p99", flip.p99}, {"rmse", d.rmse},   {"relative_rmse", d.relative_rmse},
             {"max", d.max},           {"nan", d.test.nan},    {"inf", d.test.inf}};
 }
 

@@ -85,9 +85,12 @@ void Window::move_camera(const Input& input, double seconds) {
     if (dragging_ && glm::length(input.moved) > 0.0f) {
         const glm::vec2 turn = -radians_per_pixel * input.moved;
         const float height = static_cast<float>(display_.size().y);
-        if (input.middle || (input.left && input.shift)) CameraControl::pan(camera, input.moved, height);
-        else if (input.left) CameraControl::orbit(camera, turn.x, -turn.y);
-        else if (input.right) CameraControl::look(camera, turn.x, turn.y);
+        if (input.middle || (input.left && input.shift))
+            CameraControl::pan(camera, input.moved, height);
+        else if (input.left)
+            CameraControl::orbit(camera, turn.x, -turn.y);
+        else if (input.right)
+            CameraControl::look(camera, turn.x, turn.y);
     }
     if (input.wheel != 0.0f && !io.WantCaptureMouse) CameraControl::zoom(camera, input.wheel, chapter_.scene.bounds);
     if (!dragging_ || !input.right) return;
@@ -131,9 +134,7 @@ void Window::switch_split() {
     } else {
         try {
             split_.turn_on(chapter_);
-        } catch (const std::exception& e) {
-            tell(e.what());
-        }
+        } catch (const std::exception& e) { tell(e.what()); }
     }
     log_event(split_.on() ? "split on" : "split off");
 }
@@ -145,24 +146,21 @@ void Window::take_screenshot() {
         write_png(path, read_picture(gpu_, *shown_));
         tell("picture: " + fs::absolute(path).string());
         log_event("screenshot " + fs::absolute(path).string());
-    } catch (const InputError& e) {
-        tell(e.what());
-    }
+    } catch (const InputError& e) { tell(e.what()); }
 }
 
 void Window::save_scene() {
     SceneFile scene = chapter_.scene.file;
     scene.camera = chapter_.camera;
     for (const KnobBase* knob : chapter_.knobs) scene.knobs[knob->name] = knob->text();
-    const bool own = scene_.extension() == ".json" && fs::exists(scene_) && !lies_below(scene_, course_root() / "assets");
+    const bool own =
+        scene_.extension() == ".json" && fs::exists(scene_) && !lies_below(scene_, course_root() / "assets");
     const fs::path path = own ? scene_ : fs::path(chapter_.name.substr(0, 2) + "_scene.json");
     try {
         write_scene(scene, path);
         tell("scene: " + fs::absolute(path).string());
         log_event("saved " + fs::absolute(path).string());
-    } catch (const InputError& e) {
-        tell(e.what());
-    }
+    } catch (const InputError& e) { tell(e.what()); }
 }
 
 void Window::tell(const std::string& text) {
