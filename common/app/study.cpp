@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
@@ -30,6 +31,14 @@ void apply(Chapter& chapter, const StudyPoint& point) {
     for (const auto& [name, value] : point.set) find_knob(chapter.knobs, name).set(value);
 }
 
+int rounds_of(const json& study) {
+    const char* override = std::getenv("LIGHTWALK_STUDY_ROUNDS");
+    if (!override) return study.value("rounds", 11);
+    const int rounds = std::atoi(override);
+    if (rounds < 1) throw InputError(std::string("LIGHTWALK_STUDY_ROUNDS is ") + override + ", expected 1 or more");
+    return rounds;
+}
+
 // One scene of the study: its truth, then every point's error, then every point's time, round by round.
 class SceneStudy {
   public:
@@ -48,8 +57,8 @@ class SceneStudy {
         const double change =
             study_errors(picture(truth.at("doubled")), reference).at(study_.at("error_metric")).get<double>();
         if (!(change <= truth.at("most_change").get<double>()))
-            throw Failure(scene_ + ": doubling the truth's samples changes it by " + json(change).dump() + ", at most " +
-                          truth.at("most_change").dump() + " was expected");
+            throw Failure(scene_ + ": doubling the truth's samples changes it by " + json(change).dump() +
+                          ", at most " + truth.at("most_change").dump() + " was expected");
         const std::vector<StudyPoint> points = study_points(study_);
         std::vector<json> errors;
         for (const StudyPoint& point : points) {
@@ -80,7 +89,7 @@ class SceneStudy {
         return study_errors(to_linear(codes), to_linear(one_step_away(codes)));
     }
     json time(const std::vector<StudyPoint>& points, const std::vector<json>& errors) {
-        const int rounds = study_.value("rounds", 11);
+        const int rounds = rounds_of(study_);
         std::vector<std::map<std::string, std::vector<double>>> samples(points.size());
         std::vector<std::vector<double>> totals(points.size());
         for (int round = -1; round < rounds; ++round) {  // the first only warms up
@@ -104,13 +113,13 @@ class SceneStudy {
             json per_pass = json::object(), knobs = json::object();
             for (const auto& [name, values] : samples[i]) per_pass[name] = median(values);
             for (const auto& [name, value] : points[i].set) knobs[name] = value;
-            result.push_back({{"scene", std::filesystem::path(scene_).stem().string()},
-                              {"method", points[i].method},
-                              {"knobs", knobs},
-                              {"error", errors[i]},
-                              {"time_ms",
-                               {{"median", q.median}, {"q1", q.q1}, {"q3", q.q3}, {"rounds", rounds},
-                                {"per_pass", per_pass}}}});
+            result.push_back(
+                {{"scene", std::filesystem::path(scene_).stem().string()},
+                 {"method", points[i].method},
+                 {"knobs", knobs},
+                 {"error", errors[i]},
+                 {"time_ms",
+                  {{"median", q.median}, {"q1", q.q1}, {"q3", q.q3}, {"rounds", rounds}, {"per_pass", per_pass}}}});
         }
         return result;
     }
@@ -158,7 +167,7 @@ ImageRgb read_hdr(Gpu& gpu, const Image& hdr) {
 json study_errors(const ImageRgb& truth, const ImageRgb& test) {
     const ErrorSummary flip = summarize(flip_ldr(truth, test));
     const Difference d = difference(truth, test);
-    return {{"flip_mean", flip.mean}, {"flip_p99", flip.p99}, {"rmse", d.rmse}, {"relative_rmse", d.relative_rmse},
+    return {{"flip_mean", flip.mean}, {"flip_p99", flip.p99}, {"rmse", d.rmse},   {"relative_rmse", d.relative_rmse},
             {"max", d.max},           {"nan", d.test.nan},    {"inf", d.test.inf}};
 }
 
@@ -177,7 +186,8 @@ void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
     const json study = parse_json(text, path.string()).root;
     const std::filesystem::path partial = options.study + ".partial";
     const std::string identity = gpu.device.info.name + " " + gpu.device.info.driver + " " +
-                                 std::to_string(hash_bytes(text)) + " " + std::to_string(options.size.x);
+                                 std::to_string(hash_bytes(text)) + " " + std::to_string(rounds_of(study)) + " " +
+                                 std::to_string(options.size.x) + "x" + std::to_string(options.size.y);
     json done = {{"identity", identity}, {"scenes", json::object()}};
     if (std::filesystem::exists(partial)) {
         const json before = json::parse(read_file(partial), nullptr, false);
@@ -217,7 +227,8 @@ void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
 
 bool run_cpu_study(const Options& options, Chapter& chapter) {
     const auto path = course_root() / "chapters" / chapter.name / "study.json";
-    const json study = parse_json(read_file(path), path.string()).root;
+    json study = parse_json(read_file(path), path.string()).root;
+    study["rounds"] = rounds_of(study);
     json result;
     if (!chapter.cpu_study(study, result)) return false;
     result["chapter"] = chapter.name;
