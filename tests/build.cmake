@@ -57,7 +57,7 @@ foreach(script ${scripts})
   elseif(name STREQUAL "common.course")
     lightwalk_python_test(text.course text ${script})
     set_tests_properties(text.course PROPERTIES COST 60)  # the longest: first
-  elseif(name MATCHES "common.(chart|report)")
+  elseif(name MATCHES "common.(chart|report|study)")
     string(REPLACE "common." "text." name ${name})
     lightwalk_python_test(${name} text ${script})
   else()

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
@@ -28,6 +29,14 @@ void apply(Chapter& chapter, const json& set) {
 void apply(Chapter& chapter, const StudyPoint& point) {
     if (!point.method.empty()) find_knob(chapter.knobs, "method").set(point.method);
     for (const auto& [name, value] : point.set) find_knob(chapter.knobs, name).set(value);
+}
+
+int rounds_of(const json& study) {
+    const char* override = std::getenv("LIGHTWALK_STUDY_ROUNDS");
+    if (!override) return study.value("rounds", 11);
+    const int rounds = std::atoi(override);
+    if (rounds < 1) throw InputError(std::string("LIGHTWALK_STUDY_ROUNDS is ") + override + ", expected 1 or more");
+    return rounds;
 }
 
 // One scene of the study: its truth, then every point's error, then every point's time, round by round.
@@ -80,7 +89,7 @@ class SceneStudy {
         return study_errors(to_linear(codes), to_linear(one_step_away(codes)));
     }
     json time(const std::vector<StudyPoint>& points, const std::vector<json>& errors) {
-        const int rounds = study_.value("rounds", 11);
+        const int rounds = rounds_of(study_);
         std::vector<std::map<std::string, std::vector<double>>> samples(points.size());
         std::vector<std::vector<double>> totals(points.size());
         for (int round = -1; round < rounds; ++round) {  // the first only warms up
@@ -188,7 +197,8 @@ void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
     const json study = parse_json(text, path.string()).root;
     const std::filesystem::path partial = options.study + ".partial";
     const std::string identity = gpu.device.info.name + " " + gpu.device.info.driver + " " +
-                                 std::to_string(hash_bytes(text)) + " " + std::to_string(options.size.x);
+                                 std::to_string(hash_bytes(text)) + " " + std::to_string(rounds_of(study)) + " " +
+                                 std::to_string(options.size.x) + "x" + std::to_string(options.size.y);
     json done = {{"identity", identity}, {"scenes", json::object()}};
     if (std::filesystem::exists(partial)) {
         const json before = json::parse(read_file(partial), nullptr, false);
@@ -228,7 +238,8 @@ void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
 
 bool run_cpu_study(const Options& options, Chapter& chapter) {
     const auto path = course_root() / "chapters" / chapter.name / "study.json";
-    const json study = parse_json(read_file(path), path.string()).root;
+    json study = parse_json(read_file(path), path.string()).root;
+    study["rounds"] = rounds_of(study);
     json result;
     if (!chapter.cpu_study(study, result)) return false;
     result["chapter"] = chapter.name;

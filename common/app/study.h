@@ -30,7 +30,9 @@ ImageRgb read_hdr(Gpu& gpu, const Image& hdr);
 nlohmann::json study_errors(const ImageRgb& truth, const ImageRgb& test);
 
 /// Runs chapters/NN_name/study.json and writes options.study. What is done is kept beside it in FILE.partial after each
-/// scene, from which an interrupted study goes on. Throws InputError or, where the truth has not converged, Failure.
+/// scene, from which an interrupted study goes on. LIGHTWALK_STUDY_ROUNDS in the environment, a whole number from 1,
+/// stands for the study's "rounds" (tests need errors, not times). Throws InputError or, where the truth has not
+/// converged, Failure.
 void run_study(const Options& options, Chapter& chapter, Gpu& gpu);
 
 /// Runs a study of something else than frames, without a device. False where the chapter has none.
