@@ -47,8 +47,10 @@ void ChildProcess::read_errors() {
     for (ssize_t count = 0; (count = read(errors_, bytes, sizeof bytes)) > 0;) {
         std::fwrite(bytes, 1, static_cast<size_t>(count), stderr);
         for (const char c : std::string_view(bytes, static_cast<size_t>(count))) {
-            if (c != '\n') line_ += c;
-            else if (!line_.empty()) last_words_ = std::exchange(line_, {});
+            if (c != '\n')
+                line_ += c;
+            else if (!line_.empty())
+                last_words_ = std::exchange(line_, {});
         }
     }
 }

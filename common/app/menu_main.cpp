@@ -51,7 +51,8 @@ Image8 thumbnail(const Image8& image, glm::uvec2 size) {
         for (int x = 0; x < small.width; ++x) {
             const glm::ivec2 limit(image.width - 1, image.height - 1);
             const glm::ivec2 begin = glm::clamp(glm::ivec2(corner + scale * glm::vec2(x, y)), glm::ivec2(0), limit);
-            const glm::ivec2 end = glm::clamp(glm::ivec2(corner + scale * glm::vec2(x + 1, y + 1)), begin + 1, limit + 1);
+            const glm::ivec2 end =
+                glm::clamp(glm::ivec2(corner + scale * glm::vec2(x + 1, y + 1)), begin + 1, limit + 1);
             glm::vec3 sum(0.0f);
             for (int v = begin.y; v < end.y; ++v)
                 for (int u = begin.x; u < end.x; ++u) sum += linear.at(u, v);
@@ -73,7 +74,8 @@ std::vector<Entry> find_chapters(Gpu& gpu, float scale) {
     for (Entry& entry : entries)
         if (const auto file = find_picture(entry.chapter, build)) {
             const Image8 picture = thumbnail(read_image8(*file), size);
-            entry.picture = Image(gpu.device, {.name = entry.chapter, .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size});
+            entry.picture =
+                Image(gpu.device, {.name = entry.chapter, .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size});
             gpu.upload(entry.picture, std::as_bytes(std::span(picture.pixels)));
         }
     return entries;
@@ -176,7 +178,8 @@ class Menu {
         const std::string number = entry.chapter.substr(0, 2);
         const ImVec2 text{corner.x + 10.0f, corner.y + foot + 8.0f * display_.scale()};
         list.AddText(text, ImGui::GetColorU32(mine_color), number.c_str());
-        list.AddText({text.x + 30.0f * display_.scale(), text.y}, ImGui::GetColorU32(ImGuiCol_Text), entry.title.c_str());
+        list.AddText({text.x + 30.0f * display_.scale(), text.y}, ImGui::GetColorU32(ImGuiCol_Text),
+                     entry.title.c_str());
         if (entry.picture) {
             tiles_.push_back({&entry, {corner.x, corner.y}});
         } else {
@@ -210,10 +213,9 @@ class Menu {
             std::optional<int> code;
             while (!(code = child.poll())) display_.poll(0.1);
             log_event(entry.chapter + " ended with " + std::to_string(*code));
-            if (*code != 0) message_ = entry.chapter + " ended with code " + std::to_string(*code) + ": " + child.last_words();
-        } catch (const Failure& e) {
-            message_ = e.what();
-        }
+            if (*code != 0)
+                message_ = entry.chapter + " ended with code " + std::to_string(*code) + ": " + child.last_words();
+        } catch (const Failure& e) { message_ = e.what(); }
         glfwShowWindow(display_.window);
     }
 
