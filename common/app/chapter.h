@@ -50,8 +50,8 @@ class Chapter {
     /// What C++ exercises change apart from shaders needs the scene loaded anew when they are toggled.
     virtual bool reload_on_toggle() const { return false; }
 
-    /// Which knobs change what is loaded, as text: where it differs from what the scene was loaded with, the window loads
-    /// it anew.
+    /// Which knobs change what is loaded, as text: where it differs from what the scene was loaded with, the window
+    /// loads it anew.
     virtual std::string load_key() const { return {}; }
 
     /// What moves, or gathers samples over frames, is drawn without a pause; the window's clock runs from the start.
