@@ -81,7 +81,9 @@ void Window::move_camera(const Input& input, double seconds) {
     const bool held = input.left || input.right || input.middle;
     // What began over the panel stays with it, what began over the picture with the camera.
     if (!held) dragging_ = false;
-    if (held && !dragging_ && !io.WantCaptureMouse) dragging_ = true;
+    const float pixels_per_unit = static_cast<float>(display_.framebuffer_size().x) / float(display_.size().x);
+    const bool over_picture = input.cursor.x * pixels_per_unit < static_cast<float>(picture_size().x);
+    if (held && !dragging_ && over_picture && !io.WantCaptureMouse) dragging_ = true;
     if (dragging_ && glm::length(input.moved) > 0.0f) {
         const glm::vec2 turn = -radians_per_pixel * input.moved;
         const float height = static_cast<float>(display_.size().y);

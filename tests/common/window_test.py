@@ -247,6 +247,15 @@ class Window(PictureTest):
         self.session.xdotool("mousemove", "--window", self.session.window, "300", "300", "click", "4")
         self.session.park()
         self.assert_other(self.picture(), self.start)
+        self.session.key("Home")
+        self.assert_as_at_the_start()
+        self.session.xdotool("mousemove", "--window", self.session.window, "200", "300", "mousedown", "3")
+        time.sleep(0.3)
+        self.session.xdotool("keydown", "w")
+        time.sleep(0.5)
+        self.session.xdotool("keyup", "w", "mouseup", "3")
+        self.session.park()
+        self.assert_other(self.picture(), self.start)
         self.session.key("f")
         self.assert_other(self.picture(), self.start)
         self.session.key("Home")
@@ -300,6 +309,16 @@ class Window(PictureTest):
         self.assertEqual(turned.read_bytes(), headless.read_bytes(), "the saved scene is another picture")
         self.scene.write_text(before)
         self.session.key("Home")
+        self.assert_as_at_the_start()
+
+    def test_clock_runs_and_stops(self):
+        self.session.key("space")
+        time.sleep(1.0)
+        frames = {self.session.pixels(WIDTH, 0, PANEL, HEIGHT) for _ in range(20) if not time.sleep(0.1)}
+        self.assertGreater(len(frames), 5, "the panel's clock does not move")
+        self.session.key("space")
+        self.picture()
+        self.assert_rests()
         self.assert_as_at_the_start()
 
     def test_panel_hides(self):
