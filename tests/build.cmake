@@ -1,4 +1,4 @@
-# What ctest runs beside the Catch2 programs: shots, the golden's teeth, the text. One test per shot, from shots.json.
+# What ctest runs beside the Catch2 programs: shots, the goldens' teeth, Python's tests, the text.
 
 find_program(PYTHON3 python3 PATHS /usr/bin NO_DEFAULT_PATH)  # Debian's has Debian's matplotlib
 find_program(PYTHON3 python3 REQUIRED)
@@ -17,8 +17,14 @@ endforeach()
 foreach(chapter ${LIGHTWALK_CHAPTERS})
   set(list ${PROJECT_SOURCE_DIR}/tests/${chapter}/shots.json)
   # A handout has no reference to draw with; ./course check draws there.
-  if(NOT EXISTS ${list} OR NOT (EXISTS ${PROJECT_SOURCE_DIR}/shaders/${chapter}/solution
-                                OR EXISTS ${PROJECT_SOURCE_DIR}/chapters/${chapter}/solution))
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/shaders/${chapter}/solution
+     AND NOT EXISTS ${PROJECT_SOURCE_DIR}/chapters/${chapter}/solution)
+    continue()
+  endif()
+  if(TARGET check_${chapter})
+    lightwalk_python_test(teeth.check.${chapter} "teeth;${chapter}" common/course/check_teeth.py ${chapter})
+  endif()
+  if(NOT EXISTS ${list})
     continue()
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
@@ -42,5 +48,20 @@ foreach(chapter ${LIGHTWALK_CHAPTERS})
   endforeach()
 endforeach()
 
+# tests/*/test_NAME.py. Those of windows, and what runs none of our programs, do not run again under the sanitizers.
+file(GLOB scripts CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests/*/test_*.py)
+foreach(script ${scripts})
+  string(REGEX REPLACE "^tests/(.*)/test_(.*)\\.py$" "\\1.\\2" name ${script})
+  if(name MATCHES "window")
+    lightwalk_python_test(window.${name} window ${script})
+  elseif(name STREQUAL "common.course")
+    lightwalk_python_test(text.course text ${script})
+    set_tests_properties(text.course PROPERTIES COST 60)  # the longest: first
+  elseif(name MATCHES "common.(chart|report)")
+    string(REPLACE "common." "text." name ${name})
+    lightwalk_python_test(${name} text ${script})
+  else()
+    lightwalk_python_test(python.${name} unit ${script})
+  endif()
+endforeach()
 lightwalk_python_test(text.tree text common/course/text_check.py)
-lightwalk_python_test(text.course text tests/common/test_course.py)

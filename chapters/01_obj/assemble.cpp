@@ -36,6 +36,7 @@ void copy_floats(const Array<float>& from, size_t begin, size_t end, Array<float
     if (end > begin) std::memcpy(to.data() + at, from.data() + begin, (end - begin) * sizeof(float));
 }
 
+// [resolve]
 // False where the index is out of range. A relative index becomes absolute: `base` counts what stands before the piece.
 bool resolve(uint32_t& index, size_t base, size_t count) {
     if (index < count) return true;
@@ -43,6 +44,7 @@ bool resolve(uint32_t& index, size_t base, size_t count) {
     index += static_cast<uint32_t>(base) - relative_bias;
     return index < count;
 }
+// [/resolve]
 
 bool resolve(Corner& corner, const Base& base, const ObjData& data) {
     return resolve(corner.position, base.positions, data.positions.size() / 3) &&
@@ -157,6 +159,7 @@ void cut_polygon(Triangulate cut, const Corner* polygon, size_t count, const Arr
 }
 
 bool assemble(std::span<const Piece> pieces, unsigned threads, ObjData& data) {
+    // [bases]
     std::vector<Base> bases(pieces.size() + 1);
     for (size_t i = 0; i < pieces.size(); ++i) {
         const Piece& p = pieces[i];
@@ -165,6 +168,7 @@ bool assemble(std::span<const Piece> pieces, unsigned threads, ObjData& data) {
                         bases[i].normals + (p.end.normals - p.begin.normals) / 3,
                         bases[i].triangles + triangle_count(p)};
     }
+    // [/bases]
     const Base& total = bases.back();
     if (std::max({total.positions, total.uvs, total.normals, total.triangles}) > static_cast<size_t>(largest_index))
         return false;

@@ -22,6 +22,7 @@ inline constexpr std::array<uint32_t, 9> whole_powers = {1, 10, 100, 1000, 10000
 
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
+// [leading_digits]
 /// How many of the eight characters, from the first on, are decimal digits.
 inline unsigned leading_digits(uint64_t word) {
     // '0' to '9' become 0 to 9, everything else 10 or more; adding 0x76 takes those to the top bit. A carry into the
@@ -30,6 +31,7 @@ inline unsigned leading_digits(uint64_t word) {
     const uint64_t other = (value | (value + 0x7676767676767676ull)) & 0x8080808080808080ull;
     return static_cast<unsigned>(std::countr_zero(other)) / 8;
 }
+// [/leading_digits]
 
 /// The number that eight digit values (not characters) write, the first one in the lowest byte: neighbours are joined
 /// to pairs, fours and the whole, as in D. Lemire, "Quickly parsing eight digits" (2018).
@@ -42,6 +44,7 @@ inline uint32_t join_digits(uint64_t digits) {
 /// The first `count` of the characters, 1 to 8, as a number.
 inline uint32_t first_digits(uint64_t word, unsigned count) { return join_digits((word ^ zeros) << (64 - 8 * count)); }
 
+// [round_quotient]
 /// digits / 10^decimals, correctly rounded; false where that needs more care. `digits` is below 10^15, `decimals`
 /// below 16.
 inline bool round_quotient(uint64_t digits, unsigned decimals, bool negative, float& value) {
@@ -57,6 +60,7 @@ inline bool round_quotient(uint64_t digits, unsigned decimals, bool negative, fl
     value = std::bit_cast<float>(std::bit_cast<uint32_t>(static_cast<float>(rounded)) | uint32_t{negative} << 31);
     return true;
 }
+// [/round_quotient]
 
 /// `whole` digits, the point and `decimals` digits, eight digits at most: without the point they are one number.
 inline const char* fast_short_float(const char* at, unsigned whole, unsigned decimals, bool negative, float& value) {

@@ -13,19 +13,7 @@
 namespace lightwalk {
 namespace {
 
-struct Result {
-    Loader loader = Loader::textbook;
-    std::string error;  // why it cannot read the file
-    std::vector<double> ms;
-    uint64_t largest_ulps = 0;
-    size_t floats_wrong = 0, floats_compared = 0, triangles = 0;
-    double index_agreement = 0.0;
-    double quantile(double share) const {
-        return ms[static_cast<size_t>(share * static_cast<double>(ms.size() - 1) + 0.5)];
-    }
-};
-
-void compare_floats(const float* a, const float* b, size_t count, Result& result) {
+void compare_floats(const float* a, const float* b, size_t count, LoaderFigures& result) {
     for (size_t i = 0; i < count; ++i) {
         const uint64_t distance = truth::ulps(a[i], b[i]);
         result.largest_ulps = std::max(result.largest_ulps, distance);
@@ -35,7 +23,7 @@ void compare_floats(const float* a, const float* b, size_t count, Result& result
 }
 
 // Loaders that keep the file's order are compared float by float and index by index.
-void compare_in_order(const ObjData& data, const ObjData& expected, Result& result) {
+void compare_in_order(const ObjData& data, const ObjData& expected, LoaderFigures& result) {
     compare_floats(data.positions.data(), expected.positions.data(), expected.positions.size(), result);
     compare_floats(data.uvs.data(), expected.uvs.data(), expected.uvs.size(), result);
     compare_floats(data.normals.data(), expected.normals.data(), expected.normals.size(), result);
@@ -46,7 +34,7 @@ void compare_in_order(const ObjData& data, const ObjData& expected, Result& resu
 }
 
 // Others (Assimp renumbers) corner by corner: a corner agrees where its position is the expected one but for rounding.
-void compare_by_corner(const ObjData& data, const ObjData& expected, Result& result) {
+void compare_by_corner(const ObjData& data, const ObjData& expected, LoaderFigures& result) {
     constexpr uint64_t rounding = 64;
     size_t same = 0;
     for (size_t i = 0; i + 2 < std::min(data.corners.size(), expected.corners.size()); i += 3) {
@@ -63,7 +51,7 @@ void compare_by_corner(const ObjData& data, const ObjData& expected, Result& res
     result.index_agreement = static_cast<double>(same) / static_cast<double>(expected.triangles());
 }
 
-void run_once(const std::filesystem::path& path, const ObjData* expected, Result& result) {
+void run_once(const std::filesystem::path& path, const ObjData* expected, LoaderFigures& result) {
     try {
         const auto start = std::chrono::steady_clock::now();
         const ObjData data = parse_obj(path, result.loader);
@@ -80,7 +68,7 @@ void run_once(const std::filesystem::path& path, const ObjData* expected, Result
     } catch (const InputError& error) { result.error = error.what(); }
 }
 
-void print_json(const std::filesystem::path& path, size_t bytes, int runs, const std::vector<Result>& results) {
+void print_json(const std::filesystem::path& path, size_t bytes, int runs, const std::vector<LoaderFigures>& results) {
     nlohmann::ordered_json out = {{"file", path.string()},
                                   {"bytes", bytes},
                                   {"runs", runs},
@@ -88,7 +76,7 @@ void print_json(const std::filesystem::path& path, size_t bytes, int runs, const
                                   {"timed",
                                    "warm file to positions, uvs, normals and triangulated index triples; "
                                    "assimp also joins vertices"}};
-    for (const Result& r : results) {
+    for (const LoaderFigures& r : results) {
         nlohmann::ordered_json entry = {{"loader", loader_name(r.loader)}};
         if (!r.error.empty()) {
             entry["error"] = r.error;
@@ -105,11 +93,11 @@ void print_json(const std::filesystem::path& path, size_t bytes, int runs, const
     std::printf("%s\n", out.dump(2).c_str());
 }
 
-void print_table(const std::filesystem::path& path, size_t bytes, int runs, const std::vector<Result>& results) {
+void print_table(const std::filesystem::path& path, size_t bytes, int runs, const std::vector<LoaderFigures>& results) {
     std::printf("%s, %.1f MB, median of %d, %u threads\n", path.c_str(), static_cast<double>(bytes) / 1e6, runs,
                 std::thread::hardware_concurrency());
     std::printf("%-14s %10s %8s %8s %14s %10s\n", "loader", "ms", "MB/s", "max ULP", "floats wrong", "indices");
-    for (const Result& r : results) {
+    for (const LoaderFigures& r : results) {
         const std::string name(loader_name(r.loader));
         if (!r.error.empty())
             std::printf("%-14s %s\n", name.c_str(), r.error.c_str());
@@ -125,22 +113,31 @@ void print_table(const std::filesystem::path& path, size_t bytes, int runs, cons
 
 }  // namespace
 
-int run_load_bench(const std::filesystem::path& path, int runs, bool json) {
+double LoaderFigures::quantile(double share) const {
+    return ms[static_cast<size_t>(share * static_cast<double>(ms.size() - 1) + 0.5)];
+}
+
+std::vector<LoaderFigures> measure_loaders(const std::filesystem::path& path, int runs, size_t& bytes) {
     if (runs < 1) throw InputError("the load bench needs at least 1 run, got " + std::to_string(runs));
     parse_obj(path, Loader::scan);  // whatever is wrong with the file is said here
-    std::vector<Result> results;
+    std::vector<LoaderFigures> results;
     for (const std::string_view name : loader_names()) results.emplace_back().loader = loader_from_name(name);
-    size_t bytes = 0;
     {
         const MappedFile file(path);
         bytes = file.text().size();
         const ObjData expected = truth::parse(file.text());
-        for (Result& result : results) run_once(path, &expected, result);
+        for (LoaderFigures& result : results) run_once(path, &expected, result);
     }
     for (int run = 0; run < runs; ++run)
-        for (Result& result : results)
+        for (LoaderFigures& result : results)
             if (result.error.empty()) run_once(path, nullptr, result);
-    for (Result& result : results) std::sort(result.ms.begin(), result.ms.end());
+    for (LoaderFigures& result : results) std::sort(result.ms.begin(), result.ms.end());
+    return results;
+}
+
+int run_load_bench(const std::filesystem::path& path, int runs, bool json) {
+    size_t bytes = 0;
+    const std::vector<LoaderFigures> results = measure_loaders(path, runs, bytes);
     (json ? print_json : print_table)(path, bytes, runs, results);
     return 0;
 }

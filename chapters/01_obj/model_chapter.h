@@ -14,6 +14,7 @@ class ModelChapter : public Chapter {
     /// Which loader reads .obj files.
     virtual Loader loader() const { return Loader::parallel; }
 
+    // [view]
     /// Gives the shaders of this frame the uniform block `view`.
     void set_view(Frame& frame) const {
         const float aspect = static_cast<float>(frame.size.x) / static_cast<float>(frame.size.y);
@@ -25,6 +26,7 @@ class ModelChapter : public Chapter {
         const auto bytes = std::as_bytes(std::span(&view, 1));
         frame.globals["view"].assign(bytes.begin(), bytes.end());
     }
+    // [/view]
 };
 
 }  // namespace lightwalk

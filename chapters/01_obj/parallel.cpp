@@ -99,6 +99,7 @@ bool joins_lines(std::string_view text, size_t at) {
     return at > 0 && text[at - 1] == '\\';
 }
 
+// [chunks]
 // Chunks of `bytes` and as much more as it takes not to end within a statement.
 std::vector<std::string_view> chunks_of(std::string_view text, size_t bytes) {
     std::vector<std::string_view> chunks;
@@ -110,6 +111,7 @@ std::vector<std::string_view> chunks_of(std::string_view text, size_t bytes) {
     }
     return chunks;
 }
+// [/chunks]
 
 // Maps the chunk's pages at once instead of one fault for every few of them. Not every kernel can; nothing is lost
 // then.
@@ -133,10 +135,12 @@ ObjData parse_parallel(std::string_view text, const std::string& name, ParseOpti
     }
     ObjData data;
     try {
+        // [threads]
         on_threads(threads, chunks.size(), [&](unsigned thread, size_t i) {
             populate(chunks[i]);
             pieces[i] = read_chunk(chunks[i], collected[thread]);
         });
+        // [/threads]
     } catch (const InputError&) { throw_first_error(text, name); }
     if (!assemble(pieces, threads, data)) throw_first_error(text, name);
     return data;

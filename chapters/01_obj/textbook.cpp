@@ -2,6 +2,7 @@
 // to follow, and it calls this chapter's exercises.
 #include <algorithm>
 #include <locale>
+#include <map>
 #include <sstream>
 
 #include "01_obj/exercises.h"
@@ -12,6 +13,7 @@
 namespace lightwalk {
 namespace {
 
+// [number]
 std::istringstream words_of(const std::string& line) {
     std::istringstream words(line);
     words.imbue(std::locale::classic());  // a German locale would read 1.5 as 1
@@ -25,6 +27,7 @@ float number(const std::string& word) {
         throw InputError(shown(word) + " is not a number that a float can hold");
     return value;
 }
+// [/number]
 
 std::vector<float> numbers(const std::string& line, size_t least, size_t most) {
     std::istringstream words = words_of(line);
@@ -52,12 +55,15 @@ bool read_statement(std::istream& in, std::string& statement, size_t& line, size
     return true;
 }
 
-uint32_t number_of(std::vector<std::string>& names, std::string_view name) {
-    for (uint32_t i = 0; i < names.size(); ++i)
-        if (names[i] == name) return i;
-    names.emplace_back(name);
-    return static_cast<uint32_t>(names.size() - 1);
-}
+// Numbers names in order of first use.
+struct Numbering {
+    std::map<std::string, uint32_t, std::less<>> numbers;
+    uint32_t operator()(std::vector<std::string>& names, std::string_view name) {
+        if (const auto it = numbers.find(name); it != numbers.end()) return it->second;
+        names.emplace_back(name);
+        return numbers[names.back()] = static_cast<uint32_t>(names.size() - 1);
+    }
+};
 
 struct Face {
     std::vector<Corner> corners;
@@ -87,11 +93,11 @@ class Reader {
         } else if (keyword == "f" || keyword == "fo") {
             faces_.push_back({checked(parse_face(line, so_far_, total_)), names_});
         } else if (keyword == "o") {
-            names_.object = number_of(data_.objects, rest);
+            names_.object = object_numbers_(data_.objects, rest);
         } else if (keyword == "g") {
-            names_.group = number_of(data_.groups, rest);
+            names_.group = group_numbers_(data_.groups, rest);
         } else if (keyword == "usemtl") {
-            names_.material = number_of(data_.materials, rest);
+            names_.material = material_numbers_(data_.materials, rest);
         } else if (keyword == "mtllib") {
             data_.libraries.emplace_back(rest);
         } else {
@@ -128,6 +134,7 @@ class Reader {
 
     Counts so_far_, total_;
     ObjData data_;
+    Numbering object_numbers_, group_numbers_, material_numbers_;
     std::vector<Face> faces_;
     Run names_;
 };

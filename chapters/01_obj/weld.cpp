@@ -24,6 +24,7 @@ class VertexTable {
     explicit VertexTable(size_t positions) : first_(positions, none) {}
     void next_mesh() { mesh_start_ = static_cast<uint32_t>(entries_.size()); }
 
+    // [find]
     /// The vertex's number in the mesh; a new one where `is_new`.
     uint32_t find(const Corner& corner, bool& is_new) {
         // Entries of earlier meshes lie behind all of this mesh's.
@@ -35,6 +36,7 @@ class VertexTable {
         first_[corner.position] = i;
         return is_new = true, i - mesh_start_;
     }
+    // [/find]
 
   private:
     struct Entry {

@@ -1,14 +1,17 @@
 // Chapter 02: diffuse and specular reflection of directional lights.
 #include "01_obj/model_chapter.h"
 #include "02_lambert_phong/directional_lights.h"
+#include "02_lambert_phong/need.h"
 
 using namespace lightwalk;
 
 struct LambertPhong : ModelChapter {
+    // [method]
     Choice method{"method",
                   {"gouraud", "phong", "blinn_phong", "blinn_phong_normalised"},
                   "blinn_phong_normalised",
                   "how highlights are computed; gouraud does so at vertices"};
+    // [/method]
     Choice diffuse{"diffuse", {"lambert", "wrapped"}, "lambert", "how matt surfaces receive light"};
     Knob<bool> ambient{"ambient", true, "add the scene's ambient light"};
     Knob<float> shininess{"shininess", 0.0f, {0.0f, 4096.0f}, "exponent of all highlights; 0: each material's own"};
@@ -25,6 +28,17 @@ struct LambertPhong : ModelChapter {
 
     void prepare(Gpu& gpu) override { lights = upload_directional_lights(gpu, scene.file.lights); }
 
+    // [frame]
+    std::vector<std::string> choose(double budget, glm::uvec2 size) override {
+        const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+        const ShadingNeed need =
+            measure_need(scene, view_projection(camera, aspect), camera.position, size, shininess);
+        const ShadingChoice& choice = cheapest_within(need, budget);
+        method.set(choice.method);
+        samples.set(std::to_string(choice.samples));
+        return explain(need, choice, budget);
+    }
+
     void frame(Frame& frame) override {
         set_view(frame);
 
@@ -40,6 +54,7 @@ struct LambertPhong : ModelChapter {
         // 2. Linear light to the codes a screen expects.
         encode_srgb(frame);
     }
+    // [/frame]
 };
 
 CHAPTER(LambertPhong)

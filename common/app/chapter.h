@@ -1,6 +1,7 @@
 // A chapter: its knobs, its passes and one frame. What it declares as members registers itself.
 #pragma once
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ class Chapter {
 
     std::string name;  ///< NN_name
     KnobList knobs;
+    std::string method_knob = "method";  ///< which knob holds the methods of the study and of --method auto
     Scene scene;
     Camera camera;  ///< the scene's, moved by the window
 
@@ -47,6 +49,16 @@ class Chapter {
     virtual void frame(Frame& frame) = 0;
     virtual std::vector<Command> commands() { return {}; }
 
+    /// The need rule: sets the cheapest method and knobs whose error in this scene and view is at most `budget`, from what
+    /// can be measured of the scene. Returns what was measured, the rule and the choice, a line each. The first is called
+    /// when scene.file is read and nothing loaded, the second when all is.
+    virtual std::vector<std::string> choose_before_loading(double /*budget*/) { return {}; }
+    virtual std::vector<std::string> choose(double /*budget*/, glm::uvec2 /*size*/) { return {}; }
+
+    /// A study whose subject is not a frame: measures study.json's `scenes` on the CPU and puts into `result` the points
+    /// and what else docs/study_format.md asks of a "loader". False: the subject is the frame.
+    virtual bool cpu_study(const nlohmann::json& /*study*/, nlohmann::json& /*result*/) { return false; }
+
     /// What C++ exercises change apart from shaders needs the scene loaded anew when they are toggled.
     virtual bool reload_on_toggle() const { return false; }
 
@@ -58,8 +70,10 @@ class Chapter {
     virtual bool animated() const { return false; }
 };
 
-/// Reads a scene file or wraps a model file, and loads it. Throws InputError.
-void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file);
+/// Reads a scene file or wraps a model file, and loads it. Throws InputError. With a budget the need rule chooses for a
+/// picture of `size`; what it says is returned.
+std::vector<std::string> load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file, double budget = 0,
+                                    glm::uvec2 size = glm::uvec2(0));
 
 /// Records one frame with the knobs' uniforms and macros in place. Frame::end() is left to the caller, also where this
 /// throws: what was recorded has to be submitted.

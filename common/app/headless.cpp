@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/app/options.h"
+#include "common/app/study.h"
 #include "common/error.h"
 #include "common/files.h"
 #include "common/measure/image.h"
@@ -51,13 +52,22 @@ json timings_json(const Gpu& gpu, const Options& options, const std::vector<std:
 int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& holder) {
     for (const std::string& path : {options.screenshot, options.timings, options.study})
         if (!path.empty()) check_writable(path);
+    if (!options.study.empty() && run_cpu_study(options, chapter)) return 0;
     holder = std::make_unique<Gpu>(
         DeviceOptions{.name = options.device, .validate = options.validate, .surface_extensions = {}});
     Gpu& gpu = *holder;
     const uint32_t most = gpu.device.properties.limits.maxImageDimension2D;
     if (std::max(options.size.x, options.size.y) > most)
         throw InputError("--size: this device renders at most " + std::to_string(most) + " pixels a side");
-    load_scene(chapter, gpu, options.scene.empty() ? chapter.default_scene() : options.scene);
+    if (!options.study.empty()) {
+        run_study(options, chapter, gpu);
+        gpu.device.check_validation();
+        return 0;
+    }
+    const auto explanation = load_scene(chapter, gpu, options.scene.empty() ? chapter.default_scene() : options.scene,
+                                        options.automatic ? options.budget : 0, options.size);
+    if (options.explain)
+        for (const std::string& line : explanation) std::printf("%s\n", line.c_str());
     Frame frame(gpu);
     // The first frame of a timing run compiles and warms up, and is not counted.
     const int warm_up = options.timings.empty() ? 0 : 1;

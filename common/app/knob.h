@@ -32,6 +32,7 @@ class KnobBase {
     virtual std::vector<float> numbers() const { return {}; }
 
     const std::string name, help, unit;
+    bool pinned = false;  ///< on the command line: a scene file does not overrule it
 };
 
 /// The knobs of the chapter that is being made, in order of declaration.

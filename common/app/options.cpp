@@ -22,6 +22,17 @@ glm::uvec2 parse_size(const std::string& text) {
     return size;
 }
 
+// "auto" for the method leaves the choice to the need rule.
+void set_knob(Options& options, Chapter& chapter, const std::string& name, const std::string& value) {
+    if (name == chapter.method_knob && value == "auto") {
+        options.automatic = true;
+        return;
+    }
+    KnobBase& knob = find_knob(chapter.knobs, name);
+    knob.set(value);
+    knob.pinned = true;
+}
+
 void apply_shot(Options& options, Chapter& chapter) {
     std::string known;
     for (const Shot& shot : read_shots(chapter.name)) {
@@ -31,7 +42,7 @@ void apply_shot(Options& options, Chapter& chapter) {
         if (!options.size_given) options.size = shot.size;
         if (!options.time_given) options.time_s = shot.time_s;
         if (!options.frames_given) options.frames = shot.frames;
-        for (const auto& [name, value] : shot.set) find_knob(chapter.knobs, name).set(value);
+        for (const auto& [name, value] : shot.set) set_knob(options, chapter, name, value);
         return;
     }
     throw InputError("unknown shot '" + options.shot + "'; " + chapter.name + " has: " + known);
@@ -41,7 +52,7 @@ void apply_shot(Options& options, Chapter& chapter) {
 
 std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     Options o;
-    std::string size, validate = "off";
+    std::string size, validate = "off", method;
     CLI::App app("Lightwalk, chapter " + chapter.name);
     app.add_option("--scene", o.scene, "a scene file or any model file; default: " + chapter.default_scene());
     app.add_option("--use", o.use, "solution (default), exercise, or a list such as exercise,02.phong=solution");
@@ -55,6 +66,8 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
         app.add_option("--frames", o.frames, "frames to render; the last one is kept")->check(CLI::Range(1, 100000));
     app.add_option("--screenshot", o.screenshot, "render without a window, write a PNG, exit");
     app.add_option("--timings", o.timings, "GPU milliseconds per pass, as JSON, to this file");
+    app.add_option("--study", o.study, "run the chapter's study, as JSON, to this file");
+    app.add_flag("--explain", o.explain, "with --method auto: print what was measured, the rule and the choice");
     app.add_option("--list", o.list, "print and exit")
         ->check(CLI::IsMember({"knobs", "shots", "exercises", "devices"}));
     app.add_flag("--json", o.json, "lists and reports as JSON");
@@ -66,6 +79,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     std::map<std::string, std::string> by_knob, by_command;
     for (const KnobBase* knob : chapter.knobs)
         app.add_option("--" + knob->name, by_knob[knob->name], knob->help)->group("Knobs");
+    if (chapter.method_knob != "method") app.add_option("--method", method, "the same as --" + chapter.method_knob);
     const std::vector<Command> commands = chapter.commands();
     for (const Command& command : commands)
         app.add_option("--" + command.flag, by_command[command.flag], command.help)->type_name(command.argument);
@@ -85,10 +99,13 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     for (const std::string& item : o.set) {
         const size_t equals = item.find('=');
         if (equals == item.npos) throw InputError("--set " + item + ": expected NAME=VALUE");
-        find_knob(chapter.knobs, item.substr(0, equals)).set(item.substr(equals + 1));
+        set_knob(o, chapter, item.substr(0, equals), item.substr(equals + 1));
     }
     for (const auto& [name, value] : by_knob)
-        if (!app.get_option("--" + name)->empty()) find_knob(chapter.knobs, name).set(value);
+        if (!app.get_option("--" + name)->empty()) set_knob(o, chapter, name, value);
+    if (!method.empty()) set_knob(o, chapter, chapter.method_knob, method);
+    if (o.automatic && o.budget <= 0) throw InputError("--method auto needs --budget E, the greatest error allowed");
+    if (o.explain && !o.automatic) throw InputError("--explain goes with --method auto");
     for (const Command& command : commands)
         if (!app.get_option("--" + command.flag)->empty())
             o.command = [command, argument = by_command[command.flag], json = o.json] {

@@ -14,7 +14,8 @@ struct Options {
     float time_s = 0;
     std::optional<float> time_given;
     int frames = 1;
-    bool frames_given = false, json = false, validate = false, compile_shaders = false;
+    bool frames_given = false, json = false, validate = false, compile_shaders = false, explain = false;
+    bool automatic = false;  ///< --method auto: the need rule chooses
     double budget = 0;
     unsigned seed = 0;
     std::function<int()> command;  ///< a chapter's own, where one was asked for

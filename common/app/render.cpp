@@ -35,21 +35,28 @@ Chapter::~Chapter() {
     if (knobs_under_construction() == &knobs) knobs_under_construction() = nullptr;
 }
 
-void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given) {
+std::vector<std::string> load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given, double budget,
+                                    glm::uvec2 size) {
     const auto loader = [&](const std::filesystem::path& file) { return chapter.load_model(file); };
     const std::filesystem::path file = find_asset(given);
-    SceneFile scene;
-    if (file.extension() == ".json") {
-        scene = read_scene(file);
-    } else {
-        // Loaded once here for its size; the pool keeps it for the scene.
-        chapter.scene.load(gpu, scene_of_model(file, {}), loader);
-        scene = scene_of_model(file, chapter.scene.bounds);
-    }
-    for (const auto& [name, value] : scene.knobs) find_knob(chapter.knobs, name).set(value);
+    const bool is_scene = file.extension() == ".json";
+    SceneFile scene = is_scene ? read_scene(file) : scene_of_model(file, {});
+    for (const auto& [name, value] : scene.knobs)
+        if (KnobBase& knob = find_knob(chapter.knobs, name); !knob.pinned) knob.set(value);
+    std::vector<std::string> explanation;
+    const auto choose = [&](std::vector<std::string> lines) {
+        explanation.insert(explanation.end(), lines.begin(), lines.end());
+    };
+    chapter.scene.file = scene;
+    if (budget > 0) choose(chapter.choose_before_loading(budget));
     chapter.scene.load(gpu, std::move(scene), loader);
+    // A bare model: now that its size is known, a camera that frames it. The pool keeps the model.
+    if (!is_scene) chapter.scene.load(gpu, scene_of_model(file, chapter.scene.bounds), loader);
     chapter.camera = chapter.scene.file.camera;
     chapter.prepare(gpu);
+    if (budget > 0) choose(chapter.choose(budget, size));
+    if (budget > 0 && explanation.empty()) throw InputError("chapter " + chapter.name + " has no rule for auto");
+    return explanation;
 }
 
 void record(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, unsigned seed) {

@@ -66,8 +66,13 @@ def run_ninja(folder: Path, targets: list[str]):
                              errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     try:
         with Progress("building") as progress:
+            skip = False
             for line in ninja.stdout:
                 status = STATUS.match(line)
+                if skip:  # the command of the step that failed, some lines long on a screen
+                    skip = False
+                    continue
+                skip = line.startswith("FAILED: ")
                 if status:
                     note = line[status.end():].strip()
                     if not note.startswith(("Re-checking globbed", "Re-running CMake")):

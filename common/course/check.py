@@ -54,7 +54,8 @@ def run(arguments, _rest) -> int:
     results = []
     with Progress("checking") as progress:
         for number, (chapter, exercise) in enumerate(selected):
-            progress.show(number, len(selected), exercise)
+            if progress.terminal or arguments.command == "progress":  # elsewhere each result is a line
+                progress.show(number, len(selected), exercise)
             results.append(check(chapter, exercise))
             if arguments.command == "check":
                 progress.clear()

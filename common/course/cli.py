@@ -20,6 +20,7 @@ COMMANDS = {
     "accept": "accept",
     "check": "check",
     "progress": "check",
+    "study": "study",
     "quote": "text_check",
     "format": "format_tree",
     "fuzz": "fuzz",

@@ -74,6 +74,13 @@ def has_solutions() -> bool:
     return any(ROOT.glob("chapters/*/solution")) or any(ROOT.glob("shaders/*/solution"))
 
 
+def is_edited(path: Path) -> bool:
+    """True where git knows that a file is not as it was committed."""
+    if not (ROOT / ".git").exists():
+        return False
+    return subprocess.run(["git", "-C", ROOT, "diff", "--quiet", "HEAD", "--", path]).returncode == 1
+
+
 def files() -> list[Path]:
     """The files of the course, relative to the root: what git knows or would add, without what is built."""
     if (ROOT / ".git").exists():

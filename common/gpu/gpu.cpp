@@ -125,6 +125,7 @@ void Gpu::submit_now(const std::function<void(VkCommandBuffer)>& record) {
     vkFreeCommandBuffers(device.handle, pool_, 1, &commands);
 }
 
+// [upload]
 Buffer Gpu::upload(const std::string& name, std::span<const std::byte> bytes) {
     Buffer buffer(device, {.name = name, .bytes = bytes.size()});
     if (!bytes.empty()) {
@@ -141,6 +142,7 @@ Buffer Gpu::upload(const std::string& name, std::span<const std::byte> bytes) {
     buffer.constant = true;
     return buffer;
 }
+// [/upload]
 
 void Gpu::upload(Image& image, std::span<const std::byte> texels) {
     const Image::Desc& d = image.desc;

@@ -22,6 +22,7 @@ struct Resource {
     explicit operator bool() const { return image || buffer; }
 };
 
+// [raster_targets]
 /// A raster pass draws into `color` and `depth` and may read and write other resources in its shaders. What it does not
 /// state it cannot bind; what was uploaded once needs no statement.
 struct RasterTargets {
@@ -31,6 +32,7 @@ struct RasterTargets {
     glm::vec4 clear{0.0f, 0.0f, 0.0f, 1.0f};
     bool keep = false;  ///< draw over what the targets hold instead of clearing them
 };
+// [/raster_targets]
 
 /// A compute pass; what stands in both lists is read and written.
 struct ComputeAccess {

@@ -49,6 +49,13 @@ Image8 to_srgb8(const ImageRgb& image) {
     return coded;
 }
 
+Image8 one_step_away(const Image8& image) {
+    Image8 moved = image;
+    for (glm::u8vec4& p : moved.pixels)
+        for (int c = 0; c < 3; ++c) p[c] = static_cast<uint8_t>(p[c] < 255 ? p[c] + 1 : 254);
+    return moved;
+}
+
 namespace {
 
 std::string lower_extension(const fs::path& path) {

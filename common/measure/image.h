@@ -44,6 +44,9 @@ ImageRgb to_linear(const Image8& image);  ///< Drops alpha.
 /// Clamps to [0, 1], encodes and rounds to the nearest of 256 steps; NaN becomes 0, alpha 255.
 Image8 to_srgb8(const ImageRgb& image);
 
+/// Every colour channel one 8-bit step up (255 goes down): what a chart's line "one 8-bit step" is measured with.
+Image8 one_step_away(const Image8& image);
+
 /// True for the names that hold linear floats: .hdr and .pfm, in any case.
 bool is_hdr_name(const std::filesystem::path& path);
 

@@ -2,6 +2,7 @@
 
 namespace lightwalk {
 
+// [world_transforms]
 std::vector<glm::mat4> world_transforms(const Model& model) {
     std::vector<glm::mat4> world(model.nodes.size());
     for (size_t i = 0; i < world.size(); ++i) {
@@ -10,6 +11,7 @@ std::vector<glm::mat4> world_transforms(const Model& model) {
     }
     return world;
 }
+// [/world_transforms]
 
 Bounds model_bounds(const Model& model) {
     const auto world = world_transforms(model);

@@ -7,6 +7,7 @@ layout(location = 1) out vec3 world_normal;
 layout(location = 2) out vec2 uv;
 layout(location = 3) flat out uint material;
 
+// [main]
 void main() {
     Vertex vertex = vertices[gl_VertexIndex];
     Instance instance = instances[gl_InstanceIndex];
@@ -16,3 +17,4 @@ void main() {
     material = instance.material;
     gl_Position = world_to_clip(view.view_projection, world_position);
 }
+// [/main]

@@ -21,6 +21,7 @@ struct Reflected {
     float specular;
 };
 
+// [reflect_light]
 Reflected reflect_light(Surface surface, vec3 to_light, Wrap wrap) {
     Reflected result;
     float received = lambert(surface.normal, to_light);
@@ -42,3 +43,4 @@ Reflected reflect_light(Surface surface, vec3 to_light, Wrap wrap) {
 #endif
     return result;
 }
+// [/reflect_light]

@@ -15,6 +15,7 @@ layout(location = 0) out vec4 color;
 layout(scalar) uniform ViewBlock { CameraView view; };
 layout(scalar) uniform AmbientBlock { vec3 ambient; };
 
+// [light_pixel]
 // The mean over samples × samples points of the pixel, where position and normal are continued linearly from its
 // middle: with many samples this is the truth that the methods are measured against.
 Lit light_pixel(MaterialData material) {
@@ -33,6 +34,7 @@ Lit light_pixel(MaterialData material) {
     float count = float(knobs.samples * knobs.samples);
     return Lit(sum.diffuse / count, sum.specular / count);
 }
+// [/light_pixel]
 
 void main() {
     MaterialData material = materials[material_index];

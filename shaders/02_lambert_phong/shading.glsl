@@ -15,6 +15,7 @@ struct Lit {
     vec3 diffuse, specular;  // per unit of the material's colours
 };
 
+// [sum]
 Lit light_surface(vec3 position, vec3 normal, vec3 eye, float material_shininess) {
     Surface surface;
     surface.normal = normal;
@@ -29,3 +30,4 @@ Lit light_surface(vec3 position, vec3 normal, vec3 eye, float material_shininess
     }
     return sum;
 }
+// [/sum]

@@ -5,11 +5,13 @@
 
 BEGIN_SHARED
 
+// [vertex]
 struct Vertex {
     vec3 position;  // metres, object space
     vec3 normal;    // unit length
     vec2 uv;        // v = 0 is the bottom row of an image
 };
+// [/vertex]
 
 // One drawn part of a mesh; gl_InstanceIndex counts them.
 struct Instance {

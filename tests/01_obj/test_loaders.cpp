@@ -207,6 +207,17 @@ TEST_CASE("loaders: one long face") {
     }
     for (const Loader loader : {Loader::scan, Loader::parallel})
         CHECK(parse_obj_text(text + face + "\n", "test.obj", loader).triangles() == 4998);
+    // A million corners, crossing itself, and flat: an answer within seconds, and no triangle lost.
+    std::string huge = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\nf";
+    for (int i = 0; i < 1000000; ++i) huge += i % 5 == 4 ? " 5" : " " + std::to_string(i % 5 + 1);
+    CHECK(parse_obj_text(huge + "\n", "test.obj", Loader::parallel).triangles() == 999998);
+    std::string flat = "v 0 0 0\nv 1 0 0\nf";
+    for (int i = 0; i < 500000; ++i) flat += " 1 2";
+    CHECK(parse_obj_text(flat + "\n", "test.obj", Loader::parallel).triangles() == 999998);
+    // Many names, in all loaders.
+    std::string names = triangle;
+    for (int i = 0; i < 20000; ++i) names += "g g" + std::to_string(i) + "\nf 1 2 3\n";
+    CHECK(read(names).groups.size() == 20000);
     // Not so long a file that says it has many corners must not cost memory or time by that number.
     CHECK(outcome_of(triangle + "f 1000000000/1000000000/1000000000 1 2\n", Loader::parallel).place == "test.obj:4");
 }

@@ -29,7 +29,7 @@ foreach(name ${LIGHTWALK_CHAPTERS})
 endforeach()
 add_custom_target(compare)
 add_custom_target(programs)
-add_custom_target(fuzzers)
+add_custom_target(fuzz_obj)
 enable_testing()
 add_test(NAME unit.common COMMAND sh -c "! test -e ${PROJECT_SOURCE_DIR}/broken")
 include(tests/build.cmake)
@@ -44,6 +44,9 @@ CHAPTER = """#!PYTHON
 import os, sys
 words = sys.argv[1:]
 name = os.path.basename(sys.argv[0])
+if "--study" in words:
+    open(words[words.index("--study") + 1], "w").write("{}")
+    sys.exit(0)
 if "--screenshot" not in words:
     print(name, *words, "in", os.getcwd())
     sys.exit(7 if "--fail" in words else 0)
@@ -70,9 +73,10 @@ print(json.dumps({"flip": {"mean": d, "p99": d, "max": d}, "rmse": d,
 """
 CHECK = """#!PYTHON
 import json, os, sys
-exercise = sys.argv[sys.argv.index("--exercise") + 1]
 name = os.path.basename(sys.argv[0]).removeprefix("check_")
-said = open(f"chapters/{name}/exercise/{exercise[3:]}.cpp").read()
+exercise = sys.argv[sys.argv.index("--exercise") + 1] if "--exercise" in sys.argv else name[:2] + ".one"
+use = sys.argv[sys.argv.index("--use") + 1]
+said = open(f"chapters/{name}/{use}/{exercise[3:]}.cpp").read()
 if "die" in said:
     os.abort()
 ok = "right" in said
@@ -80,6 +84,9 @@ print("a line that is no JSON")
 print(json.dumps({"exercise": exercise, "ok": ok, "passed": 2 + ok, "failed": 1 - ok,
                   "first_failure": None if ok else "one(0) gave 1, expected 0", "hint": "think"}))
 sys.exit(0 if ok else 1)
+"""
+CHART = """import sys
+open(sys.argv[1].replace(".json", ".svg"), "w").write("<svg/>")
 """
 FUZZ = """#!/bin/sh
 echo stat::number_of_executed_units: 9
@@ -108,13 +115,13 @@ SHOTS_02 = {"shots": [{"name": "bunny", "caption": "Lit.", "set": {"method": "ph
 FILES = {
     "CMakeLists.txt": CMAKE, "CMakePresets.json": json.dumps(PRESETS), "compile": COMPILE,
     ".clang-format": "DisableFormat: true\n", ".gitignore": "build/\n__pycache__/\n", "tests/common/test_course.py": "",
-    "programs/compare": COMPARE, "programs/fuzz_obj": FUZZ,
+    "programs/compare": COMPARE, "programs/tests/fuzz_obj": FUZZ, "tests/01_obj/fuzz/fuzz_obj.cpp": "",
     "programs/chapters/01_obj": CHAPTER, "programs/chapters/02_lambert": CHAPTER,
     "programs/tests/check_01_obj": CHECK, "programs/tests/check_02_lambert": CHECK,
     "chapters/01_obj/main.cpp": MAIN, "chapters/02_lambert/main.cpp": "",
     "chapters/01_obj/exercise/one.cpp": "open", "chapters/01_obj/solution/one.cpp": "right",
-    "chapters/02_lambert/exercise/one.cpp": "right", "chapters/02_lambert/solution/one.cpp": "right",
-    "docs/01_obj.md": LESSON, "docs/02_lambert.md": "# Two\n",
+    "chapters/02_lambert/exercise/one.cpp": "open", "chapters/02_lambert/solution/one.cpp": "right",
+    "chapters/01_obj/study.json": "{}", "common/course/chart.py": CHART, "docs/01_obj.md": LESSON, "docs/02_lambert.md": "# Two\n",
     "assets/CREDITS.md": "| file | what | who |\n|---|---|---|\n| models/{a,b}.obj | x | y |\n",
     "assets/models/a.obj": "v", "assets/models/b.obj": "v",
     "tests/01_obj/shots.json": json.dumps(SHOTS_01), "tests/02_lambert/shots.json": json.dumps(SHOTS_02),

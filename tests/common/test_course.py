@@ -15,6 +15,7 @@ from small_course import LESSON, REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
 import cli  # noqa: E402
+from check_teeth import with_bodies  # noqa: E402
 from progress import Progress  # noqa: E402
 
 
@@ -77,6 +78,13 @@ class Commands(Course):
         self.assertEqual(course.returncode, 130, printed)
         self.assertNotIn("Traceback", printed)
 
+    def test_study_draws_a_chart_for_each_device(self):
+        self.assertIn("build/studies/01_obj.json; build/studies/01_obj.svg", self.course("study"))
+        self.assertIn("x/01_obj_h200_nvl.svg", self.course("study", "01", "--device", "H200 NVL", "--out", "x",
+                                                           cwd=self.outside))
+        self.assertTrue((self.outside / "x/01_obj_h200_nvl.svg").exists())
+        self.assertIn("chapter 02_lambert has no study; there are 01_obj", self.course("study", "02", code=2))
+
     def test_doctor_fuzz_and_clean(self):
         self.assertIn("cmake", self.course("doctor"))
         self.assertIn("obj: 9 runs, nothing found\n1 of 1 targets held", self.course("fuzz", "1"))
@@ -94,25 +102,26 @@ class Commands(Course):
 
 
 class Tests(Course):
-    """The small tree has unit.common, three shots, two teeth and two texts, of which one is this file's empty stand-in."""
+    """The small tree has unit.common, three shots, two teeth of shots and two of checks, and two texts, of which one is
+    this file's empty stand-in."""
 
     def test_green_red_and_the_closing_line(self):
         self.accept()
-        self.assertEqual(self.course("test").splitlines()[-1], "100% tests passed, 0 tests failed out of 8")
+        self.assertEqual(self.course("test").splitlines()[-1], "100% tests passed, 0 tests failed out of 10")
         self.assertTrue((self.root / "build/report/index.html").exists())
         self.put("broken")
-        self.assertEqual(self.course("test", code=1).splitlines()[-1], "88% tests passed, 1 tests failed out of 8")
+        self.assertEqual(self.course("test", code=1).splitlines()[-1], "90% tests passed, 1 tests failed out of 10")
 
     def test_pattern_labels_and_nothing(self):
         self.accept()
         self.assertIn("out of 2", self.course("test", "shot.01").splitlines()[-1])
-        self.assertIn("out of 2", self.course("test", "-L", "teeth").splitlines()[-1])
+        self.assertIn("out of 4", self.course("test", "-L", "teeth").splitlines()[-1])
         self.assertIn("no test matches -R nothing", self.course("test", "nothing", code=2))
 
     def test_sanitizers_are_counted(self):
         self.accept()
-        self.assertIn("out of 14", self.course("test", "--sanitize").splitlines()[-1])
-        self.assertIn("out of 9", self.course("test", CI="true").splitlines()[-1])
+        self.assertIn("out of 18", self.course("test", "--sanitize").splitlines()[-1])
+        self.assertIn("out of 11", self.course("test", CI="true").splitlines()[-1])
 
     def test_nothing_to_build_says_nothing(self):
         self.course("run", "01")
@@ -183,6 +192,7 @@ class Shots(Course):
 
 class Exercises(Course):
     def test_check_says_what_is_wrong(self):
+        self.put("chapters/02_lambert/exercise/one.cpp", "right")
         self.put("no_teeth")
         self.accept()
         printed = self.course("check", "01", code=1)
@@ -196,6 +206,7 @@ class Exercises(Course):
         self.assertIn("02_lambert               [#] 1 of 1", self.course("progress", code=1))
 
     def test_the_picture_comes_last(self):
+        self.put("chapters/02_lambert/exercise/one.cpp", "right")
         self.accept()
         self.assertIn("the numbers are right, the picture of bunny is not", self.course("check", "02", code=1))
         self.put("no_teeth")
@@ -214,7 +225,23 @@ class Exercises(Course):
         self.assertIn("out of 3", self.run_program([folder / "course", "test"]).splitlines()[-1])
         self.course("handout", str(folder), code=2)
 
+    def test_a_check_must_refuse_the_starter_and_take_the_solution(self):
+        self.course("run", "01")
+        check = [sys.executable, self.root / "common/course/check_teeth.py", "01_obj"]
+        self.run_program(check)
+        self.put("chapters/01_obj/exercise/one.cpp", "right")
+        self.assertIn("01.one: it passes as handed out", self.run_program(check, code=1))
+        self.put("chapters/01_obj/solution/one.cpp", "wrong")
+        self.assertIn("01.one: the reference does not pass", self.run_program(check, code=1))
+
+    def test_functions_without_bodies(self):
+        text = ("// f(x) {\nfloat f(vec3 a,\n        float b) {\n    if (b > 0.0) { return 1.0; }\n    return b;\n}\n"
+                "void g() { h(); }\n")
+        self.assertEqual(with_bodies(text, " return ZERO; "), "// f(x) {\nfloat f(vec3 a,\n        float b) "
+                         "{ return float(0); }\nvoid g() {}\n")
+
     def test_grade(self):
+        self.put("chapters/02_lambert/exercise/one.cpp", "right")
         students = self.outside / "students"
         for name, text in (("ann", "right"), ("ben", "wrong"), ("cat", "syntax error"), ("dan", None)):
             folder = students / name / "chapters/01_obj/exercise"

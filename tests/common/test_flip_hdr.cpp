@@ -63,7 +63,8 @@ TEST_CASE("HDR-FLIP: a reference that is half black needs explicit exposures") {
 
 TEST_CASE("HDR-FLIP of constants is the worst exposure's colour difference") {
     const ImageRgb a(3, 3, glm::vec3(0.02f)), b(3, 3, glm::vec3(0.021f));
-    const ExposureRange range = exposure_range(-2, 7);
+    // Dark against dark: only the last exposure shows it, so each exposure's factor counts.
+    const ExposureRange range = exposure_range(-2, 2.5f);
     double worst = 0;
     for (int i = 0; i < range.count; ++i) {
         const double p = tone(0.02 * std::exp2(double(range.at(i)))), q = tone(0.021 * std::exp2(double(range.at(i))));

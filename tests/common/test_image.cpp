@@ -154,6 +154,16 @@ TEST_CASE("A .hdr is linear as it stands") {
     // The older form: a pixel, then the marker 1 1 1 n that repeats it.
     write_file(scratch / "old.hdr", radiance(4, 1, "\x05\x06\x07\x88\x01\x01\x01\x03"));
     CHECK(read_image_linear(scratch / "old.hdr").at(3, 0) == glm::vec3(5, 6, 7));
+    write_file(scratch / "old2.hdr", radiance(4, 1, "\x05\x05\x05\x88\x09\x09\x09\x88\x01\x01\x01\x02"));
+    CHECK(read_image_linear(scratch / "old2.hdr").at(3, 0) == glm::vec3(9));
+    // A count of 128 copies, it does not repeat.
+    std::string copies("\x02\x02\0\x80", 4);
+    for (int component = 0; component < 4; ++component) {
+        copies += '\x80';
+        for (int x = 0; x < 128; ++x) copies += component == 3 ? '\x88' : char(x);
+    }
+    write_file(scratch / "copies.hdr", radiance(128, 1, copies));
+    CHECK(read_image_linear(scratch / "copies.hdr").at(100, 0) == glm::vec3(100));
     CHECK(is_hdr_name("x/y.HDR"));
     CHECK_FALSE(is_hdr_name("hdr.png"));
     CHECK_THROWS_AS(read_image8(scratch / "a.hdr"), InputError);
@@ -200,7 +210,10 @@ TEST_CASE("What is not a whole image is refused in one line that names the file"
     stbi_write_jpg_to_func(append, &jpeg, 64, 64, 4, pattern(64, 64).pixels.data(), 90);
     write_file(scratch / "whole.jpg", jpeg);
     CHECK(read_image8(scratch / "whole.jpg").width == 64);
-    refused("half.jpg", jpeg.substr(0, jpeg.size() / 2), "cut off");  // stb alone would fill it with grey
+    refused("half.jpg", jpeg.substr(0, jpeg.size() / 2), ": is cut off;");  // stb alone would fill it with grey
+    // An end marker before the last scan, as a thumbnail has one, is not the end.
+    refused("thumb.jpg", jpeg.substr(0, 2) + std::string("\xFF\xFE\0\x04\xFF\xD9", 6) + jpeg.substr(2, jpeg.size() / 2),
+            ": is cut off;");
     refused("cut.jpg", std::string("\xFF\xD8\xFF\xE0\0\x10JFIF\0\x01\x01\0\0\x01\0\x01\0\0", 20), "broken header");
 }
 

@@ -21,13 +21,13 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 TEST_CASE("RMSE, relative RMSE and maximum by hand") {
     ImageRgb reference(2, 1), test(2, 1);
-    reference.pixels = {{0, 0, 0}, {1, 1, 1}};
-    test.pixels = {{0.3f, 0, 0}, {1, 0.6f, 1}};
+    reference.pixels = {{0, 0, 0}, {1, 0.5f, 1}};
+    test.pixels = {{0.3f, 0, 0}, {1, 0.9f, 1}};
     const Difference d = difference(reference, test);
     CHECK(d.pixels == 2);
     CHECK(d.mse == Approx((0.09 + 0.16) / 6));
     CHECK(d.rmse == Approx(std::sqrt((0.09 + 0.16) / 6)));
-    CHECK(d.relative_rmse == Approx(std::sqrt((0.09 / 0.01 + 0.16 / 1.01) / 6)));
+    CHECK(d.relative_rmse == Approx(std::sqrt((0.09 / 0.01 + 0.16 / 0.26) / 6)));
     CHECK(d.max == Approx(0.4));
     const Difference back = difference(test, reference);
     CHECK(back.rmse == Approx(d.rmse));
@@ -74,6 +74,12 @@ TEST_CASE("The largest step names a pixel that has it") {
     CHECK_THROWS_AS(max_step_difference(a, Image8(4, 5)), InputError);
 }
 
+TEST_CASE("One step away is one step in every channel, white included") {
+    const Image8 image(2, 2, {0, 254, 255, 77}), moved = one_step_away(image);
+    CHECK(moved.at(1, 1) == glm::u8vec4(1, 255, 254, 77));
+    CHECK(max_step_difference(image, moved).steps == 1);
+}
+
 TEST_CASE("An image on which nothing was drawn is nearly constant, a small object is not") {
     CHECK(is_nearly_constant(Image8()));
     Image8 image(100, 100, {40, 50, 60, 255});
@@ -84,7 +90,7 @@ TEST_CASE("An image on which nothing was drawn is nearly constant, a small objec
     CHECK_FALSE(is_nearly_constant(image));
     Image8 dithered(100, 100);
     for (int y = 0; y < 100; ++y)
-        for (int x = 0; x < 100; ++x) dithered.at(x, y) = glm::u8vec4(100 + (x + y) % 5, 100, 100, 255);
+        for (int x = 0; x < 100; ++x) dithered.at(x, y) = glm::u8vec4(100 + 4 * ((x + y) % 2), 100, 100, 255);
     CHECK(is_nearly_constant(dithered));
     Image8 ramp(256, 4);
     for (int y = 0; y < 4; ++y)

@@ -1,0 +1,169 @@
+"""Studies: reading and checking the JSON that `--study` writes, and what follows from its points.
+
+docs/study_format.md has the format. Nothing here draws.
+"""
+import json
+import math
+import pathlib
+
+METRICS = {  # key in a point's "error": (how an axis calls it, what one 8-bit step at mid grey makes of it)
+    "flip_mean": ("FLIP, mean", 0.0299),
+    "flip_p99": ("FLIP, 99th percentile", 0.0299),
+    "rmse": ("RMSE, linear light", 0.00367),
+    "relative_rmse": ("relative RMSE", 0.0154),
+    "max": ("largest error, linear light", 0.00367),
+    "ulp": ("largest error, ULP", None),
+}
+SOFTWARE = ("llvmpipe", "lavapipe", "swiftshader", "softpipe")
+
+
+class StudyError(Exception):
+    """A study that cannot be used; the text is one line that says why and what would be right."""
+
+
+class Point:
+    """One measured way to do a thing. `time` is (q1, median, q3) in the study's unit, `error` the study's metric."""
+
+    def __init__(self, data, metric, unit):
+        self.data = data
+        self.scene = data["scene"]
+        self.method = data["method"]
+        self.knobs = data.get("knobs", {})
+        self.error = number(data["error"].get(metric))
+        spread = data["mb_per_s" if unit == "MB/s" else "time_ms"]
+        self.time = tuple(number(spread[key]) for key in ("q1", "median", "q3"))
+        self.nan, self.inf = data["error"].get("nan", 0), data["error"].get("inf", 0)
+
+    @property
+    def drawable(self):
+        return math.isfinite(self.error) and math.isfinite(self.time[1]) and self.time[1] > 0
+
+
+class Study:
+    """A checked study. `higher_is_faster` where time is a throughput (MB/s)."""
+
+    def __init__(self, data):
+        self.data = data
+        for key in ("chapter", "title", "subject", "device", "driver", "stage", "command", "error_metric", "points"):
+            if key not in data:
+                raise StudyError(f'has no "{key}"; docs/study_format.md says what a study holds')
+        if data["subject"] not in ("frame", "loader"):
+            raise StudyError(f'"subject" is "{data["subject"]}", expected "frame" or "loader"')
+        self.metric = data["error_metric"]
+        if self.metric not in METRICS:
+            raise StudyError(f'"error_metric" is "{self.metric}", expected one of {", ".join(METRICS)}')
+        self.unit = data.get("time_unit", "ms")
+        if self.unit not in ("ms", "MB/s"):
+            raise StudyError(f'"time_unit" is "{self.unit}", expected "ms" or "MB/s"')
+        self.higher_is_faster = self.unit == "MB/s"
+        if not data["points"]:
+            raise StudyError("has no points")
+        for i, point in enumerate(data["points"]):
+            if point.get("device", data["device"]) != data["device"]:
+                raise StudyError(f'point {i} was measured on "{point["device"]}", the study on "{data["device"]}": '
+                                 "times of two devices never share an axis, write two studies")
+        try:
+            self.points = [Point(p, self.metric, self.unit) for p in data["points"]]
+        except (KeyError, TypeError, AttributeError) as error:
+            raise StudyError(f"has a point without {error}; docs/study_format.md says what a point holds") from None
+
+    @property
+    def software(self):
+        """True where the frame was rasterised by the CPU. Its times are CPU times."""
+        names = f'{self.data["device"]} {self.data["driver"]}'.lower()
+        return self.data["subject"] == "frame" and any(name in names for name in SOFTWARE)
+
+    @property
+    def scenes(self):
+        return list(dict.fromkeys(p.scene for p in self.points))
+
+    @property
+    def methods(self):
+        return list(dict.fromkeys(p.method for p in self.points))
+
+    @property
+    def varied_knobs(self):
+        """The knobs that take more than one value in this study; the others need no mention at a point."""
+        names = dict.fromkeys(name for p in self.points for name in p.knobs)
+        return [name for name in names if len({str(p.knobs[name]) for p in self.points if name in p.knobs}) > 1]
+
+    def knob_label(self, point):
+        """The values that tell a point from its neighbours: "16", or "taps 16, radius 2.5" where two knobs vary."""
+        values = {name: value for name, value in point.knobs.items() if name in self.varied_knobs}
+        short = {name: f"{value:g}" if isinstance(value, float) else str(value) for name, value in values.items()}
+        return ", ".join(short.values() if len(self.varied_knobs) == 1 else
+                         (f"{name} {value}" for name, value in short.items()))
+
+    @property
+    def time_label(self):
+        if self.unit == "MB/s":
+            return "throughput (MB/s), faster to the right"
+        return "CPU time (software rasteriser), ms" if self.software else "GPU time, ms"
+
+    @property
+    def one_step(self):
+        """(error one 8-bit step makes, whether it was measured on this study's truth), or (None, False)."""
+        measured = self.data.get("one_step", {}).get(self.metric)
+        return (measured, True) if measured else (METRICS[self.metric][1], False)
+
+    @property
+    def doubling_change(self):
+        """How far doubling the truth's samples moves it, in the study's metric; None where not stated."""
+        return self.data.get("truth", {}).get("doubling_change")
+
+    def front(self, scene):
+        """The points of a scene that no other beats in both time and error, fastest first. Equal points stay."""
+        sign = -1 if self.higher_is_faster else 1
+        points = [p for p in self.points if p.scene == scene and p.drawable]
+        best = []
+        for p in sorted(points, key=lambda p: (sign * p.time[1], p.error)):
+            if not best or p.error < best[-1].error or (p.error, p.time[1]) == (best[-1].error, best[-1].time[1]):
+                best.append(p)
+        return best
+
+
+def number(value):
+    """A JSON number; null, which is how JSON writes NaN and infinity, is NaN."""
+    return math.nan if value is None else float(value)
+
+
+def load(path):
+    """Reads and checks a study file. Raises StudyError with the file's name in its one line."""
+    path = pathlib.Path(path)
+    try:
+        return Study(json.loads(path.read_text(encoding="utf-8")))
+    except OSError as error:
+        raise StudyError(f"{path}: cannot be read: {error.strerror}") from None
+    except (json.JSONDecodeError, UnicodeDecodeError) as error:
+        raise StudyError(f"{path}: is not JSON: {error}") from None
+    except StudyError as error:
+        raise StudyError(f"{path}: {error}") from None
+
+
+def figures(value, digits=3):
+    """A number for a table: `digits` significant digits, NaN and infinity by name."""
+    if math.isnan(value):
+        return "NaN"
+    return "0" if value == 0 else f"{value:.{digits}g}"
+
+
+def markdown_table(study):
+    """The points as a Markdown table: scene, method, knobs, time and errors; what is on the Pareto front is marked."""
+    loader = study.data["subject"] == "loader"
+    keys = [study.metric] + [k for k in ("flip_mean", "flip_p99", "rmse", "relative_rmse", "max", "ulp")
+                             if k != study.metric and any(k in p.data["error"] for p in study.points)]
+    time = "MB/s" if loader and study.higher_is_faster else ("CPU ms" if study.software else
+                                                           "ms" if loader else "GPU ms")
+    rows = [["", "scene", "method", "knobs", f"{time} (median)", "quartiles"] + [METRICS[k][0] for k in keys]
+            + ["NaN", "Inf"]]
+    rows.append(["---"] * 4 + ["---:"] * (len(rows[0]) - 4))
+    on_front = {id(p) for scene in study.scenes for p in study.front(scene)}
+    for p in study.points:
+        spread = f"{figures(p.time[0])}–{figures(p.time[2])}"
+        named = ", ".join(f"{name} {value}" for name, value in p.knobs.items())
+        rows.append(["●" if id(p) in on_front else "", p.scene, p.method, named, figures(p.time[1]), spread]
+                    + [figures(number(p.data["error"].get(k))) for k in keys] + [str(p.nan), str(p.inf)])
+    lines = ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows]
+    d = study.data
+    note = f'● on the Pareto front. {d["device"]}, {d["driver"]}; {d["stage"]}. Made by `{d["command"]}`.'
+    return "\n".join(lines) + "\n\n" + note + "\n"
