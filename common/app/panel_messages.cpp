@@ -65,8 +65,8 @@ bool Panel::draw_divider(SplitView& split, glm::uvec2 picture) {
     ImGui::GetBackgroundDrawList()->AddLine({line, 0.0f}, {line, height},
                                             ImGui::GetColorU32({1.0f, 1.0f, 1.0f, held ? 1.0f : 0.75f}), 2.0f);
     const float name_width = ImGui::CalcTextSize("mine").x + 12.0f;
-    side_name("mine", mine_color, {line - name_width - 10.0f, height - 36.0f});
-    side_name("reference", reference_color, {line + 10.0f, height - 36.0f});
+    side_name("mine", mine_color, {line - name_width - 10.0f, 8.0f});
+    side_name("reference", reference_color, {line + 10.0f, 8.0f});
     return held;
 }
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstring>
 
+#include "common/course/exercise.h"
 #include "common/files.h"
 #include "common/measure/flip.h"
 
@@ -55,7 +56,7 @@ void SplitView::turn_on(const Chapter& chapter) {
     auto made = make_();
     made->name = chapter.name;
     auto live = std::make_unique<LiveChapter>(*made, gpu_, scene_);
-    const ToggleScope reference(true);
+    const ToggleScope reference(Exercises::ids(), true);
     live->load();
     chapter_ = std::move(made);
     live_ = std::move(live);
@@ -72,7 +73,7 @@ void SplitView::turn_off() {
 
 void SplitView::reload() {
     if (!on()) return;
-    const ToggleScope reference(true);
+    const ToggleScope reference(Exercises::ids(), true);
     live_->reload();
 }
 
@@ -80,7 +81,7 @@ void SplitView::draw(const Chapter& chapter, const Look& look, glm::uvec2 size, 
     for (size_t i = 0; i < chapter.knobs.size(); ++i) chapter_->knobs[i]->set(chapter.knobs[i]->text());
     chapter_->camera = chapter.camera;
     look.attach(*frame_, chapter_->camera, chapter_->scene.bounds);
-    const ToggleScope reference(true);
+    const ToggleScope reference(Exercises::ids(), true);
     live_->draw(*frame_, size, time_s, seed);
 }
 

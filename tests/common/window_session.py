@@ -42,17 +42,15 @@ class XServer:
 
     def screen(self, left: int, top: int, width: int, height: int) -> bytes:
         """Three bytes a pixel: red, green, blue; rows from the top."""
-        data = Path(self.folder.name, "Xvfb_screen0").read_bytes()
-        header = struct.unpack(">25I", data[:100])
-        line, colors = header[12], header[19]
-        start = header[0] + 12 * colors
-        rows = []
-        for y in range(top, top + height):
-            row = data[start + y * line + 4 * left:start + y * line + 4 * (left + width)]
-            rgb = bytearray(3 * width)
-            rgb[0::3], rgb[1::3], rgb[2::3] = row[2::4], row[1::4], row[0::4]
-            rows.append(bytes(rgb))
-        return b"".join(rows)
+        with open(Path(self.folder.name, "Xvfb_screen0"), "rb") as file:
+            header = struct.unpack(">25I", file.read(100))
+            line, colors = header[12], header[19]
+            file.seek(header[0] + 12 * colors + top * line)
+            data = file.read(height * line)
+        rows = b"".join(data[y * line + 4 * left:y * line + 4 * (left + width)] for y in range(height))
+        rgb = bytearray(3 * width * height)
+        rgb[0::3], rgb[1::3], rgb[2::3] = rows[2::4], rows[1::4], rows[0::4]
+        return bytes(rgb)
 
 
 class Session:
@@ -144,7 +142,7 @@ class Session:
                 raise AssertionError(f"it ended while waiting for {what}: " + "\n".join(self.errors))
             if time.monotonic() > until:
                 raise AssertionError(f"waited in vain for {what}; it said: {self.lines} {self.errors}")
-            time.sleep(0.01)
+            time.sleep(0.02)
 
     def wait_for_line(self, pattern: str, since: int) -> re.Match:
         """The first line after the first `since` that matches as a whole."""
@@ -166,7 +164,7 @@ class Session:
         """The pixels of an area once they have stopped changing."""
         before, since = self.pixels(*area), time.monotonic()
         until = time.monotonic() + PATIENCE_S
-        while time.monotonic() - since < 0.8:
+        while time.monotonic() - since < 0.6:
             if time.monotonic() > until:
                 raise AssertionError("the picture does not come to rest")
             time.sleep(0.05)
