@@ -48,7 +48,9 @@ function(lightwalk_common)
   lightwalk_library(lightwalk_check FOLDER common/course/check LINK lightwalk_app)
   add_executable(compare ${PROJECT_SOURCE_DIR}/common/measure/compare_main.cpp)
   target_link_libraries(compare PRIVATE lightwalk_measure CLI11::CLI11)
-  set_target_properties(compare PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+  add_executable(menu ${PROJECT_SOURCE_DIR}/common/app/menu_main.cpp)
+  target_link_libraries(menu PRIVATE lightwalk_app)
+  set_target_properties(compare menu PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 endfunction()
 
 # A chapter sees common and earlier chapters: its include path holds links to those folders and to no other,

@@ -142,6 +142,7 @@ void Panel::look(PanelState& state, Requests& requests) {
     log_place("look");
     if (open) {
         if (ImGui::Selectable(picture, look.output.empty())) look.output.clear();
+        log_place("look.the picture");
         for (const std::string& name : state.outputs) {
             if (ImGui::Selectable(name.c_str(), name == look.output)) look.output = name;
             log_place("look." + name);

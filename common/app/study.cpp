@@ -103,7 +103,10 @@ class SceneStudy {
             const Quartiles q = quartiles(totals[i]);
             json per_pass = json::object(), knobs = json::object();
             for (const auto& [name, values] : samples[i]) per_pass[name] = median(values);
-            for (const auto& [name, value] : points[i].set) knobs[name] = value;
+            for (const auto& [name, value] : points[i].set) {
+                const json number = json::parse(value, nullptr, false);
+                knobs[name] = number.is_number() ? number : json(value);
+            }
             result.push_back({{"scene", std::filesystem::path(scene_).stem().string()},
                               {"method", points[i].method},
                               {"knobs", knobs},
@@ -122,6 +125,14 @@ class SceneStudy {
     std::string scene_;
     glm::uvec2 size_{};
 };
+
+// The method apart from the other knobs, as docs/study_format.md has it.
+json truth_of(const json& study) {
+    json knobs = study.at("truth").at("set");
+    const json method = knobs.value("method", "");
+    knobs.erase("method");
+    return {{"method", method}, {"knobs", knobs}};
+}
 
 }  // namespace
 
@@ -198,7 +209,7 @@ void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
                    {"stage", study.at("stage")},
                    {"command", "./course study " + chapter.name.substr(0, 2) +
                                    (options.device.empty() ? "" : " --device " + options.device)},
-                   {"truth", {{"knobs", study.at("truth").at("set")}, {"doubling_change", 0.0}}},
+                   {"truth", truth_of(study)},
                    {"error_metric", study.at("error_metric")},
                    {"time_unit", "ms"},
                    {"points", json::array()}};

@@ -27,7 +27,7 @@ class XServer:
         read, write = os.pipe()
         self.process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-fbdir", self.folder.name,
-             "-nolisten", "tcp"], pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+             "-nolisten", "tcp", "-noreset"], pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as answer:
             number = answer.readline().strip()
@@ -77,10 +77,15 @@ class Session:
             found = self.xdotool("search", "--onlyvisible", "--name", "Lightwalk", check=False).split()
             self.window = found[0] if found else ""
             time.sleep(0.1)
-        if not self.window:
-            raise AssertionError("no window appeared: " + "\n".join(self.errors))
-        self.wait_for_line("first picture", 0)
-        self.focus()
+        try:
+            if not self.window:
+                raise AssertionError("no window appeared: " + "\n".join(self.errors))
+            self.wait_for_line("first picture", 0)
+            self.focus()
+            self.park()
+        except BaseException:
+            self.close()
+            raise
 
     def read(self, pipe, target: list[str]):
         for line in pipe:
@@ -107,10 +112,13 @@ class Session:
         x, y = self.places[place]
         # A panel looks once a picture at where the mouse is: arrive, then press, then let go.
         self.xdotool("mousemove", "--window", self.window, str(round(x)), str(round(y)))
-        time.sleep(0.25)
+        time.sleep(0.3)
         self.xdotool("mousedown", str(button))
-        time.sleep(0.25)
+        time.sleep(0.3)
         self.xdotool("mouseup", str(button))
+        time.sleep(0.3)
+        self.park()
+        self.settled(0, 0, *self.geometry()[2:])
 
     def drag(self, start: tuple[int, int], end: tuple[int, int], button: int = 1):
         self.xdotool("mousemove", "--window", self.window, *map(str, start))
@@ -122,6 +130,12 @@ class Session:
             self.xdotool("mousemove", "--window", self.window, *map(str, at))
             time.sleep(0.1)
         self.xdotool("mouseup", str(button))
+        time.sleep(0.2)
+        self.park()
+
+    def park(self):
+        """The mouse out of the way: its pointer is part of the screen."""
+        self.xdotool("mousemove", "9999", "9999")
 
     def wait(self, condition, what: str):
         until = time.monotonic() + PATIENCE_S
@@ -176,16 +190,21 @@ class Session:
         x11.XCloseDisplay(display)
         self.xdotool("windowunmap" if minimised else "windowmap", "--sync", self.window)
 
-    def end(self, patience_s: float = 20) -> int:
-        """Its exit code."""
-        try:
-            code = self.process.wait(patience_s)
-        except subprocess.TimeoutExpired:
+    def close(self):
+        """Ends it whatever it does; after end() there is nothing left to do."""
+        if self.process.poll() is None:
             self.process.kill()
-            self.process.wait()
-            raise AssertionError("it did not end") from None
+        self.process.wait()
         for reader in self.readers:
             reader.join(5)
         self.process.stdout.close()
         self.process.stderr.close()
-        return code
+
+    def end(self, patience_s: float = 20) -> int:
+        """Its exit code."""
+        try:
+            return self.process.wait(patience_s)
+        except subprocess.TimeoutExpired:
+            raise AssertionError("it did not end") from None
+        finally:
+            self.close()
