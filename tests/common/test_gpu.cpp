@@ -56,10 +56,18 @@ TEST_CASE("a compute pass reads, writes and is timed; a later pass sees what an 
     Frame frame(gpu);
     frame.begin({4, 4}, 0);
     frame.compute("first", {.writes = {middle}}, [&](Compute& pass) {
-        pass.use(twice).set("values", in).set("doubled", middle).set("scale", Scale{1, 2}).dispatch_threads(glm::uvec2(5, 1));
+        pass.use(twice)
+            .set("values", in)
+            .set("doubled", middle)
+            .set("scale", Scale{1, 2})
+            .dispatch_threads(glm::uvec2(5, 1));
     });
     frame.compute("second", {.reads = {middle}, .writes = {out}}, [&](Compute& pass) {
-        pass.use(twice).set("values", middle).set("doubled", out).set("scale", Scale{0, 10}).dispatch_threads(glm::uvec2(5, 1));
+        pass.use(twice)
+            .set("values", middle)
+            .set("doubled", out)
+            .set("scale", Scale{0, 10})
+            .dispatch_threads(glm::uvec2(5, 1));
     });
     frame.end();
     CHECK(floats(gpu.read_back(out)) == std::vector<float>{30, 50, 70, 90, 110});
@@ -82,15 +90,19 @@ TEST_CASE("what a pass does not state it cannot bind; a wrong name lists the rig
           "pass 'test': its shaders have no binding 'valeus'; they have: doubled, scale, values");
     CHECK(failure_of([&](Compute& p) { p.use(twice).set("scale", 1.0f); }, {}) ==
           "pass 'test': 'scale' is 4 bytes in C++ and 8 in the shader");
-    CHECK(failure_of([&](Compute& p) { p.use(twice).set("values", in).dispatch({1, 1, 1}); }, {.writes = {out}}) ==
-          "pass 'test' draws or dispatches without 'doubled' being set");
+    CHECK(failure_of(
+              [&](Compute& p) {
+                  p.use(twice).set("values", in).dispatch({1, 1, 1});
+              },
+              {.writes = {out}}) == "pass 'test' draws or dispatches without 'doubled' being set");
 }
 
 TEST_CASE("an image goes through uploads, mips and read-back unchanged") {
     Gpu& gpu = check_device();
     std::vector<uint8_t> texels(4 * 5 * 3);
     for (size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<uint8_t>(7 * i);
-    Image image(gpu.device, {.name = "odd", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = {5, 3}, .mips = full_mip_count({5, 3})});
+    Image image(gpu.device,
+                {.name = "odd", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = {5, 3}, .mips = full_mip_count({5, 3})});
     CHECK(image.desc.mips == 3);
     gpu.upload(image, std::as_bytes(std::span(texels)));
     const auto back = gpu.read_back(image);
@@ -102,9 +114,7 @@ TEST_CASE("a shader's error shows file, line and the line") {
         const FlatShader flat = flatten_text("void main() {\n    float x = undeclared;\n}\n", "inline.comp", "99", {});
         compile(Stage::compute, flat.text, "inline.comp");
         FAIL("it compiled");
-    } catch (const ShaderError& e) {
-        CHECK_THAT(e.what(), Catch::Matchers::StartsWith("inline.comp:2: 'undeclared'"));
-    }
+    } catch (const ShaderError& e) { CHECK_THAT(e.what(), Catch::Matchers::StartsWith("inline.comp:2: 'undeclared'")); }
 }
 
 TEST_CASE("a chapter cannot include a later one, nor a file that is not there, nor within #if") {
@@ -124,12 +134,15 @@ TEST_CASE("only macros that a shader names make another variant of it") {
 }
 
 TEST_CASE("a damaged cache entry is made anew, and many threads may fill the cache at once") {
-    const std::string text = flatten_text("layout(local_size_x = 1) in;\nvoid main() {}\n// " + std::to_string(getpid()),
-                                          "cache.comp", "99", {}).text;
+    const std::string text =
+        flatten_text("layout(local_size_x = 1) in;\nvoid main() {}\n// " + std::to_string(getpid()), "cache.comp", "99",
+                     {})
+            .text;
     std::vector<std::vector<uint32_t>> results(8);
     {
         std::vector<std::jthread> threads;
-        for (auto& result : results) threads.emplace_back([&] { result = compile(Stage::compute, text, "cache.comp"); });
+        for (auto& result : results)
+            threads.emplace_back([&] { result = compile(Stage::compute, text, "cache.comp"); });
     }
     for (const auto& result : results) CHECK(result == results[0]);
     const auto folder = course_root() / "build" / "shader_cache";
@@ -141,6 +154,4 @@ TEST_CASE("a damaged cache entry is made anew, and many threads may fill the cac
     CHECK(validate_spirv(results[0]).empty());
 }
 
-TEST_CASE("validation has said nothing so far") {
-    CHECK_NOTHROW(check_device().device.check_validation());
-}
+TEST_CASE("validation has said nothing so far") { CHECK_NOTHROW(check_device().device.check_validation()); }

@@ -19,7 +19,8 @@ std::string error_of(const std::string& text) {
 }
 
 struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / ("lightwalk_scene_" + std::to_string(getpid()));
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("lightwalk_scene_" + std::to_string(getpid()));
     Folder() { std::filesystem::create_directories(path); }
     ~Folder() { std::filesystem::remove_all(path); }
 };
@@ -31,7 +32,8 @@ TEST_CASE("a scene is read, degrees become radians, a parent stands before its c
         "camera": {"position": [1, 2, 3], "fov_deg": 90},
         "objects": [{"name": "cup", "parent": "table"}, {"name": "table", "scale": 2, "position": [0, 1, 0]}],
         "lights": [{"type": "spot", "inner_deg": 10, "outer_deg": 10, "range_m": 0}],
-        "ambient": [0.1, 0.2, 0.3], "knobs": {"method": "phong", "samples": 2, "ambient": true}})", "s.json");
+        "ambient": [0.1, 0.2, 0.3], "knobs": {"method": "phong", "samples": 2, "ambient": true}})",
+                                        "s.json");
     CHECK(scene.camera.position == glm::vec3(1, 2, 3));
     CHECK(scene.camera.fov_y_rad == Approx(1.5707963));
     REQUIRE(scene.objects.size() == 2);
@@ -50,13 +52,15 @@ TEST_CASE("every mistake names file, line and key") {
         {"{\"lights\": [\n{\"intensity\": -1}]}", "scene.json:2: key 'intensity' is -1, expected 0.0 to 1000000.0"},
         {"{\"lights\": [{\"intensity\": 1e300}]}", "key 'intensity' is 1e+300"},
         {"{\"lights\": [{\"type\": \"sun\"}]}", "expected directional, point or spot"},
-        {"{\"lights\": [{\"type\": \"spot\", \"inner_deg\": 20, \"outer_deg\": 10}]}", "key 'inner_deg' is above outer_deg"},
+        {"{\"lights\": [{\"type\": \"spot\", \"inner_deg\": 20, \"outer_deg\": 10}]}",
+         "key 'inner_deg' is above outer_deg"},
         {"{\"objects\": [{\"scale\": 0}]}", "nothing would be left"},
         {"{\"objects\": [{\"model\": \"models/absent.obj\"}]}", "scene.json:1: key 'model': no file models/absent.obj"},
         {"{\"objects\": {}}", "key 'objects' must be a list"},
         {"{\"camera\": {\"target\": [0, 0]}}", "must be three numbers"},
         {"{\"camera\": {\"position\": [0,0,0], \"target\": [0,0,0]}}", "it would look nowhere"},
-        {"{\"objects\": [{\"name\": \"a\", \"parent\": \"b\"}, {\"name\": \"b\", \"parent\": \"a\"}]}", "a cycle of parents among a, b"},
+        {"{\"objects\": [{\"name\": \"a\", \"parent\": \"b\"}, {\"name\": \"b\", \"parent\": \"a\"}]}",
+         "a cycle of parents among a, b"},
         {"{\"objects\": [{\"parent\": \"gone\"}]}", "parent 'gone' is no object's name"},
         {"{\"objects\": [{\"name\": \"a\"}, {\"name\": \"a\"}]}", "two objects are named 'a'"},
         {"{\n\"ambient\": [0, 0, 0],\n\"ambient\": [1, 1, 1]}", "scene.json:3: key 'ambient' stands twice"},
@@ -91,7 +95,8 @@ TEST_CASE("what is written is read back the same") {
         "objects": [{"name": "a", "model": "models/cube.obj", "rotation_deg": [10, 20, 30],
                      "material": {"diffuse": [0.1, 0.2, 0.3], "shininess": 7}}],
         "lights": [{"type": "point", "position": [1, 2, 3], "range_m": 4, "intensity": 5}],
-        "knobs": {"samples": 3}})", "s.json");
+        "knobs": {"samples": 3}})",
+                                  "s.json");
     write_scene(scene, folder.path / "s.json");
     const SceneFile again = read_scene(folder.path / "s.json");
     CHECK(again.camera.position == scene.camera.position);
