@@ -200,6 +200,7 @@ void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
         done["scenes"][name] = SceneStudy(study, options, chapter, gpu, frame, name).run();
         write_file(partial, done.dump());
     }
+    json truth_knobs = study.at("truth").at("set");
     json result = {{"chapter", chapter.name},
                    {"title", study.at("title")},
                    {"subject", "frame"},
@@ -208,10 +209,12 @@ void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
                    {"stage", study.at("stage")},
                    {"command", "./course study " + chapter.name.substr(0, 2) +
                                    (options.device.empty() ? "" : " --device " + options.device)},
-                   {"truth", {{"knobs", study.at("truth").at("set")}, {"doubling_change", 0.0}}},
+                   {"truth", {{"method", truth_knobs.value("method", "")}, {"doubling_change", 0.0}}},
                    {"error_metric", study.at("error_metric")},
                    {"time_unit", "ms"},
                    {"points", json::array()}};
+    truth_knobs.erase("method");
+    result["truth"]["knobs"] = truth_knobs;
     double worst = 0;
     for (const json& scene : study.at("scenes")) {
         const json& part = done["scenes"][scene.get<std::string>()];
