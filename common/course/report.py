@@ -11,7 +11,8 @@ It is made of all that lies in a folder of results:
      "rows": [{"case": "02.phong", "inputs": "4096 random, 12 by hand", "worst": "2 ULP", "bound": "4 ULP",
                "ok": bool, "text": "one sentence, as a student reads it"}]}
 
-where each cell may be text, a number or null. Charts of studies, paths counted from the root:
+where each cell may be text, a number or null. "test" is the ctest that wrote it, where that is not called like the
+result (KIND.NN.NAME): a failure is told once. Charts of studies, paths counted from the root:
 
     {"kind": "chart", "chapter", "name", "svg": path, "table": path of a Markdown table or null, "again": a command}
 
@@ -61,7 +62,8 @@ def render(results: list[dict], tests: list[dict]) -> str:
     pictures = Pictures()
     chapters = sorted({result["chapter"] for result in results if re.match(r"\d\d_", result["chapter"])})
     failed = [result for result in results if not is_ok(result)]
-    explained = {f"{result['kind']}.{result['chapter'][:2]}.{result.get('name')}" for result in failed}
+    explained = {result.get("test", f"{result['kind']}.{result['chapter'][:2]}.{result.get('name')}")
+                 for result in failed}
     broken = [test for test in tests if not test["ok"] and test["name"] not in explained]
     body = head(results, tests, len(failed) + len(broken), chapters, {result["chapter"] for result in failed})
     if failed or broken:

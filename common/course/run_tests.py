@@ -16,18 +16,18 @@ HELP = """Builds everything, runs every test and writes build/report/index.html.
 
   ./course test                  all of them
   ./course test shot.02          those whose name matches this regular expression
-  ./course test --sanitize       all, then again under the address and undefined-behaviour sanitizers, without windows
+  ./course test --sanitize       all, then again under the address and undefined-behaviour sanitizers, but for windows
   ./course test -L window        other options go to ctest
 
 With CI=true in the environment the unit tests run under the sanitizers too. The last line counts all tests run."""
 PASSES_OPTIONS = True
-# Which tests run again under the sanitizers.
-SANITIZED = {"all": ["-LE", "window|text"], "unit": ["-L", "unit", "-LE", "window|text"]}
+# Which tests run again under the sanitizers. Studies draw the same pictures as shots, many times.
+SANITIZED = {"all": ["-LE", "window|text|study"], "unit": ["-L", "unit", "-LE", "window|text"]}
 
 
 def add_arguments(parser):
     parser.add_argument("pattern", nargs="?", metavar="PATTERN", help="a regular expression for the tests' names")
-    parser.add_argument("--sanitize", action="store_true", help="all but window tests under the sanitizers as well")
+    parser.add_argument("--sanitize", action="store_true", help="all but window tests and studies under the sanitizers as well")
 
 
 def run(arguments, rest) -> int:

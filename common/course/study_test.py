@@ -1,0 +1,101 @@
+"""Tests a chapter's study from a quick run of it: study_test.py NN_name. A failure is exit code 1 and a line.
+
+Errors are the same on every run and with every number of threads, so they are asserted; times are not. Frames: no NaN,
+no infinity, the truth changes less than study.json allows when its samples are doubled, and along each curve, which
+goes from cheap to dear, no error is above the one before. Loaders: the course's own read every float as it is.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+from need_test import label, sweep
+from results import table
+from shots import run_program
+from study import study_of
+from tree import BUILD, Failure, chapter_program, say, warn
+
+SIZE = "480x270"
+OWN_LOADERS = ("textbook", "scan", "parallel")
+
+
+def quick_run(chapter: str, name: str, **environment) -> dict:
+    """The study at a small size and with one round of timing."""
+    file = BUILD / "study" / f"{name}.{chapter}.json"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.with_name(file.name + ".partial").unlink(missing_ok=True)
+    done = run_program([chapter_program(chapter), "--study", file, "--size", SIZE], LIGHTWALK_STUDY_ROUNDS="1",
+                       **environment)
+    if done.returncode:
+        raise Failure(f"the study of {chapter} ended with {done.returncode}: {done.stderr.strip()[-500:]}")
+    return json.loads(file.read_text())
+
+
+def rows_of(chapter: str) -> list[dict]:
+    study = study_of(chapter)
+    first = quick_run(chapter, "quick")
+    again = quick_run(chapter, "again", LP_NUM_THREADS="1")
+    errors = [[(point["scene"], point["method"], point["error"]) for point in run["points"]] for run in (first, again)]
+    differ = [a for a, b in zip(*errors) if a != b]
+    rows = [{"case": "a second run, with one thread", "inputs": f"{len(errors[0])} points", "worst": len(differ),
+             "bound": "0 differ", "ok": not differ and len(errors[0]) == len(errors[1]),
+             "text": f"{differ[0][0]} {differ[0][1]} differs" if differ else "the same errors"}]
+    return rows + (loader_rows(first) if first["subject"] == "loader" else frame_rows(study, first))
+
+
+def loader_rows(measured: dict) -> list[dict]:
+    own = [point for point in measured["points"] if point["method"] in OWN_LOADERS]
+    worst = max(own, key=lambda point: point["error"]["ulp"])
+    return [{"case": "every float that the course's loaders read", "inputs": f"{len(own)} points", "bound": "0 ULP",
+             "worst": f"{worst['error']['ulp']} ULP", "ok": worst["error"]["ulp"] == 0,
+             "text": f"{worst['method']} of {worst['scene']}" if worst["error"]["ulp"] else "correctly rounded"}]
+
+
+def frame_rows(study: dict, measured: dict) -> list[dict]:
+    metric, points = measured["error_metric"], measured["points"]
+    change, most = measured["truth"]["doubling_change"], study["truth"]["most_change"]
+    unfit = [point for point in points if point["error"]["nan"] or point["error"]["inf"] or
+             any(value is None for value in point["error"].values())]
+    rows = [{"case": "the truth, with its samples doubled", "inputs": f"{len(study['scenes'])} scenes", "worst": change,
+             "bound": most, "ok": change <= most, "text": f"change of {metric}"},
+            {"case": "pixels that are NaN or infinite", "inputs": f"{len(points)} points", "worst": len(unfit),
+             "bound": "0 points", "ok": not unfit,
+             "text": f"{unfit[0]['scene']} {unfit[0]['method']}" if unfit else "none"}]
+    wanted = {(Path(scene).stem, label(knobs)) for scene in study["scenes"] for knobs in sweep(study)}
+    found = {(point["scene"], label({"method": point["method"], **point["knobs"]})) for point in points}
+    rows.append({"case": "points measured", "inputs": f"{len(wanted)} wanted", "worst": len(found), "bound": len(wanted),
+                 "ok": found == wanted, "text": "" if found == wanted else f"not {sorted(wanted ^ found)[0]}"})
+    for scene in dict.fromkeys(point["scene"] for point in points):
+        for method in dict.fromkeys(point["method"] for point in points):
+            curve = [point for point in points if (point["scene"], point["method"]) == (scene, method)]
+            if len(curve) > 1:
+                rows.append(curve_row(scene, method, [point["error"][metric] for point in curve]))
+    return rows
+
+
+def curve_row(scene: str, method: str, errors: list[float]) -> dict:
+    """More samples are no worse."""
+    ratios = [after / before if before else float(after > before) * 2 for before, after in zip(errors, errors[1:])]
+    return {"case": f"{scene}, {method}: error over that of the point before", "inputs": f"{len(errors)} points",
+            "worst": max(ratios), "bound": "1", "ok": max(ratios) <= 1,
+            "text": ", ".join(f"{error:.3g}" for error in errors)}
+
+
+def main(chapter: str) -> list[str]:
+    rows = rows_of(chapter)
+    for row in rows:
+        say(f"{'ok   ' if row['ok'] else 'wrong'}  {row['case']:62} {row['worst']}  {row['text']}")
+    return table("stability", chapter, f"study.{chapter[:2]}", f"./course study {chapter[:2]}", rows)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        warn("usage: study_test.py NN_name")
+        sys.exit(2)
+    try:
+        problems = main(sys.argv[1])
+    except Failure as error:
+        problems = [str(error)]
+    for problem in problems:
+        say(problem)
+    sys.exit(1 if problems else 0)
