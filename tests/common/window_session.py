@@ -15,14 +15,13 @@ BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 PATIENCE_S = float(os.environ.get("LIGHTWALK_PATIENCE_S", "60"))
 
 
-def missing_programs() -> list[str]:
-    return [name for name in ("Xvfb", "xdotool") if not shutil.which(name)]
-
-
 class XServer:
     """Xvfb on a free display. Its screen lies in a file, in the format of xwd."""
 
     def __init__(self, width: int = 1400, height: int = 900):
+        missing = [name for name in ("Xvfb", "xdotool") if not shutil.which(name)]
+        if missing:  # a window that nobody has tried is not a window that works
+            raise AssertionError(f"not installed: {', '.join(missing)}; apt install xvfb xdotool")
         self.folder = tempfile.TemporaryDirectory(prefix="lightwalk_x_")
         read, write = os.pipe()
         self.process = subprocess.Popen(

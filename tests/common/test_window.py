@@ -11,7 +11,7 @@ import unittest
 import zlib
 from pathlib import Path
 
-from window_session import BUILD, ROOT, Session, XServer, missing_programs
+from window_session import BUILD, ROOT, Session, XServer
 
 CHAPTER = BUILD / "chapters" / "01_obj"
 WIDTH, HEIGHT, PANEL = 360, 580, 340
@@ -75,7 +75,6 @@ class PictureTest(unittest.TestCase):
         self.assertTrue(picture != expected, "the picture is the same")
 
 
-@unittest.skipIf(missing_programs(), f"not installed: {missing_programs()}")
 class Window(PictureTest):
     """One window, used by one test after the other; each leaves it as it found it."""
 
@@ -341,7 +340,6 @@ class NoDisplay(unittest.TestCase):
                 self.assertIn("--screenshot" if program == CHAPTER else "./course run", done.stderr)
 
 
-@unittest.skipIf(missing_programs(), f"not installed: {missing_programs()}")
 class Menu(unittest.TestCase):
     def test_click_starts_a_chapter_and_comes_back(self):
         with tempfile.TemporaryDirectory() as folder:
