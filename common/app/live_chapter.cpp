@@ -15,16 +15,18 @@ std::string LiveChapter::key() const {
     return chapter.load_key() + (chapter.reload_on_toggle() ? Exercises::state() : "");
 }
 
-void LiveChapter::load() {
+std::vector<std::string> LiveChapter::load(double budget, glm::uvec2 size) {
     loaded_with_ = key();
     try {
-        load_scene(chapter, gpu_, scene_);
+        const auto explanation = load_scene(chapter, gpu_, scene_, budget, size);
+        loaded_with_ = key();  // the rule may have set a knob that loading depends on
+        return explanation;
     } catch (const std::exception& e) {
         if (!chapter.reload_on_toggle() || all_reference(Exercises::ids())) throw;
         load_error = e.what();
         const ToggleScope reference(Exercises::ids(), true);
         chapter.scene = Scene();
-        load_scene(chapter, gpu_, scene_);
+        return load_scene(chapter, gpu_, scene_, budget, size);
     }
 }
 

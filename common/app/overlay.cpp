@@ -38,8 +38,8 @@ void set_style(float scale) {
     style.WindowRounding = style.FrameRounding = style.GrabRounding = style.PopupRounding = 3.0f;
     style.WindowBorderSize = style.FrameBorderSize = 0.0f;
     style.WindowPadding = {12.0f, 10.0f};
-    style.FramePadding = {8.0f, 4.0f};
-    style.ItemSpacing = {8.0f, 6.0f};
+    style.FramePadding = {8.0f, 3.0f};
+    style.ItemSpacing = {8.0f, 5.0f};
     style.ScrollbarSize = 10.0f;
     style.ScaleAllSizes(scale);
     const ImVec4 ground{0.085f, 0.095f, 0.115f, 1.0f}, raised{0.15f, 0.165f, 0.195f, 1.0f};

@@ -74,7 +74,8 @@ Requests Panel::draw(PanelState& state, float scale) {
     ImGui::SetNextWindowSize({static_cast<float>(width(scale)), ImGui::GetIO().DisplaySize.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     ImGui::Begin("panel", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PopStyleVar();
     ImGui::PushFont(overlay_.large);
     ImGui::TextUnformatted(title_.c_str());

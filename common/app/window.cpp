@@ -30,7 +30,9 @@ int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& h
     gpu.pipelines.keep_last_good = true;
     const std::filesystem::path scene = options.scene.empty() ? chapter.default_scene() : options.scene;
     LiveChapter live(chapter, gpu, scene);
-    live.load();
+    const auto explanation = live.load(options.automatic ? options.budget : 0, options.size);
+    if (options.explain)
+        for (const std::string& line : explanation) std::printf("%s\n", line.c_str());
     Window(options, live, gpu, display, make, scene).run();
     gpu.device.check_validation();
     return 0;
