@@ -38,13 +38,19 @@ function(lightwalk_common)
   lightwalk_library(lightwalk_measure FOLDER common/measure LINK lightwalk_base PkgConfig::stb)
   lightwalk_library(lightwalk_gpu FOLDER common/gpu LINK lightwalk_course Vulkan::Vulkan glslang::glslang
                     glslang::SPIRV glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS})
+  if(LIGHTWALK_SANITIZE OR LIGHTWALK_FUZZ)
+    # Debian builds glslang without type information, which this check of the undefined-behaviour sanitizer needs.
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/common/gpu/compile.cpp PROPERTIES COMPILE_OPTIONS -fno-sanitize=vptr)
+  endif()
   lightwalk_library(lightwalk_scene FOLDER common/scene LINK lightwalk_gpu assimp::assimp PkgConfig::stb)
   lightwalk_library(lightwalk_app FOLDER common/app LINK lightwalk_scene lightwalk_measure glfw PkgConfig::imgui
                     CLI11::CLI11)
   lightwalk_library(lightwalk_check FOLDER common/course/check LINK lightwalk_app)
   add_executable(compare ${PROJECT_SOURCE_DIR}/common/measure/compare_main.cpp)
   target_link_libraries(compare PRIVATE lightwalk_measure CLI11::CLI11)
-  set_target_properties(compare PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+  add_executable(menu ${PROJECT_SOURCE_DIR}/common/app/menu_main.cpp)
+  target_link_libraries(menu PRIVATE lightwalk_app)
+  set_target_properties(compare menu PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 endfunction()
 
 # A chapter sees common and earlier chapters: its include path holds links to those folders and to no other,

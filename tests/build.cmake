@@ -67,6 +67,7 @@ foreach(script ${scripts})
   string(REGEX REPLACE "^tests/(.*)/test_(.*)\\.py$" "\\1.\\2" name ${script})
   if(name MATCHES "window")
     lightwalk_python_test(window.${name} window ${script})
+    set_tests_properties(window.${name} PROPERTIES COST 80 TIMEOUT 600)
   elseif(name STREQUAL "common.course")
     lightwalk_python_test(text.course text ${script})
     set_tests_properties(text.course PROPERTIES COST 60)  # the longest: first

@@ -17,8 +17,8 @@ namespace {
 using nlohmann::json;
 
 constexpr LoaderCost costs[] = {
-    {Loader::textbook, 0.03, 19, 0},   {Loader::assimp, 5.0, 40, 1},    {Loader::tinyobjloader, 0.01, 150, 0},
-    {Loader::scan, 0.01, 330, 0},      {Loader::parallel, 0.02, 800, 0},
+    {Loader::textbook, 0.03, 19, 0}, {Loader::assimp, 5.0, 40, 1},     {Loader::tinyobjloader, 0.01, 150, 0},
+    {Loader::scan, 0.01, 330, 0},    {Loader::parallel, 0.02, 800, 0},
 };
 
 std::string processor_name() {
@@ -33,13 +33,13 @@ std::string processor_name() {
 void study_loaders(const json& study, json& result) {
     const unsigned threads = std::thread::hardware_concurrency();
     result = {{"subject", "loader"},
-                   {"device", processor_name()},
-                   {"driver", "CPU"},
-                   {"stage", std::to_string(threads) + " threads"},
-                   {"truth", {{"method", "strtof in the C locale"}, {"knobs", json::object()}, {"doubling_change", 0}}},
-                   {"error_metric", "ulp"},
-                   {"time_unit", "MB/s"},
-                   {"points", json::array()}};
+              {"device", processor_name()},
+              {"driver", "CPU"},
+              {"stage", std::to_string(threads) + " threads"},
+              {"truth", {{"method", "strtof in the C locale"}, {"knobs", json::object()}, {"doubling_change", 0}}},
+              {"error_metric", "ulp"},
+              {"time_unit", "MB/s"},
+              {"points", json::array()}};
     for (const json& scene : study.at("scenes")) {
         const auto path = course_root() / scene.get<std::string>();
         if (!std::filesystem::exists(path)) {

@@ -28,17 +28,16 @@ struct LambertPhong : ModelChapter {
 
     void prepare(Gpu& gpu) override { lights = upload_directional_lights(gpu, scene.file.lights); }
 
-    // [frame]
     std::vector<std::string> choose(double budget, glm::uvec2 size) override {
         const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-        const ShadingNeed need =
-            measure_need(scene, view_projection(camera, aspect), camera.position, size, shininess);
+        const ShadingNeed need = measure_need(scene, view_projection(camera, aspect), camera.position, size, shininess);
         const ShadingChoice& choice = cheapest_within(need, budget);
         method.set(choice.method);
         samples.set(std::to_string(choice.samples));
         return explain(need, choice, budget);
     }
 
+    // [frame]
     void frame(Frame& frame) override {
         set_view(frame);
 

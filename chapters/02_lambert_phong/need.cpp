@@ -51,7 +51,8 @@ struct Context {
             const dvec3 to_light = -dvec3(light.direction);
             const double received = truth::lambert(normal, to_light);
             double lobe = 0;
-            if (method == "phong") lobe = truth::phong(normal, to_light, to_eye, 0.25 * item.shininess);
+            if (method == "phong")
+                lobe = truth::phong(normal, to_light, to_eye, 0.25 * item.shininess);
             else
                 lobe = truth::blinn_phong(normal, to_light, to_eye, item.shininess);
             if (method == "blinn_phong_normalised") lobe *= truth::blinn_phong_normalisation(item.shininess) * received;
@@ -146,16 +147,16 @@ ShadingNeed measure_need(const Scene& scene, const glm::mat4& view_projection, g
                 corners[k] = {dvec3(world), dvec3(glm::normalize(normal_matrix * v.normal)),
                               dvec2(0.5 * double(clip.x / clip.w) * size.x, 0.5 * double(clip.y / clip.w) * size.y)};
             }
-            const dvec3 face = glm::cross(corners[1].position - corners[0].position,
-                                          corners[2].position - corners[0].position);
+            const dvec3 face =
+                glm::cross(corners[1].position - corners[0].position, corners[2].position - corners[0].position);
             if (!inside || glm::dot(face, context.eye - corners[0].position) <= 0) continue;
             const Triangle triangle(context, item, corners);
             if (triangle.area < 1e-6) continue;
             covered += triangle.area;
             // Full width at half maximum of the lobe, as an angle of the normal: 2 acos(2^(-1/n)).
             const double lobe = 2 * std::acos(std::exp2(-1 / std::max(item.shininess, 0.5)));
-            seen.push_back({triangle.area, std::sqrt(2 * triangle.area),
-                            lobe / std::max(triangle.turn_per_pixel(), 1e-9)});
+            seen.push_back(
+                {triangle.area, std::sqrt(2 * triangle.area), lobe / std::max(triangle.turn_per_pixel(), 1e-9)});
             for (const dvec2 b : {dvec2(1. / 6, 1. / 6), dvec2(2. / 3, 1. / 6), dvec2(1. / 6, 2. / 3)}) {
                 const dvec3 truth = triangle.sampled("blinn_phong_normalised", b, reference_samples);
                 for (ShadingChoice& choice : need.choices) {
@@ -169,9 +170,8 @@ ShadingNeed measure_need(const Scene& scene, const glm::mat4& view_projection, g
     const double pixels = double(size.x) * size.y, scale = static_cast<double>(stride);
     for (ShadingChoice& choice : need.choices) {
         choice.error *= scale / pixels;
-        choice.cost = choice.method == "gouraud"
-                          ? vertices * 1e-6
-                          : covered * scale * choice.samples * choice.samples * 1e-6;
+        choice.cost =
+            choice.method == "gouraud" ? vertices * 1e-6 : covered * scale * choice.samples * choice.samples * 1e-6;
         // Without the factor a little is saved.
         if (choice.method == "phong" || choice.method == "blinn_phong") choice.cost *= 0.98;
     }

@@ -17,8 +17,8 @@ struct ShadingChoice {
 };
 
 struct ShadingNeed {
-    double highlight_px = 0;  ///< width of highlights on the screen, median over what is seen
-    double triangle_px = 0;   ///< side of triangles on the screen, median over what is seen
+    double highlight_px = 0;             ///< width of highlights on the screen, median over what is seen
+    double triangle_px = 0;              ///< side of triangles on the screen, median over what is seen
     std::vector<ShadingChoice> choices;  ///< every one, cheapest first
 };
 

@@ -24,9 +24,7 @@ inline double blinn_phong(glm::dvec3 normal, glm::dvec3 to_light, glm::dvec3 to_
 }
 
 /// pi divided by the integral of the lobe times the cosine over the hemisphere, eye at the zenith: exact.
-inline double blinn_phong_normalisation(double n) {
-    return (n + 2.0) * (n + 4.0) / (8.0 * (std::exp2(-0.5 * n) + n));
-}
+inline double blinn_phong_normalisation(double n) { return (n + 2.0) * (n + 4.0) / (8.0 * (std::exp2(-0.5 * n) + n)); }
 
 /// The same by quadrature: `steps` midpoints in the angle of the light, which is all the integrand depends on.
 inline double blinn_phong_normalisation_by_quadrature(double n, int steps = 20000) {

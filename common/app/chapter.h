@@ -49,21 +49,21 @@ class Chapter {
     virtual void frame(Frame& frame) = 0;
     virtual std::vector<Command> commands() { return {}; }
 
-    /// The need rule: sets the cheapest method and knobs whose error in this scene and view is at most `budget`, from what
-    /// can be measured of the scene. Returns what was measured, the rule and the choice, a line each. The first is called
-    /// when scene.file is read and nothing loaded, the second when all is.
+    /// The need rule: sets the cheapest method and knobs whose error in this scene and view is at most `budget`, from
+    /// what can be measured of the scene. Returns what was measured, the rule and the choice, a line each. The first is
+    /// called when scene.file is read and nothing loaded, the second when all is.
     virtual std::vector<std::string> choose_before_loading(double /*budget*/) { return {}; }
     virtual std::vector<std::string> choose(double /*budget*/, glm::uvec2 /*size*/) { return {}; }
 
-    /// A study whose subject is not a frame: measures study.json's `scenes` on the CPU and puts into `result` the points
-    /// and what else docs/study_format.md asks of a "loader". False: the subject is the frame.
+    /// A study whose subject is not a frame: measures study.json's `scenes` on the CPU and puts into `result` the
+    /// points and what else docs/study_format.md asks of a "loader". False: the subject is the frame.
     virtual bool cpu_study(const nlohmann::json& /*study*/, nlohmann::json& /*result*/) { return false; }
 
     /// What C++ exercises change apart from shaders needs the scene loaded anew when they are toggled.
     virtual bool reload_on_toggle() const { return false; }
 
-    /// Which knobs change what is loaded, as text: where it differs from what the scene was loaded with, the window loads
-    /// it anew.
+    /// Which knobs change what is loaded, as text: where it differs from what the scene was loaded with, the window
+    /// loads it anew.
     virtual std::string load_key() const { return {}; }
 
     /// What moves, or gathers samples over frames, is drawn without a pause; the window's clock runs from the start.

@@ -1,11 +1,11 @@
 // The window system: one window, and what the person did since the last look.
 #pragma once
+#include <vulkan/vulkan.h>
+
+#include <glm/glm.hpp>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <glm/glm.hpp>
-#include <vulkan/vulkan.h>
 
 struct GLFWwindow;
 
@@ -19,7 +19,7 @@ struct KeyPress {
 /// Lengths in the window's own coordinates, y down.
 struct Input {
     glm::vec2 cursor{0.0f}, moved{0.0f};
-    float wheel = 0.0f;  ///< notches, away from the person is positive
+    float wheel = 0.0f;                                               ///< notches, away from the person is positive
     bool left = false, right = false, middle = false, shift = false;  ///< held now
     std::vector<KeyPress> pressed;
     bool happened = false;  ///< anything at all: worth a new picture

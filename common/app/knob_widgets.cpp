@@ -13,12 +13,15 @@ namespace {
 
 std::string with_unit(const char* format, const std::string& unit) {
     std::string result = format;
-    for (const char c : unit.empty() ? std::string() : " " + unit) result += c == '%' ? std::string("%%") : std::string(1, c);
+    for (const char c : unit.empty() ? std::string() : " " + unit)
+        result += c == '%' ? std::string("%%") : std::string(1, c);
     return result;
 }
 
 // As many decimals as a thousandth of the range needs.
-const char* number_format(float span) { return span >= 1000.0f ? "%.0f" : span >= 100.0f ? "%.1f" : span >= 10.0f ? "%.2f" : "%.3f"; }
+const char* number_format(float span) {
+    return span >= 1000.0f ? "%.0f" : span >= 100.0f ? "%.1f" : span >= 10.0f ? "%.2f" : "%.3f";
+}
 
 bool widget(Knob<float>& knob, const char* id) {
     const auto [lower, upper] = knob.range;
@@ -26,8 +29,8 @@ bool widget(Knob<float>& knob, const char* id) {
     const bool decades = lower >= 0.0f && upper >= 1000.0f * std::max(lower, 1.0f);
     const ImGuiSliderFlags flags =
         ImGuiSliderFlags_AlwaysClamp | (decades ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-    return ImGui::SliderFloat(id, &knob.value, lower, upper,
-                              with_unit(number_format(upper - lower), knob.unit).c_str(), flags);
+    return ImGui::SliderFloat(id, &knob.value, lower, upper, with_unit(number_format(upper - lower), knob.unit).c_str(),
+                              flags);
 }
 
 bool widget(Knob<int>& knob, const char* id) {

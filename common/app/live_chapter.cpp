@@ -20,10 +20,9 @@ void LiveChapter::load() {
     try {
         load_scene(chapter, gpu_, scene_);
     } catch (const std::exception& e) {
-        const auto ids = exercises_of(chapter);
-        if (!chapter.reload_on_toggle() || std::all_of(ids.begin(), ids.end(), Exercises::uses_solution)) throw;
+        if (!chapter.reload_on_toggle() || all_reference(Exercises::ids())) throw;
         load_error = e.what();
-        const ToggleScope reference(true);
+        const ToggleScope reference(Exercises::ids(), true);
         chapter.scene = Scene();
         load_scene(chapter, gpu_, scene_);
     }
@@ -52,14 +51,12 @@ void LiveChapter::draw(Frame& frame, glm::uvec2 size, float time_s, unsigned see
     frame_error.clear();
     try {
         record(chapter, frame, size, time_s, seed);
-    } catch (const std::exception& e) {
-        frame_error = e.what();
-    }
+    } catch (const std::exception& e) { frame_error = e.what(); }
     frame.end();
 }
 
-ToggleScope::ToggleScope(bool solution) {
-    for (const std::string& id : Exercises::ids()) {
+ToggleScope::ToggleScope(const std::vector<std::string>& ids, bool solution) {
+    for (const std::string& id : ids) {
         before_.emplace_back(id, Exercises::uses_solution(id));
         Exercises::set(id, solution);
     }
@@ -69,14 +66,30 @@ ToggleScope::~ToggleScope() {
     for (const auto& [id, solution] : before_) Exercises::set(id, solution);
 }
 
-std::vector<std::string> exercises_of(const Chapter& chapter) {
-    const std::string number = chapter.name.substr(0, 2);
-    std::vector<std::string> result;
-    for (const std::string& id : Exercises::ids())
-        if (id.substr(0, 2) == number) result.push_back(id);
-    for (const std::string& id : Exercises::ids())
-        if (id.substr(0, 2) < number) result.push_back(id);
+namespace {
+
+std::vector<std::string> exercises_where(const std::function<bool(std::string_view number)>& wanted) {
+    std::vector<std::string> result = Exercises::ids();
+    std::erase_if(result, [&](const std::string& id) { return !wanted(std::string_view(id).substr(0, 2)); });
     return result;
+}
+
+}  // namespace
+
+std::vector<std::string> own_exercises(const Chapter& chapter) {
+    return exercises_where([&](std::string_view number) { return number == chapter.name.substr(0, 2); });
+}
+
+std::vector<std::string> earlier_exercises(const Chapter& chapter) {
+    return exercises_where([&](std::string_view number) { return number < chapter.name.substr(0, 2); });
+}
+
+bool all_reference(const std::vector<std::string>& ids) {
+    return std::all_of(ids.begin(), ids.end(), Exercises::uses_solution);
+}
+
+bool any_reference_exists(const std::vector<std::string>& ids) {
+    return std::any_of(ids.begin(), ids.end(), Exercises::has_solution);
 }
 
 }  // namespace lightwalk

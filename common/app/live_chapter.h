@@ -33,8 +33,8 @@ class LiveChapter {
 /// Sets toggles for as long as it lives.
 class ToggleScope {
   public:
-    /// Every exercise to the reference or to the student's version.
-    explicit ToggleScope(bool solution);
+    /// These exercises to the reference or to the student's version.
+    ToggleScope(const std::vector<std::string>& ids, bool solution);
     ~ToggleScope();
     ToggleScope(const ToggleScope&) = delete;
 
@@ -42,7 +42,14 @@ class ToggleScope {
     std::vector<std::pair<std::string, bool>> before_;
 };
 
-/// The exercises a chapter can use: its own and earlier ones, its own first.
-std::vector<std::string> exercises_of(const Chapter& chapter);
+/// The chapter's own exercises, and those of the chapters before it, whose code it uses.
+std::vector<std::string> own_exercises(const Chapter& chapter);
+std::vector<std::string> earlier_exercises(const Chapter& chapter);
+
+/// True where all of them use the reference, or there are none.
+bool all_reference(const std::vector<std::string>& ids);
+
+/// True where a reference exists for one of them: not in a handout.
+bool any_reference_exists(const std::vector<std::string>& ids);
 
 }  // namespace lightwalk

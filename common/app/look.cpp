@@ -34,10 +34,13 @@ int kind_of(const Image& image, const Frame& frame) {
         case VK_FORMAT_R16_UNORM:
         case VK_FORMAT_R16_SFLOAT:
         case VK_FORMAT_R32_SFLOAT:
-        case VK_FORMAT_R32_UINT: return LOOK_NUMBER;
+        case VK_FORMAT_R32_UINT:
+            return LOOK_NUMBER;
         case VK_FORMAT_R8G8B8A8_UNORM:
-        case VK_FORMAT_R16G16B16A16_UNORM: return LOOK_ENCODED;
-        default: return LOOK_LINEAR;
+        case VK_FORMAT_R16G16B16A16_UNORM:
+            return LOOK_ENCODED;
+        default:
+            return LOOK_LINEAR;
     }
 }
 

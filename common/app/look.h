@@ -7,15 +7,15 @@
 namespace lightwalk {
 
 struct Look {
-    std::string output;   ///< one of names(); empty: the picture itself
-    float stops = 0.0f;   ///< brighter by 2^stops
-    int channel = 0;      ///< 0 all, 1 to 4 one of red, green, blue, alpha
+    std::string output;  ///< one of names(); empty: the picture itself
+    float stops = 0.0f;  ///< brighter by 2^stops
+    int channel = 0;     ///< 0 all, 1 to 4 one of red, green, blue, alpha
 
     /// What can be looked at in the frame that was recorded last, in order: "pass: image".
     static std::vector<std::string> names(const Frame& frame);
 
-    /// Makes the frame copy that output, visibly, when its pass has been recorded. Call it before recording. `camera` and
-    /// `bounds` (metres) say which depths there are to see.
+    /// Makes the frame copy that output, visibly, when its pass has been recorded. Call it before recording. `camera`
+    /// and `bounds` (metres) say which depths there are to see.
     void attach(Frame& frame, const Camera& camera, const Bounds& bounds) const;
 
     /// The picture to show of a recorded frame: its output, or what is looked at.

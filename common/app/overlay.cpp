@@ -11,8 +11,8 @@ namespace lightwalk {
 namespace {
 
 // Greek letters, arrows and mathematics occur in the help of knobs.
-constexpr ImWchar glyphs[] = {0x20,   0xff,   0x0391, 0x03c9, 0x2010, 0x2026, 0x2070, 0x209f,
-                              0x2190, 0x21d4, 0x2200, 0x226f, 0};
+constexpr ImWchar glyphs[] = {0x20,   0xff,   0x0391, 0x03c9, 0x2010, 0x2026, 0x2070,
+                              0x209f, 0x2190, 0x21d4, 0x2200, 0x226f, 0};
 
 // The first font of the list that is installed; Dear ImGui's own small bitmap font where none is.
 ImFont* load_font(std::initializer_list<const char*> files, float pixels) {
@@ -26,10 +26,10 @@ ImFont* load_font(std::initializer_list<const char*> files, float pixels) {
 }
 
 ImFont* sans(float pixels) {
-    return load_font({"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                      "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
-                      "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"},
-                     pixels);
+    return load_font(
+        {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+         "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"},
+        pixels);
 }
 
 void set_style(float scale) {

@@ -89,21 +89,24 @@ Requests Panel::draw(PanelState& state, float scale) {
 }
 
 void Panel::exercises(PanelState& state, Requests& requests) {
-    const auto ids = exercises_of(state.chapter);
-    bool any_solution = false;
-    for (const std::string& id : ids) {
-        if (exercise_row(id)) {
+    const auto rows = [&](const std::vector<std::string>& ids) {
+        for (const std::string& id : ids) {
+            if (!exercise_row(id)) continue;
             requests.changed = true;
             log_event("toggle " + id + " " + (Exercises::uses_solution(id) ? "reference" : "mine"));
         }
-        any_solution = any_solution || Exercises::has_solution(id);
+    };
+    const auto own = own_exercises(state.chapter), earlier = earlier_exercises(state.chapter);
+    rows(own);
+    if (own.empty()) ImGui::TextColored(quiet_color, "none in this chapter");
+    const bool handout = !any_reference_exists(own) && !any_reference_exists(earlier);
+    if (handout) ImGui::TextColored(quiet_color, "This tree is a handout: it has no reference.");
+    if (!handout && ImGui::Button("switch all   F2", {-1.0f, 0.0f})) requests.all_toggles = true;
+    if (!earlier.empty() && ImGui::TreeNode("earlier", "of earlier chapters (%zu)   Shift+F2", earlier.size())) {
+        rows(earlier);
+        ImGui::TreePop();
     }
-    if (ids.empty()) ImGui::TextColored(quiet_color, "none in this chapter");
-    if (!ids.empty() && !any_solution)
-        ImGui::TextColored(quiet_color, "This tree is a handout: it has no reference.");
-    if (!any_solution) return;
-    if (ImGui::Button("switch all   F2", {-1.0f, 0.0f})) requests.all_toggles = true;
-    split(state, requests);
+    if (!handout) split(state, requests);
 }
 
 void Panel::knobs(PanelState& state, Requests& requests) {
@@ -116,18 +119,20 @@ void Panel::knobs(PanelState& state, Requests& requests) {
 
 void Panel::split(PanelState& state, Requests& requests) {
     bool on = state.split.on();
-    if (ImGui::Checkbox("mine beside reference   Tab", &on)) requests.split = true;
+    if (ImGui::Checkbox("mine beside reference   F3", &on)) requests.split = true;
     log_place("split");
-    help_on_hover("Mine on the left, as the switches say; all of mine where they all say reference.\n"
-                  "The reference on the right. Drag the line between them.");
+    help_on_hover(
+        "Mine on the left, as the switches say; all of mine where they all say reference.\n"
+        "The reference on the right. Drag the line between them.");
     if (!state.split.on()) return;
     if (const auto& difference = state.split.difference) {
         ImGui::Text("FLIP %.4f", difference->flip_mean);
         ImGui::SameLine();
         ImGui::TextColored(quiet_color, difference->shrink == 1 ? "mean error, 0 to 1" : "mean, at 1/%d of the size",
                            difference->shrink);
-        help_on_hover("How visible the difference is to someone who flips between the two pictures.\n"
-                      "Computed when the picture stands still.");
+        help_on_hover(
+            "How visible the difference is to someone who flips between the two pictures.\n"
+            "Computed when the picture stands still.");
     } else {
         ImGui::TextColored(quiet_color, "FLIP: when the picture stands still");
     }
@@ -142,6 +147,7 @@ void Panel::look(PanelState& state, Requests& requests) {
     log_place("look");
     if (open) {
         if (ImGui::Selectable(picture, look.output.empty())) look.output.clear();
+        log_place("look.the picture");
         for (const std::string& name : state.outputs) {
             if (ImGui::Selectable(name.c_str(), name == look.output)) look.output = name;
             log_place("look." + name);

@@ -8,6 +8,7 @@ namespace lightwalk {
 /// What a person can ask for in the panel and with keys.
 struct Requests {
     bool reload = false, screenshot = false, save = false, home = false, frame_scene = false, all_toggles = false;
+    bool earlier_toggles = false;  ///< all, and those of earlier chapters
     bool split = false, clock = false, panel = false, changed = false;
 };
 
@@ -22,7 +23,7 @@ struct PanelState {
     double frame_ms = 0;               ///< from one picture to the next, wall clock
     bool clock_runs = false;
     float time_s = 0;
-    glm::uvec2 picture{0};             ///< pixels
+    glm::uvec2 picture{0};  ///< pixels
 };
 
 class Panel {

@@ -24,7 +24,8 @@ void Panel::draw_messages(const std::vector<std::string>& errors, const std::str
         ImGui::SetNextWindowPos({8.0f, height - 8.0f}, ImGuiCond_Always, {0.0f, 1.0f});
         ImGui::SetNextWindowSizeConstraints({width - 16.0f, 0.0f}, {width - 16.0f, 0.6f * height});
         ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.16f, 0.03f, 0.03f, 0.92f});
-        ImGui::Begin("errors", nullptr, (over_picture & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize);
+        ImGui::Begin("errors", nullptr,
+                     (over_picture & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize);
         ImGui::PopStyleColor();
         ImGui::PushFont(overlay_.mono);
         ImGui::PushStyleColor(ImGuiCol_Text, error_color);
@@ -39,8 +40,7 @@ void Panel::draw_messages(const std::vector<std::string>& errors, const std::str
     if (!notice.empty()) {
         ImGui::SetNextWindowPos({8.0f, 8.0f});
         ImGui::SetNextWindowBgAlpha(0.85f);
-        ImGui::Begin("notice", nullptr,
-                     over_picture | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+        ImGui::Begin("notice", nullptr, over_picture | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
         ImGui::TextUnformatted(notice.c_str());
         ImGui::End();
     }
@@ -65,8 +65,8 @@ bool Panel::draw_divider(SplitView& split, glm::uvec2 picture) {
     ImGui::GetBackgroundDrawList()->AddLine({line, 0.0f}, {line, height},
                                             ImGui::GetColorU32({1.0f, 1.0f, 1.0f, held ? 1.0f : 0.75f}), 2.0f);
     const float name_width = ImGui::CalcTextSize("mine").x + 12.0f;
-    side_name("mine", mine_color, {line - name_width - 10.0f, height - 36.0f});
-    side_name("reference", reference_color, {line + 10.0f, height - 36.0f});
+    side_name("mine", mine_color, {line - name_width - 10.0f, 8.0f});
+    side_name("reference", reference_color, {line + 10.0f, 8.0f});
     return held;
 }
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstring>
 
+#include "common/course/exercise.h"
 #include "common/files.h"
 #include "common/measure/flip.h"
 
@@ -35,8 +36,8 @@ PictureDifference compare_pictures(const Image8& mine, const Image8& reference) 
 }
 
 uint64_t hash(const Image8& image, uint64_t seed) {
-    return hash_bytes({reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size() * sizeof image.pixels[0]},
-                      seed);
+    return hash_bytes(
+        {reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size() * sizeof image.pixels[0]}, seed);
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ void SplitView::turn_on(const Chapter& chapter) {
     auto made = make_();
     made->name = chapter.name;
     auto live = std::make_unique<LiveChapter>(*made, gpu_, scene_);
-    const ToggleScope reference(true);
+    const ToggleScope reference(Exercises::ids(), true);
     live->load();
     chapter_ = std::move(made);
     live_ = std::move(live);
@@ -72,7 +73,7 @@ void SplitView::turn_off() {
 
 void SplitView::reload() {
     if (!on()) return;
-    const ToggleScope reference(true);
+    const ToggleScope reference(Exercises::ids(), true);
     live_->reload();
 }
 
@@ -80,7 +81,7 @@ void SplitView::draw(const Chapter& chapter, const Look& look, glm::uvec2 size, 
     for (size_t i = 0; i < chapter.knobs.size(); ++i) chapter_->knobs[i]->set(chapter.knobs[i]->text());
     chapter_->camera = chapter.camera;
     look.attach(*frame_, chapter_->camera, chapter_->scene.bounds);
-    const ToggleScope reference(true);
+    const ToggleScope reference(Exercises::ids(), true);
     live_->draw(*frame_, size, time_s, seed);
 }
 
@@ -97,9 +98,8 @@ void SplitView::compare(const Image& mine, const Image& reference) {
     if (pictures == compared_ && difference) return;
     compared_ = pictures;
     difference.reset();
-    running_ = std::async(std::launch::async, [left = std::move(left), right = std::move(right)] {
-        return compare_pictures(left, right);
-    });
+    running_ = std::async(std::launch::async,
+                          [left = std::move(left), right = std::move(right)] { return compare_pictures(left, right); });
 }
 
 bool SplitView::poll() {

@@ -112,7 +112,10 @@ class SceneStudy {
             const Quartiles q = quartiles(totals[i]);
             json per_pass = json::object(), knobs = json::object();
             for (const auto& [name, values] : samples[i]) per_pass[name] = median(values);
-            for (const auto& [name, value] : points[i].set) knobs[name] = value;
+            for (const auto& [name, value] : points[i].set) {
+                const json number = json::parse(value, nullptr, false);
+                knobs[name] = number.is_number() ? number : json(value);
+            }
             result.push_back(
                 {{"scene", std::filesystem::path(scene_).stem().string()},
                  {"method", points[i].method},
@@ -131,6 +134,14 @@ class SceneStudy {
     std::string scene_;
     glm::uvec2 size_{};
 };
+
+// The method apart from the other knobs, as docs/study_format.md has it.
+json truth_of(const json& study) {
+    json knobs = study.at("truth").at("set");
+    const json method = knobs.value("method", "");
+    knobs.erase("method");
+    return {{"method", method}, {"knobs", knobs}};
+}
 
 }  // namespace
 
@@ -200,7 +211,6 @@ void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
         done["scenes"][name] = SceneStudy(study, options, chapter, gpu, frame, name).run();
         write_file(partial, done.dump());
     }
-    json truth_knobs = study.at("truth").at("set");
     json result = {{"chapter", chapter.name},
                    {"title", study.at("title")},
                    {"subject", "frame"},
@@ -209,12 +219,10 @@ void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
                    {"stage", study.at("stage")},
                    {"command", "./course study " + chapter.name.substr(0, 2) +
                                    (options.device.empty() ? "" : " --device " + options.device)},
-                   {"truth", {{"method", truth_knobs.value("method", "")}, {"doubling_change", 0.0}}},
+                   {"truth", truth_of(study)},
                    {"error_metric", study.at("error_metric")},
                    {"time_unit", "ms"},
                    {"points", json::array()}};
-    truth_knobs.erase("method");
-    result["truth"]["knobs"] = truth_knobs;
     double worst = 0;
     for (const json& scene : study.at("scenes")) {
         const json& part = done["scenes"][scene.get<std::string>()];

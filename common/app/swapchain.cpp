@@ -25,7 +25,8 @@ Swapchain::Swapchain(Gpu& gpu, Display& display) : gpu_(gpu), display_(display) 
     vkGetPhysicalDeviceSurfaceSupportKHR(gpu.device.physical, gpu.device.queue_family, surface_, &supported);
     if (!supported) {
         vkDestroySurfaceKHR(gpu.device.instance, surface_, nullptr);
-        throw InputError(gpu.device.info.name + " cannot draw into this window; choose another with --device, "
+        throw InputError(gpu.device.info.name +
+                         " cannot draw into this window; choose another with --device, "
                          "or use --screenshot FILE");
     }
     choose_format();
@@ -50,8 +51,8 @@ void Swapchain::choose_format() {
     const auto rank = [](const VkSurfaceFormatKHR& f) {
         return f.format == VK_FORMAT_B8G8R8A8_UNORM ? 0 : f.format == VK_FORMAT_R8G8B8A8_UNORM ? 1 : 2;
     };
-    surface_format_ = *std::min_element(all.begin(), all.end(),
-                                        [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    surface_format_ =
+        *std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
     format = surface_format_.format;
 }
 
@@ -137,7 +138,8 @@ const Image* Swapchain::acquire() {
     }
     if (result != VK_SUBOPTIMAL_KHR) check(result, "vkAcquireNextImageKHR");
     outdated_ = result == VK_SUBOPTIMAL_KHR;
-    // What it held is of no interest; writing has to wait for the semaphore, which Frame::end waits for with all stages.
+    // What it held is of no interest; writing has to wait for the semaphore, which Frame::end waits for with all
+    // stages.
     images_[index_].history = {.last_write = {.stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT}};
     return &images_[index_];
 }

@@ -11,22 +11,21 @@
 namespace lightwalk {
 namespace {
 
-constexpr double watch_every_s = 0.2;   // how often shader files are looked at
-constexpr double settle_s = 0.5;        // drawn for so long after something happened, for the panel to come to rest
-constexpr double compare_every_s = 1.0; // while the picture moves
-constexpr glm::ivec2 default_size{1280, 720};
+constexpr double watch_every_s = 0.2;    // how often shader files are looked at
+constexpr double settle_s = 0.5;         // drawn for so long after something happened, for the panel to come to rest
+constexpr double compare_every_s = 1.0;  // while the picture moves
+constexpr glm::ivec2 default_size{1480, 660};
 
 }  // namespace
 
 int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& holder, const MakeChapter& make) {
     // With --size the picture has that size, as it has without a window.
-    const glm::ivec2 size = options.size_given ? glm::ivec2(options.size) + glm::ivec2(Panel::default_width, 0)
-                                               : default_size;
+    const glm::ivec2 size =
+        options.size_given ? glm::ivec2(options.size) + glm::ivec2(Panel::default_width, 0) : default_size;
     Display display("Lightwalk " + chapter.name.substr(0, 2) + " · " + chapter_title(chapter.name), size,
                     "without one: --screenshot FILE writes the picture");
-    holder = std::make_unique<Gpu>(DeviceOptions{.name = options.device,
-                                                 .validate = options.validate,
-                                                 .surface_extensions = Display::surface_extensions()});
+    holder = std::make_unique<Gpu>(DeviceOptions{
+        .name = options.device, .validate = options.validate, .surface_extensions = Display::surface_extensions()});
     Gpu& gpu = *holder;
     gpu.pipelines.keep_last_good = true;
     const std::filesystem::path scene = options.scene.empty() ? chapter.default_scene() : options.scene;
@@ -136,14 +135,11 @@ void Window::draw() {
     shown_ = nullptr;
     gpu_.pipelines.errors.clear();
     look_.attach(frame_, chapter_.camera, chapter_.scene.bounds);
-    if (split_.on()) {
-        // Where every switch says reference, two equal halves would show nothing: the left one is then all mine.
-        const auto ids = exercises_of(chapter_);
-        const bool all_reference = std::all_of(ids.begin(), ids.end(), Exercises::uses_solution);
+    {
+        // Where every switch says reference, two equal halves would show nothing: the left one is then mine.
+        const auto own = own_exercises(chapter_);
         std::optional<ToggleScope> mine;
-        if (all_reference) mine.emplace(false);
-        live_.draw(frame_, size, time_s_, options_.seed);
-    } else {
+        if (split_.on() && all_reference(own)) mine.emplace(own, false);
         live_.draw(frame_, size, time_s_, options_.seed);
     }
     if (split_.on()) split_.draw(chapter_, look_, size, time_s_, options_.seed);

@@ -20,7 +20,7 @@ class Window {
     void move_camera(const Input& input, double seconds);
     void obey(const Requests& requests);
     void reload();
-    void toggle_all();
+    void toggle_all(bool earlier_too);
     void take_screenshot();
     void save_scene();
     void switch_split();

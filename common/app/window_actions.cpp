@@ -42,7 +42,8 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
 void Window::handle_keys(const Input& input, Requests& requests) {
     const bool typing = ImGui::GetIO().WantTextInput;
     for (const auto& [key, mods] : input.pressed) {
-        if (key == GLFW_KEY_F2) requests.all_toggles = true;
+        if (key == GLFW_KEY_F2) (mods & GLFW_MOD_SHIFT ? requests.earlier_toggles : requests.all_toggles) = true;
+        if (key == GLFW_KEY_F3) requests.split = true;
         if (key == GLFW_KEY_F5) requests.reload = true;
         if (key == GLFW_KEY_F12) requests.screenshot = true;
         if (key == GLFW_KEY_S && (mods & GLFW_MOD_CONTROL)) requests.save = true;
@@ -52,12 +53,11 @@ void Window::handle_keys(const Input& input, Requests& requests) {
         if (key == GLFW_KEY_HOME) requests.home = true;
         if (key == GLFW_KEY_H) requests.panel = true;
         if (key == GLFW_KEY_SPACE) requests.clock = true;
-        if (key == GLFW_KEY_TAB) requests.split = true;
     }
 }
 
 void Window::obey(const Requests& requests) {
-    if (requests.all_toggles) toggle_all();
+    if (requests.all_toggles || requests.earlier_toggles) toggle_all(requests.earlier_toggles);
     if (requests.reload) reload();
     if (requests.screenshot) take_screenshot();
     if (requests.save) save_scene();
@@ -69,9 +69,9 @@ void Window::obey(const Requests& requests) {
         const glm::vec2 size(picture_size());
         CameraControl::frame(chapter_.camera, chapter_.scene.bounds, size.x / size.y);
     }
-    const bool any = requests.all_toggles || requests.reload || requests.screenshot || requests.save ||
-                     requests.split || requests.clock || requests.panel || requests.home || requests.frame_scene ||
-                     requests.changed;
+    const bool any = requests.all_toggles || requests.earlier_toggles || requests.reload || requests.screenshot ||
+                     requests.save || requests.split || requests.clock || requests.panel || requests.home ||
+                     requests.frame_scene || requests.changed;
     if (any) active_until_ = std::max(active_until_, now() + 0.3);
 }
 
@@ -81,13 +81,18 @@ void Window::move_camera(const Input& input, double seconds) {
     const bool held = input.left || input.right || input.middle;
     // What began over the panel stays with it, what began over the picture with the camera.
     if (!held) dragging_ = false;
-    if (held && !dragging_ && !io.WantCaptureMouse) dragging_ = true;
+    const float pixels_per_unit = static_cast<float>(display_.framebuffer_size().x) / float(display_.size().x);
+    const bool over_picture = input.cursor.x * pixels_per_unit < static_cast<float>(picture_size().x);
+    if (held && !dragging_ && over_picture && !io.WantCaptureMouse) dragging_ = true;
     if (dragging_ && glm::length(input.moved) > 0.0f) {
         const glm::vec2 turn = -radians_per_pixel * input.moved;
         const float height = static_cast<float>(display_.size().y);
-        if (input.middle || (input.left && input.shift)) CameraControl::pan(camera, input.moved, height);
-        else if (input.left) CameraControl::orbit(camera, turn.x, -turn.y);
-        else if (input.right) CameraControl::look(camera, turn.x, turn.y);
+        if (input.middle || (input.left && input.shift))
+            CameraControl::pan(camera, input.moved, height);
+        else if (input.left)
+            CameraControl::orbit(camera, turn.x, -turn.y);
+        else if (input.right)
+            CameraControl::look(camera, turn.x, turn.y);
     }
     if (input.wheel != 0.0f && !io.WantCaptureMouse) CameraControl::zoom(camera, input.wheel, chapter_.scene.bounds);
     if (!dragging_ || !input.right) return;
@@ -101,16 +106,21 @@ void Window::move_camera(const Input& input, double seconds) {
     active_until_ = std::max(active_until_, now() + 0.1);
 }
 
-void Window::toggle_all() {
-    const auto ids = exercises_of(chapter_);
-    if (std::none_of(ids.begin(), ids.end(), Exercises::has_solution)) {
+void Window::toggle_all(bool earlier_too) {
+    auto ids = own_exercises(chapter_);
+    if (earlier_too) {
+        const auto earlier = earlier_exercises(chapter_);
+        ids.insert(ids.end(), earlier.begin(), earlier.end());
+    }
+    if (!any_reference_exists(ids)) {
         tell("This tree is a handout: it has no reference to switch to.");
         return;
     }
     // A mixture becomes all reference first: from there each press changes everything.
-    const bool solution = !std::all_of(ids.begin(), ids.end(), Exercises::uses_solution);
+    const bool solution = !all_reference(ids);
     for (const std::string& id : ids) Exercises::set(id, solution);
-    tell(solution ? "every exercise: reference" : "every exercise: mine");
+    tell(std::string(earlier_too ? "every exercise, earlier chapters' too: " : "every exercise: ") +
+         (solution ? "reference" : "mine"));
     log_event(std::string("toggle all ") + (solution ? "reference" : "mine"));
 }
 
@@ -123,17 +133,14 @@ void Window::reload() {
 }
 
 void Window::switch_split() {
-    const auto ids = exercises_of(chapter_);
     if (split_.on()) {
         split_.turn_off();
-    } else if (std::none_of(ids.begin(), ids.end(), Exercises::has_solution)) {
+    } else if (!any_reference_exists(Exercises::ids())) {
         tell("This tree is a handout: there is no reference to show beside yours.");
     } else {
         try {
             split_.turn_on(chapter_);
-        } catch (const std::exception& e) {
-            tell(e.what());
-        }
+        } catch (const std::exception& e) { tell(e.what()); }
     }
     log_event(split_.on() ? "split on" : "split off");
 }
@@ -145,24 +152,21 @@ void Window::take_screenshot() {
         write_png(path, read_picture(gpu_, *shown_));
         tell("picture: " + fs::absolute(path).string());
         log_event("screenshot " + fs::absolute(path).string());
-    } catch (const InputError& e) {
-        tell(e.what());
-    }
+    } catch (const InputError& e) { tell(e.what()); }
 }
 
 void Window::save_scene() {
     SceneFile scene = chapter_.scene.file;
     scene.camera = chapter_.camera;
     for (const KnobBase* knob : chapter_.knobs) scene.knobs[knob->name] = knob->text();
-    const bool own = scene_.extension() == ".json" && fs::exists(scene_) && !lies_below(scene_, course_root() / "assets");
+    const bool own =
+        scene_.extension() == ".json" && fs::exists(scene_) && !lies_below(scene_, course_root() / "assets");
     const fs::path path = own ? scene_ : fs::path(chapter_.name.substr(0, 2) + "_scene.json");
     try {
         write_scene(scene, path);
         tell("scene: " + fs::absolute(path).string());
         log_event("saved " + fs::absolute(path).string());
-    } catch (const InputError& e) {
-        tell(e.what());
-    }
+    } catch (const InputError& e) { tell(e.what()); }
 }
 
 void Window::tell(const std::string& text) {

@@ -127,19 +127,25 @@ def grade_one(submitted: dict[str, bytes], scratch: Path, wanted: dict[str, str]
     try:
         run_ninja(folder, ["-k", "0", *targets])
     except BuildFailure as failure:
-        broken = {name: failure for name in submitted if f"{name}:" in failure.said}
-        if not broken:
-            raise
+        broken = why_not_built(submitted, failure.said)
         place({name: data for name, data in submitted.items() if name not in broken}, scratch)
         run_ninja(folder, targets)
-    results = []
-    for exercise, chapter in wanted.items():
-        result = check(chapter, exercise, root=scratch)
+    results = [check(chapter, exercise, root=scratch) for exercise, chapter in wanted.items()]
+    for result in results:
         if result["file"] in broken:
-            said = next(line for line in broken[result["file"]].said.splitlines() if f"{result['file']}:" in line)
-            result |= {"ok": False, "first_failure": "it does not compile: " + said.partition(result["file"])[2][1:]}
-        results.append(result)
+            result |= {"ok": False, "first_failure": broken[result["file"]]}
     return results
+
+
+def why_not_built(submitted: dict[str, bytes], said: str) -> dict[str, str]:
+    """The files that the compiler complains about, and how; where it is the linker that does, every C++ file."""
+    found = {}
+    for line in said.splitlines():
+        for name in submitted:
+            if f"{name}:" in line and "error" in line:
+                found.setdefault(name, f"it does not compile: {line.partition(name)[2][1:]}")
+    undefined = next((line for line in said.splitlines() if "undefined" in line), "the build failed")
+    return found or {name: f"it does not link: {undefined}" for name in submitted if name.endswith(".cpp")}
 
 
 def place(submitted: dict[str, bytes], scratch: Path):

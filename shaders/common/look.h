@@ -11,12 +11,12 @@ const int LOOK_NUMBER = 3;   // one number: scaled, shown as it is
 struct LookParameters {
     vec2 image_size;  // texels
     float scale;
-    int kind;         // LOOK_...
-    int channel;      // 0 all, 1 to 4 one of red, green, blue, alpha
+    int kind;     // LOOK_...
+    int channel;  // 0 all, 1 to 4 one of red, green, blue, alpha
     int layers;
-    float near_m;     // the planes of the camera
+    float near_m;  // the planes of the camera
     float far_m;
-    float bright_m;   // at this distance depth is shown white, at dark_m nearly black
+    float bright_m;  // at this distance depth is shown white, at dark_m nearly black
     float dark_m;
 };
 

@@ -18,7 +18,8 @@ CHECK_EXERCISE("01.triangulate", "cut off an ear at a time: a corner that turns 
     check.add(check_triangulate(triangulate.function()));
 }
 
-CHECK_EXERCISE("01.view_projection", "write down where the near and the far plane must land, and solve for two numbers") {
+CHECK_EXERCISE("01.view_projection",
+               "write down where the near and the far plane must land, and solve for two numbers") {
     check.add(check_view_projection(view_projection.function()));
 }
 
@@ -44,28 +45,31 @@ Row row_of(const glm::dvec4& v, int count) {
 
 }  // namespace
 
-CHECK_EXERCISE("01.transform", "a position has w = 1, so the matrix's translation counts; a normal needs its own matrix") {
+CHECK_EXERCISE("01.transform",
+               "a position has w = 1, so the matrix's translation counts; a normal needs its own matrix") {
     Random random;
-    Probe place{.include = "01_obj/transform.glsl",
-                .signature = "vec3 position_to_world(mat4 model, vec3 position)",
-                .truth = [](std::span<const double> in) {
-                    return row_of(matrix4(in) * glm::dvec4(in[16], in[17], in[18], 1.0), 3);
-                },
-                .bound = {.absolute = 1e-5, .relative = 1e-5}};
+    Probe place{
+        .include = "01_obj/transform.glsl",
+        .signature = "vec3 position_to_world(mat4 model, vec3 position)",
+        .truth =
+            [](std::span<const double> in) { return row_of(matrix4(in) * glm::dvec4(in[16], in[17], in[18], 1.0), 3); },
+        .bound = {.absolute = 1e-5, .relative = 1e-5}};
     Probe turn{.include = place.include,
                .signature = "vec3 normal_to_world(mat3 normal_matrix, vec3 normal)",
-               .truth = [](std::span<const double> in) {
-                   glm::dvec3 n(0.0);
-                   for (int i = 0; i < 9; ++i) n[i % 3] += in[static_cast<size_t>(i)] * in[static_cast<size_t>(9 + i / 3)];
-                   return row_of(glm::dvec4(glm::normalize(n), 0.0), 3);
-               },
+               .truth =
+                   [](std::span<const double> in) {
+                       glm::dvec3 n(0.0);
+                       for (int i = 0; i < 9; ++i)
+                           n[i % 3] += in[static_cast<size_t>(i)] * in[static_cast<size_t>(9 + i / 3)];
+                       return row_of(glm::dvec4(glm::normalize(n), 0.0), 3);
+                   },
                .bound = {.absolute = 2e-5}};
-    Probe project{.include = place.include,
-                  .signature = "vec4 world_to_clip(mat4 view_projection, vec3 world_position)",
-                  .truth = [](std::span<const double> in) {
-                      return row_of(matrix4(in) * glm::dvec4(in[16], in[17], in[18], 1.0), 4);
-                  },
-                  .bound = {.absolute = 1e-5, .relative = 1e-5}};
+    Probe project{
+        .include = place.include,
+        .signature = "vec4 world_to_clip(mat4 view_projection, vec3 world_position)",
+        .truth =
+            [](std::span<const double> in) { return row_of(matrix4(in) * glm::dvec4(in[16], in[17], in[18], 1.0), 4); },
+        .bound = {.absolute = 1e-5, .relative = 1e-5}};
     for (int i = 0; i < 500; ++i) {
         Row row = random_matrix(random, 16);
         row[3] = row[7] = row[11] = 0, row[15] = 1;  // a model matrix is affine

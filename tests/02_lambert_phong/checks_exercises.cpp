@@ -33,8 +33,8 @@ Table reflections(std::initializer_list<double> exponents) {
     }
     Random random;
     while (table.size() < 4000)
-        table.push_back(directions({random.direction(), random.direction(), random.direction()},
-                                   {random.logarithmic(0.1, 1000)}));
+        table.push_back(
+            directions({random.direction(), random.direction(), random.direction()}, {random.logarithmic(0.1, 1000)}));
     return table;
 }
 
@@ -44,9 +44,10 @@ Probe lobe_probe(const std::string& name, Lobe lobe) {
     return {.include = "02_lambert_phong/" + name + ".glsl",
             .signature = "float " + name + "(vec3 normal, vec3 to_light, vec3 to_eye, float shininess)",
             .inputs = reflections({0, 1, 2, 10, 32, 1000}),
-            .truth = [lobe](std::span<const double> in) {
-                return Row{lobe(vector3(in, 0), vector3(in, 3), vector3(in, 6), in[9])};
-            },
+            .truth =
+                [lobe](std::span<const double> in) {
+                    return Row{lobe(vector3(in, 0), vector3(in, 3), vector3(in, 6), in[9])};
+                },
             // A direction's rounding (6e-8) moves the cosine, which the power multiplies by up to 1000.
             .bound = {.absolute = 3e-4}};
 }
@@ -55,9 +56,8 @@ void check_lobe(Check& check, const Probe& probe) {
     const Table results = check.probe(probe);
     check.property(probe, results, "but a highlight is between 0 and 1",
                    [](auto, auto out) { return out[0] >= 0 && out[0] <= 1; });
-    check.property(probe, results, "but the light is behind the surface", [](auto in, auto out) {
-        return glm::dot(vector3(in, 0), vector3(in, 3)) > -1e-6 || out[0] == 0;
-    });
+    check.property(probe, results, "but the light is behind the surface",
+                   [](auto in, auto out) { return glm::dot(vector3(in, 0), vector3(in, 3)) > -1e-6 || out[0] == 0; });
     // Helmholtz: light and eye may change places, but for a light behind the surface.
     Probe swapped = probe;
     for (Row& row : swapped.inputs)
@@ -74,7 +74,8 @@ void check_lobe(Check& check, const Probe& probe) {
 
 }  // namespace
 
-CHECK_EXERCISE("02.lambert", "the dot product of two unit vectors is the cosine between them; light from behind is no light") {
+CHECK_EXERCISE("02.lambert",
+               "the dot product of two unit vectors is the cosine between them; light from behind is no light") {
     Probe probe{.include = "02_lambert_phong/lambert.glsl",
                 .signature = "float lambert(vec3 normal, vec3 to_light)",
                 .inputs = {directions({up, up}), directions({up, right}), directions({up, down})},
@@ -87,11 +88,13 @@ CHECK_EXERCISE("02.lambert", "the dot product of two unit vectors is the cosine 
                    [](auto, auto out) { return out[0] >= 0 && out[0] <= 1.000001; });
 }
 
-CHECK_EXERCISE("02.phong", "reflect(-to_light, normal) is the mirror direction; ask whether a cosine is above 0 before pow") {
+CHECK_EXERCISE("02.phong",
+               "reflect(-to_light, normal) is the mirror direction; ask whether a cosine is above 0 before pow") {
     check_lobe(check, lobe_probe("phong", truth::phong));
 }
 
-CHECK_EXERCISE("02.blinn_phong", "the half vector is to_light + to_eye made unit length; what if that sum has no length?") {
+CHECK_EXERCISE("02.blinn_phong",
+               "the half vector is to_light + to_eye made unit length; what if that sum has no length?") {
     check_lobe(check, lobe_probe("blinn_phong", truth::blinn_phong));
     Probe factor{.include = "02_lambert_phong/blinn_phong.glsl",
                  .signature = "float blinn_phong_normalisation(float shininess)",
@@ -101,16 +104,24 @@ CHECK_EXERCISE("02.blinn_phong", "the half vector is to_light + to_eye made unit
     Random random;
     for (int i = 0; i < 500; ++i) factor.inputs.push_back({random.logarithmic(0.01, 4096)});
     const Table results = check.probe(factor);
-    check.property(factor, results, "but with it the surface does not reflect all light, seen from above",
-                   [](auto in, auto out) {
-                       return std::fabs(out[0] / truth::blinn_phong_normalisation_by_quadrature(in[0], 4000) - 1) < 1e-3;
-                   });
+    check.property(
+        factor, results, "but with it the surface does not reflect all light, seen from above", [](auto in, auto out) {
+            return std::fabs(out[0] / truth::blinn_phong_normalisation_by_quadrature(in[0], 4000) - 1) < 1e-3;
+        });
 }
 
 CHECK_EXERCISE("02.wrapped_diffuse", "shift the cosine by wrap, divide so that 1 stays 1, and clamp before pow") {
     Probe amount{.include = "02_lambert_phong/wrapped_diffuse.glsl",
                  .signature = "float wrapped_diffuse(float cosine, float wrap, float power)",
-                 .inputs = {{1, 0, 1}, {0, 0, 1}, {-1, 0, 1}, {0, 1, 1}, {-1, 1, 1}, {0, 0.5, 1}, {-0.5, 0.5, 2}, {-0.8, 0.5, 2}, {0.3, 0, 1}},
+                 .inputs = {{1, 0, 1},
+                            {0, 0, 1},
+                            {-1, 0, 1},
+                            {0, 1, 1},
+                            {-1, 1, 1},
+                            {0, 0.5, 1},
+                            {-0.5, 0.5, 2},
+                            {-0.8, 0.5, 2},
+                            {0.3, 0, 1}},
                  .truth = [](std::span<const double> in) { return Row{truth::wrapped_diffuse(in[0], in[1], in[2])}; },
                  .bound = {.absolute = 2e-6}};
     Probe tint{.include = amount.include,
@@ -126,7 +137,8 @@ CHECK_EXERCISE("02.wrapped_diffuse", "shift the cosine by wrap, divide so that 1
     Random random;
     for (int i = 0; i < 1000; ++i) {
         amount.inputs.push_back({random.uniform(-1, 1), random.uniform(0, 1), random.logarithmic(0.5, 8)});
-        tint.inputs.push_back({random.uniform(-1, 1), random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)});
+        tint.inputs.push_back(
+            {random.uniform(-1, 1), random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)});
     }
     const Table results = check.probe(amount);
     check.property(amount, results, "but it must be between 0 and 1",

@@ -15,19 +15,18 @@ BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 PATIENCE_S = float(os.environ.get("LIGHTWALK_PATIENCE_S", "60"))
 
 
-def missing_programs() -> list[str]:
-    return [name for name in ("Xvfb", "xdotool") if not shutil.which(name)]
-
-
 class XServer:
     """Xvfb on a free display. Its screen lies in a file, in the format of xwd."""
 
     def __init__(self, width: int = 1400, height: int = 900):
+        missing = [name for name in ("Xvfb", "xdotool") if not shutil.which(name)]
+        if missing:  # a window that nobody has tried is not a window that works
+            raise AssertionError(f"not installed: {', '.join(missing)}; apt install xvfb xdotool")
         self.folder = tempfile.TemporaryDirectory(prefix="lightwalk_x_")
         read, write = os.pipe()
         self.process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-fbdir", self.folder.name,
-             "-nolisten", "tcp"], pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+             "-nolisten", "tcp", "-noreset"], pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as answer:
             number = answer.readline().strip()
@@ -42,17 +41,15 @@ class XServer:
 
     def screen(self, left: int, top: int, width: int, height: int) -> bytes:
         """Three bytes a pixel: red, green, blue; rows from the top."""
-        data = Path(self.folder.name, "Xvfb_screen0").read_bytes()
-        header = struct.unpack(">25I", data[:100])
-        line, colors = header[12], header[19]
-        start = header[0] + 12 * colors
-        rows = []
-        for y in range(top, top + height):
-            row = data[start + y * line + 4 * left:start + y * line + 4 * (left + width)]
-            rgb = bytearray(3 * width)
-            rgb[0::3], rgb[1::3], rgb[2::3] = row[2::4], row[1::4], row[0::4]
-            rows.append(bytes(rgb))
-        return b"".join(rows)
+        with open(Path(self.folder.name, "Xvfb_screen0"), "rb") as file:
+            header = struct.unpack(">25I", file.read(100))
+            line, colors = header[12], header[19]
+            file.seek(header[0] + 12 * colors + top * line)
+            data = file.read(height * line)
+        rows = b"".join(data[y * line + 4 * left:y * line + 4 * (left + width)] for y in range(height))
+        rgb = bytearray(3 * width * height)
+        rgb[0::3], rgb[1::3], rgb[2::3] = rows[2::4], rows[1::4], rows[0::4]
+        return bytes(rgb)
 
 
 class Session:
@@ -77,10 +74,15 @@ class Session:
             found = self.xdotool("search", "--onlyvisible", "--name", "Lightwalk", check=False).split()
             self.window = found[0] if found else ""
             time.sleep(0.1)
-        if not self.window:
-            raise AssertionError("no window appeared: " + "\n".join(self.errors))
-        self.wait_for_line("first picture", 0)
-        self.focus()
+        try:
+            if not self.window:
+                raise AssertionError("no window appeared: " + "\n".join(self.errors))
+            self.wait_for_line("first picture", 0)
+            self.focus()
+            self.park()
+        except BaseException:
+            self.close()
+            raise
 
     def read(self, pipe, target: list[str]):
         for line in pipe:
@@ -107,10 +109,13 @@ class Session:
         x, y = self.places[place]
         # A panel looks once a picture at where the mouse is: arrive, then press, then let go.
         self.xdotool("mousemove", "--window", self.window, str(round(x)), str(round(y)))
-        time.sleep(0.25)
+        time.sleep(0.3)
         self.xdotool("mousedown", str(button))
-        time.sleep(0.25)
+        time.sleep(0.3)
         self.xdotool("mouseup", str(button))
+        time.sleep(0.3)
+        self.park()
+        self.settled(0, 0, *self.geometry()[2:])
 
     def drag(self, start: tuple[int, int], end: tuple[int, int], button: int = 1):
         self.xdotool("mousemove", "--window", self.window, *map(str, start))
@@ -122,6 +127,12 @@ class Session:
             self.xdotool("mousemove", "--window", self.window, *map(str, at))
             time.sleep(0.1)
         self.xdotool("mouseup", str(button))
+        time.sleep(0.2)
+        self.park()
+
+    def park(self):
+        """The mouse out of the way: its pointer is part of the screen."""
+        self.xdotool("mousemove", "9999", "9999")
 
     def wait(self, condition, what: str):
         until = time.monotonic() + PATIENCE_S
@@ -130,7 +141,7 @@ class Session:
                 raise AssertionError(f"it ended while waiting for {what}: " + "\n".join(self.errors))
             if time.monotonic() > until:
                 raise AssertionError(f"waited in vain for {what}; it said: {self.lines} {self.errors}")
-            time.sleep(0.01)
+            time.sleep(0.02)
 
     def wait_for_line(self, pattern: str, since: int) -> re.Match:
         """The first line after the first `since` that matches as a whole."""
@@ -152,7 +163,7 @@ class Session:
         """The pixels of an area once they have stopped changing."""
         before, since = self.pixels(*area), time.monotonic()
         until = time.monotonic() + PATIENCE_S
-        while time.monotonic() - since < 0.8:
+        while time.monotonic() - since < 0.6:
             if time.monotonic() > until:
                 raise AssertionError("the picture does not come to rest")
             time.sleep(0.05)
@@ -176,16 +187,21 @@ class Session:
         x11.XCloseDisplay(display)
         self.xdotool("windowunmap" if minimised else "windowmap", "--sync", self.window)
 
-    def end(self, patience_s: float = 20) -> int:
-        """Its exit code."""
-        try:
-            code = self.process.wait(patience_s)
-        except subprocess.TimeoutExpired:
+    def close(self):
+        """Ends it whatever it does; after end() there is nothing left to do."""
+        if self.process.poll() is None:
             self.process.kill()
-            self.process.wait()
-            raise AssertionError("it did not end") from None
+        self.process.wait()
         for reader in self.readers:
             reader.join(5)
         self.process.stdout.close()
         self.process.stderr.close()
-        return code
+
+    def end(self, patience_s: float = 20) -> int:
+        """Its exit code."""
+        try:
+            return self.process.wait(patience_s)
+        except subprocess.TimeoutExpired:
+            raise AssertionError("it did not end") from None
+        finally:
+            self.close()

@@ -84,9 +84,7 @@ Check run_check(const ExerciseCheck& exercise, bool solution) {
     try {
         exercise.run(check);
         if (check.passed + check.failed == 0) check.expect(false, "the check of " + exercise.id + " checked nothing");
-    } catch (const std::exception& e) {
-        check.expect(false, e.what());
-    }
+    } catch (const std::exception& e) { check.expect(false, e.what()); }
     return check;
 }
 

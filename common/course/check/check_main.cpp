@@ -12,12 +12,8 @@
 using namespace lightwalk;
 
 static void print(const ExerciseCheck& exercise, const Check& check) {
-    nlohmann::ordered_json line = {{"exercise", exercise.id},
-                                   {"ok", check.failed == 0},
-                                   {"passed", check.passed},
-                                   {"failed", check.failed},
-                                   {"first_failure", nullptr},
-                                   {"hint", nullptr}};
+    nlohmann::ordered_json line = {{"exercise", exercise.id}, {"ok", check.failed == 0},  {"passed", check.passed},
+                                   {"failed", check.failed},  {"first_failure", nullptr}, {"hint", nullptr}};
     if (check.failed) {
         line["first_failure"] = check.first_failure;
         line["hint"] = exercise.hint;

@@ -31,7 +31,7 @@ struct Probe {
     Table inputs;
     std::function<Row(std::span<const double>)> truth;  ///< inputs exactly as the device gets them
     Bound bound;
-    Defines defines;        ///< macros the file expects
+    Defines defines;  ///< macros the file expects
 };
 
 /// The results of each call, flattened. `probe.truth` and `bound` are not needed; `outputs` says how many numbers the
@@ -62,7 +62,9 @@ class Random {
     /// A direction evenly distributed over the sphere.
     glm::vec3 direction();
     /// Evenly in the logarithm: for exponents and distances.
-    double logarithmic(double lower, double upper) { return static_cast<float>(std::exp(uniform(std::log(lower), std::log(upper)))); }
+    double logarithmic(double lower, double upper) {
+        return static_cast<float>(std::exp(uniform(std::log(lower), std::log(upper))));
+    }
 
   private:
     std::mt19937 engine_;

@@ -1,0 +1,157 @@
+// The framework: passes that state what they touch, bindings by name, shaders and their cache.
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "catch.h"
+#include "common/course/check/check.h"
+#include "common/error.h"
+#include "common/files.h"
+#include "common/gpu/frame.h"
+
+using namespace lightwalk;
+
+namespace {
+
+constexpr const char* doubler = R"(
+layout(local_size_x = 64) in;
+layout(scalar) readonly buffer InBuffer { float values[]; };
+layout(scalar) buffer OutBuffer { float doubled[]; };
+layout(scalar) uniform ScaleBlock { float offset; float factor; } scale;
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    if (i < doubled.length()) doubled[i] = values[i] * scale.factor + scale.offset;
+}
+)";
+
+std::vector<float> floats(const std::vector<std::byte>& bytes) {
+    std::vector<float> result(bytes.size() / 4);
+    std::memcpy(result.data(), bytes.data(), 4 * result.size());
+    return result;
+}
+
+std::string failure_of(const std::function<void(Compute&)>& record, const ComputeAccess& access) {
+    Frame frame(check_device());
+    frame.begin({4, 4}, 0);
+    std::string text;
+    try {
+        frame.compute("test", access, record);
+    } catch (const Failure& e) { text = e.what(); }
+    frame.end();
+    return text;
+}
+
+struct Scale {
+    float offset, factor;
+};
+
+}  // namespace
+
+TEST_CASE("a compute pass reads, writes and is timed; a later pass sees what an earlier one wrote") {
+    Gpu& gpu = check_device();
+    const Pipeline twice = compute({.shader = "doubler", .defines = {}, .source = doubler});
+    const Buffer in = gpu.upload("in", std::vector<float>{1, 2, 3, 4, 5});
+    Buffer middle(gpu.device, {.name = "middle", .bytes = 20}), out(gpu.device, {.name = "out", .bytes = 20});
+    Frame frame(gpu);
+    frame.begin({4, 4}, 0);
+    frame.compute("first", {.writes = {middle}}, [&](Compute& pass) {
+        pass.use(twice)
+            .set("values", in)
+            .set("doubled", middle)
+            .set("scale", Scale{1, 2})
+            .dispatch_threads(glm::uvec2(5, 1));
+    });
+    frame.compute("second", {.reads = {middle}, .writes = {out}}, [&](Compute& pass) {
+        pass.use(twice)
+            .set("values", middle)
+            .set("doubled", out)
+            .set("scale", Scale{0, 10})
+            .dispatch_threads(glm::uvec2(5, 1));
+    });
+    frame.end();
+    CHECK(floats(gpu.read_back(out)) == std::vector<float>{30, 50, 70, 90, 110});
+    REQUIRE(frame.times.size() == 2);
+    CHECK(frame.times[0].name == "first");
+    CHECK(frame.times[1].stage == "compute");
+    CHECK(frame.times[0].gpu_ms >= 0);
+}
+
+TEST_CASE("what a pass does not state it cannot bind; a wrong name lists the right ones") {
+    Gpu& gpu = check_device();
+    const Pipeline twice = compute({.shader = "doubler", .defines = {}, .source = doubler});
+    const Buffer in = gpu.upload("in", std::vector<float>{1});
+    const Buffer out(gpu.device, {.name = "out", .bytes = 16}), other(gpu.device, {.name = "other", .bytes = 16});
+    CHECK(failure_of([&](Compute& p) { p.use(twice).set("doubled", out); }, {.reads = {out}}) ==
+          "pass 'test' binds 'doubled' without stating it in its writes");
+    CHECK(failure_of([&](Compute& p) { p.use(twice).set("values", other); }, {.writes = {out}}) ==
+          "pass 'test' binds 'values' without stating it in its reads");
+    CHECK(failure_of([&](Compute& p) { p.use(twice).set("valeus", in); }, {}) ==
+          "pass 'test': its shaders have no binding 'valeus'; they have: doubled, scale, values");
+    CHECK(failure_of([&](Compute& p) { p.use(twice).set("scale", 1.0f); }, {}) ==
+          "pass 'test': 'scale' is 4 bytes in C++ and 8 in the shader");
+    CHECK(failure_of(
+              [&](Compute& p) {
+                  p.use(twice).set("values", in).dispatch({1, 1, 1});
+              },
+              {.writes = {out}}) == "pass 'test' draws or dispatches without 'doubled' being set");
+}
+
+TEST_CASE("an image goes through uploads, mips and read-back unchanged") {
+    Gpu& gpu = check_device();
+    std::vector<uint8_t> texels(4 * 5 * 3);
+    for (size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<uint8_t>(7 * i);
+    Image image(gpu.device,
+                {.name = "odd", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = {5, 3}, .mips = full_mip_count({5, 3})});
+    CHECK(image.desc.mips == 3);
+    gpu.upload(image, std::as_bytes(std::span(texels)));
+    const auto back = gpu.read_back(image);
+    CHECK(std::memcmp(back.data(), texels.data(), texels.size()) == 0);
+}
+
+TEST_CASE("a shader's error shows file, line and the line") {
+    try {
+        const FlatShader flat = flatten_text("void main() {\n    float x = undeclared;\n}\n", "inline.comp", "99", {});
+        compile(Stage::compute, flat.text, "inline.comp");
+        FAIL("it compiled");
+    } catch (const ShaderError& e) { CHECK_THAT(e.what(), Catch::Matchers::StartsWith("inline.comp:2: 'undeclared'")); }
+}
+
+TEST_CASE("a chapter cannot include a later one, nor a file that is not there, nor within #if") {
+    CHECK_THROWS_WITH(flatten_text("#include \"02_lambert_phong/lambert.glsl\"\n", "x", "01", {}),
+                      Catch::Matchers::Contains("x:1: chapter 01 may not include the later chapter's"));
+    CHECK_THROWS_WITH(flatten_text("\n#include \"common/absent.glsl\"\n", "x", "01", {}),
+                      Catch::Matchers::Contains("x:2: no file shaders/common/absent.glsl"));
+    CHECK_THROWS_WITH(flatten_text("#if A\n#include \"common/srgb.glsl\"\n#endif\n", "x", "01", {}),
+                      Catch::Matchers::Contains("x:2: #include within #if"));
+}
+
+TEST_CASE("only macros that a shader names make another variant of it") {
+    const Defines defines{{"METHOD", "1"}, {"UNUSED", "2"}};
+    const std::string text = flatten_text("#if METHOD == 1\n#endif\n", "x", "01", defines).text;
+    CHECK(text.find("#define METHOD 1") != text.npos);
+    CHECK(text.find("UNUSED") == text.npos);
+}
+
+TEST_CASE("a damaged cache entry is made anew, and many threads may fill the cache at once") {
+    const std::string text =
+        flatten_text("layout(local_size_x = 1) in;\nvoid main() {}\n// " + std::to_string(getpid()), "cache.comp", "99",
+                     {})
+            .text;
+    std::vector<std::vector<uint32_t>> results(8);
+    {
+        std::vector<std::jthread> threads;
+        for (auto& result : results)
+            threads.emplace_back([&] { result = compile(Stage::compute, text, "cache.comp"); });
+    }
+    for (const auto& result : results) CHECK(result == results[0]);
+    const auto folder = course_root() / "build" / "shader_cache";
+    std::filesystem::path newest;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (newest.empty() || entry.last_write_time() > std::filesystem::last_write_time(newest)) newest = entry.path();
+    std::ofstream(newest, std::ios::binary | std::ios::in | std::ios::out).seekp(24).put('x');
+    CHECK(compile(Stage::compute, text, "cache.comp") == results[0]);
+    CHECK(validate_spirv(results[0]).empty());
+}
+
+TEST_CASE("validation has said nothing so far") { CHECK_NOTHROW(check_device().device.check_validation()); }

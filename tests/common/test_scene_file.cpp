@@ -1,0 +1,127 @@
+// Scene files: what is read, and the line and key that each mistake is reported with.
+#include <filesystem>
+#include <fstream>
+
+#include "catch.h"
+#include "common/error.h"
+#include "common/files.h"
+#include "common/scene/scene_file.h"
+
+using namespace lightwalk;
+
+namespace {
+
+std::string error_of(const std::string& text) {
+    try {
+        parse_scene(text, "scene.json");
+    } catch (const InputError& e) { return e.what(); }
+    return "";
+}
+
+struct Folder {
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("lightwalk_scene_" + std::to_string(getpid()));
+    Folder() { std::filesystem::create_directories(path); }
+    ~Folder() { std::filesystem::remove_all(path); }
+};
+
+}  // namespace
+
+TEST_CASE("a scene is read, degrees become radians, a parent stands before its children") {
+    const SceneFile scene = parse_scene(R"({
+        "camera": {"position": [1, 2, 3], "fov_deg": 90},
+        "objects": [{"name": "cup", "parent": "table"}, {"name": "table", "scale": 2, "position": [0, 1, 0]}],
+        "lights": [{"type": "spot", "inner_deg": 10, "outer_deg": 10, "range_m": 0}],
+        "ambient": [0.1, 0.2, 0.3], "knobs": {"method": "phong", "samples": 2, "ambient": true}})",
+                                        "s.json");
+    CHECK(scene.camera.position == glm::vec3(1, 2, 3));
+    CHECK(scene.camera.fov_y_rad == Approx(1.5707963));
+    REQUIRE(scene.objects.size() == 2);
+    CHECK(scene.objects[0].name == "table");
+    CHECK(scene.objects[1].parent == "table");
+    CHECK(scene.lights[0].kind == Light::Kind::spot);
+    CHECK(scene.lights[0].range_m == 0);
+    CHECK(scene.knobs.at("samples") == "2");
+    CHECK(scene.knobs.at("ambient") == "on");
+}
+
+TEST_CASE("every mistake names file, line and key") {
+    const std::vector<std::pair<std::string, std::string>> mistakes{
+        {"{\n\"camera\": {\n\"positon\": [0, 0, 1]}}", "scene.json:3: key 'positon' is unknown here"},
+        {"{\n\n\"lights\": [{\"intensity\": \"bright\"}]}", "scene.json:3: key 'intensity' must be a number"},
+        {"{\"lights\": [\n{\"intensity\": -1}]}", "scene.json:2: key 'intensity' is -1, expected 0.0 to 1000000.0"},
+        {"{\"lights\": [{\"intensity\": 1e300}]}", "key 'intensity' is 1e+300"},
+        {"{\"lights\": [{\"type\": \"sun\"}]}", "expected directional, point or spot"},
+        {"{\"lights\": [{\"type\": \"spot\", \"inner_deg\": 20, \"outer_deg\": 10}]}",
+         "key 'inner_deg' is above outer_deg"},
+        {"{\"objects\": [{\"scale\": 0}]}", "nothing would be left"},
+        {"{\"objects\": [{\"model\": \"models/absent.obj\"}]}", "scene.json:1: key 'model': no file models/absent.obj"},
+        {"{\"objects\": {}}", "key 'objects' must be a list"},
+        {"{\"camera\": {\"target\": [0, 0]}}", "must be three numbers"},
+        {"{\"camera\": {\"position\": [0,0,0], \"target\": [0,0,0]}}", "it would look nowhere"},
+        {"{\"objects\": [{\"name\": \"a\", \"parent\": \"b\"}, {\"name\": \"b\", \"parent\": \"a\"}]}",
+         "a cycle of parents among a, b"},
+        {"{\"objects\": [{\"parent\": \"gone\"}]}", "parent 'gone' is no object's name"},
+        {"{\"objects\": [{\"name\": \"a\"}, {\"name\": \"a\"}]}", "two objects are named 'a'"},
+        {"{\n\"ambient\": [0, 0, 0],\n\"ambient\": [1, 1, 1]}", "scene.json:3: key 'ambient' stands twice"},
+        {"{\n\"camera\": }", "scene.json:2: not JSON"},
+        {"", "not JSON"},
+        {"[]", "must be an object"},
+        {std::string(1000, '['), "nested too deep"},
+    };
+    for (const auto& [text, expected] : mistakes) {
+        INFO(text);
+        CHECK_THAT(error_of(text), Catch::Matchers::Contains(expected));
+    }
+}
+
+TEST_CASE("a cycle of includes is named, and a chain without one is read") {
+    const Folder folder;
+    const auto write = [&](const char* name, const char* text) { std::ofstream(folder.path / name) << text; };
+    write("a.json", R"({"include": ["b.json"], "ambient": [1, 1, 1]})");
+    write("b.json", R"({"lights": [{}], "ambient": [0, 0, 0]})");
+    write("c.json", R"({"include": ["d.json"]})");
+    write("d.json", R"({"include": ["c.json"]})");
+    const SceneFile scene = read_scene(folder.path / "a.json");
+    CHECK(scene.lights.size() == 1);
+    CHECK(scene.ambient == glm::vec3(1.0f));
+    CHECK_THROWS_WITH(read_scene(folder.path / "c.json"), Catch::Matchers::Contains("a cycle of includes"));
+}
+
+TEST_CASE("what is written is read back the same") {
+    const Folder folder;
+    SceneFile scene = parse_scene(R"({
+        "camera": {"position": [0.1, 0.2, 0.3], "fov_deg": 41},
+        "objects": [{"name": "a", "model": "models/cube.obj", "rotation_deg": [10, 20, 30],
+                     "material": {"diffuse": [0.1, 0.2, 0.3], "shininess": 7}}],
+        "lights": [{"type": "point", "position": [1, 2, 3], "range_m": 4, "intensity": 5}],
+        "knobs": {"samples": 3}})",
+                                  "s.json");
+    write_scene(scene, folder.path / "s.json");
+    const SceneFile again = read_scene(folder.path / "s.json");
+    CHECK(again.camera.position == scene.camera.position);
+    CHECK(again.camera.fov_y_rad == Approx(scene.camera.fov_y_rad));
+    CHECK(again.objects[0].rotation_deg == scene.objects[0].rotation_deg);
+    CHECK(*again.objects[0].material.diffuse == *scene.objects[0].material.diffuse);
+    CHECK(again.lights[0].position == scene.lights[0].position);
+    CHECK(again.knobs == scene.knobs);
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 1);
+}
+
+TEST_CASE("the scene corpus never does worse than an InputError") {
+    int files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(course_root() / "tests/common/corpus/scene")) {
+        ++files;
+        try {
+            parse_scene(read_file(entry.path()), entry.path());
+        } catch (const InputError&) {}
+    }
+    CHECK(files >= 8);
+}
+
+TEST_CASE("rotations go about x, then y, then z") {
+    SceneObject object;
+    object.rotation_deg = {90, 90, 0};
+    const glm::vec3 turned = glm::vec3(local_transform(object) * glm::vec4(0, 1, 0, 0));
+    CHECK(glm::length(turned - glm::vec3(1, 0, 0)) < 1e-6f);  // y to z about x, z to x about y
+}
