@@ -79,13 +79,6 @@ class Commands(Course):
         self.assertEqual(course.returncode, 130, printed)
         self.assertNotIn("Traceback", printed)
 
-    def test_study_draws_a_chart_for_each_device(self):
-        self.assertIn("build/studies/01_obj.json; build/studies/01_obj.svg", self.course("study"))
-        self.assertIn("x/01_obj_h200_nvl.svg", self.course("study", "01", "--device", "H200 NVL", "--out", "x",
-                                                           cwd=self.outside))
-        self.assertTrue((self.outside / "x/01_obj_h200_nvl.svg").exists())
-        self.assertIn("chapter 02_lambert has no study; there are 01_obj", self.course("study", "02", code=2))
-
     def test_doctor_fuzz_and_clean(self):
         self.assertIn("cmake", self.course("doctor"))
         self.assertIn("obj: 9 runs, nothing found\n1 of 1 targets held", self.course("fuzz", "1"))
