@@ -4,8 +4,8 @@
 
 For each scene and budget the chapter chooses by itself (--method auto --budget E --explain). The picture that it then
 draws may differ from the truth of the chapter's study by a mean FLIP of at most E, unless the rule said that no choice
-would do and no point of the study's sweep does. How much more than needed the choice costs is reported: its predicted cost, as --explain prints it, over that
-of the cheapest point of that sweep whose measured error is within the budget.
+would do and no point of the study's sweep does. How much more than needed the choice costs is reported: its predicted
+cost, as --explain prints it, over that of the cheapest point of that sweep whose measured error is within the budget.
 """
 
 import itertools
@@ -30,7 +30,8 @@ def sweep(study: dict) -> list[dict]:
     """The study's points, each as the knobs that it sets."""
     points = []
     for curve in study["curves"]:
-        knobs = {name: values if isinstance(values, list) else [values] for name, values in curve.get("set", {}).items()}
+        knobs = {name: values if isinstance(values, list) else [values]
+                 for name, values in curve.get("set", {}).items()}
         points += [{"method": curve["method"], **dict(zip(knobs, values))}
                    for values in itertools.product(*knobs.values())]
     return points
@@ -70,7 +71,8 @@ class SceneNeeds:
         self.folder = BUILD / "needs" / chapter
         self.view = ["--scene", scene, "--size", "x".join(str(side) for side in needs["size"])]
         self.truth = self.picture("truth", study["truth"]["set"])
-        self.errors = {label(knobs): self.error(self.picture(f"point{i}", knobs)) for i, knobs in enumerate(sweep(study))}
+        self.errors = {label(knobs): self.error(self.picture(f"point{i}", knobs))
+                       for i, knobs in enumerate(sweep(study))}
 
     def picture(self, name: str, knobs: dict) -> Path:
         path = self.folder / f"{self.name}.{name}.png"
@@ -98,8 +100,8 @@ class SceneNeeds:
         if explained.none_would_do:
             said += "; the rule said that none would do"
         return {"case": f"{self.name}, budget {budget:g}", "inputs": f"{len(self.errors)} points in the sweep",
-                "worst": error, "bound": budget, "ok": error <= budget or (explained.none_would_do and not enough), "text": said,
-                "ratio": ratio}
+                "worst": error, "bound": budget, "text": said, "ratio": ratio,
+                "ok": error <= budget or (explained.none_would_do and not enough)}
 
 
 def main(chapter: str) -> list[str]:
@@ -111,11 +113,12 @@ def main(chapter: str) -> list[str]:
     if ratios:
         rows.append({"case": "cost over that of the cheapest that would do, median",
                      "inputs": f"{len(ratios)} choices, worst {max(ratios):.2f}x",
-                     "worst": statistics.median(ratios), "bound": f"aim: {AIM}", "ok": True, "text": "reported, not asserted"})
+                     "worst": statistics.median(ratios), "bound": f"aim: {AIM}", "ok": True,
+                     "text": "reported, not asserted"})
     for row in rows:
         say(f"{'ok  ' if row['ok'] else 'OVER'}  {row['case']:28} {row['worst']:8.5f}  {row['text']}")
     again = f"build/chapters/{chapter} --scene FILE --method auto --budget E --explain --screenshot FILE"
-    return table("stability", chapter, f"need.{chapter[:2]}", again, rows)
+    return table("stability", chapter, "need", again, rows)
 
 
 if __name__ == "__main__":

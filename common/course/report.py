@@ -12,7 +12,8 @@ It is made of all that lies in a folder of results:
                "ok": bool, "text": "one sentence, as a student reads it"}]}
 
 where each cell may be text, a number or null. "test" is the ctest that wrote it, where that is not called like the
-result (KIND.NN.NAME): a failure is told once. Charts of studies, paths counted from the root:
+result (KIND.NN.NAME): a failure is told once; "title" stands over the table in place of the kind's. Charts of studies,
+paths counted from the root:
 
     {"kind": "chart", "chapter", "name", "svg": path, "table": path of a Markdown table or null, "again": a command}
 
@@ -154,7 +155,7 @@ def chapter_section(chapter: str, results: list[dict], pictures: Pictures) -> st
         for result in results:
             if result["kind"] == kind:
                 name = f' <span class="quiet">{escape(result["name"])}</span>' if result.get("name") else ""
-                body += f"<h3>{title}{name}</h3>\n" + case_table(result.get("rows", []))
+                body += f"<h3>{escape(result.get('title') or title)}{name}</h3>\n" + case_table(result.get("rows", []))
     return body + charts(chapter, results) + "</section>\n"
 
 

@@ -15,14 +15,19 @@ from shots import run_program
 from study_file import StudyError, load, markdown_table
 from tree import BUILD, ROOT, Failure, exercises, relative, say, warn, write_atomically
 
+# What stands over a table where report.py's own words for its kind do not fit.
+TITLES = {"study": "The study, run quickly", "need": "The need rule on other scenes"}
+
 
 def write_result(name: str, result: dict):
     write_atomically(BUILD / "results" / f"{name}.json", json.dumps(result, indent=1, ensure_ascii=False) + "\n")
 
 
-def table(kind: str, chapter: str, test: str, again: str, rows: list[dict]) -> list[str]:
-    """Writes a table of cases, and returns a line for each that is not ok. `name` of the result is the test's word."""
-    write_result(test, {"kind": kind, "chapter": chapter, "name": "", "test": test, "again": again, "rows": rows})
+def table(kind: str, chapter: str, name: str, again: str, rows: list[dict]) -> list[str]:
+    """Writes a table of cases for the test NAME.NN, and returns a line for each that is not ok."""
+    test = f"{name}.{chapter[:2]}"
+    write_result(test, {"kind": kind, "chapter": chapter, "name": name, "title": TITLES.get(name),
+                        "test": test, "again": again, "rows": rows})
     return [f"{row['case']}: {row.get('text') or 'not ok'}" for row in rows if not row["ok"]]
 
 
@@ -39,7 +44,7 @@ def check(chapter: str) -> list[str]:
     if done.returncode and all(row["ok"] for row in rows):
         rows.append({"case": f"check_{chapter}", "ok": False,
                      "text": f"ended with {done.returncode}: {done.stderr.strip()[-500:]}"})
-    return table("probe", chapter, f"check.{chapter[:2]}", f"build/tests/check_{chapter} --use solution", rows)
+    return table("probe", chapter, "check", f"build/tests/check_{chapter} --use solution", rows)
 
 
 def stability(chapter: str) -> list[str]:
@@ -56,7 +61,7 @@ def stability(chapter: str) -> list[str]:
     if done.returncode and all(row["ok"] for row in rows):
         rows.append({"case": f"test_{chapter}", "ok": False, "text": f"ended with {done.returncode}"})
     again = f"build/tests/test_{chapter} '-#' '[#test_stability]'"
-    return table("stability", chapter, f"stability.{chapter[:2]}", again, rows)
+    return table("stability", chapter, "stability", again, rows)
 
 
 def case_row(case) -> dict:
@@ -88,9 +93,10 @@ def charts() -> list[str]:
             why.append(str(error))
         why += [f"there is no {relative(file)}: python3 common/course/chart.py {relative(path)} draws it"
                 for file in (svg, path.with_suffix(".png")) if not file.exists()]
-        write_result(f"chart.{path.stem}", {"kind": "chart", "chapter": chapter, "name": path.stem, "test": "text.charts",
-                                            "ok": not why, "why": why, "svg": relative(svg),
-                                            "table": relative(markdown) if markdown.exists() else None, "again": again})
+        table_path = relative(markdown) if markdown.exists() else None
+        write_result(f"chart.{path.stem}", {"kind": "chart", "chapter": chapter, "name": path.stem, "ok": not why,
+                                            "why": why, "test": "text.charts", "svg": relative(svg),
+                                            "table": table_path, "again": again})
         said += why
     return said
 

@@ -44,9 +44,6 @@ CHAPTER = """#!PYTHON
 import os, sys
 words = sys.argv[1:]
 name = os.path.basename(sys.argv[0])
-if "--study" in words:
-    open(words[words.index("--study") + 1], "w").write("{}")
-    sys.exit(0)
 if "--screenshot" not in words:
     print(name, *words, "in", os.getcwd())
     sys.exit(7 if "--fail" in words else 0)
@@ -121,7 +118,7 @@ FILES = {
     "chapters/01_obj/main.cpp": MAIN, "chapters/02_lambert/main.cpp": "",
     "chapters/01_obj/exercise/one.cpp": "open", "chapters/01_obj/solution/one.cpp": "right",
     "chapters/02_lambert/exercise/one.cpp": "open", "chapters/02_lambert/solution/one.cpp": "right",
-    "chapters/01_obj/study.json": "{}", "common/course/chart.py": CHART, "docs/01_obj.md": LESSON, "docs/02_lambert.md": "# Two\n",
+    "common/course/chart.py": CHART, "docs/01_obj.md": LESSON, "docs/02_lambert.md": "# Two\n",
     "assets/CREDITS.md": "| file | what | who |\n|---|---|---|\n| models/{a,b}.obj | x | y |\n",
     "assets/models/a.obj": "v", "assets/models/b.obj": "v",
     "tests/01_obj/shots.json": json.dumps(SHOTS_01), "tests/02_lambert/shots.json": json.dumps(SHOTS_02),

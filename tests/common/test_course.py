@@ -17,6 +17,7 @@ sys.path.insert(0, str(REAL / "common/course"))
 import cli  # noqa: E402
 from check_teeth import with_bodies  # noqa: E402
 from progress import Progress  # noqa: E402
+from study_file import Study, markdown_table  # noqa: E402
 
 
 class Commands(Course):
@@ -78,13 +79,6 @@ class Commands(Course):
         self.assertEqual(course.returncode, 130, printed)
         self.assertNotIn("Traceback", printed)
 
-    def test_study_draws_a_chart_for_each_device(self):
-        self.assertIn("build/studies/01_obj.json; build/studies/01_obj.svg", self.course("study"))
-        self.assertIn("x/01_obj_h200_nvl.svg", self.course("study", "01", "--device", "H200 NVL", "--out", "x",
-                                                           cwd=self.outside))
-        self.assertTrue((self.outside / "x/01_obj_h200_nvl.svg").exists())
-        self.assertIn("chapter 02_lambert has no study; there are 01_obj", self.course("study", "02", code=2))
-
     def test_doctor_fuzz_and_clean(self):
         self.assertIn("cmake", self.course("doctor"))
         self.assertIn("obj: 9 runs, nothing found\n1 of 1 targets held", self.course("fuzz", "1"))
@@ -102,15 +96,15 @@ class Commands(Course):
 
 
 class Tests(Course):
-    """The small tree has unit.common, three shots, two teeth of shots and two of checks, and two texts, of which one is
+    """The small tree has unit.common, three shots, two teeth of shots, two checks and their teeth, and two texts, of which one is
     this file's empty stand-in."""
 
     def test_green_red_and_the_closing_line(self):
         self.accept()
-        self.assertEqual(self.course("test").splitlines()[-1], "100% tests passed, 0 tests failed out of 10")
+        self.assertEqual(self.course("test").splitlines()[-1], "100% tests passed, 0 tests failed out of 12")
         self.assertTrue((self.root / "build/report/index.html").exists())
         self.put("broken")
-        self.assertEqual(self.course("test", code=1).splitlines()[-1], "90% tests passed, 1 tests failed out of 10")
+        self.assertEqual(self.course("test", code=1).splitlines()[-1], "92% tests passed, 1 tests failed out of 12")
 
     def test_pattern_labels_and_nothing(self):
         self.accept()
@@ -120,8 +114,8 @@ class Tests(Course):
 
     def test_sanitizers_are_counted(self):
         self.accept()
-        self.assertIn("out of 18", self.course("test", "--sanitize").splitlines()[-1])
-        self.assertIn("out of 11", self.course("test", CI="true").splitlines()[-1])
+        self.assertIn("out of 22", self.course("test", "--sanitize").splitlines()[-1])
+        self.assertIn("out of 13", self.course("test", CI="true").splitlines()[-1])
 
     def test_nothing_to_build_says_nothing(self):
         self.course("run", "01")
@@ -233,6 +227,31 @@ class Exercises(Course):
         self.assertIn("01.one: it passes as handed out", self.run_program(check, code=1))
         self.put("chapters/01_obj/solution/one.cpp", "wrong")
         self.assertIn("01.one: the reference does not pass", self.run_program(check, code=1))
+
+    def test_the_checks_of_the_reference_are_in_the_report(self):
+        self.course("run", "01")
+        check = [sys.executable, self.root / "common/course/results.py", "check", "01_obj"]
+        self.run_program(check)
+        result = json.loads((self.root / "build/results/check.01.json").read_text())
+        self.assertEqual((result["kind"], result["test"], len(result["rows"])), ("probe", "check.01", 1))
+        self.put("chapters/01_obj/solution/one.cpp", "wrong")
+        self.assertIn("01.one: one(0) gave 1, expected 0", self.run_program(check, code=1))
+
+    def test_a_chart_is_that_of_its_study(self):
+        self.course("run", "01")
+        charts = [sys.executable, self.root / "common/course/results.py", "charts"]
+        point = {"scene": "a", "method": "b", "error": {"ulp": 1}, "mb_per_s": {"median": 2, "q1": 1, "q3": 3}}
+        study = {"chapter": "01_obj", "title": "t", "subject": "loader", "device": "d", "driver": "CPU", "stage": "s",
+                 "command": "c", "error_metric": "ulp", "time_unit": "MB/s", "points": [point]}
+        self.put("docs/studies/01_obj.cpu1.json", json.dumps(study))
+        printed = self.run_program(charts, code=1)
+        self.assertIn("docs/studies/01_obj.cpu1.md is not the table", printed)
+        self.assertIn("there is no docs/studies/01_obj.cpu1.svg", printed)
+        for kind, text in (("svg", ""), ("png", ""), ("md", markdown_table(Study(study)))):
+            self.put(f"docs/studies/01_obj.cpu1.{kind}", text)
+        self.run_program(charts)
+        self.put("docs/studies/01_obj.cpu1.json", "{}")
+        self.assertIn('has no "chapter"', self.run_program(charts, code=1))
 
     def test_functions_without_bodies(self):
         text = ("// f(x) {\nfloat f(vec3 a,\n        float b) {\n    if (b > 0.0) { return 1.0; }\n    return b;\n}\n"

@@ -11,7 +11,9 @@ import unittest
 from small_course import REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
+from need_test import Explained, sweep  # noqa: E402
 from study import device_slug  # noqa: E402
+from study_test import curve_row, frame_rows  # noqa: E402
 
 # Writes what it was given and where; with a file "slow" at the root it leaves a part and then takes its time.
 CHAPTER = f"""#!{sys.executable}
@@ -80,8 +82,9 @@ class Study(Course):
     def test_interrupted_it_goes_on_when_called_again(self):
         self.put("slow")
         partial = self.root / "build/study/01_obj.json.partial"
+        clean = {name: value for name, value in os.environ.items() if name != "LIGHTWALK_BUILD"}
         course = subprocess.Popen([self.root / "course", "study", "01"], stdout=subprocess.PIPE, text=True,
-                                  stderr=subprocess.STDOUT, start_new_session=True)
+                                  stderr=subprocess.STDOUT, start_new_session=True, env=clean)
         end = time.monotonic() + 30
         while not partial.exists() and time.monotonic() < end:
             time.sleep(0.05)
@@ -100,6 +103,40 @@ class Study(Course):
                             ({"subject": "loader", "device": "EPYC", "stage": "2 threads"}, "cpu2"),
                             ({}, "device")):
             self.assertEqual(device_slug(study), name)
+
+
+class Tables(unittest.TestCase):
+    """What study_test.py and need_test.py make of measurements."""
+
+    def test_more_samples_must_not_be_worse(self):
+        self.assertTrue(curve_row("a", "b", [0.3, 0.2, 0.2, 0.0, 0.0])["ok"])
+        for errors in ([0.2, 0.3], [0.2, 0.0, 0.1]):
+            self.assertFalse(curve_row("a", "b", errors)["ok"], errors)
+
+    def test_frames_are_finite_complete_and_the_truth_converges(self):
+        study = {"truth": {"most_change": 0.001}, "scenes": ["x/a.json"],
+                 "curves": [{"method": "m"}, {"method": "n", "set": {"taps": [1, 2]}}]}
+        self.assertEqual(sweep(study), [{"method": "m"}, {"method": "n", "taps": 1}, {"method": "n", "taps": 2}])
+
+        def wrong(change=0.001, nan=0, error=0.1, points=3):
+            found = [{"scene": "a", "method": method, "knobs": knobs, "error": {"rmse": error, "nan": nan, "inf": 0}}
+                     for method, knobs in (("m", {}), ("n", {"taps": "1"}), ("n", {"taps": "2"}))][:points]
+            rows = frame_rows(study, {"error_metric": "rmse", "points": found, "truth": {"doubling_change": change}})
+            return [row["case"].split()[0] for row in rows if not row["ok"]]
+
+        self.assertEqual(wrong(), [])
+        self.assertEqual(wrong(change=0.002), ["the"])
+        self.assertEqual(wrong(nan=1), ["pixels"])
+        self.assertEqual(wrong(points=2), ["points"])
+
+    def test_what_a_rule_explains(self):
+        said = ("rule: words\nm   samples 1: error 0.1 predicted, 0.5 million evaluations\n"
+                "m   samples 12: error 0.01 predicted, 2 million evaluations\n"
+                "choice: method=m samples=12, the cheapest with an error of at most 0.02")
+        explained = Explained(said)
+        self.assertEqual((explained.choice, explained.none_would_do), ("m samples 12", False))
+        self.assertEqual((explained.cost_of("m"), explained.cost_of("m samples 12")), (0.5, 2))
+        self.assertTrue(Explained(said + " would be none: it is the most accurate").none_would_do)
 
 
 if __name__ == "__main__":
