@@ -38,8 +38,8 @@ function(lightwalk_common)
   lightwalk_library(lightwalk_measure FOLDER common/measure LINK lightwalk_base PkgConfig::stb)
   lightwalk_library(lightwalk_gpu FOLDER common/gpu LINK lightwalk_course Vulkan::Vulkan glslang::glslang
                     glslang::SPIRV glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS})
-  lightwalk_library(lightwalk_scene FOLDER common/scene LINK lightwalk_gpu assimp::assimp PkgConfig::stb)
-  lightwalk_library(lightwalk_app FOLDER common/app LINK lightwalk_scene lightwalk_measure glfw PkgConfig::imgui
+  lightwalk_library(lightwalk_scene FOLDER common/scene LINK lightwalk_gpu lightwalk_measure assimp::assimp)
+  lightwalk_library(lightwalk_app FOLDER common/app LINK lightwalk_scene glfw PkgConfig::imgui
                     CLI11::CLI11)
   lightwalk_library(lightwalk_check FOLDER common/course/check LINK lightwalk_app)
   add_executable(compare ${PROJECT_SOURCE_DIR}/common/measure/compare_main.cpp)
