@@ -300,7 +300,8 @@ class BadInput(unittest.TestCase):
         good = (ROOT / "shaders" / name).read_text()
         for change, says in ((("max(", "maximum("), f"shaders/{name}:\\d+: .*maximum"),
                              (("return", "retrn"), f"shaders/{name}:\\d+: "), (("}", ""), r"shaders/\S+:\d+: "),
-                             (("float lambert", '#include "none.glsl"\nfloat lambert'), r"lambert\.glsl:3: .*none\.glsl")):
+                             (("float lambert", '#include "none.glsl"\nfloat lambert'),
+                              r"lambert\.glsl:3: .*none\.glsl")):
             self.draw("02", code=1, says=says, LIGHTWALK_OVERLAY=self.overlay(name, good.replace(*change)))
         self.draw("02", code=1, LIGHTWALK_OVERLAY=self.overlay(name, bytes(range(256))))
         self.draw("02", code=1, LIGHTWALK_OVERLAY=self.overlay(name, ""), says="lambert")

@@ -2,10 +2,13 @@
 
 #include <bit>
 #include <charconv>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <regex>
 
 #include "common/error.h"
+#include "common/files.h"
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -56,7 +59,8 @@ std::string shader_text(const Probe& probe, const Signature& s) {
         "    uint i = gl_GlobalInvocationID.x;\n"
         "    if (i >= probe_inputs.length()) return;\n"
         "    ProbeInput row = probe_inputs[i];\n"
-        "    probe_outputs[i].value = " + s.function + "(";
+        "    probe_outputs[i].value = " +
+        s.function + "(";
     for (size_t i = 0; i < s.parameters.size(); ++i) text += (i ? ", row." : "row.") + s.parameters[i].name;
     return text + ");\n}\n";
 }
@@ -96,8 +100,8 @@ double Bound::allowed(double truth) const {
 Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs) {
     const Signature s = parse(probe.signature);
     const std::vector<uint32_t> words = pack(s, probe.inputs);
-    const Pipeline pipeline = compute(
-        {.shader = "probe of " + s.function, .defines = probe.defines, .source = shader_text(probe, s)});
+    const Pipeline pipeline =
+        compute({.shader = "probe of " + s.function, .defines = probe.defines, .source = shader_text(probe, s)});
     const Buffer inputs = gpu.upload("probe inputs", words);
     const Buffer results(gpu.device, {.name = "probe outputs", .bytes = 4 * outputs * probe.inputs.size()});
     {
@@ -110,6 +114,11 @@ Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs) {
         frame.end();
     }
     const std::vector<std::byte> bytes = gpu.read_back(results);
+    // For tests/mutate.py: whether what a probe returns has changed at all.
+    if (const char* log = std::getenv("LIGHTWALK_PROBE_LOG"))
+        std::ofstream(log, std::ios::app)
+            << s.function << " "
+            << hash_bytes({reinterpret_cast<const char*>(bytes.data()), 4 * outputs * probe.inputs.size()}) << "\n";
     const bool whole = is_whole(s.result);
     Table table(probe.inputs.size(), Row(outputs));
     for (size_t i = 0; i < table.size() * outputs; ++i) {
@@ -160,7 +169,8 @@ std::string worst_of(const Probe& probe, const Table& results) {
         for (size_t k = 0; k < truth.size(); ++k) {
             const double got = results[i][k];
             double excess = 0;
-            if (std::isfinite(truth[k]) && !std::isfinite(got)) excess = std::numeric_limits<double>::infinity();
+            if (std::isfinite(truth[k]) && !std::isfinite(got))
+                excess = std::numeric_limits<double>::infinity();
             else if (std::isfinite(truth[k]))
                 excess = std::fabs(got - truth[k]) / std::max(probe.bound.allowed(truth[k]), 1e-300);
             else if (!(got == truth[k] || (std::isnan(got) && std::isnan(truth[k]))))
