@@ -7,7 +7,7 @@ Every line of shaders/NN_name/*.{glsl,frag,vert} and shaders/NN_name/solution/*.
 many of them, evenly spread. The tree stays as it is: LIGHTWALK_OVERLAY puts the changed file in the place of the other.
 A change is
 
-    caught      a shot is over its limits, a check or a unit test fails, or it does not draw at all
+    caught      a shot is over its limits, a check or a test of the chapter fails, or it does not draw at all
     survived    a picture or what a probe returned differs, and nothing failed
     equivalent  all pictures and probes are the same to the last bit
     invalid     it does not compile
@@ -190,6 +190,9 @@ class Bench:
                         caught.append("shot " + name)
                 if caught and not everything:
                     return "caught", caught[0]
+            for script in sorted((ROOT / "tests" / self.chapter).glob("test_*.py")) if differs or everything else []:
+                if self.run([sys.executable, script]).returncode:
+                    caught.append(script.name)
             if caught:
                 return "caught", ", ".join(caught)
             return ("survived", ", ".join(differs) + " differs") if differs else ("equivalent", "")
