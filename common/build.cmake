@@ -30,6 +30,10 @@ function(lightwalk_common)
   if(NOT solutions) # a handout
     target_compile_definitions(lightwalk_base PUBLIC LIGHTWALK_NO_SOLUTION)
   endif()
+  if(LIGHTWALK_SANITIZE)
+    add_library(sanitizer_support SHARED ${PROJECT_SOURCE_DIR}/tests/sanitizer_support.cpp)
+    target_link_libraries(lightwalk_base PUBLIC sanitizer_support)
+  endif()
   # Reading a command line or JSON happens once in a run: that such a file compiles fast matters more.
   set_source_files_properties(
     common/app/options.cpp common/app/lists.cpp common/scene/json_lines.cpp common/scene/scene_write.cpp
