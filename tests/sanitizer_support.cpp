@@ -4,6 +4,3 @@
 extern "C" int dlclose(void*) { return 0; }
 
 extern "C" const char* __lsan_default_suppressions() { return "leak:libVkLayer_khronos_validation.so\n"; }
-
-// A run that ends well says nothing.
-extern "C" const char* __asan_default_options() { return "print_suppressions=0"; }
