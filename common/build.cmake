@@ -30,6 +30,10 @@ function(lightwalk_common)
   if(NOT solutions) # a handout
     target_compile_definitions(lightwalk_base PUBLIC LIGHTWALK_NO_SOLUTION)
   endif()
+  if(LIGHTWALK_SANITIZE)
+    add_library(sanitizer_support SHARED ${PROJECT_SOURCE_DIR}/tests/sanitizer_support.cpp)
+    target_link_libraries(lightwalk_base PUBLIC sanitizer_support)
+  endif()
   # Reading a command line or JSON happens once in a run: that such a file compiles fast matters more.
   set_source_files_properties(
     common/app/options.cpp common/app/lists.cpp common/scene/json_lines.cpp common/scene/scene_write.cpp
@@ -42,8 +46,8 @@ function(lightwalk_common)
     # Debian builds glslang without type information, which this check of the undefined-behaviour sanitizer needs.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/common/gpu/compile.cpp PROPERTIES COMPILE_OPTIONS -fno-sanitize=vptr)
   endif()
-  lightwalk_library(lightwalk_scene FOLDER common/scene LINK lightwalk_gpu assimp::assimp PkgConfig::stb)
-  lightwalk_library(lightwalk_app FOLDER common/app LINK lightwalk_scene lightwalk_measure glfw PkgConfig::imgui
+  lightwalk_library(lightwalk_scene FOLDER common/scene LINK lightwalk_gpu lightwalk_measure assimp::assimp)
+  lightwalk_library(lightwalk_app FOLDER common/app LINK lightwalk_scene glfw PkgConfig::imgui
                     CLI11::CLI11)
   lightwalk_library(lightwalk_check FOLDER common/course/check LINK lightwalk_app)
   add_executable(compare ${PROJECT_SOURCE_DIR}/common/measure/compare_main.cpp)

@@ -6,7 +6,11 @@ find_program(PYTHON3 python3 REQUIRED)
 
 function(lightwalk_python_test name label)
   add_test(NAME ${name} COMMAND ${PYTHON3} ${ARGN} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  set_tests_properties(${name} PROPERTIES LABELS "${label}" ENVIRONMENT "LIGHTWALK_BUILD=${PROJECT_BINARY_DIR}")
+  set(environment "LIGHTWALK_BUILD=${PROJECT_BINARY_DIR}")
+  if(LIGHTWALK_SANITIZE)
+    list(APPEND environment "LSAN_OPTIONS=print_suppressions=0")  # a run that ends well says nothing
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS "${label}" ENVIRONMENT "${environment}")
 endfunction()
 
 foreach(name common ${LIGHTWALK_CHAPTERS})

@@ -89,6 +89,13 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
         std::printf("%s", app.help().c_str());
         return std::nullopt;
     } catch (const CLI::ParseError& e) { throw InputError(std::string(e.what()) + "; --help lists what there is"); }
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& value : option->results())
+            if (value.empty())
+                throw InputError(option->get_name() + " is given an empty text; --help says what it takes");
+    // CLI11's ranges let a NaN through: it is neither below nor above them.
+    if (std::isnan(o.budget)) throw InputError("--budget nan: expected a number above 0");
+    if (o.time_given && std::isnan(*o.time_given)) throw InputError("--time nan: expected seconds from -1e6 to 1e6");
     o.validate = validate == "on";
     o.frames_given = !frames->empty();
     o.size_given = !size.empty();

@@ -1,5 +1,6 @@
 // Images in memory, as numbers: what is read from disk, compared, and written back.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -57,6 +58,16 @@ Image8 read_image8(const std::filesystem::path& path);
 /// Reads any image as linear light: PNG and JPEG are decoded from sRGB (16-bit ones at full depth), .hdr and .pfm
 /// hold linear light already. Throws InputError as read_image8 does.
 ImageRgb read_image_linear(const std::filesystem::path& path);
+
+/// Texels as a texture takes them: RGBA, rows from the top, in the file's own depth.
+struct TexelImage {
+    int width = 0, height = 0;
+    int bits = 8;                  ///< of a channel: 8, or 16 where the file has them and they were asked for
+    std::vector<std::byte> bytes;  ///< grey fills r, g and b; a missing alpha is the largest value
+};
+
+/// Reads what read_image8 does, undecoded. Throws InputError as it does.
+TexelImage read_texels(const std::filesystem::path& path, bool keep_16_bits);
 
 /// Throws InputError, naming the file, where a declared size is below 1 or above the limits.
 void check_image_size(const std::filesystem::path& path, int64_t width, int64_t height);

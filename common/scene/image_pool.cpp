@@ -1,12 +1,10 @@
 #include "common/scene/image_pool.h"
 
-#include <stb/stb_image.h>
-
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
 
 #include "common/error.h"
-#include "common/files.h"
+#include "common/measure/image.h"
 
 namespace lightwalk {
 namespace {
@@ -17,44 +15,33 @@ struct Texels {
     std::vector<std::byte> bytes;
 };
 
-void keep(Texels& texels, const void* data, size_t bytes) {
-    const auto* begin = static_cast<const std::byte*>(data);
-    texels.bytes.assign(begin, begin + bytes);
+// Halves of linear values, clamped to their range; alpha is 1.
+Texels linear_texels(const std::filesystem::path& file) {
+    const ImageRgb image = read_image_linear(file);
+    std::vector<uint16_t> halves;
+    halves.reserve(4 * image.pixels.size());
+    for (const glm::vec3& p : image.pixels)
+        for (const float value : {p.r, p.g, p.b, 1.0f})
+            halves.push_back(glm::packHalf1x16(std::clamp(value, -65504.0f, 65504.0f)));
+    const auto bytes = std::as_bytes(std::span(halves));
+    return {{image.width, image.height}, VK_FORMAT_R16G16B16A16_SFLOAT, {bytes.begin(), bytes.end()}};
 }
 
 Texels decode(const std::filesystem::path& file, TextureKind kind, uint32_t max_size) {
-    const std::string bytes = read_file(file);
-    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-    const int length = static_cast<int>(bytes.size());
-    int width = 0, height = 0, channels = 0;
-    if (!stbi_info_from_memory(data, length, &width, &height, &channels))
-        throw InputError(file.string() + ": not an image that can be read: " + stbi_failure_reason());
-    if (static_cast<uint32_t>(std::max(width, height)) > max_size)
-        throw InputError(file.string() + ": " + std::to_string(width) + "x" + std::to_string(height) +
-                         " is larger than the device's " + std::to_string(max_size));
-    Texels texels{.size = {width, height}, .bytes = {}};
-    const size_t count = size_t{4} * static_cast<size_t>(width) * static_cast<size_t>(height);
-    void* pixels = nullptr;
-    if (stbi_is_hdr_from_memory(data, length)) {
-        float* values = stbi_loadf_from_memory(data, length, &width, &height, &channels, 4);
-        pixels = values;
-        if (values) {
-            std::vector<uint16_t> halves(count);
-            for (size_t i = 0; i < count; ++i) halves[i] = glm::packHalf1x16(std::min(values[i], 65504.0f));
-            texels.format = VK_FORMAT_R16G16B16A16_SFLOAT;
-            keep(texels, halves.data(), count * 2);
-        }
-    } else if (stbi_is_16_bit_from_memory(data, length) && kind == TextureKind::data) {
-        pixels = stbi_load_16_from_memory(data, length, &width, &height, &channels, 4);
-        texels.format = VK_FORMAT_R16G16B16A16_UNORM;
-        if (pixels) keep(texels, pixels, count * 2);
+    Texels texels;
+    if (is_hdr_name(file)) {
+        texels = linear_texels(file);
     } else {
-        pixels = stbi_load_from_memory(data, length, &width, &height, &channels, 4);
-        texels.format = kind == TextureKind::color ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
-        if (pixels) keep(texels, pixels, count);
+        TexelImage image = read_texels(file, kind == TextureKind::data);
+        texels = {{image.width, image.height},
+                  image.bits == 16             ? VK_FORMAT_R16G16B16A16_UNORM
+                  : kind == TextureKind::color ? VK_FORMAT_R8G8B8A8_SRGB
+                                               : VK_FORMAT_R8G8B8A8_UNORM,
+                  std::move(image.bytes)};
     }
-    if (!pixels) throw InputError(file.string() + ": damaged image: " + stbi_failure_reason());
-    stbi_image_free(pixels);
+    if (std::max(texels.size.x, texels.size.y) > max_size)
+        throw InputError(file.string() + ": " + std::to_string(texels.size.x) + "x" + std::to_string(texels.size.y) +
+                         " is larger than the device's " + std::to_string(max_size));
     return texels;
 }
 

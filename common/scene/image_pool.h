@@ -15,8 +15,9 @@ class ImagePool {
   public:
     explicit ImagePool(Gpu& gpu) : gpu_(gpu) {}
 
-    /// 8- and 16-bit PNG, JPEG and the like, and .hdr (RGBA16F, clamped to its range), with all mips. Grey fills r, g
-    /// and b; a missing alpha is 1. Throws InputError: missing, empty, damaged, or larger than the device allows.
+    /// 8- and 16-bit PNG, JPEG and the like, and .hdr and .pfm (RGBA16F, clamped to its range), with all mips. Grey
+    /// fills r, g and b; a missing alpha is 1. Throws InputError: missing, empty, damaged, or larger than the device
+    /// allows.
     std::shared_ptr<Image> load(const std::filesystem::path& file, TextureKind kind);
 
     /// One texel of that colour, for a slot without a texture.

@@ -116,8 +116,9 @@ void Scene::place(Gpu& gpu, const SceneObject& object, const glm::mat4& world, c
                     try {
                         item.maps[std::string(slot.name) + "_map"] = images_->load((own.*slot.map).file, slot.kind);
                     } catch (const InputError& e) {
-                        std::fprintf(stderr, "warning: material '%s': %s; drawn without it\n", own.name.c_str(),
-                                     e.what());
+                        if (warned_.insert(own.name + "\n" + e.what()).second)
+                            std::fprintf(stderr, "warning: material '%s': %s; drawn without it\n", own.name.c_str(),
+                                         e.what());
                     }
                 }
                 for (const auto& [name, texture] : object.material.maps)
@@ -157,6 +158,7 @@ void Scene::clear() {
     items.clear();
     models_.clear();
     if (images_) images_->clear();
+    warned_.clear();
 }
 
 SceneFile scene_of_model(const std::filesystem::path& model, const Bounds& bounds) {

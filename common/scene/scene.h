@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <set>
 
 #include "common/gpu/pass.h"
 #include "common/scene/image_pool.h"
@@ -67,6 +68,7 @@ class Scene : public Drawable {
     ModelPool models_;
     std::unique_ptr<ImagePool> images_;
     std::shared_ptr<Image> white_, flat_;
+    std::set<std::string> warned_;  ///< textures that could not be read: each is said once
 };
 
 /// A scene that shows one model: a camera that frames it, a key and a fill light. `bounds` in metres.

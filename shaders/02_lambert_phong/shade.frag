@@ -13,7 +13,9 @@ layout(location = 5) in vec3 lit_specular;
 layout(location = 0) out vec4 color;
 
 layout(scalar) uniform ViewBlock { CameraView view; };
+#if AMBIENT
 layout(scalar) uniform AmbientBlock { vec3 ambient; };
+#endif
 
 // [light_pixel]
 // The mean over samples × samples points of the pixel, where position and normal are continued linearly from its

@@ -73,6 +73,11 @@ TEST_CASE("shininess 0 is a power of 0, which pow(0, 0) leaves undefined") {
     CHECK(evaluate("phong", row(up, up, up, 0)) == 1);
 }
 
+TEST_CASE("a normal whose length has rounded to just above 1 makes no highlight above 1") {
+    // Without a bound the power would make 1.1 of 1.000001.
+    for (const char* lobe : {"phong", "blinn_phong"}) CHECK(evaluate(lobe, row(up * 1.000001, up, up, 100000)) == 1);
+}
+
 TEST_CASE("no highlight leaks where the light is behind the surface, though the half vector says there is one") {
     const glm::dvec3 below = glm::normalize(glm::dvec3(1, -0.05, 0)), eye = glm::normalize(glm::dvec3(-0.6, 0.8, 0));
     REQUIRE(std::pow(glm::dot(up, glm::normalize(below + eye)), 8) > 0.05);  // what would leak
