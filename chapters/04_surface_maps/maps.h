@@ -1,0 +1,32 @@
+// A material's maps: which of them are in use, and their smaller levels.
+#pragma once
+#include "common/app/knob.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+/// One switch for each texture slot. A slot that is off, or that a material has no texture for, is compiled out.
+struct MapSwitches {
+    Knob<bool> diffuse{"diffuse", true, "colour textures"};
+    Knob<bool> specular{"specular", true, "textures that tint highlights"};
+    Knob<bool> emissive{"emissive", true, "textures that glow"};
+    Knob<bool> opacity{"opacity", true, "textures of holes"};
+    Knob<bool> normal{"normal", true, "normal maps"};
+    Knob<bool> height{"height", true, "height maps"};
+    Knob<bool> orm{"orm", true, "textures of occlusion, roughness and metalness"};
+    Knob<bool> occlusion{"occlusion", true, "textures of ambient occlusion alone"};
+    Knob<bool> gloss{"gloss", true, "textures of the exponent, 8 to 256"};
+    Knob<bool> detail_normal{"detail_normal", true, "fine normal maps on top of the others"};
+
+    /// Sets the switches' macros for a pipeline that draws `item`.
+    void define(Defines& defines, const DrawItem& item) const;
+};
+
+/// Makes the smaller levels anew of what must not be averaged as colours are: normal maps (see normal_levels) and,
+/// where `cutoff` is not below 0, alpha (see cutout_levels).
+void make_mips(Gpu& gpu, Scene& scene, float cutoff);
+
+/// Draws `item` with each triangle cut into subdivide × subdivide.
+void draw_displaced(Raster& pass, const Scene& scene, const DrawItem& item, uint32_t subdivide);
+
+}  // namespace lightwalk
