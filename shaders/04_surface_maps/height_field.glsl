@@ -1,6 +1,6 @@
 // The surface that a height map stands for. Depth 0 is the mesh, 1 the deepest point. Between the middles of four texels
 // the depth is bilinear, at full resolution: this one surface is what every method looks for.
-#include "common/material.glsl"
+#include "common/image_uv.glsl"
 
 #if FIELD
 // For tests: fields whose intersections are known.

@@ -75,19 +75,22 @@ vec3 normal_at(Coordinates at, out float mean_length) {
 struct Substance {
     MixedMaterial mixed;
     float occlusion;
+    vec3 ambient_specular;  // what of light from everywhere is reflected as by a mirror
 };
 
 // [substance]
 Substance substance_at(Coordinates at, MaterialData material, vec3 base) {
-    Substance s = Substance(MixedMaterial(base, material.specular, material.shininess), 1.0);
+    Substance s = Substance(MixedMaterial(base, material.specular, material.shininess), 1.0, vec3(0.0));
     vec3 orm = vec3(1.0, 0.0, 0.0);
 #if ORM
     orm = read(orm_map, at).rgb;
     s.occlusion = orm.r;
 #endif
     bool has_orm = ORM == 1 || material.roughness >= 0.0;
-    if (has_orm)
+    if (has_orm) {
         s.mixed = mix_orm(base, overridden(orm.g, material.roughness), overridden(orm.b, material.metalness));
+        s.ambient_specular = s.mixed.specular;
+    }
 #if OCCLUSION
     s.occlusion *= read(occlusion_map, at).r;
 #endif
@@ -150,7 +153,7 @@ Shaded shade(vec3 position, vec3 normal, Coordinates at) {
 #if FILTER == FILTER_TOKSVIG
     surface.shininess = toksvig(surface.shininess, mean_length);
 #endif
-    vec3 sum = s.mixed.diffuse * ambient * s.occlusion;
+    vec3 sum = (s.mixed.diffuse + s.ambient_specular) * ambient * s.occlusion;
     for (int i = 0; i < lights.length(); ++i) {
         Reflected reflected = reflect_light(surface, lights[i].to_light, Wrap(0.0, 1.0, vec3(1.0)));
         // What a bump turns towards a light that is below the mesh stays dark: the mesh is in the way.

@@ -25,6 +25,7 @@ TangentFrame tangent_frame(const Vertex& a, const Vertex& b, const Vertex& c) {
     if (!(std::fabs(determinant) > 1e-9 * glm::length(uv1) * glm::length(uv2))) return none;
     const glm::dvec3 per_u = (uv2.y * e1 - uv1.y * e2) / determinant;
     const glm::dvec3 per_v = (uv1.x * e2 - uv2.x * e1) / determinant;
+    if (!(glm::length(glm::cross(per_u, per_v)) > 1e-9 * glm::length(per_u) * glm::length(per_v))) return none;
     const glm::dvec3 normal(a.normal);
     const glm::dvec3 in_surface = per_u - normal * glm::dot(normal, per_u);
     if (!(glm::length(in_surface) > 1e-6 * glm::length(per_u))) return none;
