@@ -21,4 +21,13 @@ struct LightData {
 };
 // [/light]
 
+// [influence_radius]
+// How far a point or spot light is taken to reach, in metres: its range or, with a threshold above 0, the distance at
+// which an inverse square that never ends has fallen to that radiance.
+SHARED_FUNCTION float influence_radius(LightData light, float threshold) {
+    float brightest = max(light.radiance.x, max(light.radiance.y, light.radiance.z));
+    return threshold > 0.0f ? sqrt(brightest / threshold) : light.range;
+}
+// [/influence_radius]
+
 END_SHARED
