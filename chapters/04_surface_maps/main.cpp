@@ -1,6 +1,6 @@
 // Chapter 04: surfaces that textures describe: their slope, their depth, their substance, their holes.
 #include "01_obj/model_chapter.h"
-#include "02_lambert_phong/directional_lights.h"
+#include "03_attenuation/light_buffer.h"
 #include "04_surface_maps/maps.h"
 #include "04_surface_maps/tangents.h"
 
@@ -26,14 +26,17 @@ struct SurfaceMaps : ModelChapter {
     Knob<float> wobble{"wobble", 0.0f, {0.0f, 0.2f}, "how far textures swing, in texture widths"};
     Knob<float> scroll{"scroll", 0.0f, {-2.0f, 2.0f}, "how far textures flow, in texture widths a second"};
     Knob<int> samples{"samples", 1, {1, 16}, "shading samples a pixel, along each side"};
-    Choice show{"show", {"shaded", "hit_error", "normal"}, "shaded", "hit_error: in texels of the height map, 32 are white"};
+    Choice show{"show",
+                {"shaded", "hit_error", "swim", "normal"},
+                "shaded",
+                "hit_error, and its change when the eye moves, are in texels of the height map; 32 are white"};
     MapSwitches maps;
 
     Pipeline surface =
         graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "04_surface_maps/surface.frag"});
     Pipeline displaced =
         graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "04_surface_maps/surface.frag"});
-    Buffer lights;
+    LightBuffer lights;
 
     std::string default_scene() const override { return "scenes/castle_wall.json"; }
     bool reload_on_toggle() const override { return true; }
@@ -41,7 +44,7 @@ struct SurfaceMaps : ModelChapter {
     bool animated() const override { return wobble > 0 || scroll != 0; }
 
     void prepare(Gpu& gpu) override {
-        lights = upload_directional_lights(gpu, scene.file.lights);
+        lights.update(gpu, scene.file.lights);
         add_tangents(gpu, scene);
         make_mips(gpu, scene, coverage.is("kept") ? cutoff : -1.0f);
     }
@@ -49,14 +52,15 @@ struct SurfaceMaps : ModelChapter {
     // [frame]
     void frame(Frame& frame) override {
         set_view(frame);
-        const glm::vec4 behind(show.is("hit_error") ? glm::vec3(-1.0f) : scene.file.background, 1.0f);
+        const bool measures = show.is("hit_error") || show.is("swim");
+        const glm::vec4 behind(measures ? glm::vec3(-1.0f) : scene.file.background, 1.0f);
 
         // 1. Every surface, each by the variant that has just its maps.
         frame.raster("shade", {.color = {frame.hdr}, .depth = frame.depth, .clear = behind}, [&](Raster& pass) {
             for (const DrawItem& item : scene.items) {
                 maps.define(frame.gpu.pipelines.defines, item);
                 pass.use(mesh.is("displaced") ? displaced : surface);
-                pass.set("lights", lights).set("ambient", scene.file.ambient);
+                pass.set("lights", lights.buffer).set("ambient", scene.file.ambient);
                 if (mesh.is("displaced"))
                     draw_displaced(pass, scene, item, static_cast<uint32_t>(subdivide.value));
                 else

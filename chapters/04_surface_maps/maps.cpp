@@ -30,7 +30,8 @@ class Codec {
     void encode(glm::vec4 value, std::vector<std::byte>& to) const {
         if (format_ == VK_FORMAT_R8G8B8A8_SRGB)
             for (int i = 0; i < 3; ++i) value[i] = linear_to_srgb(value[i]);
-        const uint64_t word = format_ == VK_FORMAT_R16G16B16A16_UNORM    ? glm::packUnorm4x16(value)
+        const uint64_t word = format_ == VK_FORMAT_R16_UNORM            ? glm::packUnorm1x16(value.r)
+                              : format_ == VK_FORMAT_R16G16B16A16_UNORM  ? glm::packUnorm4x16(value)
                               : format_ == VK_FORMAT_R16G16B16A16_SFLOAT ? glm::packHalf4x16(value)
                                                                          : glm::packUnorm4x8(value);
         const auto* begin = reinterpret_cast<const std::byte*>(&word);
@@ -50,16 +51,23 @@ Level read_level(Gpu& gpu, const Image& image) {
     return level;
 }
 
-std::shared_ptr<Image> upload_levels(Gpu& gpu, const Image& like, const std::vector<Level>& levels) {
-    const Codec codec(like.desc.format);
+std::shared_ptr<Image> upload_levels(Gpu& gpu, Image::Desc desc, const std::vector<Level>& levels) {
+    const Codec codec(desc.format);
+    desc.mips = static_cast<uint32_t>(levels.size());
     std::vector<std::vector<std::byte>> bytes;
     for (const Level& level : levels) {
         bytes.emplace_back();
         for (const glm::vec4& texel : level.texels) codec.encode(texel, bytes.back());
     }
-    auto image = std::make_shared<Image>(gpu.device, like.desc);
+    auto image = std::make_shared<Image>(gpu.device, desc);
     gpu.upload(*image, bytes);
     return image;
+}
+
+// One level, which is all that is read, in 16 bits: between texels of 8 bits some devices interpolate in steps of 1/255,
+// and a ray finds terraces where the surface is smooth.
+std::shared_ptr<Image> upload_heights(Gpu& gpu, const Image& image, const Level& level) {
+    return upload_levels(gpu, {.name = image.desc.name, .format = VK_FORMAT_R16_UNORM, .size = level.size}, {level});
 }
 
 // An opacity map's one number as the alpha of what is to be kept.
@@ -85,16 +93,18 @@ void make_mips(Gpu& gpu, Scene& scene, float cutoff) {
     for (DrawItem& item : scene.items)
         for (auto& [slot, image] : item.maps) {
             const bool is_normal = slot == "normal_map" || slot == "detail_normal_map";
-            if (!is_normal && slot != "diffuse_map" && slot != "opacity_map") continue;
+            if (!is_normal && slot != "diffuse_map" && slot != "opacity_map" && slot != "height_map") continue;
             std::shared_ptr<Image>& entry = made[image.get()];
             if (!entry) {
                 const Level level = read_level(gpu, *image);
                 if (is_normal)
-                    entry = upload_levels(gpu, *image, normal_levels(level));
+                    entry = upload_levels(gpu, image->desc, normal_levels(level));
+                else if (slot == "height_map")
+                    entry = upload_heights(gpu, *image, level);
                 else if (slot == "opacity_map")
-                    entry = upload_levels(gpu, *image, opacity_levels(level, cutoff));
+                    entry = upload_levels(gpu, image->desc, opacity_levels(level, cutoff));
                 else if (coverage(level, 1.0f) < 1.0)
-                    entry = upload_levels(gpu, *image, cutout_levels(level, cutoff));
+                    entry = upload_levels(gpu, image->desc, cutout_levels(level, cutoff));
                 else
                     entry = image;
             }

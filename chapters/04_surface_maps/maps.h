@@ -22,8 +22,8 @@ struct MapSwitches {
     void define(Defines& defines, const DrawItem& item) const;
 };
 
-/// Makes the smaller levels anew of what must not be averaged as colours are: normal maps (see normal_levels) and,
-/// where `cutoff` is not below 0, alpha (see cutout_levels).
+/// Makes the levels anew of what must not be averaged as colours are: normal maps (see normal_levels) and alpha (see
+/// cutout_levels; `cutoff` below 0: averaged). Of height maps only the first level is read, with 16 bits.
 void make_mips(Gpu& gpu, Scene& scene, float cutoff);
 
 /// Draws `item` with each triangle cut into subdivide × subdivide.

@@ -1,8 +1,8 @@
 // A surface with all its maps, lit. A map whose macro is 0, because its knob is off or the material lacks it, is not in
 // the shader.
 #include "common/material.glsl"
-#include "02_lambert_phong/lights.h"
 #include "02_lambert_phong/reflection.glsl"
+#include "03_attenuation/arriving.glsl"
 #include "04_surface_maps/knobs.glsl"
 #include "04_surface_maps/moving_uv.glsl"
 #include "04_surface_maps/parallax.glsl"
@@ -21,13 +21,16 @@ layout(location = 6) flat in uint material_index;
 layout(location = 0) out vec4 color;
 
 layout(scalar) uniform ViewBlock { CameraView view; };
-layout(scalar) readonly buffer LightBuffer { DirectionalLight lights[]; };
+layout(scalar) readonly buffer LightBuffer { LightData lights[]; };
 layout(scalar) uniform AmbientBlock { vec3 ambient; };
 uniform sampler2D specular_map, emissive_map, opacity_map, normal_map, orm_map, occlusion_map, gloss_map,
     detail_normal_map;
 
 #define HAS_PARALLAX (HEIGHT && METHOD != METHOD_FLAT && METHOD != METHOD_NORMAL && MESH == MESH_LOADED)
 #define HAS_NORMAL (NORMAL && METHOD != METHOD_FLAT)
+
+const float white_texels = 32.0;  // an error that SHOW shows as white
+const float walk_m = 0.05;        // by which the eye comes closer along the surface from one frame to the next: for swim
 
 // Tangent space in the world: columns along u, along v, along the normal.
 mat3 tangent_space(vec3 normal) {
@@ -121,13 +124,24 @@ Shaded shade(vec3 position, vec3 normal, Coordinates at) {
     MaterialData material = materials[material_index];
     mat3 frame = tangent_space(normal);
     vec3 to_eye = normalize(view.eye - position);
-    Hit hit = Hit(at.uv, 0.0, 0.0);
-#if HAS_PARALLAX || (HEIGHT && SHOW == SHOW_HIT_ERROR && MESH == MESH_LOADED)
+#if HEIGHT && MESH == MESH_LOADED && (HAS_PARALLAX || MEASURES_HITS)
+    at.uv = fract(at.uv);  // textures repeat, and numbers near 0 are finer
     vec3 eye_in_frame = to_eye * frame;
-    hit = find_hit(at.uv, eye_in_frame, knobs.height_m / metres_per_uv, knobs.steps);
+    vec2 deepest = knobs.height_m / metres_per_uv;
+#if SHOW == SHOW_HIT_ERROR
+    return Shaded(vec3(hit_error(at.uv, eye_in_frame, deepest, knobs.steps) / white_texels), 1.0);
+#elif SHOW == SHOW_SWIM
+    vec3 from = (view.eye - position) * frame;
+    vec3 to = from - vec3(normalize(from.xy + 1e-6) * walk_m, 0.0);
+    return Shaded(vec3(swim(at.uv, from, to, deepest, knobs.height_m, knobs.steps) / white_texels), 1.0);
+#else
+    Hit hit = find_hit(at.uv, eye_in_frame, deepest, knobs.steps);
     position -= to_eye * (knobs.height_m * hit.depth / max(eye_in_frame.z, lowest_eye));
-#endif
     at.uv = hit.uv;
+#endif
+#elif MEASURES_HITS
+    return Shaded(vec3(0.0), 1.0);
+#endif
 
     vec4 base = vec4(material.diffuse, 1.0);
     float opacity = 1.0;
@@ -143,9 +157,7 @@ Shaded shade(vec3 position, vec3 normal, Coordinates at) {
     Surface surface;
     surface.normal = frame * normal_at(at, mean_length);
     surface.to_eye = to_eye;
-#if SHOW == SHOW_HIT_ERROR
-    return Shaded(vec3(hit.wrong_by / 32.0), alpha);  // white: 32 texels
-#elif SHOW == SHOW_NORMAL
+#if SHOW == SHOW_NORMAL
     return Shaded(0.5 + 0.5 * surface.normal, alpha);
 #endif
     Substance s = substance_at(at, material, base.rgb);
@@ -155,10 +167,11 @@ Shaded shade(vec3 position, vec3 normal, Coordinates at) {
 #endif
     vec3 sum = (s.mixed.diffuse + s.ambient_specular) * ambient * s.occlusion;
     for (int i = 0; i < lights.length(); ++i) {
-        Reflected reflected = reflect_light(surface, lights[i].to_light, Wrap(0.0, 1.0, vec3(1.0)));
+        Arriving light = arriving_light(lights[i], position, 1.0);
+        Reflected reflected = reflect_light(surface, light.to_light, Wrap(0.0, 1.0, vec3(1.0)));
         // What a bump turns towards a light that is below the mesh stays dark: the mesh is in the way.
-        float above = dot(frame[2], lights[i].to_light) > 0.0 ? 1.0 : 0.0;
-        sum += above * lights[i].radiance * (s.mixed.diffuse * reflected.diffuse + s.mixed.specular * reflected.specular);
+        float above = dot(frame[2], light.to_light) > 0.0 ? 1.0 : 0.0;
+        sum += above * light.radiance * (s.mixed.diffuse * reflected.diffuse + s.mixed.specular * reflected.specular);
     }
     vec3 glow = material.emissive;
 #if EMISSIVE
