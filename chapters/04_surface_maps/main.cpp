@@ -3,6 +3,7 @@
 #include "03_attenuation/light_buffer.h"
 #include "04_surface_maps/maps.h"
 #include "04_surface_maps/tangents.h"
+#include "common/app/study.h"
 
 using namespace lightwalk;
 
@@ -47,6 +48,17 @@ struct SurfaceMaps : ModelChapter {
         lights.update(gpu, scene.file.lights);
         add_tangents(gpu, scene);
         make_mips(gpu, scene, coverage.is("kept") ? cutoff : -1.0f);
+    }
+
+    void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
+        const auto mean_of = [&](const char* shown) {
+            show.set(shown);
+            Frame own(gpu);
+            render(*this, own, size, 0.0f, 0);
+            return mean_texels(read_hdr(gpu, own.hdr));
+        };
+        error["hit_texels"] = mean_of("hit_error");
+        error["swim_texels"] = mean_of("swim");
     }
 
     // [frame]

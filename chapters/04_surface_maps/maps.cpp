@@ -10,6 +10,8 @@
 namespace lightwalk {
 namespace {
 
+constexpr double white_texels = 32.0;  // as in surface.frag
+
 // Texels as numbers and back, in the image's own format: 8 or 16 bits, or halves. sRGB codes become linear.
 class Codec {
   public:
@@ -110,6 +112,13 @@ void make_mips(Gpu& gpu, Scene& scene, float cutoff) {
             }
             image = entry;
         }
+}
+
+double mean_texels(const ImageRgb& picture) {
+    double sum = 0, count = 0;
+    for (const glm::vec3& pixel : picture.pixels)
+        if (pixel.r >= 0.0f) sum += double(pixel.r), ++count;
+    return count > 0 ? white_texels * sum / count : 0.0;
 }
 
 void draw_displaced(Raster& pass, const Scene& scene, const DrawItem& item, uint32_t subdivide) {

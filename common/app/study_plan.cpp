@@ -63,7 +63,7 @@ class PlanReader {
 
     StudyPlan read(const Node& study) {
         study.expect_keys({"title", "error_metric", "stage", "size", "rounds", "truth", "scenes", "curves", "charts",
-                           "better", "metrics", "generate"});
+                           "better", "metrics", "generate", "test_size"});
         plan_.title = study["title"].text();
         plan_.error_metric = study["error_metric"].text();
         plan_.stage = study["stage"].text();
