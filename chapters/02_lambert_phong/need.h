@@ -8,6 +8,10 @@
 
 namespace lightwalk {
 
+/// What FLIP would say of a large area of one colour in the place of another, about: 0.03 for each 8-bit step of grey, to
+/// the power that FLIP's colour term has. Linear colours.
+double flip_of(glm::dvec3 a, glm::dvec3 b);
+
 /// A way to shade: a method and, per pixel, how many samples along each side.
 struct ShadingChoice {
     std::string method;

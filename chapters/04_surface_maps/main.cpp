@@ -2,6 +2,7 @@
 #include "01_obj/model_chapter.h"
 #include "03_attenuation/light_buffer.h"
 #include "04_surface_maps/maps.h"
+#include "04_surface_maps/need.h"
 #include "04_surface_maps/tangents.h"
 #include "common/app/study.h"
 
@@ -38,6 +39,7 @@ struct SurfaceMaps : ModelChapter {
     Pipeline displaced =
         graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "04_surface_maps/surface.frag"});
     LightBuffer lights;
+    Gpu* device = nullptr;  ///< that the scene was prepared for
 
     std::string default_scene() const override { return "scenes/castle_wall.json"; }
     bool reload_on_toggle() const override { return true; }
@@ -45,9 +47,18 @@ struct SurfaceMaps : ModelChapter {
     bool animated() const override { return wobble > 0 || scroll != 0; }
 
     void prepare(Gpu& gpu) override {
+        device = &gpu;
         lights.update(gpu, scene.file.lights);
         add_tangents(gpu, scene);
         make_mips(gpu, scene, coverage.is("kept") ? cutoff : -1.0f);
+    }
+
+    std::vector<std::string> choose(double budget, glm::uvec2 size) override {
+        const ParallaxNeed need = measure_need(*device, scene, camera, size, height_m);
+        const ParallaxChoice& choice = cheapest_within(need, budget);
+        method.set(choice.method);
+        steps.set(std::to_string(choice.steps));
+        return explain(need, choice, budget);
     }
 
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {

@@ -4,7 +4,6 @@
 #include <glm/gtc/color_space.hpp>
 #include <glm/gtc/packing.hpp>
 
-#include "04_surface_maps/levels.h"
 #include "common/measure/image.h"
 
 namespace lightwalk {
@@ -45,14 +44,6 @@ class Codec {
     VkFormat format_;
 };
 
-Level read_level(Gpu& gpu, const Image& image) {
-    const std::vector<std::byte> bytes = gpu.read_back(image);
-    const Codec codec(image.desc.format);
-    Level level{image.desc.size, {}};
-    for (size_t at = 0; at < bytes.size(); at += codec.bytes()) level.texels.push_back(codec.decode(&bytes[at]));
-    return level;
-}
-
 std::shared_ptr<Image> upload_levels(Gpu& gpu, Image::Desc desc, const std::vector<Level>& levels) {
     const Codec codec(desc.format);
     desc.mips = static_cast<uint32_t>(levels.size());
@@ -82,6 +73,14 @@ std::vector<Level> opacity_levels(Level level, float cutoff) {
 }
 
 }  // namespace
+
+Level read_level(Gpu& gpu, const Image& image) {
+    const std::vector<std::byte> bytes = gpu.read_back(image);
+    const Codec codec(image.desc.format);
+    Level level{image.desc.size, {}};
+    for (size_t at = 0; at < bytes.size(); at += codec.bytes()) level.texels.push_back(codec.decode(&bytes[at]));
+    return level;
+}
 
 void MapSwitches::define(Defines& defines, const DrawItem& item) const {
     for (const Knob<bool>* knob : {&diffuse, &specular, &emissive, &opacity, &normal, &height, &orm, &occlusion, &gloss,

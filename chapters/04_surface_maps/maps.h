@@ -1,5 +1,6 @@
 // A material's maps: which of them are in use, and their smaller levels.
 #pragma once
+#include "04_surface_maps/levels.h"
 #include "common/app/knob.h"
 #include "common/measure/image.h"
 #include "common/scene/scene.h"
@@ -26,6 +27,9 @@ struct MapSwitches {
 /// Makes the levels anew of what must not be averaged as colours are: normal maps (see normal_levels) and alpha (see
 /// cutout_levels; `cutoff` below 0: averaged). Of height maps only the first level is read, with 16 bits.
 void make_mips(Gpu& gpu, Scene& scene, float cutoff);
+
+/// The first level of an image as numbers; sRGB becomes linear. Waits for the device.
+Level read_level(Gpu& gpu, const Image& image);
 
 /// The mean of a picture of hit errors or of swimming over the pixels where there is one, in texels of the height map.
 double mean_texels(const ImageRgb& picture);
