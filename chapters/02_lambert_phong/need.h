@@ -8,10 +8,6 @@
 
 namespace lightwalk {
 
-/// What FLIP would say of a large area of one colour in the place of another, about: 0.03 for each 8-bit step of grey, to
-/// the power that FLIP's colour term has. Linear colours.
-double flip_of(glm::dvec3 a, glm::dvec3 b);
-
 /// A way to shade: a method and, per pixel, how many samples along each side.
 struct ShadingChoice {
     std::string method;
@@ -30,6 +26,10 @@ struct ShadingNeed {
 /// stands for every material's own. Textures and occlusion are left out: what they hide needs no less than it says.
 ShadingNeed measure_need(const Scene& scene, const glm::mat4& view_projection, glm::vec3 eye, glm::uvec2 size,
                          float shininess);
+
+/// The FLIP error, 0 to 1, that somebody may see between two colours in linear light: from the difference of their sRGB
+/// codes alone.
+double expected_flip(glm::dvec3 shown, glm::dvec3 truth);
 
 /// The cheapest choice within the budget; the most accurate one where none is.
 const ShadingChoice& cheapest_within(const ShadingNeed& need, double budget);

@@ -5,20 +5,19 @@
 // [exact_hit]
 const int most_squares = 8192;
 
+// The map repeats. (% is not defined for negative numbers.)
 float texel_depth(ivec2 at, ivec2 size) {
-    return 1.0 - texelFetch(height_map, (at % size + size) % size, 0).r;
+    return 1.0 - texelFetch(height_map, at - size * ivec2(floor(vec2(at) / vec2(size))), 0).r;
 }
 
-// The smallest root of a r^2 + b r + c in [0, most], where c is above 0; 2 * most where there is none.
+// The smallest root of a r^2 + b r + c in [0, most], where c is above 0; -1 where there is none.
 float first_root(float a, float b, float c, float most) {
     float discriminant = b * b - 4.0 * a * c;
-    if (discriminant < 0.0) return 2.0 * most;
+    if (discriminant < 0.0) return -1.0;
     float q = -0.5 * (b + (b < 0.0 ? -1.0 : 1.0) * sqrt(discriminant));
     float one = q != 0.0 ? c / q : -1.0, two = a != 0.0 ? q / a : -1.0;
-    if (one < 0.0) one = 2.0 * most;
-    if (two < 0.0) two = 2.0 * most;
-    float root = min(one, two);
-    return root <= most ? root : 2.0 * most;
+    float root = one < 0.0 ? two : two < 0.0 ? one : min(one, two);
+    return root <= most ? root : -1.0;
 }
 
 // The depth t at which the ray over uv - t * shift meets the surface. In a square the surface's depth is bilinear in
@@ -43,7 +42,7 @@ float exact_hit(vec2 uv, vec2 shift) {
         if (gap <= 0.0) return t;
         float change = dot(slope, along) + twist * (p.x * along.y + p.y * along.x) - 1.0;
         float root = first_root(twist * along.x * along.y, change, gap, end - t);
-        if (root <= end - t) return t + root;
+        if (root >= 0.0) return t + root;
         if (end >= 1.0) return 1.0;
         t = end;
         bool across = border.x < border.y;
