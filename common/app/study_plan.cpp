@@ -19,7 +19,9 @@ class Node {
 
     const json& value;
 
-    [[noreturn]] void refuse(const std::string& why) const { throw InputError(source_.where(pointer_) + " " + why); }
+    [[noreturn]] void refuse(const std::string& why) const {
+        throw InputError(source_.where(pointer_) + (why[0] == ':' ? "" : " ") + why);
+    }
     void expect(bool right, const char* what) const {
         if (!right) refuse(std::string("is ") + value.dump() + ", expected " + what);
     }
@@ -78,11 +80,13 @@ class PlanReader {
         for (const Node& curve : study["curves"].items()) read_curve(curve);
         for (const Node& scene : study["scenes"].items()) read_scene_entry(scene);
         if (study.has("charts")) read_charts(study["charts"]);
-        if (study.has("better"))
+        if (study.has("better")) {
+            study["better"].expect(study["better"].value.is_object(), "an object { } of knobs");
             for (const auto& [name, ignored] : study["better"].value.items()) {
                 find(study["better"][name], name);
                 study["better"][name].one_of({"lower", "higher", "either"}, "\"lower\", \"higher\" or \"either\"");
             }
+        }
         if (study.has("metrics")) {
             study["metrics"].expect(study["metrics"].value.is_object(), "an object { }");
             for (const auto& [name, ignored] : study["metrics"].value.items()) study["metrics"][name].text();
