@@ -112,6 +112,10 @@ class PlanReader {
         return text;
     }
 
+    static std::vector<Node> values_of(const Node& node) {
+        return node.value.is_array() ? node.items() : std::vector<Node>{node};
+    }
+
     KnobValues read_set(const Node& set) const {
         set.expect(set.value.is_object(), "an object { } of knobs");
         KnobValues values;
@@ -148,11 +152,11 @@ class PlanReader {
         std::vector<StudyPoint> points{{curve.has("method") ? checked(curve["method"], "method") : "", {}}};
         if (curve.has("set")) {
             curve["set"].expect(curve["set"].value.is_object(), "an object { } of knobs");
-            for (const auto& [name, values] : curve["set"].value.items()) {
+            for (const auto& [name, ignored] : curve["set"].value.items()) {
                 const Node node = curve["set"][name];
                 std::vector<StudyPoint> next;
                 for (const StudyPoint& point : points)
-                    for (const Node& value : values.is_array() ? node.items() : std::vector<Node>{node}) {
+                    for (const Node& value : values_of(node)) {
                         next.push_back(point);
                         next.back().set.emplace_back(name, checked(value, name));
                     }
@@ -198,7 +202,7 @@ class PlanReader {
     void read_charts(const Node& charts) {
         std::set<std::string> names;
         for (const Node& chart : charts.items()) {
-            chart.expect_keys({"name", "title", "x", "y", "scenes", "methods", "x_scale"});
+            chart.expect_keys({"name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale"});
             const std::string name = chart["name"].text();
             if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != name.npos)
                 chart["name"].refuse("is '" + name +
@@ -213,6 +217,11 @@ class PlanReader {
                     find(chart[axis], text.substr(5));
                 }
             if (chart.has("x_scale")) chart["x_scale"].one_of({"linear", "log"}, "\"linear\" or \"log\"");
+            if (chart.has("knobs")) {
+                chart["knobs"].expect(chart["knobs"].value.is_object(), "an object { } of knobs");
+                for (const auto& [knob, ignored] : chart["knobs"].value.items())
+                    for (const Node& value : values_of(chart["knobs"][knob])) checked(value, knob);
+            }
             if (chart.has("scenes"))
                 for (const Node& scene : chart["scenes"].items())
                     if (std::none_of(plan_.scenes.begin(), plan_.scenes.end(),

@@ -138,16 +138,29 @@ class Choosing(unittest.TestCase):
 
     def test_a_curve_for_each_method_and_for_each_value_of_the_other_knobs(self):
         chart = self.charts()["lights"]
-        curves = [(name, [p.knobs["lights"] for p in curve]) for name, _, curve in chart.curves(chart.drawable)]
-        self.assertEqual(curves, [("uncut", [1, 10, 100]), ("culled, threshold 0.01", [1, 10, 100]),
-                                  ("culled, threshold 0.1", [1, 10, 100])])
+        curves = [(method, chart.label_of(curve[0]), [p.knobs["lights"] for p in curve])
+                  for method, curve in chart.curves(chart.drawable)]
+        self.assertEqual(curves, [("uncut", "", [1, 10, 100]), ("culled", "0.01", [1, 10, 100]),
+                                  ("culled", "0.1", [1, 10, 100])])
         chart = self.charts()["threshold"]
-        self.assertEqual([name for name, _, _ in chart.curves(chart.drawable)], ["culled"])  # within a panel
+        self.assertEqual([method for method, _ in chart.curves(chart.drawable)], ["culled"])  # within a panel
         self.assertEqual(chart.missing(), {"no threshold": ["uncut"]})
         one = over_lights()
         one.points.reverse()  # over a knob, from left to right all the same
         chart = charts_of(one)[1]
-        self.assertEqual([p.knobs["lights"] for p in chart.curves(chart.drawable)[0][2]], [1, 10, 100])
+        self.assertEqual([p.knobs["lights"] for p in chart.curves(chart.drawable)[0][1]], [1, 10, 100])
+
+    def test_some_values_of_a_knob(self):
+        def shown(values):
+            return charts_of(over_lights(charts=[{"name": "a", "x": "knob lights", "knobs": {"threshold": values}}]))[0]
+
+        one = shown(0.1)
+        self.assertEqual({p.knobs.get("threshold") for p in one.points}, {None, 0.1})
+        self.assertEqual([one.label_of(curve[0]) for _, curve in one.curves(one.points)], ["", ""])
+        self.assertEqual(one.point_knobs, [])
+        self.assertEqual(shown([0.01, 0.1]).point_knobs, ["threshold"])
+        with self.assertRaisesRegex(StudyError, "sets the knob \"threshold\" to 0.5"):
+            shown([0.1, 0.5])
 
     def test_scales(self):
         charts = self.charts()
@@ -237,10 +250,11 @@ class Drawing(unittest.TestCase):
         figure = self.figure(over_lights(), 1)
         texts = self.texts(figure)
         for text in ("Time against lights", "NVIDIA H200 · 570 · fragment · 960 × 540", "lights", "GPU time, ms",
-                     "uncut", "culled, threshold 0.01", "Points: median, bars: quartiles."):
+                     "uncut", "culled", "0.01", "0.1", "Points: median, bars: quartiles.  Small numbers: threshold."):
             self.assertIn(text, texts)
         for text in ("Pareto front", "one 8-bit step", "error"):
             self.assertFalse([found for found in texts if text in found], text)
+        self.assertEqual(texts.count("culled"), 1)
         axis, = figure.axes
         self.assertEqual((axis.get_xscale(), axis.get_yscale(), axis.get_ylabel()), ("log", "log", "GPU time, ms"))
         self.assertLess(axis.get_ylim()[0], 0.04)  # the quartiles are on it
@@ -265,6 +279,18 @@ class Drawing(unittest.TestCase):
         own = self.figure(over_lights(error_metric="hit_texels", charts=[{"name": "a", "scenes": ["1 lights"]}]))
         self.assertFalse([text for text in self.texts(own) if "8-bit" in text])
         self.assertIn("hit texels", self.texts(own))
+
+    def test_words_at_a_line_leave_the_points_there_alone(self):
+        def places(words, *points):
+            points = [point("other", "m", 0.3, 0.1)] + [point("s", f"m{i}", error, ms)
+                                                        for i, (error, ms) in enumerate(points)]
+            axis = self.figure(study(points=points, truth={"method": "m", "doubling_change": 0.02})).axes[1]
+            return [text.xy[0] for text in axis.texts if words in text.get_text()]
+
+        self.assertEqual(places("8-bit", (0.0312, 0.11)), [1])
+        self.assertEqual(places("8-bit", (0.0312, 3)), [0])
+        self.assertEqual(places("8-bit", (0.0312, 0.11), (0.0312, 3)), [1])
+        self.assertEqual(places("truth", (0.018, 3)), [0])
 
     def test_an_exact_truth_is_called_so(self):
         texts = self.texts(self.figure(study(truth={"method": "uncut", "knobs": {}, "exact": True})))

@@ -191,7 +191,7 @@ TEST_CASE_METHOD(StudyTest,
 TEST_CASE_METHOD(StudyTest, "study: charts go into the result as they are") {
     study["charts"] =
         json::parse(R"([{"name": "main"}, {"name": "light", "title": "Time", "x": "knob light", "y": "time",
-        "scenes": ["bright"], "methods": ["coarse"], "x_scale": "log"}])");
+        "scenes": ["bright"], "methods": ["coarse"], "knobs": {"samples": 2}, "x_scale": "log"}])");
     CHECK(measure()["charts"] == study["charts"]);
     CHECK(refusal().empty());
 }
@@ -236,6 +236,8 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
         {"/charts", R"([{"name": "a", "z": 1}])", "key 'z' is unknown here"},
         {"/charts", R"([{"name": "a", "x": "knob none"}])", "unknown knob 'none'"},
         {"/charts", R"([{"name": "a", "y": "knob light"}])", "expected \"time\" or a metric"},
+        {"/charts", R"([{"name": "a", "knobs": {"samples": [1, 0]}}])", "samples=0: expected a whole number"},
+        {"/charts", R"([{"name": "a", "knobs": {"none": 1}}])", "unknown knob 'none'"},
         {"/charts", R"([{"name": "a", "x_scale": "cubic"}])", "expected \"linear\" or \"log\""},
         {"/charts", R"([{"name": "a", "scenes": ["b"]}])", "no scene is called 'b'"},
         {"/charts", R"([{"name": "a", "methods": ["b"]}])", "no curve has the method 'b'"},
