@@ -183,7 +183,7 @@ class Panel:
     def label(self, curves: list, front: list, notes: list):
         """Methods at an end of their curve, knob values at the points where there is room, the front's name. Over a
         knob the other knobs' values stand at the ends of the curves."""
-        labels = Labels(next(iter(self.cells.values())).figure)
+        labels = Labels(list(self.cells.values()))
         labels.avoid_texts(notes)
         for _, curve, _ in curves:
             labels.avoid_curve([self.anchor(p) for p in curve])
