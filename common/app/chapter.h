@@ -59,6 +59,12 @@ class Chapter {
     /// points and what else docs/study_format.md asks of a "loader". False: the subject is the frame.
     virtual bool cpu_study(const nlohmann::json& /*study*/, nlohmann::json& /*result*/) { return false; }
 
+    /// Errors of the chapter's own for a point of its study: adds numbers by name to `error`, beside those of the
+    /// picture; NaN counts as an error that is not finite, and a name left out as not measured. Called when the point's
+    /// picture of `size` was rendered, with the point's knobs in effect; it may set knobs and render further frames, in a
+    /// Frame of its own, and finds its knobs put back afterwards.
+    virtual void measure(Gpu& /*gpu*/, glm::uvec2 /*size*/, nlohmann::json& /*error*/) {}
+
     /// What C++ exercises change apart from shaders needs the scene loaded anew when they are toggled.
     virtual bool reload_on_toggle() const { return false; }
 

@@ -20,83 +20,132 @@ namespace {
 
 using nlohmann::json;
 
-std::string knob_text(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
-
-void apply(Chapter& chapter, const json& set) {
-    for (const auto& [name, value] : set.items()) find_knob(chapter.knobs, name).set(knob_text(value));
+void apply(Chapter& chapter, const KnobValues& set) {
+    for (const auto& [name, value] : set) find_knob(chapter.knobs, name).set(value);
 }
 
-void apply(Chapter& chapter, const StudyPoint& point) {
-    if (!point.method.empty()) find_knob(chapter.knobs, "method").set(point.method);
-    for (const auto& [name, value] : point.set) find_knob(chapter.knobs, name).set(value);
-}
-
-int rounds_of(const json& study) {
+int rounds_of(int rounds_of_study) {
     const char* override = std::getenv("LIGHTWALK_STUDY_ROUNDS");
-    if (!override) return study.value("rounds", 11);
+    if (!override) return rounds_of_study;
     const int rounds = std::atoi(override);
     if (rounds < 1) throw InputError(std::string("LIGHTWALK_STUDY_ROUNDS is ") + override + ", expected 1 or more");
     return rounds;
 }
 
+// A knob's value as JSON has it: a number where it is one.
+json as_json(const std::string& value) {
+    const json number = json::parse(value, nullptr, false);
+    return number.is_number() ? number : json(value);
+}
+
+json as_json(const KnobValues& values) {
+    json knobs = json::object();
+    for (const auto& [name, value] : values) knobs[name] = as_json(value);
+    return knobs;
+}
+
 // One scene of the study: its truth, then every point's error, then every point's time, round by round.
 class SceneStudy {
   public:
-    SceneStudy(const json& study, const Options& options, Chapter& chapter, Gpu& gpu, Frame& frame, std::string scene)
-        : study_(study), options_(options), chapter_(chapter), gpu_(gpu), frame_(frame), scene_(std::move(scene)) {
-        if (study.contains("size") && !options.size_given)
-            size_ = {study["size"][0].get<unsigned>(), study["size"][1].get<unsigned>()};
-        else
-            size_ = options.size;
-    }
+    SceneStudy(const StudyPlan& plan, const Options& options, Chapter& chapter, Frame& frame, const StudyScene& scene)
+        : plan_(plan),
+          options_(options),
+          chapter_(chapter),
+          frame_(frame),
+          scene_(scene),
+          size_(options.size_given ? options.size : plan.size.value_or(options.size)) {}
 
     json run() {
-        load_scene(chapter_, gpu_, scene_);
-        const json& truth = study_.at("truth");
-        const ImageRgb reference = picture(truth.at("set"));
-        const double change =
-            study_errors(picture(truth.at("doubled")), reference).at(study_.at("error_metric")).get<double>();
-        if (!(change <= truth.at("most_change").get<double>()))
-            throw Failure(scene_ + ": doubling the truth's samples changes it by " + json(change).dump() +
-                          ", at most " + truth.at("most_change").dump() + " was expected");
-        const std::vector<StudyPoint> points = study_points(study_);
+        load();
+        set_knobs(plan_.truth);
+        const ImageRgb reference = render_picture();
+        const json doubling = plan_.doubled ? double_samples(reference) : json::object();
         std::vector<json> errors;
-        for (const StudyPoint& point : points) {
-            reset();
-            apply(chapter_, point);
-            show_progress(scene_ + ": errors", errors.size(), points.size());
+        for (const StudyPoint& point : plan_.points) {
+            set_knobs(point);
+            show_progress(scene_.label + ": errors", errors.size(), plan_.points.size());
             errors.push_back(study_errors(reference, render_picture()));
+            errors.back().update(measured());
         }
-        return {{"doubling_change", change}, {"one_step", one_step(reference)}, {"points", time(points, errors)}};
+        if (std::none_of(errors.begin(), errors.end(), [&](const json& e) { return e.contains(plan_.error_metric); }))
+            throw InputError("error_metric is '" + plan_.error_metric + "', but no point of " + scene_.label +
+                             " has it");
+        return {{"file", scene_.file},
+                {"set", as_json(scene_.set)},
+                {"doubling", doubling},
+                {"one_step", one_step(reference)},
+                {"points", time(errors)}};
     }
 
   private:
-    void reset() {
+    // What the scene sets is in effect when the chapter prepares, whatever the scene file says.
+    void load() {
+        for (KnobBase* knob : chapter_.knobs) knob->reset();
+        std::vector<std::pair<KnobBase*, bool>> pins;
+        for (const auto& [name, value] : scene_.set) {
+            KnobBase& knob = find_knob(chapter_.knobs, name);
+            pins.emplace_back(&knob, knob.pinned);
+            knob.set(value);
+            knob.pinned = true;
+        }
+        load_scene(chapter_, frame_.gpu, scene_.file);
+        for (const auto& [knob, pinned] : pins) knob->pinned = pinned;
+    }
+    void set_knobs(const KnobValues& set) {
         for (KnobBase* knob : chapter_.knobs) knob->reset();
         for (const auto& [name, value] : chapter_.scene.file.knobs) find_knob(chapter_.knobs, name).set(value);
+        apply(chapter_, scene_.set);
+        apply(chapter_, set);
+    }
+    void set_knobs(const StudyPoint& point) {
+        set_knobs(point.set);
+        if (!point.method.empty()) find_knob(chapter_.knobs, "method").set(point.method);
     }
     ImageRgb render_picture() {
         render(chapter_, frame_, size_, options_.time_s, options_.seed);
-        return read_hdr(gpu_, frame_.hdr);
+        return read_hdr(frame_.gpu, frame_.hdr);
     }
-    ImageRgb picture(const json& set) {
-        reset();
-        apply(chapter_, set);
-        return render_picture();
+    // What the chapter itself measures of the picture just rendered.
+    json measured() {
+        json own = json::object();
+        const KeptKnobs kept(chapter_.knobs);
+        chapter_.measure(frame_.gpu, size_, own);
+        static const json of_pictures = study_errors(ImageRgb(1, 1), ImageRgb(1, 1));
+        for (const auto& [name, value] : own.items())
+            if (of_pictures.contains(name) || !value.is_number())
+                throw Failure("chapter " + chapter_.name + " measures '" + name + "' as " + value.dump() +
+                              ": expected a number, under a name that no error of a picture has");
+        return own;
+    }
+    // How far the truth moves with its samples doubled, in every metric. Knobs are the truth's before.
+    json double_samples(const ImageRgb& reference) {
+        const json before = measured();
+        set_knobs(*plan_.doubled);
+        json change = study_errors(render_picture(), reference);
+        const json after = measured();
+        for (const auto& [name, value] : after.items())
+            if (before.contains(name)) change[name] = std::fabs(value.get<double>() - before.at(name).get<double>());
+        if (!change.contains(plan_.error_metric))
+            throw InputError("error_metric is '" + plan_.error_metric + "', which the truth does not have");
+        if (!(change.at(plan_.error_metric).get<double>() <= plan_.most_change))
+            throw Failure(scene_.label + ": doubling the truth's samples changes it by " +
+                          change.at(plan_.error_metric).dump() + ", at most " + json(plan_.most_change).dump() +
+                          " was expected");
+        return change;
     }
     static json one_step(const ImageRgb& reference) {
         const Image8 codes = to_srgb8(reference);
         return study_errors(to_linear(codes), to_linear(one_step_away(codes)));
     }
-    json time(const std::vector<StudyPoint>& points, const std::vector<json>& errors) {
-        const int rounds = rounds_of(study_);
+    json time(const std::vector<json>& errors) {
+        const std::vector<StudyPoint>& points = plan_.points;
+        const int rounds = rounds_of(plan_.rounds);
         std::vector<std::map<std::string, std::vector<double>>> samples(points.size());
         std::vector<std::vector<double>> totals(points.size());
         for (int round = -1; round < rounds; ++round) {  // the first only warms up
-            show_progress(scene_ + ": times", static_cast<size_t>(round + 1), static_cast<size_t>(rounds + 1));
+            show_progress(scene_.label + ": times", static_cast<size_t>(round + 1), static_cast<size_t>(rounds + 1));
             for (size_t i = 0; i < points.size(); ++i) {
-                reset();
-                apply(chapter_, points[i]);
+                set_knobs(points[i]);
                 render(chapter_, frame_, size_, options_.time_s, options_.seed);
                 if (round < 0) continue;
                 double total = 0;
@@ -110,14 +159,11 @@ class SceneStudy {
         json result = json::array();
         for (size_t i = 0; i < points.size(); ++i) {
             const Quartiles q = quartiles(totals[i]);
-            json per_pass = json::object(), knobs = json::object();
+            json per_pass = json::object(), knobs = as_json(scene_.set);
             for (const auto& [name, values] : samples[i]) per_pass[name] = median(values);
-            for (const auto& [name, value] : points[i].set) {
-                const json number = json::parse(value, nullptr, false);
-                knobs[name] = number.is_number() ? number : json(value);
-            }
+            knobs.update(as_json(points[i].set));
             result.push_back(
-                {{"scene", std::filesystem::path(scene_).stem().string()},
+                {{"scene", scene_.label},
                  {"method", points[i].method},
                  {"knobs", knobs},
                  {"error", errors[i]},
@@ -126,43 +172,34 @@ class SceneStudy {
         }
         return result;
     }
-    const json& study_;
+    const StudyPlan& plan_;
     const Options& options_;
     Chapter& chapter_;
-    Gpu& gpu_;
     Frame& frame_;
-    std::string scene_;
-    glm::uvec2 size_{};
+    const StudyScene& scene_;
+    const glm::uvec2 size_;
 };
 
 // The method apart from the other knobs, as docs/study_format.md has it.
-json truth_of(const json& study) {
-    json knobs = study.at("truth").at("set");
+json truth_of(const StudyPlan& plan) {
+    json knobs = as_json(plan.truth);
     const json method = knobs.value("method", "");
     knobs.erase("method");
-    return {{"method", method}, {"knobs", knobs}};
+    json truth = {{"method", method}, {"knobs", knobs}};
+    if (!plan.doubled) truth["exact"] = true;
+    return truth;
+}
+
+std::string text_of(glm::uvec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
+
+// What a person types to measure it again.
+std::string command_of(const Options& options, const Chapter& chapter) {
+    return "./course study " + chapter.name.substr(0, 2) +
+           (options.device.empty() ? "" : " --device " + options.device) +
+           (options.size_given ? " --size " + text_of(options.size) : "");
 }
 
 }  // namespace
-
-std::vector<StudyPoint> study_points(const json& study) {
-    std::vector<StudyPoint> points;
-    for (const json& curve : study.at("curves")) {
-        std::vector<StudyPoint> of_curve{{curve.value("method", ""), {}}};
-        if (curve.contains("set"))
-            for (const auto& [name, values] : curve["set"].items()) {
-                std::vector<StudyPoint> next;
-                for (const StudyPoint& point : of_curve)
-                    for (const json& value : values.is_array() ? values : json::array({values})) {
-                        next.push_back(point);
-                        next.back().set.emplace_back(name, knob_text(value));
-                    }
-                of_curve = std::move(next);
-            }
-        points.insert(points.end(), of_curve.begin(), of_curve.end());
-    }
-    return points;
-}
 
 ImageRgb read_hdr(Gpu& gpu, const Image& hdr) {
     const std::vector<std::byte> texels = gpu.read_back(hdr);
@@ -191,60 +228,69 @@ void show_progress(const std::string& what, size_t done, size_t of) {
                  std::string(width - filled, '.').c_str(), done, of, what.c_str(), terminal ? "" : "\n");
 }
 
-void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
-    const auto path = course_root() / "chapters" / chapter.name / "study.json";
-    const std::string text = read_file(path);
-    const json study = parse_json(text, path.string()).root;
+json measure_study(const std::string& text, const std::string& file, const Options& options, Chapter& chapter,
+                   Gpu& gpu) {
+    const StudyPlan plan = read_study(parse_json(text, file), chapter.knobs);
+    const glm::uvec2 size = options.size_given ? options.size : plan.size.value_or(options.size);
     const std::filesystem::path partial = options.study + ".partial";
-    const std::string identity = gpu.device.info.name + " " + gpu.device.info.driver + " " +
-                                 std::to_string(hash_bytes(text)) + " " + std::to_string(rounds_of(study)) + " " +
-                                 std::to_string(options.size.x) + "x" + std::to_string(options.size.y);
+    const std::string identity = "2 " + gpu.device.info.name + " " + gpu.device.info.driver + " " +
+                                 std::to_string(hash_bytes(text)) + " " + std::to_string(rounds_of(plan.rounds)) + " " +
+                                 text_of(size);
     json done = {{"identity", identity}, {"scenes", json::object()}};
     if (std::filesystem::exists(partial)) {
         const json before = json::parse(read_file(partial), nullptr, false);
         if (before.is_object() && before.value("identity", "") == identity) done = before;
     }
     Frame frame(gpu);
-    for (const json& scene : study.at("scenes")) {
-        const std::string name = scene.get<std::string>();
-        if (done["scenes"].contains(name)) continue;
-        done["scenes"][name] = SceneStudy(study, options, chapter, gpu, frame, name).run();
+    for (const StudyScene& scene : plan.scenes) {
+        if (done["scenes"].contains(scene.label)) continue;
+        done["scenes"][scene.label] = SceneStudy(plan, options, chapter, frame, scene).run();
         write_file(partial, done.dump());
     }
     json result = {{"chapter", chapter.name},
-                   {"title", study.at("title")},
+                   {"title", plan.title},
                    {"subject", "frame"},
                    {"device", gpu.device.info.name},
                    {"driver", gpu.device.info.driver},
-                   {"stage", study.at("stage")},
-                   {"command", "./course study " + chapter.name.substr(0, 2) +
-                                   (options.device.empty() ? "" : " --device " + options.device)},
-                   {"truth", truth_of(study)},
-                   {"error_metric", study.at("error_metric")},
+                   {"stage", plan.stage},
+                   {"size", {size.x, size.y}},
+                   {"command", command_of(options, chapter)},
+                   {"truth", truth_of(plan)},
+                   {"error_metric", plan.error_metric},
                    {"time_unit", "ms"},
+                   {"scenes", done["scenes"]},
                    {"points", json::array()}};
+    if (!plan.charts.is_null()) result["charts"] = plan.charts;
+    if (!plan.metrics.empty()) result["metrics"] = plan.metrics;
     double worst = 0;
-    for (const json& scene : study.at("scenes")) {
-        const json& part = done["scenes"][scene.get<std::string>()];
-        worst = std::max(worst, part.at("doubling_change").get<double>());
-        result["one_step"] = part.at("one_step");
+    for (const StudyScene& scene : plan.scenes) {
+        json& part = result["scenes"][scene.label];
+        if (plan.doubled) worst = std::max(worst, part.at("doubling").at(plan.error_metric).get<double>());
         for (const json& point : part.at("points")) result["points"].push_back(point);
+        part.erase("points");
     }
-    result["truth"]["doubling_change"] = worst;
+    if (plan.doubled) result["truth"]["doubling_change"] = worst;
+    return result;
+}
+
+void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
+    const std::filesystem::path file = course_root() / "chapters" / chapter.name / "study.json";
+    const json result = measure_study(read_file(file), file.string(), options, chapter, gpu);
     write_file(options.study, result.dump(1) + "\n");
-    std::filesystem::remove(partial);
+    std::filesystem::remove(options.study + ".partial");
     show_progress("written to " + options.study + "\n", 1, 1);
 }
 
 bool run_cpu_study(const Options& options, Chapter& chapter) {
     const auto path = course_root() / "chapters" / chapter.name / "study.json";
     json study = parse_json(read_file(path), path.string()).root;
-    study["rounds"] = rounds_of(study);
+    study["rounds"] = rounds_of(study.value("rounds", 11));
     json result;
     if (!chapter.cpu_study(study, result)) return false;
     result["chapter"] = chapter.name;
     result["title"] = study.at("title");
     result["command"] = "./course study " + chapter.name.substr(0, 2);
+    if (study.contains("charts")) result["charts"] = study["charts"];
     write_file(options.study, result.dump(1) + "\n");
     return true;
 }

@@ -4,23 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "common/app/options.h"
+#include "common/app/study_plan.h"
 #include "common/measure/image.h"
 
 namespace lightwalk {
-
-/// The sweep of one frame study.
-///
-///     {"title": "...", "error_metric": "flip_mean", "stage": "fragment", "size": [960, 540], "rounds": 11,
-///      "truth": {"set": {"samples": 8}, "doubled": {"samples": 16}, "most_change": 0.001},
-///      "scenes": ["assets/scenes/teapot.json"],
-///      "curves": [{"method": "gouraud"}, {"method": "phong", "set": {"samples": [1, 2, 4]}}]}
-struct StudyPoint {
-    std::string method;
-    std::vector<std::pair<std::string, std::string>> set;
-};
-
-/// Every curve's points: the product of the values its knobs list.
-std::vector<StudyPoint> study_points(const nlohmann::json& study);
 
 /// The HDR target as linear RGB.
 ImageRgb read_hdr(Gpu& gpu, const Image& hdr);
@@ -29,10 +16,14 @@ ImageRgb read_hdr(Gpu& gpu, const Image& hdr);
 /// RMSE and maximum in linear light, counts of NaN and Inf.
 nlohmann::json study_errors(const ImageRgb& truth, const ImageRgb& test);
 
-/// Runs chapters/NN_name/study.json and writes options.study. What is done is kept beside it in FILE.partial after each
-/// scene, from which an interrupted study goes on. LIGHTWALK_STUDY_ROUNDS in the environment, a whole number from 1,
-/// stands for the study's "rounds" (tests need errors, not times). Throws InputError or, where the truth has not
-/// converged, Failure.
+/// Measures the study that is `text`, of `file`, and returns it as docs/study_format.md has it. What is done is kept in
+/// options.study + ".partial" after each scene, from which an interrupted study goes on. options.size stands for the
+/// study's "size" where it was given; LIGHTWALK_STUDY_ROUNDS in the environment, a whole number from 1, for its
+/// "rounds" (tests need errors, not times). Throws InputError or, where the truth has not converged, Failure.
+nlohmann::json measure_study(const std::string& text, const std::string& file, const Options& options, Chapter& chapter,
+                             Gpu& gpu);
+
+/// Measures chapters/NN_name/study.json and writes options.study. Throws as measure_study.
 void run_study(const Options& options, Chapter& chapter, Gpu& gpu);
 
 /// Runs a study of something else than frames, without a device. False where the chapter has none.

@@ -24,13 +24,16 @@ class Labels:
         self.samples = []  # along curves, in pixels
 
     def avoid_curve(self, points):
-        """points: (axis, x, y, (bar's lower x, upper x)) in order. No curve runs from one axis to another."""
+        """points: (axis, x, y, its bar's ends in x, those in y) in order. No curve runs from one axis to another."""
         radius = POINT_RADIUS * self.scale
-        pixels = [(axis, axis.transData.transform((x, y))) for axis, x, y, _ in points]
+        pixels = [(axis, axis.transData.transform((x, y))) for axis, x, y, _, _ in points]
         for i, (axis, at) in enumerate(pixels):
             self.boxes.append(Bbox.from_extents(at[0] - radius, at[1] - radius, at[0] + radius, at[1] + radius))
             ends = [axis.transData.transform((x, points[i][2])) for x in points[i][3]]
             self.boxes.append(Bbox.from_extents(ends[0][0], at[1] - radius / 2, ends[1][0], at[1] + radius / 2))
+            low, high = (axis.transData.transform((points[i][1], y))[1] for y in points[i][4])
+            if high > low:
+                self.boxes.append(Bbox.from_extents(at[0] - radius / 2, low, at[0] + radius / 2, high))
             if i and pixels[i - 1][0] is axis:
                 before = pixels[i - 1][1]
                 steps = max(2, int(math.dist(before, at) / (3 * self.scale)))
@@ -45,12 +48,15 @@ class Labels:
         if not text:
             return
         best = None
-        for rank_of_anchor, (axis, x, y, bar) in enumerate(anchors):
-            reach = [abs(axis.transData.transform((end, y))[0] - axis.transData.transform((x, y))[0]) / self.scale
-                     for end in bar]
+        for rank_of_anchor, (axis, x, y, *bars) in enumerate(anchors):
+            centre = axis.transData.transform((x, y))
+            reach = [abs(axis.transData.transform((end, y))[0] - centre[0]) / self.scale for end in bars[0]]
+            rise = [abs(axis.transData.transform((x, end))[1] - centre[1]) / self.scale for end in bars[1]]
             for rank, (offset, align, valign) in enumerate(PLACES):
                 if valign == "center":  # beside the bar, not on it
                     offset = (max(offset[0], reach[1] + 5) if align == "left" else min(offset[0], -reach[0] - 5), 0)
+                if align == "center":
+                    offset = (0, max(offset[1], rise[1] + 5) if valign == "bottom" else min(offset[1], -rise[0] - 5))
                 note = axis.annotate(text, (x, y), xytext=offset, textcoords="offset points", ha=align, va=valign,
                                      color=colour, fontsize=size, weight=weight, zorder=5, annotation_clip=False)
                 box = note.get_window_extent(self.renderer)

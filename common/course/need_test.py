@@ -2,7 +2,7 @@
 
     tests/NN_name/needs.json  {"size": [480, 270], "budgets": [0.002, 0.01], "scenes": ["assets/scenes/bunny.json"]}
 
-For each scene and budget the chapter chooses by itself (--method auto --budget E --explain). The picture that it then
+where a scene is written as in study.json: a file, or {"scene": FILE, "set": {KNOB: VALUE}, "label": TEXT}. For each scene and budget the chapter chooses by itself (--method auto --budget E --explain). The picture that it then
 draws may differ from the truth of the chapter's study by a mean FLIP of at most E, unless the rule said that no choice
 would do and no point of the study's sweep does. How much more than needed the choice costs is reported: its predicted
 cost, as --explain prints it, over that of the cheapest point of that sweep whose measured error is within the budget.
@@ -17,7 +17,7 @@ from pathlib import Path
 
 from results import table
 from shots import compare, render, run_program, text
-from study import study_of
+from study import SceneEntry, study_of
 from tree import BUILD, ROOT, Failure, chapter_program, say, warn
 
 # "blinn_phong   samples 1: error 0.03545 predicted, 0.02403 million evaluations"
@@ -39,6 +39,10 @@ def sweep(study: dict) -> list[dict]:
 
 def label(knobs: dict) -> str:
     return " ".join([knobs["method"], *(f"{name} {text(value)}" for name, value in knobs.items() if name != "method")])
+
+
+def set_options(knobs: dict) -> list[str]:
+    return [word for name, value in knobs.items() for word in ("--set", f"{name}={text(value)}")]
 
 
 class Explained:
@@ -65,19 +69,20 @@ class Explained:
 class SceneNeeds:
     """One scene: its truth, and the measured error of each point of the sweep."""
 
-    def __init__(self, chapter: str, study: dict, needs: dict, scene: str):
+    def __init__(self, chapter: str, study: dict, needs: dict, scene: SceneEntry):
         self.chapter = chapter
-        self.name = Path(scene).stem
+        self.name = scene.label
         self.folder = BUILD / "needs" / chapter
-        self.view = ["--scene", scene, "--size", "x".join(str(side) for side in needs["size"])]
+        self.file = re.sub(r"[^\w.-]", "_", scene.label)
+        self.view = ["--scene", scene.file, "--size", "x".join(str(side) for side in needs["size"]),
+                     *set_options(scene.set)]
         self.truth = self.picture("truth", study["truth"]["set"])
         self.errors = {label(knobs): self.error(self.picture(f"point{i}", knobs))
                        for i, knobs in enumerate(sweep(study))}
 
     def picture(self, name: str, knobs: dict) -> Path:
-        path = self.folder / f"{self.name}.{name}.png"
-        render(self.chapter, [*self.view, *(word for knob, value in knobs.items()
-                                            for word in ("--set", f"{knob}={text(value)}"))], path)
+        path = self.folder / f"{self.file}.{name}.png"
+        render(self.chapter, [*self.view, *set_options(knobs)], path)
         return path
 
     def error(self, picture: Path) -> float:
@@ -85,7 +90,7 @@ class SceneNeeds:
 
     def row(self, budget: float) -> dict:
         """How the rule did with a budget, as a row of the report; "ratio" is None where no point is within it."""
-        picture = self.folder / f"{self.name}.auto{budget:g}.png"
+        picture = self.folder / f"{self.file}.auto{budget:g}.png"
         picture.unlink(missing_ok=True)
         done = run_program([chapter_program(self.chapter), *self.view, "--method", "auto", "--budget", budget,
                             "--explain", "--screenshot", picture])
@@ -107,7 +112,8 @@ class SceneNeeds:
 def main(chapter: str) -> list[str]:
     study = study_of(chapter)
     needs = json.loads((ROOT / "tests" / chapter / "needs.json").read_text())
-    rows = [scene.row(budget) for scene in (SceneNeeds(chapter, study, needs, name) for name in needs["scenes"])
+    rows = [scene.row(budget) for scene in (SceneNeeds(chapter, study, needs, SceneEntry(entry))
+                                    for entry in needs["scenes"])
             for budget in needs["budgets"]]
     ratios = [row["ratio"] for row in rows if row["ratio"] is not None]
     if ratios:

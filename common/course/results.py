@@ -12,6 +12,7 @@ import sys
 import xml.etree.ElementTree as xml
 
 from shots import run_program
+from study_charts import chart_paths, charts_of
 from study_file import StudyError, load, markdown_table
 from tree import BUILD, ROOT, Failure, exercises, relative, say, warn, write_atomically
 
@@ -82,22 +83,27 @@ def charts() -> list[str]:
     said = []
     for path in sorted((ROOT / "docs" / "studies").glob("*.json")):
         why, chapter, again = [], path.name.split(".")[0], ""
-        svg, markdown = path.with_suffix(".svg"), path.with_suffix(".md")
+        markdown, charts = path.with_suffix(".md"), [(path.stem, path.with_suffix(""))]
         try:
             study = load(path)
             chapter, again = study.data["chapter"], study.data["command"]
+            beside = chart_paths(study.data, path.with_suffix(""))
+            charts = [(chart.title, place) for chart, place in zip(charts_of(study), beside)]
             if not markdown.exists() or markdown.read_text(encoding="utf-8") != markdown_table(study):
                 why.append(f"{relative(markdown)} is not the table of {path.name}: python3 common/course/chart.py "
                            f"{relative(path)} writes it")
         except StudyError as error:
             why.append(str(error))
-        why += [f"there is no {relative(file)}: python3 common/course/chart.py {relative(path)} draws it"
-                for file in (svg, path.with_suffix(".png")) if not file.exists()]
-        table_path = relative(markdown) if markdown.exists() else None
-        write_result(f"chart.{path.stem}", {"kind": "chart", "chapter": chapter, "name": path.stem, "ok": not why,
-                                            "why": why, "test": "text.charts", "svg": relative(svg),
-                                            "table": table_path, "again": again})
-        said += why
+        for i, (title, place) in enumerate(charts):
+            files = [place.with_name(place.name + suffix) for suffix in (".svg", ".png")]
+            wrong = [] if i else why
+            wrong += [f"there is no {relative(file)}: python3 common/course/chart.py {relative(path)} draws it"
+                      for file in files if not file.exists()]
+            table_path = relative(markdown) if markdown.exists() and not i else None
+            write_result(f"chart.{place.name}", {"kind": "chart", "chapter": chapter, "name": place.name,
+                                                 "title": title, "ok": not wrong, "why": wrong, "test": "text.charts",
+                                                 "svg": relative(files[0]), "table": table_path, "again": again})
+            said += wrong
     return said
 
 

@@ -18,6 +18,7 @@ import sys
 from pathlib import Path
 
 from build import build
+from study_charts import chart_paths
 from study_file import SOFTWARE
 from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, warn,
                   write_atomically)
@@ -27,8 +28,10 @@ HELP = """Measures every method of a chapter against the truth and draws the cha
   ./course study                   every chapter that has a study
   ./course study 02                one
   ./course study 02 --device H200 --out FOLDER
+  ./course study 02 --size 480x270  in pixels, in place of the study's own
 
-The files are docs/studies/NN_name.DEVICE.json, .svg, .png and .md. An interrupted study goes on where it was when it is
+The files are docs/studies/NN_name.DEVICE.json, .svg, .png and .md; a chart after the first has its name before .svg and
+.png. An interrupted study goes on where it was when it is
 started again. Times mean something on a machine that does nothing else; those of a software driver are labelled as the
 CPU's."""
 # What a device's name says beside the device.
@@ -38,12 +41,15 @@ NOISE = {"nvidia", "geforce", "amd", "radeon", "intel", "graphics", "apple", "me
 def add_arguments(parser):
     parser.add_argument("chapter", nargs="?", metavar="NN", help="its number or its name")
     parser.add_argument("--device", help="part of a device's name: ./course run 01 --list devices")
+    parser.add_argument("--size", metavar="WxH", help="pixels, such as 1920x1080, in place of what the study says")
     parser.add_argument("--out", type=Path, default=ROOT / "docs" / "studies", metavar="FOLDER",
                         help="where the JSON, the charts and the table go (docs/studies)")
 
 
 def run(arguments, _rest) -> int:
     studied = [name for name in chapters() if study_of(name)]
+    if arguments.size and not re.fullmatch(r"[1-9]\d*x[1-9]\d*", arguments.size):
+        raise UsageError(f"--size is '{arguments.size}', expected WIDTHxHEIGHT, such as 1920x1080")
     named = [find_chapter(arguments.chapter)] if arguments.chapter else studied
     for chapter in named:
         if chapter not in studied:
@@ -51,7 +57,7 @@ def run(arguments, _rest) -> int:
     build(named)
     for chapter in named:
         generate(study_of(chapter).get("generate", {}))
-        measured = measure(chapter, arguments.device)
+        measured = measure(chapter, arguments.device, arguments.size)
         draw(chapter, measured, arguments.out.absolute())
     return 0
 
@@ -65,6 +71,15 @@ def study_of(chapter: str) -> dict:
         return {}
     except ValueError as error:
         raise Failure(f"{relative(path)} is not JSON: {error}") from None
+
+
+class SceneEntry:
+    """An entry of "scenes": a file, or {"scene": file, "set": {knob: value}, "label": "100 lights"}."""
+
+    def __init__(self, entry: str | dict):
+        entry = entry if isinstance(entry, dict) else {"scene": entry}
+        self.file, self.set = entry["scene"], entry.get("set", {})
+        self.label = entry.get("label") or Path(self.file).stem
 
 
 def generate(files: dict):
@@ -84,7 +99,7 @@ def generate(files: dict):
             beside.unlink(missing_ok=True)
 
 
-def measure(chapter: str, device: str | None) -> Path:
+def measure(chapter: str, device: str | None = None, size: str | None = None) -> Path:
     """Runs the study, whose progress goes to the terminal, and returns the file of its result."""
     key = "." + re.sub(r"[^a-z0-9]+", "_", device.lower()) if device else ""
     file = BUILD / "study" / f"{chapter}{key}.json"
@@ -92,7 +107,8 @@ def measure(chapter: str, device: str | None) -> Path:
     partial = file.with_name(file.name + ".partial")
     if partial.exists():
         warn(f"going on with the study of {chapter} that was interrupted")
-    command = [chapter_program(chapter), "--study", file, *(["--device", device] if device else [])]
+    command = [chapter_program(chapter), "--study", file, *(["--device", device] if device else []),
+               *(["--size", size] if size else [])]
     code = None
     try:
         code = subprocess.run(command, cwd=ROOT, stdin=subprocess.DEVNULL).returncode
@@ -121,8 +137,10 @@ def device_slug(study: dict) -> str:
 def draw(chapter: str, measured: Path, folder: Path):
     """Puts the result into the folder under the device's name, with the chart and the table beside it."""
     text = measured.read_text()
-    file = folder / f"{chapter}.{device_slug(json.loads(text))}.json"
+    study = json.loads(text)
+    file = folder / f"{chapter}.{device_slug(study)}.json"
     write_atomically(file, text)
     if subprocess.run([sys.executable, ROOT / "common/course/chart.py", file]).returncode:
         raise Failure(f"the chart of {chapter} was not drawn")
-    say(f"{relative(file)}; {relative(file.with_suffix('.svg'))}")
+    drawn = [path.with_name(path.name + ".svg") for path in chart_paths(study, file.with_suffix(""))]
+    say("; ".join(relative(path) for path in (file, *drawn)))

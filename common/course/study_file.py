@@ -50,8 +50,6 @@ class Study:
         if data["subject"] not in ("frame", "loader"):
             raise StudyError(f'"subject" is "{data["subject"]}", expected "frame" or "loader"')
         self.metric = data["error_metric"]
-        if self.metric not in METRICS:
-            raise StudyError(f'"error_metric" is "{self.metric}", expected one of {", ".join(METRICS)}')
         self.unit = data.get("time_unit", "ms")
         if self.unit not in ("ms", "MB/s"):
             raise StudyError(f'"time_unit" is "{self.unit}", expected "ms" or "MB/s"')
@@ -66,12 +64,19 @@ class Study:
             self.points = [Point(p, self.metric, self.unit) for p in data["points"]]
         except (KeyError, TypeError, AttributeError) as error:
             raise StudyError(f"has a point without {error}; docs/study_format.md says what a point holds") from None
+        if self.metric not in METRICS and self.metric not in self.metrics:
+            raise StudyError(f'"error_metric" is "{self.metric}", expected one of '
+                             f'{", ".join(dict.fromkeys([*METRICS, *self.metrics]))}')
 
     @property
     def software(self):
         """True where the frame was rasterised by the CPU. Its times are CPU times."""
         names = f'{self.data["device"]} {self.data["driver"]}'.lower()
         return self.data["subject"] == "frame" and any(name in names for name in SOFTWARE)
+
+    def size_text(self, before):
+        """", 960 × 540", after what stands before it; empty where the study does not say."""
+        return f"{before}{self.data['size'][0]} × {self.data['size'][1]}" if "size" in self.data else ""
 
     @property
     def scenes(self):
@@ -82,17 +87,30 @@ class Study:
         return list(dict.fromkeys(p.method for p in self.points))
 
     @property
-    def varied_knobs(self):
-        """The knobs that take more than one value in this study; the others need no mention at a point."""
-        names = dict.fromkeys(name for p in self.points for name in p.knobs)
-        return [name for name in names if len({str(p.knobs[name]) for p in self.points if name in p.knobs}) > 1]
+    def metrics(self):
+        """The errors that points have, those of pictures first."""
+        measured = dict.fromkeys(name for p in self.points for name in p.data["error"])
+        own = [name for name in measured if name not in METRICS and name not in ("nan", "inf")]
+        return [name for name in METRICS if name in measured] + own
 
-    def knob_label(self, point):
-        """The values that tell a point from its neighbours: "16", or "taps 16, radius 2.5" where two knobs vary."""
-        values = {name: value for name, value in point.knobs.items() if name in self.varied_knobs}
-        short = {name: f"{value:g}" if isinstance(value, float) else str(value) for name, value in values.items()}
-        return ", ".join(short.values() if len(self.varied_knobs) == 1 else
-                         (f"{name} {value}" for name, value in short.items()))
+    def metric_label(self, metric):
+        """How a table or an axis calls it."""
+        return METRICS[metric][0] if metric in METRICS else self.data.get("metrics", {}).get(metric,
+                                                                                             metric.replace("_", " "))
+
+    def set_by(self, scene):
+        """The knobs that a scene sets."""
+        return self.data.get("scenes", {}).get(scene, {}).get("set", {})
+
+    @property
+    def scene_knobs(self):
+        return list(dict.fromkeys(name for scene in self.scenes for name in self.set_by(scene)))
+
+    @property
+    def varied_knobs(self):
+        """The knobs that take more than one value in a scene; the others need no mention at a point."""
+        names = dict.fromkeys(name for p in self.points for name in p.knobs if name not in self.scene_knobs)
+        return [name for name in names if len({str(p.knobs[name]) for p in self.points if name in p.knobs}) > 1]
 
     @property
     def time_label(self):
@@ -100,24 +118,32 @@ class Study:
             return "throughput (MB/s), faster to the right"
         return "CPU time (software rasteriser), ms" if self.software else "GPU time, ms"
 
-    @property
-    def one_step(self):
-        """(error one 8-bit step makes, whether it was measured on this study's truth), or (None, False)."""
-        measured = self.data.get("one_step", {}).get(self.metric)
-        return (measured, True) if measured else (METRICS[self.metric][1], False)
+    def one_step(self, scene, metric):
+        """(error one 8-bit step makes, whether it was measured on this scene's truth), or (None, False)."""
+        if metric not in METRICS:
+            return None, False
+        of_scene = self.data.get("scenes", {}).get(scene, {}).get("one_step")
+        measured = (of_scene or self.data.get("one_step", {})).get(metric)
+        return (measured, True) if measured else (METRICS[metric][1], False)
 
-    @property
-    def doubling_change(self):
-        """How far doubling the truth's samples moves it, in the study's metric; None where not stated."""
-        return self.data.get("truth", {}).get("doubling_change")
+    def doubling_change(self, scene, metric):
+        """How far doubling the truth's samples moves it in a scene; None where not stated."""
+        of_scene = self.data.get("scenes", {}).get(scene, {}).get("doubling")
+        if of_scene is not None:
+            return of_scene.get(metric)
+        return self.data.get("truth", {}).get("doubling_change") if metric == self.metric else None
 
     def front(self, scene):
         """The points of a scene that no other beats in both time and error, fastest first. Equal points stay."""
+        return self.front_of([p for p in self.points if p.scene == scene and p.drawable], lambda p: p.error)
+
+    def front_of(self, points, error_of):
+        """The same of any drawable points and any error."""
         sign = -1 if self.higher_is_faster else 1
-        points = [p for p in self.points if p.scene == scene and p.drawable]
         best = []
-        for p in sorted(points, key=lambda p: (sign * p.time[1], p.error)):
-            if not best or p.error < best[-1].error or (p.error, p.time[1]) == (best[-1].error, best[-1].time[1]):
+        for p in sorted(points, key=lambda p: (sign * p.time[1], error_of(p))):
+            if not best or error_of(p) < error_of(best[-1]) or (error_of(p), p.time[1]) == (error_of(best[-1]),
+                                                                                            best[-1].time[1]):
                 best.append(p)
         return best
 
@@ -150,11 +176,11 @@ def figures(value, digits=3):
 def markdown_table(study):
     """The points as a Markdown table: scene, method, knobs, time and errors; what is on the Pareto front is marked."""
     loader = study.data["subject"] == "loader"
-    keys = [study.metric] + [k for k in ("flip_mean", "flip_p99", "rmse", "relative_rmse", "max", "ulp")
-                             if k != study.metric and any(k in p.data["error"] for p in study.points)]
+    # A loader's errors besides those of METRICS are no distances from the truth.
+    keys = [study.metric] + [k for k in study.metrics if k != study.metric and (k in METRICS or not loader)]
     time = "MB/s" if loader and study.higher_is_faster else ("CPU ms" if study.software else
                                                            "ms" if loader else "GPU ms")
-    rows = [["", "scene", "method", "knobs", f"{time} (median)", "quartiles"] + [METRICS[k][0] for k in keys]
+    rows = [["", "scene", "method", "knobs", f"{time} (median)", "quartiles"] + [study.metric_label(k) for k in keys]
             + ["NaN", "Inf"]]
     rows.append(["---"] * 4 + ["---:"] * (len(rows[0]) - 4))
     on_front = {id(p) for scene in study.scenes for p in study.front(scene)}
@@ -162,8 +188,8 @@ def markdown_table(study):
         spread = f"{figures(p.time[0])}–{figures(p.time[2])}"
         named = ", ".join(f"{name} {value}" for name, value in p.knobs.items())
         rows.append(["●" if id(p) in on_front else "", p.scene, p.method, named, figures(p.time[1]), spread]
-                    + [figures(number(p.data["error"].get(k))) for k in keys] + [str(p.nan), str(p.inf)])
+                    + [figures(number(p.data["error"][k])) if k in p.data["error"] else "" for k in keys] + [str(p.nan), str(p.inf)])
     lines = ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows]
     d = study.data
-    note = f'● on the Pareto front. {d["device"]}, {d["driver"]}; {d["stage"]}. Made by `{d["command"]}`.'
+    note = f'● on the Pareto front. {d["device"]}, {d["driver"]}; {d["stage"]}{study.size_text(", ")}. Made by `{d["command"]}`.'
     return "\n".join(lines) + "\n\n" + note + "\n"

@@ -1,18 +1,21 @@
 """Tests a chapter's study from a quick run of it: study_test.py NN_name. A failure is exit code 1 and a line.
 
 Errors are asserted, times are not. Frames: a second run with another number of threads has the same errors; no NaN, no
-infinity; the truth changes less than study.json allows when its samples are doubled; and along each curve, which goes
-from cheap to dear, no error is above the one before. Loaders: the course's own read every float as it is.
+infinity; the truth changes less than study.json allows when its samples are doubled, unless it is exact; and no error
+grows where one knob of a curve gets better and the others stay. Better is higher, unless study.json says otherwise:
+
+    "better": {"threshold": "lower", "angle_deg": "either"}
+
+where nothing is asserted of "either". Loaders: the course's own read every float as it is.
 """
 
 import json
 import sys
-from pathlib import Path
 
-from need_test import label, sweep
+from need_test import sweep
 from results import table
-from shots import run_program
-from study import study_of
+from shots import run_program, text
+from study import SceneEntry, study_of
 from tree import BUILD, Failure, chapter_program, say, warn
 
 SIZE = "480x270"
@@ -54,32 +57,56 @@ def loader_rows(measured: dict) -> list[dict]:
 
 
 def frame_rows(study: dict, measured: dict) -> list[dict]:
-    metric, points = measured["error_metric"], measured["points"]
-    change, most = measured["truth"]["doubling_change"], study["truth"]["most_change"]
+    points = measured["points"]
     unfit = [point for point in points if point["error"]["nan"] or point["error"]["inf"] or
              any(value is None for value in point["error"].values())]
-    rows = [{"case": "the truth, with its samples doubled", "inputs": f"{len(study['scenes'])} scenes", "worst": change,
-             "bound": most, "ok": change <= most, "text": f"change of {metric}"},
-            {"case": "pixels that are NaN or infinite", "inputs": f"{len(points)} points", "worst": len(unfit),
-             "bound": "0 points", "ok": not unfit,
-             "text": f"{unfit[0]['scene']} {unfit[0]['method']}" if unfit else "none"}]
-    wanted = {(Path(scene).stem, label(knobs)) for scene in study["scenes"] for knobs in sweep(study)}
-    found = {(point["scene"], label({"method": point["method"], **point["knobs"]})) for point in points}
+    rows = [] if study["truth"].get("exact") else [truth_row(study, measured)]
+    rows.append({"case": "pixels that are NaN or infinite", "inputs": f"{len(points)} points", "worst": len(unfit),
+                 "bound": "0 points", "ok": not unfit,
+                 "text": f"{unfit[0]['scene']} {unfit[0]['method']}" if unfit else "none"})
+    wanted = {(scene.label, point_key({**scene.set, **knobs})) for scene in map(SceneEntry, study["scenes"])
+              for knobs in sweep(study)}
+    found = {(point["scene"], point_key({"method": point["method"], **point["knobs"]})) for point in points}
     rows.append({"case": "points measured", "inputs": f"{len(wanted)} wanted", "worst": len(found),
                  "bound": len(wanted), "ok": found == wanted,
                  "text": "" if found == wanted else f"not {sorted(wanted ^ found)[0]}"})
-    for scene in dict.fromkeys(point["scene"] for point in points):
-        for method in dict.fromkeys(point["method"] for point in points):
-            curve = [point for point in points if (point["scene"], point["method"]) == (scene, method)]
-            if len(curve) > 1:
-                rows.append(curve_row(scene, method, [point["error"][metric] for point in curve]))
+    return rows + curve_rows(study.get("better", {}), measured)
+
+
+def point_key(knobs: dict) -> str:
+    """The same for the same values, in whatever order and however they were written."""
+    return " ".join(f"{name}={text(value)}" for name, value in sorted(knobs.items()))
+
+
+def truth_row(study: dict, measured: dict) -> dict:
+    change, most = measured["truth"]["doubling_change"], study["truth"]["most_change"]
+    return {"case": "the truth, with its samples doubled", "inputs": f"{len(study['scenes'])} scenes", "worst": change,
+            "bound": most, "ok": change <= most, "text": f"change of {measured['error_metric']}"}
+
+
+def curve_rows(better: dict, measured: dict) -> list[dict]:
+    """One for each line of points that differ in one knob, which has an order, alone."""
+    metric, lines = measured["error_metric"], {}
+    for point in measured["points"]:
+        for name, value in point["knobs"].items():
+            if metric in point["error"] and isinstance(value, (int, float)) and better.get(name) != "either":
+                others = {key: other for key, other in point["knobs"].items() if key != name}
+                lines.setdefault((point["scene"], point["method"], name, point_key(others)), []).append(
+                    (value, point["error"][metric]))
+    alone = {key[:3] for key in lines if sum(key[:3] == other[:3] for other in lines) == 1}
+    rows = []
+    for (scene, method, name, others), line in lines.items():
+        if len({value for value, _ in line}) > 1:
+            line.sort(key=lambda pair: pair[0], reverse=better.get(name) == "lower")
+            among = method if (scene, method, name) in alone else f"{method}, {others}"
+            rows.append(curve_row(scene, among, [error for _, error in line], name))
     return rows
 
 
-def curve_row(scene: str, method: str, errors: list[float]) -> dict:
-    """More samples are no worse."""
+def curve_row(scene: str, method: str, errors: list[float], knob: str = "samples") -> dict:
+    """A better value is no worse."""
     ratios = [after / before if before else float(after > before) * 2 for before, after in zip(errors, errors[1:])]
-    return {"case": f"{scene}, {method}: error over that of the point before", "inputs": f"{len(errors)} points",
+    return {"case": f"{scene}, {method}: error over that of the {knob} before", "inputs": f"{len(errors)} points",
             "worst": max(ratios), "bound": "1", "ok": max(ratios) <= 1,
             "text": ", ".join(f"{error:.3g}" for error in errors)}
 

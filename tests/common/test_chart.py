@@ -16,6 +16,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common" / "course"))
 
 import chart  # noqa: E402
+from study_charts import charts_of  # noqa: E402
 from study_file import Study, StudyError, load, markdown_table  # noqa: E402
 
 
@@ -59,13 +60,17 @@ class Reading(unittest.TestCase):
             self.assertEqual(study(**names).time_label, "CPU time (software rasteriser), ms")
 
     def test_knob_labels_name_only_what_varies(self):
-        labels = [study().knob_label(p) for p in study().points[:3]]
+        one = charts_of(study())[0]
+        labels = [one.label_of(p) for p in one.points[:3]]
         self.assertEqual(labels, ["", "1", "4"])
 
     def test_one_step(self):
-        self.assertEqual(study(one_step={"flip_mean": 0.02}).one_step, (0.02, True))
-        self.assertFalse(study().one_step[1])
-        self.assertEqual(study(error_metric="ulp").one_step, (None, False))
+        self.assertEqual(study(one_step={"flip_mean": 0.02}).one_step("bunny", "flip_mean"), (0.02, True))
+        self.assertEqual(study().one_step("bunny", "rmse"), (0.00367, False))
+        self.assertEqual(study().one_step("bunny", "ulp"), (None, False))
+        of_scenes = study(scenes={"a": {"one_step": {"flip_mean": 0.03}}, "b": {"one_step": {"flip_mean": 0.04}}})
+        self.assertEqual([of_scenes.one_step(scene, "flip_mean")[0] for scene in "ab"], [0.03, 0.04])
+        self.assertEqual(of_scenes.one_step("a", "hit_texels"), (None, False))
 
     def test_refused(self):
         for changes, why in (({"points": []}, "no points"), ({"subject": "film"}, "film"), ({"time_unit": "s"}, '"s"'),
@@ -93,9 +98,9 @@ class Drawing(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name)
 
-    def figure(self, s):
+    def figure(self, s, which=0):
         with chart.plt.rc_context(chart.STYLE):
-            figure = chart.build_figure(s, [p for p in s.points if p.drawable])
+            figure = chart.build_figure(charts_of(s)[which])
             figure.canvas.draw()
         self.addCleanup(chart.plt.close, figure)
         return figure

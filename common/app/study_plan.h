@@ -1,0 +1,65 @@
+// What chapters/NN_name/study.json asks for, checked before anything is measured.
+#pragma once
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "common/app/knob.h"
+#include "common/scene/json_lines.h"
+
+namespace lightwalk {
+
+/// Knobs by name, each with the text that KnobBase::set takes.
+using KnobValues = std::vector<std::pair<std::string, std::string>>;
+
+struct StudyScene {
+    std::string file;   ///< as load_scene takes it
+    std::string label;  ///< what its points and panels are called; the file's stem where none is given
+    KnobValues set;     ///< for every point and for the truth
+};
+
+struct StudyPoint {
+    std::string method;  ///< empty where the chapter has none
+    KnobValues set;
+};
+
+/// The sweep of one frame study.
+///
+///     {"title": "...", "error_metric": "flip_mean", "stage": "fragment", "size": [960, 540], "rounds": 11,
+///      "truth": {"set": {"samples": 8}, "doubled": {"samples": 16}, "most_change": 0.001},
+///      "scenes": ["assets/scenes/teapot.json",
+///                 {"scene": "assets/scenes/yard.json", "set": {"lights": 100}, "label": "100 lights"}],
+///      "curves": [{"method": "gouraud"}, {"method": "phong", "set": {"samples": [1, 2, 4]}}],
+///      "better": {"threshold": "lower"}, "metrics": {"hit_texels": "hit error, texels"},
+///      "charts": [{"name": "lights", "title": "...", "x": "knob lights", "y": "time", "scenes": ["100 lights"],
+///                  "methods": ["phong"], "x_scale": "linear"}]}
+///
+/// A truth without samples that could be doubled has "exact": true in place of "doubled" and "most_change".
+/// docs/study_format.md says what each key means.
+struct StudyPlan {
+    std::string title, error_metric, stage;
+    std::optional<glm::uvec2> size;  ///< pixels
+    int rounds = 11;
+    KnobValues truth;
+    std::optional<KnobValues> doubled;  ///< none: the truth is exact
+    double most_change = 0;
+    std::vector<StudyScene> scenes;
+    std::vector<StudyPoint> points;  ///< every curve's: the product of the values its knobs list
+    nlohmann::json charts, metrics = nlohmann::json::object();  ///< for the result as they are; charts may be null
+};
+
+/// Throws InputError with file, line and key: a key that is missing, unknown or of a wrong type, a file that is not
+/// there, a knob or value that the chapter does not have, a knob set twice, two scenes with one label.
+StudyPlan read_study(const JsonWithLines& source, const KnobList& knobs);
+
+/// Puts every knob back to what it was when this was made.
+class KeptKnobs {
+  public:
+    explicit KeptKnobs(const KnobList& knobs);
+    ~KeptKnobs();
+    KeptKnobs(const KeptKnobs&) = delete;
+
+  private:
+    std::vector<std::pair<KnobBase*, std::string>> kept_;
+};
+
+}  // namespace lightwalk

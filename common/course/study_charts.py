@@ -1,0 +1,179 @@
+"""What each chart of a study shows: its axes, its panels and the curves in them. Nothing here draws.
+
+docs/study_format.md has the keys of "charts". A study without them has one chart, its time against its error_metric.
+"""
+import math
+
+from study_file import METRICS, StudyError, number
+
+KEYS = ("name", "title", "x", "y", "scenes", "methods", "x_scale")
+LOG_FROM = 10  # a knob's axis is logarithmic where its largest value is at least that many times the smallest above 0
+
+
+class Axis:
+    """What one axis shows: "time", a metric (`kind` "error") or "knob NAME"."""
+
+    def __init__(self, study, text, points, scale=None):
+        self.study, self.text = study, text
+        self.kind = "time" if text == "time" else "knob" if text.startswith("knob ") else "error"
+        self.name = text.removeprefix("knob ")
+        if self.kind == "knob":
+            self.check_knob(points)
+        elif self.kind == "error" and not any(text in p.data["error"] for p in points):
+            raise StudyError(f'no point has the error "{text}"; there are {", ".join(study.metrics)}')
+        self.log = scale == "log" if scale else self.kind != "knob" or self.spans_decades(points)
+
+    def check_knob(self, points):
+        values = [p.knobs[self.name] for p in points if self.name in p.knobs]
+        if not values:
+            raise StudyError(f'no point sets the knob "{self.name}"')
+        for value in values:
+            if isinstance(value, (bool, str)):
+                raise StudyError(f'the knob "{self.name}" has the value "{value}", which no axis can show')
+
+    def spans_decades(self, points):
+        values = [p.knobs[self.name] for p in points if self.name in p.knobs]
+        above = [value for value in values if value > 0]
+        return bool(above) and min(values) >= 0 and max(above) >= LOG_FROM * min(above)
+
+    def has(self, point):
+        """False where the point has no such thing at all."""
+        return {"time": True, "knob": self.name in point.knobs, "error": self.name in point.data["error"]}[self.kind]
+
+    def spread(self, point):
+        """(lower quartile, value, upper quartile); all the same where there is one value, NaN where there is none."""
+        if self.kind == "time":
+            return point.time
+        value = number((point.knobs if self.kind == "knob" else point.data["error"]).get(self.name))
+        return value, value, value
+
+    def value(self, point):
+        return self.spread(point)[1]
+
+    def can_show(self, point):
+        value = self.value(point)
+        return math.isfinite(value) and (value > 0 or not self.log or (value == 0 and self.kind != "time"))
+
+    def is_zero(self, point):
+        """True where the value has no place on a log axis and stands in a strip of its own."""
+        return self.log and self.value(point) == 0
+
+    def label(self, upright=False):
+        if self.kind == "time":
+            return self.study.time_label.replace("faster to the right", "faster above") if upright else \
+                self.study.time_label
+        if self.kind == "knob":
+            return self.name.replace("_", " ")
+        return f"error: {METRICS[self.name][0]}" if self.name in METRICS else self.study.metric_label(self.name)
+
+
+class Chart:
+    """One chart. `points` are those it is about, `drawable` those that have a place on both axes."""
+
+    def __init__(self, study, entry):
+        self.study, self.entry = study, entry
+        try:
+            self.read(entry)
+        except StudyError as error:
+            raise StudyError(f'chart "{entry["name"]}": {error}' if "name" in entry else str(error)) from None
+        self.drawable = [p for p in self.points if self.x.can_show(p) and self.y.can_show(p)]
+
+    def read(self, entry):
+        study = self.study
+        for key in entry:
+            if key not in KEYS:
+                raise StudyError(f'has "{key}", which is unknown here; known: {", ".join(KEYS)}')
+        for key, known in (("scenes", study.scenes), ("methods", study.methods)):
+            for name in entry.get(key, []):
+                if name not in known:
+                    raise StudyError(f'has "{name}" among its {key}; there are {", ".join(known)}')
+        if entry.get("x_scale", "log") not in ("log", "linear"):
+            raise StudyError(f'"x_scale" is "{entry["x_scale"]}", expected "log" or "linear"')
+        self.title = entry.get("title", study.data["title"])
+        # Over a knob that scenes set: those that set it.
+        knob = str(entry.get("x", "")).partition("knob ")[2]
+        default = [scene for scene in study.scenes if knob in study.set_by(scene)] or study.scenes
+        self.scenes = [scene for scene in study.scenes if scene in entry.get("scenes", default)]
+        self.methods = [method for method in study.methods if method in entry.get("methods", study.methods)]
+        self.points = [p for p in study.points if p.scene in self.scenes and p.method in self.methods]
+        if str(entry.get("y", "")).startswith("knob "):
+            raise StudyError(f'"y" is "{entry["y"]}", expected "time" or a metric')
+        self.x = Axis(study, entry.get("x", "time"), self.points, entry.get("x_scale"))
+        self.y = Axis(study, entry.get("y", study.metric), self.points)
+
+    @property
+    def over_scenes(self):
+        """True where x is a knob that the scenes set: all of them are in one panel."""
+        return self.x.kind == "knob" and self.x.name in self.study.scene_knobs
+
+    @property
+    def panels(self):
+        """The scenes of each panel."""
+        return [self.scenes] if self.over_scenes else [[scene] for scene in self.scenes]
+
+    @property
+    def point_knobs(self):
+        """The knobs whose values tell points of one panel apart, without the one on the x axis."""
+        if not self.over_scenes:
+            names = self.study.varied_knobs
+        else:
+            names = list(dict.fromkeys(name for p in self.points for name in p.knobs))
+            names = [name for name in names if len({str(p.knobs[name]) for p in self.points if name in p.knobs}) > 1]
+        return [name for name in names if (self.x.kind, self.x.name) != ("knob", name)]
+
+    def label_of(self, point, always_named=False):
+        """The values that tell a point from its neighbours: "16", or "taps 16, radius 2.5" where two knobs vary."""
+        values = {name: value for name, value in point.knobs.items() if name in self.point_knobs}
+        short = {name: f"{value:g}" if isinstance(value, float) else str(value) for name, value in values.items()}
+        return ", ".join(short.values() if len(self.point_knobs) == 1 and not always_named else
+                         (f"{name} {value}" for name, value in short.items()))
+
+    def curves(self, points):
+        """(what stands at the curve, its method, its points in order). Over a knob there is one for each value of the
+        others, from left to right."""
+        found = {}
+        for p in points:
+            name = p.method
+            if self.x.kind == "knob" and self.label_of(p):
+                name = f"{p.method}, {self.label_of(p, always_named=True)}"
+            found.setdefault((p.method, name), []).append(p)
+        ordered = sorted(found.items(), key=lambda item: self.methods.index(item[0][0]))
+        return [(name, method, sorted(curve, key=self.x.value) if self.x.kind == "knob" else curve)
+                for (method, name), curve in ordered]
+
+    def front(self, points):
+        """The points that no other beats in time and error, fastest first; none where the axes are not these two."""
+        axes = {axis.kind: axis for axis in (self.x, self.y)}
+        if set(axes) != {"time", "error"}:
+            return []
+        return self.study.front_of([p for p in points if p in self.drawable], axes["error"].value)
+
+    def missing(self):
+        """{why: methods} of points that have no place in the chart."""
+        why = {}
+        for p in self.points:
+            if p in self.drawable:
+                continue
+            lacking = [axis.name for axis in (self.x, self.y) if not axis.has(p)]
+            why.setdefault(f"no {lacking[0]}" if lacking else "error is not finite", {})[p.method] = True
+        return {reason: list(methods) for reason, methods in why.items()}
+
+
+def charts_of(study):
+    """The study's charts in order. Raises StudyError where one cannot be drawn."""
+    entries = study.data.get("charts") or [{}]
+    names = [entry.get("name") for entry in entries]
+    if "charts" in study.data and (None in names or len(set(names)) < len(names)):
+        raise StudyError("each chart needs a \"name\" of its own")
+    charts = [Chart(study, entry) for entry in entries]
+    for chart in charts:
+        if not chart.drawable:
+            named = f'chart "{chart.entry["name"]}" ' if "name" in chart.entry else ""
+            raise StudyError(f"{named}has no point with a finite error and time")
+    return charts
+
+
+def chart_paths(data, beside):
+    """Where each chart of a study's JSON goes, without its suffix: FILE for the first, FILE.NAME for the others."""
+    entries = data.get("charts") or [{}]
+    return [beside] + [beside.with_name(f"{beside.name}.{entry['name']}") for entry in entries[1:]]
