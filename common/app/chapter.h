@@ -61,8 +61,8 @@ class Chapter {
 
     /// Errors of the chapter's own for a point of its study: adds numbers by name to `error`, beside those of the
     /// picture; NaN counts as an error that is not finite, and a name left out as not measured. Called when the point's
-    /// picture of `size` was rendered, with the point's knobs in effect; it may set knobs and render further frames, in a
-    /// Frame of its own, and finds its knobs put back afterwards.
+    /// picture of `size` was rendered, with the point's knobs in effect; it may set knobs and render further frames, in
+    /// a Frame of its own, and finds its knobs put back afterwards.
     virtual void measure(Gpu& /*gpu*/, glm::uvec2 /*size*/, nlohmann::json& /*error*/) {}
 
     /// What C++ exercises change apart from shaders needs the scene loaded anew when they are toggled.
