@@ -6,7 +6,7 @@ grows where one knob of a curve gets better and the others stay. Better is highe
 
     "better": {"threshold": "lower", "angle_deg": "either"}
 
-where nothing is asserted of "either". The pictures are small: of 480x270 pixels or "test_size" of study.json. Loaders: the course's own read every float as it is.
+where nothing is asserted of "either". Loaders: the course's own read every float as it is.
 """
 
 import json
@@ -18,16 +18,16 @@ from shots import run_program, text
 from study import SceneEntry, study_of
 from tree import BUILD, Failure, chapter_program, say, warn
 
-SIZE = [480, 270]  # pixels, where study.json has no "test_size"
+SIZE = [480, 270]  # or the study's "test_size": where its frames are slow, a test can do with fewer pixels
 OWN_LOADERS = ("textbook", "scan", "parallel")
 
 
 def quick_run(chapter: str, name: str, **environment) -> dict:
     """The study at a small size and with one round of timing."""
     file = BUILD / "study" / f"{name}.{chapter}.json"
+    size = "x".join(str(side) for side in study_of(chapter).get("test_size", SIZE))
     file.parent.mkdir(parents=True, exist_ok=True)
     file.with_name(file.name + ".partial").unlink(missing_ok=True)
-    size = "x".join(map(str, study_of(chapter).get("test_size", SIZE)))
     done = run_program([chapter_program(chapter), "--study", file, "--size", size], LIGHTWALK_STUDY_ROUNDS="1",
                        **environment)
     if done.returncode:
