@@ -81,8 +81,8 @@ class Chapter {
 
 /// Reads a scene file or wraps a model file, and loads it. Throws InputError. With a budget the need rule chooses for a
 /// picture of `size`; what it says is returned.
-std::vector<std::string> load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file, double budget = 0,
-                                    glm::uvec2 size = glm::uvec2(0));
+std::vector<std::string> load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file,
+                                    std::optional<double> budget = {}, glm::uvec2 size = glm::uvec2(0));
 
 /// Records one frame with the knobs' uniforms and macros in place. Frame::end() is left to the caller, also where this
 /// throws: what was recorded has to be submitted.

@@ -19,7 +19,9 @@ class Node {
 
     const json& value;
 
-    [[noreturn]] void refuse(const std::string& why) const { throw InputError(source_.where(pointer_) + " " + why); }
+    [[noreturn]] void refuse(const std::string& why) const {
+        throw InputError(source_.where(pointer_) + (why[0] == ':' ? "" : " ") + why);
+    }
     void expect(bool right, const char* what) const {
         if (!right) refuse(std::string("is ") + value.dump() + ", expected " + what);
     }
@@ -79,11 +81,13 @@ class PlanReader {
         for (const Node& curve : study["curves"].items()) read_curve(curve);
         for (const Node& scene : study["scenes"].items()) read_scene_entry(scene);
         if (study.has("charts")) read_charts(study["charts"]);
-        if (study.has("better"))
+        if (study.has("better")) {
+            study["better"].expect(study["better"].value.is_object(), "an object { } of knobs");
             for (const auto& [name, ignored] : study["better"].value.items()) {
                 find(study["better"][name], name);
                 study["better"][name].one_of({"lower", "higher", "either"}, "\"lower\", \"higher\" or \"either\"");
             }
+        }
         if (study.has("metrics")) {
             study["metrics"].expect(study["metrics"].value.is_object(), "an object { }");
             for (const auto& [name, ignored] : study["metrics"].value.items()) study["metrics"][name].text();
@@ -107,6 +111,10 @@ class PlanReader {
             find(at, name).set(text);
         } catch (const InputError& e) { at.refuse(std::string(": ") + e.what()); }
         return text;
+    }
+
+    static std::vector<Node> values_of(const Node& node) {
+        return node.value.is_array() ? node.items() : std::vector<Node>{node};
     }
 
     KnobValues read_set(const Node& set) const {
@@ -145,11 +153,11 @@ class PlanReader {
         std::vector<StudyPoint> points{{curve.has("method") ? checked(curve["method"], "method") : "", {}}};
         if (curve.has("set")) {
             curve["set"].expect(curve["set"].value.is_object(), "an object { } of knobs");
-            for (const auto& [name, values] : curve["set"].value.items()) {
+            for (const auto& [name, ignored] : curve["set"].value.items()) {
                 const Node node = curve["set"][name];
                 std::vector<StudyPoint> next;
                 for (const StudyPoint& point : points)
-                    for (const Node& value : values.is_array() ? node.items() : std::vector<Node>{node}) {
+                    for (const Node& value : values_of(node)) {
                         next.push_back(point);
                         next.back().set.emplace_back(name, checked(value, name));
                     }
@@ -195,7 +203,7 @@ class PlanReader {
     void read_charts(const Node& charts) {
         std::set<std::string> names;
         for (const Node& chart : charts.items()) {
-            chart.expect_keys({"name", "title", "x", "y", "scenes", "methods", "x_scale"});
+            chart.expect_keys({"name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale"});
             const std::string name = chart["name"].text();
             if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != name.npos)
                 chart["name"].refuse("is '" + name +
@@ -210,6 +218,11 @@ class PlanReader {
                     find(chart[axis], text.substr(5));
                 }
             if (chart.has("x_scale")) chart["x_scale"].one_of({"linear", "log"}, "\"linear\" or \"log\"");
+            if (chart.has("knobs")) {
+                chart["knobs"].expect(chart["knobs"].value.is_object(), "an object { } of knobs");
+                for (const auto& [knob, ignored] : chart["knobs"].value.items())
+                    for (const Node& value : values_of(chart["knobs"][knob])) checked(value, knob);
+            }
             if (chart.has("scenes"))
                 for (const Node& scene : chart["scenes"].items())
                     if (std::none_of(plan_.scenes.begin(), plan_.scenes.end(),
