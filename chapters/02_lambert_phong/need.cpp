@@ -62,18 +62,6 @@ struct Context {
     }
 };
 
-double flip_of(dvec3 a, dvec3 b) {
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) {
-        const auto code = [](double linear) {
-            return static_cast<double>(linear_to_srgb(static_cast<float>(std::clamp(linear, 0.0, 1.0))));
-        };
-        sum += std::fabs(code(a[i]) - code(b[i])) / 3;
-    }
-    // One 8-bit step of grey is 0.03 (docs/study_format.md).
-    return std::min(1.0, 0.03 * std::pow(sum * 255.0, flip_power));
-}
-
 // A triangle on the screen: what each method shows in it, against the mean over the pixel.
 class Triangle {
   public:
@@ -117,6 +105,18 @@ class Triangle {
 };
 
 }  // namespace
+
+double expected_flip(dvec3 shown, dvec3 truth) {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) {
+        const auto code = [](double linear) {
+            return static_cast<double>(linear_to_srgb(static_cast<float>(std::clamp(linear, 0.0, 1.0))));
+        };
+        sum += std::fabs(code(shown[i]) - code(truth[i])) / 3;
+    }
+    // One 8-bit step of grey is 0.03 (docs/study_format.md).
+    return std::min(1.0, 0.03 * std::pow(sum * 255.0, flip_power));
+}
 
 ShadingNeed measure_need(const Scene& scene, const glm::mat4& view_projection, glm::vec3 eye, glm::uvec2 size,
                          float shininess) {
@@ -162,7 +162,7 @@ ShadingNeed measure_need(const Scene& scene, const glm::mat4& view_projection, g
                 for (ShadingChoice& choice : need.choices) {
                     const dvec3 shown = choice.method == "gouraud" ? triangle.gouraud(b)
                                                                    : triangle.sampled(choice.method, b, choice.samples);
-                    choice.error += flip_of(shown, truth) * triangle.area / 3 * factor(choice.method);
+                    choice.error += expected_flip(shown, truth) * triangle.area / 3 * factor(choice.method);
                 }
             }
         }

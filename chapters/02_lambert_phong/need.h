@@ -27,6 +27,10 @@ struct ShadingNeed {
 ShadingNeed measure_need(const Scene& scene, const glm::mat4& view_projection, glm::vec3 eye, glm::uvec2 size,
                          float shininess);
 
+/// The FLIP error, 0 to 1, that somebody may see between two colours in linear light: from the difference of their sRGB
+/// codes alone.
+double expected_flip(glm::dvec3 shown, glm::dvec3 truth);
+
 /// The cheapest choice within the budget; the most accurate one where none is.
 const ShadingChoice& cheapest_within(const ShadingNeed& need, double budget);
 

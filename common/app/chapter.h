@@ -72,6 +72,9 @@ class Chapter {
     /// loads it anew.
     virtual std::string load_key() const { return {}; }
 
+    /// What the panel shows of the last frame beside the times, and --timings writes: a line each.
+    virtual std::vector<std::string> status() const { return {}; }
+
     /// What moves, or gathers samples over frames, is drawn without a pause; the window's clock runs from the start.
     virtual bool animated() const { return false; }
 };

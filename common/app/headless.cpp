@@ -29,7 +29,8 @@ void report_non_finite(Gpu& gpu, const Image& hdr) {
                       " infinite values");
 }
 
-json timings_json(const Gpu& gpu, const Options& options, const std::vector<std::vector<PassTime>>& frames) {
+json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter,
+                  const std::vector<std::vector<PassTime>>& frames) {
     json passes = json::array();
     for (size_t i = 0; i < frames[0].size(); ++i) {
         std::vector<double> samples;
@@ -44,7 +45,8 @@ json timings_json(const Gpu& gpu, const Options& options, const std::vector<std:
     }
     return {{"device", gpu.device.info.name},    {"driver", gpu.device.info.driver},
             {"software", gpu.device.software()}, {"size", {options.size.x, options.size.y}},
-            {"frames", frames.size()},           {"passes", passes}};
+            {"frames", frames.size()},           {"passes", passes},
+            {"status", chapter.status()}};
 }
 
 }  // namespace
@@ -83,7 +85,8 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
         std::memcpy(picture.pixels.data(), texels.data(), texels.size());
         write_png(options.screenshot, picture);
     }
-    if (!options.timings.empty()) write_file(options.timings, timings_json(gpu, options, times).dump(1) + "\n");
+    if (!options.timings.empty())
+        write_file(options.timings, timings_json(gpu, options, chapter, times).dump(1) + "\n");
     report_non_finite(gpu, frame.hdr);
     gpu.device.check_validation();
     return 0;

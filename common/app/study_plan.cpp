@@ -65,11 +65,12 @@ class PlanReader {
 
     StudyPlan read(const Node& study) {
         study.expect_keys({"title", "error_metric", "stage", "size", "rounds", "truth", "scenes", "curves", "charts",
-                           "better", "metrics", "generate"});
+                           "better", "metrics", "generate", "test_size"});
         plan_.title = study["title"].text();
         plan_.error_metric = study["error_metric"].text();
         plan_.stage = study["stage"].text();
-        if (study.has("size")) read_size(study["size"]);
+        if (study.has("size")) plan_.size = read_size(study["size"]);
+        if (study.has("test_size")) read_size(study["test_size"]);  // study_test.py's
         if (study.has("rounds")) {
             const json& rounds = study["rounds"].value;
             study["rounds"].expect(rounds.is_number_integer() && rounds >= 1 && rounds <= 100000,
@@ -123,11 +124,11 @@ class PlanReader {
         return values;
     }
 
-    void read_size(const Node& size) {
+    static glm::uvec2 read_size(const Node& size) {
         const auto side = [](const json& n) { return n.is_number_integer() && n >= 1 && n <= 16384; };
         size.expect(size.value.is_array() && size.value.size() == 2 && side(size.value[0]) && side(size.value[1]),
                     "[width, height], each from 1 to 16384");
-        plan_.size = glm::uvec2(size.value[0].get<unsigned>(), size.value[1].get<unsigned>());
+        return {size.value[0].get<unsigned>(), size.value[1].get<unsigned>()};
     }
 
     void read_truth(const Node& truth) {

@@ -29,7 +29,7 @@ struct StudyPoint {
 ///      "scenes": ["assets/scenes/teapot.json",
 ///                 {"scene": "assets/scenes/yard.json", "set": {"lights": 100}, "label": "100 lights"}],
 ///      "curves": [{"method": "gouraud"}, {"method": "phong", "set": {"samples": [1, 2, 4]}}],
-///      "better": {"threshold": "lower"}, "metrics": {"hit_texels": "hit error, texels"},
+///      "test_size": [96, 54], "better": {"threshold": "lower"}, "metrics": {"hit_texels": "hit error, texels"},
 ///      "charts": [{"name": "lights", "title": "...", "x": "knob lights", "y": "time", "scenes": ["100 lights"],
 ///                  "methods": ["phong"], "knobs": {"samples": 4}, "x_scale": "linear"}]}
 ///

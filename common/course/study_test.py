@@ -18,16 +18,17 @@ from shots import run_program, text
 from study import SceneEntry, study_of
 from tree import BUILD, Failure, chapter_program, say, warn
 
-SIZE = "480x270"
+SIZE = [480, 270]  # or the study's "test_size": where its frames are slow, a test can do with fewer pixels
 OWN_LOADERS = ("textbook", "scan", "parallel")
 
 
 def quick_run(chapter: str, name: str, **environment) -> dict:
     """The study at a small size and with one round of timing."""
     file = BUILD / "study" / f"{name}.{chapter}.json"
+    size = "x".join(str(side) for side in study_of(chapter).get("test_size", SIZE))
     file.parent.mkdir(parents=True, exist_ok=True)
     file.with_name(file.name + ".partial").unlink(missing_ok=True)
-    done = run_program([chapter_program(chapter), "--study", file, "--size", SIZE], LIGHTWALK_STUDY_ROUNDS="1",
+    done = run_program([chapter_program(chapter), "--study", file, "--size", size], LIGHTWALK_STUDY_ROUNDS="1",
                        **environment)
     if done.returncode:
         raise Failure(f"the study of {chapter} ended with {done.returncode}: {done.stderr.strip()[-500:]}")

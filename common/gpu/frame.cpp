@@ -164,7 +164,7 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, const 
                 {VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
                  VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
                  VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, true});
-        depth_info = attachment(image, targets.keep, {.depthStencil = {.depth = 0.0f}});
+        depth_info = attachment(image, targets.keep || targets.keep_depth, {.depthStencil = {.depth = 0.0f}});
         pass.formats.depth = image.desc.format;
         extent = image.desc.size;
         outputs.emplace_back(name + " depth", &image);

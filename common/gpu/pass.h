@@ -30,7 +30,8 @@ struct RasterTargets {
     Resource depth;
     std::vector<Resource> reads, writes;
     glm::vec4 clear{0.0f, 0.0f, 0.0f, 1.0f};
-    bool keep = false;  ///< draw over what the targets hold instead of clearing them
+    bool keep = false;        ///< draw over what the targets hold instead of clearing them
+    bool keep_depth = false;  ///< the same for depth alone
 };
 // [/raster_targets]
 

@@ -15,6 +15,7 @@ struct Light {
     float range_m = 10.0f;                     ///< beyond it a ranged falloff is 0; point and spot; above or equal 0
     float inner_rad = 0.3f, outer_rad = 0.5f;  ///< half angles of a spot's cone, 0 <= inner <= outer <= pi
     float softness = 0.5f;                     ///< 0 linear to 1 soft
+    bool operator==(const Light&) const = default;
 };
 
 }  // namespace lightwalk

@@ -1,4 +1,5 @@
-// Reflection of one light by a surface, by the method in use.
+// Reflection of one light by a surface, by the method in use. A later chapter has neither this chapter's METHOD nor
+// DIFFUSE: it gets the normalised model and Lambert. #if takes a name that is not defined for 0, hence `defined`.
 #include "02_lambert_phong/lambert.glsl"
 #include "02_lambert_phong/phong.glsl"
 #include "02_lambert_phong/blinn_phong.glsl"
@@ -25,16 +26,16 @@ struct Reflected {
 Reflected reflect_light(Surface surface, vec3 to_light, Wrap wrap) {
     Reflected result;
     float received = lambert(surface.normal, to_light);
-#if DIFFUSE == DIFFUSE_WRAPPED
+#if defined(DIFFUSE_WRAPPED) && DIFFUSE == DIFFUSE_WRAPPED
     float cosine = dot(surface.normal, to_light);
     result.diffuse = wrapped_diffuse(cosine, wrap.amount, wrap.power) * wrapped_tint(cosine, wrap.tint);
 #else
     result.diffuse = vec3(received);
 #endif
-#if METHOD == METHOD_PHONG
+#if defined(METHOD_PHONG) && METHOD == METHOD_PHONG
     // Around the mirror direction the same lobe is about twice as narrow in angle: a quarter of the exponent.
     result.specular = phong(surface.normal, to_light, surface.to_eye, 0.25 * surface.shininess);
-#elif METHOD == METHOD_BLINN_PHONG
+#elif defined(METHOD_BLINN_PHONG) && METHOD == METHOD_BLINN_PHONG
     result.specular = blinn_phong(surface.normal, to_light, surface.to_eye, surface.shininess);
 #else
     // Gouraud, too, evaluates the normalised model; it only does so less often.

@@ -1,4 +1,5 @@
-// Lets one header be GLSL and C++: between BEGIN_SHARED and END_SHARED use GLSL's type names.
+// Lets one header be GLSL and C++: between BEGIN_SHARED and END_SHARED use GLSL's type names. A function there begins
+// with SHARED_FUNCTION.
 #pragma once
 #ifdef __cplusplus
 #include <cstdint>
@@ -7,7 +8,9 @@
     namespace lightwalk { \
     using namespace glm;
 #define END_SHARED }
+#define SHARED_FUNCTION inline
 #else
 #define BEGIN_SHARED
 #define END_SHARED
+#define SHARED_FUNCTION
 #endif

@@ -1,0 +1,33 @@
+#include "03_attenuation/light_buffer.h"
+
+#include <cmath>
+
+namespace lightwalk {
+
+LightData pack(const Light& light) {
+    return {.position = light.position,
+            .range = light.range_m,
+            .direction = light.direction,
+            .kind = light.kind == Light::Kind::directional ? LIGHT_DIRECTIONAL
+                    : light.kind == Light::Kind::point     ? LIGHT_POINT
+                                                           : LIGHT_SPOT,
+            .radiance = light.color * light.intensity,
+            .softness = light.softness,
+            .cos_inner = std::cos(light.inner_rad),
+            .cos_outer = std::cos(light.outer_rad)};
+}
+
+// [update]
+bool LightBuffer::update(Gpu& gpu, const std::vector<Light>& lights) {
+    if (buffer && lights == lights_) return false;
+    lights_ = lights;
+    std::vector<LightData> packed;
+    packed.reserve(lights.size());
+    for (const Light& light : lights) packed.push_back(pack(light));
+    buffer = gpu.upload("lights", packed);
+    ++rebuilds;
+    return true;
+}
+// [/update]
+
+}  // namespace lightwalk

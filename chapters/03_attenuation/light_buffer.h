@@ -1,0 +1,27 @@
+// All lights of a scene in one storage buffer, in the form shaders read.
+#pragma once
+#include "03_attenuation/lights.h"
+#include "common/gpu/gpu.h"
+#include "common/scene/light.h"
+
+namespace lightwalk {
+
+LightData pack(const Light& light);
+
+// [light_buffer]
+/// Holds as many lights as there are, in their order, and is packed and uploaded anew only when one has changed.
+class LightBuffer {
+  public:
+    /// True where the lights are not those of the last call. Nothing that reads the buffer may be in flight.
+    bool update(Gpu& gpu, const std::vector<Light>& lights);
+
+    Buffer buffer;     ///< what shaders call `lights`; none before update()
+    int rebuilds = 0;  ///< how often it was packed
+    const std::vector<Light>& lights() const { return lights_; }
+
+  private:
+    std::vector<Light> lights_;
+};
+// [/light_buffer]
+
+}  // namespace lightwalk

@@ -1,0 +1,80 @@
+#include "03_attenuation/light_grid.h"
+
+#include <cmath>
+
+namespace lightwalk {
+namespace {
+
+void reserve(Device& device, Buffer& buffer, const char* name, VkDeviceSize words) {
+    if (buffer.bytes < 4 * words) buffer = Buffer(device, {.name = name, .bytes = 4 * words});
+}
+
+}  // namespace
+
+glm::vec2 cluster_depths(const Camera& camera, const Bounds& scene) {
+    const glm::vec3 forward = glm::normalize(camera.target - camera.position);
+    float nearest = camera.far_m, farthest = camera.near_m;
+    for (int corner = 0; corner < 8 && !scene.empty(); ++corner) {
+        const glm::vec3 pick(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
+        const float depth = glm::dot(glm::mix(scene.lower, scene.upper, pick) - camera.position, forward);
+        nearest = std::min(nearest, depth);
+        farthest = std::max(farthest, depth);
+    }
+    farthest = std::max(std::min(farthest, camera.far_m), 1.01f * camera.near_m);
+    return {std::clamp(nearest, std::max(camera.near_m, farthest / 500.0f), farthest / 1.01f), farthest};
+}
+
+void LightGrid::set_view(Frame& frame, const Camera& camera, const Bounds& scene, Cells cells, int slices,
+                         size_t lights, float threshold) {
+    cells_ = cells;
+    const glm::vec3 forward = glm::normalize(camera.target - camera.position);
+    const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const glm::vec2 depths = cluster_depths(camera, scene), size(frame.size);
+    const float tan_half = std::tan(0.5f * camera.fov_y_rad);
+    view = {.eye = camera.position,
+            .right = right,
+            .up = glm::cross(right, forward),
+            .forward = forward,
+            .tan_half = {tan_half * size.x / size.y, tan_half},
+            .inverse_near = 1.0f / camera.near_m,
+            .inverse_far = 1.0f / camera.far_m,
+            .size = size,
+            .tile_px = cells == Cells::tiles ? tile_px : cluster_px,
+            .slices = cells == Cells::tiles ? 1u : static_cast<uint32_t>(slices),
+            .first_m = depths.x,
+            .threshold = threshold};
+    view.slices_per_log = static_cast<float>(view.slices) / std::log(depths.y / depths.x);
+
+    group_count_ = static_cast<uint32_t>((lights + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP);
+    const VkDeviceSize mask_count = (lights + LIGHTS_PER_MASK - 1) / LIGHTS_PER_MASK;
+    const auto divide = [&] { view.tiles = (frame.size + view.tile_px - 1u) / view.tile_px; };
+    for (divide(); view.tiles.x * view.tiles.y > 1 &&
+                   4 * mask_count * cell_count() > frame.gpu.device.properties.limits.maxStorageBufferRange;
+         divide())
+        view.tile_px *= 2;
+    if (cells == Cells::tiles) reserve(frame.gpu.device, tile_depths_, "tile depths", 2 * cell_count());
+    reserve(frame.gpu.device, masks, "light masks", mask_count * cell_count());
+    reserve(frame.gpu.device, groups, "light groups", VkDeviceSize(group_count_) * cell_count());
+    const auto bytes = std::as_bytes(std::span(&view, 1));
+    frame.globals["grid"].assign(bytes.begin(), bytes.end());
+}
+
+// [record]
+void LightGrid::record(Frame& frame, const Buffer& lights) {
+    std::vector<Resource> reads{lights};
+    if (cells_ == Cells::tiles) {
+        frame.compute("tile_depth", {.reads = {frame.depth}, .writes = {tile_depths_}}, [&](Compute& pass) {
+            pass.use(find_depths_).set("depth", frame.depth, Sampling::nearest_clamp);
+            pass.set("tile_depths", tile_depths_).dispatch({view.tiles, 1});
+        });
+        reads.push_back(tile_depths_);
+    }
+    frame.compute("cull_lights", {.reads = reads, .writes = {masks, groups}}, [&](Compute& pass) {
+        pass.use(cull_).set("lights", lights).set("masks", masks).set("groups", groups);
+        if (cells_ == Cells::tiles) pass.set("tile_depths", tile_depths_);
+        pass.dispatch_threads(glm::uvec2(cell_count(), group_count_));
+    });
+}
+// [/record]
+
+}  // namespace lightwalk

@@ -1,0 +1,46 @@
+// Lights sorted into the cells of a grid over the screen, on the GPU.
+#pragma once
+#include "03_attenuation/grid_view.h"
+#include "03_attenuation/light_buffer.h"
+#include "common/gpu/frame.h"
+#include "common/scene/camera.h"
+#include "common/scene/mesh.h"
+
+namespace lightwalk {
+
+/// Sides of a tile and, for clusters, of a column of them, in pixels, unless that makes a buffer too large.
+constexpr uint32_t tile_px = 16, cluster_px = 64;
+
+/// The depths in metres between which clusters are cut: those of the box `scene` in front of the camera. The first is
+/// at least a 500th of the second, and below it.
+glm::vec2 cluster_depths(const Camera& camera, const Bounds& scene);
+
+// [light_grid]
+/// Which lights may reach which cell, a bit each: there is one for every pair, so that no list can overflow.
+class LightGrid {
+  public:
+    enum class Cells { tiles, clusters };
+
+    /// Gives the shaders of this frame the uniform block `grid` and sizes the buffers. Clusters have `slices` between
+    /// the nearest and the farthest depth of `scene` (world space, may be empty); tiles have none. `threshold` is
+    /// influence_radius()'s. A grid whose bits would not fit into one buffer of the device gets larger tiles.
+    void set_view(Frame& frame, const Camera& camera, const Bounds& scene, Cells cells, int slices, size_t lights,
+                  float threshold);
+
+    /// Sorts the lights into the cells; for tiles frame.depth must hold the scene.
+    void record(Frame& frame, const Buffer& lights);
+
+    Buffer masks, groups;  ///< grid_view.h says what is in them
+    GridView view;
+
+  private:
+    uint32_t cell_count() const { return view.tiles.x * view.tiles.y * view.slices; }
+    Cells cells_ = Cells::tiles;
+    uint32_t group_count_ = 0;
+    Buffer tile_depths_;
+    Pipeline find_depths_ = compute({.shader = "03_attenuation/tile_depth.comp", .defines = {}, .source = {}});
+    Pipeline cull_ = compute({.shader = "03_attenuation/cull_lights.comp", .defines = {}, .source = {}});
+};
+// [/light_grid]
+
+}  // namespace lightwalk

@@ -1,0 +1,31 @@
+// For each of a scene's draw calls the lights that may reach it.
+#pragma once
+#include "03_attenuation/light_buffer.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+/// The lists of all draw calls, one after the other, made on the CPU. They do not depend on the camera: only a change
+/// of the lights, of the threshold or of the exercise's toggle makes them anew.
+class ObjectLights {
+  public:
+    /// `threshold` is influence_radius()'s. Nothing that reads the buffers may be in flight.
+    void update(Gpu& gpu, const Scene& scene, const LightBuffer& lights, float threshold);
+
+    /// Another scene: the next update() makes the lists.
+    void forget() { made_for_ = {}; }
+
+    Buffer ends;    ///< where each draw call's list ends in `lights`
+    Buffer lights;  ///< positions in the LightBuffer, ascending in each list
+
+  private:
+    struct Key {
+        int rebuilds = 0;
+        float threshold = 0;
+        bool solution = false;
+        bool operator==(const Key&) const = default;
+    };
+    Key made_for_;
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,46 @@
+// Whether a light may reach a cell of the grid. Never no where it does; sometimes yes where it does not.
+#include "03_attenuation/cone.glsl"
+#include "03_attenuation/light_grid.glsl"
+#include "03_attenuation/lights.h"
+
+struct Cell {
+    vec3 lower, upper;  // metres: a box in the camera's space (right, up, forward) that holds the cell
+    vec2 slopes_x;      // of its left and right side: x / z
+    vec2 slopes_y;      // of its lower and upper side
+    float margin;       // metres: more than what rounding can do
+};
+
+// [cell_between]
+// The part of a tile between two depths, in metres.
+Cell cell_between(uvec2 tile, float near, float far) {
+    vec2 low = vec2(tile * grid.tile_px), high = min(vec2((tile + 1u) * grid.tile_px), grid.size);
+    Cell cell;
+    cell.slopes_x = (2.0 * vec2(low.x, high.x) / grid.size.x - 1.0) * grid.tan_half.x;
+    cell.slopes_y = (1.0 - 2.0 * vec2(high.y, low.y) / grid.size.y) * grid.tan_half.y;
+    cell.margin = 1e-3 * (1.0 + far);
+    vec2 left_bottom = vec2(cell.slopes_x.x, cell.slopes_y.x), right_top = vec2(cell.slopes_x.y, cell.slopes_y.y);
+    cell.lower = vec3(min(left_bottom * near, left_bottom * far), near) - cell.margin;
+    cell.upper = vec3(max(right_top * near, right_top * far), far) + cell.margin;
+    return cell;
+}
+// [/cell_between]
+
+vec3 to_camera(vec3 v) { return vec3(dot(v, grid.right), dot(v, grid.up), dot(v, grid.forward)); }
+
+// [light_reaches_cell]
+bool light_reaches_cell(LightData light, Cell cell) {
+    if (light.kind == LIGHT_DIRECTIONAL) return true;
+    float radius = influence_radius(light, grid.threshold);
+    if (radius == 0.0) return false;
+    vec3 center = to_camera(light.position - grid.eye);
+    vec3 gap = center - clamp(center, cell.lower, cell.upper);
+    if (dot(gap, gap) > radius * radius) return false;
+    // The box is wider than the cell where that widens with depth: the four sides, planes through the eye, cut it down.
+    vec4 slopes = vec4(cell.slopes_x, cell.slopes_y);
+    vec4 beyond = (vec4(center.xx, center.yy) - slopes * center.z) * inversesqrt(1.0 + slopes * slopes);
+    if (max(max(-beyond.x, beyond.y), max(-beyond.z, beyond.w)) > radius + cell.margin) return false;
+    if (light.kind == LIGHT_POINT) return true;
+    vec3 middle = 0.5 * (cell.lower + cell.upper);
+    return cone_reaches_ball(middle - center, distance(middle, cell.upper), to_camera(light.direction), light.cos_outer);
+}
+// [/light_reaches_cell]
