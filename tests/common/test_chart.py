@@ -319,7 +319,7 @@ class Drawing(unittest.TestCase):
         self.addCleanup(chart.plt.close, figure)
         axis = figure.add_subplot()
         axis.set_ylim(0, 10)
-        labels = chart_labels.Labels(figure)
+        labels = chart_labels.Labels(figure.axes)
         for place, above in (((0, 9), "center", "bottom"), True), (((0, -9), "center", "top"), False):
             with mock.patch.object(chart_labels, "PLACES", [place]):
                 labels.place("m", [(axis, 0.5, 5, (0.5, 0.5), (2, 8))], "black", 9, "normal", True)
