@@ -17,8 +17,8 @@ namespace {
 using nlohmann::json;
 
 constexpr LoaderCost costs[] = {
-    {Loader::textbook, 0.03, 19, 0}, {Loader::assimp, 5.0, 40, 1},     {Loader::tinyobjloader, 0.01, 150, 0},
-    {Loader::scan, 0.01, 330, 0},    {Loader::parallel, 0.02, 800, 0},
+    {Loader::textbook, 0.03, 30, 0}, {Loader::assimp, 1.6, 40, 1},     {Loader::tinyobjloader, 0.03, 130, 0},
+    {Loader::scan, 0.03, 300, 0},    {Loader::parallel, 0.3, 1100, 0},
 };
 
 std::string processor_name() {

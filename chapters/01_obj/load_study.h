@@ -11,8 +11,8 @@ namespace lightwalk {
 /// study["rounds"] times each. `result` gets points, device and so on as docs/study_format.md has them for "loader".
 void study_loaders(const nlohmann::json& study, nlohmann::json& result);
 
-/// What a loader costs: milliseconds before the first byte, and its rate. Medians on two cores of an Intel Xeon, Mesa
-/// and all else idle, over bunny.obj and cube.obj (--load-bench FILE); only their order matters for the choice.
+/// What a loader costs: milliseconds before the first byte, and its rate. Fitted to medians on two cores of an
+/// Intel Xeon: the start to cube.obj, the rate to suzanne.obj and bunny.obj (--load-bench FILE).
 struct LoaderCost {
     Loader loader;
     double start_ms, mb_per_s, ulp;

@@ -56,8 +56,8 @@ struct ObjData {
     size_t triangles() const { return corners.size() / 3; }
 };
 
-/// Reads the file. All floats are the decimal text correctly rounded (but tinyobjloader's). Throws InputError, with
-/// file, line and reason, for whatever is not an OBJ file that holds at least one face.
+/// Reads the file. All floats are the decimal text correctly rounded (assimp and tinyobjloader do not promise that).
+/// Throws InputError, with file, line and reason, for whatever is not an OBJ file that holds at least one face.
 ObjData parse_obj(const std::filesystem::path& path, Loader loader = Loader::parallel);
 
 /// For tests: `chunk_bytes` and `threads` (0: one for each core) do not change what Loader::parallel returns.

@@ -16,7 +16,7 @@ namespace {
 // [number]
 std::istringstream words_of(const std::string& line) {
     std::istringstream words(line);
-    words.imbue(std::locale::classic());  // a German locale would read 1.5 as 1
+    words.imbue(std::locale::classic());  // a German locale takes the point for a thousands separator
     return words;
 }
 

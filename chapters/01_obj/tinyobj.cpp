@@ -1,4 +1,4 @@
-// The public single-threaded parser, for comparison. Its floats are not correctly rounded.
+// The public single-threaded parser, for comparison. It does not promise correctly rounded floats.
 #include <tiny_obj_loader.h>
 
 #include <cstring>

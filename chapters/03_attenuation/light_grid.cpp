@@ -5,15 +5,14 @@
 namespace lightwalk {
 namespace {
 
-constexpr uint32_t tile_px = 16, cluster_px = 64;
-constexpr float most_depth_ratio = 500;  // of the slices: nearer than that the first slice is larger than the others
-
 void reserve(Device& device, Buffer& buffer, const char* name, VkDeviceSize words) {
     if (buffer.bytes < 4 * words) buffer = Buffer(device, {.name = name, .bytes = 4 * words});
 }
 
-// The depths between which something of `scene` can be seen, in metres, the first below the second.
-glm::vec2 depth_range(const Camera& camera, glm::vec3 forward, const Bounds& scene) {
+}  // namespace
+
+glm::vec2 cluster_depths(const Camera& camera, const Bounds& scene) {
+    const glm::vec3 forward = glm::normalize(camera.target - camera.position);
     float nearest = camera.far_m, farthest = camera.near_m;
     for (int corner = 0; corner < 8 && !scene.empty(); ++corner) {
         const glm::vec3 pick(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
@@ -22,17 +21,15 @@ glm::vec2 depth_range(const Camera& camera, glm::vec3 forward, const Bounds& sce
         farthest = std::max(farthest, depth);
     }
     farthest = std::max(std::min(farthest, camera.far_m), 1.01f * camera.near_m);
-    return {std::clamp(nearest, std::max(camera.near_m, farthest / most_depth_ratio), farthest / 1.01f), farthest};
+    return {std::clamp(nearest, std::max(camera.near_m, farthest / 500.0f), farthest / 1.01f), farthest};
 }
-
-}  // namespace
 
 void LightGrid::set_view(Frame& frame, const Camera& camera, const Bounds& scene, Cells cells, int slices,
                          size_t lights, float threshold) {
     cells_ = cells;
     const glm::vec3 forward = glm::normalize(camera.target - camera.position);
     const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
-    const glm::vec2 depths = depth_range(camera, forward, scene), size(frame.size);
+    const glm::vec2 depths = cluster_depths(camera, scene), size(frame.size);
     const float tan_half = std::tan(0.5f * camera.fov_y_rad);
     view = {.eye = camera.position,
             .right = right,

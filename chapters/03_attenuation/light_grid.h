@@ -8,6 +8,13 @@
 
 namespace lightwalk {
 
+/// Sides of a tile and, for clusters, of a column of them, in pixels, unless that makes a buffer too large.
+constexpr uint32_t tile_px = 16, cluster_px = 64;
+
+/// The depths in metres between which clusters are cut: those of the box `scene` in front of the camera. The first is
+/// at least a 500th of the second, and below it.
+glm::vec2 cluster_depths(const Camera& camera, const Bounds& scene);
+
 // [light_grid]
 /// Which lights may reach which cell, a bit each: there is one for every pair, so that no list can overflow.
 class LightGrid {

@@ -2,6 +2,7 @@
 #include "01_obj/model_chapter.h"
 #include "03_attenuation/light_field.h"
 #include "03_attenuation/light_grid.h"
+#include "03_attenuation/need.h"
 #include "03_attenuation/object_lights.h"
 
 using namespace lightwalk;
@@ -42,6 +43,15 @@ struct Attenuation : ModelChapter {
         all.insert(all.end(), more.begin(), more.end());
         if (moving) move_lights(all, time_s);
         return all;
+    }
+
+    std::vector<std::string> choose(double budget, glm::uvec2 size) override {
+        const CullingNeed need =
+            measure_culling(scene, camera, size, lights_at(0, 0), slices, falloff.is("inverse_square"));
+        const CullingChoice& choice = cheapest_within(need, budget);
+        method.set(choice.method);
+        if (choice.threshold > 0) threshold.value = choice.threshold;
+        return explain(need, choice, budget);
     }
 
     // [frame]

@@ -61,8 +61,8 @@ class Chapter {
 
     /// Errors of the chapter's own for a point of its study: adds numbers by name to `error`, beside those of the
     /// picture; NaN counts as an error that is not finite, and a name left out as not measured. Called when the point's
-    /// picture of `size` was rendered, with the point's knobs in effect; it may set knobs and render further frames, in a
-    /// Frame of its own, and finds its knobs put back afterwards.
+    /// picture of `size` was rendered, with the point's knobs in effect; it may set knobs and render further frames, in
+    /// a Frame of its own, and finds its knobs put back afterwards.
     virtual void measure(Gpu& /*gpu*/, glm::uvec2 /*size*/, nlohmann::json& /*error*/) {}
 
     /// What C++ exercises change apart from shaders needs the scene loaded anew when they are toggled.
@@ -81,8 +81,8 @@ class Chapter {
 
 /// Reads a scene file or wraps a model file, and loads it. Throws InputError. With a budget the need rule chooses for a
 /// picture of `size`; what it says is returned.
-std::vector<std::string> load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file, double budget = 0,
-                                    glm::uvec2 size = glm::uvec2(0));
+std::vector<std::string> load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file,
+                                    std::optional<double> budget = {}, glm::uvec2 size = glm::uvec2(0));
 
 /// Records one frame with the knobs' uniforms and macros in place. Frame::end() is left to the caller, also where this
 /// throws: what was recorded has to be submitted.

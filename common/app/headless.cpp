@@ -67,7 +67,7 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
         return 0;
     }
     const auto explanation = load_scene(chapter, gpu, options.scene.empty() ? chapter.default_scene() : options.scene,
-                                        options.automatic ? options.budget : 0, options.size);
+                                        options.automatic ? options.budget : std::nullopt, options.size);
     if (options.explain)
         for (const std::string& line : explanation) std::printf("%s\n", line.c_str());
     Frame frame(gpu);

@@ -15,7 +15,7 @@ std::string LiveChapter::key() const {
     return chapter.load_key() + (chapter.reload_on_toggle() ? Exercises::state() : "");
 }
 
-std::vector<std::string> LiveChapter::load(double budget, glm::uvec2 size) {
+std::vector<std::string> LiveChapter::load(std::optional<double> budget, glm::uvec2 size) {
     loaded_with_ = key();
     try {
         const auto explanation = load_scene(chapter, gpu_, scene_, budget, size);

@@ -13,7 +13,7 @@ class LiveChapter {
     /// The scene for the first time, with a budget as load_scene takes it; returns what the need rule says. Throws
     /// InputError; but where a student's loader is in use and fails, the reference loads the scene and load_error says
     /// so.
-    std::vector<std::string> load(double budget = 0, glm::uvec2 size = glm::uvec2(0));
+    std::vector<std::string> load(std::optional<double> budget = {}, glm::uvec2 size = glm::uvec2(0));
 
     /// The scene again, as the toggles say. Camera and knobs stay; where it fails, so does the old scene.
     void reload();

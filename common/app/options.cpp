@@ -57,8 +57,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--scene", o.scene, "a scene file or any model file; default: " + chapter.default_scene());
     app.add_option("--use", o.use, "solution (default), exercise, or a list such as exercise,02.phong=solution");
     app.add_option("--set", o.set, "NAME=VALUE sets a knob; may be repeated")->allow_extra_args(false);
-    app.add_option("--budget", o.budget, "with --method auto: the greatest mean FLIP error allowed")
-        ->check(CLI::PositiveNumber);
+    app.add_option("--budget", o.budget, "with --method auto: the greatest error allowed, mean FLIP for pictures");
     app.add_option("--shot", o.shot, "a named shot of the chapter: --list shots");
     app.add_option("--size", size, "WIDTHxHEIGHT in pixels; default 960x540");
     app.add_option("--time", o.time_given, "seconds on the chapter's clock")->check(CLI::Range(-1e6, 1e6));
@@ -94,7 +93,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
             if (value.empty())
                 throw InputError(option->get_name() + " is given an empty text; --help says what it takes");
     // CLI11's ranges let a NaN through: it is neither below nor above them.
-    if (std::isnan(o.budget)) throw InputError("--budget nan: expected a number above 0");
+    if (o.budget && !(*o.budget >= 0)) throw InputError("--budget: the greatest error allowed is 0 or more");
     if (o.time_given && std::isnan(*o.time_given)) throw InputError("--time nan: expected seconds from -1e6 to 1e6");
     o.validate = validate == "on";
     o.frames_given = !frames->empty();
@@ -111,7 +110,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     for (const auto& [name, value] : by_knob)
         if (!app.get_option("--" + name)->empty()) set_knob(o, chapter, name, value);
     if (!method.empty()) set_knob(o, chapter, chapter.method_knob, method);
-    if (o.automatic && o.budget <= 0) throw InputError("--method auto needs --budget E, the greatest error allowed");
+    if (o.automatic && !o.budget) throw InputError("--method auto needs --budget E, the greatest error allowed");
     if (o.explain && !o.automatic) throw InputError("--explain goes with --method auto");
     for (const Command& command : commands)
         if (!app.get_option("--" + command.flag)->empty())

@@ -16,7 +16,7 @@ struct Options {
     int frames = 1;
     bool frames_given = false, json = false, validate = false, compile_shaders = false, explain = false;
     bool automatic = false;  ///< --method auto: the need rule chooses
-    double budget = 0;
+    std::optional<double> budget;
     unsigned seed = 0;
     std::function<int()> command;  ///< a chapter's own, where one was asked for
     bool headless() const { return !screenshot.empty() || !timings.empty() || !study.empty(); }

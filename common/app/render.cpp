@@ -35,8 +35,8 @@ Chapter::~Chapter() {
     if (knobs_under_construction() == &knobs) knobs_under_construction() = nullptr;
 }
 
-std::vector<std::string> load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given, double budget,
-                                    glm::uvec2 size) {
+std::vector<std::string> load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given,
+                                    std::optional<double> budget, glm::uvec2 size) {
     const auto loader = [&](const std::filesystem::path& file) { return chapter.load_model(file); };
     const std::filesystem::path file = find_asset(given);
     const bool is_scene = file.extension() == ".json";
@@ -48,14 +48,14 @@ std::vector<std::string> load_scene(Chapter& chapter, Gpu& gpu, const std::files
         explanation.insert(explanation.end(), lines.begin(), lines.end());
     };
     chapter.scene.file = scene;
-    if (budget > 0) choose(chapter.choose_before_loading(budget));
+    if (budget) choose(chapter.choose_before_loading(*budget));
     chapter.scene.load(gpu, std::move(scene), loader);
     // A bare model: now that its size is known, a camera that frames it. The pool keeps the model.
     if (!is_scene) chapter.scene.load(gpu, scene_of_model(file, chapter.scene.bounds), loader);
     chapter.camera = chapter.scene.file.camera;
     chapter.prepare(gpu);
-    if (budget > 0) choose(chapter.choose(budget, size));
-    if (budget > 0 && explanation.empty()) throw InputError("chapter " + chapter.name + " has no rule for auto");
+    if (budget) choose(chapter.choose(*budget, size));
+    if (budget && explanation.empty()) throw InputError("chapter " + chapter.name + " has no rule for auto");
     return explanation;
 }
 

@@ -19,7 +19,9 @@ class Node {
 
     const json& value;
 
-    [[noreturn]] void refuse(const std::string& why) const { throw InputError(source_.where(pointer_) + " " + why); }
+    [[noreturn]] void refuse(const std::string& why) const {
+        throw InputError(source_.where(pointer_) + (why[0] == ':' ? "" : " ") + why);
+    }
     void expect(bool right, const char* what) const {
         if (!right) refuse(std::string("is ") + value.dump() + ", expected " + what);
     }
@@ -67,7 +69,8 @@ class PlanReader {
         plan_.title = study["title"].text();
         plan_.error_metric = study["error_metric"].text();
         plan_.stage = study["stage"].text();
-        if (study.has("size")) read_size(study["size"]);
+        if (study.has("size")) plan_.size = read_size(study["size"]);
+        if (study.has("test_size")) read_size(study["test_size"]);  // study_test.py's
         if (study.has("rounds")) {
             const json& rounds = study["rounds"].value;
             study["rounds"].expect(rounds.is_number_integer() && rounds >= 1 && rounds <= 100000,
@@ -78,11 +81,13 @@ class PlanReader {
         for (const Node& curve : study["curves"].items()) read_curve(curve);
         for (const Node& scene : study["scenes"].items()) read_scene_entry(scene);
         if (study.has("charts")) read_charts(study["charts"]);
-        if (study.has("better"))
+        if (study.has("better")) {
+            study["better"].expect(study["better"].value.is_object(), "an object { } of knobs");
             for (const auto& [name, ignored] : study["better"].value.items()) {
                 find(study["better"][name], name);
                 study["better"][name].one_of({"lower", "higher", "either"}, "\"lower\", \"higher\" or \"either\"");
             }
+        }
         if (study.has("metrics")) {
             study["metrics"].expect(study["metrics"].value.is_object(), "an object { }");
             for (const auto& [name, ignored] : study["metrics"].value.items()) study["metrics"][name].text();
@@ -108,6 +113,10 @@ class PlanReader {
         return text;
     }
 
+    static std::vector<Node> values_of(const Node& node) {
+        return node.value.is_array() ? node.items() : std::vector<Node>{node};
+    }
+
     KnobValues read_set(const Node& set) const {
         set.expect(set.value.is_object(), "an object { } of knobs");
         KnobValues values;
@@ -115,11 +124,11 @@ class PlanReader {
         return values;
     }
 
-    void read_size(const Node& size) {
+    static glm::uvec2 read_size(const Node& size) {
         const auto side = [](const json& n) { return n.is_number_integer() && n >= 1 && n <= 16384; };
         size.expect(size.value.is_array() && size.value.size() == 2 && side(size.value[0]) && side(size.value[1]),
                     "[width, height], each from 1 to 16384");
-        plan_.size = glm::uvec2(size.value[0].get<unsigned>(), size.value[1].get<unsigned>());
+        return {size.value[0].get<unsigned>(), size.value[1].get<unsigned>()};
     }
 
     void read_truth(const Node& truth) {
@@ -144,11 +153,11 @@ class PlanReader {
         std::vector<StudyPoint> points{{curve.has("method") ? checked(curve["method"], "method") : "", {}}};
         if (curve.has("set")) {
             curve["set"].expect(curve["set"].value.is_object(), "an object { } of knobs");
-            for (const auto& [name, values] : curve["set"].value.items()) {
+            for (const auto& [name, ignored] : curve["set"].value.items()) {
                 const Node node = curve["set"][name];
                 std::vector<StudyPoint> next;
                 for (const StudyPoint& point : points)
-                    for (const Node& value : values.is_array() ? node.items() : std::vector<Node>{node}) {
+                    for (const Node& value : values_of(node)) {
                         next.push_back(point);
                         next.back().set.emplace_back(name, checked(value, name));
                     }
@@ -194,7 +203,7 @@ class PlanReader {
     void read_charts(const Node& charts) {
         std::set<std::string> names;
         for (const Node& chart : charts.items()) {
-            chart.expect_keys({"name", "title", "x", "y", "scenes", "methods", "x_scale"});
+            chart.expect_keys({"name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale"});
             const std::string name = chart["name"].text();
             if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != name.npos)
                 chart["name"].refuse("is '" + name +
@@ -209,6 +218,11 @@ class PlanReader {
                     find(chart[axis], text.substr(5));
                 }
             if (chart.has("x_scale")) chart["x_scale"].one_of({"linear", "log"}, "\"linear\" or \"log\"");
+            if (chart.has("knobs")) {
+                chart["knobs"].expect(chart["knobs"].value.is_object(), "an object { } of knobs");
+                for (const auto& [knob, ignored] : chart["knobs"].value.items())
+                    for (const Node& value : values_of(chart["knobs"][knob])) checked(value, knob);
+            }
             if (chart.has("scenes"))
                 for (const Node& scene : chart["scenes"].items())
                     if (std::none_of(plan_.scenes.begin(), plan_.scenes.end(),

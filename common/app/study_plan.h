@@ -29,9 +29,9 @@ struct StudyPoint {
 ///      "scenes": ["assets/scenes/teapot.json",
 ///                 {"scene": "assets/scenes/yard.json", "set": {"lights": 100}, "label": "100 lights"}],
 ///      "curves": [{"method": "gouraud"}, {"method": "phong", "set": {"samples": [1, 2, 4]}}],
-///      "better": {"threshold": "lower"}, "metrics": {"hit_texels": "hit error, texels"},
+///      "test_size": [96, 54], "better": {"threshold": "lower"}, "metrics": {"hit_texels": "hit error, texels"},
 ///      "charts": [{"name": "lights", "title": "...", "x": "knob lights", "y": "time", "scenes": ["100 lights"],
-///                  "methods": ["phong"], "x_scale": "linear"}]}
+///                  "methods": ["phong"], "knobs": {"samples": 4}, "x_scale": "linear"}]}
 ///
 /// A truth without samples that could be doubled has "exact": true in place of "doubled" and "most_change".
 /// docs/study_format.md says what each key means.

@@ -30,7 +30,7 @@ int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& h
     gpu.pipelines.keep_last_good = true;
     const std::filesystem::path scene = options.scene.empty() ? chapter.default_scene() : options.scene;
     LiveChapter live(chapter, gpu, scene);
-    const auto explanation = live.load(options.automatic ? options.budget : 0, options.size);
+    const auto explanation = live.load(options.automatic ? options.budget : std::nullopt, options.size);
     if (options.explain)
         for (const std::string& line : explanation) std::printf("%s\n", line.c_str());
     Window(options, live, gpu, display, make, scene).run();

@@ -71,8 +71,9 @@ def heading(figure, chart: Chart, height: float):
     notes = ["Points: median, bars: quartiles."] if "time" in kinds else []
     if d.get("truth") and "error" in kinds:
         notes.append(truth_note(chart))
-    if len(chart.point_knobs) == 1 and "knob" not in kinds:
+    if len(chart.point_knobs) == 1:
         notes.append(f"Small numbers: {chart.point_knobs[0]}.")
+    notes += [f"All with {name} {values[0]}, where it applies." for name, values in chart.kept.items() if len(values) == 1]
     for why, methods in chart.missing().items():
         notes.append(f"Not drawn: {', '.join(methods)} ({why}).")
     figure.text(0.022, 0.40 / height, "  ".join(notes), fontsize=9.5, color=QUIET, va="center")

@@ -84,11 +84,11 @@ class Panel:
         front = self.chart.front(points)
         self.draw_front(front)
         curves = []
-        for name, method, curve in self.chart.curves(points):
+        for method, curve in self.chart.curves(points):
             i = self.chart.study.methods.index(method)
             self.draw_curve(curve, COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)])
-            curves.append((name, curve, COLOURS[i % len(COLOURS)]))
-        self.label(curves, front, self.draw_lines())
+            curves.append((method, curve, COLOURS[i % len(COLOURS)]))
+        self.label(curves, front, self.draw_lines(points))
 
     def prepare(self, x_label: bool, y_label: bool):
         for (zero_x, zero_y), axis in self.cells.items():
@@ -149,7 +149,7 @@ class Panel:
             axis.errorbar(x, y, **bars, fmt=marker, markersize=6.5, color=colour, ecolor=colour, elinewidth=1.2,
                           capsize=3, markeredgecolor="white", markeredgewidth=0.8, zorder=3)
 
-    def draw_lines(self) -> list:
+    def draw_lines(self, points: list) -> list:
         """The error that one 8-bit step makes, and the truth's own uncertainty. Returns what is written there."""
         if not self.main:
             return []
@@ -159,34 +159,47 @@ class Panel:
         if step and low < step < high:
             self.main.axhline(step, color=QUIET, linewidth=1, dashes=(5, 3), zorder=1)
             where = "" if measured else " at mid grey"
-            notes.append(self.main.annotate(f"one 8-bit step{where}", (1, step), xycoords=("axes fraction", "data"),
-                                            xytext=(0, 3), textcoords="offset points", ha="right", fontsize=9.5,
-                                            color=QUIET))
+            notes.append(self.note(f"one 8-bit step{where}", ((1, step, 0, 3), (0, step, 0, 3)), 9.5, points))
         if doubling and low < doubling < high:
             self.main.axhspan(low, doubling, facecolor="#eef0f3", zorder=0)
-            notes.append(self.main.annotate("below: less than the truth is sure of", (1, doubling),
-                                            xycoords=("axes fraction", "data"), xytext=(-3, -12),
-                                            textcoords="offset points", ha="right", fontsize=9, color=QUIET))
+            places = ((1, doubling, -3, -12), (0, doubling, 3, -12), (1, low, -3, 4), (0, low, 3, 4))
+            notes.append(self.note("below: less than the truth is sure of", places, 9, points))
         return notes
 
+    def note(self, text: str, places: tuple, size: float, points: list):
+        """Words about a line, at the first of the places (share of the width, value, and from there in points) where
+        they cover no point; where there is none, at the first."""
+        renderer = self.main.figure.canvas.get_renderer()
+        at = [self.main.transData.transform(self.at(p)) for p in points if self.axis_of(p) is self.main]
+        for i, (side, height, *offset) in enumerate((*places, places[0])):
+            note = self.main.annotate(text, (side, height), xycoords=("axes fraction", "data"), xytext=offset,
+                                      textcoords="offset points", ha="right" if side else "left", fontsize=size,
+                                      color=QUIET)
+            box = note.get_window_extent(renderer).padded(5)
+            if i == len(places) or not any(box.contains(*pixel) for pixel in at):
+                return note
+            note.remove()
+
     def label(self, curves: list, front: list, notes: list):
-        """Methods at an end of their curve, knob values at the points where there is room, the front's name."""
-        labels = Labels(next(iter(self.cells.values())).figure)
+        """Methods at an end of their curve, knob values at the points where there is room, the front's name. Over a
+        knob the other knobs' values stand at the ends of the curves."""
+        labels = Labels(list(self.cells.values()))
         labels.avoid_texts(notes)
         for _, curve, _ in curves:
             labels.avoid_curve([self.anchor(p) for p in curve])
-        for name, curve, colour in curves:
-            ends = [curve[-1], curve[0]]
-            labels.place(name, [self.anchor(p) for p in ends], colour, size=11.5,
+        for method, colour in dict.fromkeys((method, colour) for method, _, colour in curves):
+            ends = [end for name, curve, _ in curves if name == method for end in (curve[-1], curve[0])]
+            labels.place(method, [self.anchor(p) for p in ends], colour, size=11.5,
                          weight="bold", must=True)
         if len(front) > 1:
             ends = [front[0], front[-1]]
             labels.place("Pareto front", [self.anchor(p) for p in ends], "#9a6b00", size=9.5, weight="normal",
                          must=False)
-        if self.chart.x.kind == "knob":
-            return
         for _, curve, colour in curves:
-            if len(curve) > 1:
+            if self.chart.x.kind == "knob":
+                labels.place(self.chart.label_of(curve[0]), [self.anchor(p) for p in (curve[-1], curve[0])], colour,
+                             size=8.5, weight="normal", must=False)
+            elif len(curve) > 1:
                 for p in curve:
                     labels.place(self.chart.label_of(p), [self.anchor(p)], colour, size=8.5, weight="normal",
                                  must=False)

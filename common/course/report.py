@@ -15,7 +15,7 @@ where each cell may be text, a number or null. "test" is the ctest that wrote it
 result (KIND.NN.NAME): a failure is told once; "title" stands over the table in place of the kind's. Charts of studies,
 paths counted from the root:
 
-    {"kind": "chart", "chapter", "name", "svg": path, "table": path of a Markdown table or null, "again": a command}
+    {"kind": "chart", "chapter", "name", "title", "svg": path, "table": path of a Markdown table or null, "again": a command}
 
 Charts in docs/studies/NN_name*.svg are shown with or without a result. What failed stands first, in full, and says
 what to type to look closer. A file that cannot be read is a failure of its own.
@@ -201,8 +201,9 @@ def charts(chapter: str, results: list[dict]) -> str:
         named.setdefault(relative(path), {"name": path.stem, "svg": relative(path)})
     body = ""
     for path, result in named.items():
+        title = result.get("title") or "time against error"
         try:
-            picture = f'<img src="{data_uri(ROOT / path)}" alt="{escape(result["name"])}: time against error">'
+            picture = f'<img src="{data_uri(ROOT / path)}" alt="{escape(result["name"])}: {escape(title)}">'
         except OSError as error:
             picture = f'<div class="missing"><p>{escape(str(error))}</p></div>'
         beside = ROOT / (result.get("table") or Path(path).with_suffix(".md"))
@@ -210,7 +211,7 @@ def charts(chapter: str, results: list[dict]) -> str:
         command = f'<p class="quiet"><code>{escape(result["again"])}</code></p>\n' if result.get("again") else ""
         body += (f'<article class="card chart">\n<div class="paper">{picture}</div>\n'
                  f"{markdown_tables(text)}{command}</article>\n")
-    return f"<h3>Time against error</h3>\n{body}" if body else ""
+    return f"<h3>What methods cost</h3>\n{body}" if body else ""
 
 
 def markdown_tables(text: str) -> str:

@@ -6,7 +6,7 @@ import math
 
 from study_file import METRICS, StudyError, number
 
-KEYS = ("name", "title", "x", "y", "scenes", "methods", "x_scale")
+KEYS = ("name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale")
 LOG_FROM = 10  # a knob's axis is logarithmic where its largest value is at least that many times the smallest above 0
 
 
@@ -96,10 +96,25 @@ class Chart:
         self.scenes = [scene for scene in study.scenes if scene in entry.get("scenes", default)]
         self.methods = [method for method in study.methods if method in entry.get("methods", study.methods)]
         self.points = [p for p in study.points if p.scene in self.scenes and p.method in self.methods]
+        for name in self.kept:
+            self.keep(name)
         if str(entry.get("y", "")).startswith("knob "):
             raise StudyError(f'"y" is "{entry["y"]}", expected "time" or a metric')
         self.x = Axis(study, entry.get("x", "time"), self.points, entry.get("x_scale"))
         self.y = Axis(study, entry.get("y", study.metric), self.points)
+
+    @property
+    def kept(self):
+        """{knob: the values of it that the chart shows}"""
+        return {name: values if isinstance(values, list) else [values]
+                for name, values in self.entry.get("knobs", {}).items()}
+
+    def keep(self, name):
+        """Leaves out the points that set the knob to another value; those that do not set it stay."""
+        for value in self.kept[name]:
+            if not any(p.knobs.get(name) == value for p in self.points):
+                raise StudyError(f'no point sets the knob "{name}" to {value}')
+        self.points = [p for p in self.points if name not in p.knobs or p.knobs[name] in self.kept[name]]
 
     @property
     def over_scenes(self):
@@ -114,32 +129,30 @@ class Chart:
     @property
     def point_knobs(self):
         """The knobs whose values tell points of one panel apart, without the one on the x axis."""
-        if not self.over_scenes:
-            names = self.study.varied_knobs
-        else:
-            names = list(dict.fromkeys(name for p in self.points for name in p.knobs))
+        if self.over_scenes or self.kept:
+            names = dict.fromkeys(name for p in self.points for name in p.knobs
+                                  if self.over_scenes or name not in self.study.scene_knobs)
             names = [name for name in names if len({str(p.knobs[name]) for p in self.points if name in p.knobs}) > 1]
+        else:
+            names = self.study.varied_knobs
         return [name for name in names if (self.x.kind, self.x.name) != ("knob", name)]
 
-    def label_of(self, point, always_named=False):
-        """The values that tell a point from its neighbours: "16", or "taps 16, radius 2.5" where two knobs vary."""
+    def label_of(self, point):
+        """The values that tell a point from its neighbours: "16", or "taps 16, radius 2.5" where two knobs vary. Over
+        a knob all points of a curve have the same."""
         values = {name: value for name, value in point.knobs.items() if name in self.point_knobs}
         short = {name: f"{value:g}" if isinstance(value, float) else str(value) for name, value in values.items()}
-        return ", ".join(short.values() if len(self.point_knobs) == 1 and not always_named else
+        return ", ".join(short.values() if len(self.point_knobs) == 1 else
                          (f"{name} {value}" for name, value in short.items()))
 
     def curves(self, points):
-        """(what stands at the curve, its method, its points in order). Over a knob there is one for each value of the
-        others, from left to right."""
-        found = {}
+        """(method, its points in order). Over a knob a method has one for each value of its other knobs, from left to
+        right."""
+        over_knob, found = self.x.kind == "knob", {}
         for p in points:
-            name = p.method
-            if self.x.kind == "knob" and self.label_of(p):
-                name = f"{p.method}, {self.label_of(p, always_named=True)}"
-            found.setdefault((p.method, name), []).append(p)
-        ordered = sorted(found.items(), key=lambda item: self.methods.index(item[0][0]))
-        return [(name, method, sorted(curve, key=self.x.value) if self.x.kind == "knob" else curve)
-                for (method, name), curve in ordered]
+            found.setdefault((p.method, self.label_of(p) if over_knob else ""), []).append(p)
+        return [(method, sorted(curve, key=self.x.value) if over_knob else curve)
+                for (method, _), curve in sorted(found.items(), key=lambda item: self.methods.index(item[0][0]))]
 
     def front(self, points):
         """The points that no other beats in time and error, fastest first; none where the axes are not these two."""

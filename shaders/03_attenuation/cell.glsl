@@ -1,4 +1,5 @@
 // Whether a light may reach a cell of the grid. Never no where it does; sometimes yes where it does not.
+#include "03_attenuation/cone.glsl"
 #include "03_attenuation/light_grid.glsl"
 #include "03_attenuation/lights.h"
 
@@ -25,18 +26,6 @@ Cell cell_between(uvec2 tile, float near, float far) {
 // [/cell_between]
 
 vec3 to_camera(vec3 v) { return vec3(dot(v, grid.right), dot(v, grid.up), dot(v, grid.forward)); }
-
-// [cone_reaches_ball]
-// Whether a ball meets a cone that goes on for ever. `center` is seen from the apex, `axis` has unit length.
-bool cone_reaches_ball(vec3 center, float radius, vec3 axis, float cos_outer) {
-    float along = dot(center, axis), across = length(cross(center, axis));
-    float sin_outer = sqrt(max(1.0 - cos_outer * cos_outer, 0.0));
-    // With the angle a between center and side these are |center| cos a and |center| sin a. Beyond 90 degrees the
-    // apex is what is nearest.
-    float along_side = along * cos_outer + across * sin_outer, from_side = across * cos_outer - along * sin_outer;
-    return (along_side > 0.0 ? from_side : length(center)) <= radius;
-}
-// [/cone_reaches_ball]
 
 // [light_reaches_cell]
 bool light_reaches_cell(LightData light, Cell cell) {

@@ -279,6 +279,23 @@ class BadInput(unittest.TestCase):
                 self.refuse(CHAPTERS["02"], "--size", "64x48", option, place, says="written|screenshot|timings|study")
         self.assertEqual(outside.read_text(), "mine")
 
+    def test_a_study_that_cannot_be_measured(self):
+        study = json.loads((ROOT / "chapters/02_lambert_phong/study.json").read_text())
+        for name in ("assets", "shaders", "tests"):
+            (self.folder / "course" / name).parent.mkdir(exist_ok=True)
+            (self.folder / "course" / name).symlink_to(ROOT / name)
+        (self.folder / "course/build").symlink_to(BUILD)
+        scene = study["scenes"][0]
+        for changes, says in (({"scenes": [scene, {"scene": scene, "lamps": 3}]}, "study.json:.*'lamps' is unknown"),
+                              ({"scenes": [{"scene": scene, "set": {"lamps": 3}}]}, "study.json:.*unknown knob 'lamps'"),
+                              ({"scenes": [scene, scene]}, "two scenes are called 'teapot'"),
+                              ({"error_metric": "beauty"}, "'beauty', which the truth does not have"),
+                              ({"truth": study["truth"] | {"exact": True}}, "'doubled' does not go with"),
+                              ({"scenes": "teapot"}, "a list")):
+            self.write("course/chapters/02_lambert_phong/study.json", json.dumps(study | changes))
+            self.refuse(CHAPTERS["02"], "--size", "64x48", "--study", self.folder / "out.json", says=says,
+                        LIGHTWALK_ROOT=str(self.folder / "course"))
+
     # --- no driver
 
     def test_no_driver(self):

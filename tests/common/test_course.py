@@ -250,6 +250,16 @@ class Exercises(Course):
         for kind, text in (("svg", ""), ("png", ""), ("md", markdown_table(Study(study)))):
             self.put(f"docs/studies/01_obj.cpu1.{kind}", text)
         self.run_program(charts)
+        two = study | {"charts": [{"name": "main"}, {"name": "again", "title": "Once more"}]}
+        self.put("docs/studies/01_obj.cpu1.json", json.dumps(two))
+        printed = self.run_program(charts, code=1)
+        self.assertEqual([f"there is no docs/studies/01_obj.cpu1.again.{kind}" in printed for kind in ("svg", "png")],
+                         [True, True])
+        for kind in ("svg", "png"):
+            self.put(f"docs/studies/01_obj.cpu1.again.{kind}", "")
+        self.run_program(charts)
+        found = json.loads((self.root / "build/results/chart.01_obj.cpu1.again.json").read_text())
+        self.assertEqual((found["title"], found["ok"], found["table"]), ("Once more", True, None))
         self.put("docs/studies/01_obj.cpu1.json", "{}")
         self.assertIn('has no "chapter"', self.run_program(charts, code=1))
 

@@ -11,9 +11,9 @@ import unittest
 from small_course import REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
-from need_test import Explained, sweep  # noqa: E402
-from study import device_slug  # noqa: E402
-from study_test import curve_row, frame_rows  # noqa: E402
+from need_test import Explained, set_options, sweep  # noqa: E402
+from study import SceneEntry, device_slug  # noqa: E402
+from study_test import curve_row, curve_rows, frame_rows  # noqa: E402
 
 # Writes what it was given and where; with a file "slow" at the root it leaves a part and then takes its time.
 CHAPTER = f"""#!{sys.executable}
@@ -29,7 +29,8 @@ if os.path.exists("slow") and not went_on:
 if went_on:
     os.remove(out + ".partial")
 grid = "build/study/grid.obj"
-json.dump({{"subject": "frame", "device": "NVIDIA H200", "driver": "NVIDIA 570.86", "words": words, "went_on": went_on,
+charts = json.load(open("chapters/01_obj/study.json")).get("charts", [])
+json.dump({{"subject": "frame", "device": "NVIDIA H200", "driver": "NVIDIA 570.86", "words": words, "went_on": went_on, "charts": charts,
            "grid": open(grid).read() if os.path.exists(grid) else None}}, open(out, "w"))
 """
 MAKE_GRID = "import sys\nopen(sys.argv[2], 'w').write('grid ' + sys.argv[1])\nprint('made one')\n"
@@ -61,10 +62,20 @@ class Study(Course):
         self.course("study", "01", "--device", "H200 NVL", "--out", "x", cwd=self.outside)
         words = self.result(self.outside / "x/01_obj.h200.json")["words"]
         self.assertEqual(words[2:], ["--device", "H200 NVL"])
+        self.course("study", "01", "--size", "480x270")
+        self.assertEqual(self.result()["words"][2:], ["--size", "480x270"])
+
+    def test_every_chart_is_named(self):
+        charts = [{"name": "main"}, {"name": "lights", "x": "knob lights", "y": "time"}]
+        self.put("chapters/01_obj/study.json", json.dumps(STUDY | {"charts": charts}))
+        printed = self.course("study", "01")
+        self.assertIn("01_obj.h200.svg; docs/studies/01_obj.h200.lights.svg\n", printed)
 
     def test_what_cannot_be_is_one_line(self):
         printed = self.course("study", "02", code=2)
         self.assertEqual(printed, "course: chapter 02_lambert has no study; there are 01_obj\n")
+        printed = self.course("study", "01", "--size", "wide", code=2)
+        self.assertEqual(printed, "course: --size is 'wide', expected WIDTHxHEIGHT, such as 1920x1080\n")
         self.put("chapters/01_obj/study.json", "{")
         self.assertIn("chapters/01_obj/study.json is not JSON", self.course("study", "01", code=1))
 
@@ -128,6 +139,45 @@ class Tables(unittest.TestCase):
         self.assertEqual(wrong(change=0.002), ["the"])
         self.assertEqual(wrong(nan=1), ["pixels"])
         self.assertEqual(wrong(points=2), ["points"])
+
+    def test_scenes_that_set_knobs_and_an_exact_truth(self):
+        entry = {"scene": "x/a.json", "set": {"lights": 10}, "label": "ten"}
+        study = {"truth": {"exact": True}, "scenes": ["x/a.json", entry],
+                 "curves": [{"method": "m", "set": {"threshold": [0.1, 0.01], "b": 1}}]}
+        found = [{"scene": scene, "method": "m", "knobs": {"b": 1, **lights, "threshold": threshold},
+                  "error": {"rmse": threshold, "nan": 0, "inf": 0}}
+                 for scene, lights in (("a", {}), ("ten", {"lights": 10})) for threshold in (0.1, 0.01)]
+
+        def wrong(points=found, **changes):
+            rows = frame_rows(study | changes, {"error_metric": "rmse", "points": points, "truth": {}})
+            return [row["case"].split()[0] for row in rows if not row["ok"]]
+
+        self.assertEqual(wrong(better={"threshold": "lower"}), [])
+        self.assertEqual(wrong(better={"threshold": "either"}), [])
+        self.assertEqual(wrong(), ["a,", "ten,"])  # a larger threshold is worse
+        self.assertEqual(wrong(better={"threshold": "lower"}, scenes=["x/a.json", entry | {"set": {"lights": 9}}]),
+                         ["points"])
+
+    def test_only_points_that_differ_in_one_knob_are_compared(self):
+        def point(a, b, error):
+            return {"scene": "s", "method": "m", "knobs": {"a": a, "b": b}, "error": {"rmse": error}}
+
+        points = [point(1, 1, 0.4), point(1, 2, 0.3), point(2, 1, 0.35), point(2, 2, 0.2)]
+        rows = curve_rows({}, {"error_metric": "rmse", "points": points})
+        self.assertEqual(len(rows), 4)
+        self.assertTrue(all(row["ok"] for row in rows))
+        self.assertEqual(len({row["case"] for row in rows}), 4)
+        points[3]["error"]["rmse"] = 0.32
+        wrong = [row["case"] for row in curve_rows({}, {"error_metric": "rmse", "points": points}) if not row["ok"]]
+        self.assertEqual(wrong, ["s, m, b=2: error over that of the a before"])
+        del points[0]["error"]["rmse"]  # not measured there
+        self.assertEqual(len(curve_rows({}, {"error_metric": "rmse", "points": points})), 2)
+
+    def test_a_scene_of_a_need_sets_its_knobs(self):
+        scene = SceneEntry({"scene": "assets/yard.json", "set": {"lights": 10, "fast": True}, "label": "ten lights"})
+        self.assertEqual((scene.file, scene.label), ("assets/yard.json", "ten lights"))
+        self.assertEqual(set_options(scene.set), ["--set", "lights=10", "--set", "fast=true"])
+        self.assertEqual((SceneEntry("x/a.json").label, SceneEntry("x/a.json").set), ("a", {}))
 
     def test_what_a_rule_explains(self):
         said = ("rule: words\nm   samples 1: error 0.1 predicted, 0.5 million evaluations\n"

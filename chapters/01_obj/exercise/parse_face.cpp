@@ -1,7 +1,8 @@
 // Exercise 01.parse_face: the corners of a face, such as
 //     f 1/1/1 2/2/1 3/3/1
-// As it stands this reads the first three positions of a line `f 1 2 3`, and nothing else.
+// As it stands this reads the positions of the first three corners, and nothing else.
 #include <cstdlib>
+#include <sstream>
 #include <string>
 
 #include "01_obj/exercises.h"
@@ -16,15 +17,14 @@ std::vector<Corner> parse_face(std::string_view line, const Counts& so_far, cons
     // 4. Throw InputError("what is wrong") for fewer than three corners, for index 0, for what is no whole number, and
     //    for an index beyond `total`. A face may use a vertex that the file gives later.
     (void)so_far;
-    std::vector<Corner> corners;
-    const std::string text(line.substr(1));
-    const char* at = text.c_str();
-    for (int i = 0; i < 3; ++i) {
-        char* end = nullptr;
-        const long index = std::strtol(at, &end, 10);
-        const bool exists = index >= 1 && static_cast<size_t>(index) <= total.positions;
-        corners.push_back({.position = exists ? static_cast<uint32_t>(index - 1) : 0});
-        at = end;
+    std::vector<Corner> corners(3, Corner{.position = 0});
+    std::istringstream words(std::string(line.substr(1)));
+    std::string word;
+    for (Corner& corner : corners) {
+        words >> word;
+        const long index = std::strtol(word.c_str(), nullptr, 10);
+        if (index >= 1 && static_cast<size_t>(index) <= total.positions)
+            corner.position = static_cast<uint32_t>(index - 1);
     }
     return corners;
 }

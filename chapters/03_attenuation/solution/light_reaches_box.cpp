@@ -12,14 +12,14 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     if (glm::distance(light.position, nearest) > radius_m + slack) return false;
     if (light.kind == Light::Kind::point) return true;
 
-    // With the angle a between the way to the ball's middle and the cone's side, the distance to the side is that way's
-    // length times sin a. Beyond 90 degrees the apex is what is nearest.
     const glm::vec3 middle = box.center() - light.position;
     const float along = glm::dot(middle, light.direction), across = glm::length(glm::cross(middle, light.direction));
-    const float cosine = std::cos(light.outer_rad), sine = std::sin(light.outer_rad);
-    const bool beside = along * cosine + across * sine > 0.0f;
-    const float distance = beside ? across * cosine - along * sine : glm::length(middle);
-    return distance <= 0.5f * glm::length(box.extent()) + slack;
+    const float away = glm::length(middle), cos_outer = std::cos(light.outer_rad);
+    if (along >= away * cos_outer) return true;  // the middle is in the cone
+    // The way to it times sine and cosine of its angle to the cone's side. Beyond 90 degrees the apex is nearest.
+    const float sin_outer = std::sqrt(std::max(1.0f - cos_outer * cos_outer, 0.0f));
+    const float sine = across * cos_outer - along * sin_outer, cosine = along * cos_outer + across * sin_outer;
+    return (cosine < 0.0f ? away : sine) <= 0.5f * glm::length(box.extent()) + slack;
 }
 
 }  // namespace lightwalk::solution

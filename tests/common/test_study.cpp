@@ -1,0 +1,260 @@
+// Studies: what a scene's entry sets, what is measured of it, what is kept on the way, and study.json's errors.
+#include "catch.h"
+#include "common/app/study.h"
+#include "common/course/check/check.h"
+#include "common/error.h"
+#include "common/files.h"
+
+using namespace lightwalk;
+using nlohmann::json;
+
+namespace {
+
+// A picture of one grey: `light`, too bright by 1 / (8 samples) where the method is coarse.
+struct Grey : Chapter {
+    Choice method{"method", {"exact", "coarse"}, "exact", "how"};
+    Knob<float> light{"light", 0.25f, {0.0f, 4.0f}, "how bright"};
+    Knob<int> samples{"samples", 1, {1, 1024}, "how many"};
+    std::vector<std::pair<std::string, float>> prepared;  // scene and light, in order
+    std::string fails_at;                                 // a scene
+    bool measures = false, rude = false;
+
+    Grey() { name = "99_grey"; }
+    std::string default_scene() const override { return ""; }
+    Model load_model(const std::filesystem::path&) override { return {}; }
+    void prepare(Gpu&) override {
+        const std::string file = scene.file.file.stem().string();
+        if (file == fails_at) throw Failure("interrupted");
+        prepared.emplace_back(file, light.value);
+    }
+    void frame(Frame& frame) override {
+        const float grey = light + (method.is("coarse") ? 0.125f / static_cast<float>(samples.value) : 0.0f);
+        frame.raster("fill", {.color = {frame.hdr}, .clear = glm::vec4(glm::vec3(grey), 1)}, [](Raster&) {});
+        encode_srgb(frame);
+    }
+    void measure(Gpu& gpu, glm::uvec2 size, json& error) override {
+        if (!measures) return;
+        if (rude) error["rmse"] = 1;
+        Frame further(gpu);
+        samples.value = 512;
+        render(*this, further, size, 0, 0);
+        error["missing"] = double(light) - double(read_hdr(gpu, further.hdr).at(0, 0).x);
+        error["width"] = size.x;
+    }
+};
+
+struct Folder {
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("lightwalk_study_" + std::to_string(getpid()));
+    Folder() {
+        std::filesystem::create_directories(path);
+        for (const char* scene : {"a", "b"})
+            write_file(path / (std::string(scene) + ".json"), R"({"knobs": {"light": 0.5}})");
+    }
+    ~Folder() { std::filesystem::remove_all(path); }
+    std::string scene(const char* name) const { return (path / name).string() + ".json"; }
+};
+
+struct StudyTest {
+    Folder folder;
+    Grey chapter;
+    Options options;
+    json study = {
+        {"title", "Greys"},
+        {"error_metric", "max"},
+        {"stage", "fragment"},
+        {"size", {16, 8}},
+        {"rounds", 1},
+        {"truth", {{"set", {{"method", "exact"}}}, {"exact", true}}},
+        {"scenes", {folder.scene("a"), {{"scene", folder.scene("b")}, {"set", {{"light", 1}}}, {"label", "bright"}}}},
+        {"curves", {{{"method", "exact"}}, {{"method", "coarse"}, {"set", {{"samples", {1, 2}}}}}}}};
+
+    StudyTest() { options.study = (folder.path / "out.json").string(); }
+    json measure() {
+        json result = resume();
+        std::filesystem::remove(options.study + ".partial");
+        return result;
+    }
+    json resume() { return measure_study(study.dump(1), "study.json", options, chapter, check_device()); }
+    // What it says where it cannot be used; empty where it can.
+    std::string refusal() {
+        try {
+            read_study(parse_json(study.dump(1), "study.json"), chapter.knobs);
+        } catch (const InputError& e) { return e.what(); }
+        return "";
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(StudyTest, "study: what a scene sets holds for its points, its truth and while the chapter prepares") {
+    const json result = measure();
+    CHECK(chapter.prepared == std::vector<std::pair<std::string, float>>{{"a", 0.5f}, {"b", 1.0f}});
+    REQUIRE(result["points"].size() == 6);
+    const auto point = [&](size_t i) { return result["points"][i]; };
+    CHECK(point(1)["scene"] == "a");
+    CHECK(point(1)["knobs"] == json{{"samples", 1}});
+    CHECK(point(4)["scene"] == "bright");
+    CHECK(point(4)["knobs"] == json{{"light", 1}, {"samples", 1}});
+    for (const size_t i : {0u, 3u}) CHECK(point(i)["error"]["max"] == 0);  // the truth is this scene's
+    for (const size_t i : {1u, 4u}) CHECK(point(i)["error"]["max"] == 0.125);
+    for (const size_t i : {2u, 5u}) CHECK(point(i)["error"]["max"] == 0.0625);
+    CHECK(result["scenes"]["bright"]["set"] == json{{"light", 1}});
+    CHECK(result["scenes"]["bright"]["file"] == folder.scene("b"));
+    // One 8-bit step of a brighter scene is a larger one.
+    const double dark = result["scenes"]["a"]["one_step"]["max"],
+                 bright = result["scenes"]["bright"]["one_step"]["max"];
+    CHECK(dark == Approx(0.0062).margin(0.0005));
+    CHECK(bright == Approx(0.0089).margin(0.0005));
+    CHECK(result["truth"] == json{{"method", "exact"}, {"knobs", json::object()}, {"exact", true}});
+}
+
+TEST_CASE_METHOD(StudyTest, "study: a truth with samples is doubled in each scene") {
+    study["truth"] = {{"set", {{"method", "coarse"}, {"samples", 16}}},
+                      {"doubled", {{"method", "coarse"}, {"samples", 32}}},
+                      {"most_change", 0.004}};
+    const json result = measure();
+    CHECK(result["scenes"]["a"]["doubling"]["max"] == Approx(1.0 / 256));
+    CHECK(result["truth"]["doubling_change"] == Approx(1.0 / 256));
+    CHECK_FALSE(result["truth"].contains("exact"));
+    study["truth"]["most_change"] = 0.0039;
+    CHECK_THROWS_WITH(measure(), Catch::Matchers::Contains("a: doubling the truth's samples changes it by 0.0039"));
+}
+
+TEST_CASE_METHOD(StudyTest, "study: errors of the chapter's own, with the point's knobs, which it finds put back") {
+    chapter.measures = true;
+    study["error_metric"] = "missing";
+    study["metrics"] = {{"missing", "missing light"}};
+    const json result = measure();
+    CHECK(result["metrics"] == study["metrics"]);
+    for (size_t i = 0; i < 6; ++i) {
+        const double expected = i % 3 == 0 ? 0 : -0.125 / 512;
+        CHECK(result["points"][i]["error"]["missing"] == Approx(expected).margin(0.0003));
+        CHECK(result["points"][i]["error"]["width"] == 16);
+    }
+    CHECK(result["points"][4]["error"]["max"] == 0.125);  // measured before
+    const KnobList& knobs = chapter.knobs;
+    chapter.samples.value = 7;
+    {
+        const KeptKnobs kept(knobs);
+        chapter.samples.value = 9;
+        chapter.method.set("coarse");
+    }
+    CHECK(chapter.samples == 7);
+
+    chapter.rude = true;
+    CHECK_THROWS_WITH(measure(), Catch::Matchers::Contains("measures 'rmse' as 1"));
+    chapter.measures = false;
+    CHECK_THROWS_WITH(measure(), Catch::Matchers::Contains("error_metric is 'missing', but no point of a has it"));
+}
+
+TEST_CASE_METHOD(StudyTest, "study: the size given stands for the study's, and the result says both") {
+    json result = measure();
+    CHECK(result["size"] == json{16, 8});
+    CHECK(result["command"] == "./course study 99");
+    chapter.measures = options.size_given = true;
+    options.size = {24, 12};
+    options.device = "some";
+    result = measure();
+    CHECK(result["size"] == json{24, 12});
+    CHECK(result["points"][0]["error"]["width"] == 24);
+    CHECK(result["command"] == "./course study 99 --device some --size 24x12");
+}
+
+TEST_CASE_METHOD(StudyTest,
+                 "study: interrupted, it goes on after the scenes that are done; another study starts anew") {
+    const auto scenes = [&] {
+        std::string names;
+        for (const auto& [scene, light] : chapter.prepared) names += scene;
+        chapter.prepared.clear();
+        return names;
+    };
+    chapter.fails_at = "b";
+    CHECK_THROWS_WITH(resume(), "interrupted");
+    CHECK(scenes() == "a");
+    chapter.fails_at = "";
+    const json whole = resume();
+    CHECK(scenes() == "b");
+    CHECK(whole["points"].size() == 6);
+    CHECK(whole["points"][0]["scene"] == "a");
+    CHECK(whole["points"][3]["scene"] == "bright");
+    resume();
+    CHECK(scenes().empty());
+    study["scenes"][1]["set"]["light"] = 2;
+    resume();
+    CHECK(scenes() == "ab");
+    options.size_given = true;
+    resume();
+    CHECK(scenes() == "ab");
+}
+
+TEST_CASE_METHOD(StudyTest, "study: charts go into the result as they are") {
+    study["charts"] =
+        json::parse(R"([{"name": "main"}, {"name": "light", "title": "Time", "x": "knob light", "y": "time",
+        "scenes": ["bright"], "methods": ["coarse"], "knobs": {"samples": 2}, "x_scale": "log"}])");
+    CHECK(measure()["charts"] == study["charts"]);
+    CHECK(refusal().empty());
+}
+
+TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line and key") {
+    struct Case {
+        const char *pointer, *value, *says;
+    };
+    const Case cases[] = {
+        {"/subtitle", "1", R"(key 'subtitle' is unknown here; known: title)"},
+        {"/title", "3", "key 'title' is 3, expected a text"},
+        {"/size", "[16]", "key 'size' is [16], expected [width, height]"},
+        {"/size", "[16, 0]", "from 1 to 16384"},
+        {"/rounds", "0", "key 'rounds' is 0"},
+        {"/scenes", "[]", "key 'scenes' is []"},
+        {"/scenes/1/lights", "3", "key 'lights' is unknown here; known: scene, set, label"},
+        {"/scenes/1/set/lamps", "3", "key 'lamps': unknown knob 'lamps'; this chapter has: method, light, samples"},
+        {"/scenes/1/set/light", "5", "key 'light': light=5: expected a number from 0 to 4"},
+        {"/scenes/1/set/light", "[1, 2]", "key 'light' is [1,2], expected one value"},
+        {"/scenes/1/set/samples", "2", "'samples' is set by the scene, so neither a curve nor the truth may set it"},
+        {"/scenes/1/set/method", "\"coarse\"", "'method' is set by the scene"},
+        {"/scenes/1/label", "\"a\"", "two scenes are called 'a'"},
+        {"/scenes/1/label", "7", "key 'label' is 7"},
+        {"/scenes/1/scene", "\"none.json\"", "none.json"},
+        {"/scenes/1", "4", "is 4, expected a text"},
+        {"/curves/1/method", "\"none\"", "method=none: expected one of exact, coarse"},
+        {"/curves/1/set/samples", "[1, 0]", "samples=0: expected a whole number"},
+        {"/curves/1/better", "\"lower\"", "key 'better' is unknown here"},
+        {"/truth", R"({"set": {}})", R"(needs "doubled" and "most_change", or "exact": true)"},
+        {"/truth", R"({"set": {}, "doubled": {}})", R"(has no "most_change")"},
+        {"/truth/exact", "false", "key 'exact' is false, expected true"},
+        {"/truth/doubled", "{}", "key 'doubled' does not go with \"exact\""},
+        {"/truth/set", "{\"none\": 1}", "unknown knob 'none'"},
+        {"/better", R"({"samples": "more"})",
+         "key 'samples' is \"more\", expected \"lower\", \"higher\" or \"either\""},
+        {"/better", R"({"none": "lower"})", "unknown knob 'none'"},
+        {"/better", "3", "key 'better' is 3"},
+        {"/metrics", R"({"width": 3})", "key 'width' is 3"},
+        {"/charts", "[{}]", R"(has no "name")"},
+        {"/charts", R"([{"name": "a b"}])", "small letters"},
+        {"/charts", R"([{"name": "a"}, {"name": "a"}])", "two charts are called 'a'"},
+        {"/charts", R"([{"name": "a", "z": 1}])", "key 'z' is unknown here"},
+        {"/charts", R"([{"name": "a", "x": "knob none"}])", "unknown knob 'none'"},
+        {"/charts", R"([{"name": "a", "y": "knob light"}])", "expected \"time\" or a metric"},
+        {"/charts", R"([{"name": "a", "knobs": {"samples": [1, 0]}}])", "samples=0: expected a whole number"},
+        {"/charts", R"([{"name": "a", "knobs": {"none": 1}}])", "unknown knob 'none'"},
+        {"/charts", R"([{"name": "a", "x_scale": "cubic"}])", "expected \"linear\" or \"log\""},
+        {"/charts", R"([{"name": "a", "scenes": ["b"]}])", "no scene is called 'b'"},
+        {"/charts", R"([{"name": "a", "methods": ["b"]}])", "no curve has the method 'b'"},
+    };
+    const json good = study;
+    REQUIRE(refusal().empty());
+    for (const Case& c : cases) {
+        CAPTURE(c.pointer, c.value);
+        study = good;
+        study[json::json_pointer(c.pointer)] = json::parse(c.value);
+        const std::string said = refusal();
+        CHECK_THAT(said, Catch::Matchers::Contains(c.says));
+        CHECK_THAT(said, Catch::Matchers::StartsWith("study.json:"));
+        CHECK(said.find('\n') == said.npos);
+    }
+    study = good;
+    study.erase("truth");
+    CHECK_THAT(refusal(), Catch::Matchers::Contains(R"(has no "truth")"));
+    CHECK(chapter.light == 0.25f);  // trying values leaves none behind
+}
