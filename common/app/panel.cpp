@@ -37,21 +37,23 @@ bool half_switch(const char* label, bool lit, const ImVec4& color, float width) 
 
 // The exercise's mine | reference. True where it was switched.
 bool exercise_row(const std::string& id) {
-    const float width = ImGui::GetFontSize() * 5.5f, gap = 2.0f;
+    const float padding = 2.0f * ImGui::GetStyle().FramePadding.x, gap = 2.0f;
+    const float mine_width = ImGui::CalcTextSize("mine").x + padding;
+    const float reference_width = ImGui::CalcTextSize("reference").x + padding;
     ImGui::PushID(id.c_str());
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(id.c_str());
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2.0f * width - gap);
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - mine_width - reference_width - gap);
     bool switched = false;
     if (!Exercises::has_solution(id)) {
         ImGui::TextColored(mine_color, "mine");
         help_on_hover("This tree has no reference to switch to.");
     } else {
         const bool reference = Exercises::uses_solution(id);
-        const bool mine = half_switch("mine", !reference, mine_color, width);
+        const bool mine = half_switch("mine", !reference, mine_color, mine_width);
         log_place("mine." + id);
         ImGui::SameLine(0.0f, gap);
-        switched = half_switch("reference", reference, reference_color, width) || mine;
+        switched = half_switch("reference", reference, reference_color, reference_width) || mine;
         log_place("reference." + id);
         if (switched) Exercises::set(id, !reference);
     }

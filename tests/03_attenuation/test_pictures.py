@@ -228,6 +228,15 @@ class PicturesTest(unittest.TestCase):
         self.assertGreater(most("tiled"), 50)
         self.assertEqual(most("clustered"), 0)
 
+    def test_a_tile_takes_no_depth_from_its_neighbours(self):
+        """A box that fills one tile to its borders. Lamps hang in the air beside it, over floor that they do not reach."""
+        box = {"model": "models/cube.obj", "position": [0.75, 2, 0.75], "scale": [1.5, 4, 1.5]}
+        lamps = [point(-0.5, 3, 0.6, range_m=0.4), point(0.6, 3, -0.5, range_m=0.4)]
+        got = self.draw(self.scene("box", lamps, camera=DOWN, objects=[FLOOR, box]), "--show", "light_count",
+                        "--method", "tiled", size=(32, 32))
+        for x, y in ((8, 8), (8, 24), (24, 8)):
+            self.assertEqual(got[y][x], (0, 0, 0), (x, y))
+
     def test_lights_are_packed_once_unless_one_moves(self):
         scene, out = self.scene("packed", [point(0, 1, 0), {"type": "directional"}]), self.folder / "timings.json"
         for options, times in ((("--frames", 6), 1), (("--frames", 6, "--moving", "on"), 6),
