@@ -90,12 +90,12 @@ void MapSwitches::define(Defines& defines, const DrawItem& item) const {
 }
 
 void make_mips(Gpu& gpu, Scene& scene, float cutoff) {
-    std::map<const Image*, std::shared_ptr<Image>> made;  // many items share one texture
+    std::map<std::pair<const Image*, std::string>, std::shared_ptr<Image>> made;  // many items share one texture
     for (DrawItem& item : scene.items)
         for (auto& [slot, image] : item.maps) {
             const bool is_normal = slot == "normal_map" || slot == "detail_normal_map";
             if (!is_normal && slot != "diffuse_map" && slot != "opacity_map" && slot != "height_map") continue;
-            std::shared_ptr<Image>& entry = made[image.get()];
+            std::shared_ptr<Image>& entry = made[{image.get(), slot}];
             if (!entry) {
                 const Level level = read_level(gpu, *image);
                 if (is_normal)
