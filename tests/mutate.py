@@ -36,6 +36,11 @@ EXTRA = {
         ["--samples", "3"], ["--samples", "2", "--diffuse", "wrapped", "--wrap", "0.8", "--wrap_power", "2.5"],
         ["--shininess", "3", "--method", "phong"], ["--shininess", "3", "--method", "gouraud"],
         ["--shininess", "700", "--method", "blinn_phong", "--ambient", "off"], ["--scene", "scenes/smart_car.json"]],
+    "04_surface_maps": [
+        ["--method", "steep", "--steps", "5"], ["--method", "offset_limited"], ["--show", "swim", "--method", "flat"],
+        ["--mesh", "displaced", "--scene", "scenes/lava.json", "--subdivide", "200"],
+        ["--scene", "scenes/column.json", "--samples", "3", "--strength", "2"],
+        ["--scene", "scenes/leather.json", "--normal_y", "down", "--filter", "renormalised"]],
 }
 TIMEOUT_S = 120
 OPPOSITE = {" + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", " += ": " -= ", " > ": " < ", " < ": " > ",

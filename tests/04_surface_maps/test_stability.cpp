@@ -27,7 +27,8 @@ double missed_spikes(int steps, double angle_deg) {
     const double shift = 0.05 * std::tan(glm::radians(angle_deg));  // 5 cm deep, a texture 1 m wide
     Random random;
     Table rays;
-    for (int i = 0; i < 4000; ++i) rays.push_back({0.5 + random.uniform(0.002, shift - 0.002), 0.5, shift, 0, double(steps)});
+    for (int i = 0; i < 4000; ++i)
+        rays.push_back({0.5 + random.uniform(0.002, shift - 0.002), 0.5, shift, 0, double(steps)});
     const Table hits =
         run("parallax_occlusion", "float first_layer_below(vec2 uv, vec2 shift, int steps)", rays, 1, {{"FIELD", "3"}});
     double missed = 0;
@@ -82,9 +83,8 @@ TEST_CASE("codes too long for a unit vector have z = 0, not NaN") {
 }
 
 TEST_CASE("roughness 0 has an exponent, and roughness 1 is matt") {
-    const Table mixed =
-        run("mix_orm", "MixedMaterial mix_orm(vec3 base, float roughness, float metalness)",
-            {{1, 1, 1, 0, 1}, {1, 1, 1, 1e-20, 1}, {1, 1, 1, 1, 0}}, 7);
+    const Table mixed = run("mix_orm", "MixedMaterial mix_orm(vec3 base, float roughness, float metalness)",
+                            {{1, 1, 1, 0, 1}, {1, 1, 1, 1e-20, 1}, {1, 1, 1, 1, 0}}, 7);
     CHECK(mixed[0][6] == 8192);
     CHECK(mixed[1][6] == 8192);
     CHECK(mixed[2][6] == 0);
@@ -99,8 +99,9 @@ TEST_CASE("detail on a base that lies in the surface stays finite") {
 TEST_CASE("where the texture is mirrored a shared vertex gets two frames") {
     // Two triangles on a wall, u growing away from the seam x = 0 on both sides.
     const glm::vec3 z(0, 0, 1);
-    const Mesh mesh = mesh_of({{{0, 0, 0}, z, {0, 0}}, {{0, 1, 0}, z, {0, 1}}, {{1, 0, 0}, z, {1, 0}}, {{-1, 0, 0}, z, {1, 0}}},
-                              {0, 2, 1, 0, 1, 3});
+    const Mesh mesh =
+        mesh_of({{{0, 0, 0}, z, {0, 0}}, {{0, 1, 0}, z, {0, 1}}, {{1, 0, 0}, z, {1, 0}}, {{-1, 0, 0}, z, {1, 0}}},
+                {0, 2, 1, 0, 1, 3});
     const FramedMesh framed = frame_mesh(mesh);
     REQUIRE(framed.vertices.size() == 6);  // the two on the seam twice
     for (size_t i = 0; i < framed.indices.size(); ++i) {
@@ -114,7 +115,8 @@ TEST_CASE("where the texture is mirrored a shared vertex gets two frames") {
 
 TEST_CASE("a vertex without texture coordinates, or without area, has a frame of unit length and moves nothing") {
     const glm::vec3 n = glm::normalize(glm::vec3(1, 2, 3));
-    const Mesh mesh = mesh_of({{{0, 0, 0}, n, {0.5f, 0.5f}}, {{1, 0, 0}, n, {0.5f, 0.5f}}, {{0, 1, 0}, n, {0.5f, 0.5f}}}, {0, 1, 2, 0, 0, 0});
+    const Mesh mesh = mesh_of(
+        {{{0, 0, 0}, n, {0.5f, 0.5f}}, {{1, 0, 0}, n, {0.5f, 0.5f}}, {{0, 1, 0}, n, {0.5f, 0.5f}}}, {0, 1, 2, 0, 0, 0});
     for (const TangentFrame& frame : frame_mesh(mesh).frames) {
         CHECK(glm::length(frame.tangent) == Approx(1).margin(1e-5));
         CHECK(std::fabs(glm::dot(frame.tangent, n)) < 1e-5f);
@@ -134,7 +136,8 @@ TEST_CASE("frames of a finely cut sphere are its derivatives") {
             vertices.push_back({p, p, {u, v}});
             if (i == columns || j == rows) continue;
             const auto at = [&](int x, int y) { return static_cast<uint32_t>(y * (columns + 1) + x); };
-            indices.insert(indices.end(), {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+            indices.insert(indices.end(),
+                           {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)});
         }
     const FramedMesh framed = frame_mesh(mesh_of(vertices, indices));
     REQUIRE(framed.vertices.size() == vertices.size());
@@ -184,7 +187,8 @@ TEST_CASE("a cutout keeps its coverage down the levels, and loses it where alpha
     const TexelImage grass = read_texels(course_root() / "assets/textures/grass_cutout.png", false);
     Level blades{{grass.width, grass.height}, {}};
     for (size_t i = 0; i < grass.bytes.size(); i += 4)
-        blades.texels.push_back(glm::vec4(0.2f, 0.6f, 0.1f, static_cast<float>(std::to_integer<int>(grass.bytes[i + 3])) / 255.0f));
+        blades.texels.push_back(
+            glm::vec4(0.2f, 0.6f, 0.1f, static_cast<float>(std::to_integer<int>(grass.bytes[i + 3])) / 255.0f));
     const double wanted = coverage(blades, 0.5f);
     const auto kept = cutout_levels(blades, 0.5f), averaged = cutout_levels(blades, -1.0f);
     REQUIRE(kept.size() == 10);
@@ -206,12 +210,29 @@ TEST_CASE("a map that is off or missing is not in the shader") {
     const Pipeline pipeline =
         graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "04_surface_maps/surface.frag"});
     const auto words = [&](Defines changed) {
-        Defines defines{{"METHOD", "5"}, {"METHOD_FLAT", "0"}, {"METHOD_NORMAL", "1"}, {"METHOD_OFFSET", "2"},
-                        {"METHOD_OFFSET_LIMITED", "3"}, {"METHOD_STEEP", "4"}, {"METHOD_OCCLUSION", "5"},
-                        {"METHOD_RELIEF", "6"}, {"METHOD_EXACT", "7"}, {"SHOW", "0"}, {"SHOW_SHADED", "0"},
-                        {"SHOW_HIT_ERROR", "1"}, {"SHOW_SWIM", "2"}, {"SHOW_NORMAL", "3"}, {"MESH", "0"},
-                        {"MESH_LOADED", "0"}, {"MESH_DISPLACED", "1"}, {"FILTER", "1"}, {"FILTER_RENORMALISED", "0"},
-                        {"FILTER_TOKSVIG", "1"}, {"NORMAL_Y", "0"}, {"NORMAL_Y_UP", "0"}, {"NORMAL_Y_DOWN", "1"}};
+        Defines defines{{"METHOD", "5"},
+                        {"METHOD_FLAT", "0"},
+                        {"METHOD_NORMAL", "1"},
+                        {"METHOD_OFFSET", "2"},
+                        {"METHOD_OFFSET_LIMITED", "3"},
+                        {"METHOD_STEEP", "4"},
+                        {"METHOD_OCCLUSION", "5"},
+                        {"METHOD_RELIEF", "6"},
+                        {"METHOD_EXACT", "7"},
+                        {"SHOW", "0"},
+                        {"SHOW_SHADED", "0"},
+                        {"SHOW_HIT_ERROR", "1"},
+                        {"SHOW_SWIM", "2"},
+                        {"SHOW_NORMAL", "3"},
+                        {"MESH", "0"},
+                        {"MESH_LOADED", "0"},
+                        {"MESH_DISPLACED", "1"},
+                        {"FILTER", "1"},
+                        {"FILTER_RENORMALISED", "0"},
+                        {"FILTER_TOKSVIG", "1"},
+                        {"NORMAL_Y", "0"},
+                        {"NORMAL_Y_UP", "0"},
+                        {"NORMAL_Y_DOWN", "1"}};
         for (const char* map : {"DIFFUSE", "SPECULAR", "EMISSIVE", "OPACITY", "NORMAL", "HEIGHT", "ORM", "OCCLUSION",
                                 "GLOSS", "DETAIL_NORMAL"})
             defines[map] = "1";
@@ -219,11 +240,19 @@ TEST_CASE("a map that is off or missing is not in the shader") {
         return compile_stages(pipeline, flatten_stages(pipeline, defines)).spirv[1].size();
     };
     const size_t all = words({});
-    for (const char* map : {"DIFFUSE", "SPECULAR", "EMISSIVE", "OPACITY", "NORMAL", "HEIGHT", "ORM", "OCCLUSION", "GLOSS",
-                            "DETAIL_NORMAL"})
+    for (const char* map : {"DIFFUSE", "SPECULAR", "EMISSIVE", "OPACITY", "NORMAL", "HEIGHT", "ORM", "OCCLUSION",
+                            "GLOSS", "DETAIL_NORMAL"})
         CHECK(words({{map, "0"}}) < all);
-    const size_t none = words({{"DIFFUSE", "0"}, {"SPECULAR", "0"}, {"EMISSIVE", "0"}, {"OPACITY", "0"}, {"NORMAL", "0"},
-                               {"HEIGHT", "0"}, {"ORM", "0"}, {"OCCLUSION", "0"}, {"GLOSS", "0"}, {"DETAIL_NORMAL", "0"}});
+    const size_t none = words({{"DIFFUSE", "0"},
+                               {"SPECULAR", "0"},
+                               {"EMISSIVE", "0"},
+                               {"OPACITY", "0"},
+                               {"NORMAL", "0"},
+                               {"HEIGHT", "0"},
+                               {"ORM", "0"},
+                               {"OCCLUSION", "0"},
+                               {"GLOSS", "0"},
+                               {"DETAIL_NORMAL", "0"}});
     WARN("SPIR-V words of surface.frag: " << all << " with every map, " << none << " with none");
     CHECK(double(none) < 0.8 * double(all));
 }

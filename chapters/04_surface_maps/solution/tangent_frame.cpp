@@ -20,8 +20,7 @@ TangentFrame tangent_frame(const Vertex& a, const Vertex& b, const Vertex& c) {
     const glm::dvec3 e1 = glm::dvec3(b.position) - glm::dvec3(a.position);
     const glm::dvec3 e2 = glm::dvec3(c.position) - glm::dvec3(a.position);
     // Of a triangle as thin as the rounding of its corners no direction is left.
-    const bool has_area =
-        glm::length(glm::cross(e1, e2)) > 1e-6 * std::max(glm::dot(e1, e1), glm::dot(e2, e2));
+    const bool has_area = glm::length(glm::cross(e1, e2)) > 1e-6 * std::max(glm::dot(e1, e1), glm::dot(e2, e2));
     const glm::dvec2 uv1 = glm::dvec2(b.uv) - glm::dvec2(a.uv), uv2 = glm::dvec2(c.uv) - glm::dvec2(a.uv);
     const double determinant = uv1.x * uv2.y - uv2.x * uv1.y;
     const TangentFrame none{.tangent = perpendicular(a.normal), .handedness = 1.0f, .metres_per_uv = {0.0f, 0.0f}};
