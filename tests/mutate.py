@@ -36,6 +36,11 @@ EXTRA = {
         ["--samples", "3"], ["--samples", "2", "--diffuse", "wrapped", "--wrap", "0.8", "--wrap_power", "2.5"],
         ["--shininess", "3", "--method", "phong"], ["--shininess", "3", "--method", "gouraud"],
         ["--shininess", "700", "--method", "blinn_phong", "--ambient", "off"], ["--scene", "scenes/smart_car.json"]],
+    "03_attenuation": [
+        ["--falloff", "range_fade", "--fade_k", "0.3", "--lights", "60", "--method", "every_light"],
+        ["--falloff", "inverse_square", "--threshold", "0.2", "--lights", "60", "--method", "tiled"],
+        ["--scene", "scenes/field.json", "--lights", "1500", "--show", "light_count", "--slices", "9"],
+        ["--scene", "scenes/cones.json", "--lights", "40", "--show", "light_count", "--method", "tiled"]],
     "04_surface_maps": [
         ["--method", "steep", "--steps", "5"], ["--method", "offset_limited"], ["--show", "swim", "--method", "flat"],
         ["--mesh", "displaced", "--scene", "scenes/lava.json", "--subdivide", "200"],
@@ -109,7 +114,7 @@ def changes(line: str):
 def mutants(chapter: str, only: str):
     """(file, line number, what was done, the whole changed text)"""
     folder = ROOT / "shaders" / chapter
-    for path in sorted(p for kind in ("*.glsl", "*.frag", "*.vert", "solution/*.glsl") for p in folder.glob(kind)):
+    for path in sorted(p for kind in ("*.glsl", "*.frag", "*.vert", "*.comp", "solution/*.glsl") for p in folder.glob(kind)):
         if only not in path.name:
             continue
         lines = path.read_text().splitlines()

@@ -94,7 +94,7 @@ struct Attenuation : ModelChapter {
 
     std::vector<std::string> status() const override {
         return {std::to_string(light_buffer.lights().size()) + " lights, packed " +
-                std::to_string(light_buffer.rebuilds) + " times"};
+                std::to_string(light_buffer.rebuilds) + "×"};
     }
 };
 

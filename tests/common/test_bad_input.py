@@ -204,6 +204,24 @@ class BadInput(unittest.TestCase):
         for name, (_, says) in scenes.items():
             self.draw("02", "--scene", self.folder / name, says=says)
 
+    def test_lights(self):
+        """What a light can be given wrong, by the key that the error must name. NaN and infinities are no JSON."""
+        wrong = {"intensity": ["-1", "-1e-9", "1000001", "1e300", "1e999", "-1e999", "NaN", "Infinity", '"bright"', "[1]"],
+                 "range_m": ["-1", "1e7", "1e999", "NaN", "-Infinity"], "softness": ["-0.1", "1.1", "NaN"],
+                 "inner_deg": ["-1", "31", "181"], "outer_deg": ["-1", "19", "181", "1e999"],
+                 "color": ["[1, 1]", "[1, 1, 2]", "[-1, 0, 0]", "[NaN, 0, 0]", "1"],
+                 "position": ["[0, 0, 1e999]", "[0, Infinity, 0]", "0"], "direction": ["[0, 0, 0]", "[0, NaN, 1]"]}
+        right = {"type": '"spot"', "inner_deg": "20", "outer_deg": "30"}
+        for key, values in wrong.items():
+            for number, value in enumerate(values):
+                keys = ", ".join(f'"{name}": {text}' for name, text in (right | {key: value}).items())
+                number_is_no_json = value.strip("[]-0, 1").startswith(("NaN", "Inf")) or "999" in value
+                scene = self.write(f"{key}{number}.json", f'{{"lights": [\n{{{keys}}}]}}')
+                self.draw("02", "--scene", scene,
+                          says=rf"{key}{number}\.json:2" + ("" if number_is_no_json else ".*(inner_deg|" + key + ")"))
+        for light in ('"type": "point", "softness": 1', '"type": "directional", "range_m": 3', '"type": "laser"'):
+            self.draw("02", "--scene", self.write("key.json", f'{{"lights": [\n{{{light}}}]}}'), says=r"key\.json:2")
+
     def test_textures_that_are_damaged(self):
         jpeg, hdr = encoded((64, 64), "JPEG"), radiance()
         textures = {

@@ -298,7 +298,7 @@ class Drawing(unittest.TestCase):
 
     def test_an_exact_truth_is_called_so(self):
         texts = self.texts(self.figure(study(truth={"method": "uncut", "knobs": {}, "exact": True})))
-        self.assertTrue([text for text in texts if "Truth: uncut, exact." in text])
+        self.assertTrue([text for text in texts if "Truth: uncut, by definition." in text])
 
     def test_labels_stay_clear_of_upright_bars(self):
         points = [point("s", "only", 0.02, 1, {"k": 1}), point("s", "only", 0.02, 1, {"k": 2})]
