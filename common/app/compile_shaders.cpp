@@ -8,26 +8,43 @@
 namespace lightwalk {
 namespace {
 
-// The macros' settings that give different text: the product over the knobs the shaders name.
-std::vector<Defines> variants(const Chapter& chapter, const std::string& text, bool defaults_only) {
-    std::vector<Defines> result{Defines{}};
-    for (KnobBase* knob : chapter.knobs) {
-        const auto macros = knob->macros();
-        if (macros.empty()) continue;
-        const bool named = text.find(macros[0].first) != text.npos;
-        const std::string before = knob->text();
-        std::vector<Defines> next;
-        for (const std::string& setting : defaults_only ? std::vector{before} : knob->variants()) {
-            knob->set(setting);
-            for (Defines defines : result) {
-                for (const auto& [name, value] : knob->macros()) defines[name] = value;
-                next.push_back(std::move(defines));
-            }
-            if (!named) break;
-        }
-        knob->set(before);
-        result = std::move(next);
+constexpr size_t most_variants = 256;
+
+Defines macros_of(const Chapter& chapter) {
+    Defines defines;
+    for (const KnobBase* knob : chapter.knobs)
+        for (const auto& [name, value] : knob->macros()) defines[name] = value;
+    return defines;
+}
+
+// Every combination of the settings of knobs from `first` on, the others as they are.
+void combine(const Chapter& chapter, std::span<KnobBase* const> knobs, std::vector<Defines>& result) {
+    if (knobs.empty()) return result.push_back(macros_of(chapter));
+    const std::string before = knobs[0]->text();
+    for (const std::string& setting : knobs[0]->variants()) {
+        knobs[0]->set(setting);
+        combine(chapter, knobs.subspan(1), result);
     }
+    knobs[0]->set(before);
+}
+
+// The macros' settings that give different text: the product over the knobs the shaders name. Where that is too many,
+// the method's settings, each with every setting of one other knob.
+std::vector<Defines> variants(const Chapter& chapter, const std::string& text, bool defaults_only) {
+    if (defaults_only) return {macros_of(chapter)};
+    std::vector<KnobBase*> named;
+    size_t count = 1;
+    for (KnobBase* knob : chapter.knobs)
+        if (const auto macros = knob->macros(); !macros.empty() && text.find(macros[0].first) != text.npos) {
+            count *= knob->variants().size();
+            named.insert(knob->name == chapter.method_knob ? named.begin() : named.end(), knob);
+        }
+    std::vector<Defines> result;
+    if (count <= most_variants) {
+        combine(chapter, named, result);
+        return result;
+    }
+    for (size_t i = 1; i < named.size(); ++i) combine(chapter, std::array{named[0], named[i]}, result);
     return result;
 }
 

@@ -105,10 +105,9 @@ class SceneStudy {
         render(chapter_, frame_, size_, options_.time_s, options_.seed);
         return read_hdr(frame_.gpu, frame_.hdr);
     }
-    // What the chapter itself measures of the picture just rendered.
+    // What the chapter itself measures of the picture just rendered. Every picture sets all knobs, whatever this sets.
     json measured() {
         json own = json::object();
-        const KeptKnobs kept(chapter_.knobs);
         chapter_.measure(frame_.gpu, size_, own);
         static const json of_pictures = study_errors(ImageRgb(1, 1), ImageRgb(1, 1));
         for (const auto& [name, value] : own.items())

@@ -87,7 +87,7 @@ def truth_note(chart: Chart) -> str:
     named = f'Truth: {truth["method"]}{" (" + knobs + ")" if knobs else ""}'
     change = truth.get("doubling_change")
     if truth.get("exact"):
-        return f"{named}, exact."
+        return f"{named}, by definition."
     return f"{named}, doubling it changes {figures(change)}." if change else f"{named}."
 
 

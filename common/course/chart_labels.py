@@ -16,9 +16,10 @@ POINT_RADIUS = 7  # of a marker with its ring, in points
 class Labels:
     """Places labels one after the other; what is placed first has the choice."""
 
-    def __init__(self, figure):
-        self.figure = figure
-        self.renderer = figure.canvas.get_renderer()
+    def __init__(self, axes):
+        """axes: the panel, which may be of several: a label may leave one of them for another."""
+        self.renderer = axes[0].figure.canvas.get_renderer()
+        self.frame = Bbox.union([axis.get_window_extent(self.renderer) for axis in axes])
         self.scale = self.renderer.points_to_pixels(1.0)
         self.boxes = []  # of labels and points, in pixels
         self.samples = []  # along curves, in pixels
@@ -60,7 +61,7 @@ class Labels:
                 note = axis.annotate(text, (x, y), xytext=offset, textcoords="offset points", ha=align, va=valign,
                                      color=colour, fontsize=size, weight=weight, zorder=5, annotation_clip=False)
                 box = note.get_window_extent(self.renderer)
-                cost = self.cost(box, axis) + 0.02 * rank + 0.1 * rank_of_anchor
+                cost = self.cost(box) + 0.02 * rank + 0.1 * rank_of_anchor
                 note.remove()
                 if best is None or cost < best[0]:
                     best = (cost, box, axis, (x, y), offset, align, valign)
@@ -71,14 +72,14 @@ class Labels:
                       fontsize=size, weight=weight, zorder=5, annotation_clip=False)
         self.boxes.append(box.padded(2 * self.scale))
 
-    def cost(self, box, axis):
+    def cost(self, box):
         """0 where it covers nothing; what it covers, and how far it leaves the panel."""
         covered = sum(1 + overlap(box, other) / max(box.width * box.height, 1)
                       for other in self.boxes if overlap(box, other) > 0)
         around = box.padded(1.5 * self.scale)
         on_curve = sum(around.contains(*at) for at in self.samples)
-        frame = axis.get_window_extent(self.renderer)
-        outside = max(0, box.x1 - frame.x1, frame.x0 - box.x0) + max(0, box.y1 - frame.y1, frame.y0 - box.y0)
+        outside = (max(0, box.x1 - self.frame.x1, self.frame.x0 - box.x0) +
+                   max(0, box.y1 - self.frame.y1, self.frame.y0 - box.y0))
         return covered + 0.35 * on_curve + 0.5 * outside / self.scale
 
 

@@ -19,24 +19,24 @@ class Limits:
         drawable = chart.drawable
         self.zero_x = any(chart.x.is_zero(p) for p in drawable)
         self.zero_y = any(chart.y.is_zero(p) for p in drawable)
-        self.x = limits_of(chart.x, drawable, [], 0.22)
+        self.x = limits_of(chart.x, drawable, [], 0.22, 0.22)
         lines = [line for scenes in chart.panels for line in lines_of(chart, scenes)[:2]]
-        self.y = limits_of(chart.y, drawable, [line for line in lines if line], 0.14)
+        self.y = limits_of(chart.y, drawable, [line for line in lines if line], 0.10, 0.18)
 
 
-def limits_of(axis, points, lines, above):
+def limits_of(axis, points, lines, below, above):
     """The range of all values, their quartiles, and of those lines that are less than a decade away: others would
-    squeeze the points."""
+    squeeze the points. `below` and `above`: the room for labels at the ends, as a share of the whole."""
     values = [value for p in points for value in axis.spread(p) if math.isfinite(value) and (value > 0 or not axis.log)]
     if not values:
         return None
     if not axis.log:
         low, high = min(values), max(values)
         room = (high - low) or abs(high) or 1
-        return low - 0.06 * room, high + above * room
+        return low - 0.6 * below * room, high + above * room
     low, high = min(values), max(values)
     shown = values + [line for line in lines if low / 10 <= line <= high * 10]
-    return widened(min(shown), max(shown), 0.10, above)
+    return widened(min(shown), max(shown), below, above)
 
 
 def widened(low: float, high: float, below: float, above: float) -> tuple[float, float]:
@@ -183,7 +183,7 @@ class Panel:
     def label(self, curves: list, front: list, notes: list):
         """Methods at an end of their curve, knob values at the points where there is room, the front's name. Over a
         knob the other knobs' values stand at the ends of the curves."""
-        labels = Labels(next(iter(self.cells.values())).figure)
+        labels = Labels(list(self.cells.values()))
         labels.avoid_texts(notes)
         for _, curve, _ in curves:
             labels.avoid_curve([self.anchor(p) for p in curve])

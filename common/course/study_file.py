@@ -170,6 +170,8 @@ def figures(value, digits=3):
     """A number for a table: `digits` significant digits, NaN and infinity by name."""
     if math.isnan(value):
         return "NaN"
+    if math.isfinite(value) and abs(value) >= 10**digits:
+        return f"{round(value, digits - 1 - math.floor(math.log10(abs(value)))):.0f}"
     return "0" if value == 0 else f"{value:.{digits}g}"
 
 

@@ -180,6 +180,31 @@ void Gpu::upload(Image& image, std::span<const std::byte> texels) {
     image.constant = true;
 }
 
+void Gpu::upload(Image& image, const std::vector<std::vector<std::byte>>& levels) {
+    const Image::Desc& d = image.desc;
+    VkDeviceSize bytes = 0;
+    for (const auto& level : levels) bytes += level.size();
+    Buffer staging(device, {.name = d.name + " staging", .bytes = bytes, .host_visible = true});
+    std::vector<VkBufferImageCopy> regions;
+    VkDeviceSize at = 0;
+    for (uint32_t mip = 0; mip < d.mips; ++mip) {
+        const auto& level = levels.at(mip);
+        std::memcpy(staging.mapped + at, level.data(), level.size());
+        regions.push_back({.bufferOffset = at,
+                           .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, 1},
+                           .imageExtent = {std::max(1u, d.size.x >> mip), std::max(1u, d.size.y >> mip), 1}});
+        at += level.size();
+    }
+    uploaded_bytes += bytes;
+    submit_now([&](VkCommandBuffer commands) {
+        barrier(commands, image, transfer_write);
+        vkCmdCopyBufferToImage(commands, staging.handle, image.handle, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, d.mips,
+                               regions.data());
+        barrier(commands, image, shader_read);
+    });
+    image.constant = true;
+}
+
 std::vector<std::byte> Gpu::read_back(const Image& image) {
     const VkDeviceSize bytes = VkDeviceSize(texel_bytes(image.desc.format)) * image.desc.size.x * image.desc.size.y;
     Buffer staging(device, {.name = "read back " + image.desc.name, .bytes = bytes, .host_visible = true});
@@ -189,6 +214,7 @@ std::vector<std::byte> Gpu::read_back(const Image& image) {
                                        .imageExtent = {image.desc.size.x, image.desc.size.y, 1}};
         vkCmdCopyImageToBuffer(commands, image.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, staging.handle, 1,
                                &region);
+        if (image.constant) barrier(commands, image, shader_read);
     });
     return {staging.mapped, staging.mapped + bytes};
 }

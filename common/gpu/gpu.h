@@ -29,6 +29,9 @@ class Gpu {
     /// Fills level 0 of every layer from tightly packed texels and makes the other mips by repeated halving.
     void upload(Image& image, std::span<const std::byte> texels);
 
+    /// Fills every level of an image with one layer: `levels` has as many as the image, tightly packed, from level 0.
+    void upload(Image& image, const std::vector<std::vector<std::byte>>& levels);
+
     /// The texels of level 0, layer 0, tightly packed. Waits.
     std::vector<std::byte> read_back(const Image& image);
     std::vector<std::byte> read_back(const Buffer& buffer);

@@ -177,17 +177,16 @@ ImageRgb read_image_linear(const fs::path& path) {
 TexelImage read_texels(const fs::path& path, bool keep_16_bits) {
     const Encoded file = read_encoded(path);
     TexelImage image;
-    int channels = 0;
     const auto keep = [&](const void* pixels) {
         const auto* begin = static_cast<const std::byte*>(pixels);
         image.bytes.assign(begin, begin + size_t(image.width) * size_t(image.height) * size_t(image.bits / 2));
     };
     if (keep_16_bits && stbi_is_16_bit_from_memory(file.data(), file.size())) {
         image.bits = 16;
-        keep(loaded(stbi_load_16_from_memory(file.data(), file.size(), &image.width, &image.height, &channels, 4), path)
+        keep(loaded(stbi_load_16_from_memory(file.data(), file.size(), &image.width, &image.height, &image.channels, 4), path)
                  .get());
     } else {
-        keep(loaded(stbi_load_from_memory(file.data(), file.size(), &image.width, &image.height, &channels, 4), path)
+        keep(loaded(stbi_load_from_memory(file.data(), file.size(), &image.width, &image.height, &image.channels, 4), path)
                  .get());
     }
     return image;

@@ -63,6 +63,7 @@ ImageRgb read_image_linear(const std::filesystem::path& path);
 struct TexelImage {
     int width = 0, height = 0;
     int bits = 8;                  ///< of a channel: 8, or 16 where the file has them and they were asked for
+    int channels = 4;              ///< that the file has: 1 grey, 2 grey and alpha, 3 colour, 4 colour and alpha
     std::vector<std::byte> bytes;  ///< grey fills r, g and b; a missing alpha is the largest value
 };
 

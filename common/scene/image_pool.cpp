@@ -12,6 +12,7 @@ namespace {
 struct Texels {
     glm::uvec2 size{0};
     VkFormat format = VK_FORMAT_R8G8B8A8_UNORM;
+    int channels = 3;
     std::vector<std::byte> bytes;
 };
 
@@ -24,7 +25,7 @@ Texels linear_texels(const std::filesystem::path& file) {
         for (const float value : {p.r, p.g, p.b, 1.0f})
             halves.push_back(glm::packHalf1x16(std::clamp(value, -65504.0f, 65504.0f)));
     const auto bytes = std::as_bytes(std::span(halves));
-    return {{image.width, image.height}, VK_FORMAT_R16G16B16A16_SFLOAT, {bytes.begin(), bytes.end()}};
+    return {{image.width, image.height}, VK_FORMAT_R16G16B16A16_SFLOAT, 3, {bytes.begin(), bytes.end()}};
 }
 
 Texels decode(const std::filesystem::path& file, TextureKind kind, uint32_t max_size) {
@@ -37,7 +38,7 @@ Texels decode(const std::filesystem::path& file, TextureKind kind, uint32_t max_
                   image.bits == 16             ? VK_FORMAT_R16G16B16A16_UNORM
                   : kind == TextureKind::color ? VK_FORMAT_R8G8B8A8_SRGB
                                                : VK_FORMAT_R8G8B8A8_UNORM,
-                  std::move(image.bytes)};
+                  image.channels, std::move(image.bytes)};
     }
     if (std::max(texels.size.x, texels.size.y) > max_size)
         throw InputError(file.string() + ": " + std::to_string(texels.size.x) + "x" + std::to_string(texels.size.y) +
@@ -47,17 +48,27 @@ Texels decode(const std::filesystem::path& file, TextureKind kind, uint32_t max_
 
 }  // namespace
 
-std::shared_ptr<Image> ImagePool::load(const std::filesystem::path& file, TextureKind kind) {
+std::shared_ptr<Image> ImagePool::load(const std::filesystem::path& file, TextureKind kind, int channels) {
     std::error_code error;
     const std::filesystem::path real = std::filesystem::weakly_canonical(file, error);
     std::shared_ptr<Image>& entry = images_[real.string() + (kind == TextureKind::color ? " color" : " data")];
-    if (entry) return entry;
+    const auto enough = [&](int there) {
+        if (there >= channels) return;
+        throw InputError(file.string() + ": has " + (there == 1 ? "one channel" : "two channels") +
+                         ", expected three or four");
+    };
+    if (entry) {
+        enough(channels_[entry.get()]);
+        return entry;
+    }
     const Texels texels = decode(file, kind, gpu_.device.properties.limits.maxImageDimension2D);
+    enough(texels.channels);
     auto image = std::make_shared<Image>(gpu_.device, Image::Desc{.name = file.filename().string(),
                                                                   .format = texels.format,
                                                                   .size = texels.size,
                                                                   .mips = full_mip_count(texels.size)});
     gpu_.upload(*image, texels.bytes);
+    channels_[image.get()] = texels.channels;
     return entry = image;
 }
 

@@ -16,19 +16,20 @@ class ImagePool {
     explicit ImagePool(Gpu& gpu) : gpu_(gpu) {}
 
     /// 8- and 16-bit PNG, JPEG and the like, and .hdr and .pfm (RGBA16F, clamped to its range), with all mips. Grey
-    /// fills r, g and b; a missing alpha is 1. Throws InputError: missing, empty, damaged, or larger than the device
-    /// allows.
-    std::shared_ptr<Image> load(const std::filesystem::path& file, TextureKind kind);
+    /// fills r, g and b; a missing alpha is 1. Throws InputError: missing, empty, damaged, larger than the device
+    /// allows, or with fewer than `channels` channels (1 grey, 2 grey and alpha, 3 colour).
+    std::shared_ptr<Image> load(const std::filesystem::path& file, TextureKind kind, int channels = 1);
 
     /// One texel of that colour, for a slot without a texture.
     std::shared_ptr<Image> constant(glm::vec4 value);
 
-    void clear() { images_.clear(); }
+    void clear() { images_.clear(), channels_.clear(); }
     size_t size() const { return images_.size(); }
 
   private:
     Gpu& gpu_;
     std::map<std::string, std::shared_ptr<Image>> images_;
+    std::map<const Image*, int> channels_;  ///< of the file
 };
 
 }  // namespace lightwalk

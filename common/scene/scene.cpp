@@ -11,21 +11,22 @@ struct Slot {
     const char* name;
     uint32_t bit;
     TextureKind kind;
+    int channels;  ///< that a texture must have at least
     const TextureMap Material::*map;
 };
 
 // In the order of the bits in common/structs.h. What MTL has no statement for, only a scene file can name.
 constexpr Slot slots[] = {
-    {"diffuse", DIFFUSE_MAP, TextureKind::color, &Material::diffuse_map},
-    {"specular", SPECULAR_MAP, TextureKind::data, &Material::specular_map},
-    {"emissive", EMISSIVE_MAP, TextureKind::color, &Material::emissive_map},
-    {"opacity", OPACITY_MAP, TextureKind::data, &Material::opacity_map},
-    {"normal", NORMAL_MAP, TextureKind::data, &Material::normal_map},
-    {"height", HEIGHT_MAP, TextureKind::data, &Material::displacement_map},
-    {"orm", ORM_MAP, TextureKind::data, nullptr},
-    {"occlusion", OCCLUSION_MAP, TextureKind::data, nullptr},
-    {"gloss", GLOSS_MAP, TextureKind::data, &Material::shininess_map},
-    {"detail_normal", DETAIL_NORMAL_MAP, TextureKind::data, nullptr},
+    {"diffuse", DIFFUSE_MAP, TextureKind::color, 1, &Material::diffuse_map},
+    {"specular", SPECULAR_MAP, TextureKind::data, 1, &Material::specular_map},
+    {"emissive", EMISSIVE_MAP, TextureKind::color, 1, &Material::emissive_map},
+    {"opacity", OPACITY_MAP, TextureKind::data, 1, &Material::opacity_map},
+    {"normal", NORMAL_MAP, TextureKind::data, 3, &Material::normal_map},
+    {"height", HEIGHT_MAP, TextureKind::data, 1, &Material::displacement_map},
+    {"orm", ORM_MAP, TextureKind::data, 3, nullptr},
+    {"occlusion", OCCLUSION_MAP, TextureKind::data, 1, nullptr},
+    {"gloss", GLOSS_MAP, TextureKind::data, 1, &Material::shininess_map},
+    {"detail_normal", DETAIL_NORMAL_MAP, TextureKind::data, 3, nullptr},
 };
 
 Material overridden(Material material, const MaterialOverride& with) {
@@ -86,7 +87,9 @@ void Scene::load(Gpu& gpu, SceneFile scene, const ModelLoader& loader) {
                           .specular = item.material.specular,
                           .opacity = item.material.opacity,
                           .emissive = item.material.emissive,
-                          .maps = 0};
+                          .maps = 0,
+                          .roughness = item.roughness,
+                          .metalness = item.metalness};
         for (const Slot& slot : slots)
             if (item.maps.count(std::string(slot.name) + "_map")) data.maps |= slot.bit;
         material_data.push_back(data);
@@ -111,10 +114,17 @@ void Scene::place(Gpu& gpu, const SceneObject& object, const glm::mat4& world, c
                 }
                 const Material& own = model->model.materials[mesh.parts[part].material];
                 item.material = overridden(own, object.material);
+                item.roughness = object.material.roughness.value_or(-1.0f);
+                item.metalness = object.material.metalness.value_or(-1.0f);
+                const auto load_map = [&](const std::filesystem::path& image, const Slot& slot) {
+                    try {
+                        return images_->load(image, slot.kind, slot.channels);
+                    } catch (const InputError& e) { throw InputError(std::string(slot.name) + " map: " + e.what()); }
+                };
                 for (const Slot& slot : slots) {
                     if (!slot.map || !(own.*slot.map)) continue;
                     try {
-                        item.maps[std::string(slot.name) + "_map"] = images_->load((own.*slot.map).file, slot.kind);
+                        item.maps[std::string(slot.name) + "_map"] = load_map((own.*slot.map).file, slot);
                     } catch (const InputError& e) {
                         if (warned_.insert(own.name + "\n" + e.what()).second)
                             std::fprintf(stderr, "warning: material '%s': %s; drawn without it\n", own.name.c_str(),
@@ -122,7 +132,7 @@ void Scene::place(Gpu& gpu, const SceneObject& object, const glm::mat4& world, c
                     }
                 }
                 for (const auto& [name, texture] : object.material.maps)
-                    item.maps[name + "_map"] = images_->load(find_asset(texture), find_slot(name).kind);
+                    item.maps[name + "_map"] = load_map(find_asset(texture), find_slot(name));
                 items.push_back(std::move(item));
             }
         }
@@ -132,10 +142,12 @@ void Scene::draw(Raster& pass) const {
     for (const DrawItem& item : items) draw(pass, item);
 }
 
-void Scene::draw(Raster& pass, const DrawItem& item) const {
+void Scene::bind(Raster& pass, const DrawItem& item) const {
     if (pass.wants("instances")) pass.set("instances", instances);
     if (pass.wants("materials")) pass.set("materials", materials);
     if (pass.wants("vertices")) pass.set("vertices", item.model->vertices[item.mesh]);
+    for (const auto& [name, buffers] : item.model->attributes)
+        if (pass.wants(name)) pass.set(name, buffers[item.mesh]);
     for (const Slot& slot : slots) {
         const std::string binding = std::string(slot.name) + "_map";
         if (!pass.wants(binding)) continue;
@@ -143,6 +155,10 @@ void Scene::draw(Raster& pass, const DrawItem& item) const {
         const bool is_normal = slot.bit == NORMAL_MAP || slot.bit == DETAIL_NORMAL_MAP;
         pass.set(binding, map != item.maps.end() ? *map->second : is_normal ? *flat_ : *white_);
     }
+}
+
+void Scene::draw(Raster& pass, const DrawItem& item) const {
+    bind(pass, item);
     const Part& part = item.model->model.meshes[item.mesh].parts[item.part];
     pass.draw_indexed(item.model->indices[item.mesh], part.first_index, part.index_count, 1,
                       static_cast<uint32_t>(&item - items.data()));

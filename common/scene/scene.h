@@ -17,6 +17,9 @@ using ModelLoader = std::function<Model(const std::filesystem::path&)>;
 struct GpuModel {
     Model model;
     std::vector<Buffer> vertices, indices;
+
+    /// What a chapter adds to vertices: by binding, a buffer for each mesh.
+    std::map<std::string, std::vector<Buffer>> attributes;
 };
 
 /// Models by file, each loaded and uploaded once.
@@ -37,6 +40,7 @@ struct DrawItem {
     glm::mat4 transform{1.0f};  ///< object to world
     Bounds bounds;              ///< world space
     Material material;
+    float roughness = -1, metalness = -1;  ///< the scene file's, instead of a map's; below 0: it says nothing
     std::map<std::string, std::shared_ptr<Image>> maps;  ///< by binding, such as "diffuse_map"
 };
 
@@ -49,10 +53,13 @@ class Scene : public Drawable {
     /// Loads models and textures. Throws InputError.
     void load(Gpu& gpu, SceneFile scene, const ModelLoader& loader);
 
-    /// Binds `vertices`, `instances`, `materials` and those of the material's textures that the shader names, and
+    /// Binds `vertices` and the model's attributes, `instances`, `materials` and those of the material's textures that the shader names, and
     /// draws every item. A texture that a material lacks is one white texel (a flat normal for normal maps).
     void draw(Raster& pass) const override;
     void draw(Raster& pass, const DrawItem& item) const;
+
+    /// Binds that for an item which is drawn otherwise; gl_InstanceIndex has to be the item's place in `items`.
+    void bind(Raster& pass, const DrawItem& item) const;
 
     Buffer instances, materials;
     size_t triangle_count() const;

@@ -132,6 +132,8 @@ MaterialOverride read_material(const JsonWithLines& source, Reader r) {
     color("emissive", material.emissive, 1e4);
     number("shininess", material.shininess, 0, 1e5);
     number("opacity", material.opacity, 0, 1);
+    number("roughness", material.roughness, 0, 1);
+    number("metalness", material.metalness, 0, 1);
     if (const json* maps = r.find("maps")) {
         if (!maps->is_object()) r.refuse("maps", "must be an object { slot: file }");
         for (const auto& [slot, file] : maps->items()) {

@@ -14,7 +14,7 @@ namespace lightwalk {
 /// Overrides of a model's materials. What is not given keeps what the model says.
 struct MaterialOverride {
     std::optional<glm::vec3> diffuse, specular, emissive;  ///< linear
-    std::optional<float> shininess, opacity;
+    std::optional<float> shininess, opacity, roughness, metalness;
     std::map<std::string, std::filesystem::path> maps;  ///< by slot, such as "normal" or "height"
 };
 

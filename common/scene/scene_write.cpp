@@ -25,6 +25,8 @@ json object_json(const SceneObject& o) {
     if (m.emissive) material["emissive"] = list(*m.emissive);
     if (m.shininess) material["shininess"] = *m.shininess;
     if (m.opacity) material["opacity"] = *m.opacity;
+    if (m.roughness) material["roughness"] = *m.roughness;
+    if (m.metalness) material["metalness"] = *m.metalness;
     for (const auto& [slot, file] : m.maps) material["maps"][slot] = file.generic_string();
     if (!material.empty()) j["material"] = material;
     return j;

@@ -28,6 +28,7 @@ struct MaterialData {
     float opacity;
     vec3 emissive;
     uint maps;
+    float roughness, metalness;  // of the scene file, 0 to 1, instead of the ORM map's; below 0: it says nothing
 };
 
 // Texture slots, in the order of MaterialData::maps' bits. In a shader the texture is called <slot>_map.

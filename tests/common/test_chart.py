@@ -11,11 +11,13 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common" / "course"))
 
 import chart  # noqa: E402
+import chart_labels  # noqa: E402
 import chart_panel  # noqa: E402
 from study_charts import charts_of  # noqa: E402
 from study_file import Study, StudyError, load, markdown_table  # noqa: E402
@@ -266,6 +268,8 @@ class Drawing(unittest.TestCase):
         cells = self.figure(study(points=points, charts=charts), 0).axes
         self.assertEqual([(a.get_xscale(), a.get_yscale()) for a in cells],
                          [("linear", "log"), ("log", "log"), ("linear", "linear"), ("log", "linear")])
+        self.assertEqual([cell.spines["bottom"].get_visible() for cell in cells], [False, False, True, True])
+        self.assertEqual([cell.spines["left"].get_visible() for cell in cells], [True, False, True, False])
         left, main = self.figure(study(points=points, charts=charts), 1).axes
         self.assertEqual([label.get_text() for label in left.get_xticklabels()], ["0"])
         self.assertEqual(left.get_ylim(), main.get_ylim())
@@ -294,7 +298,7 @@ class Drawing(unittest.TestCase):
 
     def test_an_exact_truth_is_called_so(self):
         texts = self.texts(self.figure(study(truth={"method": "uncut", "knobs": {}, "exact": True})))
-        self.assertTrue([text for text in texts if "Truth: uncut, exact." in text])
+        self.assertTrue([text for text in texts if "Truth: uncut, by definition." in text])
 
     def test_labels_stay_clear_of_upright_bars(self):
         points = [point("s", "only", 0.02, 1, {"k": 1}), point("s", "only", 0.02, 1, {"k": 2})]
@@ -304,9 +308,28 @@ class Drawing(unittest.TestCase):
         label, = [text for text in figure.axes[0].texts if text.get_text() == "only"]
         box = label.get_window_extent(figure.canvas.get_renderer())
         to_pixels = figure.axes[0].transData.transform
+        bars = [path.vertices for lines in figure.axes[0].collections for path in lines.get_paths()]
+        self.assertEqual([[round(y, 9) for y in sorted(ends[:, 1])] for ends in bars], [[0.2, 5]] * 2)
         for k in (1, 2):
             (x, low), (_, high) = to_pixels((k, 0.2)), to_pixels((k, 5))
             self.assertFalse(box.x0 < x < box.x1 and box.y0 < high and box.y1 > low)
+
+    def test_a_label_above_or_below_stands_at_the_end_of_the_bar(self):
+        figure = chart.plt.figure()
+        self.addCleanup(chart.plt.close, figure)
+        axis = figure.add_subplot()
+        axis.set_ylim(0, 10)
+        labels = chart_labels.Labels(figure.axes)
+        for place, above in (((0, 9), "center", "bottom"), True), (((0, -9), "center", "top"), False):
+            with mock.patch.object(chart_labels, "PLACES", [place]):
+                labels.place("m", [(axis, 0.5, 5, (0.5, 0.5), (2, 8))], "black", 9, "normal", True)
+            box = axis.texts[-1].get_window_extent(figure.canvas.get_renderer())
+            end = axis.transData.transform((0.5, 8 if above else 2))[1]
+            self.assertTrue(box.y0 > end if above else box.y1 < end)
+        labels.avoid_curve([(axis, 0.2, 5, (0.2, 0.2), (2, 8))])
+        for y, taken in ((1, False), (3, True), (7, True), (9, False)):
+            at = axis.transData.transform((0.2, y))
+            self.assertEqual(any(box.contains(*at) for box in labels.boxes), taken)
 
     def test_labels_cover_neither_each_other_nor_a_point(self):
         points = [point("s", f"method_{i}", 0.02 * 0.98**i * (j + 1), 0.3 * 1.005**i * (j + 1), {"n": j})

@@ -1,0 +1,130 @@
+#include "04_surface_maps/maps.h"
+
+#include <cstring>
+#include <glm/gtc/color_space.hpp>
+#include <glm/gtc/packing.hpp>
+
+#include "common/measure/image.h"
+
+namespace lightwalk {
+namespace {
+
+constexpr double white_texels = 32.0;  // as in surface.frag
+
+// Texels as numbers and back, in the image's own format: 8 or 16 bits, or halves. sRGB codes become linear.
+class Codec {
+  public:
+    explicit Codec(VkFormat format) : format_(format) {}
+    glm::vec4 decode(const std::byte* from) const {
+        glm::vec4 value(0.0f);
+        uint64_t wide = 0;
+        uint32_t narrow = 0;
+        std::memcpy(&wide, from, bytes());
+        narrow = static_cast<uint32_t>(wide);
+        if (format_ == VK_FORMAT_R16G16B16A16_UNORM) return glm::unpackUnorm4x16(wide);
+        if (format_ == VK_FORMAT_R16G16B16A16_SFLOAT) return glm::unpackHalf4x16(wide);
+        value = glm::unpackUnorm4x8(narrow);
+        if (format_ == VK_FORMAT_R8G8B8A8_SRGB)
+            for (int i = 0; i < 3; ++i) value[i] = srgb_to_linear(value[i]);
+        return value;
+    }
+    void encode(glm::vec4 value, std::vector<std::byte>& to) const {
+        if (format_ == VK_FORMAT_R8G8B8A8_SRGB)
+            for (int i = 0; i < 3; ++i) value[i] = linear_to_srgb(value[i]);
+        const uint64_t word = format_ == VK_FORMAT_R16_UNORM            ? glm::packUnorm1x16(value.r)
+                              : format_ == VK_FORMAT_R16G16B16A16_UNORM  ? glm::packUnorm4x16(value)
+                              : format_ == VK_FORMAT_R16G16B16A16_SFLOAT ? glm::packHalf4x16(value)
+                                                                         : glm::packUnorm4x8(value);
+        const auto* begin = reinterpret_cast<const std::byte*>(&word);
+        to.insert(to.end(), begin, begin + bytes());
+    }
+    size_t bytes() const { return texel_bytes(format_); }
+
+  private:
+    VkFormat format_;
+};
+
+std::shared_ptr<Image> upload_levels(Gpu& gpu, Image::Desc desc, const std::vector<Level>& levels) {
+    const Codec codec(desc.format);
+    desc.mips = static_cast<uint32_t>(levels.size());
+    std::vector<std::vector<std::byte>> bytes;
+    for (const Level& level : levels) {
+        bytes.emplace_back();
+        for (const glm::vec4& texel : level.texels) codec.encode(texel, bytes.back());
+    }
+    auto image = std::make_shared<Image>(gpu.device, desc);
+    gpu.upload(*image, bytes);
+    return image;
+}
+
+// One level, which is all that is read, in 16 bits: between texels of 8 bits some devices interpolate in steps of 1/255,
+// and a ray finds terraces where the surface is smooth.
+std::shared_ptr<Image> upload_heights(Gpu& gpu, const Image& image, const Level& level) {
+    return upload_levels(gpu, {.name = image.desc.name, .format = VK_FORMAT_R16_UNORM, .size = level.size}, {level});
+}
+
+// An opacity map's one number as the alpha of what is to be kept.
+std::vector<Level> opacity_levels(Level level, float cutoff) {
+    for (glm::vec4& texel : level.texels) texel.a = texel.r;
+    std::vector<Level> levels = cutout_levels(level, cutoff);
+    for (Level& l : levels)
+        for (glm::vec4& texel : l.texels) texel = glm::vec4(texel.a);
+    return levels;
+}
+
+}  // namespace
+
+Level read_level(Gpu& gpu, const Image& image) {
+    const std::vector<std::byte> bytes = gpu.read_back(image);
+    const Codec codec(image.desc.format);
+    Level level{image.desc.size, {}};
+    for (size_t at = 0; at < bytes.size(); at += codec.bytes()) level.texels.push_back(codec.decode(&bytes[at]));
+    return level;
+}
+
+void MapSwitches::define(Defines& defines, const DrawItem& item) const {
+    for (const Knob<bool>* knob : {&diffuse, &specular, &emissive, &opacity, &normal, &height, &orm, &occlusion, &gloss,
+                                   &detail_normal})
+        for (const auto& [macro, value] : knob->macros())
+            defines[macro] = item.maps.count(knob->name + "_map") ? value : "0";
+}
+
+void make_mips(Gpu& gpu, Scene& scene, float cutoff) {
+    std::map<const Image*, std::shared_ptr<Image>> made;  // many items share one texture
+    for (DrawItem& item : scene.items)
+        for (auto& [slot, image] : item.maps) {
+            const bool is_normal = slot == "normal_map" || slot == "detail_normal_map";
+            if (!is_normal && slot != "diffuse_map" && slot != "opacity_map" && slot != "height_map") continue;
+            std::shared_ptr<Image>& entry = made[image.get()];
+            if (!entry) {
+                const Level level = read_level(gpu, *image);
+                if (is_normal)
+                    entry = upload_levels(gpu, image->desc, normal_levels(level));
+                else if (slot == "height_map")
+                    entry = upload_heights(gpu, *image, level);
+                else if (slot == "opacity_map")
+                    entry = upload_levels(gpu, image->desc, opacity_levels(level, cutoff));
+                else if (coverage(level, 1.0f) < 1.0)
+                    entry = upload_levels(gpu, image->desc, cutout_levels(level, cutoff));
+                else
+                    entry = image;
+            }
+            image = entry;
+        }
+}
+
+double mean_texels(const ImageRgb& picture) {
+    double sum = 0, count = 0;
+    for (const glm::vec3& pixel : picture.pixels)
+        if (pixel.r >= 0.0f) sum += double(pixel.r), ++count;
+    return count > 0 ? white_texels * sum / count : 0.0;
+}
+
+void draw_displaced(Raster& pass, const Scene& scene, const DrawItem& item, uint32_t subdivide) {
+    const Part& part = item.model->model.meshes[item.mesh].parts[item.part];
+    pass.set("indices", item.model->indices[item.mesh]).set("part", glm::uvec2(part.first_index, subdivide));
+    scene.bind(pass, item);
+    pass.draw(part.index_count * subdivide * subdivide, 1, static_cast<uint32_t>(&item - scene.items.data()));
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,87 @@
+#include "04_surface_maps/tangents.h"
+
+#include <set>
+
+#include "04_surface_maps/exercises.h"
+
+namespace lightwalk {
+namespace {
+
+constexpr float nowhere_m = 1e9f;  // metres per uv where a texture has no direction
+
+struct Sum {
+    glm::vec3 tangent{0.0f};
+    glm::vec2 metres{0.0f};
+    float weight = 0;
+    TangentFrame last{};
+};
+
+double angle_at(const Vertex& a, const Vertex& b, const Vertex& c) {
+    const glm::dvec3 e1 = glm::dvec3(b.position - a.position), e2 = glm::dvec3(c.position - a.position);
+    const double lengths = glm::length(e1) * glm::length(e2);
+    return lengths > 0 ? std::acos(std::clamp(glm::dot(e1, e2) / lengths, -1.0, 1.0)) : 0.0;
+}
+
+TangentFrame joined(const Sum& sum, glm::vec3 normal) {
+    TangentFrame frame = sum.last;
+    frame.metres_per_uv = glm::vec2(nowhere_m);
+    if (!(sum.weight > 0.0f)) return frame;
+    const glm::vec3 in_surface = sum.tangent - normal * glm::dot(normal, sum.tangent);
+    if (!(glm::length(in_surface) > 1e-3f * sum.weight)) return frame;
+    frame.tangent = glm::normalize(in_surface);
+    frame.metres_per_uv = sum.metres / sum.weight;
+    return frame;
+}
+
+}  // namespace
+
+FramedMesh frame_mesh(const Mesh& mesh) {
+    FramedMesh result{mesh.vertices, mesh.indices, {}};
+    std::vector<Sum> sums(mesh.vertices.size());
+    std::map<uint32_t, uint32_t> mirrored;  // vertex → its twin of the other handedness
+    const auto frame_of = tangent_frame.function();
+    for (size_t i = 0; i < mesh.indices.size(); ++i) {
+        const size_t first = i - i % 3;
+        const Vertex& a = mesh.vertices[mesh.indices[i]];
+        const Vertex& b = mesh.vertices[mesh.indices[first + (i + 1) % 3]];
+        const Vertex& c = mesh.vertices[mesh.indices[first + (i + 2) % 3]];
+        const TangentFrame frame = frame_of(a, b, c);
+        const bool directed = frame.metres_per_uv.x > 0.0f && frame.metres_per_uv.y > 0.0f;
+        const float weight = directed ? static_cast<float>(angle_at(a, b, c)) : 0.0f;
+        uint32_t vertex = mesh.indices[i];
+        if (directed && sums[vertex].weight > 0.0f && sums[vertex].last.handedness != frame.handedness) {
+            const auto [twin, added] = mirrored.emplace(vertex, static_cast<uint32_t>(sums.size()));
+            if (added) sums.emplace_back(), result.vertices.push_back(a);
+            vertex = result.indices[i] = twin->second;
+        }
+        Sum& sum = sums[vertex];
+        sum.tangent += weight * frame.tangent;
+        sum.metres += weight * frame.metres_per_uv;
+        sum.weight += weight;
+        if (directed || sum.weight == 0.0f) sum.last = frame;
+    }
+    for (size_t i = 0; i < sums.size(); ++i) result.frames.push_back(joined(sums[i], result.vertices[i].normal));
+    return result;
+}
+
+void add_tangents(Gpu& gpu, const Scene& scene) {
+    std::set<GpuModel*> done;
+    for (const DrawItem& item : scene.items) {
+        GpuModel& gpu_model = *item.model;
+        if (!done.insert(&gpu_model).second) continue;
+        std::vector<Buffer> tangents;
+        for (size_t i = 0; i < gpu_model.model.meshes.size(); ++i) {
+            Mesh& mesh = gpu_model.model.meshes[i];
+            FramedMesh framed = frame_mesh(mesh);
+            tangents.push_back(gpu.upload(mesh.name + " tangents", framed.frames));
+            if (framed.vertices.size() == mesh.vertices.size()) continue;
+            mesh.vertices = std::move(framed.vertices);
+            mesh.indices = std::move(framed.indices);
+            gpu_model.vertices[i] = gpu.upload(mesh.name + " vertices", mesh.vertices);
+            gpu_model.indices[i] = gpu.upload(mesh.name + " indices", mesh.indices);
+        }
+        gpu_model.attributes["tangents"] = std::move(tangents);
+    }
+}
+
+}  // namespace lightwalk

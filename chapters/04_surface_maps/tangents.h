@@ -1,0 +1,24 @@
+// Tangent frames of a mesh: what 04.tangent_frame says of every triangle's corner, joined at the vertices.
+#pragma once
+#include "04_surface_maps/tangent_frame.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+/// A mesh with one frame for each vertex. A vertex that triangles of both handednesses share is there twice, so that
+/// `vertices` and `indices` may differ from the mesh's.
+struct FramedMesh {
+    std::vector<Vertex> vertices;
+    std::vector<uint32_t> indices;
+    std::vector<TangentFrame> frames;
+};
+
+/// Triangles count by the angle they have at the vertex, as for normals (G. Thürmer and C. Wüthrich, "Computing Vertex
+/// Normals from Polygonal Facets", 1998). Where none has a direction (metres_per_uv 0), or their tangents cancel, the
+/// frame is one of theirs, and metres_per_uv so large that nothing is displaced along the surface.
+FramedMesh frame_mesh(const Mesh& mesh);
+
+/// Gives every model of the scene its frames, as the vertex attribute `tangents`.
+void add_tangents(Gpu& gpu, const Scene& scene);
+
+}  // namespace lightwalk

@@ -1,0 +1,11 @@
+// The numbers that this chapter's shaders take from knobs.
+layout(scalar) uniform KnobBlock {
+    float height_m;  // how deep the darkest texel of a height map lies
+    int steps;
+    float strength;
+    float detail_tiles;
+    float cutoff;
+    float wobble;  // tiles
+    float scroll;  // tiles per second
+    int samples;
+} knobs;

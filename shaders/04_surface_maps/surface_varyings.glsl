@@ -1,0 +1,27 @@
+// What vertices hand to fragments, for the mesh as loaded and for the displaced one.
+#include "01_obj/transform.glsl"
+#include "04_surface_maps/tangent_frame.h"
+
+layout(location = 0) out vec3 world_position;
+layout(location = 1) out vec3 world_normal;
+layout(location = 2) out vec3 world_tangent;
+layout(location = 3) out float handedness;
+layout(location = 4) out vec2 metres_per_uv;
+layout(location = 5) out vec2 uv;
+layout(location = 6) flat out uint material_index;
+
+// [varyings]
+void set_varyings(Vertex vertex, TangentFrame frame, Instance instance) {
+    world_position = position_to_world(instance.model, vertex.position);
+    world_normal = normal_to_world(instance.normal_matrix, vertex.normal);
+    // A tangent lies in the surface and goes with it: the model matrix itself, not the normals' one.
+    vec3 tangent = mat3(instance.model) * frame.tangent;
+    vec3 bitangent = mat3(instance.model) * cross(vertex.normal, frame.tangent);
+    world_tangent = tangent / max(length(tangent), 1e-20);
+    metres_per_uv = frame.metres_per_uv * vec2(length(tangent), length(bitangent));
+    // A mirrored instance turns the frame inside out.
+    handedness = frame.handedness * (determinant(mat3(instance.model)) < 0.0 ? -1.0 : 1.0);
+    uv = vertex.uv;
+    material_index = instance.material;
+}
+// [/varyings]
