@@ -41,6 +41,11 @@ EXTRA = {
         ["--falloff", "inverse_square", "--threshold", "0.2", "--lights", "60", "--method", "tiled"],
         ["--scene", "scenes/field.json", "--lights", "1500", "--show", "light_count", "--slices", "9"],
         ["--scene", "scenes/cones.json", "--lights", "40", "--show", "light_count", "--method", "tiled"]],
+    "04_surface_maps": [
+        ["--method", "steep", "--steps", "5"], ["--method", "offset_limited"], ["--show", "swim", "--method", "flat"],
+        ["--mesh", "displaced", "--scene", "scenes/lava.json", "--subdivide", "200"],
+        ["--scene", "scenes/column.json", "--samples", "3", "--strength", "2"],
+        ["--scene", "scenes/leather.json", "--normal_y", "down", "--filter", "renormalised"]],
 }
 TIMEOUT_S = 120
 OPPOSITE = {" + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", " += ": " -= ", " > ": " < ", " < ": " > ",

@@ -15,7 +15,8 @@ Level halved(const Level& from, Mean mean) {
     };
     for (uint32_t y = 0; y < to.size.y; ++y)
         for (uint32_t x = 0; x < to.size.x; ++x)
-            to.texels.push_back(mean(at(2 * x, 2 * y), at(2 * x + 1, 2 * y), at(2 * x, 2 * y + 1), at(2 * x + 1, 2 * y + 1)));
+            to.texels.push_back(
+                mean(at(2 * x, 2 * y), at(2 * x + 1, 2 * y), at(2 * x, 2 * y + 1), at(2 * x + 1, 2 * y + 1)));
     return to;
 }
 
@@ -45,7 +46,8 @@ std::vector<Level> normal_levels(const Level& codes) {
 }
 
 double coverage(const Level& level, float cutoff) {
-    const auto count = std::count_if(level.texels.begin(), level.texels.end(), [&](const auto& t) { return t.a >= cutoff; });
+    const auto count =
+        std::count_if(level.texels.begin(), level.texels.end(), [&](const auto& t) { return t.a >= cutoff; });
     return static_cast<double>(count) / static_cast<double>(level.texels.size());
 }
 

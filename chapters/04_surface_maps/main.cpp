@@ -34,8 +34,7 @@ struct SurfaceMaps : ModelChapter {
                 "hit_error, and its change when the eye moves, are in texels of the height map; 32 are white"};
     MapSwitches maps;
 
-    Pipeline surface =
-        graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "04_surface_maps/surface.frag"});
+    Pipeline surface = graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "04_surface_maps/surface.frag"});
     Pipeline displaced =
         graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "04_surface_maps/surface.frag"});
     LightBuffer lights;

@@ -31,7 +31,7 @@ class Codec {
     void encode(glm::vec4 value, std::vector<std::byte>& to) const {
         if (format_ == VK_FORMAT_R8G8B8A8_SRGB)
             for (int i = 0; i < 3; ++i) value[i] = linear_to_srgb(value[i]);
-        const uint64_t word = format_ == VK_FORMAT_R16_UNORM            ? glm::packUnorm1x16(value.r)
+        const uint64_t word = format_ == VK_FORMAT_R16_UNORM             ? glm::packUnorm1x16(value.r)
                               : format_ == VK_FORMAT_R16G16B16A16_UNORM  ? glm::packUnorm4x16(value)
                               : format_ == VK_FORMAT_R16G16B16A16_SFLOAT ? glm::packHalf4x16(value)
                                                                          : glm::packUnorm4x8(value);
@@ -57,8 +57,8 @@ std::shared_ptr<Image> upload_levels(Gpu& gpu, Image::Desc desc, const std::vect
     return image;
 }
 
-// One level, which is all that is read, in 16 bits: between texels of 8 bits some devices interpolate in steps of 1/255,
-// and a ray finds terraces where the surface is smooth.
+// One level, which is all that is read, in 16 bits: between texels of 8 bits some devices interpolate in steps of
+// 1/255, and a ray finds terraces where the surface is smooth.
 std::shared_ptr<Image> upload_heights(Gpu& gpu, const Image& image, const Level& level) {
     return upload_levels(gpu, {.name = image.desc.name, .format = VK_FORMAT_R16_UNORM, .size = level.size}, {level});
 }
@@ -83,19 +83,19 @@ Level read_level(Gpu& gpu, const Image& image) {
 }
 
 void MapSwitches::define(Defines& defines, const DrawItem& item) const {
-    for (const Knob<bool>* knob : {&diffuse, &specular, &emissive, &opacity, &normal, &height, &orm, &occlusion, &gloss,
-                                   &detail_normal})
+    for (const Knob<bool>* knob :
+         {&diffuse, &specular, &emissive, &opacity, &normal, &height, &orm, &occlusion, &gloss, &detail_normal})
         for (const auto& [macro, value] : knob->macros())
             defines[macro] = item.maps.count(knob->name + "_map") ? value : "0";
 }
 
 void make_mips(Gpu& gpu, Scene& scene, float cutoff) {
-    std::map<const Image*, std::shared_ptr<Image>> made;  // many items share one texture
+    std::map<std::pair<const Image*, std::string>, std::shared_ptr<Image>> made;  // many items share one texture
     for (DrawItem& item : scene.items)
         for (auto& [slot, image] : item.maps) {
             const bool is_normal = slot == "normal_map" || slot == "detail_normal_map";
             if (!is_normal && slot != "diffuse_map" && slot != "opacity_map" && slot != "height_map") continue;
-            std::shared_ptr<Image>& entry = made[image.get()];
+            std::shared_ptr<Image>& entry = made[{image.get(), slot}];
             if (!entry) {
                 const Level level = read_level(gpu, *image);
                 if (is_normal)

@@ -20,18 +20,18 @@ constexpr glm::ivec2 rays(64, 36);
 constexpr double lowest_eye = 0.02;  // as in parallax.glsl
 constexpr double other_reads = 8;    // what a pixel costs beside the search: colour, normal and lights, about
 
-// From the mean over rays to FLIP's mean, over the scenes of the study and lava.json: where most pixels are a little wrong
-// the two are proportional; where few are very wrong, as where a thin bump was missed, FLIP's filters spread them, and it
-// grows as a power. Each number is the largest that was found, rounded up.
+// From the mean over rays to FLIP's mean, over the scenes of the study and lava.json: where most pixels are a little
+// wrong the two are proportional; where few are very wrong, as where a thin bump was missed, FLIP's filters spread
+// them, and it grows as a power. Each number is the largest that was found, rounded up.
 double to_flip(const std::string& method, double mean) {
     if (method == "relief") return 1.15 * std::pow(mean, 0.75);
     if (method == "occlusion") return 0.85 * std::pow(mean, 0.75);
     return 1.4 * mean;
 }
 
-// What FLIP would say of a large area of one linear colour in the place of another, about: one 8-bit step of grey is 0.03
-// (docs/study_format.md), and more goes by the power that FLIP's colour term has (its qc). The channel that differs most
-// counts: red for yellow is as visible as black for grey.
+// What FLIP would say of a large area of one linear colour in the place of another, about: one 8-bit step of grey is
+// 0.03 (docs/study_format.md), and more goes by the power that FLIP's colour term has (its qc). The channel that
+// differs most counts: red for yellow is as visible as black for grey.
 double visible(dvec3 a, dvec3 b) {
     double most = 0;
     for (int i = 0; i < 3; ++i) {
@@ -60,8 +60,8 @@ class Texture {
             const glm::ivec2 in = ((cell + off) % size + size) % size;
             return glm::dvec4(level.texels[size_t(in.y) * level.size.x + size_t(in.x)]);
         };
-        return glm::mix(glm::mix(texel({0, 0}), texel({1, 0}), inside.x), glm::mix(texel({0, 1}), texel({1, 1}), inside.x),
-                        inside.y);
+        return glm::mix(glm::mix(texel({0, 0}), texel({1, 0}), inside.x),
+                        glm::mix(texel({0, 1}), texel({1, 1}), inside.x), inside.y);
     }
 
   private:
@@ -122,8 +122,12 @@ RayHit nearest(const Scene& scene, dvec3 eye, dvec3 direction) {
             const double uv_det = uv1.x * uv2.y - uv2.x * uv1.y;
             if (uv_det == 0) continue;
             const glm::dmat3 to_world(item.transform);
-            hit = {&item, t, to_world * ((uv2.y * e1 - uv1.y * e2) / uv_det), to_world * ((uv1.x * e2 - uv2.x * e1) / uv_det),
-                   glm::normalize(glm::cross(to_world * e1, to_world * e2)), dvec2(a->uv) + x * uv1 + y * uv2};
+            hit = {&item,
+                   t,
+                   to_world * ((uv2.y * e1 - uv1.y * e2) / uv_det),
+                   to_world * ((uv1.x * e2 - uv2.x * e1) / uv_det),
+                   glm::normalize(glm::cross(to_world * e1, to_world * e2)),
+                   dvec2(a->uv) + x * uv1 + y * uv2};
         }
     }
     return hit;
@@ -162,7 +166,12 @@ std::optional<Probe> probe_at(const Scene& scene, const Maps& maps, const RayHit
     if (!(metres.x > 0 && metres.y > 0)) return {};
     const dvec2 shift = height_m / metres * sideways / cosine;
     // Rows of the image grow against v.
-    return Probe{scene, maps, hit, dvec2(hit.uv.x, 1 - hit.uv.y) * size - 0.5, dvec2(-shift.x, shift.y) * size, cosine,
+    return Probe{scene,
+                 maps,
+                 hit,
+                 dvec2(hit.uv.x, 1 - hit.uv.y) * size - 0.5,
+                 dvec2(-shift.x, shift.y) * size,
+                 cosine,
                  pixel_m / cosine / std::min(metres.x, metres.y)};
 }
 
@@ -241,7 +250,8 @@ std::vector<std::string> explain(const ParallaxNeed& need, const ParallaxChoice&
         std::snprintf(text, sizeof text, format, values...);
         lines.push_back(text);
     };
-    line("depth 1 moves things by %.3g pixels and %.3g texels (medians over what is seen)", need.parallax_px, need.texels);
+    line("depth 1 moves things by %.3g pixels and %.3g texels (medians over what is seen)", need.parallax_px,
+         need.texels);
     line("rule: below half a pixel a normal map will do; beyond, as many steps as bring the hits within the budget");
     for (const ParallaxChoice& c : need.choices)
         line("%-15s steps %d: error %.5f predicted, %.4g million reads", c.method.c_str(), c.steps, c.error, c.cost);

@@ -22,9 +22,9 @@ struct ParallaxNeed {
     std::vector<ParallaxChoice> choices;  ///< every one, cheapest first
 };
 
-/// Measures a scene as `camera` sees it at `size` pixels, with height maps `height_m` deep. A few thousand rays look for
-/// the nearest triangle; where it has a height map, every method is tried on the CPU, and shaded with the directional
-/// lights.
+/// Measures a scene as `camera` sees it at `size` pixels, with height maps `height_m` deep. A few thousand rays look
+/// for the nearest triangle; where it has a height map, every method is tried on the CPU, and shaded with the
+/// directional lights.
 ParallaxNeed measure_need(Gpu& gpu, const Scene& scene, const Camera& camera, glm::uvec2 size, double height_m);
 
 /// The cheapest choice within the budget; the most accurate one where none is.

@@ -183,10 +183,12 @@ TexelImage read_texels(const fs::path& path, bool keep_16_bits) {
     };
     if (keep_16_bits && stbi_is_16_bit_from_memory(file.data(), file.size())) {
         image.bits = 16;
-        keep(loaded(stbi_load_16_from_memory(file.data(), file.size(), &image.width, &image.height, &image.channels, 4), path)
+        keep(loaded(stbi_load_16_from_memory(file.data(), file.size(), &image.width, &image.height, &image.channels, 4),
+                    path)
                  .get());
     } else {
-        keep(loaded(stbi_load_from_memory(file.data(), file.size(), &image.width, &image.height, &image.channels, 4), path)
+        keep(loaded(stbi_load_from_memory(file.data(), file.size(), &image.width, &image.height, &image.channels, 4),
+                    path)
                  .get());
     }
     return image;

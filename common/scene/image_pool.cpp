@@ -38,7 +38,8 @@ Texels decode(const std::filesystem::path& file, TextureKind kind, uint32_t max_
                   image.bits == 16             ? VK_FORMAT_R16G16B16A16_UNORM
                   : kind == TextureKind::color ? VK_FORMAT_R8G8B8A8_SRGB
                                                : VK_FORMAT_R8G8B8A8_UNORM,
-                  image.channels, std::move(image.bytes)};
+                  image.channels,
+                  std::move(image.bytes)};
     }
     if (std::max(texels.size.x, texels.size.y) > max_size)
         throw InputError(file.string() + ": " + std::to_string(texels.size.x) + "x" + std::to_string(texels.size.y) +

@@ -53,8 +53,9 @@ class Scene : public Drawable {
     /// Loads models and textures. Throws InputError.
     void load(Gpu& gpu, SceneFile scene, const ModelLoader& loader);
 
-    /// Binds `vertices` and the model's attributes, `instances`, `materials` and those of the material's textures that the shader names, and
-    /// draws every item. A texture that a material lacks is one white texel (a flat normal for normal maps).
+    /// Binds `vertices` and the model's attributes, `instances`, `materials` and those of the material's textures that
+    /// the shader names, and draws every item. A texture that a material lacks is one white texel (a flat normal for
+    /// normal maps).
     void draw(Raster& pass) const override;
     void draw(Raster& pass, const DrawItem& item) const;
 

@@ -66,3 +66,31 @@ for method in tiled clustered every_light; do
         --falloff inverse_square --threshold 0.256 --method $method
 done
 join 03_threshold 3x1 field.tiled field.clustered field.every_light
+
+for one in normal.1 offset.1 steep.8 occlusion.8 relief.8 exact.1; do
+    draw 04_surface_maps "tiles.${one%.*}" --scene assets/scenes/stone_tiles_70.json --size 640x360 --samples 2 \
+        --method "${one%.*}" --steps "${one#*.}"
+    mogrify -crop 320x180+40+20 +repage "$work/tiles.${one%.*}.png"
+done
+join 04_methods 3x2 tiles.normal tiles.offset tiles.steep tiles.occlusion tiles.relief tiles.exact
+
+draw 04_surface_maps outline.loaded --shot column --mesh loaded --steps 64
+draw 04_surface_maps outline.displaced --shot column
+mogrify -crop 400x300+280+100 +repage "$work/outline.loaded.png" "$work/outline.displaced.png"
+join 04_outline 2x1 outline.loaded outline.displaced
+
+draw 04_surface_maps floor.renormalised --shot brushed --size 480x270 --filter renormalised
+draw 04_surface_maps floor.toksvig --shot brushed --size 480x270 --filter toksvig
+draw 04_surface_maps floor.truth --shot brushed --size 480x270 --filter renormalised --samples 16
+join 04_filter 3x1 floor.renormalised floor.toksvig floor.truth
+
+for steps in 8 32 128; do
+    draw 04_surface_maps "error.$steps" --scene assets/scenes/stone_tiles_85.json --size 320x180 --show hit_error \
+        --method occlusion --steps $steps
+done
+join 04_hit_error 3x1 error.8 error.32 error.128
+
+draw 04_surface_maps slope.flat --shot normal --size 480x270 --method flat
+draw 04_surface_maps slope.normal --shot normal --size 480x270
+draw 04_surface_maps slope.occlusion --shot wall --size 480x270
+join 04_wall 3x1 slope.flat slope.normal slope.occlusion

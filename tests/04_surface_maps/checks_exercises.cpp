@@ -28,27 +28,38 @@ CHECK_EXERCISE("04.unpack_normal",
                "the codes 0 to 1 stand for -1 to 1; z is what is missing to length 1, or 0 where nothing is") {
     Probe probe{.include = "04_surface_maps/unpack_normal.glsl",
                 .signature = "vec3 unpack_normal(vec2 code, float strength)",
-                .inputs = {{0.5, 0.5, 1}, {1, 0.5, 1}, {0.5, 0, 1}, {1, 1, 1}, {0, 0, 2}, {0.5, 0.5, 0}, {1, 0.5, 0},
-                           {0.8, 0.5, 0}, {0.8, 0.4, 1}, {0.8, 0.4, 4}, {0.2, 0.9, 0.5}},
-                .truth = [](std::span<const double> in) { return row_of(truth::unpack_normal({in[0], in[1]}, in[2])); },
+                .inputs = {{0.5, 0.5, 1},
+                           {1, 0.5, 1},
+                           {0.5, 0, 1},
+                           {1, 1, 1},
+                           {0, 0, 2},
+                           {0.5, 0.5, 0},
+                           {1, 0.5, 0},
+                           {0.8, 0.5, 0},
+                           {0.8, 0.4, 1},
+                           {0.8, 0.4, 4},
+                           {0.2, 0.9, 0.5}},
+                .truth =
+                    [](std::span<const double> in) {
+                        return row_of(truth::unpack_normal({in[0], in[1]}, in[2]));
+                    },
                 // Near the equator z is the root of a small difference.
                 .bound = {.absolute = 1e-3}};
     Random random;
     for (int i = 0; i < 2000; ++i)
         probe.inputs.push_back({random.uniform(0, 1), random.uniform(0, 1), random.uniform(0.1, 4)});
     const Table results = check.probe(probe);
-    check.property(probe, results, "but it must have length 1 and z at least 0", [](auto, auto out) {
-        return std::fabs(glm::length(vector3(out, 0)) - 1) < 1e-5 && out[2] >= 0;
-    });
+    check.property(probe, results, "but it must have length 1 and z at least 0",
+                   [](auto, auto out) { return std::fabs(glm::length(vector3(out, 0)) - 1) < 1e-5 && out[2] >= 0; });
 }
 
-CHECK_EXERCISE("04.blend_detail", "add (0, 0, 1) to the base, turn x and y of the detail around, and follow the formula") {
-    Probe probe{.include = "04_surface_maps/blend_detail.glsl",
-                .signature = "vec3 blend_detail(vec3 base, vec3 detail)",
-                .truth = [](std::span<const double> in) {
-                    return row_of(truth::blend_detail(vector3(in, 0), vector3(in, 3)));
-                },
-                .bound = {.absolute = 1e-5}};
+CHECK_EXERCISE("04.blend_detail",
+               "add (0, 0, 1) to the base, turn x and y of the detail around, and follow the formula") {
+    Probe probe{
+        .include = "04_surface_maps/blend_detail.glsl",
+        .signature = "vec3 blend_detail(vec3 base, vec3 detail)",
+        .truth = [](std::span<const double> in) { return row_of(truth::blend_detail(vector3(in, 0), vector3(in, 3))); },
+        .bound = {.absolute = 1e-5}};
     Random random;
     const glm::vec3 flat(0, 0, 1);
     const auto add = [&](glm::vec3 base, glm::vec3 detail) {
@@ -60,21 +71,24 @@ CHECK_EXERCISE("04.blend_detail", "add (0, 0, 1) to the base, turn x and y of th
     for (int i = 0; i < 200; ++i) add(flat, upward(random, 0)), add(upward(random, 0), flat);
     for (int i = 0; i < 1000; ++i) add(upward(random, 0), upward(random, 0));
     const Table results = check.probe(probe);
-    check.property(probe, results, "but the angle between base and result must be that of the detail",
-                   [](auto in, auto out) { return std::fabs(glm::dot(vector3(in, 0), vector3(out, 0)) - in[5]) < 1e-4; });
+    check.property(
+        probe, results, "but the angle between base and result must be that of the detail",
+        [](auto in, auto out) { return std::fabs(glm::dot(vector3(in, 0), vector3(out, 0)) - in[5]) < 1e-4; });
 }
 
-CHECK_EXERCISE("04.parallax_offset", "going down by z, the ray goes sideways by x / z and y / z; the limit drops the / z") {
+CHECK_EXERCISE("04.parallax_offset",
+               "going down by z, the ray goes sideways by x / z and y / z; the limit drops the / z") {
     const auto probe_of = [](const std::string& name, auto reference) {
         Probe probe{.include = "04_surface_maps/parallax_offset.glsl",
                     .signature = "vec2 " + name + "(float depth, vec3 to_eye, vec2 deepest)",
-                    .truth = [reference](std::span<const double> in) {
-                        return row_of(reference(in[0], vector3(in, 1), glm::dvec2(in[4], in[5])));
-                    },
+                    .truth =
+                        [reference](std::span<const double> in) {
+                            return row_of(reference(in[0], vector3(in, 1), glm::dvec2(in[4], in[5])));
+                        },
                     .bound = {.absolute = 1e-6, .relative = 1e-5}};
         Random random;
-        probe.inputs = {{1, 0, 0, 1, 0.1, 0.1}, {0, 0.6, 0, 0.8, 0.1, 0.1}, {1, 0.6, 0, 0.8, 0.1, 0.1},
-                        {1, 0, 0.6, 0.8, 0.1, 0.2}};
+        probe.inputs = {
+            {1, 0, 0, 1, 0.1, 0.1}, {0, 0.6, 0, 0.8, 0.1, 0.1}, {1, 0.6, 0, 0.8, 0.1, 0.1}, {1, 0, 0.6, 0.8, 0.1, 0.2}};
         for (int i = 0; i < 1000; ++i) {
             Row row{random.uniform(0, 1)};
             append(row, upward(random, 0.02f));
@@ -97,12 +111,14 @@ CHECK_EXERCISE("04.parallax_occlusion",
         const auto probe_of = [&](const std::string& name, double (*reference)(int, double, double, int)) {
             Probe probe{.include = "04_surface_maps/parallax_occlusion.glsl",
                         .signature = "float " + name + "(vec2 uv, vec2 shift, int steps)",
-                        .truth = [=](std::span<const double> in) {
-                            return Row{reference(field, in[0], in[2], static_cast<int>(in[4]))};
-                        },
+                        .truth =
+                            [=](std::span<const double> in) {
+                                return Row{reference(field, in[0], in[2], static_cast<int>(in[4]))};
+                            },
                         .bound = {.absolute = 2e-4},
                         .defines = {{"FIELD", std::to_string(field)}}};
-            if (field == 4) probe.inputs = {{0.3, 0.3, 0, 0, 1}, {0.3, 0.3, 0, 0, 2}, {0.3, 0.3, 0, 0, 3}, {0.3, 0.3, 0.5, 0, 7}};
+            if (field == 4)
+                probe.inputs = {{0.3, 0.3, 0, 0, 1}, {0.3, 0.3, 0, 0, 2}, {0.3, 0.3, 0, 0, 3}, {0.3, 0.3, 0.5, 0, 7}};
             Random random;
             for (int i = 0; i < 600; ++i) {
                 const double u = random.uniform(0, 1), shift = random.uniform(-0.6, 0.6);
@@ -120,9 +136,8 @@ CHECK_EXERCISE("04.parallax_occlusion",
         };
         const Probe layer = probe_of("first_layer_below", truth::first_layer_below);
         const Table layers = check.probe(layer);
-        check.property(layer, layers, "which is none of the layers", [](auto in, auto out) {
-            return std::fabs(out[0] * in[4] - std::round(out[0] * in[4])) < 1e-3;
-        });
+        check.property(layer, layers, "which is none of the layers",
+                       [](auto in, auto out) { return std::fabs(out[0] * in[4] - std::round(out[0] * in[4])) < 1e-3; });
         const Probe occlusion = probe_of("parallax_occlusion", truth::parallax_occlusion);
         check.property(occlusion, check.probe(occlusion), "but a depth is from 0 to 1",
                        [](auto, auto out) { return out[0] >= 0 && out[0] <= 1; });
@@ -132,15 +147,19 @@ CHECK_EXERCISE("04.parallax_occlusion",
 CHECK_EXERCISE("04.mix_orm", "a metal has no diffuse colour; guard the division where roughness is 0") {
     Probe probe{.include = "04_surface_maps/mix_orm.glsl",
                 .signature = "MixedMaterial mix_orm(vec3 base, float roughness, float metalness)",
-                .inputs = {{1, 0.5, 0.2, 0, 0}, {1, 0.5, 0.2, 1, 0}, {1, 0.5, 0.2, 0.5, 1}, {1, 0.5, 0.2, 0.3, 0.5},
+                .inputs = {{1, 0.5, 0.2, 0, 0},
+                           {1, 0.5, 0.2, 1, 0},
+                           {1, 0.5, 0.2, 0.5, 1},
+                           {1, 0.5, 0.2, 0.3, 0.5},
                            {0, 0, 0, 0.01, 1}},
-                .truth = [](std::span<const double> in) {
-                    const truth::Mixed mixed = truth::mix_orm(vector3(in, 0), in[3], in[4]);
-                    Row row = row_of(mixed.diffuse);
-                    append(row, mixed.specular);
-                    row.push_back(mixed.shininess);
-                    return row;
-                },
+                .truth =
+                    [](std::span<const double> in) {
+                        const truth::Mixed mixed = truth::mix_orm(vector3(in, 0), in[3], in[4]);
+                        Row row = row_of(mixed.diffuse);
+                        append(row, mixed.specular);
+                        row.push_back(mixed.shininess);
+                        return row;
+                    },
                 .bound = {.absolute = 1e-5, .relative = 1e-4}};
     Random random;
     for (int i = 0; i < 1000; ++i)

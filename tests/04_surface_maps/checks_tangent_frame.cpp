@@ -56,14 +56,16 @@ CHECK_EXERCISE("04.tangent_frame", "two edges are two equations for dP/du and dP
         check.expect(frame.handedness == side, c.what + ": the handedness is " + std::to_string(frame.handedness) +
                                                    ", expected " + std::to_string(side));
         const glm::vec2 metres(glm::length(per[0]), glm::length(per[1]));
-        check.expect(glm::length(frame.metres_per_uv - metres) < 1e-3f,
-                     c.what + ": metres_per_uv is " + show({frame.metres_per_uv, 0}) + ", expected " + show({metres, 0}));
+        check.expect(
+            glm::length(frame.metres_per_uv - metres) < 1e-3f,
+            c.what + ": metres_per_uv is " + show({frame.metres_per_uv, 0}) + ", expected " + show({metres, 0}));
     }
-    for (const glm::vec3 normal : {x, y, z, -z, glm::normalize(glm::vec3(1, 1, 1)), glm::normalize(glm::vec3(-2, 1, 0))}) {
+    for (const glm::vec3 normal :
+         {x, y, z, -z, glm::normalize(glm::vec3(1, 1, 1)), glm::normalize(glm::vec3(-2, 1, 0))}) {
         const auto none = [&](const std::string& what, glm::vec2 b, glm::vec2 c, glm::vec3 edge) {
             const glm::vec3 side = glm::cross(normal, std::fabs(normal.x) < 0.9f ? x : y);
-            const TangentFrame frame = tangent_frame({glm::vec3(0), normal, {0.5f, 0.5f}}, {side, normal, b},
-                                                     {edge, normal, c});
+            const TangentFrame frame =
+                tangent_frame({glm::vec3(0), normal, {0.5f, 0.5f}}, {side, normal, b}, {edge, normal, c});
             check.expect(is_unit_and_perpendicular(frame, normal),
                          what + ", normal " + show(normal) + ": the tangent is " + show(frame.tangent) +
                              ", expected any unit vector perpendicular to the normal");

@@ -17,7 +17,8 @@ from PIL import Image
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
-CHAPTERS = {"01": BUILD / "chapters" / "01_obj", "02": BUILD / "chapters" / "02_lambert_phong"}
+CHAPTERS = {"01": BUILD / "chapters" / "01_obj", "02": BUILD / "chapters" / "02_lambert_phong",
+            "04": BUILD / "chapters" / "04_surface_maps"}
 TIMEOUT_S = 120  # under a sanitizer; without one a run takes a second
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 LOADERS = ("textbook", "tinyobjloader", "assimp", "scan", "parallel")
@@ -195,6 +196,8 @@ class BadInput(unittest.TestCase):
             "knob.json": ({"objects": [cube], "knobs": {"speed": 1}}, "speed.*has"),
             "knob_value.json": ({"objects": [cube], "knobs": {"wrap": "much"}}, "wrap.*expected"),
             "knob_type.json": ({"objects": [cube], "knobs": {"wrap": [1]}}, "wrap.*expected"),
+            "rough.json": ({"objects": [cube | {"material": {"roughness": 1.5}}]}, "roughness.*1.5.*0.*1"),
+            "metal.json": ({"objects": [cube | {"material": {"metalness": "much"}}]}, "metalness.*number"),
         }
         for name, (content, _) in scenes.items():
             self.write(name, json.dumps(content) if isinstance(content, dict) else content)
@@ -237,6 +240,12 @@ class BadInput(unittest.TestCase):
             scene = self.scene(name + ".json", objects=[
                 {"model": "models/cube.obj", "material": {"maps": {"diffuse": str(texture)}}}])
             self.draw("02", "--scene", scene, says=re.escape(name))
+        for slot, mode in (("normal", "L"), ("normal", "LA"), ("orm", "L"), ("orm", "LA"), ("detail_normal", "L")):
+            texture = self.write(f"{mode}.png", png(mode=mode))
+            scene = self.scene(f"{slot}.json", objects=[
+                {"model": "models/cube.obj", "material": {"maps": {slot: str(texture)}}}])
+            for chapter in ("02", "04"):
+                self.draw(chapter, "--scene", scene, says=f"{slot} map: .*{mode}.png: has .* channel.*three")
         mtl = self.write("cut.mtl", f"newmtl a\nmap_Kd {self.folder / 'cut.jpg'}\n".replace(str(self.folder) + "/", ""))
         model = self.write("cut.obj", f"mtllib {mtl.name}\n{TRIANGLE}vt 0 0\nusemtl a\nf 1/1 2/1 3/1\n")
         done = self.run_program(CHAPTERS["01"], "--size", "64x48", "--scene", model, "--screenshot", self.picture)

@@ -19,13 +19,14 @@ TangentFrame tangent_frame(const Vertex& a, const Vertex& b, const Vertex& c) {
     // Doubles: texture coordinates that differ in their last bits still have a determinant.
     const glm::dvec3 e1 = glm::dvec3(b.position) - glm::dvec3(a.position);
     const glm::dvec3 e2 = glm::dvec3(c.position) - glm::dvec3(a.position);
+    // Of a triangle as thin as the rounding of its corners no direction is left.
+    const bool has_area = glm::length(glm::cross(e1, e2)) > 1e-6 * std::max(glm::dot(e1, e1), glm::dot(e2, e2));
     const glm::dvec2 uv1 = glm::dvec2(b.uv) - glm::dvec2(a.uv), uv2 = glm::dvec2(c.uv) - glm::dvec2(a.uv);
     const double determinant = uv1.x * uv2.y - uv2.x * uv1.y;
     const TangentFrame none{.tangent = perpendicular(a.normal), .handedness = 1.0f, .metres_per_uv = {0.0f, 0.0f}};
-    if (!(std::fabs(determinant) > 1e-9 * glm::length(uv1) * glm::length(uv2))) return none;
+    if (!has_area || !(std::fabs(determinant) > 1e-9 * glm::length(uv1) * glm::length(uv2))) return none;
     const glm::dvec3 per_u = (uv2.y * e1 - uv1.y * e2) / determinant;
     const glm::dvec3 per_v = (uv1.x * e2 - uv2.x * e1) / determinant;
-    if (!(glm::length(glm::cross(per_u, per_v)) > 1e-9 * glm::length(per_u) * glm::length(per_v))) return none;
     const glm::dvec3 normal(a.normal);
     const glm::dvec3 in_surface = per_u - normal * glm::dot(normal, per_u);
     if (!(glm::length(in_surface) > 1e-6 * glm::length(per_u))) return none;

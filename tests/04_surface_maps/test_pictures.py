@@ -1,0 +1,218 @@
+"""Pictures of chapter 04 that must agree with others, or differ by a known amount. LIGHTWALK_BUILD names the build folder
+where it is not build/ in the tree.
+"""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+from PIL import Image
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = pathlib.Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
+PROGRAM = BUILD / "chapters" / "04_surface_maps"
+SCENES = ROOT / "assets" / "scenes"
+TEXTURES = ROOT / "assets" / "textures"
+WHITE_TEXELS = 32  # what SHOW draws as white
+LINEAR = [code / 255 / 12.92 if code <= 10 else ((code / 255 + 0.055) / 1.055) ** 2.4 for code in range(256)]
+
+
+@unittest.skipUnless((ROOT / "shaders" / "04_surface_maps" / "solution").exists(), "a handout has no reference")
+@unittest.skipUnless(PROGRAM.exists() or "LIGHTWALK_BUILD" in os.environ, f"{PROGRAM} is not built")
+class PicturesTest(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def draw(self, scene, *options, size="160x90", name="picture") -> pathlib.Path:
+        """A picture of a scene file or of a scene as JSON."""
+        if isinstance(scene, dict):
+            file = self.folder / "scene.json"
+            file.write_text(json.dumps(scene))
+        else:
+            file = SCENES / f"{scene}.json"
+        picture = self.folder / f"{name}.png"
+        done = subprocess.run([PROGRAM, "--scene", file, *options, "--size", size, "--screenshot", picture],
+                              capture_output=True, text=True, timeout=120, cwd=ROOT)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return picture
+
+    def flip(self, expected, actual) -> float:
+        done = subprocess.run([BUILD / "compare", expected, actual, "--json"], capture_output=True, text=True, check=True)
+        return json.loads(done.stdout)["flip"]["mean"]
+
+    def texels(self, picture) -> float:
+        """The mean of a picture of hit errors, or of swimming."""
+        codes = Image.open(picture).convert("L").tobytes()
+        return WHITE_TEXELS * sum(LINEAR[code] for code in codes) / len(codes)
+
+    def wall(self, maps, **material) -> dict:
+        """One texture's width of wall that fills the picture."""
+        return {"camera": {"position": [0, 0, 1], "target": [0, 0, 0], "fov_deg": 28, "near_m": 0.1, "far_m": 10},
+                "objects": [{"model": "models/plane.obj", "rotation_deg": [90, 0, 0],
+                             "material": {"diffuse": [1, 1, 1], "maps": maps} | material}],
+                "lights": [{"type": "directional", "direction": [-0.6, -0.4, -0.7], "intensity": 3}],
+                "ambient": [0.2, 0.2, 0.2]}
+
+    # --- hits
+
+    def test_exact_hits_look_like_the_displaced_mesh(self):
+        """Two programs that share nothing but the height map: a ray through texels, and a mesh that was moved."""
+        options = ["--height_m", "0.03", "--samples", "2"]
+        wall = self.wall({"diffuse": str(TEXTURES / "castle_wall_albedo.jpg"),
+                          "height": str(TEXTURES / "castle_wall_height.png")})
+        wall["camera"]["position"] = [0.5, 0, 0.8]
+        wall["camera"]["fov_deg"] = 20
+        mesh = self.draw(wall, *options, "--mesh", "displaced", "--subdivide", "512", name="mesh")
+        errors = {method: self.flip(mesh, self.draw(wall, *options, "--method", method, "--steps", "64"))
+                  for method in ("normal", "offset", "occlusion", "exact")}
+        self.assertLess(errors["exact"], 0.02, errors)
+        self.assertLess(errors["exact"], 0.3 * errors["offset"], errors)
+        self.assertLess(errors["occlusion"], 0.3 * errors["offset"], errors)
+        self.assertLess(errors["offset"], errors["normal"], errors)
+
+    def test_the_outline_is_the_mesh_s_and_not_the_height_map_s(self):
+        """Intersection over union of what covers the background: the same for all parallax, less for the truth."""
+        def covered(*options):
+            picture = Image.open(self.draw("column", "--show", "normal", *options, size="320x180")).convert("RGB")
+            background = picture.getpixel((1, 90))
+            return [pixel != background for pixel in picture.getdata()]
+
+        loaded, flat = covered("--method", "exact"), covered("--method", "flat")
+        displaced = covered("--mesh", "displaced", "--subdivide", "96")
+        self.assertEqual(loaded, flat)
+        both = sum(a and b for a, b in zip(loaded, displaced))
+        either = sum(a or b for a, b in zip(loaded, displaced))
+        self.assertFalse(any(b and not a for a, b in zip(loaded, displaced)))  # bumps go inwards
+        self.assertGreater(both / either, 0.85)
+        self.assertLess(both / either, 0.97)
+
+    def test_a_picture_swims_less_the_more_layers_and_not_at_all_with_exact_hits(self):
+        """When the eye comes 5 cm closer at 85 degrees, the texture slides over the surface: by so many texels."""
+        def swim(method, steps=1):
+            return self.texels(self.draw("stone_tiles_85", "--show", "swim", "--method", method, "--steps", str(steps)))
+
+        flat, steep, few, many, exact = (swim("flat"), swim("steep", 16), swim("occlusion", 16),
+                                         swim("occlusion", 128), swim("exact"))
+        self.assertEqual(exact, 0)
+        self.assertGreater(few, 3 * many)
+        self.assertGreater(steep, few)
+        self.assertGreater(flat, 0.3)
+
+    def test_depth_0_is_no_parallax(self):
+        for method in ("offset", "offset_limited", "steep", "occlusion", "relief", "exact"):
+            self.assertEqual(self.flip(self.draw("stone_tiles_45", "--method", "normal", name="normal"),
+                                       self.draw("stone_tiles_45", "--method", method, "--height_m", "0")), 0)
+
+    # --- maps
+
+    def test_a_switch_that_is_off_is_a_map_that_is_missing(self):
+        every = {"diffuse": "castle_wall_albedo.jpg", "specular": "castle_wall_specular.png",
+                 "emissive": "lava_emissive.jpg", "opacity": "castle_wall_height.png",
+                 "normal": "castle_wall_normal.png", "height": "castle_wall_height.png", "orm": "wood_orm.png",
+                 "occlusion": "stone_tiles_height.png", "gloss": "stone_tiles_specular.png",
+                 "detail_normal": "detail_normal.png"}
+        for slot, file in every.items():
+            every[slot] = str(self.folder / f"{slot}.png")
+            Image.open(TEXTURES / file).resize((64, 64)).save(every[slot])
+        more = {"emissive": [0.3, 0.3, 0.3], "specular": [0.3, 0.3, 0.3]}
+        whole = self.draw(self.wall(every, **more), name="whole")
+        for slot in every:
+            with self.subTest(slot=slot):
+                off = self.draw(self.wall(every, **more), f"--{slot}", "off", name="off")
+                missing = self.draw(self.wall({s: f for s, f in every.items() if s != slot}, **more), name="missing")
+                self.assertEqual(off.read_bytes(), missing.read_bytes())
+                self.assertNotEqual(off.read_bytes(), whole.read_bytes())
+
+    def test_a_normal_map_of_the_other_convention(self):
+        up = Image.open(TEXTURES / "castle_wall_normal.png").convert("RGB")
+        red, green, blue = up.split()
+        Image.merge("RGB", (red, green.point(lambda code: 255 - code), blue)).save(self.folder / "down.png")
+        right = self.draw(self.wall({"normal": str(TEXTURES / "castle_wall_normal.png")}), name="right")
+        wrong = self.draw(self.wall({"normal": str(self.folder / "down.png")}), name="wrong")
+        flipped = self.draw(self.wall({"normal": str(self.folder / "down.png")}), "--normal_y", "down", name="flipped")
+        self.assertLess(self.flip(right, flipped), 0.015)  # the device's filter rounds down
+        self.assertGreater(self.flip(right, wrong), 0.1)
+
+    def test_16_bits_and_grey_are_what_8_bits_and_colour_are(self):
+        grey = Image.open(TEXTURES / "castle_wall_height.png").convert("L").resize((64, 64))
+        grey.save(self.folder / "grey.png")
+        grey.convert("RGB").save(self.folder / "rgb.png")
+        wide = Image.new("I;16", grey.size)
+        wide.putdata([257 * code for code in grey.getdata()])
+        wide.save(self.folder / "wide.png")
+        pictures = {name: self.draw(self.wall({"height": str(self.folder / f"{name}.png"),
+                                               "normal": str(TEXTURES / "castle_wall_normal.png")}), name=name)
+                    for name in ("grey", "rgb", "wide")}
+        self.assertEqual(pictures["grey"].read_bytes(), pictures["rgb"].read_bytes())
+        self.assertEqual(pictures["grey"].read_bytes(), pictures["wide"].read_bytes())
+
+    def test_maps_of_one_material_may_differ_in_size(self):
+        Image.open(TEXTURES / "castle_wall_normal.png").resize((100, 37)).save(self.folder / "small.png")
+        small = self.draw(self.wall({"normal": str(self.folder / "small.png"),
+                                     "height": str(TEXTURES / "castle_wall_height.png")}), name="small")
+        whole = self.draw(self.wall({"normal": str(TEXTURES / "castle_wall_normal.png"),
+                                     "height": str(TEXTURES / "castle_wall_height.png")}))
+        self.assertLess(self.flip(whole, small), 0.25)
+
+    def test_roughness_and_metalness_of_the_scene_take_the_place_of_the_map_s(self):
+        def orm(color):
+            Image.new("RGB", (4, 4), color).save(self.folder / "orm.png")
+            return {"orm": str(self.folder / "orm.png")}
+
+        lit = {"diffuse": [0.9, 0.6, 0.3]}
+        of_map = self.draw(self.wall(orm((255, 102, 204)), **lit), name="map")
+        overridden = self.draw(self.wall(orm((255, 0, 0)), **lit, roughness=0.4, metalness=0.8), name="overridden")
+        without = self.draw(self.wall({}, **lit, roughness=0.4, metalness=0.8), name="without")
+        self.assertEqual(overridden.read_bytes(), without.read_bytes())
+        self.assertLess(self.flip(of_map, overridden), 0.005)  # 102 / 255 as the device reads it
+        only_rough = self.draw(self.wall(orm((255, 0, 0)), **lit, roughness=0.4), name="rough")
+        self.assertNotEqual(of_map.read_bytes(), only_rough.read_bytes())
+        self.draw(self.wall(orm((255, 0, 0)), **lit))  # roughness 0: no NaN, or it would have failed
+
+    # --- filters
+
+    def test_toksvig_is_nearer_to_many_samples_than_renormalised_normals_are(self):
+        floor = {"camera": {"position": [0, 5, 5], "target": [0, 0, -0.3], "fov_deg": 40, "near_m": 0.05, "far_m": 100},
+                 "objects": [{"model": "models/ground.obj",
+                              "material": {"diffuse": [0.05, 0.055, 0.06], "specular": [0.35, 0.33, 0.3], "shininess": 30,
+                                           "maps": {"normal": str(TEXTURES / "stone_tiles_normal.png")}}}],
+                 "lights": [{"type": "directional", "direction": [0.1, -0.75, 0.7], "intensity": 0.7}],
+                 "ambient": [0.1, 0.11, 0.13]}
+        truth = self.draw(floor, "--samples", "16", "--filter", "renormalised", name="truth")
+        fewer = self.draw(floor, "--samples", "12", "--filter", "renormalised", name="fewer")
+        toksvig = self.flip(truth, self.draw(floor, "--filter", "toksvig"))
+        renormalised = self.flip(truth, self.draw(floor, "--filter", "renormalised"))
+        self.assertLess(self.flip(truth, fewer), 0.25 * renormalised)
+        self.assertLess(toksvig, 0.75 * renormalised)
+
+    def test_far_grass_covers_what_many_samples_of_it_cover(self):
+        blade = {"model": "models/plane.obj", "rotation_deg": [90, 0, 0],
+                 "material": {"diffuse": [0, 0, 0], "maps": {"diffuse": str(TEXTURES / "grass_cutout.png")}}}
+        scene = {"camera": {"position": [0, 0, 18], "target": [0, 0, 0], "fov_deg": 30}, "background": [1, 1, 1],
+                 "ambient": [0, 0, 0], "lights": [],
+                 "objects": [blade | {"position": [x, y, 0]} for x in range(-5, 6) for y in range(-3, 4)]}
+
+        def share(*options, size="160x90"):
+            codes = Image.open(self.draw(scene, *options, size=size)).convert("L").tobytes()
+            return sum(code < 128 for code in codes) / len(codes)
+
+        truth = share(size="2560x1440")  # where every texel has a pixel
+        kept, averaged = share("--coverage", "kept"), share("--coverage", "averaged")
+        self.assertLess(abs(kept - truth), 0.15 * truth, (truth, kept, averaged))
+        self.assertGreater(abs(averaged - truth), 0.2 * truth, (truth, kept, averaged))
+
+    # --- edges
+
+    def test_scenes_without_lights_textures_or_height(self):
+        bare = self.wall({}) | {"lights": []}
+        self.draw(bare)
+        for model in ("teapot", "bunny_low", "cornell_box"):
+            self.draw({"objects": [{"model": f"models/{model}.obj"}]}, "--mesh", "displaced", "--subdivide", "1")
+
+
+if __name__ == "__main__":
+    unittest.main()
