@@ -42,7 +42,7 @@ struct SurfaceMaps : ModelChapter {
 
     std::string default_scene() const override { return "scenes/castle_wall.json"; }
     bool reload_on_toggle() const override { return true; }
-    std::string load_key() const override { return coverage.text() + cutoff.text(); }
+    std::string load_key() const override { return coverage.is("kept") ? cutoff.text() : coverage.text(); }
     bool animated() const override { return wobble > 0 || scroll != 0; }
 
     void prepare(Gpu& gpu) override {
