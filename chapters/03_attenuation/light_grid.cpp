@@ -27,6 +27,7 @@ glm::vec2 cluster_depths(const Camera& camera, const Bounds& scene) {
 void LightGrid::set_view(Frame& frame, const Camera& camera, const Bounds& scene, Cells cells, int slices,
                          size_t lights, float threshold) {
     cells_ = cells;
+    lights_ = lights;
     const glm::vec3 forward = glm::normalize(camera.target - camera.position);
     const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
     const glm::vec2 depths = cluster_depths(camera, scene), size(frame.size);
@@ -45,24 +46,23 @@ void LightGrid::set_view(Frame& frame, const Camera& camera, const Bounds& scene
             .threshold = threshold};
     view.slices_per_log = static_cast<float>(view.slices) / std::log(depths.y / depths.x);
 
-    group_count_ = static_cast<uint32_t>((lights + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP);
-    const VkDeviceSize mask_count = (lights + LIGHTS_PER_MASK - 1) / LIGHTS_PER_MASK;
     const auto divide = [&] { view.tiles = (frame.size + view.tile_px - 1u) / view.tile_px; };
-    for (divide(); view.tiles.x * view.tiles.y > 1 &&
-                   4 * mask_count * cell_count() > frame.gpu.device.properties.limits.maxStorageBufferRange;
+    for (divide();
+         view.tiles.x * view.tiles.y > 1 && 4 * mask_words() > frame.gpu.device.properties.limits.maxStorageBufferRange;
          divide())
         view.tile_px *= 2;
-    if (cells == Cells::tiles) reserve(frame.gpu.device, tile_depths_, "tile depths", 2 * cell_count());
-    reserve(frame.gpu.device, masks, "light masks", mask_count * cell_count());
-    reserve(frame.gpu.device, groups, "light groups", VkDeviceSize(group_count_) * cell_count());
     const auto bytes = std::as_bytes(std::span(&view, 1));
     frame.globals["grid"].assign(bytes.begin(), bytes.end());
 }
 
 // [record]
 void LightGrid::record(Frame& frame, const Buffer& lights) {
+    const uint32_t group_count = static_cast<uint32_t>((lights_ + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP);
+    reserve(frame.gpu.device, masks, "light masks", mask_words());
+    reserve(frame.gpu.device, groups, "light groups", VkDeviceSize(group_count) * cell_count());
     std::vector<Resource> reads{lights};
     if (cells_ == Cells::tiles) {
+        reserve(frame.gpu.device, tile_depths_, "tile depths", 2 * cell_count());
         frame.compute("tile_depth", {.reads = {frame.depth}, .writes = {tile_depths_}}, [&](Compute& pass) {
             pass.use(find_depths_).set("depth", frame.depth, Sampling::nearest_clamp);
             pass.set("tile_depths", tile_depths_).dispatch({view.tiles, 1});
@@ -72,7 +72,7 @@ void LightGrid::record(Frame& frame, const Buffer& lights) {
     frame.compute("cull_lights", {.reads = reads, .writes = {masks, groups}}, [&](Compute& pass) {
         pass.use(cull_).set("lights", lights).set("masks", masks).set("groups", groups);
         if (cells_ == Cells::tiles) pass.set("tile_depths", tile_depths_);
-        pass.dispatch_threads(glm::uvec2(cell_count(), group_count_));
+        pass.dispatch_threads(glm::uvec2(cell_count(), group_count));
     });
 }
 // [/record]

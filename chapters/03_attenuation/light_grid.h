@@ -21,7 +21,7 @@ class LightGrid {
   public:
     enum class Cells { tiles, clusters };
 
-    /// Gives the shaders of this frame the uniform block `grid` and sizes the buffers. Clusters have `slices` between
+    /// Gives the shaders of this frame the uniform block `grid`. Clusters have `slices` between
     /// the nearest and the farthest depth of `scene` (world space, may be empty); tiles have none. `threshold` is
     /// influence_radius()'s. A grid whose bits would not fit into one buffer of the device gets larger tiles.
     void set_view(Frame& frame, const Camera& camera, const Bounds& scene, Cells cells, int slices, size_t lights,
@@ -35,8 +35,11 @@ class LightGrid {
 
   private:
     uint32_t cell_count() const { return view.tiles.x * view.tiles.y * view.slices; }
+    VkDeviceSize mask_words() const {
+        return VkDeviceSize((lights_ + LIGHTS_PER_MASK - 1) / LIGHTS_PER_MASK) * cell_count();
+    }
     Cells cells_ = Cells::tiles;
-    uint32_t group_count_ = 0;
+    size_t lights_ = 0;
     Buffer tile_depths_;
     Pipeline find_depths_ = compute({.shader = "03_attenuation/tile_depth.comp", .defines = {}, .source = {}});
     Pipeline cull_ = compute({.shader = "03_attenuation/cull_lights.comp", .defines = {}, .source = {}});

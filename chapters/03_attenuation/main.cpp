@@ -1,5 +1,8 @@
 // Chapter 03: point and spot lights, and how not to compute those that do not reach.
+#include <nlohmann/json.hpp>
+
 #include "01_obj/model_chapter.h"
+#include "03_attenuation/light_count.h"
 #include "03_attenuation/light_field.h"
 #include "03_attenuation/light_grid.h"
 #include "03_attenuation/need.h"
@@ -76,7 +79,7 @@ struct Attenuation : ModelChapter {
         // 4. Every surface, in linear HDR.
         RasterTargets targets{.color = {frame.hdr},
                               .depth = frame.depth,
-                              .clear = glm::vec4(scene.file.background, 1.0f),
+                              .clear = glm::vec4(scene.file.background, 0.0f),
                               .keep_depth = true};
         if (cells) targets.reads = {grid.masks, grid.groups};
         frame.raster("shade", targets, [&](Raster& pass) {
@@ -91,6 +94,14 @@ struct Attenuation : ModelChapter {
         encode_srgb(frame);
     }
     // [/frame]
+
+    // For the study: how many lights a pixel has computed, in the mean over the picture.
+    void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
+        show.set("light_count");
+        Frame counting(gpu);
+        render(*this, counting, size, 0, 0);
+        error["lights_per_pixel"] = mean_light_count(gpu, counting.hdr);
+    }
 
     std::vector<std::string> status() const override {
         return {std::to_string(light_buffer.lights().size()) + " lights, packed " +

@@ -18,6 +18,12 @@ std::string with_unit(const char* format, const std::string& unit) {
     return result;
 }
 
+// Where a range spans decades, a step at its lower end matters as much as one at the upper.
+ImGuiSliderFlags slider_flags(float lower, float upper) {
+    const bool decades = lower >= 0.0f && upper >= 1000.0f * (lower > 0.0f ? lower : 1.0f);
+    return ImGuiSliderFlags_AlwaysClamp | (decades ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+}
+
 // As many decimals as a thousandth of the range needs.
 const char* number_format(float span) {
     return span >= 1000.0f ? "%.0f" : span >= 100.0f ? "%.1f" : span >= 10.0f ? "%.2f" : "%.3f";
@@ -25,17 +31,16 @@ const char* number_format(float span) {
 
 bool widget(Knob<float>& knob, const char* id) {
     const auto [lower, upper] = knob.range;
-    // Where a range spans decades, a step at its lower end matters as much as one at the upper.
-    const bool decades = lower >= 0.0f && upper >= 1000.0f * std::max(lower, 1.0f);
-    const ImGuiSliderFlags flags =
-        ImGuiSliderFlags_AlwaysClamp | (decades ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-    return ImGui::SliderFloat(id, &knob.value, lower, upper, with_unit(number_format(upper - lower), knob.unit).c_str(),
-                              flags);
+    const bool tiny = lower > 0.0f && lower < 1e-3f;
+    const char* const format = tiny ? "%.6f" : number_format(upper - lower);
+    return ImGui::SliderFloat(id, &knob.value, lower, upper, with_unit(format, knob.unit).c_str(),
+                              slider_flags(lower, upper));
 }
 
 bool widget(Knob<int>& knob, const char* id) {
-    return ImGui::SliderInt(id, &knob.value, knob.range.lower, knob.range.upper, with_unit("%d", knob.unit).c_str(),
-                            ImGuiSliderFlags_AlwaysClamp);
+    const auto [lower, upper] = knob.range;
+    return ImGui::SliderInt(id, &knob.value, lower, upper, with_unit("%d", knob.unit).c_str(),
+                            slider_flags(static_cast<float>(lower), static_cast<float>(upper)));
 }
 
 // Three numbers from 0 to 1 without a unit are a colour.

@@ -37,7 +37,9 @@ bool half_switch(const char* label, bool lit, const ImVec4& color, float width) 
 
 // The exercise's mine | reference. True where it was switched.
 bool exercise_row(const std::string& id) {
-    const float size = ImGui::GetFontSize(), mine_width = 3.4f * size, reference_width = 5.2f * size, gap = 2.0f;
+    const float padding = 2.0f * ImGui::GetStyle().FramePadding.x, gap = 2.0f;
+    const float mine_width = ImGui::CalcTextSize("mine").x + padding;
+    const float reference_width = ImGui::CalcTextSize("reference").x + padding;
     ImGui::PushID(id.c_str());
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(id.c_str());

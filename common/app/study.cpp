@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -101,6 +102,10 @@ class SceneStudy {
         set_knobs(point.set);
         if (!point.method.empty()) find_knob(chapter_.knobs, "method").set(point.method);
     }
+    void draw(const StudyPoint& point) {
+        set_knobs(point);
+        render(chapter_, frame_, size_, options_.time_s, options_.seed);
+    }
     ImageRgb render_picture() {
         render(chapter_, frame_, size_, options_.time_s, options_.seed);
         return read_hdr(frame_.gpu, frame_.hdr);
@@ -141,12 +146,16 @@ class SceneStudy {
         const int rounds = rounds_of(plan_.rounds);
         std::vector<std::map<std::string, std::vector<double>>> samples(points.size());
         std::vector<std::vector<double>> totals(points.size());
-        for (int round = -1; round < rounds; ++round) {  // the first only warms up
-            show_progress(scene_.label + ": times", static_cast<size_t>(round + 1), static_cast<size_t>(rounds + 1));
+        // A GPU that was idle while errors were computed runs at a low clock at first, for more than a round of fast
+        // frames.
+        const auto warm = std::chrono::steady_clock::now() + std::chrono::milliseconds(rounds > 1 ? 1500 : 0);
+        do {
+            for (const StudyPoint& point : points) draw(point);
+        } while (std::chrono::steady_clock::now() < warm);
+        for (int round = 0; round < rounds; ++round) {
+            show_progress(scene_.label + ": times", static_cast<size_t>(round), static_cast<size_t>(rounds));
             for (size_t i = 0; i < points.size(); ++i) {
-                set_knobs(points[i]);
-                render(chapter_, frame_, size_, options_.time_s, options_.seed);
-                if (round < 0) continue;
+                draw(points[i]);
                 double total = 0;
                 for (const PassTime& pass : frame_.times) {
                     samples[i][pass.name].push_back(pass.gpu_ms);

@@ -56,6 +56,17 @@ for method in phong blinn_phong gouraud; do
 done
 join 02_floor 3x1 floor.phong floor.blinn_phong floor.gouraud
 
+for falloff in range_fade inverse_square_window inverse_square; do
+    draw 03_attenuation "lamp.$falloff" --scene docs/images/lamp.json --size 400x225 --falloff $falloff
+done
+join 03_falloffs 3x1 lamp.range_fade lamp.inverse_square_window lamp.inverse_square
+
+for method in tiled clustered every_light; do
+    draw 03_attenuation "field.$method" --scene assets/scenes/field.json --lights 300 --size 400x225 \
+        --falloff inverse_square --threshold 0.256 --method $method
+done
+join 03_threshold 3x1 field.tiled field.clustered field.every_light
+
 for one in normal.1 offset.1 steep.8 occlusion.8 relief.8 exact.1; do
     draw 04_surface_maps "tiles.${one%.*}" --scene assets/scenes/stone_tiles_70.json --size 640x360 --samples 2 \
         --method "${one%.*}" --steps "${one#*.}"

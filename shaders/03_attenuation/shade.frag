@@ -31,5 +31,5 @@ void main() {
 #if SHOW == SHOW_LIGHT_COUNT
     radiance = count_color(lit.lights) * (0.35 + 0.65 * max(surface.normal.y, 0.0));
 #endif
-    color = vec4(min(radiance, 65504.0), 1.0);  // the largest number that the target holds
+    color = vec4(min(radiance, 65504.0), lit.lights);  // the largest number that the target holds
 }

@@ -5,6 +5,7 @@ import json
 import math
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -66,10 +67,10 @@ class PicturesTest(unittest.TestCase):
     def errors(self, scenes, size):
         """{(label, method): errors} of a study of these, whose pictures are compared before they are rounded to codes."""
         root = self.folder / "root"
-        (root / "chapters" / "03_attenuation").mkdir(parents=True, exist_ok=True)
-        for name in ("assets", "shaders"):
-            if not (root / name).exists():
-                (root / name).symlink_to(ROOT / name)
+        if not root.exists():
+            (root / "chapters" / "03_attenuation").mkdir(parents=True)
+            (root / "assets").symlink_to(ROOT / "assets")
+            shutil.copytree(ROOT / "shaders", root / "shaders")  # not a link: mutate.py's changes go by the path
         (root / "chapters" / "03_attenuation" / "study.json").write_text(json.dumps({
             "title": "equality", "error_metric": "max", "stage": "fragment", "rounds": 1,
             "truth": {"set": {"method": "every_light"}, "exact": True},
@@ -202,16 +203,17 @@ class PicturesTest(unittest.TestCase):
                 self.assertEqual(self.draw(scene, "--method", method, size=(16, 12)), dark)
 
     def test_the_count_of_lights(self):
-        """Colours of 0, 1, 4 and 16 lights, on a floor that faces up."""
-        colors = {0: (0, 0, 0), 1: (0, 0.05, 0.8), 4: (0, 0.6, 0.8), 16: (0, 0.6, 0.05)}
+        """What 0, 1, 4 ... lights look like on a floor that faces up, and half-way between two of them."""
+        colors = {0: (0, 0, 0), 1: (0, 0.05, 0.8), 2: (0, 0.325, 0.8), 4: (0, 0.6, 0.8), 16: (0, 0.6, 0.05),
+                  64: (0.8, 0.7, 0), 256: (0.8, 0.05, 0), 1024: (1, 1, 1), 1500: (1, 1, 1)}
         for count, color in colors.items():
             scene = self.scene("count", [point(0, 1, 0) for _ in range(count)], camera=DOWN)
             for method in METHODS:
-                got = self.draw(scene, "--show", "light_count", "--method", method, size=(96, 96))
+                got = self.draw(scene, "--show", "light_count", "--method", method, size=(16, 16))
                 for c in range(3):
-                    self.assertLess(abs(got[48][48][c] - to_code(color[c])), 1.3, (count, method))
-                if method == "tiled":  # a tile in the corner has none
-                    self.assertEqual(got[0][0], (0, 0, 0))
+                    self.assertLess(abs(got[8][8][c] - to_code(color[c])), 1.3, (count, method))
+        corner = self.draw(scene, "--show", "light_count", "--method", "tiled", size=(96, 96))[0][0]
+        self.assertEqual(corner, (0, 0, 0))  # out of the lights' range
 
     def test_a_depth_gap_costs_tiles_more_than_clusters(self):
         """A post before a far floor with lights between them: the tile at its edge computes them, clusters do not."""
@@ -225,6 +227,15 @@ class PicturesTest(unittest.TestCase):
             return sum(pixel[0] > 110 for row in rows for pixel in row)
         self.assertGreater(most("tiled"), 50)
         self.assertEqual(most("clustered"), 0)
+
+    def test_a_tile_takes_no_depth_from_its_neighbours(self):
+        """A box that fills one tile to its borders. Lamps hang in the air beside it, over floor that they do not reach."""
+        box = {"model": "models/cube.obj", "position": [0.75, 2, 0.75], "scale": [1.5, 4, 1.5]}
+        lamps = [point(-0.5, 3, 0.6, range_m=0.4), point(0.6, 3, -0.5, range_m=0.4)]
+        got = self.draw(self.scene("box", lamps, camera=DOWN, objects=[FLOOR, box]), "--show", "light_count",
+                        "--method", "tiled", size=(32, 32))
+        for x, y in ((8, 8), (8, 24), (24, 8)):
+            self.assertEqual(got[y][x], (0, 0, 0), (x, y))
 
     def test_lights_are_packed_once_unless_one_moves(self):
         scene, out = self.scene("packed", [point(0, 1, 0), {"type": "directional"}]), self.folder / "timings.json"
