@@ -18,7 +18,7 @@ struct SurfaceMaps : ModelChapter {
     Knob<int> steps{"steps", 32, {1, 4096}, "how often steep, occlusion and relief look at the height map"};
     Knob<float> height_m{"height_m", 0.05f, {0.0f, 1.0f}, "how deep black lies in a height map", "m"};
     Choice mesh{"mesh", {"loaded", "displaced"}, "loaded", "displaced: the height map moves a finely cut mesh"};
-    Knob<int> subdivide{"subdivide", 256, {1, 1024}, "into how many a displaced triangle's edge is cut"};
+    Knob<int> subdivide{"subdivide", 16, {1, 1024}, "into how many a displaced triangle's edge is cut"};
     Knob<float> strength{"strength", 1.0f, {0.0f, 4.0f}, "by what the slope in normal maps is multiplied"};
     Knob<float> detail_tiles{"detail_tiles", 8.0f, {0.0f, 64.0f}, "how often detail repeats in a texture's width"};
     Choice normal_y{"normal_y", {"up", "down"}, "up", "where green points in normal maps: up (OpenGL), down (DirectX)"};
@@ -42,7 +42,7 @@ struct SurfaceMaps : ModelChapter {
 
     std::string default_scene() const override { return "scenes/castle_wall.json"; }
     bool reload_on_toggle() const override { return true; }
-    std::string load_key() const override { return coverage.text() + cutoff.text(); }
+    std::string load_key() const override { return coverage.is("kept") ? cutoff.text() : coverage.text(); }
     bool animated() const override { return wobble > 0 || scroll != 0; }
 
     void prepare(Gpu& gpu) override {
