@@ -45,7 +45,12 @@ struct Coordinates {
     vec2 uv, dx, dy;  // and how they change from pixel to pixel
 };
 
-vec4 read(sampler2D map, Coordinates at) { return textureGrad(map, image_uv(at.uv), at.dx, at.dy); }
+// The level by the formula, not by textureGrad: devices may take shortcuts there, and Mesa 22.3 does.
+vec4 read(sampler2D map, Coordinates at) {
+    vec2 size = vec2(textureSize(map, 0)), dx = at.dx * size, dy = at.dy * size;
+    float texels = max(max(dot(dx, dx), dot(dy, dy)), 1e-12);  // squared, from one pixel to the next
+    return textureLod(map, image_uv(at.uv), 0.5 * log2(texels));
+}
 
 vec3 read_normal(sampler2D map, Coordinates at, out float mean_length) {
     vec4 texel = read(map, at);
