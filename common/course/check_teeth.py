@@ -6,12 +6,11 @@ empty or only return zero. An exercise that was edited since the last commit is 
 
 import json
 import re
-import sys
 import tempfile
 from pathlib import Path
 
 from shots import run_program
-from tree import BUILD, ROOT, Failure, exercises, is_edited, say, warn
+from tree import BUILD, ROOT, Failure, exercises, is_edited, run_on_chapter
 
 FUNCTION = re.compile(r"^(\w+)(\s+\w+\s*\([^)]*\)\s*)\{", re.M)
 
@@ -71,13 +70,4 @@ def main(chapter: str) -> list[str]:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        warn("usage: check_teeth.py NN_name")
-        sys.exit(2)
-    try:
-        problems = main(sys.argv[1])
-    except Failure as error:
-        problems = [str(error)]
-    for problem in problems:
-        say(problem)
-    sys.exit(1 if problems else 0)
+    run_on_chapter(main)

@@ -12,13 +12,12 @@ import itertools
 import json
 import re
 import statistics
-import sys
 from pathlib import Path
 
 from results import table
 from shots import compare, render, run_program, text
 from study import SceneEntry, study_of
-from tree import BUILD, ROOT, Failure, chapter_program, say, warn
+from tree import BUILD, ROOT, Failure, chapter_program, run_on_chapter, say
 
 # "blinn_phong   samples 1: error 0.03545 predicted, 0.02403 million evaluations"
 PREDICTED = re.compile(r"^(\S+)\s+(.*): error (\S+) predicted, (\S+) ")
@@ -128,13 +127,4 @@ def main(chapter: str) -> list[str]:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        warn("usage: need_test.py NN_name")
-        sys.exit(2)
-    try:
-        problems = main(sys.argv[1])
-    except Failure as error:
-        problems = [str(error)]
-    for problem in problems:
-        say(problem)
-    sys.exit(1 if problems else 0)
+    run_on_chapter(main)

@@ -10,13 +10,12 @@ where nothing is asserted of "either". Loaders: the course's own read every floa
 """
 
 import json
-import sys
 
 from need_test import sweep
 from results import table
 from shots import run_program, text
 from study import SceneEntry, study_of
-from tree import BUILD, Failure, chapter_program, say, warn
+from tree import BUILD, Failure, chapter_program, run_on_chapter, say
 
 SIZE = [480, 270]  # or the study's "test_size": where its frames are slow, a test can do with fewer pixels
 OWN_LOADERS = ("textbook", "scan", "parallel")
@@ -120,13 +119,4 @@ def main(chapter: str) -> list[str]:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        warn("usage: study_test.py NN_name")
-        sys.exit(2)
-    try:
-        problems = main(sys.argv[1])
-    except Failure as error:
-        problems = [str(error)]
-    for problem in problems:
-        say(problem)
-    sys.exit(1 if problems else 0)
+    run_on_chapter(main)

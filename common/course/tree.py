@@ -117,3 +117,17 @@ def say(line: str = ""):
 
 def warn(line: str):
     print(line, file=sys.stderr, flush=True)
+
+
+def run_on_chapter(main):
+    """A script's whole command line, one chapter's name: main(NN_name) returns a line for each problem."""
+    if len(sys.argv) != 2:
+        warn(f"usage: {Path(sys.argv[0]).name} NN_name")
+        sys.exit(2)
+    try:
+        problems = main(sys.argv[1])
+    except Failure as error:
+        problems = [str(error)]
+    for problem in problems:
+        say(problem)
+    sys.exit(1 if problems else 0)

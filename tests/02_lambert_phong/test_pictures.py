@@ -1,17 +1,14 @@
-"""Pictures of chapter 02 that must be equal to others. LIGHTWALK_BUILD names the build folder where it is not build/ in
-the tree.
-"""
+"""Pictures of chapter 02 that must be equal to others."""
 import json
-import os
 import pathlib
-import subprocess
-import tempfile
+import sys
 import unittest
 
 from PIL import Image
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-PROGRAM = pathlib.Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build")) / "chapters" / "02_lambert_phong"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
+from pictures import LINEAR, ChapterPictures, to_code  # noqa: E402
+
 WIDTH, HEIGHT, SAMPLES = 12, 8, 8
 MODEL = """v -9 -3 0
 v 9 -3 0
@@ -26,20 +23,13 @@ SCENE = {
     "background": [1, 0, 1], "ambient": [0.02, 0.05, 0.01],
     "lights": [{"type": "directional", "direction": [-0.2, 0.1, -1], "intensity": 0.8},
                {"type": "directional", "direction": [0.7, -0.5, -1], "intensity": 0.6, "color": [1, 0.5, 0.2]}]}
-LINEAR = [code / 255 / 12.92 if code <= 10 else ((code / 255 + 0.055) / 1.055) ** 2.4 for code in range(256)]
 
 
-def to_code(linear: float) -> float:
-    return 255 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055)
+class PicturesTest(ChapterPictures):
+    chapter = "02_lambert_phong"
 
-
-@unittest.skipUnless((ROOT / "shaders" / "02_lambert_phong" / "solution").exists(), "a handout has no reference")
-@unittest.skipUnless(PROGRAM.exists() or "LIGHTWALK_BUILD" in os.environ, f"{PROGRAM} is not built")
-class PicturesTest(unittest.TestCase):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
+        super().setUp()
         (self.folder / "triangle.obj").write_text(MODEL)
 
     def draw(self, scale, *options, shininess=250):
@@ -48,10 +38,8 @@ class PicturesTest(unittest.TestCase):
         scene = SCENE | {"objects": [{"model": str(self.folder / "triangle.obj"), "material": material}]}
         (self.folder / "scene.json").write_text(json.dumps(scene))
         picture = self.folder / "picture.png"
-        done = subprocess.run([PROGRAM, "--scene", self.folder / "scene.json", *options, "--size",
-                               f"{scale * WIDTH}x{scale * HEIGHT}", "--screenshot", picture],
-                              capture_output=True, text=True, timeout=120)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.run_program("--scene", self.folder / "scene.json", *options, "--size",
+                         f"{scale * WIDTH}x{scale * HEIGHT}", "--screenshot", picture)
         image = Image.open(picture).convert("RGB").load()
         return [[image[x, y] for x in range(scale * WIDTH)] for y in range(scale * HEIGHT)]
 
@@ -83,9 +71,8 @@ class PicturesTest(unittest.TestCase):
             "camera": SCENE["camera"], "ambient": [1, 1, 1], "lights": [],
             "objects": [{"model": str(self.folder / "parts.obj")}]}))
         for method in ("gouraud", "blinn_phong_normalised"):
-            done = subprocess.run([PROGRAM, "--scene", self.folder / "parts.json", "--size", "64x48", "--method",
-                                   method, "--screenshot", picture], capture_output=True, text=True, timeout=120)
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.run_program("--scene", self.folder / "parts.json", "--size", "64x48", "--method", method,
+                             "--screenshot", picture)
             image = Image.open(picture).convert("RGB")
             self.assertEqual(image.getpixel((8, 24)), (255, 0, 255))
             self.assertEqual(image.getpixel((34, 24)), (200, 30, 90))

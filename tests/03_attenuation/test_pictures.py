@@ -1,29 +1,23 @@
 """Pictures of chapter 03: those of every method of culling are equal to the last bit, and pixels are what double precision
-says. LIGHTWALK_BUILD names the build folder where it is not build/ in the tree.
+says.
 """
 import json
 import math
-import os
 import pathlib
 import shutil
-import subprocess
-import tempfile
+import sys
 import unittest
 
 from PIL import Image
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-PROGRAM = pathlib.Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build")) / "chapters" / "03_attenuation"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
+from pictures import ROOT, ChapterPictures, to_code  # noqa: E402
+
 METHODS = ("every_light", "per_object", "tiled", "clustered")
 FLOOR = {"model": "models/plane.obj", "scale": 20,
          "material": {"diffuse": [0.5, 0.4, 0.3], "specular": [0, 0, 0], "shininess": 1}}
 DOWN = {"position": [0, 6, 0], "target": [0, 0, 0], "up": [0, 0, -1], "fov_deg": 60, "near_m": 0.1, "far_m": 50}
 ALONG = {"position": [0, 1, 9], "target": [0, 0.5, 0], "fov_deg": 50, "near_m": 0.01, "far_m": 1e9}
-
-
-def to_code(linear: float) -> float:
-    linear = min(max(linear, 0), 1)
-    return 255 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055)
 
 
 def point(x, y, z, **keys):
@@ -35,19 +29,8 @@ def spot(x, y, z, **keys):
             "inner_deg": 10, "outer_deg": 20, **keys}
 
 
-@unittest.skipUnless((ROOT / "shaders" / "03_attenuation" / "solution").exists(), "a handout has no reference")
-@unittest.skipUnless(PROGRAM.exists() or "LIGHTWALK_BUILD" in os.environ, f"{PROGRAM} is not built")
-class PicturesTest(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
-
-    def run_program(self, *options, **environment):
-        done = subprocess.run([str(word) for word in (PROGRAM, *options)], capture_output=True, text=True, timeout=120,
-                              env=os.environ | environment)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
+class PicturesTest(ChapterPictures):
+    chapter = "03_attenuation"
 
     def scene(self, name, lights, camera=ALONG, objects=(FLOOR,), **keys):
         path = self.folder / f"{name}.json"
@@ -58,9 +41,8 @@ class PicturesTest(unittest.TestCase):
     def draw(self, scene, *options, size=(64, 48), **environment):
         """Rows of (r, g, b) codes."""
         picture = self.folder / "picture.png"
-        done = self.run_program("--scene", scene, *options, "--size", f"{size[0]}x{size[1]}", "--screenshot", picture,
-                                **environment)
-        self.assertEqual(done.stderr, "")
+        self.run_program("--scene", scene, *options, "--size", f"{size[0]}x{size[1]}", "--screenshot", picture,
+                         **environment)
         image = Image.open(picture).convert("RGB").load()
         return [[image[x, y] for x in range(size[0])] for y in range(size[1])]
 
@@ -77,7 +59,7 @@ class PicturesTest(unittest.TestCase):
             "scenes": [{"scene": str(file), "set": sets, "label": label} for label, file, sets in scenes],
             "curves": [{"method": method} for method in METHODS[1:]]}))
         out = self.folder / "study.json"
-        self.run_program("--study", out, "--size", f"{size[0]}x{size[1]}", LIGHTWALK_ROOT=str(root),
+        self.run_program("--study", out, "--size", f"{size[0]}x{size[1]}", silent=False, LIGHTWALK_ROOT=str(root),
                          LIGHTWALK_CACHE=str(ROOT / "build" / "shader_cache"))
         return {(p["scene"], p["method"]): p["error"] for p in json.loads(out.read_text())["points"]}
 

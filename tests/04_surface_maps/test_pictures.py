@@ -1,31 +1,22 @@
-"""Pictures of chapter 04 that must agree with others, or differ by a known amount. LIGHTWALK_BUILD names the build folder
-where it is not build/ in the tree.
-"""
+"""Pictures of chapter 04 that must agree with others, or differ by a known amount."""
 import json
-import os
 import pathlib
 import subprocess
-import tempfile
+import sys
 import unittest
 
 from PIL import Image
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-BUILD = pathlib.Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
-PROGRAM = BUILD / "chapters" / "04_surface_maps"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
+from pictures import BUILD, LINEAR, ROOT, ChapterPictures  # noqa: E402
+
 SCENES = ROOT / "assets" / "scenes"
 TEXTURES = ROOT / "assets" / "textures"
 WHITE_TEXELS = 32  # what SHOW draws as white
-LINEAR = [code / 255 / 12.92 if code <= 10 else ((code / 255 + 0.055) / 1.055) ** 2.4 for code in range(256)]
 
 
-@unittest.skipUnless((ROOT / "shaders" / "04_surface_maps" / "solution").exists(), "a handout has no reference")
-@unittest.skipUnless(PROGRAM.exists() or "LIGHTWALK_BUILD" in os.environ, f"{PROGRAM} is not built")
-class PicturesTest(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
+class PicturesTest(ChapterPictures):
+    chapter = "04_surface_maps"
 
     def draw(self, scene, *options, size="160x90", name="picture") -> pathlib.Path:
         """A picture of a scene file or of a scene as JSON."""
@@ -35,9 +26,7 @@ class PicturesTest(unittest.TestCase):
         else:
             file = SCENES / f"{scene}.json"
         picture = self.folder / f"{name}.png"
-        done = subprocess.run([PROGRAM, "--scene", file, *options, "--size", size, "--screenshot", picture],
-                              capture_output=True, text=True, timeout=120, cwd=ROOT)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.run_program("--scene", file, *options, "--size", size, "--screenshot", picture)
         return picture
 
     def flip(self, expected, actual) -> float:
