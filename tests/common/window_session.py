@@ -126,6 +126,7 @@ class Session:
             at = [round(a + (b - a) * step) for a, b in zip(start, end)]
             self.xdotool("mousemove", "--window", self.window, *map(str, at))
             time.sleep(0.1)
+        time.sleep(0.8)  # a frame on a busy machine: the window reads the mouse once in each
         self.xdotool("mouseup", str(button))
         time.sleep(0.2)
         self.park()
