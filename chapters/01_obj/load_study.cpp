@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "01_obj/load_bench.h"
+#include "common/add_line.h"
 #include "common/error.h"
 #include "common/files.h"
 
@@ -73,20 +74,16 @@ double megabytes(const SceneFile& scene) {
 
 LoaderCost choose_loader(double megabytes, int loads, double budget, std::vector<std::string>& lines) {
     const LoaderCost* best = nullptr;
-    char text[160];
-    const auto line = [&](const char* format, auto... values) {
-        std::snprintf(text, sizeof text, format, values...);
-        lines.push_back(text);
-    };
-    line("file: %.3f MB, read %d times: %.3f MB in all", megabytes, loads, megabytes * loads);
-    line("rule: loads x (start + size / rate) is least, among loaders with an error of at most %g ULP", budget);
+    add_line(lines, "file: %.3f MB, read %d times: %.3f MB in all", megabytes, loads, megabytes * loads);
+    add_line(lines, "rule: loads x (start + size / rate) is least, among loaders with an error of at most %g ULP",
+             budget);
     for (const LoaderCost& cost : costs) {
-        line("%-14s %10.2f ms predicted, %g ULP", std::string(loader_name(cost.loader)).c_str(),
-             cost.total_ms(megabytes, loads), cost.ulp);
+        add_line(lines, "%-14s %10.2f ms predicted, %g ULP", std::string(loader_name(cost.loader)).c_str(),
+                 cost.total_ms(megabytes, loads), cost.ulp);
         if (cost.ulp <= budget && (!best || cost.total_ms(megabytes, loads) < best->total_ms(megabytes, loads)))
             best = &cost;
     }
-    line("choice: loader=%s", std::string(loader_name(best->loader)).c_str());
+    add_line(lines, "choice: loader=%s", std::string(loader_name(best->loader)).c_str());
     return *best;
 }
 

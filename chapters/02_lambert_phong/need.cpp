@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "02_lambert_phong/truth.h"
+#include "common/add_line.h"
 #include "common/measure/image.h"
 #include "common/measure/statistics.h"
 
@@ -198,19 +198,15 @@ const ShadingChoice& cheapest_within(const ShadingNeed& need, double budget) {
 
 std::vector<std::string> explain(const ShadingNeed& need, const ShadingChoice& choice, double budget) {
     std::vector<std::string> lines;
-    char text[160];
-    const auto line = [&](const char* format, auto... values) {
-        std::snprintf(text, sizeof text, format, values...);
-        lines.push_back(text);
-    };
-    line("highlight width: %.3g pixels; triangle side: %.3g pixels (medians over what is seen)", need.highlight_px,
-         need.triangle_px);
-    line("rule: highlights wider than triangles bear shading at vertices; below a pixel they need several samples");
+    add_line(lines, "highlight width: %.3g pixels; triangle side: %.3g pixels (medians over what is seen)",
+             need.highlight_px, need.triangle_px);
+    add_line(lines,
+             "rule: highlights wider than triangles bear shading at vertices; below a pixel they need several samples");
     for (const ShadingChoice& c : need.choices)
-        line("%-24s samples %d: error %.5f predicted, %.4g million evaluations", c.method.c_str(), c.samples, c.error,
-             c.cost);
-    line("choice: method=%s samples=%d, the cheapest with an error of at most %g%s", choice.method.c_str(),
-         choice.samples, budget, choice.error <= budget ? "" : " would be none: this is the most accurate");
+        add_line(lines, "%-24s samples %d: error %.5f predicted, %.4g million evaluations", c.method.c_str(), c.samples,
+                 c.error, c.cost);
+    add_line(lines, "choice: method=%s samples=%d, the cheapest with an error of at most %g%s", choice.method.c_str(),
+             choice.samples, budget, choice.error <= budget ? "" : " would be none: this is the most accurate");
     return lines;
 }
 

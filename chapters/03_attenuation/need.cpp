@@ -11,6 +11,7 @@
 #include "03_attenuation/light_grid.h"
 #include "03_attenuation/truth.h"
 #include "03_attenuation/visible_points.h"
+#include "common/add_line.h"
 
 namespace lightwalk {
 namespace {
@@ -150,24 +151,21 @@ const CullingChoice& cheapest_within(const CullingNeed& need, double budget) {
 
 std::vector<std::string> explain(const CullingNeed& need, const CullingChoice& choice, double budget) {
     std::vector<std::string> lines;
-    char text[160];
-    const auto line = [&](const char* format, auto... values) {
-        std::snprintf(text, sizeof text, format, values...);
-        lines.push_back(text);
-    };
     const double n = std::max(1.0, double(need.lights));
-    line("lights: %zu; of them reach a pixel: %.3g in the mean, a share of %.3g", need.lights, need.lights_per_pixel,
-         need.lights_per_pixel / n);
-    line("rule: a share near 1, or a handful of lights, does not pay for culling; few of many do");
+    add_line(lines, "lights: %zu; of them reach a pixel: %.3g in the mean, a share of %.3g", need.lights,
+             need.lights_per_pixel, need.lights_per_pixel / n);
+    add_line(lines, "rule: a share near 1, or a handful of lights, does not pay for culling; few of many do");
     for (const CullingChoice& c : need.choices)
         if (c.threshold > 0)
-            line("%-12s threshold %g: error %.5f predicted, %.4g million lights computed", c.method.c_str(),
-                 double(c.threshold), c.error, c.cost);
+            add_line(lines, "%-12s threshold %g: error %.5f predicted, %.4g million lights computed", c.method.c_str(),
+                     double(c.threshold), c.error, c.cost);
         else
-            line("%-12s : error %.5f predicted, %.4g million lights computed", c.method.c_str(), c.error, c.cost);
+            add_line(lines, "%-12s : error %.5f predicted, %.4g million lights computed", c.method.c_str(), c.error,
+                     c.cost);
     char set[64] = "";
     if (choice.threshold > 0) std::snprintf(set, sizeof set, " threshold=%g", double(choice.threshold));
-    line("choice: method=%s%s, the cheapest with an error of at most %g", choice.method.c_str(), set, budget);
+    add_line(lines, "choice: method=%s%s, the cheapest with an error of at most %g", choice.method.c_str(), set,
+             budget);
     return lines;
 }
 

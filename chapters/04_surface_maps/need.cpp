@@ -1,13 +1,13 @@
 #include "04_surface_maps/need.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 
 #include "02_lambert_phong/truth.h"
 #include "04_surface_maps/height_field.h"
 #include "04_surface_maps/maps.h"
 #include "04_surface_maps/truth.h"
+#include "common/add_line.h"
 #include "common/measure/image.h"
 
 namespace lightwalk {
@@ -245,18 +245,16 @@ const ParallaxChoice& cheapest_within(const ParallaxNeed& need, double budget) {
 
 std::vector<std::string> explain(const ParallaxNeed& need, const ParallaxChoice& choice, double budget) {
     std::vector<std::string> lines;
-    char text[200];
-    const auto line = [&](const char* format, auto... values) {
-        std::snprintf(text, sizeof text, format, values...);
-        lines.push_back(text);
-    };
-    line("depth 1 moves things by %.3g pixels and %.3g texels (medians over what is seen)", need.parallax_px,
-         need.texels);
-    line("rule: below half a pixel a normal map will do; beyond, as many steps as bring the hits within the budget");
+    add_line(lines, "depth 1 moves things by %.3g pixels and %.3g texels (medians over what is seen)", need.parallax_px,
+             need.texels);
+    add_line(
+        lines,
+        "rule: below half a pixel a normal map will do; beyond, as many steps as bring the hits within the budget");
     for (const ParallaxChoice& c : need.choices)
-        line("%-15s steps %d: error %.5f predicted, %.4g million reads", c.method.c_str(), c.steps, c.error, c.cost);
-    line("choice: method=%s steps=%d, the cheapest with an error of at most %g", choice.method.c_str(), choice.steps,
-         budget);
+        add_line(lines, "%-15s steps %d: error %.5f predicted, %.4g million reads", c.method.c_str(), c.steps, c.error,
+                 c.cost);
+    add_line(lines, "choice: method=%s steps=%d, the cheapest with an error of at most %g", choice.method.c_str(),
+             choice.steps, budget);
     return lines;
 }
 
