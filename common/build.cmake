@@ -1,60 +1,54 @@
 # How the tree becomes targets. A new chapter is a new folder; nothing here names one.
 
-# common: one library per folder, each using only those before it.
-function(lightwalk_library name)
-  cmake_parse_arguments(arg "" "FOLDER" "LINK" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${arg_FOLDER}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
-  add_library(${name} STATIC ${sources})
-  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
-  target_link_libraries(${name} PUBLIC ${arg_LINK})
-  lightwalk_precompiled(${name})
-endfunction()
-
-# One precompiled header for all, which they can share because they share flags and definitions.
-function(lightwalk_precompiled name)
-  if(name STREQUAL lightwalk_base)
-    target_precompile_headers(${name} PRIVATE <algorithm> <array> <filesystem> <functional> <map> <memory> <optional>
-                              <span> <string> <string_view> <vector> <glm/glm.hpp> <glm/gtc/matrix_transform.hpp>)
-  else()
-    target_precompile_headers(${name} REUSE_FROM lightwalk_base)
-  endif()
-endfunction()
-
+# common: one shared library, so that a chapter's program holds the chapter alone. Its rooms use only those before them:
+# base, image, measure, gpu, scene, app, study, window, check.
 function(lightwalk_common)
-  lightwalk_library(lightwalk_base FOLDER common LINK glm::glm nlohmann_json::nlohmann_json Threads::Threads)
-  target_include_directories(lightwalk_base SYSTEM PUBLIC ${PROJECT_SOURCE_DIR}/shaders)
-  target_compile_definitions(lightwalk_base PUBLIC GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_RADIANS
-                             GLM_ENABLE_EXPERIMENTAL)
+  set(sources)
+  foreach(room base image measure gpu scene app study window check)
+    file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/${room}/*.cpp)
+    list(APPEND sources ${found})
+  endforeach()
+  list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
+  add_library(lightwalk SHARED ${sources})
+  set_target_properties(lightwalk PROPERTIES DEFINE_SYMBOL "") # programs share its precompiled header
+  target_include_directories(lightwalk PUBLIC ${PROJECT_SOURCE_DIR})
+  target_include_directories(lightwalk SYSTEM PUBLIC ${PROJECT_SOURCE_DIR}/shaders)
+  target_compile_definitions(lightwalk PUBLIC GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_RADIANS GLM_ENABLE_EXPERIMENTAL)
+  target_link_libraries(lightwalk PUBLIC glm::glm nlohmann_json::nlohmann_json Threads::Threads Vulkan::Vulkan)
+  target_link_libraries(lightwalk PRIVATE PkgConfig::stb glslang::glslang glslang::SPIRV
+                        glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS} assimp::assimp glfw
+                        PkgConfig::imgui CLI11::CLI11)
+  target_precompile_headers(lightwalk PRIVATE <algorithm> <array> <filesystem> <functional> <map> <memory> <optional>
+                            <span> <string> <string_view> <vector> <glm/glm.hpp> <glm/gtc/matrix_transform.hpp>)
   file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/solution)
   if(NOT solutions) # a handout
-    target_compile_definitions(lightwalk_base PUBLIC LIGHTWALK_NO_SOLUTION)
+    target_compile_definitions(lightwalk PUBLIC LIGHTWALK_NO_SOLUTION)
   endif()
   if(LIGHTWALK_SANITIZE)
     add_library(sanitizer_support SHARED ${PROJECT_SOURCE_DIR}/tests/sanitizer_support.cpp)
-    target_link_libraries(lightwalk_base PUBLIC sanitizer_support)
+    target_link_libraries(lightwalk PUBLIC sanitizer_support)
   endif()
   # Reading a command line or JSON happens once in a run: that such a file compiles fast matters more.
   set_source_files_properties(
     common/app/options.cpp common/app/lists.cpp common/scene/json_lines.cpp common/scene/scene_write.cpp
     common/measure/compare_main.cpp PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
-  lightwalk_library(lightwalk_course FOLDER common/course LINK lightwalk_base)
-  lightwalk_library(lightwalk_measure FOLDER common/measure LINK lightwalk_base PkgConfig::stb)
-  lightwalk_library(lightwalk_gpu FOLDER common/gpu LINK lightwalk_course Vulkan::Vulkan glslang::glslang
-                    glslang::SPIRV glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS})
   if(LIGHTWALK_SANITIZE OR LIGHTWALK_FUZZ)
     # Debian builds glslang without type information, which this check of the undefined-behaviour sanitizer needs.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/common/gpu/compile.cpp PROPERTIES COMPILE_OPTIONS -fno-sanitize=vptr)
   endif()
-  lightwalk_library(lightwalk_scene FOLDER common/scene LINK lightwalk_gpu lightwalk_measure assimp::assimp)
-  lightwalk_library(lightwalk_app FOLDER common/app LINK lightwalk_scene glfw PkgConfig::imgui
-                    CLI11::CLI11)
-  lightwalk_library(lightwalk_check FOLDER common/course/check LINK lightwalk_app)
-  add_executable(compare ${PROJECT_SOURCE_DIR}/common/measure/compare_main.cpp)
-  target_link_libraries(compare PRIVATE lightwalk_measure CLI11::CLI11)
-  add_executable(menu ${PROJECT_SOURCE_DIR}/common/app/menu_main.cpp)
-  target_link_libraries(menu PRIVATE lightwalk_app)
-  set_target_properties(compare menu PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+  foreach(program measure/compare window/menu)
+    get_filename_component(name ${program} NAME)
+    add_executable(${name} ${PROJECT_SOURCE_DIR}/common/${program}_main.cpp)
+    lightwalk_precompiled(${name})
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+  endforeach()
+  target_link_libraries(compare PRIVATE lightwalk CLI11::CLI11)
+  target_link_libraries(menu PRIVATE lightwalk glfw PkgConfig::imgui)
+endfunction()
+
+# One precompiled header for all, which they can share because they share flags and definitions.
+function(lightwalk_precompiled name)
+  target_precompile_headers(${name} REUSE_FROM lightwalk)
 endfunction()
 
 # A chapter sees common and earlier chapters: its include path holds links to those folders and to no other,
@@ -75,7 +69,7 @@ function(lightwalk_chapters)
     set_target_properties(chapter_${chapter} PROPERTIES LINKER_LANGUAGE CXX)
     lightwalk_precompiled(chapter_${chapter})
     target_include_directories(chapter_${chapter} PUBLIC ${visible})
-    target_link_libraries(chapter_${chapter} PUBLIC lightwalk_app)
+    target_link_libraries(chapter_${chapter} PUBLIC lightwalk)
     foreach(name ${earlier})
       target_link_libraries(chapter_${chapter} PUBLIC chapter_${name})
     endforeach()
@@ -86,12 +80,11 @@ function(lightwalk_chapters)
     target_link_libraries(${chapter} PRIVATE chapter_${chapter})
     target_compile_definitions(${chapter} PRIVATE LIGHTWALK_CHAPTER="${chapter}")
     set_target_properties(${chapter} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
-    # Every shader in every variant is compiled and validated as part of the build, which also fills the cache.
-    file(GLOB_RECURSE shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/*)
-    add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders
-                       COMMAND ${chapter} --compile-shaders
-                       COMMAND ${CMAKE_COMMAND} -E touch ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders
-                       DEPENDS ${chapter} ${shaders} VERBATIM)
+    # Every shader in every variant is compiled and validated as part of the build, which also fills the cache. The
+    # program says in chapter.shaders.d which files it read: only an edit of those compiles them again.
+    set(stamp ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders)
+    add_custom_command(OUTPUT ${stamp} COMMAND ${chapter} --compile-shaders ${stamp} DEPENDS ${chapter}
+                       DEPFILE ${stamp}.d VERBATIM)
     add_custom_target(shaders_${chapter} ALL DEPENDS ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders)
     list(APPEND earlier ${chapter})
   endforeach()
@@ -104,9 +97,9 @@ endfunction()
 function(lightwalk_tests)
   add_library(catch_main OBJECT ${PROJECT_SOURCE_DIR}/tests/catch_main.cpp)
   target_compile_options(catch_main PRIVATE -O0)
-  add_library(check_main OBJECT ${PROJECT_SOURCE_DIR}/common/course/check/check_main.cpp)
+  add_library(check_main OBJECT ${PROJECT_SOURCE_DIR}/common/check/check_main.cpp)
   target_compile_options(check_main PRIVATE -O0)
-  target_link_libraries(check_main PUBLIC lightwalk_check CLI11::CLI11)
+  target_link_libraries(check_main PUBLIC lightwalk CLI11::CLI11)
   if(Catch2_VERSION VERSION_LESS 3)
     target_link_libraries(catch_main PUBLIC Catch2::Catch2)
   else()
@@ -118,19 +111,19 @@ function(lightwalk_tests)
     set(folder ${PROJECT_SOURCE_DIR}/tests/${name})
     set(library chapter_${name})
     if(name STREQUAL common)
-      set(library lightwalk_app)
+      set(library lightwalk)
     endif()
     file(GLOB checks CONFIGURE_DEPENDS ${folder}/checks_*.cpp)
     if(checks)
       add_executable(check_${name} ${checks})
       lightwalk_precompiled(check_${name})
-      target_link_libraries(check_${name} PRIVATE check_main ${library} lightwalk_check)
+      target_link_libraries(check_${name} PRIVATE check_main ${library})
     endif()
     file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
     if(sources)
       add_executable(test_${name} ${sources})
       lightwalk_precompiled(test_${name})
-      target_link_libraries(test_${name} PRIVATE catch_main ${library} lightwalk_check)
+      target_link_libraries(test_${name} PRIVATE catch_main ${library})
       add_test(NAME unit.${name} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
     endif()
     if(EXISTS ${folder}/build.cmake)

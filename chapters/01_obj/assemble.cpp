@@ -5,7 +5,7 @@
 
 #include "01_obj/exercises.h"
 #include "01_obj/threads.h"
-#include "common/error.h"
+#include "common/base/error.h"
 
 namespace lightwalk {
 namespace {

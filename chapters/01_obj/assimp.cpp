@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "01_obj/loaders.h"
-#include "common/error.h"
+#include "common/base/error.h"
 
 namespace lightwalk {
 

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "01_obj/load_bench.h"
-#include "common/files.h"
+#include "common/base/files.h"
 
 namespace lightwalk {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "01_obj/obj.h"
-#include "common/course/exercise.h"
+#include "common/base/exercise.h"
 #include "common/scene/camera.h"
 
 namespace lightwalk {

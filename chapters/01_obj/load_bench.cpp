@@ -8,7 +8,7 @@
 
 #include "01_obj/mapped_file.h"
 #include "01_obj/truth.h"
-#include "common/error.h"
+#include "common/base/error.h"
 
 namespace lightwalk {
 namespace {

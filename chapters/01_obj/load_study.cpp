@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "01_obj/load_bench.h"
-#include "common/add_line.h"
-#include "common/error.h"
-#include "common/files.h"
+#include "common/base/add_line.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
 
 namespace lightwalk {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "01_obj/float_parse.h"
 #include "01_obj/lines.h"
-#include "common/files.h"
+#include "common/base/files.h"
 #include "common/scene/asset_path.h"
 
 namespace lightwalk {

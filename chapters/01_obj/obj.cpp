@@ -7,7 +7,7 @@
 #include "01_obj/mapped_file.h"
 #include "01_obj/mtl.h"
 #include "01_obj/scan.h"
-#include "common/error.h"
+#include "common/base/error.h"
 #include "common/scene/import.h"
 
 namespace lightwalk {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "02_lambert_phong/truth.h"
-#include "common/add_line.h"
-#include "common/measure/image.h"
+#include "common/base/add_line.h"
+#include "common/image/image.h"
 #include "common/measure/statistics.h"
 
 namespace lightwalk {

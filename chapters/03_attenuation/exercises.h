@@ -1,6 +1,6 @@
 // The C++ exercise of this chapter. The name calls the student's version or the reference, as the toggle says.
 #pragma once
-#include "common/course/exercise.h"
+#include "common/base/exercise.h"
 #include "common/scene/light.h"
 #include "common/scene/mesh.h"
 

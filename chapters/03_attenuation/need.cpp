@@ -11,7 +11,7 @@
 #include "03_attenuation/light_grid.h"
 #include "03_attenuation/truth.h"
 #include "03_attenuation/visible_points.h"
-#include "common/add_line.h"
+#include "common/base/add_line.h"
 
 namespace lightwalk {
 namespace {

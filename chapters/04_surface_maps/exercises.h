@@ -1,7 +1,7 @@
 // The C++ exercise of this chapter. The name calls the student's version or the reference, as the toggle says.
 #pragma once
 #include "04_surface_maps/tangent_frame.h"
-#include "common/course/exercise.h"
+#include "common/base/exercise.h"
 #include "common/structs.h"
 
 namespace lightwalk {

@@ -4,7 +4,7 @@
 #include "04_surface_maps/maps.h"
 #include "04_surface_maps/need.h"
 #include "04_surface_maps/tangents.h"
-#include "common/app/study.h"
+#include "common/study/study.h"
 
 using namespace lightwalk;
 

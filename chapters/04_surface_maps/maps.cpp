@@ -4,7 +4,7 @@
 #include <glm/gtc/color_space.hpp>
 #include <glm/gtc/packing.hpp>
 
-#include "common/measure/image.h"
+#include "common/image/image.h"
 
 namespace lightwalk {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 #include "04_surface_maps/levels.h"
 #include "common/app/knob.h"
-#include "common/measure/image.h"
+#include "common/image/image.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {

@@ -7,8 +7,8 @@
 #include "04_surface_maps/height_field.h"
 #include "04_surface_maps/maps.h"
 #include "04_surface_maps/truth.h"
-#include "common/add_line.h"
-#include "common/measure/image.h"
+#include "common/base/add_line.h"
+#include "common/image/image.h"
 
 namespace lightwalk {
 namespace {

@@ -2,8 +2,9 @@
 #include <set>
 
 #include "common/app/options.h"
-#include "common/course/exercise.h"
-#include "common/error.h"
+#include "common/base/exercise.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
 
 namespace lightwalk {
 namespace {
@@ -50,7 +51,7 @@ std::vector<Defines> variants(const Chapter& chapter, const std::string& text, b
 
 // Compiles what no earlier state or variant has compiled already.
 int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defaults_only,
-                     std::set<std::string>& seen) {
+                     std::set<std::string>& seen, std::set<std::filesystem::path>& files) {
     std::string text;
     for (const std::string& shader : pipeline.shaders())
         if (pipeline.compute.source.empty()) text += flatten(shader, {}).text;
@@ -58,7 +59,10 @@ int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defa
     for (const Defines& defines : variants(chapter, text, defaults_only)) {
         const std::vector<FlatShader> flat = flatten_stages(pipeline, defines);
         std::string all;
-        for (const FlatShader& shader : flat) all += shader.text;
+        for (const FlatShader& shader : flat) {
+            all += shader.text;
+            files.insert(shader.files.begin(), shader.files.end());
+        }
         if (!seen.insert(std::move(all)).second) continue;
         CompiledStages stages = compile_stages(pipeline, flat);
         assign_bindings(stages);
@@ -71,7 +75,7 @@ int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defa
 
 }  // namespace
 
-int compile_all_shaders(Chapter& chapter) {
+int compile_all_shaders(Chapter& chapter, const std::string& stamp) {
     // Every variant with all references and with all starters; one exercise swapped at a time with default knobs, for
     // what swapping can break is the interface between the two.
     std::vector<std::string> states{"solution", "exercise"};
@@ -82,13 +86,18 @@ int compile_all_shaders(Chapter& chapter) {
     }
     int modules = 0;
     std::set<std::string> seen;
+    std::set<std::filesystem::path> files;
     for (const std::string& state : states) {
         Exercises::use(state);
         for (const Pipeline* pipeline : Pipeline::all())
-            modules += compile_pipeline(chapter, *pipeline, state.find(',') != state.npos, seen);
+            modules += compile_pipeline(chapter, *pipeline, state.find(',') != state.npos, seen, files);
     }
     std::printf("%s: %d different shader modules compiled and valid in %zu toggle states\n", chapter.name.c_str(),
                 modules, states.size());
+    std::string rule = stamp + ":";
+    for (const auto& file : files) rule += " \\\n " + file.string();
+    write_file(stamp + ".d", rule + "\n");
+    write_file(stamp, "");
     return 0;
 }
 

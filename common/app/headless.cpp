@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "common/app/options.h"
-#include "common/app/study.h"
-#include "common/error.h"
-#include "common/files.h"
-#include "common/measure/image.h"
+#include "common/study/study.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/image/image.h"
 #include "common/measure/statistics.h"
 
 namespace lightwalk {

@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "common/app/options.h"
-#include "common/course/exercise.h"
-#include "common/error.h"
-#include "common/files.h"
+#include "common/base/exercise.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
 #include "common/gpu/device.h"
 #include "common/scene/json_lines.h"
 

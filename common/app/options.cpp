@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "common/course/exercise.h"
-#include "common/error.h"
+#include "common/base/exercise.h"
+#include "common/base/error.h"
 
 namespace lightwalk {
 namespace {
@@ -74,7 +74,8 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--validate", validate, "Vulkan validation, core and synchronisation; a message is a failure")
         ->check(CLI::IsMember({"on", "off"}));
     app.add_option("--seed", o.seed, "seed for what is random");
-    app.add_flag("--compile-shaders", o.compile_shaders, "compile and validate all shaders in all variants, exit");
+    app.add_option("--compile-shaders", o.compile_shaders, "compile and validate all shaders in all variants; for the build")
+        ->type_name("STAMP");
     std::map<std::string, std::string> by_knob, by_command;
     for (const KnobBase* knob : chapter.knobs)
         app.add_option("--" + knob->name, by_knob[knob->name], knob->help)->group("Knobs");

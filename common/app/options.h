@@ -7,14 +7,14 @@
 namespace lightwalk {
 
 struct Options {
-    std::string scene, use = "solution", shot, screenshot, timings, study, list, device;
+    std::string scene, use = "solution", shot, screenshot, timings, study, list, device, compile_shaders;
     std::vector<std::string> set;  ///< NAME=VALUE
     glm::uvec2 size{960, 540};
     bool size_given = false;
     float time_s = 0;
     std::optional<float> time_given;
     int frames = 1;
-    bool frames_given = false, json = false, validate = false, compile_shaders = false, explain = false;
+    bool frames_given = false, json = false, validate = false, explain = false;
     bool automatic = false;  ///< --method auto: the need rule chooses
     std::optional<double> budget;
     unsigned seed = 0;
@@ -34,7 +34,8 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
 int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu, const MakeChapter& make);
 
 /// Compiles every pipeline of the chapter in every variant of its choices and toggles, and validates the SPIR-V. Needs
-/// no device. Throws ShaderError.
-int compile_all_shaders(Chapter& chapter);
+/// no device. Then writes the file `stamp`, and beside it `stamp`.d, which says in make's words which shaders it was made
+/// from. Throws ShaderError.
+int compile_all_shaders(Chapter& chapter, const std::string& stamp);
 
 }  // namespace lightwalk

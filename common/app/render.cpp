@@ -2,7 +2,7 @@
 #include <cstring>
 
 #include "common/app/chapter.h"
-#include "common/error.h"
+#include "common/base/error.h"
 
 namespace lightwalk {
 namespace {

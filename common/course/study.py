@@ -1,6 +1,6 @@
 """Measures what chapters teach and draws the charts: time against error.
 
-chapters/NN_name/study.json says what to measure (common/app/study.h); two of its keys are for this file:
+chapters/NN_name/study.json says what to measure (common/study/study.h); two of its keys are for this file:
 
     "scenes": ["build/study/grid.obj", ...],
     "generate": {"build/study/grid.obj": ["tests/01_obj/make_big_obj.py", "104"]}

@@ -8,7 +8,7 @@
 #include <spirv-tools/libspirv.hpp>
 #include <sstream>
 
-#include "common/files.h"
+#include "common/base/files.h"
 #include "common/gpu/glsl.h"
 
 namespace lightwalk {

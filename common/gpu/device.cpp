@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "common/error.h"
+#include "common/base/error.h"
 #include "common/gpu/device_features.h"
 
 namespace lightwalk {

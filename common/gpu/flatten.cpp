@@ -4,8 +4,8 @@
 #include <set>
 #include <sstream>
 
-#include "common/course/exercise.h"
-#include "common/files.h"
+#include "common/base/exercise.h"
+#include "common/base/files.h"
 #include "common/gpu/glsl.h"
 
 namespace lightwalk {

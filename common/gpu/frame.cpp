@@ -3,7 +3,7 @@
 #include <cstring>
 #include <utility>
 
-#include "common/error.h"
+#include "common/base/error.h"
 
 namespace lightwalk {
 namespace {

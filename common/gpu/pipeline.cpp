@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/course/exercise.h"
+#include "common/base/exercise.h"
 
 namespace lightwalk {
 namespace {

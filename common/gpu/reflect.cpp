@@ -2,7 +2,7 @@
 
 #include <spirv_cross/spirv_cross_c.h>
 
-#include "common/error.h"
+#include "common/base/error.h"
 
 namespace lightwalk {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "common/error.h"
-#include "common/files.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
 #include "common/measure/flip.h"
 #include "common/measure/metrics.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/error.h"
-#include "common/measure/planes.h"
+#include "common/base/error.h"
+#include "common/image/planes.h"
 
 namespace lightwalk {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "common/measure/image.h"
+#include "common/image/image.h"
 
 namespace lightwalk {
 

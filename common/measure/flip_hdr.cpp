@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "common/error.h"
+#include "common/base/error.h"
 #include "common/measure/flip.h"
 #include "common/measure/statistics.h"
 

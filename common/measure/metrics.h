@@ -2,7 +2,7 @@
 #pragma once
 #include <cstddef>
 
-#include "common/measure/image.h"
+#include "common/image/image.h"
 
 namespace lightwalk {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
 
-#include "common/error.h"
-#include "common/measure/image.h"
+#include "common/base/error.h"
+#include "common/image/image.h"
 
 namespace lightwalk {
 namespace {

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "common/error.h"
+#include "common/base/error.h"
 #include "common/scene/asset_path.h"
 
 namespace lightwalk {

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "common/error.h"
+#include "common/base/error.h"
 
 namespace lightwalk {
 namespace {

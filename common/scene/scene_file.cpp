@@ -4,8 +4,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
-#include "common/error.h"
-#include "common/files.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
 #include "common/scene/json_lines.h"
 
 namespace lightwalk {

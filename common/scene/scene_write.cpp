@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "common/files.h"
+#include "common/base/files.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {

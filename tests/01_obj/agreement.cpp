@@ -1,6 +1,6 @@
 #include "agreement.h"
 
-#include "common/error.h"
+#include "common/base/error.h"
 
 namespace lightwalk {
 namespace {

@@ -1,7 +1,7 @@
 // What ./course check runs for chapter 01.
 #include "01_obj/truth.h"
 #include "checks.h"
-#include "common/course/check/check.h"
+#include "common/check/check.h"
 
 using namespace lightwalk;
 

@@ -3,7 +3,7 @@
 
 #include "01_obj/truth.h"
 #include "checks.h"
-#include "common/error.h"
+#include "common/base/error.h"
 
 namespace lightwalk {
 namespace {

@@ -7,8 +7,8 @@
 #include "01_obj/truth.h"
 #include "agreement.h"
 #include "catch.h"
-#include "common/error.h"
-#include "common/files.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
 
 using namespace lightwalk;
 namespace fs = std::filesystem;

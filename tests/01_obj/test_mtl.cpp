@@ -1,8 +1,8 @@
 #include "01_obj/mtl.h"
 #include "01_obj/obj.h"
 #include "catch.h"
-#include "common/error.h"
-#include "common/files.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
 
 using namespace lightwalk;
 namespace fs = std::filesystem;

@@ -1,6 +1,6 @@
 // What ./course check runs for chapter 02: values against double precision, then properties.
 #include "02_lambert_phong/truth.h"
-#include "common/course/check/check.h"
+#include "common/check/check.h"
 
 using namespace lightwalk;
 

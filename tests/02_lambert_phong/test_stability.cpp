@@ -1,7 +1,7 @@
 // Where the methods of chapter 02 fail: a bound where they hold, the size of the failure where they do not.
 #include "02_lambert_phong/truth.h"
 #include "catch.h"
-#include "common/course/check/check.h"
+#include "common/check/check.h"
 
 using namespace lightwalk;
 

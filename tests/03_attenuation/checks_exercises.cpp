@@ -1,7 +1,7 @@
 // What ./course check runs for chapter 03: values against double precision, then properties.
 #include "03_attenuation/exercises.h"
 #include "03_attenuation/truth.h"
-#include "common/course/check/check.h"
+#include "common/check/check.h"
 
 using namespace lightwalk;
 

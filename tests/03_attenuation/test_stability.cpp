@@ -3,7 +3,7 @@
 #include "03_attenuation/light_buffer.h"
 #include "03_attenuation/truth.h"
 #include "catch.h"
-#include "common/course/check/check.h"
+#include "common/check/check.h"
 
 using namespace lightwalk;
 

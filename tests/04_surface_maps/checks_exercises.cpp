@@ -1,6 +1,6 @@
 // What ./course check runs for the shaders of chapter 04: values against double precision, then properties.
 #include "04_surface_maps/truth.h"
-#include "common/course/check/check.h"
+#include "common/check/check.h"
 
 using namespace lightwalk;
 

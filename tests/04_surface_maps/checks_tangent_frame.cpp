@@ -1,6 +1,6 @@
 // What ./course check runs for 04.tangent_frame.
 #include "04_surface_maps/exercises.h"
-#include "common/course/check/check.h"
+#include "common/check/check.h"
 
 using namespace lightwalk;
 

@@ -5,9 +5,9 @@
 #include "04_surface_maps/tangents.h"
 #include "04_surface_maps/truth.h"
 #include "catch.h"
-#include "common/course/check/check.h"
-#include "common/files.h"
-#include "common/measure/image.h"
+#include "common/check/check.h"
+#include "common/base/files.h"
+#include "common/image/image.h"
 
 using namespace lightwalk;
 

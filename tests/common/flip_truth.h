@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "common/measure/image.h"
+#include "common/image/image.h"
 
 namespace flip_truth {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "catch.h"
-#include "common/app/camera_control.h"
+#include "common/window/camera_control.h"
 
 using namespace lightwalk;
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "catch.h"
-#include "common/error.h"
+#include "common/base/error.h"
 #include "common/measure/flip.h"
 #include "flip_truth.h"
 

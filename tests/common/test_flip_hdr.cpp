@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "catch.h"
-#include "common/error.h"
+#include "common/base/error.h"
 #include "common/measure/flip.h"
 #include "flip_truth.h"
 

@@ -5,9 +5,9 @@
 #include <thread>
 
 #include "catch.h"
-#include "common/course/check/check.h"
-#include "common/error.h"
-#include "common/files.h"
+#include "common/check/check.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
 #include "common/gpu/frame.h"
 
 using namespace lightwalk;

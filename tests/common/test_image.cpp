@@ -9,9 +9,9 @@
 #include <string>
 
 #include "catch.h"
-#include "common/error.h"
-#include "common/files.h"
-#include "common/measure/image.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/image/image.h"
 
 using namespace lightwalk;
 namespace fs = std::filesystem;

@@ -1,7 +1,7 @@
 // Other formats through Assimp: transforms in the right order, and bad files refused.
 #include "catch.h"
-#include "common/error.h"
-#include "common/files.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
 #include "common/scene/import.h"
 
 using namespace lightwalk;

@@ -3,7 +3,7 @@
 
 #include "catch.h"
 #include "common/app/knob.h"
-#include "common/error.h"
+#include "common/base/error.h"
 
 using namespace lightwalk;
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "catch.h"
-#include "common/error.h"
+#include "common/base/error.h"
 #include "common/measure/metrics.h"
 #include "common/measure/pareto.h"
 #include "common/measure/statistics.h"

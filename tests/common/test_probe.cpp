@@ -1,6 +1,6 @@
 // The probes themselves.
 #include "catch.h"
-#include "common/course/check/check.h"
+#include "common/check/check.h"
 
 using namespace lightwalk;
 

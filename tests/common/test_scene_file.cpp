@@ -3,8 +3,8 @@
 #include <fstream>
 
 #include "catch.h"
-#include "common/error.h"
-#include "common/files.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
 #include "common/scene/scene_file.h"
 
 using namespace lightwalk;

@@ -2,7 +2,7 @@
 #include <string_view>
 
 #include "01_obj/mtl.h"
-#include "common/error.h"
+#include "common/base/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     try {

@@ -1,6 +1,6 @@
 // Fuzzes the reader of scene files: any bytes are a scene or an InputError. Includes are read from a folder that holds
 // none, so that nothing but the text is tried.
-#include "common/error.h"
+#include "common/base/error.h"
 #include "common/scene/scene_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

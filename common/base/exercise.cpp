@@ -1,0 +1,107 @@
+#include "common/base/exercise.h"
+
+#include <filesystem>
+#include <map>
+
+#include "common/base/error.h"
+#include "common/base/files.h"
+
+namespace lightwalk {
+namespace {
+
+struct State {
+    bool has_solution = true, solution = true;
+};
+
+struct Table {
+    std::map<std::string, State, std::less<>> exercises;
+    std::string state;  ///< made anew on the first question after a change
+    bool scanned = false;
+};
+
+// A function-local static, because toggles in other files declare themselves before main().
+Table& table() {
+    static Table instance;
+    return instance;
+}
+
+// GLSL exercises need no declaration: a file in shaders/NN_name/exercise is one.
+Table& scanned_table() {
+    Table& t = table();
+    if (t.scanned) return t;
+    t.scanned = true;
+    namespace fs = std::filesystem;
+    for (const auto& chapter : fs::directory_iterator(course_root() / "shaders")) {
+        if (!fs::is_directory(chapter.path() / "exercise")) continue;
+        for (const auto& file : fs::directory_iterator(chapter.path() / "exercise")) {
+            if (file.path().extension() != ".glsl") continue;
+            const std::string id = chapter.path().filename().string().substr(0, 2) + "." + file.path().stem().string();
+            t.exercises[id].has_solution = fs::exists(chapter.path() / "solution" / file.path().filename());
+        }
+    }
+    return t;
+}
+
+State& find(std::string_view id) {
+    auto& exercises = scanned_table().exercises;
+    if (const auto it = exercises.find(id); it != exercises.end()) return it->second;
+    std::string known;
+    for (const auto& [name, state] : exercises) known += (known.empty() ? "" : ", ") + name;
+    throw InputError("unknown exercise '" + std::string(id) + "'; there are: " + known);
+}
+
+bool is_solution(std::string_view word) {
+    if (word == "solution") return true;
+    if (word == "exercise") return false;
+    throw InputError("--use: '" + std::string(word) + "' is neither 'solution' nor 'exercise'");
+}
+
+}  // namespace
+
+bool Exercises::uses_solution(std::string_view id) {
+    const State& state = find(id);
+    return state.solution && state.has_solution;
+}
+
+void Exercises::use(std::string_view which) {
+    for (size_t begin = 0; begin <= which.size();) {
+        const size_t end = std::min(which.find(',', begin), which.size());
+        const std::string_view item = which.substr(begin, end - begin);
+        begin = end + 1;
+        if (const size_t equals = item.find('='); equals != item.npos) {
+            set(item.substr(0, equals), is_solution(item.substr(equals + 1)));
+            continue;
+        }
+        const bool solution = is_solution(item);
+        for (auto& [id, state] : scanned_table().exercises) state.solution = solution;
+        table().state.clear();
+    }
+}
+
+void Exercises::set(std::string_view id, bool solution) {
+    find(id).solution = solution;
+    table().state.clear();
+}
+
+std::vector<std::string> Exercises::ids() {
+    std::vector<std::string> result;
+    for (const auto& [id, state] : scanned_table().exercises) result.push_back(id);
+    return result;
+}
+
+bool Exercises::has_solution(std::string_view id) { return find(id).has_solution; }
+
+void Exercises::declare(std::string_view id, bool has_solution) {
+    table().exercises[std::string(id)].has_solution = has_solution;
+}
+
+const std::string& Exercises::state() {
+    Table& t = scanned_table();
+    if (t.state.empty()) {
+        t.state = "=";
+        for (const auto& [id, state] : t.exercises) t.state += state.solution && state.has_solution ? 's' : 'e';
+    }
+    return t.state;
+}
+
+}  // namespace lightwalk

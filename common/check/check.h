@@ -1,0 +1,59 @@
+// Checks: what an exercise must do, told in words a student understands.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/check/probe.h"
+
+namespace lightwalk {
+
+/// Collects what one exercise got right and wrong.
+class Check {
+  public:
+    int passed = 0, failed = 0;
+    std::string first_failure;  ///< empty where all is right
+
+    void expect(bool right, const std::string& otherwise);
+    /// One expectation for each entry: none means that all was right.
+    void add(const std::vector<std::string>& failures);
+    /// Runs the probe and expects every result within its bound. Returns the results, for properties.
+    Table probe(const Probe& probe);
+    /// Expects `holds` of every call's input and result; `otherwise` completes "f(...) gave x, ...".
+    void property(const Probe& probe, const Table& results, const std::string& otherwise,
+                  const std::function<bool(std::span<const double> input, std::span<const double> result)>& holds);
+};
+
+struct ExerciseCheck {
+    std::string id;    ///< "02.phong"
+    std::string hint;  ///< one sentence
+    void (*run)(Check& check);
+};
+
+/// Every check linked into the program, in the order of their ids.
+const std::vector<ExerciseCheck>& all_checks();
+
+/// Runs it on the student's version or the reference; the other exercises are references. A file that does not compile
+/// is a failure whose text is the compiler's.
+Check run_check(const ExerciseCheck& exercise, bool solution);
+
+/// The device that probes run on: $LIGHTWALK_DEVICE, else the best there is; with $LIGHTWALK_VALIDATE=on validated.
+Gpu& check_device();
+/// Ends with the device's destruction; throws Failure where validation has said something.
+void release_check_device();
+
+struct RegisterCheck {
+    RegisterCheck(const char* id, const char* hint, void (*run)(Check&));
+};
+
+}  // namespace lightwalk
+
+#define LIGHTWALK_JOIN_(a, b) a##b
+#define LIGHTWALK_JOIN(a, b) LIGHTWALK_JOIN_(a, b)
+
+/// CHECK_EXERCISE("02.phong", "a hint") { check.probe({...}); }
+#define CHECK_EXERCISE(id, hint)                                                     \
+    static void LIGHTWALK_JOIN(run_check_, __LINE__)(lightwalk::Check & check);      \
+    static const lightwalk::RegisterCheck LIGHTWALK_JOIN(register_check_, __LINE__)( \
+        id, hint, LIGHTWALK_JOIN(run_check_, __LINE__));                             \
+    static void LIGHTWALK_JOIN(run_check_, __LINE__)([[maybe_unused]] lightwalk::Check & check)

@@ -1,0 +1,306 @@
+#include "common/study/study.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+
+#include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/measure/flip.h"
+#include "common/measure/metrics.h"
+#include "common/measure/statistics.h"
+#include "common/scene/json_lines.h"
+
+namespace lightwalk {
+namespace {
+
+using nlohmann::json;
+
+void apply(Chapter& chapter, const KnobValues& set) {
+    for (const auto& [name, value] : set) find_knob(chapter.knobs, name).set(value);
+}
+
+int rounds_of(int rounds_of_study) {
+    const char* override = std::getenv("LIGHTWALK_STUDY_ROUNDS");
+    if (!override) return rounds_of_study;
+    const int rounds = std::atoi(override);
+    if (rounds < 1) throw InputError(std::string("LIGHTWALK_STUDY_ROUNDS is ") + override + ", expected 1 or more");
+    return rounds;
+}
+
+// A knob's value as JSON has it: a number where it is one.
+json as_json(const std::string& value) {
+    const json number = json::parse(value, nullptr, false);
+    return number.is_number() ? number : json(value);
+}
+
+json as_json(const KnobValues& values) {
+    json knobs = json::object();
+    for (const auto& [name, value] : values) knobs[name] = as_json(value);
+    return knobs;
+}
+
+// One scene of the study: its truth, then every point's error, then every point's time, round by round.
+class SceneStudy {
+  public:
+    SceneStudy(const StudyPlan& plan, const Options& options, Chapter& chapter, Frame& frame, const StudyScene& scene)
+        : plan_(plan),
+          options_(options),
+          chapter_(chapter),
+          frame_(frame),
+          scene_(scene),
+          size_(options.size_given ? options.size : plan.size.value_or(options.size)) {}
+
+    json run() {
+        load();
+        set_knobs(plan_.truth);
+        const ImageRgb reference = render_picture();
+        const json doubling = plan_.doubled ? double_samples(reference) : json::object();
+        std::vector<json> errors;
+        for (const StudyPoint& point : plan_.points) {
+            set_knobs(point);
+            show_progress(scene_.label + ": errors", errors.size(), plan_.points.size());
+            errors.push_back(study_errors(reference, render_picture()));
+            errors.back().update(measured());
+        }
+        if (std::none_of(errors.begin(), errors.end(), [&](const json& e) { return e.contains(plan_.error_metric); }))
+            throw InputError("error_metric is '" + plan_.error_metric + "', but no point of " + scene_.label +
+                             " has it");
+        return {{"file", scene_.file},
+                {"set", as_json(scene_.set)},
+                {"doubling", doubling},
+                {"one_step", one_step(reference)},
+                {"points", time(errors)}};
+    }
+
+  private:
+    // What the scene sets is in effect when the chapter prepares, whatever the scene file says.
+    void load() {
+        for (KnobBase* knob : chapter_.knobs) knob->reset();
+        std::vector<std::pair<KnobBase*, bool>> pins;
+        for (const auto& [name, value] : scene_.set) {
+            KnobBase& knob = find_knob(chapter_.knobs, name);
+            pins.emplace_back(&knob, knob.pinned);
+            knob.set(value);
+            knob.pinned = true;
+        }
+        load_scene(chapter_, frame_.gpu, scene_.file);
+        for (const auto& [knob, pinned] : pins) knob->pinned = pinned;
+    }
+    void set_knobs(const KnobValues& set) {
+        for (KnobBase* knob : chapter_.knobs) knob->reset();
+        for (const auto& [name, value] : chapter_.scene.file.knobs) find_knob(chapter_.knobs, name).set(value);
+        apply(chapter_, scene_.set);
+        apply(chapter_, set);
+    }
+    void set_knobs(const StudyPoint& point) {
+        set_knobs(point.set);
+        if (!point.method.empty()) find_knob(chapter_.knobs, "method").set(point.method);
+    }
+    void draw(const StudyPoint& point) {
+        set_knobs(point);
+        render(chapter_, frame_, size_, options_.time_s, options_.seed);
+    }
+    ImageRgb render_picture() {
+        render(chapter_, frame_, size_, options_.time_s, options_.seed);
+        return read_hdr(frame_.gpu, frame_.hdr);
+    }
+    // What the chapter itself measures of the picture just rendered. Every picture sets all knobs, whatever this sets.
+    json measured() {
+        json own = json::object();
+        chapter_.measure(frame_.gpu, size_, own);
+        static const json of_pictures = study_errors(ImageRgb(1, 1), ImageRgb(1, 1));
+        for (const auto& [name, value] : own.items())
+            if (of_pictures.contains(name) || !value.is_number())
+                throw Failure("chapter " + chapter_.name + " measures '" + name + "' as " + value.dump() +
+                              ": expected a number, under a name that no error of a picture has");
+        return own;
+    }
+    // How far the truth moves with its samples doubled, in every metric. Knobs are the truth's before.
+    json double_samples(const ImageRgb& reference) {
+        const json before = measured();
+        set_knobs(*plan_.doubled);
+        json change = study_errors(render_picture(), reference);
+        const json after = measured();
+        for (const auto& [name, value] : after.items())
+            if (before.contains(name)) change[name] = std::fabs(value.get<double>() - before.at(name).get<double>());
+        if (!change.contains(plan_.error_metric))
+            throw InputError("error_metric is '" + plan_.error_metric + "', which the truth does not have");
+        if (!(change.at(plan_.error_metric).get<double>() <= plan_.most_change))
+            throw Failure(scene_.label + ": doubling the truth's samples changes it by " +
+                          change.at(plan_.error_metric).dump() + ", at most " + json(plan_.most_change).dump() +
+                          " was expected");
+        return change;
+    }
+    static json one_step(const ImageRgb& reference) {
+        const Image8 codes = to_srgb8(reference);
+        return study_errors(to_linear(codes), to_linear(one_step_away(codes)));
+    }
+    json time(const std::vector<json>& errors) {
+        const std::vector<StudyPoint>& points = plan_.points;
+        const int rounds = rounds_of(plan_.rounds);
+        std::vector<std::map<std::string, std::vector<double>>> samples(points.size());
+        std::vector<std::vector<double>> totals(points.size());
+        // A GPU that was idle while errors were computed runs at a low clock at first, for more than a round of fast
+        // frames.
+        const auto warm = std::chrono::steady_clock::now() + std::chrono::milliseconds(rounds > 1 ? 1500 : 0);
+        do {
+            for (const StudyPoint& point : points) draw(point);
+        } while (std::chrono::steady_clock::now() < warm);
+        for (int round = 0; round < rounds; ++round) {
+            show_progress(scene_.label + ": times", static_cast<size_t>(round), static_cast<size_t>(rounds));
+            for (size_t i = 0; i < points.size(); ++i) {
+                draw(points[i]);
+                double total = 0;
+                for (const PassTime& pass : frame_.times) {
+                    samples[i][pass.name].push_back(pass.gpu_ms);
+                    total += pass.gpu_ms;
+                }
+                totals[i].push_back(total);
+            }
+        }
+        json result = json::array();
+        for (size_t i = 0; i < points.size(); ++i) {
+            const Quartiles q = quartiles(totals[i]);
+            json per_pass = json::object(), knobs = as_json(scene_.set);
+            for (const auto& [name, values] : samples[i]) per_pass[name] = median(values);
+            knobs.update(as_json(points[i].set));
+            result.push_back(
+                {{"scene", scene_.label},
+                 {"method", points[i].method},
+                 {"knobs", knobs},
+                 {"error", errors[i]},
+                 {"time_ms",
+                  {{"median", q.median}, {"q1", q.q1}, {"q3", q.q3}, {"rounds", rounds}, {"per_pass", per_pass}}}});
+        }
+        return result;
+    }
+    const StudyPlan& plan_;
+    const Options& options_;
+    Chapter& chapter_;
+    Frame& frame_;
+    const StudyScene& scene_;
+    const glm::uvec2 size_;
+};
+
+// The method apart from the other knobs, as docs/study_format.md has it.
+json truth_of(const StudyPlan& plan) {
+    json knobs = as_json(plan.truth);
+    const json method = knobs.value("method", "");
+    knobs.erase("method");
+    json truth = {{"method", method}, {"knobs", knobs}};
+    if (!plan.doubled) truth["exact"] = true;
+    return truth;
+}
+
+std::string text_of(glm::uvec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
+
+// What a person types to measure it again.
+std::string command_of(const Options& options, const Chapter& chapter) {
+    return "./course study " + chapter.name.substr(0, 2) +
+           (options.device.empty() ? "" : " --device " + options.device) +
+           (options.size_given ? " --size " + text_of(options.size) : "");
+}
+
+}  // namespace
+
+ImageRgb read_hdr(Gpu& gpu, const Image& hdr) {
+    const std::vector<std::byte> texels = gpu.read_back(hdr);
+    ImageRgb image(static_cast<int>(hdr.desc.size.x), static_cast<int>(hdr.desc.size.y));
+    for (size_t i = 0; i < image.pixels.size(); ++i) {
+        uint64_t packed = 0;
+        std::memcpy(&packed, texels.data() + 8 * i, 8);
+        image.pixels[i] = glm::vec3(glm::unpackHalf4x16(packed));
+    }
+    return image;
+}
+
+json study_errors(const ImageRgb& truth, const ImageRgb& test) {
+    const ErrorSummary flip = summarize(flip_ldr(truth, test));
+    const Difference d = difference(truth, test);
+    return {{"flip_mean", flip.mean}, {"flip_p99", flip.p99}, {"rmse", d.rmse},   {"relative_rmse", d.relative_rmse},
+            {"max", d.max},           {"nan", d.test.nan},    {"inf", d.test.inf}};
+}
+
+void show_progress(const std::string& what, size_t done, size_t of) {
+    const bool terminal = isatty(STDERR_FILENO);
+    if (!terminal && done != 0 && done != of) return;
+    constexpr size_t width = 30;
+    const size_t filled = of ? done * width / of : width;
+    std::fprintf(stderr, "%s[%s%s] %zu/%zu %s%s", terminal ? "\r\033[K" : "", std::string(filled, '#').c_str(),
+                 std::string(width - filled, '.').c_str(), done, of, what.c_str(), terminal ? "" : "\n");
+}
+
+json measure_study(const std::string& text, const std::string& file, const Options& options, Chapter& chapter,
+                   Gpu& gpu) {
+    const StudyPlan plan = read_study(parse_json(text, file), chapter.knobs);
+    const glm::uvec2 size = options.size_given ? options.size : plan.size.value_or(options.size);
+    const std::filesystem::path partial = options.study + ".partial";
+    const std::string identity = "2 " + gpu.device.info.name + " " + gpu.device.info.driver + " " +
+                                 std::to_string(hash_bytes(text)) + " " + std::to_string(rounds_of(plan.rounds)) + " " +
+                                 text_of(size);
+    json done = {{"identity", identity}, {"scenes", json::object()}};
+    if (std::filesystem::exists(partial)) {
+        const json before = json::parse(read_file(partial), nullptr, false);
+        if (before.is_object() && before.value("identity", "") == identity) done = before;
+    }
+    Frame frame(gpu);
+    for (const StudyScene& scene : plan.scenes) {
+        if (done["scenes"].contains(scene.label)) continue;
+        done["scenes"][scene.label] = SceneStudy(plan, options, chapter, frame, scene).run();
+        write_file(partial, done.dump());
+    }
+    json result = {{"chapter", chapter.name},
+                   {"title", plan.title},
+                   {"subject", "frame"},
+                   {"device", gpu.device.info.name},
+                   {"driver", gpu.device.info.driver},
+                   {"stage", plan.stage},
+                   {"size", {size.x, size.y}},
+                   {"command", command_of(options, chapter)},
+                   {"truth", truth_of(plan)},
+                   {"error_metric", plan.error_metric},
+                   {"time_unit", "ms"},
+                   {"scenes", done["scenes"]},
+                   {"points", json::array()}};
+    if (!plan.charts.is_null()) result["charts"] = plan.charts;
+    if (!plan.metrics.empty()) result["metrics"] = plan.metrics;
+    double worst = 0;
+    for (const StudyScene& scene : plan.scenes) {
+        json& part = result["scenes"][scene.label];
+        if (plan.doubled) worst = std::max(worst, part.at("doubling").at(plan.error_metric).get<double>());
+        for (const json& point : part.at("points")) result["points"].push_back(point);
+        part.erase("points");
+    }
+    if (plan.doubled) result["truth"]["doubling_change"] = worst;
+    return result;
+}
+
+void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
+    const std::filesystem::path file = course_root() / "chapters" / chapter.name / "study.json";
+    const json result = measure_study(read_file(file), file.string(), options, chapter, gpu);
+    write_file(options.study, result.dump(1) + "\n");
+    std::filesystem::remove(options.study + ".partial");
+    show_progress("written to " + options.study + "\n", 1, 1);
+}
+
+bool run_cpu_study(const Options& options, Chapter& chapter) {
+    const auto path = course_root() / "chapters" / chapter.name / "study.json";
+    json study = parse_json(read_file(path), path.string()).root;
+    study["rounds"] = rounds_of(study.value("rounds", 11));
+    json result;
+    if (!chapter.cpu_study(study, result)) return false;
+    result["chapter"] = chapter.name;
+    result["title"] = study.at("title");
+    result["command"] = "./course study " + chapter.name.substr(0, 2);
+    if (study.contains("charts")) result["charts"] = study["charts"];
+    write_file(options.study, result.dump(1) + "\n");
+    return true;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,35 @@
+// A chapter's study: a sweep over methods and knobs that measures time and error. chapters/NN_name/study.json says what
+// to sweep; docs/study_format.md what comes out.
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "common/app/options.h"
+#include "common/study/study_plan.h"
+#include "common/image/image.h"
+
+namespace lightwalk {
+
+/// The HDR target as linear RGB.
+ImageRgb read_hdr(Gpu& gpu, const Image& hdr);
+
+/// Errors of `test` against `truth`: FLIP mean and 99th percentile (LDR, of what is clamped to [0, 1]), RMSE, relative
+/// RMSE and maximum in linear light, counts of NaN and Inf.
+nlohmann::json study_errors(const ImageRgb& truth, const ImageRgb& test);
+
+/// Measures the study that is `text`, of `file`, and returns it as docs/study_format.md has it. What is done is kept in
+/// options.study + ".partial" after each scene, from which an interrupted study goes on. options.size stands for the
+/// study's "size" where it was given; LIGHTWALK_STUDY_ROUNDS in the environment, a whole number from 1, for its
+/// "rounds" (tests need errors, not times). Throws InputError or, where the truth has not converged, Failure.
+nlohmann::json measure_study(const std::string& text, const std::string& file, const Options& options, Chapter& chapter,
+                             Gpu& gpu);
+
+/// Measures chapters/NN_name/study.json and writes options.study. Throws as measure_study.
+void run_study(const Options& options, Chapter& chapter, Gpu& gpu);
+
+/// Runs a study of something else than frames, without a device. False where the chapter has none.
+bool run_cpu_study(const Options& options, Chapter& chapter);
+
+/// A line with a bar on stderr; on a terminal it is drawn over.
+void show_progress(const std::string& what, size_t done, size_t of);
+
+}  // namespace lightwalk

@@ -1,0 +1,259 @@
+#include "common/study/study_plan.h"
+
+#include <initializer_list>
+#include <set>
+
+#include "common/base/error.h"
+#include "common/scene/scene_file.h"
+
+namespace lightwalk {
+namespace {
+
+using nlohmann::json;
+
+// A value of the file, and where it stands.
+class Node {
+  public:
+    Node(const JsonWithLines& source, const json& of, std::string pointer)
+        : value(of), source_(source), pointer_(std::move(pointer)) {}
+
+    const json& value;
+
+    [[noreturn]] void refuse(const std::string& why) const {
+        throw InputError(source_.where(pointer_) + (why[0] == ':' ? "" : " ") + why);
+    }
+    void expect(bool right, const char* what) const {
+        if (!right) refuse(std::string("is ") + value.dump() + ", expected " + what);
+    }
+    void expect_keys(std::initializer_list<const char*> known) const {
+        expect(value.is_object(), "an object { }");
+        std::string names;
+        for (const char* name : known) names += (names.empty() ? "" : ", ") + std::string(name);
+        for (const auto& [key, ignored] : value.items())
+            if (std::find(known.begin(), known.end(), key) == known.end())
+                (*this)[key].refuse("is unknown here; known: " + names);
+    }
+    bool has(const std::string& key) const { return value.contains(key); }
+    Node operator[](const std::string& key) const {
+        if (!has(key)) refuse("has no \"" + key + "\"");
+        return {source_, value.at(key), pointer_ + "/" + key};
+    }
+    std::vector<Node> items() const {
+        expect(value.is_array() && !value.empty(), "a list [ ] with something in it");
+        std::vector<Node> nodes;
+        for (size_t i = 0; i < value.size(); ++i)
+            nodes.emplace_back(source_, value[i], pointer_ + "/" + std::to_string(i));
+        return nodes;
+    }
+    std::string text() const {
+        expect(value.is_string() && !value.get_ref<const std::string&>().empty(), "a text in quotes");
+        return value.get<std::string>();
+    }
+    std::string one_of(std::initializer_list<const char*> words, const char* what) const {
+        expect(std::find(words.begin(), words.end(), text()) != words.end(), what);
+        return text();
+    }
+
+  private:
+    const JsonWithLines& source_;
+    std::string pointer_;
+};
+
+class PlanReader {
+  public:
+    explicit PlanReader(const KnobList& knobs) : knobs_(knobs) {}
+
+    StudyPlan read(const Node& study) {
+        study.expect_keys({"title", "error_metric", "stage", "size", "rounds", "truth", "scenes", "curves", "charts",
+                           "better", "metrics", "generate", "test_size"});
+        plan_.title = study["title"].text();
+        plan_.error_metric = study["error_metric"].text();
+        plan_.stage = study["stage"].text();
+        if (study.has("size")) plan_.size = read_size(study["size"]);
+        if (study.has("test_size")) read_size(study["test_size"]);  // study_test.py's
+        if (study.has("rounds")) {
+            const json& rounds = study["rounds"].value;
+            study["rounds"].expect(rounds.is_number_integer() && rounds >= 1 && rounds <= 100000,
+                                   "a whole number from 1");
+            plan_.rounds = rounds.get<int>();
+        }
+        read_truth(study["truth"]);
+        for (const Node& curve : study["curves"].items()) read_curve(curve);
+        for (const Node& scene : study["scenes"].items()) read_scene_entry(scene);
+        if (study.has("charts")) read_charts(study["charts"]);
+        if (study.has("better")) {
+            study["better"].expect(study["better"].value.is_object(), "an object { } of knobs");
+            for (const auto& [name, ignored] : study["better"].value.items()) {
+                find(study["better"][name], name);
+                study["better"][name].one_of({"lower", "higher", "either"}, "\"lower\", \"higher\" or \"either\"");
+            }
+        }
+        if (study.has("metrics")) {
+            study["metrics"].expect(study["metrics"].value.is_object(), "an object { }");
+            for (const auto& [name, ignored] : study["metrics"].value.items()) study["metrics"][name].text();
+            plan_.metrics = study["metrics"].value;
+        }
+        return plan_;
+    }
+
+  private:
+    KnobBase& find(const Node& at, const std::string& name) const {
+        try {
+            return find_knob(knobs_, name);
+        } catch (const InputError& e) { at.refuse(std::string(": ") + e.what()); }
+    }
+
+    // A knob's value, which the knob itself has taken.
+    std::string checked(const Node& at, const std::string& name) const {
+        if (at.value.is_structured() || at.value.is_null()) at.refuse("is " + at.value.dump() + ", expected one value");
+        const std::string text = at.value.is_string() ? at.value.get<std::string>() : at.value.dump();
+        try {
+            find(at, name).set(text);
+        } catch (const InputError& e) { at.refuse(std::string(": ") + e.what()); }
+        return text;
+    }
+
+    static std::vector<Node> values_of(const Node& node) {
+        return node.value.is_array() ? node.items() : std::vector<Node>{node};
+    }
+
+    KnobValues read_set(const Node& set) const {
+        set.expect(set.value.is_object(), "an object { } of knobs");
+        KnobValues values;
+        for (const auto& [name, ignored] : set.value.items()) values.emplace_back(name, checked(set[name], name));
+        return values;
+    }
+
+    static glm::uvec2 read_size(const Node& size) {
+        const auto side = [](const json& n) { return n.is_number_integer() && n >= 1 && n <= 16384; };
+        size.expect(size.value.is_array() && size.value.size() == 2 && side(size.value[0]) && side(size.value[1]),
+                    "[width, height], each from 1 to 16384");
+        return {size.value[0].get<unsigned>(), size.value[1].get<unsigned>()};
+    }
+
+    void read_truth(const Node& truth) {
+        truth.expect_keys({"set", "doubled", "most_change", "exact"});
+        plan_.truth = read_set(truth["set"]);
+        if (truth.has("exact")) {
+            truth["exact"].expect(truth["exact"].value == true, "true");
+            for (const char* key : {"doubled", "most_change"})
+                if (truth.has(key)) truth[key].refuse("does not go with \"exact\": it has no samples to double");
+            return;
+        }
+        if (!truth.has("doubled"))
+            truth.refuse("needs \"doubled\" and \"most_change\", or \"exact\": true where it has no samples to double");
+        plan_.doubled = read_set(truth["doubled"]);
+        const Node most = truth["most_change"];
+        most.expect(most.value.is_number() && most.value >= 0, "a number from 0");
+        plan_.most_change = most.value.get<double>();
+    }
+
+    void read_curve(const Node& curve) {
+        curve.expect_keys({"method", "set"});
+        std::vector<StudyPoint> points{{curve.has("method") ? checked(curve["method"], "method") : "", {}}};
+        if (curve.has("set")) {
+            curve["set"].expect(curve["set"].value.is_object(), "an object { } of knobs");
+            for (const auto& [name, ignored] : curve["set"].value.items()) {
+                const Node node = curve["set"][name];
+                std::vector<StudyPoint> next;
+                for (const StudyPoint& point : points)
+                    for (const Node& value : values_of(node)) {
+                        next.push_back(point);
+                        next.back().set.emplace_back(name, checked(value, name));
+                    }
+                points = std::move(next);
+            }
+        }
+        plan_.points.insert(plan_.points.end(), points.begin(), points.end());
+    }
+
+    void read_scene_entry(const Node& entry) {
+        StudyScene scene;
+        if (entry.value.is_object()) {
+            entry.expect_keys({"scene", "set", "label"});
+            scene.file = entry["scene"].text();
+            if (entry.has("set")) scene.set = read_set(entry["set"]);
+            if (entry.has("label")) scene.label = entry["label"].text();
+        } else {
+            scene.file = entry.text();
+        }
+        if (scene.label.empty()) scene.label = std::filesystem::path(scene.file).stem().string();
+        try {
+            find_asset(scene.file);
+        } catch (const InputError& e) { entry.refuse(std::string(": ") + e.what()); }
+        for (const StudyScene& before : plan_.scenes)
+            if (before.label == scene.label)
+                entry.refuse(": two scenes are called '" + scene.label + "'; a \"label\" of its own tells them apart");
+        for (const auto& [name, ignored] : scene.set)
+            if (sets_elsewhere(name))
+                entry.refuse(": '" + name + "' is set by the scene, so neither a curve nor the truth may set it");
+        plan_.scenes.push_back(scene);
+    }
+
+    bool sets_elsewhere(const std::string& name) const {
+        const auto sets = [&](const KnobValues& values) {
+            return std::any_of(values.begin(), values.end(), [&](const auto& value) { return value.first == name; });
+        };
+        return sets(plan_.truth) || (plan_.doubled && sets(*plan_.doubled)) ||
+               std::any_of(plan_.points.begin(), plan_.points.end(), [&](const StudyPoint& point) {
+                   return sets(point.set) || (name == "method" && !point.method.empty());
+               });
+    }
+
+    void read_charts(const Node& charts) {
+        std::set<std::string> names;
+        for (const Node& chart : charts.items()) {
+            chart.expect_keys({"name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale"});
+            const std::string name = chart["name"].text();
+            if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != name.npos)
+                chart["name"].refuse("is '" + name +
+                                     "', expected small letters, digits and _: it is part of a file's name");
+            if (!names.insert(name).second) chart["name"].refuse(": two charts are called '" + name + "'");
+            if (chart.has("title")) chart["title"].text();
+            for (const char* axis : {"x", "y"})
+                if (chart.has(axis)) {
+                    const std::string text = chart[axis].text();
+                    if (text.rfind("knob ", 0) != 0) continue;
+                    if (*axis == 'y') chart[axis].refuse("is '" + text + "', expected \"time\" or a metric");
+                    find(chart[axis], text.substr(5));
+                }
+            if (chart.has("x_scale")) chart["x_scale"].one_of({"linear", "log"}, "\"linear\" or \"log\"");
+            if (chart.has("knobs")) {
+                chart["knobs"].expect(chart["knobs"].value.is_object(), "an object { } of knobs");
+                for (const auto& [knob, ignored] : chart["knobs"].value.items())
+                    for (const Node& value : values_of(chart["knobs"][knob])) checked(value, knob);
+            }
+            if (chart.has("scenes"))
+                for (const Node& scene : chart["scenes"].items())
+                    if (std::none_of(plan_.scenes.begin(), plan_.scenes.end(),
+                                     [&](const StudyScene& known) { return known.label == scene.text(); }))
+                        scene.refuse(": no scene is called '" + scene.text() + "'");
+            if (chart.has("methods"))
+                for (const Node& method : chart["methods"].items())
+                    if (std::none_of(plan_.points.begin(), plan_.points.end(),
+                                     [&](const StudyPoint& known) { return known.method == method.text(); }))
+                        method.refuse(": no curve has the method '" + method.text() + "'");
+        }
+        plan_.charts = charts.value;
+    }
+
+    const KnobList& knobs_;
+    StudyPlan plan_;
+};
+
+}  // namespace
+
+StudyPlan read_study(const JsonWithLines& source, const KnobList& knobs) {
+    const KeptKnobs kept(knobs);  // reading tries every value
+    return PlanReader(knobs).read(Node(source, source.root, ""));
+}
+
+KeptKnobs::KeptKnobs(const KnobList& knobs) {
+    for (KnobBase* knob : knobs) kept_.emplace_back(knob, knob->text());
+}
+
+KeptKnobs::~KeptKnobs() {
+    for (const auto& [knob, text] : kept_) knob->set(text);
+}
+
+}  // namespace lightwalk

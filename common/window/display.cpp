@@ -1,0 +1,143 @@
+#include "common/window/display.h"
+
+#define GLFW_INCLUDE_NONE
+#define GLFW_INCLUDE_VULKAN
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/gpu/device.h"
+
+namespace lightwalk {
+
+struct Display::Events {
+    Input input;
+    glm::vec2 last_cursor{0.0f};
+    bool cursor_known = false;
+};
+
+namespace {
+
+template <class F>
+void note(GLFWwindow* window, const F& change) {
+    auto* events = static_cast<Input*>(glfwGetWindowUserPointer(window));
+    events->happened = true;
+    change(*events);
+}
+
+void on_key(GLFWwindow* window, int key, int, int action, int mods) {
+    note(window, [&](Input& input) {
+        if (action == GLFW_PRESS) input.pressed.push_back({key, mods});
+    });
+}
+
+void on_scroll(GLFWwindow* window, double, double notches) {
+    note(window, [&](Input& input) { input.wheel += static_cast<float>(notches); });
+}
+
+void on_cursor(GLFWwindow* window, double x, double y) {
+    note(window, [&](Input& input) { input.cursor = {x, y}; });
+}
+
+}  // namespace
+
+Display::Display(const std::string& title, glm::ivec2 wanted, const std::string& without) {
+    if (!glfwInit()) {
+        const char* why = nullptr;
+        glfwGetError(&why);
+        throw InputError("no display" + (why ? " (" + std::string(why) + ")" : std::string()) + "; " + without);
+    }
+    if (!glfwVulkanSupported()) {
+        glfwTerminate();
+        throw InputError("this display cannot show Vulkan's pictures; " + without);
+    }
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+        glm::ivec2 corner(0), area(0);
+        glfwGetMonitorWorkarea(monitor, &corner.x, &corner.y, &area.x, &area.y);
+        if (area.x > 0 && area.y > 0) wanted = glm::min(wanted, area);
+    }
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    window = glfwCreateWindow(wanted.x, wanted.y, title.c_str(), nullptr, nullptr);
+    if (!window) {
+        const char* why = nullptr;
+        glfwGetError(&why);
+        const std::string reason = why ? why : "unknown reason";
+        glfwTerminate();
+        throw InputError("no window: " + reason + "; " + without);
+    }
+    glfwSetWindowSizeLimits(window, 200, 150, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    events_ = std::make_unique<Events>();
+    glfwSetWindowUserPointer(window, &events_->input);
+    glfwSetKeyCallback(window, on_key);
+    glfwSetScrollCallback(window, on_scroll);
+    glfwSetCursorPosCallback(window, on_cursor);
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { note(w, [](Input&) {}); });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { note(w, [](Input&) {}); });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { note(w, [](Input&) {}); });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { note(w, [](Input&) {}); });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { note(w, [](Input&) {}); });
+    glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { note(w, [](Input&) {}); });
+}
+
+Display::~Display() {
+    glfwDestroyWindow(window);
+    glfwTerminate();
+}
+
+std::vector<const char*> Display::surface_extensions() {
+    uint32_t count = 0;
+    const char** names = glfwGetRequiredInstanceExtensions(&count);
+    return {names, names + count};
+}
+
+VkSurfaceKHR Display::make_surface(VkInstance instance) const {
+    VkSurfaceKHR surface = VK_NULL_HANDLE;
+    check(glfwCreateWindowSurface(instance, window, nullptr, &surface), "the window's surface");
+    return surface;
+}
+
+Input Display::poll(double wait_s) {
+    if (wait_s > 0.0)
+        glfwWaitEventsTimeout(wait_s);
+    else
+        glfwPollEvents();
+    Input& now = events_->input;
+    now.left = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+    now.right = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
+    now.middle = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_MIDDLE) == GLFW_PRESS;
+    now.shift = is_held(GLFW_KEY_LEFT_SHIFT) || is_held(GLFW_KEY_RIGHT_SHIFT);
+    now.moved = events_->cursor_known ? now.cursor - events_->last_cursor : glm::vec2(0.0f);
+    events_->last_cursor = now.cursor;
+    events_->cursor_known = events_->cursor_known || now.cursor != glm::vec2(0.0f);
+    Input result = now;
+    now.pressed.clear();
+    now.wheel = 0.0f;
+    now.happened = false;
+    return result;
+}
+
+bool Display::wants_to_close() const { return glfwWindowShouldClose(window); }
+bool Display::is_minimised() const { return glfwGetWindowAttrib(window, GLFW_ICONIFIED); }
+bool Display::is_held(int key) const { return glfwGetKey(window, key) == GLFW_PRESS; }
+
+glm::uvec2 Display::framebuffer_size() const {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window, &width, &height);
+    return {width, height};
+}
+
+glm::ivec2 Display::size() const {
+    glm::ivec2 result(0);
+    glfwGetWindowSize(window, &result.x, &result.y);
+    return result;
+}
+
+float Display::scale() const {
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(window, &x, &y);
+    return std::clamp(x, 1.0f, 4.0f);
+}
+
+}  // namespace lightwalk

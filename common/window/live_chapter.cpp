@@ -1,0 +1,97 @@
+#include "common/window/live_chapter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/base/exercise.h"
+#include "common/base/error.h"
+
+namespace lightwalk {
+
+LiveChapter::LiveChapter(Chapter& c, Gpu& gpu, std::filesystem::path scene)
+    : chapter(c), gpu_(gpu), scene_(std::move(scene)) {}
+
+std::string LiveChapter::key() const {
+    return chapter.load_key() + (chapter.reload_on_toggle() ? Exercises::state() : "");
+}
+
+std::vector<std::string> LiveChapter::load(std::optional<double> budget, glm::uvec2 size) {
+    loaded_with_ = key();
+    try {
+        const auto explanation = load_scene(chapter, gpu_, scene_, budget, size);
+        loaded_with_ = key();  // the rule may have set a knob that loading depends on
+        return explanation;
+    } catch (const std::exception& e) {
+        if (!chapter.reload_on_toggle() || all_reference(Exercises::ids())) throw;
+        load_error = e.what();
+        const ToggleScope reference(Exercises::ids(), true);
+        chapter.scene = Scene();
+        return load_scene(chapter, gpu_, scene_, budget, size);
+    }
+}
+
+void LiveChapter::reload() {
+    loaded_with_ = key();
+    const Camera camera = chapter.camera;
+    std::vector<std::string> settings;
+    for (const KnobBase* knob : chapter.knobs) settings.push_back(knob->text());
+    Scene kept = std::exchange(chapter.scene, Scene());
+    try {
+        load_scene(chapter, gpu_, scene_);
+        load_error.clear();
+    } catch (const std::exception& e) {
+        load_error = e.what();
+        chapter.scene = std::move(kept);
+        chapter.prepare(gpu_);
+    }
+    chapter.camera = camera;
+    for (size_t i = 0; i < settings.size(); ++i) chapter.knobs[i]->set(settings[i]);
+}
+
+void LiveChapter::draw(Frame& frame, glm::uvec2 size, float time_s, unsigned seed) {
+    if (loaded_with_ != key()) reload();
+    frame_error.clear();
+    try {
+        record(chapter, frame, size, time_s, seed);
+    } catch (const std::exception& e) { frame_error = e.what(); }
+    frame.end();
+}
+
+ToggleScope::ToggleScope(const std::vector<std::string>& ids, bool solution) {
+    for (const std::string& id : ids) {
+        before_.emplace_back(id, Exercises::uses_solution(id));
+        Exercises::set(id, solution);
+    }
+}
+
+ToggleScope::~ToggleScope() {
+    for (const auto& [id, solution] : before_) Exercises::set(id, solution);
+}
+
+namespace {
+
+std::vector<std::string> exercises_where(const std::function<bool(std::string_view number)>& wanted) {
+    std::vector<std::string> result = Exercises::ids();
+    std::erase_if(result, [&](const std::string& id) { return !wanted(std::string_view(id).substr(0, 2)); });
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::string> own_exercises(const Chapter& chapter) {
+    return exercises_where([&](std::string_view number) { return number == chapter.name.substr(0, 2); });
+}
+
+std::vector<std::string> earlier_exercises(const Chapter& chapter) {
+    return exercises_where([&](std::string_view number) { return number < chapter.name.substr(0, 2); });
+}
+
+bool all_reference(const std::vector<std::string>& ids) {
+    return std::all_of(ids.begin(), ids.end(), Exercises::uses_solution);
+}
+
+bool any_reference_exists(const std::vector<std::string>& ids) {
+    return std::any_of(ids.begin(), ids.end(), Exercises::has_solution);
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,91 @@
+#include "common/window/look.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/look.h"
+
+namespace lightwalk {
+namespace {
+
+Pipeline view_pipeline(const char* shape) {
+    return compute({.shader = "common/view_image.comp", .defines = {{"SHAPE", shape}}, .source = {}});
+}
+const Pipeline plain = view_pipeline("0"), layered = view_pipeline("1"), cube = view_pipeline("2"),
+               whole_numbers = view_pipeline("3");
+
+constexpr const char* viewed = "look";
+
+std::string name_of(const std::pair<std::string, const Image*>& output) {
+    return output.first + ": " + output.second->desc.name;
+}
+
+const Pipeline& pipeline_for(const Image::Desc& desc) {
+    if (desc.format == VK_FORMAT_R32_UINT) return whole_numbers;
+    return desc.cube ? cube : desc.layers > 1 ? layered : plain;
+}
+
+int kind_of(const Image& image, const Frame& frame) {
+    if (&image == &frame.depth) return LOOK_DEPTH;
+    switch (image.desc.format) {
+        case VK_FORMAT_D32_SFLOAT:
+        case VK_FORMAT_D16_UNORM:
+        case VK_FORMAT_R8_UNORM:
+        case VK_FORMAT_R16_UNORM:
+        case VK_FORMAT_R16_SFLOAT:
+        case VK_FORMAT_R32_SFLOAT:
+        case VK_FORMAT_R32_UINT:
+            return LOOK_NUMBER;
+        case VK_FORMAT_R8G8B8A8_UNORM:
+        case VK_FORMAT_R16G16B16A16_UNORM:
+            return LOOK_ENCODED;
+        default:
+            return LOOK_LINEAR;
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> Look::names(const Frame& frame) {
+    std::vector<std::string> result;
+    for (const auto& output : frame.outputs) result.push_back(name_of(output));
+    return result;
+}
+
+void Look::attach(Frame& frame, const Camera& camera, const Bounds& bounds) const {
+    frame.after_pass = nullptr;
+    if (output.empty()) return;
+    frame.after_pass = [this, &frame, camera, bounds, seen = size_t(0)]() mutable {
+        const size_t end = frame.outputs.size();
+        for (; seen < end; ++seen)
+            if (name_of(frame.outputs[seen]) == output) record(frame, *frame.outputs[seen].second, camera, bounds);
+        frame.outputs.resize(end);  // without what was recorded here
+    };
+}
+
+void Look::record(Frame& frame, const Image& image, const Camera& camera, const Bounds& bounds) const {
+    const Image& target = frame.image(viewed, {.format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size});
+    const float radius = bounds.empty() ? 1.0f : 0.5f * glm::length(bounds.extent());
+    const float middle = glm::distance(camera.position, bounds.empty() ? camera.target : bounds.center());
+    const LookParameters parameters{.image_size = image.desc.size,
+                                    .scale = std::exp2(stops),
+                                    .kind = kind_of(image, frame),
+                                    .channel = channel,
+                                    .layers = static_cast<int>(image.desc.layers),
+                                    .near_m = camera.near_m,
+                                    .far_m = camera.far_m,
+                                    .bright_m = std::max(camera.near_m, middle - radius),
+                                    .dark_m = middle + radius};
+    frame.compute(viewed, {.reads = {image}, .writes = {target}}, [&](Compute& pass) {
+        pass.use(pipeline_for(image.desc)).set("source", image, Sampling::nearest_clamp);
+        pass.set("look", parameters).set("result", target).dispatch_threads(frame.size);
+    });
+}
+
+const Image& Look::picture(Frame& frame) const {
+    const auto all = names(frame);
+    if (output.empty() || std::find(all.begin(), all.end(), output) == all.end()) return frame.output;
+    return frame.image(viewed, {.format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size});
+}
+
+}  // namespace lightwalk

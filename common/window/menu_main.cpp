@@ -1,0 +1,263 @@
+// The menu: a picture of each chapter; a click starts it, and its end brings the menu back.
+#include <GLFW/glfw3.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "common/window/blit.h"
+#include "common/app/chapter.h"
+#include "common/window/child_process.h"
+#include "common/window/event_log.h"
+#include "common/window/overlay.h"
+#include "common/window/titles.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/image/image.h"
+
+namespace lightwalk {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr glm::uvec2 picture_size{304, 171};  ///< pixels at scale 1
+
+struct Entry {
+    std::string chapter, title;
+    fs::path program;
+    Image picture;  ///< none where nothing has been drawn yet
+};
+
+/// The picture of the chapter's first shot: as accepted, else as the gallery drew it.
+std::optional<fs::path> find_picture(const std::string& chapter, const fs::path& build) {
+    std::vector<Shot> shots;
+    try {
+        shots = read_shots(chapter);
+    } catch (const std::exception&) {
+        return std::nullopt;  // its own program says what is wrong with them
+    }
+    for (const Shot& shot : shots)
+        for (const fs::path& folder : {course_root() / "tests" / chapter / "golden", build / "gallery" / chapter})
+            if (fs::exists(folder / (shot.name + ".png"))) return folder / (shot.name + ".png");
+    return std::nullopt;
+}
+
+/// The middle of the image at the size and shape of a tile; the mean in linear light of what each pixel covers.
+Image8 thumbnail(const Image8& image, glm::uvec2 size) {
+    const ImageRgb linear = to_linear(image);
+    const float scale = std::min(float(image.width) / float(size.x), float(image.height) / float(size.y));
+    const glm::vec2 corner = 0.5f * (glm::vec2(image.width, image.height) - scale * glm::vec2(size));
+    ImageRgb small(static_cast<int>(size.x), static_cast<int>(size.y));
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            const glm::ivec2 limit(image.width - 1, image.height - 1);
+            const glm::ivec2 begin = glm::clamp(glm::ivec2(corner + scale * glm::vec2(x, y)), glm::ivec2(0), limit);
+            const glm::ivec2 end =
+                glm::clamp(glm::ivec2(corner + scale * glm::vec2(x + 1, y + 1)), begin + 1, limit + 1);
+            glm::vec3 sum(0.0f);
+            for (int v = begin.y; v < end.y; ++v)
+                for (int u = begin.x; u < end.x; ++u) sum += linear.at(u, v);
+            small.at(x, y) = sum / static_cast<float>((end.x - begin.x) * (end.y - begin.y));
+        }
+    return to_srgb8(small);
+}
+
+std::vector<Entry> find_chapters(Gpu& gpu, float scale) {
+    const fs::path build = fs::read_symlink("/proc/self/exe").parent_path();
+    std::vector<Entry> entries;
+    for (const auto& file : fs::directory_iterator(build / "chapters")) {
+        const std::string name = file.path().filename().string();
+        if (!file.is_regular_file() || file.path().has_extension() || name.size() < 4 || name[2] != '_') continue;
+        entries.push_back({name, chapter_title(name), file.path(), {}});
+    }
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.chapter < b.chapter; });
+    const glm::uvec2 size(glm::vec2(picture_size) * scale);
+    for (Entry& entry : entries)
+        if (const auto file = find_picture(entry.chapter, build)) {
+            const Image8 picture = thumbnail(read_image8(*file), size);
+            entry.picture =
+                Image(gpu.device, {.name = entry.chapter, .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size});
+            gpu.upload(entry.picture, std::as_bytes(std::span(picture.pixels)));
+        }
+    return entries;
+}
+
+class Menu {
+  public:
+    Menu(Gpu& gpu, Display& display, std::vector<std::string> options)
+        : gpu_(gpu),
+          display_(display),
+          options_(std::move(options)),
+          swapchain_(gpu, display),
+          overlay_(gpu, display, swapchain_),
+          screen_(gpu),
+          entries_(find_chapters(gpu, display.scale())) {}
+
+    void run() {
+        int settle = 3;  // pictures to draw until the widgets have come to rest
+        while (!display_.wants_to_close()) {
+            const Input input = display_.poll(settle > 0 ? 0.0 : 0.5);
+            for (const KeyPress& press : input.pressed)
+                if (press.key == GLFW_KEY_ESCAPE) return;
+            if (input.happened) settle = 3;
+            if (!swapchain_.ready()) {
+                display_.poll(0.2);
+                continue;
+            }
+            if (settle-- <= 0) continue;
+            if (const Entry* chosen = draw()) {
+                start(*chosen);
+                settle = 3;
+            }
+        }
+    }
+
+  private:
+    /// The chapter that was clicked, or null.
+    const Entry* draw() {
+        overlay_.begin();
+        const Entry* chosen = build();
+        overlay_.end();
+        const Image* target = swapchain_.acquire();
+        if (!target) return chosen;
+        screen_.begin({1, 1}, 0.0f);
+        screen_.transfer("clear", {.reads = {}, .writes = {*target}}, [&](VkCommandBuffer commands) {
+            const VkClearColorValue ground{.float32 = {0.085f, 0.095f, 0.115f, 1.0f}};
+            const VkImageSubresourceRange range = target->range();
+            vkCmdClearColorImage(commands, target->handle, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &ground, 1, &range);
+        });
+        std::vector<Resource> pictures;
+        for (const Tile& tile : tiles_) pictures.push_back(tile.entry->picture);
+        screen_.transfer("pictures", {.reads = pictures, .writes = {*target}}, [&](VkCommandBuffer commands) {
+            for (const Tile& tile : tiles_) blit_clipped(commands, tile, *target);
+        });
+        screen_.transfer("labels", {}, [&](VkCommandBuffer commands) { overlay_.draw(commands); });
+        screen_.end(swapchain_.acquired(), swapchain_.rendered());
+        swapchain_.present();
+        if (++drawn_ == 1) log_event("first picture");
+        return chosen;
+    }
+
+    const Entry* build() {
+        const Entry* chosen = nullptr;
+        tiles_.clear();
+        const ImGuiIO& io = ImGui::GetIO();
+        ImGui::SetNextWindowPos({0.0f, 0.0f});
+        ImGui::SetNextWindowSize(io.DisplaySize);
+        ImGui::Begin("menu", nullptr,
+                     (ImGuiWindowFlags_NoDecoration & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings);
+        ImGui::PushFont(overlay_.large);
+        ImGui::TextUnformatted("Lightwalk");
+        ImGui::PopFont();
+        ImGui::TextColored(quiet_color, "A click starts a chapter; Esc in it comes back here.");
+        if (!message_.empty()) ImGui::TextColored(error_color, "%s", message_.c_str());
+        const float scale = display_.scale(), gap = 16.0f * scale;
+        const ImVec2 size{float(picture_size.x) * scale, (float(picture_size.y) + 34.0f) * scale};
+        const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + gap) / (size.x + gap)));
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+        for (size_t i = 0; i < entries_.size(); ++i) {
+            if (i % static_cast<size_t>(columns) != 0) ImGui::SameLine();
+            if (tile(entries_[i], size)) chosen = &entries_[i];
+        }
+        ImGui::PopStyleVar();
+        if (entries_.empty()) ImGui::TextUnformatted("No chapter is built yet.");
+        ImGui::End();
+        return chosen;
+    }
+
+    bool tile(const Entry& entry, ImVec2 size) {
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        const bool clicked = ImGui::InvisibleButton(entry.chapter.c_str(), size);
+        log_place("chapter." + entry.chapter);
+        const bool hovered = ImGui::IsItemHovered();
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const float foot = size.y - 34.0f * display_.scale();
+        const ImVec2 end{corner.x + size.x, corner.y + size.y};
+        list.AddRectFilled({corner.x, corner.y + foot}, end,
+                           ImGui::GetColorU32(hovered ? ImGuiCol_ButtonActive : ImGuiCol_Button));
+        const std::string number = entry.chapter.substr(0, 2);
+        const ImVec2 text{corner.x + 10.0f, corner.y + foot + 8.0f * display_.scale()};
+        list.AddText(text, ImGui::GetColorU32(mine_color), number.c_str());
+        list.AddText({text.x + 30.0f * display_.scale(), text.y}, ImGui::GetColorU32(ImGuiCol_Text),
+                     entry.title.c_str());
+        if (entry.picture) {
+            tiles_.push_back({&entry, {corner.x, corner.y}});
+        } else {
+            list.AddRectFilled(corner, {end.x, corner.y + foot}, ImGui::GetColorU32({0.12f, 0.13f, 0.155f, 1.0f}));
+            list.AddText({corner.x + 10.0f, corner.y + 10.0f}, ImGui::GetColorU32(quiet_color), "no picture yet");
+        }
+        if (hovered) list.AddRect(corner, end, ImGui::GetColorU32(reference_color), 0.0f, 0, 2.0f);
+        return clicked;
+    }
+
+    struct Tile {
+        const Entry* entry;
+        glm::vec2 corner;  ///< of its picture, pixels; outside the window where it is scrolled away
+    };
+
+    static void blit_clipped(VkCommandBuffer commands, const Tile& tile, const Image& target) {
+        const Image& picture = tile.entry->picture;
+        const glm::ivec2 corner(tile.corner), size(picture.desc.size), window(target.desc.size);
+        const glm::ivec2 begin = glm::clamp(corner, glm::ivec2(0), window);
+        const glm::ivec2 end = glm::clamp(corner + size, begin, window);
+        const glm::uvec2 shown(end - begin);
+        blit(commands, picture, {glm::uvec2(begin - corner), shown}, target, {glm::uvec2(begin), shown});
+    }
+
+    void start(const Entry& entry) {
+        message_.clear();
+        try {
+            ChildProcess child(entry.program, options_);
+            log_event("started " + entry.chapter);
+            glfwHideWindow(display_.window);
+            std::optional<int> code;
+            while (!(code = child.poll())) display_.poll(0.1);
+            log_event(entry.chapter + " ended with " + std::to_string(*code));
+            if (*code != 0)
+                message_ = entry.chapter + " ended with code " + std::to_string(*code) + ": " + child.last_words();
+        } catch (const Failure& e) { message_ = e.what(); }
+        glfwShowWindow(display_.window);
+    }
+
+    Gpu& gpu_;
+    Display& display_;
+    std::vector<std::string> options_;
+    Swapchain swapchain_;
+    Overlay overlay_;
+    Frame screen_;
+    std::vector<Entry> entries_;
+    std::vector<Tile> tiles_;
+    std::string message_;
+    int drawn_ = 0;
+};
+
+int run_menu(const std::vector<std::string>& options) {
+    const auto value_of = [&](const char* name) {
+        for (size_t i = 0; i + 1 < options.size(); ++i)
+            if (options[i] == name) return options[i + 1];
+        return std::string();
+    };
+    Display display("Lightwalk", {1040, 720}, "without one: ./course run draws every chapter's pictures");
+    Gpu gpu({.name = value_of("--device"),
+             .validate = value_of("--validate") == "on",
+             .surface_extensions = Display::surface_extensions()});
+    Menu(gpu, display, options).run();
+    gpu.device.check_validation();
+    return 0;
+}
+
+}  // namespace
+}  // namespace lightwalk
+
+/// Every option is passed on to the chapters; --device and --validate are the menu's own too.
+int main(int argc, char** argv) {
+    try {
+        return lightwalk::run_menu({argv + 1, argv + argc});
+    } catch (const lightwalk::InputError& e) {
+        std::fprintf(stderr, "error: %s\n", e.what());
+        return 2;
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "error: %s\n", e.what());
+        return 1;
+    }
+}

@@ -1,0 +1,184 @@
+#include "common/window/overlay.h"
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_vulkan.h>
+
+#include <filesystem>
+
+#include "common/base/error.h"
+
+namespace lightwalk {
+namespace {
+
+// Greek letters, arrows and mathematics occur in the help of knobs.
+constexpr ImWchar glyphs[] = {0x20,   0xff,   0x0391, 0x03c9, 0x2010, 0x2026, 0x2070,
+                              0x209f, 0x2190, 0x21d4, 0x2200, 0x226f, 0};
+
+// The first font of the list that is installed; Dear ImGui's own small bitmap font where none is.
+ImFont* load_font(std::initializer_list<const char*> files, float pixels) {
+    std::error_code ignored;
+    for (const char* file : files)
+        if (std::filesystem::exists(file, ignored))
+            if (ImFont* font = ImGui::GetIO().Fonts->AddFontFromFileTTF(file, pixels, nullptr, glyphs)) return font;
+    ImFontConfig config;
+    config.SizePixels = 13.0f * std::max(1.0f, std::floor(pixels / 13.0f));
+    return ImGui::GetIO().Fonts->AddFontDefault(&config);
+}
+
+ImFont* sans(float pixels) {
+    return load_font(
+        {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+         "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"},
+        pixels);
+}
+
+void set_style(float scale) {
+    ImGui::StyleColorsDark();
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowRounding = style.FrameRounding = style.GrabRounding = style.PopupRounding = 3.0f;
+    style.WindowBorderSize = style.FrameBorderSize = 0.0f;
+    style.WindowPadding = {12.0f, 10.0f};
+    style.FramePadding = {8.0f, 3.0f};
+    style.ItemSpacing = {8.0f, 5.0f};
+    style.ScrollbarSize = 10.0f;
+    style.ScaleAllSizes(scale);
+    const ImVec4 ground{0.085f, 0.095f, 0.115f, 1.0f}, raised{0.15f, 0.165f, 0.195f, 1.0f};
+    const ImVec4 accent{0.24f, 0.47f, 0.70f, 1.0f}, bright{0.33f, 0.60f, 0.87f, 1.0f};
+    const auto set = [&](std::initializer_list<ImGuiCol> which, const ImVec4& color) {
+        for (const ImGuiCol index : which) style.Colors[index] = color;
+    };
+    set({ImGuiCol_WindowBg}, ground);
+    set({ImGuiCol_PopupBg}, {0.11f, 0.12f, 0.145f, 0.98f});
+    set({ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_Header}, raised);
+    set({ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered}, {0.20f, 0.225f, 0.27f, 1.0f});
+    set({ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_HeaderActive}, accent);
+    set({ImGuiCol_SliderGrab}, accent);
+    set({ImGuiCol_SliderGrabActive, ImGuiCol_CheckMark}, bright);
+    set({ImGuiCol_Text}, {0.90f, 0.92f, 0.95f, 1.0f});
+    set({ImGuiCol_TextDisabled}, quiet_color);
+    set({ImGuiCol_Separator}, {0.20f, 0.22f, 0.26f, 1.0f});
+    set({ImGuiCol_ScrollbarBg}, {0.0f, 0.0f, 0.0f, 0.0f});
+}
+
+void check_imgui(VkResult result) { check(result, "the panel"); }
+
+}  // namespace
+
+Overlay::Overlay(Gpu& gpu, Display& display, Swapchain& swapchain) : gpu_(gpu), swapchain_(swapchain) {
+    make_render_pass();
+    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 8};
+    const VkDescriptorPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                          .flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT,
+                                          .maxSets = 8,
+                                          .poolSizeCount = 1,
+                                          .pPoolSizes = &size};
+    check(vkCreateDescriptorPool(gpu.device.handle, &pool, nullptr, &descriptors_), "vkCreateDescriptorPool");
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;  // nothing is left behind in the current folder
+    const float scale = display.scale();
+    set_style(scale);
+    ImGui::GetIO().FontDefault = sans(15.0f * scale);
+    mono = load_font({"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
+                      "/usr/share/fonts/truetype/liberation/LiberationMono-Regular.ttf"},
+                     14.0f * scale);
+    large = sans(20.0f * scale);
+    ImGui_ImplGlfw_InitForVulkan(display.window, true);
+    ImGui_ImplVulkan_InitInfo info{};
+    info.Instance = gpu.device.instance;
+    info.PhysicalDevice = gpu.device.physical;
+    info.Device = gpu.device.handle;
+    info.QueueFamily = gpu.device.queue_family;
+    info.Queue = gpu.device.queue;
+    info.DescriptorPool = descriptors_;
+    info.MinImageCount = 2;
+    info.ImageCount = 2;
+    info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
+    info.CheckVkResultFn = check_imgui;
+    ImGui_ImplVulkan_Init(&info, render_pass_);
+    gpu.submit_now([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
+    ImGui_ImplVulkan_DestroyFontUploadObjects();
+}
+
+Overlay::~Overlay() {
+    vkDeviceWaitIdle(gpu_.device.handle);
+    ImGui_ImplVulkan_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+    for (const VkFramebuffer framebuffer : framebuffers_)
+        vkDestroyFramebuffer(gpu_.device.handle, framebuffer, nullptr);
+    vkDestroyDescriptorPool(gpu_.device.handle, descriptors_, nullptr);
+    vkDestroyRenderPass(gpu_.device.handle, render_pass_, nullptr);
+}
+
+// The one render pass object of the course: this version of Dear ImGui does not know dynamic rendering.
+void Overlay::make_render_pass() {
+    const VkAttachmentDescription color{.format = swapchain_.format,
+                                        .samples = VK_SAMPLE_COUNT_1_BIT,
+                                        .loadOp = VK_ATTACHMENT_LOAD_OP_LOAD,
+                                        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                        .stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+                                        .stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE,
+                                        .initialLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                        .finalLayout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
+    const VkAttachmentReference reference{0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+    const VkSubpassDescription subpass{.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS,
+                                       .colorAttachmentCount = 1,
+                                       .pColorAttachments = &reference};
+    const VkSubpassDependency dependencies[] = {
+        {.srcSubpass = VK_SUBPASS_EXTERNAL,
+         .srcStageMask = VK_PIPELINE_STAGE_TRANSFER_BIT,
+         .dstStageMask = VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
+         .srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT,
+         .dstAccessMask = VK_ACCESS_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT},
+        {.dstSubpass = VK_SUBPASS_EXTERNAL,
+         .srcStageMask = VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
+         .dstStageMask = VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT,
+         .srcAccessMask = VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT}};
+    const VkRenderPassCreateInfo info{.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
+                                      .attachmentCount = 1,
+                                      .pAttachments = &color,
+                                      .subpassCount = 1,
+                                      .pSubpasses = &subpass,
+                                      .dependencyCount = 2,
+                                      .pDependencies = dependencies};
+    check(vkCreateRenderPass(gpu_.device.handle, &info, nullptr, &render_pass_), "vkCreateRenderPass");
+}
+
+void Overlay::make_framebuffers() {
+    if (generation_ == swapchain_.generation()) return;
+    generation_ = swapchain_.generation();
+    for (const VkFramebuffer framebuffer : framebuffers_)
+        vkDestroyFramebuffer(gpu_.device.handle, framebuffer, nullptr);
+    framebuffers_.clear();
+    for (const VkImageView& view : swapchain_.views) {
+        const VkFramebufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
+                                           .renderPass = render_pass_,
+                                           .attachmentCount = 1,
+                                           .pAttachments = &view,
+                                           .width = swapchain_.size.x,
+                                           .height = swapchain_.size.y,
+                                           .layers = 1};
+        check(vkCreateFramebuffer(gpu_.device.handle, &info, nullptr, &framebuffers_.emplace_back()), "framebuffer");
+    }
+}
+
+void Overlay::begin() {
+    ImGui_ImplVulkan_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void Overlay::end() { ImGui::Render(); }
+
+void Overlay::draw(VkCommandBuffer commands) {
+    make_framebuffers();
+    const VkRenderPassBeginInfo info{.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
+                                     .renderPass = render_pass_,
+                                     .framebuffer = framebuffers_.at(swapchain_.index()),
+                                     .renderArea = {.extent = {swapchain_.size.x, swapchain_.size.y}}};
+    vkCmdBeginRenderPass(commands, &info, VK_SUBPASS_CONTENTS_INLINE);
+    ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
+    vkCmdEndRenderPass(commands);
+}
+
+}  // namespace lightwalk

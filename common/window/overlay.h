@@ -1,0 +1,42 @@
+// Dear ImGui over the picture: its context, its look, and the pass that draws it.
+#pragma once
+#include <imgui.h>
+
+#include "common/window/swapchain.h"
+
+namespace lightwalk {
+
+class Overlay {
+  public:
+    Overlay(Gpu& gpu, Display& display, Swapchain& swapchain);
+    ~Overlay();
+    Overlay(const Overlay&) = delete;
+
+    /// Between these two the caller builds its widgets.
+    void begin();
+    void end();
+
+    /// Draws the widgets over the image acquired, which a transfer has just written, and leaves it ready to present.
+    void draw(VkCommandBuffer commands);
+
+    ImFont* mono = nullptr;   ///< for code
+    ImFont* large = nullptr;  ///< for headings
+
+  private:
+    void make_render_pass();
+    void make_framebuffers();
+    Gpu& gpu_;
+    Swapchain& swapchain_;
+    VkRenderPass render_pass_ = VK_NULL_HANDLE;
+    VkDescriptorPool descriptors_ = VK_NULL_HANDLE;
+    std::vector<VkFramebuffer> framebuffers_;
+    int generation_ = 0;
+};
+
+/// The course's colours: what is mine, what is the reference, and what went wrong.
+inline const ImVec4 mine_color{0.96f, 0.65f, 0.24f, 1.0f};
+inline const ImVec4 reference_color{0.38f, 0.72f, 0.98f, 1.0f};
+inline const ImVec4 error_color{1.0f, 0.45f, 0.40f, 1.0f};
+inline const ImVec4 quiet_color{0.60f, 0.64f, 0.70f, 1.0f};
+
+}  // namespace lightwalk

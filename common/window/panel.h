@@ -1,0 +1,60 @@
+// The panel beside the picture, and what is written over the picture.
+#pragma once
+#include "common/window/overlay.h"
+#include "common/window/split_view.h"
+
+namespace lightwalk {
+
+/// What a person can ask for in the panel and with keys.
+struct Requests {
+    bool reload = false, screenshot = false, save = false, home = false, frame_scene = false, all_toggles = false;
+    bool earlier_toggles = false;  ///< all, and those of earlier chapters
+    bool split = false, clock = false, panel = false, changed = false;
+};
+
+/// What the panel shows and changes.
+struct PanelState {
+    Chapter& chapter;
+    const Device& device;
+    SplitView& split;
+    Look& look;
+    std::vector<std::string> outputs;  ///< what can be looked at
+    std::vector<PassTime> times;       ///< of the last frame
+    double frame_ms = 0;               ///< from one picture to the next, wall clock
+    bool clock_runs = false;
+    float time_s = 0;
+    glm::uvec2 picture{0};  ///< pixels
+};
+
+class Panel {
+  public:
+    Panel(const Chapter& chapter, const Overlay& overlay);
+
+    static constexpr int default_width = 340;  ///< pixels at scale 1
+    bool visible = true;
+
+    /// Of the right edge of the window, in pixels; 0 while it is hidden.
+    int width(float scale) const;
+
+    Requests draw(PanelState& state, float scale);
+
+    /// Over the picture: what failed, in red, and a message that goes away.
+    void draw_messages(const std::vector<std::string>& errors, const std::string& notice, glm::uvec2 picture);
+
+    /// The divider to drag and the names of the two sides. True where it was moved.
+    bool draw_divider(SplitView& split, glm::uvec2 picture);
+
+  private:
+    void exercises(PanelState& state, Requests& requests);
+    void knobs(PanelState& state, Requests& requests);
+    void split(PanelState& state, Requests& requests);
+    void look(PanelState& state, Requests& requests);
+    void times(PanelState& state);
+    void footer(PanelState& state, Requests& requests);
+    const Overlay& overlay_;
+    std::string title_;
+    std::vector<PassTime> smooth_;
+    int averaged_ = 0;  ///< frames since the passes changed
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,73 @@
+#include "common/window/event_log.h"
+#include "common/window/panel.h"
+
+namespace lightwalk {
+namespace {
+
+constexpr ImGuiWindowFlags over_picture = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                                          ImGuiWindowFlags_NoFocusOnAppearing;
+
+void side_name(const char* text, const ImVec4& color, ImVec2 corner) {
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled({corner.x, corner.y}, {corner.x + size.x + 12.0f, corner.y + size.y + 8.0f},
+                       ImGui::GetColorU32({0.05f, 0.06f, 0.07f, 0.75f}), 3.0f);
+    list.AddText({corner.x + 6.0f, corner.y + 4.0f}, ImGui::GetColorU32(color), text);
+}
+
+}  // namespace
+
+void Panel::draw_messages(const std::vector<std::string>& errors, const std::string& notice, glm::uvec2 picture) {
+    const float width = static_cast<float>(picture.x), height = static_cast<float>(picture.y);
+    if (!errors.empty()) {
+        ImGui::SetNextWindowPos({8.0f, height - 8.0f}, ImGuiCond_Always, {0.0f, 1.0f});
+        ImGui::SetNextWindowSizeConstraints({width - 16.0f, 0.0f}, {width - 16.0f, 0.6f * height});
+        ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.16f, 0.03f, 0.03f, 0.92f});
+        ImGui::Begin("errors", nullptr,
+                     (over_picture & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize);
+        ImGui::PopStyleColor();
+        ImGui::PushFont(overlay_.mono);
+        ImGui::PushStyleColor(ImGuiCol_Text, error_color);
+        ImGui::PushTextWrapPos();
+        for (const std::string& error : errors) ImGui::TextUnformatted(error.c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::PopStyleColor();
+        ImGui::PopFont();
+        ImGui::TextColored(quiet_color, "The picture is the last one that worked.");
+        ImGui::End();
+    }
+    if (!notice.empty()) {
+        ImGui::SetNextWindowPos({8.0f, 8.0f});
+        ImGui::SetNextWindowBgAlpha(0.85f);
+        ImGui::Begin("notice", nullptr, over_picture | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+        ImGui::TextUnformatted(notice.c_str());
+        ImGui::End();
+    }
+}
+
+bool Panel::draw_divider(SplitView& split, glm::uvec2 picture) {
+    const float width = static_cast<float>(picture.x), height = static_cast<float>(picture.y);
+    const float grip = 14.0f, x = split.divider * width;
+    ImGui::SetNextWindowPos({x - 0.5f * grip, 0.0f});
+    ImGui::SetNextWindowSize({grip, height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
+    ImGui::Begin("divider", nullptr, over_picture | ImGuiWindowFlags_NoBackground);
+    ImGui::PopStyleVar(2);
+    ImGui::InvisibleButton("grip", {grip, height});
+    log_place("divider");
+    const bool held = ImGui::IsItemActive();
+    if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (held) split.divider = glm::clamp(ImGui::GetIO().MousePos.x / width, 0.02f, 0.98f);
+    ImGui::End();
+    const float line = split.divider * width;
+    ImGui::GetBackgroundDrawList()->AddLine({line, 0.0f}, {line, height},
+                                            ImGui::GetColorU32({1.0f, 1.0f, 1.0f, held ? 1.0f : 0.75f}), 2.0f);
+    const float name_width = ImGui::CalcTextSize("mine").x + 12.0f;
+    side_name("mine", mine_color, {line - name_width - 10.0f, 8.0f});
+    side_name("reference", reference_color, {line + 10.0f, 8.0f});
+    return held;
+}
+
+}  // namespace lightwalk

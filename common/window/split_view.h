@@ -1,0 +1,57 @@
+// The student's version and the reference side by side, and how much they differ.
+#pragma once
+#include <future>
+
+#include "common/window/live_chapter.h"
+#include "common/window/look.h"
+#include "common/image/image.h"
+
+namespace lightwalk {
+
+/// Mean FLIP of two pictures. Computed on another thread at `1 / shrink` of their size.
+struct PictureDifference {
+    double flip_mean = 0;
+    int shrink = 1;
+};
+
+class SplitView {
+  public:
+    /// `make` makes the second chapter; it lives while the split view is on.
+    SplitView(Gpu& gpu, const MakeChapter& make, std::filesystem::path scene);
+
+    float divider = 0.5f;  ///< share of the picture's width that the left side has
+    bool on() const { return live_ != nullptr; }
+
+    /// Throws InputError where even the reference cannot load the scene.
+    void turn_on(const Chapter& chapter);
+    void turn_off();
+
+    /// Forgets the scene, which the next frame loads anew.
+    void reload();
+
+    /// Draws the reference with the camera and the knobs of `chapter`.
+    void draw(const Chapter& chapter, const Look& look, glm::uvec2 size, float time_s, unsigned seed);
+    Frame& frame() { return *frame_; }
+    std::string error() const;
+
+    /// Starts the comparison unless one is running or the two are those compared last; poll() has the result when it is
+    /// done.
+    void compare(const Image& mine, const Image& reference);
+    bool poll();  ///< true when a result has just come
+    std::optional<PictureDifference> difference;
+
+  private:
+    Gpu& gpu_;
+    MakeChapter make_;
+    std::filesystem::path scene_;
+    std::unique_ptr<Chapter> chapter_;
+    std::unique_ptr<LiveChapter> live_;
+    std::unique_ptr<Frame> frame_;
+    std::future<PictureDifference> running_;
+    uint64_t compared_ = 0;  ///< hash of the two pictures
+};
+
+/// An 8-bit picture from the device.
+Image8 read_picture(Gpu& gpu, const Image& image);
+
+}  // namespace lightwalk

@@ -1,0 +1,53 @@
+// The images that the window shows in turn.
+#pragma once
+#include <vector>
+
+#include "common/window/display.h"
+#include "common/gpu/gpu.h"
+
+namespace lightwalk {
+
+/// Made anew when the window's size has changed. One frame is in flight, so nothing else uses its images then.
+class Swapchain {
+  public:
+    Swapchain(Gpu& gpu, Display& display);
+    ~Swapchain();
+    Swapchain(const Swapchain&) = delete;
+
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    glm::uvec2 size{0};  ///< pixels
+    std::vector<VkImageView> views;
+
+    /// Brings the size up to date. False where there is nothing to draw on: minimised.
+    bool ready();
+
+    /// The next image, or null where the window changed meanwhile. `acquired()` is signalled when it may be written.
+    const Image* acquire();
+    uint32_t index() const { return index_; }
+    VkSemaphore acquired() const { return acquired_; }
+    VkSemaphore rendered() const { return rendered_.at(index_); }
+
+    /// Shows the image once `rendered()` is signalled.
+    void present();
+
+    /// Counts how often the images were made, for those who keep something per image.
+    int generation() const { return generation_; }
+
+  private:
+    void choose_format();
+    void make(VkSurfaceCapabilitiesKHR surface, glm::uvec2 wanted);
+    void destroy_images();
+    Gpu& gpu_;
+    Display& display_;
+    VkSurfaceKHR surface_ = VK_NULL_HANDLE;
+    VkSwapchainKHR handle_ = VK_NULL_HANDLE;
+    VkSurfaceFormatKHR surface_format_{};
+    std::vector<Image> images_;
+    std::vector<VkSemaphore> rendered_;  ///< one an image: free again when that image is acquired again
+    VkSemaphore acquired_ = VK_NULL_HANDLE;
+    uint32_t index_ = 0;
+    bool outdated_ = true;
+    int generation_ = 0;
+};
+
+}  // namespace lightwalk

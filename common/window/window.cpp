@@ -1,0 +1,198 @@
+#include "common/window/window.h"
+
+#include <chrono>
+
+#include "common/window/blit.h"
+#include "common/window/event_log.h"
+#include "common/window/titles.h"
+#include "common/base/exercise.h"
+#include "common/base/error.h"
+
+namespace lightwalk {
+namespace {
+
+constexpr double watch_every_s = 0.2;    // how often shader files are looked at
+constexpr double settle_s = 0.5;         // drawn for so long after something happened, for the panel to come to rest
+constexpr double compare_every_s = 1.0;  // while the picture moves
+constexpr glm::ivec2 default_size{1480, 660};
+
+}  // namespace
+
+int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& holder, const MakeChapter& make) {
+    // With --size the picture has that size, as it has without a window.
+    const glm::ivec2 size =
+        options.size_given ? glm::ivec2(options.size) + glm::ivec2(Panel::default_width, 0) : default_size;
+    Display display("Lightwalk " + chapter.name.substr(0, 2) + " · " + chapter_title(chapter.name), size,
+                    "without one: --screenshot FILE writes the picture");
+    holder = std::make_unique<Gpu>(DeviceOptions{
+        .name = options.device, .validate = options.validate, .surface_extensions = Display::surface_extensions()});
+    Gpu& gpu = *holder;
+    gpu.pipelines.keep_last_good = true;
+    const std::filesystem::path scene = options.scene.empty() ? chapter.default_scene() : options.scene;
+    LiveChapter live(chapter, gpu, scene);
+    const auto explanation = live.load(options.automatic ? options.budget : std::nullopt, options.size);
+    if (options.explain)
+        for (const std::string& line : explanation) std::printf("%s\n", line.c_str());
+    Window(options, live, gpu, display, make, scene).run();
+    gpu.device.check_validation();
+    return 0;
+}
+
+Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& display, const MakeChapter& make,
+               std::filesystem::path scene)
+    : options_(options),
+      live_(live),
+      chapter_(live.chapter),
+      gpu_(gpu),
+      display_(display),
+      scene_(std::move(scene)),
+      swapchain_(gpu, display),
+      overlay_(gpu, display, swapchain_),
+      panel_(chapter_, overlay_),
+      split_(gpu, make, scene_),
+      frame_(gpu),
+      screen_(gpu),
+      clock_runs_(chapter_.animated()),
+      time_s_(options.time_s) {}
+
+double Window::now() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+glm::uvec2 Window::picture_size() const {
+    const uint32_t panel = static_cast<uint32_t>(panel_.width(display_.scale()));
+    return {swapchain_.size.x > panel + 16 ? swapchain_.size.x - panel : 16u, swapchain_.size.y};
+}
+
+void Window::run() {
+    active_until_ = now() + settle_s;
+    while (!display_.wants_to_close() && !close_) {
+        // Nothing is drawn while nothing changes: a software rasteriser has better things to do.
+        const bool idle = !clock_runs_ && now() > active_until_;
+        const Input input = display_.poll(idle || !swapchain_.ready() ? watch_every_s : 0.0);
+        Requests requests;
+        handle_keys(input, requests);
+        obey(requests);
+        if (input.happened) active_until_ = now() + settle_s;
+        watch_files();
+        if (!swapchain_.ready()) continue;
+        compare_when_still();
+        if (!notice_.empty() && now() > notice_until_) {
+            notice_.clear();
+            active_until_ = now() + 0.01;
+        }
+        const double since_last = std::min(now() - last_draw_, 0.1);
+        move_camera(input, since_last);
+        if (!clock_runs_ && now() > active_until_) continue;
+        if (clock_runs_) time_s_ += static_cast<float>(since_last);
+        draw();
+    }
+}
+
+void Window::watch_files() {
+    if (now() < next_watch_) return;
+    next_watch_ = now() + watch_every_s;
+    if (!gpu_.pipelines.forget_changed_files()) return;
+    log_event("reloaded shaders");
+    active_until_ = now() + settle_s;
+}
+
+Requests Window::build_panel() {
+    overlay_.begin();
+    PanelState state{.chapter = chapter_,
+                     .device = gpu_.device,
+                     .split = split_,
+                     .look = look_,
+                     .outputs = Look::names(frame_),
+                     .times = frame_.times,
+                     .frame_ms = frame_ms_,
+                     .clock_runs = clock_runs_,
+                     .time_s = time_s_,
+                     .picture = picture_size()};
+    Requests requests = panel_.draw(state, display_.scale());
+    panel_.draw_messages(errors(), notice_, picture_size());
+    if (split_.on() && panel_.draw_divider(split_, picture_size())) requests.changed = true;
+    overlay_.end();
+    return requests;
+}
+
+std::vector<std::string> Window::errors() {
+    std::vector<std::string> all;
+    for (const auto& [pipeline, error] : gpu_.pipelines.errors) all.push_back(error);
+    for (const std::string& error : {live_.load_error, live_.frame_error, split_.error()})
+        if (!error.empty()) all.push_back(error);
+    std::string joined;
+    for (const std::string& error : all) joined += "error: " + error + "\n";
+    if (joined != logged_errors_) {
+        logged_errors_ = joined;
+        log_event(joined.empty() ? "no error" : joined.substr(0, joined.size() - 1));
+        if (!joined.empty()) std::fprintf(stderr, "%s", joined.c_str());
+    }
+    return all;
+}
+
+void Window::draw() {
+    const glm::uvec2 size = picture_size();
+    const double started = now();
+    shown_ = nullptr;
+    gpu_.pipelines.errors.clear();
+    look_.attach(frame_, chapter_.camera, chapter_.scene.bounds);
+    {
+        // Where every switch says reference, two equal halves would show nothing: the left one is then mine.
+        const auto own = own_exercises(chapter_);
+        std::optional<ToggleScope> mine;
+        if (split_.on() && all_reference(own)) mine.emplace(own, false);
+        live_.draw(frame_, size, time_s_, options_.seed);
+    }
+    if (split_.on()) split_.draw(chapter_, look_, size, time_s_, options_.seed);
+    const Requests requests = build_panel();
+
+    const Image* target = swapchain_.acquire();
+    if (target) {
+        screen_.begin({1, 1}, time_s_);
+        const Image& mine = look_.picture(frame_);
+        const Image& picture = split_.on() ? compose(size, mine, look_.picture(split_.frame())) : mine;
+        shown_ = &picture;
+        screen_.transfer("present", {.reads = {picture}, .writes = {*target}}, [&](VkCommandBuffer commands) {
+            const Area shown{{0, 0}, glm::min(size, target->desc.size)};
+            blit(commands, picture, shown, *target, shown);
+        });
+        screen_.transfer("panel", {}, [&](VkCommandBuffer commands) { overlay_.draw(commands); });
+        screen_.end(swapchain_.acquired(), swapchain_.rendered());
+        swapchain_.present();
+        if (++drawn_ == 1) log_event("first picture");
+    }
+    const double ended = now();
+    const double milliseconds = 1e3 * (ended - started);
+    frame_ms_ += (drawn_ < 3 ? 1.0 : 0.1) * (milliseconds - frame_ms_);
+    last_draw_ = ended;
+    compared_ = false;
+    obey(requests);
+}
+
+const Image& Window::compose(glm::uvec2 size, const Image& mine, const Image& reference) {
+    const Image& whole = screen_.image("composed", {.format = VK_FORMAT_R8G8B8A8_UNORM, .size = size});
+    const uint32_t left = std::min(static_cast<uint32_t>(split_.divider * static_cast<float>(size.x)), size.x);
+    screen_.transfer("compose", {.reads = {mine, reference}, .writes = {whole}}, [&](VkCommandBuffer commands) {
+        const Area left_side{{0, 0}, {left, size.y}}, right_side{{left, 0}, {size.x - left, size.y}};
+        blit(commands, mine, left_side, whole, left_side);
+        blit(commands, reference, right_side, whole, right_side);
+    });
+    return whole;
+}
+
+void Window::compare_when_still() {
+    if (!split_.on()) return;
+    if (split_.poll()) {
+        log_event("flip " + std::to_string(split_.difference->flip_mean));
+        active_until_ = now() + 0.01;  // to show the figure
+    }
+    const bool still = !clock_runs_ && now() > active_until_;
+    const bool due = clock_runs_ && now() > next_compare_;
+    if (compared_ || !(still || due)) return;
+    split_.compare(look_.picture(frame_), look_.picture(split_.frame()));
+    next_compare_ = now() + compare_every_s;
+    compared_ = true;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,58 @@
+// A chapter in a window, while someone works on it.
+#pragma once
+#include "common/window/live_chapter.h"
+#include "common/app/options.h"
+#include "common/window/panel.h"
+
+namespace lightwalk {
+
+class Window {
+  public:
+    /// `scene` is loaded already.
+    Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& display, const MakeChapter& make,
+           std::filesystem::path scene);
+
+    /// Until it is closed.
+    void run();
+
+  private:
+    void handle_keys(const Input& input, Requests& requests);
+    void move_camera(const Input& input, double seconds);
+    void obey(const Requests& requests);
+    void reload();
+    void toggle_all(bool earlier_too);
+    void take_screenshot();
+    void save_scene();
+    void switch_split();
+    void tell(const std::string& text);
+    void watch_files();
+    void draw();
+    Requests build_panel();
+    std::vector<std::string> errors();
+    const Image& compose(glm::uvec2 size, const Image& mine, const Image& reference);
+    void compare_when_still();
+    glm::uvec2 picture_size() const;
+    double now() const;
+
+    const Options& options_;
+    LiveChapter& live_;
+    Chapter& chapter_;
+    Gpu& gpu_;
+    Display& display_;
+    std::filesystem::path scene_;
+    Swapchain swapchain_;
+    Overlay overlay_;
+    Panel panel_;
+    SplitView split_;
+    Look look_;
+    Frame frame_;   ///< the chapter's
+    Frame screen_;  ///< what the window adds: its passes are not the chapter's
+    bool clock_runs_, close_ = false, compared_ = false, dragging_ = false;
+    float time_s_;
+    int drawn_ = 0;
+    double active_until_ = 0, next_watch_ = 0, next_compare_ = 0, notice_until_ = 0, last_draw_ = 0, frame_ms_ = 0;
+    std::string notice_, logged_errors_;
+    const Image* shown_ = nullptr;  ///< the picture drawn last, without the panel
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,177 @@
+#include <GLFW/glfw3.h>
+
+#include <ctime>
+
+#include "common/window/camera_control.h"
+#include "common/window/event_log.h"
+#include "common/window/window.h"
+#include "common/base/exercise.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+
+namespace lightwalk {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float radians_per_pixel = 0.006f;
+constexpr double notice_s = 5.0;
+
+std::string time_stamp() {
+    const std::time_t now = std::time(nullptr);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%d_%H%M%S", std::localtime(&now));
+    return text;
+}
+
+// A second picture within a second does not replace the first.
+fs::path unused(const std::string& stem, const std::string& extension) {
+    fs::path path = stem + extension;
+    for (int i = 2; fs::exists(path); ++i) path = stem + "_" + std::to_string(i) + extension;
+    return path;
+}
+
+bool lies_below(const fs::path& path, const fs::path& folder) {
+    std::error_code error;
+    const fs::path inside = fs::weakly_canonical(path, error).lexically_relative(fs::weakly_canonical(folder, error));
+    return !inside.empty() && *inside.begin() != "..";
+}
+
+}  // namespace
+
+void Window::handle_keys(const Input& input, Requests& requests) {
+    const bool typing = ImGui::GetIO().WantTextInput;
+    for (const auto& [key, mods] : input.pressed) {
+        if (key == GLFW_KEY_F2) (mods & GLFW_MOD_SHIFT ? requests.earlier_toggles : requests.all_toggles) = true;
+        if (key == GLFW_KEY_F3) requests.split = true;
+        if (key == GLFW_KEY_F5) requests.reload = true;
+        if (key == GLFW_KEY_F12) requests.screenshot = true;
+        if (key == GLFW_KEY_S && (mods & GLFW_MOD_CONTROL)) requests.save = true;
+        if (typing) continue;
+        if (key == GLFW_KEY_ESCAPE) close_ = true;
+        if (key == GLFW_KEY_F) requests.frame_scene = true;
+        if (key == GLFW_KEY_HOME) requests.home = true;
+        if (key == GLFW_KEY_H) requests.panel = true;
+        if (key == GLFW_KEY_SPACE) requests.clock = true;
+    }
+}
+
+void Window::obey(const Requests& requests) {
+    if (requests.all_toggles || requests.earlier_toggles) toggle_all(requests.earlier_toggles);
+    if (requests.reload) reload();
+    if (requests.screenshot) take_screenshot();
+    if (requests.save) save_scene();
+    if (requests.split) switch_split();
+    if (requests.clock) clock_runs_ = !clock_runs_;
+    if (requests.panel) panel_.visible = !panel_.visible;
+    if (requests.home) chapter_.camera = chapter_.scene.file.camera;
+    if (requests.frame_scene) {
+        const glm::vec2 size(picture_size());
+        CameraControl::frame(chapter_.camera, chapter_.scene.bounds, size.x / size.y);
+    }
+    const bool any = requests.all_toggles || requests.earlier_toggles || requests.reload || requests.screenshot ||
+                     requests.save || requests.split || requests.clock || requests.panel || requests.home ||
+                     requests.frame_scene || requests.changed;
+    if (any) active_until_ = std::max(active_until_, now() + 0.3);
+}
+
+void Window::move_camera(const Input& input, double seconds) {
+    Camera& camera = chapter_.camera;
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool held = input.left || input.right || input.middle;
+    // What began over the panel stays with it, what began over the picture with the camera.
+    if (!held) dragging_ = false;
+    const float pixels_per_unit = static_cast<float>(display_.framebuffer_size().x) / float(display_.size().x);
+    const bool over_picture = input.cursor.x * pixels_per_unit < static_cast<float>(picture_size().x);
+    if (held && !dragging_ && over_picture && !io.WantCaptureMouse) dragging_ = true;
+    if (dragging_ && glm::length(input.moved) > 0.0f) {
+        const glm::vec2 turn = -radians_per_pixel * input.moved;
+        const float height = static_cast<float>(display_.size().y);
+        if (input.middle || (input.left && input.shift))
+            CameraControl::pan(camera, input.moved, height);
+        else if (input.left)
+            CameraControl::orbit(camera, turn.x, -turn.y);
+        else if (input.right)
+            CameraControl::look(camera, turn.x, turn.y);
+    }
+    if (input.wheel != 0.0f && !io.WantCaptureMouse) CameraControl::zoom(camera, input.wheel, chapter_.scene.bounds);
+    if (!dragging_ || !input.right) return;
+    const auto axis = [&](int plus, int minus) {
+        return static_cast<float>(display_.is_held(plus)) - static_cast<float>(display_.is_held(minus));
+    };
+    const glm::vec3 direction(axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S));
+    if (direction == glm::vec3(0.0f)) return;
+    const float speed = CameraControl::fly_speed(chapter_.scene.bounds) * (input.shift ? 5.0f : 1.0f);
+    CameraControl::fly(camera, direction * (speed * static_cast<float>(seconds)));
+    active_until_ = std::max(active_until_, now() + 0.1);
+}
+
+void Window::toggle_all(bool earlier_too) {
+    auto ids = own_exercises(chapter_);
+    if (earlier_too) {
+        const auto earlier = earlier_exercises(chapter_);
+        ids.insert(ids.end(), earlier.begin(), earlier.end());
+    }
+    if (!any_reference_exists(ids)) {
+        tell("This tree is a handout: it has no reference to switch to.");
+        return;
+    }
+    // A mixture becomes all reference first: from there each press changes everything.
+    const bool solution = !all_reference(ids);
+    for (const std::string& id : ids) Exercises::set(id, solution);
+    tell(std::string(earlier_too ? "every exercise, earlier chapters' too: " : "every exercise: ") +
+         (solution ? "reference" : "mine"));
+    log_event(std::string("toggle all ") + (solution ? "reference" : "mine"));
+}
+
+void Window::reload() {
+    gpu_.pipelines.rebuild();
+    live_.reload();
+    split_.reload();
+    tell(live_.load_error.empty() ? "reloaded" : "not reloaded");
+    log_event("reloaded");
+}
+
+void Window::switch_split() {
+    if (split_.on()) {
+        split_.turn_off();
+    } else if (!any_reference_exists(Exercises::ids())) {
+        tell("This tree is a handout: there is no reference to show beside yours.");
+    } else {
+        try {
+            split_.turn_on(chapter_);
+        } catch (const std::exception& e) { tell(e.what()); }
+    }
+    log_event(split_.on() ? "split on" : "split off");
+}
+
+void Window::take_screenshot() {
+    if (!shown_) return;
+    try {
+        const fs::path path = unused("lightwalk_" + chapter_.name.substr(0, 2) + "_" + time_stamp(), ".png");
+        write_png(path, read_picture(gpu_, *shown_));
+        tell("picture: " + fs::absolute(path).string());
+        log_event("screenshot " + fs::absolute(path).string());
+    } catch (const InputError& e) { tell(e.what()); }
+}
+
+void Window::save_scene() {
+    SceneFile scene = chapter_.scene.file;
+    scene.camera = chapter_.camera;
+    for (const KnobBase* knob : chapter_.knobs) scene.knobs[knob->name] = knob->text();
+    const bool own =
+        scene_.extension() == ".json" && fs::exists(scene_) && !lies_below(scene_, course_root() / "assets");
+    const fs::path path = own ? scene_ : fs::path(chapter_.name.substr(0, 2) + "_scene.json");
+    try {
+        write_scene(scene, path);
+        tell("scene: " + fs::absolute(path).string());
+        log_event("saved " + fs::absolute(path).string());
+    } catch (const InputError& e) { tell(e.what()); }
+}
+
+void Window::tell(const std::string& text) {
+    notice_ = text;
+    notice_until_ = now() + notice_s;
+}
+
+}  // namespace lightwalk
