@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "01_obj/load_bench.h"
-#include "common/base/add_line.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 
@@ -17,10 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr LoaderCost costs[] = {
-    {Loader::textbook, 0.03, 30, 0}, {Loader::assimp, 1.6, 40, 1},     {Loader::tinyobjloader, 0.03, 130, 0},
-    {Loader::scan, 0.03, 300, 0},    {Loader::parallel, 0.3, 1100, 0},
-};
+constexpr int rounds_to_choose = 3;
 
 std::string processor_name() {
     std::ifstream in("/proc/cpuinfo");
@@ -31,7 +27,7 @@ std::string processor_name() {
 
 }  // namespace
 
-void study_loaders(const json& study, json& result) {
+void LoaderSubject::measure(const json& study, json& result) {
     const unsigned threads = std::thread::hardware_concurrency();
     result = {{"subject", "loader"},
               {"device", processor_name()},
@@ -41,8 +37,8 @@ void study_loaders(const json& study, json& result) {
               {"error_metric", "ulp"},
               {"time_unit", "MB/s"},
               {"points", json::array()}};
-    for (const json& scene : study.at("scenes")) {
-        const auto path = course_root() / scene.get<std::string>();
+    for (const json& file : study.at("scenes")) {
+        const auto path = course_root() / file.get<std::string>();
         if (!std::filesystem::exists(path)) {
             std::fprintf(stderr, "warning: no %s; left out\n", path.c_str());
             continue;
@@ -63,28 +59,35 @@ void study_loaders(const json& study, json& result) {
     }
 }
 
-double megabytes(const SceneFile& scene) {
+// Every .obj file of the scene, each once: its loaders' times add up, of their errors the largest counts.
+json LoaderSubject::choose(double budget) {
+    std::map<std::string, json> candidates;
     std::set<std::filesystem::path> files;
-    double sum = 0;
-    for (const SceneObject& object : scene.objects)
-        if (is_obj(object.model) && files.insert(object.model).second)
-            sum += static_cast<double>(std::filesystem::file_size(find_asset(object.model))) / 1e6;
-    return sum;
-}
-
-LoaderCost choose_loader(double megabytes, int loads, double budget, std::vector<std::string>& lines) {
-    const LoaderCost* best = nullptr;
-    add_line(lines, "file: %.3f MB, read %d times: %.3f MB in all", megabytes, loads, megabytes * loads);
-    add_line(lines, "rule: loads x (start + size / rate) is least, among loaders with an error of at most %g ULP",
-             budget);
-    for (const LoaderCost& cost : costs) {
-        add_line(lines, "%-14s %10.2f ms predicted, %g ULP", std::string(loader_name(cost.loader)).c_str(),
-                 cost.total_ms(megabytes, loads), cost.ulp);
-        if (cost.ulp <= budget && (!best || cost.total_ms(megabytes, loads) < best->total_ms(megabytes, loads)))
-            best = &cost;
+    for (const SceneObject& object : scene.objects) {
+        if (!is_obj(object.model) || !files.insert(object.model).second) continue;
+        size_t bytes = 0;
+        for (const LoaderFigures& f : measure_loaders(find_asset(object.model), rounds_to_choose, bytes)) {
+            const std::string name(loader_name(f.loader));
+            json& c = candidates.try_emplace(name, json{{"method", name}, {"error", 0.0}, {"time_ms", 0.0}}).first->second;
+            if (f.error.empty()) {
+                c["error"] = std::max(c["error"].get<double>(), static_cast<double>(f.largest_ulps));
+                c["time_ms"] = c["time_ms"].get<double>() + f.quantile(0.5);
+            } else {
+                c["error"] = nullptr;  // it cannot read the file
+            }
+        }
     }
-    add_line(lines, "choice: loader=%s", std::string(loader_name(best->loader)).c_str());
-    return *best;
+    json all = json::array();
+    const json* best = nullptr;
+    for (auto& [name, c] : candidates) {
+        c["enough"] = !c["error"].is_null() && c["error"].get<double>() <= budget;
+        all.push_back(c);
+    }
+    for (const json& c : all)
+        if (c["enough"] == true && (!best || c["time_ms"] < best->at("time_ms"))) best = &c;
+    if (best) loader.set(best->at("method").get<std::string>());
+    return {{"budget", budget}, {"error_metric", "ulp"}, {"candidates", all}, {"none_would_do", !best && !all.empty()},
+            {"choice", {{"method", loader.text()}}}};
 }
 
 }  // namespace lightwalk

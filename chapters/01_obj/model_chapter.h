@@ -3,6 +3,8 @@
 #include "01_obj/exercises.h"
 #include "01_obj/obj.h"
 #include "common/app/chapter.h"
+#include "common/app/render.h"
+#include "common/scene/view.h"
 
 namespace lightwalk {
 
@@ -15,16 +17,10 @@ class ModelChapter : public Chapter {
     virtual Loader loader() const { return Loader::parallel; }
 
     // [view]
-    /// Gives the shaders of this frame the uniform block `view`.
+    /// Gives the shaders of this frame the uniform block `view`: what the camera sees.
     void set_view(Frame& frame) const {
-        const float aspect = static_cast<float>(frame.size.x) / static_cast<float>(frame.size.y);
-        const CameraView view{.view_projection = view_projection(camera, aspect),
-                              .eye = camera.position,
-                              .time_s = frame.time_s,
-                              .size = frame.size,
-                              .seed = frame.seed};
-        const auto bytes = std::as_bytes(std::span(&view, 1));
-        frame.globals["view"].assign(bytes.begin(), bytes.end());
+        const glm::vec2 whole(frame.crop.whole);
+        look_from({part_of(frame.crop, frame.size) * view_projection(camera, whole.x / whole.y), camera.position}, frame);
     }
     // [/view]
 };

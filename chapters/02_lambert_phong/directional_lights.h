@@ -1,6 +1,6 @@
 // The scene's directional lights in the form shaders read.
 #pragma once
-#include "02_lambert_phong/lights.h"
+#include "02_lambert_phong/directional_light.h"
 #include "common/gpu/gpu.h"
 #include "common/scene/light.h"
 

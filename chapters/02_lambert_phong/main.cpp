@@ -1,25 +1,24 @@
 // Chapter 02: diffuse and specular reflection of directional lights.
 #include "01_obj/model_chapter.h"
 #include "02_lambert_phong/directional_lights.h"
-#include "02_lambert_phong/need.h"
+#include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct LambertPhong : ModelChapter {
     // [method]
-    Choice method{"method",
+    Choice method{*this, "method",
                   {"gouraud", "phong", "blinn_phong", "blinn_phong_normalised"},
                   "blinn_phong_normalised",
                   "how highlights are computed; gouraud does so at vertices"};
     // [/method]
-    Choice diffuse{"diffuse", {"lambert", "wrapped"}, "lambert", "how matt surfaces receive light"};
-    Knob<bool> ambient{"ambient", true, "add the scene's ambient light"};
-    Knob<float> shininess{"shininess", 0.0f, {0.0f, 4096.0f}, "exponent of all highlights; 0: each material's own"};
-    Knob<float> wrap{"wrap", 0.5f, {0.0f, 1.0f}, "how far wrapped light reaches around; 0 is Lambert"};
-    Knob<float> wrap_power{"wrap_power", 1.5f, {0.1f, 8.0f}, "exponent of wrapped light"};
+    Choice diffuse{*this, "diffuse", {"lambert", "wrapped"}, "lambert", "how matt surfaces receive light"};
+    Knob<bool> ambient{*this, "ambient", true, "add the scene's ambient light"};
+    Knob<float> shininess{*this, "shininess", 0.0f, {0.0f, 4096.0f}, "exponent of all highlights; 0: each material's own"};
+    Knob<float> wrap{*this, "wrap", 0.5f, {0.0f, 1.0f}, "how far wrapped light reaches around; 0 is Lambert"};
+    Knob<float> wrap_power{*this, "wrap_power", 1.5f, {0.1f, 8.0f}, "exponent of wrapped light"};
     Knob<glm::vec3> wrap_tint{
-        "wrap_tint", {1.0f, 0.35f, 0.2f}, {glm::vec3(0.0f), glm::vec3(1.0f)}, "colour of wrapped light at the edge"};
-    Knob<int> samples{"samples", 1, {1, 64}, "shading samples a pixel, along each side; many give the truth"};
+        *this, "wrap_tint", {1.0f, 0.35f, 0.2f}, {glm::vec3(0.0f), glm::vec3(1.0f)}, "colour of wrapped light at the edge"};
 
     Pipeline shade = graphics({.vertex = "02_lambert_phong/shade.vert", .fragment = "02_lambert_phong/shade.frag"});
     Buffer lights;
@@ -27,15 +26,6 @@ struct LambertPhong : ModelChapter {
     std::string default_scene() const override { return "scenes/teapot.json"; }
 
     void prepare(Gpu& gpu) override { lights = upload_directional_lights(gpu, scene.file.lights); }
-
-    std::vector<std::string> choose(double budget, glm::uvec2 size) override {
-        const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-        const ShadingNeed need = measure_need(scene, view_projection(camera, aspect), camera.position, size, shininess);
-        const ShadingChoice& choice = cheapest_within(need, budget);
-        method.set(choice.method);
-        samples.set(std::to_string(choice.samples));
-        return explain(need, choice, budget);
-    }
 
     // [frame]
     void frame(Frame& frame) override {

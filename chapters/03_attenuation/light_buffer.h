@@ -1,6 +1,6 @@
 // All lights of a scene in one storage buffer, in the form shaders read.
 #pragma once
-#include "03_attenuation/lights.h"
+#include "03_attenuation/light_data.h"
 #include "common/gpu/gpu.h"
 #include "common/scene/light.h"
 

@@ -24,22 +24,24 @@ glm::vec2 cluster_depths(const Camera& camera, const Bounds& scene) {
     return {std::clamp(nearest, std::max(camera.near_m, farthest / 500.0f), farthest / 1.01f), farthest};
 }
 
-void LightGrid::set_view(Frame& frame, const Camera& camera, const Bounds& scene, Cells cells, int slices,
+void LightGrid::set_view(const Frame& frame, const Camera& camera, const Bounds& scene, Cells cells, int slices,
                          size_t lights, float threshold) {
     cells_ = cells;
     lights_ = lights;
     const glm::vec3 forward = glm::normalize(camera.target - camera.position);
     const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
-    const glm::vec2 depths = cluster_depths(camera, scene), size(frame.size);
+    const glm::vec2 depths = cluster_depths(camera, scene), whole(frame.crop.whole);
     const float tan_half = std::tan(0.5f * camera.fov_y_rad);
     view = {.eye = camera.position,
             .right = right,
             .up = glm::cross(right, forward),
             .forward = forward,
-            .tan_half = {tan_half * size.x / size.y, tan_half},
+            .tan_half = {tan_half * whole.x / whole.y, tan_half},
             .inverse_near = 1.0f / camera.near_m,
             .inverse_far = 1.0f / camera.far_m,
-            .size = size,
+            .size = frame.size,
+            .whole = whole,
+            .origin = glm::vec2(frame.crop.origin) + frame.crop.shift,
             .tile_px = cells == Cells::tiles ? tile_px : cluster_px,
             .slices = cells == Cells::tiles ? 1u : static_cast<uint32_t>(slices),
             .first_m = depths.x,
@@ -51,26 +53,25 @@ void LightGrid::set_view(Frame& frame, const Camera& camera, const Bounds& scene
          view.tiles.x * view.tiles.y > 1 && 4 * mask_words() > frame.gpu.device.properties.limits.maxStorageBufferRange;
          divide())
         view.tile_px *= 2;
-    const auto bytes = std::as_bytes(std::span(&view, 1));
-    frame.globals["grid"].assign(bytes.begin(), bytes.end());
 }
 
 // [record]
-void LightGrid::record(Frame& frame, const Buffer& lights) {
+void LightGrid::record(Frame& frame, const Given& lights) {
     const uint32_t group_count = static_cast<uint32_t>((lights_ + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP);
     reserve(frame.gpu.device, masks, "light masks", mask_words());
     reserve(frame.gpu.device, groups, "light groups", VkDeviceSize(group_count) * cell_count());
-    std::vector<Resource> reads{lights};
+    std::vector<Resource> reads;
     if (cells_ == Cells::tiles) {
         reserve(frame.gpu.device, tile_depths_, "tile depths", 2 * cell_count());
-        frame.compute("tile_depth", {.reads = {frame.depth}, .writes = {tile_depths_}}, [&](Compute& pass) {
-            pass.use(find_depths_).set("depth", frame.depth, Sampling::nearest_clamp);
-            pass.set("tile_depths", tile_depths_).dispatch({view.tiles, 1});
-        });
+        frame.compute("tile_depth", {.reads = {frame.depth}, .writes = {tile_depths_}, .with = {lights}},
+                      [&](Compute& pass) {
+                          pass.use(find_depths_).set("depth", frame.depth, Sampling::nearest_clamp);
+                          pass.set("tile_depths", tile_depths_).dispatch({view.tiles, 1});
+                      });
         reads.push_back(tile_depths_);
     }
-    frame.compute("cull_lights", {.reads = reads, .writes = {masks, groups}}, [&](Compute& pass) {
-        pass.use(cull_).set("lights", lights).set("masks", masks).set("groups", groups);
+    frame.compute("cull_lights", {.reads = reads, .writes = {masks, groups}, .with = {lights}}, [&](Compute& pass) {
+        pass.use(cull_);
         if (cells_ == Cells::tiles) pass.set("tile_depths", tile_depths_);
         pass.dispatch_threads(glm::uvec2(cell_count(), group_count));
     });

@@ -21,14 +21,15 @@ class LightGrid {
   public:
     enum class Cells { tiles, clusters };
 
-    /// Gives the shaders of this frame the uniform block `grid`. Clusters have `slices` between
-    /// the nearest and the farthest depth of `scene` (world space, may be empty); tiles have none. `threshold` is
-    /// influence_radius()'s. A grid whose bits would not fit into one buffer of the device gets larger tiles.
-    void set_view(Frame& frame, const Camera& camera, const Bounds& scene, Cells cells, int slices, size_t lights,
+    /// Makes `view` for this frame. Clusters have `slices` between the nearest and the farthest depth of `scene` (world
+    /// space, may be empty); tiles have none. `threshold` is influence_radius()'s. A grid whose bits would not fit into
+    /// one buffer of the device gets larger tiles.
+    void set_view(const Frame& frame, const Camera& camera, const Bounds& scene, Cells cells, int slices, size_t lights,
                   float threshold);
 
-    /// Sorts the lights into the cells; for tiles frame.depth must hold the scene.
-    void record(Frame& frame, const Buffer& lights);
+    /// Sorts the lights into the cells; for tiles frame.depth must hold the scene. `lights` gives shaders the lights'
+    /// buffer and this grid's view.
+    void record(Frame& frame, const Given& lights);
 
     Buffer masks, groups;  ///< grid_view.h says what is in them
     GridView view;
@@ -41,8 +42,8 @@ class LightGrid {
     Cells cells_ = Cells::tiles;
     size_t lights_ = 0;
     Buffer tile_depths_;
-    Pipeline find_depths_ = compute({.shader = "03_attenuation/tile_depth.comp", .defines = {}, .source = {}});
-    Pipeline cull_ = compute({.shader = "03_attenuation/cull_lights.comp", .defines = {}, .source = {}});
+    Pipeline find_depths_ = compute({.shader = "03_attenuation/tile_depth.comp"});
+    Pipeline cull_ = compute({.shader = "03_attenuation/cull_lights.comp"});
 };
 // [/light_grid]
 

@@ -1,5 +1,7 @@
 #include "04_surface_maps/maps.h"
 
+#include "04_surface_maps/tangents.h"
+
 #include <cstring>
 #include <glm/gtc/color_space.hpp>
 #include <glm/gtc/packing.hpp>
@@ -82,11 +84,30 @@ Level read_level(Gpu& gpu, const Image& image) {
     return level;
 }
 
-void MapSwitches::define(Defines& defines, const DrawItem& item) const {
-    for (const Knob<bool>* knob :
+Maps::Maps(Module& owner, std::string name) : Module(owner, std::move(name), "maps") {}
+
+void Maps::prepare(Gpu& gpu, Scene& scene) {
+    add_tangents(gpu, scene);
+    make_mips(gpu, scene, coverage.is("kept") ? cutoff : -1.0f);
+}
+
+Macros Maps::variant(const DrawItem& item) const {
+    Macros macros;
+    for (const Knob<bool>* slot :
          {&diffuse, &specular, &emissive, &opacity, &normal, &height, &orm, &occlusion, &gloss, &detail_normal})
-        for (const auto& [macro, value] : knob->macros())
-            defines[macro] = item.maps.count(knob->name + "_map") ? value : "0";
+        macros.set(slot->macro(), *slot && item.maps.count(slot->name + "_map") ? "1" : "0");
+    return macros;
+}
+
+void Maps::draw(Raster& pass, const Scene& scene, const Pipeline& loaded, const Pipeline& displaced) const {
+    for (const DrawItem& item : scene.items) {
+        pass.use(mesh.is("displaced") ? displaced : loaded, variant(item));
+        pass.offer("ambient", scene.file.ambient);
+        if (mesh.is("displaced"))
+            draw_displaced(pass, scene, item, static_cast<uint32_t>(subdivide.value));
+        else
+            scene.draw(pass, item);
+    }
 }
 
 void make_mips(Gpu& gpu, Scene& scene, float cutoff) {

@@ -1,27 +1,66 @@
-// A material's maps: which of them are in use, and their smaller levels.
+// Surfaces that textures describe, as a module: which maps are in use, how bumps are shown, and the maps' smaller levels.
 #pragma once
 #include "04_surface_maps/levels.h"
-#include "common/app/knob.h"
+#include "common/app/module.h"
 #include "common/image/image.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
 
-/// One switch for each texture slot. A slot that is off, or that a material has no texture for, is compiled out.
-struct MapSwitches {
-    Knob<bool> diffuse{"diffuse", true, "colour textures"};
-    Knob<bool> specular{"specular", true, "textures that tint highlights"};
-    Knob<bool> emissive{"emissive", true, "textures that glow"};
-    Knob<bool> opacity{"opacity", true, "textures of holes"};
-    Knob<bool> normal{"normal", true, "normal maps"};
-    Knob<bool> height{"height", true, "height maps"};
-    Knob<bool> orm{"orm", true, "textures of occlusion, roughness and metalness"};
-    Knob<bool> occlusion{"occlusion", true, "textures of ambient occlusion alone"};
-    Knob<bool> gloss{"gloss", true, "textures of the exponent, 8 to 256"};
-    Knob<bool> detail_normal{"detail_normal", true, "fine normal maps on top of the others"};
+/// Gives shaders map_surface() of 04_surface_maps/surface_maps.glsl. prepare() when a scene was loaded; then draw() in
+/// passes that state it in `.with`.
+struct Maps : Module {
+    Maps(Module& owner, std::string name);
 
-    /// Sets the switches' macros for a pipeline that draws `item`.
-    void define(Defines& defines, const DrawItem& item) const;
+    // [method]
+    Choice method{*this,
+                  "method",
+                  {"flat", "normal", "offset", "offset_limited", "steep", "occlusion", "relief", "exact"},
+                  "occlusion",
+                  "how a surface's bumps are shown; from offset on, where the eye's ray meets the height map"};
+    // [/method]
+    Knob<int> steps{*this, "steps", 32, {1, 4096}, "how often steep, occlusion and relief look at the height map"};
+    Knob<float> height_m{*this, "height_m", 0.05f, {0.0f, 1.0f}, "how deep black lies in a height map", "m"};
+    Choice mesh{
+        *this, "mesh", {"loaded", "displaced"}, "loaded", "displaced: the height map moves a finely cut mesh"};
+    Knob<int> subdivide{*this, "subdivide", 16, {1, 1024}, "into how many a displaced triangle's edge is cut"};
+    Knob<float> strength{*this, "strength", 1.0f, {0.0f, 4.0f}, "by what the slope in normal maps is multiplied"};
+    Knob<float> detail_tiles{
+        *this, "detail_tiles", 8.0f, {0.0f, 64.0f}, "how often detail repeats in a texture's width"};
+    Choice normal_y{
+        *this, "normal_y", {"up", "down"}, "up", "where green points in normal maps: up (OpenGL), down (DirectX)"};
+    Choice filter{
+        *this, "filter", {"renormalised", "toksvig"}, "toksvig", "what far away normal maps do to highlights"};
+    Choice coverage{
+        *this, "coverage", {"kept", "averaged"}, "kept", "how alpha is made smaller: averaged lets leaves vanish"};
+    Knob<float> cutoff{*this, "cutoff", 0.5f, {0.0f, 1.0f}, "what has less alpha is cut out"};
+    Knob<float> wobble{*this, "wobble", 0.0f, {0.0f, 0.2f}, "how far textures swing, in texture widths"};
+    Knob<float> scroll{*this, "scroll", 0.0f, {-2.0f, 2.0f}, "how far textures flow, in texture widths a second"};
+
+    // One switch for each texture slot. A slot that is off, or that a material has no texture for, is compiled out.
+    Knob<bool> diffuse{*this, "diffuse", true, "colour textures"};
+    Knob<bool> specular{*this, "specular", true, "textures that tint highlights"};
+    Knob<bool> emissive{*this, "emissive", true, "textures that glow"};
+    Knob<bool> opacity{*this, "opacity", true, "textures of holes"};
+    Knob<bool> normal{*this, "normal", true, "normal maps"};
+    Knob<bool> height{*this, "height", true, "height maps"};
+    Knob<bool> orm{*this, "orm", true, "textures of occlusion, roughness and metalness"};
+    Knob<bool> occlusion{*this, "occlusion", true, "textures of ambient occlusion alone"};
+    Knob<bool> gloss{*this, "gloss", true, "textures of the exponent, 8 to 256"};
+    Knob<bool> detail_normal{*this, "detail_normal", true, "fine normal maps on top of the others"};
+
+    /// Tangents for the scene's meshes, and the levels of its maps.
+    void prepare(Gpu& gpu, Scene& scene);
+
+    /// Draws the scene with 04_surface_maps' vertex shaders before `fragment`'s: `loaded` and `displaced` are pipelines
+    /// with surface.vert and displaced.vert. Each item by the variant that has just its maps.
+    void draw(Raster& pass, const Scene& scene, const Pipeline& loaded, const Pipeline& displaced) const;
+
+    /// The macros of an item's own maps.
+    Macros variant(const DrawItem& item) const;
+
+    bool animated() const { return wobble > 0 || scroll != 0; }
+    std::string load_key() const { return coverage.is("kept") ? cutoff.text() : coverage.text(); }
 };
 
 /// Makes the levels anew of what must not be averaged as colours are: normal maps (see normal_levels) and alpha (see

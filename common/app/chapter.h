@@ -1,15 +1,18 @@
-// A chapter: its knobs, its passes and one frame. What it declares as members registers itself.
+// A chapter: its knobs, its modules, its passes and one frame. What it declares as members registers itself.
 #pragma once
+#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "common/app/knob.h"
+#include "common/app/module.h"
 #include "common/gpu/frame.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
+
+struct Subject;
 
 /// An extra of a chapter's command line that runs instead of a frame: --flag ARGUMENT.
 struct Command {
@@ -17,26 +20,18 @@ struct Command {
     std::function<int(const std::string& argument, bool json)> run;  ///< returns the exit code
 };
 
-/// A named picture: tests/NN_name/shots.json has a list of them.
-struct Shot {
-    std::string name, caption, scene;
-    glm::uvec2 size{960, 540};
-    float time_s = 0;
-    int frames = 1;
-    std::vector<std::pair<std::string, std::string>> set;
-};
-
-class Chapter {
+class Chapter : public Module {
   public:
-    Chapter() { knobs_under_construction() = &knobs; }
-    virtual ~Chapter();
-    Chapter(const Chapter&) = delete;
-
-    std::string name;  ///< NN_name
-    KnobList knobs;
+    std::string name;                    ///< NN_name
     std::string method_knob = "method";  ///< which knob holds the methods of the study and of --method auto
+    std::vector<Command> commands;
+    std::shared_ptr<Subject> subject;  ///< what its study measures where that is no frame (common/study/subject.h)
     Scene scene;
     Camera camera;  ///< the scene's, moved by the window
+
+    // [samples]
+    Knob<int> samples{*this, "samples", 1, {1, 4096}, "pictures, each shifted within a pixel, whose mean is shown"};
+    // [/samples]
 
     /// Below assets/: shown without --scene.
     virtual std::string default_scene() const = 0;
@@ -47,17 +42,9 @@ class Chapter {
 
     /// Records one frame; what it leaves in frame.output is the picture.
     virtual void frame(Frame& frame) = 0;
-    virtual std::vector<Command> commands() { return {}; }
 
-    /// The need rule: sets the cheapest method and knobs whose error in this scene and view is at most `budget`, from
-    /// what can be measured of the scene. Returns what was measured, the rule and the choice, a line each. The first is
-    /// called when scene.file is read and nothing loaded, the second when all is.
-    virtual std::vector<std::string> choose_before_loading(double /*budget*/) { return {}; }
-    virtual std::vector<std::string> choose(double /*budget*/, glm::uvec2 /*size*/) { return {}; }
-
-    /// A study whose subject is not a frame: measures study.json's `scenes` on the CPU and puts into `result` the
-    /// points and what else docs/study_format.md asks of a "loader". False: the subject is the frame.
-    virtual bool cpu_study(const nlohmann::json& /*study*/, nlohmann::json& /*result*/) { return false; }
+    /// What a study and the need rule look at of the frame drawn last: linear light, or the encoded picture.
+    virtual const Image& judged(const Frame& frame) const { return frame.linear(); }
 
     /// Errors of the chapter's own for a point of its study: adds numbers by name to `error`, beside those of the
     /// picture; NaN counts as an error that is not finite, and a name left out as not measured. Called when the point's
@@ -79,31 +66,15 @@ class Chapter {
     virtual bool animated() const { return false; }
 };
 
-/// Reads a scene file or wraps a model file, and loads it. Throws InputError. With a budget the need rule chooses for a
-/// picture of `size`; what it says is returned.
-std::vector<std::string> load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file,
-                                    std::optional<double> budget = {}, glm::uvec2 size = glm::uvec2(0));
-
-/// Records one frame with the knobs' uniforms and macros in place. Frame::end() is left to the caller, also where this
-/// throws: what was recorded has to be submitted.
-void record(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, unsigned seed);
-
-/// Records, submits and waits for one frame.
-void render(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, unsigned seed);
-
-/// frame.hdr to frame.output: clamped to 1 and sRGB-encoded. Chapters that map tones better do so themselves.
-void encode_srgb(Frame& frame);
-
-std::vector<Shot> read_shots(const std::string& chapter);
-
 using MakeChapter = std::function<std::unique_ptr<Chapter>()>;
 
-/// The whole program: options, then a window, a picture or a list. Returns the exit code.
-int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make);
+/// What is to be done while a scene is loaded: where the need rule chooses.
+struct Loading {
+    std::function<void()> before;     ///< chapter.scene.file is read, and nothing loaded
+    std::function<void(Gpu&)> after;  ///< all is loaded and prepared
+};
+
+/// Reads a scene file or wraps a model file, and loads it. Throws InputError.
+void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file, const Loading& loading = {});
 
 }  // namespace lightwalk
-
-#define CHAPTER(Type)                                                                                          \
-    int main(int argc, char** argv) {                                                                          \
-        return lightwalk::run_chapter(argc, argv, LIGHTWALK_CHAPTER, [] { return std::make_unique<Type>(); }); \
-    }

@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <set>
 
-#include "common/app/options.h"
+#include "common/app/compile_shaders.h"
 #include "common/base/exercise.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
@@ -11,15 +11,14 @@ namespace {
 
 constexpr size_t most_variants = 256;
 
-Defines macros_of(const Chapter& chapter) {
-    Defines defines;
-    for (const KnobBase* knob : chapter.knobs)
-        for (const auto& [name, value] : knob->macros()) defines[name] = value;
-    return defines;
+Macros macros_of(const Chapter& chapter) {
+    Macros macros;
+    for (const KnobBase* knob : chapter.all_knobs()) knob->add_macros(macros);
+    return macros;
 }
 
 // Every combination of the settings of knobs from `first` on, the others as they are.
-void combine(const Chapter& chapter, std::span<KnobBase* const> knobs, std::vector<Defines>& result) {
+void combine(const Chapter& chapter, std::span<KnobBase* const> knobs, std::vector<Macros>& result) {
     if (knobs.empty()) return result.push_back(macros_of(chapter));
     const std::string before = knobs[0]->text();
     for (const std::string& setting : knobs[0]->variants()) {
@@ -31,16 +30,17 @@ void combine(const Chapter& chapter, std::span<KnobBase* const> knobs, std::vect
 
 // The macros' settings that give different text: the product over the knobs the shaders name. Where that is too many,
 // the method's settings, each with every setting of one other knob.
-std::vector<Defines> variants(const Chapter& chapter, const std::string& text, bool defaults_only) {
+std::vector<Macros> variants(const Chapter& chapter, const std::string& text, bool defaults_only) {
     if (defaults_only) return {macros_of(chapter)};
     std::vector<KnobBase*> named;
     size_t count = 1;
-    for (KnobBase* knob : chapter.knobs)
-        if (const auto macros = knob->macros(); !macros.empty() && text.find(macros[0].first) != text.npos) {
+    std::set<std::string> macros;  // two modules of one kind have the same
+    for (KnobBase* knob : chapter.all_knobs())
+        if (!knob->variants().empty() && names_macro(text, knob->macro()) && macros.insert(knob->macro()).second) {
             count *= knob->variants().size();
-            named.insert(knob->name == chapter.method_knob ? named.begin() : named.end(), knob);
+            named.insert(knob->name == "method" ? named.begin() : named.end(), knob);
         }
-    std::vector<Defines> result;
+    std::vector<Macros> result;
     if (count <= most_variants) {
         combine(chapter, named, result);
         return result;
@@ -54,10 +54,10 @@ int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defa
                      std::set<std::string>& seen, std::set<std::filesystem::path>& files) {
     std::string text;
     for (const std::string& shader : pipeline.shaders())
-        if (pipeline.compute.source.empty()) text += flatten(shader, {}).text;
+        if (pipeline.compute.source.empty()) text += flatten_bare(shader).text;
     int modules = 0;
-    for (const Defines& defines : variants(chapter, text, defaults_only)) {
-        const std::vector<FlatShader> flat = flatten_stages(pipeline, defines);
+    for (const Macros& macros : variants(chapter, text, defaults_only)) {
+        const std::vector<FlatShader> flat = flatten_stages(pipeline, macros);
         std::string all;
         for (const FlatShader& shader : flat) {
             all += shader.text;

@@ -1,13 +1,12 @@
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "common/app/options.h"
-#include "common/study/study.h"
+#include "common/app/headless.h"
+#include "common/app/read_picture.h"
+#include "common/app/render.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
-#include "common/image/image.h"
 #include "common/measure/statistics.h"
 
 namespace lightwalk {
@@ -15,15 +14,11 @@ namespace {
 
 using nlohmann::json;
 
-// Half floats whose exponent is all ones: infinite, or NaN where the mantissa is not zero.
-void report_non_finite(Gpu& gpu, const Image& hdr) {
-    const std::vector<std::byte> texels = gpu.read_back(hdr);
+// A NaN, or an infinity, in the linear light of the picture.
+void report_non_finite(Gpu& gpu, const Image& linear) {
     size_t nan = 0, infinite = 0;
-    for (size_t i = 0; i + 1 < texels.size(); i += 2) {
-        uint16_t half = 0;
-        std::memcpy(&half, texels.data() + i, 2);
-        if ((half & 0x7c00) == 0x7c00) ++((half & 0x03ff) ? nan : infinite);
-    }
+    for (const glm::vec3& pixel : read_linear(gpu, linear).pixels)
+        for (int i = 0; i < 3; ++i) std::isnan(pixel[i]) ? ++nan : infinite += std::isinf(pixel[i]);
     if (nan || infinite)
         throw Failure("the HDR target holds " + std::to_string(nan) + " NaN and " + std::to_string(infinite) +
                       " infinite values");
@@ -51,43 +46,34 @@ json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter
 
 }  // namespace
 
-int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& holder) {
-    for (const std::string& path : {options.screenshot, options.timings, options.study})
-        if (!path.empty()) check_writable(path);
-    if (!options.study.empty() && run_cpu_study(options, chapter)) return 0;
-    holder = std::make_unique<Gpu>(
+std::unique_ptr<Gpu> make_gpu(const Options& options) {
+    auto gpu = std::make_unique<Gpu>(
         DeviceOptions{.name = options.device, .validate = options.validate, .surface_extensions = {}});
-    Gpu& gpu = *holder;
-    const uint32_t most = gpu.device.properties.limits.maxImageDimension2D;
+    const uint32_t most = gpu->device.properties.limits.maxImageDimension2D;
     if (std::max(options.size.x, options.size.y) > most)
         throw InputError("--size: this device renders at most " + std::to_string(most) + " pixels a side");
-    if (!options.study.empty()) {
-        run_study(options, chapter, gpu);
-        gpu.device.check_validation();
-        return 0;
-    }
-    const auto explanation = load_scene(chapter, gpu, options.scene.empty() ? chapter.default_scene() : options.scene,
-                                        options.automatic ? options.budget : std::nullopt, options.size);
-    if (options.explain)
-        for (const std::string& line : explanation) std::printf("%s\n", line.c_str());
+    return gpu;
+}
+
+int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& holder, const Loading& loading) {
+    for (const std::string& path : {options.screenshot, options.timings})
+        if (!path.empty()) check_writable(path);
+    holder = make_gpu(options);
+    Gpu& gpu = *holder;
+    load_scene(chapter, gpu, options.scene.empty() ? chapter.default_scene() : options.scene, loading);
     Frame frame(gpu);
     // The first frame of a timing run compiles and warms up, and is not counted.
     const int warm_up = options.timings.empty() ? 0 : 1;
     std::vector<std::vector<PassTime>> times;
     for (int i = 0; i < options.frames + warm_up; ++i) {
         const int counted = std::max(i - warm_up, 0);
-        render(chapter, frame, options.size, options.time_s + static_cast<float>(counted) / 60.0f, options.seed);
+        render(chapter, frame, {options.size, options.time_s + static_cast<float>(counted) / 60.0f, options.seed, {}});
         if (i >= warm_up) times.push_back(frame.times);
     }
-    if (!options.screenshot.empty()) {
-        Image8 picture(static_cast<int>(options.size.x), static_cast<int>(options.size.y));
-        const std::vector<std::byte> texels = gpu.read_back(frame.output);
-        std::memcpy(picture.pixels.data(), texels.data(), texels.size());
-        write_png(options.screenshot, picture);
-    }
+    if (!options.screenshot.empty()) write_png(options.screenshot, read_picture(gpu, frame.output));
     if (!options.timings.empty())
         write_file(options.timings, timings_json(gpu, options, chapter, times).dump(1) + "\n");
-    report_non_finite(gpu, frame.hdr);
+    report_non_finite(gpu, frame.linear());
     gpu.device.check_validation();
     return 0;
 }

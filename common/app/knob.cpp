@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "common/app/module.h"
 #include "common/base/error.h"
 
 namespace lightwalk {
@@ -42,23 +43,23 @@ constexpr const char* kind = std::is_same_v<T, int>      ? "whole number"
 
 }  // namespace
 
-KnobList*& knobs_under_construction() {
-    static KnobList* list = nullptr;
-    return list;
-}
-
-KnobBase::KnobBase(std::string knob_name, std::string knob_help, std::string knob_unit)
-    : name(std::move(knob_name)), help(std::move(knob_help)), unit(std::move(knob_unit)) {
-    if (KnobList* list = knobs_under_construction()) list->push_back(this);
+KnobBase::KnobBase(Module& knob_owner, std::string knob_name, std::string knob_help, std::string knob_unit)
+    : owner(knob_owner), name(std::move(knob_name)), help(std::move(knob_help)), unit(std::move(knob_unit)) {
+    owner.members_.push_back({.knob = this});
 }
 
 KnobBase::~KnobBase() {
-    if (KnobList* list = knobs_under_construction()) std::erase(*list, this);
+    std::erase_if(owner.members_, [this](const Module::Member& member) { return member.knob == this; });
 }
 
+std::string KnobBase::path() const { return owner.path().empty() ? name : owner.path() + "." + name; }
+
+std::string KnobBase::macro() const { return upper(owner.kind().empty() ? name : owner.kind() + "_" + name); }
+
 template <class T>
-Knob<T>::Knob(std::string knob_name, T initial, Range<T> knob_range, std::string knob_help, std::string knob_unit)
-    : KnobBase(std::move(knob_name), std::move(knob_help), std::move(knob_unit)),
+Knob<T>::Knob(Module& knob_owner, std::string knob_name, T initial, Range<T> knob_range, std::string knob_help,
+              std::string knob_unit)
+    : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), std::move(knob_unit)),
       value(initial),
       default_value(initial),
       range(knob_range) {}
@@ -68,7 +69,7 @@ void Knob<T>::set(const std::string& given) {
     using C = Components<T>;
     const double lower = C::get(range.lower, 0), upper_bound = C::get(range.upper, 0);
     const auto refuse = [&] {
-        throw InputError(name + "=" + given + ": expected a " + kind<T> + " from " + format(lower) + " to " +
+        throw InputError(path() + "=" + given + ": expected a " + kind<T> + " from " + format(lower) + " to " +
                          format(upper_bound) + (unit.empty() ? "" : " " + unit));
     };
     T parsed{};
@@ -106,7 +107,7 @@ nlohmann::json Knob<T>::describe() const {
     using C = Components<T>;
     nlohmann::json defaults = nlohmann::json::array();
     for (int i = 0; i < C::count; ++i) defaults.push_back(C::get(default_value, i));
-    return {{"name", name},
+    return {{"name", path()},
             {"type", kind<T>},
             {"default", C::count == 1 ? defaults[0] : defaults},
             {"range", {C::get(range.lower, 0), C::get(range.upper, 0)}},
@@ -118,25 +119,22 @@ template class Knob<float>;
 template class Knob<int>;
 template class Knob<glm::vec3>;
 
-Knob<bool>::Knob(std::string knob_name, bool initial, std::string knob_help)
-    : KnobBase(std::move(knob_name), std::move(knob_help), ""), value(initial), default_value(initial) {}
+Knob<bool>::Knob(Module& knob_owner, std::string knob_name, bool initial, std::string knob_help)
+    : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), ""), value(initial), default_value(initial) {}
 
 void Knob<bool>::set(const std::string& given) {
     if (given != "on" && given != "off" && given != "true" && given != "false")
-        throw InputError(name + "=" + given + ": expected on or off");
+        throw InputError(path() + "=" + given + ": expected on or off");
     value = given == "on" || given == "true";
 }
 
 nlohmann::json Knob<bool>::describe() const {
-    return {{"name", name}, {"type", "switch"}, {"default", default_value ? "on" : "off"}, {"help", help}};
+    return {{"name", path()}, {"type", "switch"}, {"default", default_value ? "on" : "off"}, {"help", help}};
 }
 
-std::vector<std::pair<std::string, std::string>> Knob<bool>::macros() const {
-    return {{upper(name), value ? "1" : "0"}};
-}
-
-Choice::Choice(std::string knob_name, std::vector<std::string> names, std::string initial, std::string knob_help)
-    : KnobBase(std::move(knob_name), std::move(knob_help), ""), options(std::move(names)) {
+Choice::Choice(Module& knob_owner, std::string knob_name, std::vector<std::string> names, std::string initial,
+               std::string knob_help)
+    : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), ""), options(std::move(names)) {
     set(initial);
     default_index_ = index;
 }
@@ -145,28 +143,53 @@ void Choice::set(const std::string& given) {
     const auto it = std::find(options.begin(), options.end(), given);
     std::string known;
     for (const std::string& option : options) known += (known.empty() ? "" : ", ") + option;
-    if (it == options.end()) throw InputError(name + "=" + given + ": expected one of " + known);
+    if (it == options.end()) throw InputError(path() + "=" + given + ": expected one of " + known);
     index = static_cast<size_t>(it - options.begin());
 }
 
 nlohmann::json Choice::describe() const {
     return {
-        {"name", name}, {"type", "choice"}, {"default", options[default_index_]}, {"options", options}, {"help", help}};
+        {"name", path()}, {"type", "choice"}, {"default", options[default_index_]}, {"options", options}, {"help", help}};
 }
 
-std::vector<std::pair<std::string, std::string>> Choice::macros() const {
-    std::vector<std::pair<std::string, std::string>> result{{upper(name), std::to_string(index)}};
-    for (size_t i = 0; i < options.size(); ++i) result.emplace_back(upper(name + "_" + options[i]), std::to_string(i));
-    return result;
+void Choice::add_macros(Macros& macros) const {
+    const std::string prefix = macro();
+    macros.set(prefix, std::to_string(index));
+    for (size_t i = 0; i < options.size(); ++i) macros.set(prefix + "_" + upper(options[i]), std::to_string(i));
 }
+
+namespace {
+
+// Those that a name alone could mean.
+KnobList called(const KnobList& knobs, const std::string& name) {
+    KnobList same;
+    for (KnobBase* knob : knobs) {
+        if (knob->name != name) continue;
+        if (knob->alone || knob->path() == name) return {knob};
+        same.push_back(knob);
+    }
+    return same;
+}
+
+std::string listed(const KnobList& knobs, const char* between) {
+    std::string text;
+    for (const KnobBase* knob : knobs) text += (text.empty() ? "" : between) + knob->path();
+    return text;
+}
+
+}  // namespace
 
 KnobBase& find_knob(const KnobList& knobs, const std::string& name) {
-    std::string known;
-    for (KnobBase* knob : knobs) {
-        if (knob->name == name) return *knob;
-        known += (known.empty() ? "" : ", ") + knob->name;
-    }
-    throw InputError("unknown knob '" + name + "'; this chapter has: " + known);
+    for (KnobBase* knob : knobs)
+        if (knob->path() == name) return *knob;
+    const KnobList same = called(knobs, name);
+    if (same.size() == 1) return *same[0];
+    if (!same.empty()) throw InputError("knob '" + name + "' could be " + listed(same, " or "));
+    throw InputError("unknown knob '" + name + "'; this chapter has: " + listed(knobs, ", "));
+}
+
+bool has_short_name(const KnobList& knobs, const KnobBase& knob) {
+    return knob.path() != knob.name && called(knobs, knob.name) == KnobList{const_cast<KnobBase*>(&knob)};
 }
 
 }  // namespace lightwalk

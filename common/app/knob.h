@@ -1,4 +1,4 @@
-// Knobs: a chapter's named parameters. One declaration gives the option, the slider, the scene-file key, the shader's
+// Knobs: named parameters of a module. One declaration gives the option, the slider, the scene-file key, the shader's
 // uniform or macro and the study's axis.
 #pragma once
 #include <glm/glm.hpp>
@@ -7,12 +7,16 @@
 #include <string_view>
 #include <vector>
 
+#include "common/gpu/macros.h"
+
 namespace lightwalk {
+
+class Module;
 
 class KnobBase {
   public:
-    /// Registers with the chapter under construction.
-    KnobBase(std::string name, std::string help, std::string unit);
+    /// Registers with the module that owns it.
+    KnobBase(Module& owner, std::string name, std::string help, std::string unit);
     virtual ~KnobBase();
     KnobBase(const KnobBase&) = delete;
 
@@ -22,8 +26,9 @@ class KnobBase {
     virtual void reset() = 0;
     virtual nlohmann::json describe() const = 0;
 
-    /// A macro's name and value for shaders, for knobs that are compiled in; empty for uniforms.
-    virtual std::vector<std::pair<std::string, std::string>> macros() const { return {}; }
+    /// Adds what shaders compare, for knobs that are compiled in: SHADOW_FILTER, SHADOW_FILTER_PCF ... of the knob
+    /// `filter` of a module of the kind `shadow`.
+    virtual void add_macros(Macros&) const {}
 
     /// Every setting that gives another compiled variant; empty for uniforms.
     virtual std::vector<std::string> variants() const { return {}; }
@@ -31,24 +36,27 @@ class KnobBase {
     /// Up to four numbers for a uniform, as float or int bits; empty for macros.
     virtual std::vector<float> numbers() const { return {}; }
 
+    std::string path() const;   ///< with its module's before it: shadow.filter
+    std::string macro() const;  ///< the first of its macros' names: SHADOW_FILTER
+
+    Module& owner;
     const std::string name, help, unit;
     bool pinned = false;  ///< on the command line: a scene file does not overrule it
+    bool alone = false;   ///< answers to its name alone, also where another module has one of that name
 };
 
-/// The knobs of the chapter that is being made, in order of declaration.
 using KnobList = std::vector<KnobBase*>;
-KnobList*& knobs_under_construction();
 
 template <class T>
 struct Range {
     T lower, upper;
 };
 
-/// A number, or a vector of numbers (all in one range), as a uniform of the same name.
+/// A number, or a vector of numbers (all in one range), as a member of the same name in its module's uniform block.
 template <class T>
 class Knob : public KnobBase {
   public:
-    Knob(std::string name, T default_value, Range<T> range, std::string help, std::string unit = "");
+    Knob(Module& owner, std::string name, T default_value, Range<T> range, std::string help, std::string unit = "");
     void set(const std::string& text) override;
     std::string text() const override;
     void reset() override { value = default_value; }
@@ -60,16 +68,16 @@ class Knob : public KnobBase {
     const Range<T> range;
 };
 
-/// On or off: compiled in as NAME 1 or NAME 0, so that what is off costs nothing.
+/// On or off: compiled in as 1 or 0, so that what is off costs nothing.
 template <>
 class Knob<bool> : public KnobBase {
   public:
-    Knob(std::string name, bool default_value, std::string help);
+    Knob(Module& owner, std::string name, bool default_value, std::string help);
     void set(const std::string& text) override;
     std::string text() const override { return value ? "on" : "off"; }
     void reset() override { value = default_value; }
     nlohmann::json describe() const override;
-    std::vector<std::pair<std::string, std::string>> macros() const override;
+    void add_macros(Macros& macros) const override { macros.set(macro(), value ? "1" : "0"); }
     std::vector<std::string> variants() const override { return {"on", "off"}; }
     operator bool() const { return value; }
     bool value;
@@ -79,14 +87,16 @@ class Knob<bool> : public KnobBase {
 /// One of several names: a shader compares NAME with NAME_ONE, NAME_TWO ...
 class Choice : public KnobBase {
   public:
-    Choice(std::string name, std::vector<std::string> options, std::string default_option, std::string help);
+    Choice(Module& owner, std::string name, std::vector<std::string> options, std::string default_option,
+           std::string help);
     void set(const std::string& text) override;
     std::string text() const override { return options[index]; }
     void reset() override { index = default_index_; }
     nlohmann::json describe() const override;
-    std::vector<std::pair<std::string, std::string>> macros() const override;
+    void add_macros(Macros& macros) const override;
     std::vector<std::string> variants() const override { return options; }
     bool is(std::string_view option) const { return options[index] == option; }
+    void change_default(const std::string& option) { set(option), default_index_ = index; }
     const std::vector<std::string> options;
     size_t index = 0;
 
@@ -94,7 +104,11 @@ class Choice : public KnobBase {
     size_t default_index_ = 0;
 };
 
-/// Throws InputError and lists the names where there is no such knob.
+/// By path, or by name alone where no other module has it too, or it is the one that answers to it. Throws InputError
+/// and lists the paths where there is no such knob, or more than one.
 KnobBase& find_knob(const KnobList& knobs, const std::string& name);
+
+/// Whether find_knob() takes the knob's name without its module's.
+bool has_short_name(const KnobList& knobs, const KnobBase& knob);
 
 }  // namespace lightwalk

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "common/app/shots.h"
 #include "common/base/exercise.h"
 #include "common/base/error.h"
 
@@ -24,11 +25,12 @@ glm::uvec2 parse_size(const std::string& text) {
 
 // "auto" for the method leaves the choice to the need rule.
 void set_knob(Options& options, Chapter& chapter, const std::string& name, const std::string& value) {
-    if (name == chapter.method_knob && value == "auto") {
+    const bool is_method = name == chapter.method_knob || name == "method";
+    if (is_method && value == "auto") {
         options.automatic = true;
         return;
     }
-    KnobBase& knob = find_knob(chapter.knobs, name);
+    KnobBase& knob = find_knob(chapter.all_knobs(), name);
     knob.set(value);
     knob.pinned = true;
 }
@@ -77,11 +79,16 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--compile-shaders", o.compile_shaders, "compile and validate all shaders in all variants; for the build")
         ->type_name("STAMP");
     std::map<std::string, std::string> by_knob, by_command;
-    for (const KnobBase* knob : chapter.knobs)
-        app.add_option("--" + knob->name, by_knob[knob->name], knob->help)->group("Knobs");
-    if (chapter.method_knob != "method") app.add_option("--method", method, "the same as --" + chapter.method_knob);
-    const std::vector<Command> commands = chapter.commands();
-    for (const Command& command : commands)
+    const KnobList knobs = chapter.all_knobs();
+    for (const KnobBase* knob : knobs) {
+        const std::string path = knob->path();
+        std::string names = "--" + path;
+        if (has_short_name(knobs, *knob)) names += ",--" + knob->name;
+        app.add_option(names, by_knob[path], knob->help)->group("Knobs");
+    }
+    const bool own_method = chapter.method_knob != "method";
+    if (own_method) app.add_option("--method", method, "the same as --" + chapter.method_knob);
+    for (const Command& command : chapter.commands)
         app.add_option("--" + command.flag, by_command[command.flag], command.help)->type_name(command.argument);
     try {
         app.parse(argc, argv);
@@ -113,7 +120,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     if (!method.empty()) set_knob(o, chapter, chapter.method_knob, method);
     if (o.automatic && !o.budget) throw InputError("--method auto needs --budget E, the greatest error allowed");
     if (o.explain && !o.automatic) throw InputError("--explain goes with --method auto");
-    for (const Command& command : commands)
+    for (const Command& command : chapter.commands)
         if (!app.get_option("--" + command.flag)->empty())
             o.command = [command, argument = by_command[command.flag], json = o.json] {
                 return command.run(argument, json);

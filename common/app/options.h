@@ -26,16 +26,4 @@ struct Options {
 /// asked for, prints it and returns nothing.
 std::optional<Options> read_options(int argc, char** argv, Chapter& chapter);
 
-int print_list(const Options& options, Chapter& chapter);
-
-/// Make the device in `gpu`, which must outlive the chapter, and run it. Return the exit code. A window makes a second
-/// chapter where two versions are shown side by side.
-int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu);
-int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu, const MakeChapter& make);
-
-/// Compiles every pipeline of the chapter in every variant of its choices and toggles, and validates the SPIR-V. Needs
-/// no device. Then writes the file `stamp`, and beside it `stamp`.d, which says in make's words which shaders it was made
-/// from. Throws ShaderError.
-int compile_all_shaders(Chapter& chapter, const std::string& stamp);
-
 }  // namespace lightwalk

@@ -17,6 +17,8 @@ struct Table {
     std::map<std::string, State, std::less<>> exercises;
     std::string state;  ///< made anew on the first question after a change
     bool scanned = false;
+    unsigned version = 0;
+    void changed() { state.clear(), ++version; }
 };
 
 // A function-local static, because toggles in other files declare themselves before main().
@@ -74,13 +76,13 @@ void Exercises::use(std::string_view which) {
         }
         const bool solution = is_solution(item);
         for (auto& [id, state] : scanned_table().exercises) state.solution = solution;
-        table().state.clear();
+        table().changed();
     }
 }
 
 void Exercises::set(std::string_view id, bool solution) {
     find(id).solution = solution;
-    table().state.clear();
+    table().changed();
 }
 
 std::vector<std::string> Exercises::ids() {
@@ -94,6 +96,8 @@ bool Exercises::has_solution(std::string_view id) { return find(id).has_solution
 void Exercises::declare(std::string_view id, bool has_solution) {
     table().exercises[std::string(id)].has_solution = has_solution;
 }
+
+unsigned Exercises::version() { return table().version; }
 
 const std::string& Exercises::state() {
     Table& t = scanned_table();

@@ -28,6 +28,9 @@ class Exercises {
 
     /// The state of every toggle as one word, so that what depends on toggles knows which variant it is.
     static const std::string& state();
+
+    /// Changes with every change of a toggle.
+    static unsigned version();
 };
 
 template <class Signature>

@@ -101,7 +101,7 @@ Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs) {
     const Signature s = parse(probe.signature);
     const std::vector<uint32_t> words = pack(s, probe.inputs);
     const Pipeline pipeline =
-        compute({.shader = "probe of " + s.function, .defines = probe.defines, .source = shader_text(probe, s)});
+        compute({.shader = "probe of " + s.function, .macros = probe.macros, .source = shader_text(probe, s)});
     const Buffer inputs = gpu.upload("probe inputs", words);
     const Buffer results(gpu.device, {.name = "probe outputs", .bytes = 4 * outputs * probe.inputs.size()});
     {

@@ -31,7 +31,7 @@ struct Probe {
     Table inputs;
     std::function<Row(std::span<const double>)> truth;  ///< inputs exactly as the device gets them
     Bound bound;
-    Defines defines;  ///< macros the file expects
+    Macros macros;  ///< that the file expects
 };
 
 /// The results of each call, flattened. `probe.truth` and `bound` are not needed; `outputs` says how many numbers the

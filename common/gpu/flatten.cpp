@@ -93,31 +93,89 @@ class Flattener {
     std::set<fs::path> seen_;
 };
 
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+// The words of a line that could be macros, up to a comment.
+std::vector<std::string_view> words_of(std::string_view line) {
+    std::vector<std::string_view> words;
+    line = line.substr(0, std::min(line.find("//"), line.size()));
+    for (size_t at = 0; at < line.size();) {
+        size_t end = at;
+        while (end < line.size() && is_word(line[end])) ++end;
+        if (end > at && !std::isdigit(static_cast<unsigned char>(line[at]))) words.push_back(line.substr(at, end - at));
+        at = std::max(end, at + 1);
+    }
+    return words;
+}
+
+// An #if takes a name that nobody has defined for 0, and the wrong half of a shader is compiled in silence.
+void refuse_unknown_macros(const std::string& text, const Macros& macros) {
+    std::set<std::string, std::less<>> known;
+    for (const auto& [name, value] : macros) known.insert(name);
+    std::istringstream in(text);
+    std::string line, file;
+    for (int number = 1; std::getline(in, line); ++number) {
+        const size_t hash = line.find_first_not_of(" \t");
+        if (hash == line.npos || line[hash] != '#') continue;
+        const std::vector<std::string_view> words = words_of(line);
+        if (words.empty()) continue;
+        if (words[0] == "line") {
+            std::istringstream numbers(line.substr(line.find("line") + 4));
+            numbers >> number >> file;
+            --number;
+        } else if ((words[0] == "define" || words[0] == "ifndef" || words[0] == "ifdef") && words.size() > 1) {
+            known.emplace(words[1]);  // defined, or asked for first
+        } else if (words[0] == "if" || words[0] == "elif") {
+            for (size_t i = 1; i < words.size(); ++i) {
+                if (words[i] == "defined") {
+                    ++i;
+                } else if (!known.count(words[i]) && !words[i].starts_with("GL_")) {
+                    const std::string shown = file.size() > 2 ? file.substr(1, file.size() - 2) : file;
+                    throw ShaderError(shown + ":" + std::to_string(number) + ": nobody defines " +
+                                      std::string(words[i]) + "; does the pass state `.with` the module it belongs to?" +
+                                      "\n    " + line);
+                }
+            }
+        }
+    }
+}
+
 // Only the macros that the text names: what does not concern a shader must not make another variant of it.
-FlatShader with_header(FlatShader shader, const Defines& defines) {
+FlatShader with_header(FlatShader shader, const Macros& macros) {
+    refuse_unknown_macros(shader.text, macros);
     std::string header =
         "#version 460\n"
         "#extension GL_EXT_scalar_block_layout : require\n"
         "#extension GL_GOOGLE_cpp_style_line_directive : require\n";
-    for (const auto& [name, value] : defines)
-        if (shader.text.find(name) != shader.text.npos) header += "#define " + name + " " + value + "\n";
+    for (const auto& [name, value] : macros)
+        if (names_macro(shader.text, name)) header += "#define " + name + " " + value + "\n";
     shader.text.insert(0, header);
     return shader;
 }
 
 }  // namespace
 
-FlatShader flatten(const std::string& name, const Defines& defines) {
-    Flattener flattener;
-    flattener.include(name, "the pipeline", 0);
-    return with_header(std::move(flattener.result), defines);
+bool names_macro(std::string_view text, std::string_view name) {
+    for (size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+        const size_t end = at + name.size();
+        if ((at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end]))) return true;
+    }
+    return false;
 }
 
+FlatShader flatten_bare(const std::string& name) {
+    Flattener flattener;
+    flattener.include(name, "the pipeline", 0);
+    return std::move(flattener.result);
+}
+
+FlatShader flatten(const std::string& name, const Macros& macros) { return with_header(flatten_bare(name), macros); }
+
 FlatShader flatten_text(const std::string& text, const std::string& name, const std::string& chapter,
-                        const Defines& defines) {
+                        const Macros& macros) {
     Flattener flattener;
     flattener.add(text, name, chapter);
-    return with_header(std::move(flattener.result), defines);
+    return with_header(std::move(flattener.result), macros);
 }
 
 Stage stage_of(const std::string& file_name) {

@@ -49,6 +49,24 @@ void shader_barriers(VkCommandBuffer commands, bool compute, const std::vector<R
     for (const Resource& w : writes) one(w, contains(reads, w), true);
 }
 
+// All that is given to a pass. Two of a kind would share their names in its shaders.
+std::vector<const Given*> expand(const std::vector<With>& with, const Given* root) {
+    std::vector<const Given*> all;
+    if (root) all.push_back(root);
+    for (const Given& given : with) given.expand(all);
+    for (size_t i = 0; i < all.size(); ++i)
+        for (size_t j = 0; j < i; ++j)
+            if (all[i] != all[j] && all[i]->kind() == all[j]->kind())
+                throw Failure("a pass is given two modules of the kind '" + all[i]->kind() + "'; it takes one");
+    return all;
+}
+
+std::vector<Resource> with_given(std::vector<Resource> reads, const std::vector<const Given*>& given) {
+    for (const Given* one : given)
+        for (const Resource& resource : one->reads()) reads.push_back(resource);
+    return reads;
+}
+
 VkRenderingAttachmentInfo attachment(const Image& image, bool keep, const VkClearValue& clear) {
     return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
             .imageView = image.desc.mips > 1 ? image.mip_view(0) : image.view,
@@ -89,8 +107,11 @@ void Frame::begin(glm::uvec2 size_in_pixels, float time_in_seconds) {
         images_.clear();
         hdr = Image(gpu.device, {.name = "hdr", .format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = size});
         depth = Image(gpu.device, {.name = "depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
+        mean_ = Image();
         output = Image(gpu.device, {.name = "output", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size});
     }
+    if (samples.count > 1 && !mean_)
+        mean_ = Image(gpu.device, {.name = "mean", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
     time_s = time_in_seconds;
     for (const Recorded& pass : passes_) free_commands_.push_back(pass.commands);
     passes_.clear();
@@ -142,8 +163,10 @@ void Frame::run_after_pass(size_t outputs_before) {
 void Frame::raster(const std::string& name, const RasterTargets& targets, const std::function<void(Raster&)>& record) {
     const size_t outputs_before = outputs.size();
     const VkCommandBuffer commands = begin_pass(name, "raster");
-    shader_barriers(commands, false, targets.reads, targets.writes);
-    Raster pass(*this, name, commands, targets.reads, targets.writes);
+    const std::vector<const Given*> given = expand(targets.with, root);
+    const std::vector<Resource> reads = with_given(targets.reads, given);
+    shader_barriers(commands, false, reads, targets.writes);
+    Raster pass(*this, name, commands, reads, targets.writes, given);
     std::vector<VkRenderingAttachmentInfo> colors;
     glm::uvec2 extent = size;
     for (const Resource& target : targets.color) {
@@ -198,10 +221,12 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, const 
 void Frame::compute(const std::string& name, const ComputeAccess& access, const std::function<void(Compute&)>& record) {
     const size_t outputs_before = outputs.size();
     const VkCommandBuffer commands = begin_pass(name, "compute");
-    shader_barriers(commands, true, access.reads, access.writes);
+    const std::vector<const Given*> given = expand(access.with, root);
+    const std::vector<Resource> reads = with_given(access.reads, given);
+    shader_barriers(commands, true, reads, access.writes);
     for (const Resource& written : access.writes)
         if (written.image) outputs.emplace_back(name, written.image);
-    Compute pass(*this, name, commands, access.reads, access.writes);
+    Compute pass(*this, name, commands, reads, access.writes, given);
     try {
         record(pass);
     } catch (...) {
@@ -233,12 +258,6 @@ Image& Frame::image(const std::string& name, Image::Desc desc) {
         it->second.desc.mips == desc.mips && it->second.desc.layers == desc.layers)
         return it->second;
     return images_[name] = Image(gpu.device, desc);
-}
-
-std::vector<std::byte> Frame::global_block(const Binding& binding) const {
-    if (binding.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) return {};
-    if (const auto it = globals.find(binding.name); it != globals.end()) return it->second;
-    return fill_block ? fill_block(binding) : std::vector<std::byte>{};
 }
 
 VkDescriptorBufferInfo Frame::copy_to_arena(std::span<const std::byte> bytes) {

@@ -13,6 +13,13 @@ struct PassTime {
     double gpu_ms = 0;
 };
 
+/// The part of a larger picture that a frame draws, at that picture's own resolution.
+struct Crop {
+    glm::uvec2 whole{0};    ///< pixels of the whole picture
+    glm::uvec2 origin{0};   ///< of the frame's first pixel in it
+    glm::vec2 shift{0.0f};  ///< of the whole picture within a pixel, for anti-aliasing: -0.5 to 0.5 pixels
+};
+
 /// Records passes in order and submits them at once, one frame in flight. Every pass is a submission of its own that
 /// counts a timeline semaphore up, so that a pass that never ends can be named.
 class Frame {
@@ -28,6 +35,15 @@ class Frame {
     Image hdr;     ///< RGBA16F, linear: what chapters draw into
     Image depth;   ///< D32F, reversed: 1 at the near plane, 0 at the far one
     Image output;  ///< RGBA8, sRGB-encoded: the picture
+
+    const Given* root = nullptr;  ///< the chapter: its macros and its uniform block go into every pass
+    Crop crop;
+    struct {
+        int index = 0, count = 1;  ///< of the pictures whose mean is shown
+    } samples;
+
+    /// The picture in linear light: hdr, or the mean of several.
+    const Image& linear() const { return samples.count > 1 ? mean_ : hdr; }
 
     /// Starts recording; makes the targets anew where the size has changed.
     void begin(glm::uvec2 size_in_pixels, float time_in_seconds);
@@ -51,12 +67,10 @@ class Frame {
     /// Called after each pass that wrote an image, before a later pass can overwrite it: for whoever wants to look.
     std::function<void()> after_pass;
 
-    /// Uniform blocks every shader may name: bytes by name, and a function for those whose layout the shader decides.
+    /// Uniform blocks that every shader may name: bytes by name.
     std::map<std::string, std::vector<std::byte>> globals;
-    std::function<std::vector<std::byte>(const Binding&)> fill_block;
 
     // For Pass.
-    std::vector<std::byte> global_block(const Binding& binding) const;
     VkDescriptorBufferInfo copy_to_arena(std::span<const std::byte> bytes);
 
   private:
@@ -71,6 +85,7 @@ class Frame {
     std::vector<Recorded> passes_;
     std::vector<VkCommandBuffer> free_commands_;
     std::map<std::string, Image> images_;
+    Image mean_;
     VkCommandPool pool_ = VK_NULL_HANDLE;
     VkQueryPool queries_ = VK_NULL_HANDLE;
     VkSemaphore timeline_ = VK_NULL_HANDLE;

@@ -1,11 +1,11 @@
 // From GLSL on disk to SPIR-V: includes, exercise toggles, compilation and the cache.
 #pragma once
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/gpu/macros.h"
 
 namespace lightwalk {
 
@@ -22,16 +22,21 @@ struct FlatShader {
     std::vector<std::filesystem::path> files;  ///< all files read, to watch for edits
 };
 
-using Defines = std::map<std::string, std::string>;
-
 /// Reads shaders/`name` and its includes. An include is a path below shaders/; "NN_name/f.glsl" that is not there
 /// itself is exercise/f.glsl or solution/f.glsl of that folder, as the toggle "NN.f" says. A file is included once.
-/// Chapter NN may include chapters up to NN. Throws ShaderError (missing, later chapter, include within #if).
-FlatShader flatten(const std::string& name, const Defines& defines);
+/// Chapter NN may include chapters up to NN. Of `macros` those that the text names are defined. Throws ShaderError
+/// (missing, later chapter, include within #if, #if of a macro that nobody defines).
+FlatShader flatten(const std::string& name, const Macros& macros);
+
+/// The same without macros and without looking at them: what a shader's text may name.
+FlatShader flatten_bare(const std::string& name);
+
+/// True where `text` has `name` as a word of its own: METHOD is not in LIGHTS_METHOD.
+bool names_macro(std::string_view text, std::string_view name);
 
 /// The same for a text that is not on disk, which may include what chapter `chapter` ("99": any) may.
 FlatShader flatten_text(const std::string& text, const std::string& name, const std::string& chapter,
-                        const Defines& defines);
+                        const Macros& macros);
 
 /// SPIR-V 1.5 for Vulkan 1.3, from the cache where it holds this very text. `name` is for messages. Throws ShaderError.
 /// The cache ($LIGHTWALK_CACHE, else build/shader_cache below the course, else a temporary folder) may be shared by

@@ -17,7 +17,7 @@ constexpr Access shader_read{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_M
                              VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
 
 // True where a barrier is needed; updates the history to hold `next`.
-bool advance(History& history, const Access& next, bool image, Access& from) {
+bool advance(AccessHistory& history, const Access& next, bool image, Access& from) {
     const bool new_layout = image && history.layout != next.layout;
     from = history.last_write;
     if (next.writes || new_layout) {

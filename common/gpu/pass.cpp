@@ -7,9 +7,12 @@
 
 namespace lightwalk {
 
+std::vector<Resource> Given::reads() const { return {}; }
+
 Pass::Pass(Frame& owner, std::string pass_name, VkCommandBuffer command_buffer, const std::vector<Resource>& reads,
-           const std::vector<Resource>& writes)
-    : commands(command_buffer), frame(owner), name(std::move(pass_name)) {
+           const std::vector<Resource>& writes, const std::vector<const Given*>& given)
+    : commands(command_buffer), frame(owner), name(std::move(pass_name)), given_(given) {
+    for (const Given* one : given_) macros_.push_back(one->macros());
     const auto key = [](const Resource& r) { return r.image ? static_cast<const void*>(r.image) : r.buffer; };
     for (const Resource& r : reads) readable_.insert(key(r));
     for (const Resource& w : writes) writable_.insert(key(w));
@@ -37,14 +40,28 @@ void Pass::check_stated(const std::string& binding, const void* resource, bool c
                   (writes ? "writes" : "reads"));
 }
 
-void Pass::bind(const BuiltPipeline* pipeline, VkPipelineBindPoint point) {
-    pipeline_ = pipeline;
+void Pass::bind(const Pipeline& pipeline, const Macros& variant, const TargetFormats& formats,
+                VkPipelineBindPoint point) {
+    std::vector<const Macros*> scopes;
+    for (const Macros& macros : macros_) scopes.push_back(&macros);
+    scopes.push_back(&variant);
+    const BuiltPipeline* const built = frame.gpu.pipelines.get(pipeline, formats, scopes);
+    if (built == pipeline_ && built) return;
+    pipeline_ = built;
     point_ = point;
     bound_.clear();
-    if (!pipeline) return;
-    vkCmdBindPipeline(commands, point, pipeline->handle);
-    for (const Binding& binding : pipeline->bindings)
-        if (const auto bytes = frame.global_block(binding); !bytes.empty()) set_bytes(binding.name, bytes);
+    if (!pipeline_) return;
+    vkCmdBindPipeline(commands, point, pipeline_->handle);
+    for (const Binding& binding : pipeline_->bindings) {
+        if (binding.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) continue;
+        if (const auto it = frame.globals.find(binding.name); it != frame.globals.end()) {
+            set_bytes(binding.name, it->second);
+            continue;
+        }
+        for (const Given* given : given_)
+            if (const auto bytes = given->block(binding); !bytes.empty()) set_bytes(binding.name, bytes);
+    }
+    for (const Given* given : given_) given->bind(*this);
 }
 
 void Pass::set_image(const std::string& name_in_shader, const Image& image, Sampling sampling, int mip) {
@@ -106,8 +123,8 @@ bool Pass::flush() {
     return true;
 }
 
-Raster& Raster::use(const Pipeline& pipeline) {
-    bind(frame.gpu.pipelines.get(pipeline, formats), VK_PIPELINE_BIND_POINT_GRAPHICS);
+Raster& Raster::use(const Pipeline& pipeline, const Macros& variant) {
+    bind(pipeline, variant, formats, VK_PIPELINE_BIND_POINT_GRAPHICS);
     return *this;
 }
 
@@ -129,8 +146,8 @@ Raster& Raster::draw(const Drawable& drawable) {
     return *this;
 }
 
-Compute& Compute::use(const Pipeline& pipeline) {
-    bind(frame.gpu.pipelines.get(pipeline, {}), VK_PIPELINE_BIND_POINT_COMPUTE);
+Compute& Compute::use(const Pipeline& pipeline, const Macros& variant) {
+    bind(pipeline, variant, {}, VK_PIPELINE_BIND_POINT_COMPUTE);
     return *this;
 }
 

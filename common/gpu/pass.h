@@ -5,6 +5,7 @@
 #include <set>
 #include <type_traits>
 
+#include "common/gpu/given.h"
 #include "common/gpu/gpu.h"
 
 namespace lightwalk {
@@ -22,6 +23,9 @@ struct Resource {
     explicit operator bool() const { return image || buffer; }
 };
 
+/// A module in a pass's statement.
+using With = std::reference_wrapper<const Given>;
+
 // [raster_targets]
 /// A raster pass draws into `color` and `depth` and may read and write other resources in its shaders. What it does not
 /// state it cannot bind; what was uploaded once needs no statement.
@@ -29,6 +33,7 @@ struct RasterTargets {
     std::vector<Resource> color;
     Resource depth;
     std::vector<Resource> reads, writes;
+    std::vector<With> with;  ///< modules: their macros, uniforms, reads and bindings
     glm::vec4 clear{0.0f, 0.0f, 0.0f, 1.0f};
     bool keep = false;        ///< draw over what the targets hold instead of clearing them
     bool keep_depth = false;  ///< the same for depth alone
@@ -38,6 +43,7 @@ struct RasterTargets {
 /// A compute pass; what stands in both lists is read and written.
 struct ComputeAccess {
     std::vector<Resource> reads, writes;
+    std::vector<With> with;
 };
 
 /// What is drawn by binding things to the pass and calling its draw functions.
@@ -50,7 +56,7 @@ struct Drawable {
 class Pass {
   public:
     Pass(Frame& frame, std::string name, VkCommandBuffer commands, const std::vector<Resource>& reads,
-         const std::vector<Resource>& writes);
+         const std::vector<Resource>& writes, const std::vector<const Given*>& given);
     Pass(const Pass&) = delete;
 
     VkCommandBuffer commands;
@@ -60,8 +66,20 @@ class Pass {
     /// True where the pipeline in use has a binding of that name.
     bool wants(const std::string& binding) const;
 
+    // For modules, which do not know whether the pass draws or computes; where the shader lacks the name, nothing.
+    void offer(const std::string& binding, const Image& image, Sampling sampling) {
+        if (wants(binding)) set_image(binding, image, sampling, -1);
+    }
+    void offer(const std::string& binding, const Buffer& buffer) {
+        if (wants(binding)) set_buffer(binding, buffer);
+    }
+    template <class T>
+    requires(std::is_trivially_copyable_v<T>) void offer(const std::string& binding, const T& value) {
+        if (wants(binding)) set_bytes(binding, std::as_bytes(std::span(&value, 1)));
+    }
+
   protected:
-    void bind(const BuiltPipeline* pipeline, VkPipelineBindPoint point);
+    void bind(const Pipeline& pipeline, const Macros& variant, const TargetFormats& formats, VkPipelineBindPoint point);
     void set_image(const std::string& binding, const Image& image, Sampling sampling, int mip);
     void set_buffer(const std::string& binding, const Buffer& buffer);
     void set_bytes(const std::string& binding, std::span<const std::byte> bytes);
@@ -79,6 +97,8 @@ class Pass {
     };
     std::map<uint32_t, Bound> bound_;
     std::set<const void*> readable_, writable_;
+    const std::vector<const Given*> given_;
+    std::vector<Macros> macros_;
     VkPipelineBindPoint point_ = VK_PIPELINE_BIND_POINT_GRAPHICS;
 };
 
@@ -115,7 +135,8 @@ class Raster : public PassSetters<Raster> {
   public:
     using PassSetters::PassSetters;
     TargetFormats formats;
-    Raster& use(const Pipeline& pipeline);
+    /// `variant`: macros for this use alone, over those of the pass.
+    Raster& use(const Pipeline& pipeline, const Macros& variant = {});
     Raster& draw(uint32_t vertices, uint32_t instances = 1, uint32_t first_instance = 0);
     Raster& draw_indexed(const Buffer& indices, uint32_t first_index, uint32_t count, uint32_t instances = 1,
                          uint32_t first_instance = 0);
@@ -125,7 +146,7 @@ class Raster : public PassSetters<Raster> {
 class Compute : public PassSetters<Compute> {
   public:
     using PassSetters::PassSetters;
-    Compute& use(const Pipeline& pipeline);
+    Compute& use(const Pipeline& pipeline, const Macros& variant = {});
     /// At least `threads` invocations: rounded up to whole workgroups.
     Compute& dispatch_threads(glm::uvec3 threads);
     Compute& dispatch_threads(glm::uvec2 threads) { return dispatch_threads(glm::uvec3(threads, 1)); }

@@ -31,21 +31,26 @@ std::string identity(const Pipeline& p, const TargetFormats& formats) {
     std::string key;
     for (const std::string& shader : p.shaders()) key += shader + " ";
     if (p.is_compute) {
-        for (const auto& [name, value] : p.compute.defines) key += name + "=" + value + " ";
+        for (const auto& [name, value] : p.macros()) key += name + "=" + value + " ";
         return key + (p.compute.source.empty() ? "" : std::to_string(std::hash<std::string>{}(p.compute.source)));
     }
     const Pipeline::Graphics& g = p.graphics;
-    for (const auto& [name, value] : g.defines) key += name + "=" + value + " ";
+    for (const auto& [name, value] : p.macros()) key += name + "=" + value + " ";
     for (const int value : {int(g.cull), int(g.depth_test), int(g.depth_write), int(g.blend), int(g.topology)})
         key += std::to_string(value) + ",";
     for (const VkFormat format : formats.color) key += " " + std::to_string(format);
     return key + " depth " + std::to_string(formats.depth);
 }
 
+uint64_t next_id() {
+    static uint64_t count = 0;
+    return ++count;
+}
+
 }  // namespace
 
-Pipeline::Pipeline(Graphics desc) : graphics(std::move(desc)) { live().push_back(this); }
-Pipeline::Pipeline(Compute desc) : compute(std::move(desc)), is_compute(true) { live().push_back(this); }
+Pipeline::Pipeline(Graphics desc) : graphics(std::move(desc)), id(next_id()) { live().push_back(this); }
+Pipeline::Pipeline(Compute desc) : compute(std::move(desc)), is_compute(true), id(next_id()) { live().push_back(this); }
 Pipeline::~Pipeline() { std::erase(live(), this); }
 const std::vector<Pipeline*>& Pipeline::all() { return live(); }
 
@@ -57,6 +62,12 @@ std::vector<std::string> Pipeline::shaders() const {
     return result;
 }
 
+uint64_t TargetFormats::hash() const {
+    uint64_t result = static_cast<uint64_t>(depth);
+    for (const VkFormat format : color) result = 31 * result + static_cast<uint64_t>(format) + 1;
+    return result;
+}
+
 BuiltPipeline::~BuiltPipeline() {
     vkDestroyPipeline(device_, handle, nullptr);
     vkDestroyPipelineLayout(device_, layout, nullptr);
@@ -64,10 +75,9 @@ BuiltPipeline::~BuiltPipeline() {
     for (const VkShaderModule module : modules) vkDestroyShaderModule(device_, module, nullptr);
 }
 
-std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Defines& defines) {
-    Defines all = defines;
-    for (const auto& define : pipeline.is_compute ? pipeline.compute.defines : pipeline.graphics.defines)
-        all.insert(define);
+std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Macros& macros) {
+    Macros all = macros;
+    all.add(pipeline.macros());
     std::vector<FlatShader> result;
     for (const std::string& shader : pipeline.shaders())
         result.push_back(pipeline.compute.source.empty() ? flatten(shader, all)
@@ -109,27 +119,54 @@ std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_s
     return result;
 }
 
-const BuiltPipeline* PipelineLibrary::get(const Pipeline& pipeline, const TargetFormats& formats) {
+const BuiltPipeline* PipelineLibrary::get(const Pipeline& pipeline, const TargetFormats& formats,
+                                          std::span<const Macros* const> macros) {
+    uint64_t key = pipeline.id;
+    const auto mix = [&](uint64_t value) { key = (key ^ value) * 0x9e3779b97f4a7c15u, key ^= key >> 29; };
+    mix(formats.hash());
+    mix(Exercises::version());
+    for (const Macros* scope : macros) mix(scope->hash());
+    if (const auto it = known_.find(key); it != known_.end()) return it->second;
+    Macros all;
+    for (const Macros* scope : macros) all.add(*scope);
+    try {
+        return known_[key] = find(pipeline, formats, all);
+    } catch (const ShaderError& e) {
+        known_.erase(key);
+        if (!keep_last_good) throw;
+        const std::string same = identity(pipeline, formats);
+        errors[same] = e.what();
+        const auto good = last_good_.find(same);
+        return good == last_good_.end() ? nullptr : variants_[good->second].built.get();
+    }
+}
+
+const BuiltPipeline* PipelineLibrary::find(const Pipeline& pipeline, const TargetFormats& formats,
+                                           const Macros& macros) {
+    const std::vector<FlatShader> flat = flatten_stages(pipeline, macros);
+    watch(flat);
     const std::string same = identity(pipeline, formats);
     std::string key = same;
-    for (const auto& [name, value] : defines) key += " " + name + "=" + value;
-    key += " toggles " + Exercises::state();
+    for (const FlatShader& shader : flat) key += " " + std::to_string(hash_bytes(shader.text));
     Variant& variant = variants_[key];
-    if (variant.stale) {
-        try {
-            variant.built = build(pipeline, formats);
-            variant.error.clear();
-            last_good_[same] = key;
-        } catch (const ShaderError& e) {
-            if (!keep_last_good) throw;
-            variant.error = e.what();
-        }
-        variant.stale = false;  // what did not compile will not until a file has changed
+    if (!variant.error.empty()) throw ShaderError(variant.error);  // what did not compile will not until it is edited
+    try {
+        if (!variant.built) variant.built = build(pipeline, formats, flat);
+    } catch (const ShaderError& e) {
+        variant.error = e.what();
+        throw;
     }
-    if (!variant.error.empty()) errors[same] = variant.error;
-    if (variant.built) return variant.built.get();
-    const auto good = last_good_.find(same);
-    return good == last_good_.end() ? nullptr : variants_[good->second].built.get();
+    last_good_[same] = key;
+    return variant.built.get();
+}
+
+// Before compiling: after an error, too, the edit that mends it must be seen.
+void PipelineLibrary::watch(const std::vector<FlatShader>& flat) {
+    for (const FlatShader& shader : flat)
+        for (const auto& file : shader.files) {
+            std::error_code error;
+            files_.try_emplace(file, std::filesystem::last_write_time(file, error));
+        }
 }
 
 bool PipelineLibrary::forget_changed_files() {
@@ -145,24 +182,17 @@ bool PipelineLibrary::forget_changed_files() {
     return changed;
 }
 
-void PipelineLibrary::rebuild() {
-    for (auto& [key, variant] : variants_) variant.stale = true;
-}
+void PipelineLibrary::rebuild() { known_.clear(); }
 
 void PipelineLibrary::clear() {
+    known_.clear();
     variants_.clear();
     last_good_.clear();
     errors.clear();
 }
 
-std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, const TargetFormats& formats) {
-    const std::vector<FlatShader> flat = flatten_stages(pipeline, defines);
-    // Before compiling: after an error, too, the edit that mends it must be seen.
-    for (const FlatShader& shader : flat)
-        for (const auto& file : shader.files) {
-            std::error_code error;
-            files_.try_emplace(file, std::filesystem::last_write_time(file, error));
-        }
+std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, const TargetFormats& formats,
+                                                      const std::vector<FlatShader>& flat) {
     CompiledStages stages = compile_stages(pipeline, flat);
 
     auto built = std::make_unique<BuiltPipeline>(device_.handle);

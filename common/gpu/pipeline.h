@@ -2,7 +2,9 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "common/gpu/device.h"
@@ -23,11 +25,11 @@ class Pipeline {
         bool depth_test = true, depth_write = true;
         Blend blend = Blend::opaque;
         VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-        Defines defines;
+        Macros macros;  ///< its own, which overrule all others
     };
     struct Compute {
         std::string shader;  ///< below shaders/
-        Defines defines;
+        Macros macros;
         std::string source;  ///< a text instead of a file; `shader` is then its name in messages
     };
     explicit Pipeline(Graphics desc);
@@ -38,9 +40,12 @@ class Pipeline {
     static const std::vector<Pipeline*>& all();
     std::vector<std::string> shaders() const;
 
+    const Macros& macros() const { return is_compute ? compute.macros : graphics.macros; }
+
     Graphics graphics;
     Compute compute;
     bool is_compute = false;
+    uint64_t id;  ///< of this one, never used again
 };
 
 inline Pipeline graphics(Pipeline::Graphics desc) { return Pipeline(std::move(desc)); }
@@ -51,6 +56,7 @@ struct TargetFormats {
     std::vector<VkFormat> color;
     VkFormat depth = VK_FORMAT_UNDEFINED;
     auto operator<=>(const TargetFormats&) const = default;
+    uint64_t hash() const;
 };
 
 /// One variant, built.
@@ -73,18 +79,17 @@ class PipelineLibrary {
   public:
     explicit PipelineLibrary(Device& device) : device_(device) {}
 
-    /// Macros of the moment: METHOD, METHOD_PHONG ... A change selects other variants.
-    Defines defines;
-
     /// Window mode: a variant that does not compile leaves the last good one in place, and `errors` says why.
     bool keep_last_good = false;
     /// By pipeline: file:line: message. Every get() of a variant that did not compile puts it there, so that clearing
     /// it before a frame leaves the errors of what that frame uses.
     std::map<std::string, std::string> errors;
 
-    /// The variant for the toggles and defines of the moment; null where there is none and keep_last_good is set.
-    /// Throws ShaderError otherwise.
-    const BuiltPipeline* get(const Pipeline& pipeline, const TargetFormats& formats);
+    /// The variant for the toggles of the moment and for the macros: the pipeline's own overrule the last of `macros`,
+    /// which overrules those before. What the shaders do not name makes no variant. Null where there is none and
+    /// keep_last_good is set. Throws ShaderError otherwise.
+    const BuiltPipeline* get(const Pipeline& pipeline, const TargetFormats& formats,
+                             std::span<const Macros* const> macros);
 
     /// Looks whether a file that was read has changed, and forgets what was built from it. True where one had.
     bool forget_changed_files();
@@ -96,14 +101,18 @@ class PipelineLibrary {
     void clear();
 
   private:
-    std::unique_ptr<BuiltPipeline> build(const Pipeline& pipeline, const TargetFormats& formats);
+    const BuiltPipeline* find(const Pipeline& pipeline, const TargetFormats& formats, const Macros& macros);
+    std::unique_ptr<BuiltPipeline> build(const Pipeline& pipeline, const TargetFormats& formats,
+                                         const std::vector<FlatShader>& flat);
+    void watch(const std::vector<FlatShader>& flat);
     struct Variant {
         std::unique_ptr<BuiltPipeline> built;
-        bool stale = true;
         std::string error;
     };
+    /// What get() was asked, as one number, and what it answered, where that was without an error.
+    std::unordered_map<uint64_t, const BuiltPipeline*> known_;
     Device& device_;
-    std::map<std::string, Variant> variants_;
+    std::map<std::string, Variant> variants_;       ///< by pipeline, formats and the text that was compiled
     std::map<std::string, std::string> last_good_;  ///< pipeline and formats → variant
     std::map<std::filesystem::path, std::filesystem::file_time_type> files_;
 };
@@ -111,8 +120,8 @@ class PipelineLibrary {
 VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const TargetFormats& formats,
                            const std::vector<VkPipelineShaderStageCreateInfo>& stages, VkPipelineLayout layout);
 
-/// A pipeline's stages as text, with `defines` and the pipeline's own.
-std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Defines& defines);
+/// A pipeline's stages as text, with `macros` and the pipeline's own.
+std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Macros& macros);
 
 /// The same compiled.
 struct CompiledStages {

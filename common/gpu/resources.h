@@ -20,7 +20,7 @@ struct Access {
 };
 
 /// The last write and the reads since then, kept per resource.
-struct History {
+struct AccessHistory {
     Access last_write;
     VkPipelineStageFlags2 readers = VK_PIPELINE_STAGE_2_NONE;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
@@ -47,7 +47,7 @@ class Buffer {
     VkDeviceSize bytes = 0;
     std::byte* mapped = nullptr;
     std::string name;
-    mutable History history;
+    mutable AccessHistory history;
     bool constant = false;  ///< written once by upload(): every pass may read it without saying so
     explicit operator bool() const { return handle != VK_NULL_HANDLE; }
 
@@ -66,6 +66,7 @@ class Image {
         glm::uvec2 size{1};
         uint32_t mips = 1, layers = 1;
         bool cube = false;
+        bool operator==(const Desc&) const = default;
     };
     Image() = default;
     Image(Device& device, const Desc& desc);
@@ -79,7 +80,7 @@ class Image {
     VkImage handle = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;
     Desc desc;
-    mutable History history;
+    mutable AccessHistory history;
     bool constant = false;
     explicit operator bool() const { return handle != VK_NULL_HANDLE; }
     bool is_depth() const { return desc.format == VK_FORMAT_D32_SFLOAT || desc.format == VK_FORMAT_D16_UNORM; }

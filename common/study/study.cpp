@@ -6,15 +6,17 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <glm/gtc/packing.hpp>
 
+#include "common/app/headless.h"
+#include "common/app/read_picture.h"
+#include "common/app/render.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/measure/flip.h"
 #include "common/measure/metrics.h"
 #include "common/measure/statistics.h"
 #include "common/scene/json_lines.h"
+#include "common/study/subject.h"
 
 namespace lightwalk {
 namespace {
@@ -22,7 +24,8 @@ namespace {
 using nlohmann::json;
 
 void apply(Chapter& chapter, const KnobValues& set) {
-    for (const auto& [name, value] : set) find_knob(chapter.knobs, name).set(value);
+    const KnobList knobs = chapter.all_knobs();
+    for (const auto& [name, value] : set) find_knob(knobs, name).set(value);
 }
 
 int rounds_of(int rounds_of_study) {
@@ -81,10 +84,10 @@ class SceneStudy {
   private:
     // What the scene sets is in effect when the chapter prepares, whatever the scene file says.
     void load() {
-        for (KnobBase* knob : chapter_.knobs) knob->reset();
+        for (KnobBase* knob : chapter_.all_knobs()) knob->reset();
         std::vector<std::pair<KnobBase*, bool>> pins;
         for (const auto& [name, value] : scene_.set) {
-            KnobBase& knob = find_knob(chapter_.knobs, name);
+            KnobBase& knob = find_knob(chapter_.all_knobs(), name);
             pins.emplace_back(&knob, knob.pinned);
             knob.set(value);
             knob.pinned = true;
@@ -93,22 +96,23 @@ class SceneStudy {
         for (const auto& [knob, pinned] : pins) knob->pinned = pinned;
     }
     void set_knobs(const KnobValues& set) {
-        for (KnobBase* knob : chapter_.knobs) knob->reset();
-        for (const auto& [name, value] : chapter_.scene.file.knobs) find_knob(chapter_.knobs, name).set(value);
+        for (KnobBase* knob : chapter_.all_knobs()) knob->reset();
+        for (const auto& [name, value] : chapter_.scene.file.knobs) find_knob(chapter_.all_knobs(), name).set(value);
         apply(chapter_, scene_.set);
         apply(chapter_, set);
     }
     void set_knobs(const StudyPoint& point) {
         set_knobs(point.set);
-        if (!point.method.empty()) find_knob(chapter_.knobs, "method").set(point.method);
+        if (!point.method.empty()) find_knob(chapter_.all_knobs(), "method").set(point.method);
+        chapter_.forget_history();
     }
     void draw(const StudyPoint& point) {
         set_knobs(point);
-        render(chapter_, frame_, size_, options_.time_s, options_.seed);
+        render(chapter_, frame_, {size_, options_.time_s, options_.seed, {}});
     }
     ImageRgb render_picture() {
-        render(chapter_, frame_, size_, options_.time_s, options_.seed);
-        return read_hdr(frame_.gpu, frame_.hdr);
+        render(chapter_, frame_, {size_, options_.time_s, options_.seed, {}});
+        return read_linear(frame_.gpu, chapter_.judged(frame_));
     }
     // What the chapter itself measures of the picture just rendered. Every picture sets all knobs, whatever this sets.
     json measured() {
@@ -209,17 +213,6 @@ std::string command_of(const Options& options, const Chapter& chapter) {
 
 }  // namespace
 
-ImageRgb read_hdr(Gpu& gpu, const Image& hdr) {
-    const std::vector<std::byte> texels = gpu.read_back(hdr);
-    ImageRgb image(static_cast<int>(hdr.desc.size.x), static_cast<int>(hdr.desc.size.y));
-    for (size_t i = 0; i < image.pixels.size(); ++i) {
-        uint64_t packed = 0;
-        std::memcpy(&packed, texels.data() + 8 * i, 8);
-        image.pixels[i] = glm::vec3(glm::unpackHalf4x16(packed));
-    }
-    return image;
-}
-
 json study_errors(const ImageRgb& truth, const ImageRgb& test) {
     const ErrorSummary flip = summarize(flip_ldr(truth, test));
     const Difference d = difference(truth, test);
@@ -238,7 +231,7 @@ void show_progress(const std::string& what, size_t done, size_t of) {
 
 json measure_study(const std::string& text, const std::string& file, const Options& options, Chapter& chapter,
                    Gpu& gpu) {
-    const StudyPlan plan = read_study(parse_json(text, file), chapter.knobs);
+    const StudyPlan plan = read_study(parse_json(text, file), chapter.all_knobs());
     const glm::uvec2 size = options.size_given ? options.size : plan.size.value_or(options.size);
     const std::filesystem::path partial = options.study + ".partial";
     const std::string identity = "2 " + gpu.device.info.name + " " + gpu.device.info.driver + " " +
@@ -281,26 +274,37 @@ json measure_study(const std::string& text, const std::string& file, const Optio
     return result;
 }
 
-void run_study(const Options& options, Chapter& chapter, Gpu& gpu) {
-    const std::filesystem::path file = course_root() / "chapters" / chapter.name / "study.json";
-    const json result = measure_study(read_file(file), file.string(), options, chapter, gpu);
-    write_file(options.study, result.dump(1) + "\n");
-    std::filesystem::remove(options.study + ".partial");
-    show_progress("written to " + options.study + "\n", 1, 1);
-}
+namespace {
 
-bool run_cpu_study(const Options& options, Chapter& chapter) {
-    const auto path = course_root() / "chapters" / chapter.name / "study.json";
-    json study = parse_json(read_file(path), path.string()).root;
+// Of something else than frames, without a device.
+void run_subject_study(const Options& options, Chapter& chapter, const std::filesystem::path& file) {
+    json study = parse_json(read_file(file), file.string()).root;
     study["rounds"] = rounds_of(study.value("rounds", 11));
     json result;
-    if (!chapter.cpu_study(study, result)) return false;
+    chapter.subject->measure(study, result);
     result["chapter"] = chapter.name;
     result["title"] = study.at("title");
     result["command"] = "./course study " + chapter.name.substr(0, 2);
     if (study.contains("charts")) result["charts"] = study["charts"];
     write_file(options.study, result.dump(1) + "\n");
-    return true;
+}
+
+}  // namespace
+
+int run_study(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu) {
+    check_writable(options.study);
+    const std::filesystem::path file = course_root() / "chapters" / chapter.name / "study.json";
+    if (chapter.subject) {
+        run_subject_study(options, chapter, file);
+        return 0;
+    }
+    gpu = make_gpu(options);
+    const json result = measure_study(read_file(file), file.string(), options, chapter, *gpu);
+    write_file(options.study, result.dump(1) + "\n");
+    std::filesystem::remove(options.study + ".partial");
+    show_progress("written to " + options.study + "\n", 1, 1);
+    gpu->device.check_validation();
+    return 0;
 }
 
 }  // namespace lightwalk

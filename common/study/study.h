@@ -9,9 +9,6 @@
 
 namespace lightwalk {
 
-/// The HDR target as linear RGB.
-ImageRgb read_hdr(Gpu& gpu, const Image& hdr);
-
 /// Errors of `test` against `truth`: FLIP mean and 99th percentile (LDR, of what is clamped to [0, 1]), RMSE, relative
 /// RMSE and maximum in linear light, counts of NaN and Inf.
 nlohmann::json study_errors(const ImageRgb& truth, const ImageRgb& test);
@@ -23,11 +20,12 @@ nlohmann::json study_errors(const ImageRgb& truth, const ImageRgb& test);
 nlohmann::json measure_study(const std::string& text, const std::string& file, const Options& options, Chapter& chapter,
                              Gpu& gpu);
 
-/// Measures chapters/NN_name/study.json and writes options.study. Throws as measure_study.
-void run_study(const Options& options, Chapter& chapter, Gpu& gpu);
+/// Measures chapters/NN_name/study.json and writes options.study; makes the device in `gpu`, which must outlive the
+/// chapter. Returns the exit code. Throws as measure_study.
+int run_study(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu);
 
-/// Runs a study of something else than frames, without a device. False where the chapter has none.
-bool run_cpu_study(const Options& options, Chapter& chapter);
+/// What --method auto does while a scene is loaded: nothing where it was not asked for.
+Loading automatic_choice(const Options& options, Chapter& chapter);
 
 /// A line with a bar on stderr; on a terminal it is drawn over.
 void show_progress(const std::string& what, size_t done, size_t of);

@@ -15,18 +15,17 @@ std::string LiveChapter::key() const {
     return chapter.load_key() + (chapter.reload_on_toggle() ? Exercises::state() : "");
 }
 
-std::vector<std::string> LiveChapter::load(std::optional<double> budget, glm::uvec2 size) {
+void LiveChapter::load(const Loading& loading) {
     loaded_with_ = key();
     try {
-        const auto explanation = load_scene(chapter, gpu_, scene_, budget, size);
-        loaded_with_ = key();  // the rule may have set a knob that loading depends on
-        return explanation;
+        load_scene(chapter, gpu_, scene_, loading);
+        loaded_with_ = key();  // the need rule may have set a knob that loading depends on
     } catch (const std::exception& e) {
         if (!chapter.reload_on_toggle() || all_reference(Exercises::ids())) throw;
         load_error = e.what();
         const ToggleScope reference(Exercises::ids(), true);
         chapter.scene = Scene();
-        return load_scene(chapter, gpu_, scene_, budget, size);
+        load_scene(chapter, gpu_, scene_, loading);
     }
 }
 
@@ -34,7 +33,7 @@ void LiveChapter::reload() {
     loaded_with_ = key();
     const Camera camera = chapter.camera;
     std::vector<std::string> settings;
-    for (const KnobBase* knob : chapter.knobs) settings.push_back(knob->text());
+    for (const KnobBase* knob : chapter.all_knobs()) settings.push_back(knob->text());
     Scene kept = std::exchange(chapter.scene, Scene());
     try {
         load_scene(chapter, gpu_, scene_);
@@ -45,16 +44,16 @@ void LiveChapter::reload() {
         chapter.prepare(gpu_);
     }
     chapter.camera = camera;
-    for (size_t i = 0; i < settings.size(); ++i) chapter.knobs[i]->set(settings[i]);
+    const KnobList knobs = chapter.all_knobs();
+    for (size_t i = 0; i < settings.size(); ++i) knobs[i]->set(settings[i]);
 }
 
-void LiveChapter::draw(Frame& frame, glm::uvec2 size, float time_s, unsigned seed) {
+void LiveChapter::draw(Frame& frame, const Picture& picture) {
     if (loaded_with_ != key()) reload();
     frame_error.clear();
     try {
-        record(chapter, frame, size, time_s, seed);
+        render(chapter, frame, picture);
     } catch (const std::exception& e) { frame_error = e.what(); }
-    frame.end();
 }
 
 ToggleScope::ToggleScope(const std::vector<std::string>& ids, bool solution) {

@@ -1,6 +1,6 @@
 // A chapter while someone works on it: what fails is said, and what worked last stays.
 #pragma once
-#include "common/app/chapter.h"
+#include "common/app/render.h"
 
 namespace lightwalk {
 
@@ -10,16 +10,15 @@ class LiveChapter {
 
     Chapter& chapter;
 
-    /// The scene for the first time, with a budget as load_scene takes it; returns what the need rule says. Throws
-    /// InputError; but where a student's loader is in use and fails, the reference loads the scene and load_error says
-    /// so.
-    std::vector<std::string> load(std::optional<double> budget = {}, glm::uvec2 size = glm::uvec2(0));
+    /// The scene for the first time. Throws InputError; but where a student's loader is in use and fails, the reference
+    /// loads the scene and load_error says so.
+    void load(const Loading& loading = {});
 
     /// The scene again, as the toggles say. Camera and knobs stay; where it fails, so does the old scene.
     void reload();
 
     /// Records and submits a frame. Loads the scene anew first where toggles or knobs change how it is loaded.
-    void draw(Frame& frame, glm::uvec2 size, float time_s, unsigned seed);
+    void draw(Frame& frame, const Picture& picture);
 
     std::string load_error;   ///< of the last load; empty: it went well
     std::string frame_error;  ///< of the last frame

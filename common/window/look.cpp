@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/look.h"
+#include "common/look_parameters.h"
 
 namespace lightwalk {
 namespace {
 
 Pipeline view_pipeline(const char* shape) {
-    return compute({.shader = "common/view_image.comp", .defines = {{"SHAPE", shape}}, .source = {}});
+    return compute({.shader = "common/view_image.comp", .macros = {{"SHAPE", shape}}});
 }
 const Pipeline plain = view_pipeline("0"), layered = view_pipeline("1"), cube = view_pipeline("2"),
                whole_numbers = view_pipeline("3");
@@ -57,6 +57,7 @@ void Look::attach(Frame& frame, const Camera& camera, const Bounds& bounds) cons
     if (output.empty()) return;
     frame.after_pass = [this, &frame, camera, bounds, seen = size_t(0)]() mutable {
         const size_t end = frame.outputs.size();
+        if (seen > end) seen = 0;  // the next of several pictures
         for (; seen < end; ++seen)
             if (name_of(frame.outputs[seen]) == output) record(frame, *frame.outputs[seen].second, camera, bounds);
         frame.outputs.resize(end);  // without what was recorded here

@@ -83,7 +83,7 @@ Requests Panel::draw(PanelState& state, float scale) {
     ImGui::TextUnformatted(title_.c_str());
     ImGui::PopFont();
     if (section("Exercises")) exercises(state, requests);
-    if (!state.chapter.knobs.empty() && section("Knobs")) knobs(state, requests);
+    if (!state.chapter.all_knobs().empty() && section("Knobs")) knobs(state, requests);
     if (section("Look at")) look(state, requests);
     if (section("GPU time")) times(state);
     footer(state, requests);
@@ -113,7 +113,7 @@ void Panel::exercises(PanelState& state, Requests& requests) {
 }
 
 void Panel::knobs(PanelState& state, Requests& requests) {
-    for (KnobBase* knob : state.chapter.knobs)
+    for (KnobBase* knob : state.chapter.all_knobs())
         if (knob_widget(*knob)) {
             requests.changed = true;
             log_event("knob " + knob->name + " " + knob->text());

@@ -1,8 +1,13 @@
-#include <cstdio>
-#include <cstdlib>
+#include "common/window/run.h"
 
-#include "common/app/options.h"
+#include <cstdio>
+
+#include "common/app/compile_shaders.h"
+#include "common/app/headless.h"
+#include "common/app/lists.h"
 #include "common/base/error.h"
+#include "common/study/study.h"
+#include "common/window/window.h"
 
 namespace lightwalk {
 
@@ -16,8 +21,10 @@ int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make
         if (!options->list.empty()) return print_list(*options, *chapter);
         if (!options->compile_shaders.empty()) return compile_all_shaders(*chapter, options->compile_shaders);
         if (options->command) return options->command();
-        if (options->headless()) return run_headless(*options, *chapter, gpu);
-        return run_window(*options, *chapter, gpu, make);
+        if (!options->study.empty()) return run_study(*options, *chapter, gpu);
+        const Loading loading = automatic_choice(*options, *chapter);
+        if (options->headless()) return run_headless(*options, *chapter, gpu, loading);
+        return run_window(*options, *chapter, gpu, make, loading);
     } catch (const InputError& e) {
         std::fprintf(stderr, "error: %s\n", e.what());
         return 2;

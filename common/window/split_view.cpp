@@ -1,8 +1,8 @@
 #include "common/window/split_view.h"
 
 #include <chrono>
-#include <cstring>
 
+#include "common/app/read_picture.h"
 #include "common/base/exercise.h"
 #include "common/base/files.h"
 #include "common/measure/flip.h"
@@ -42,13 +42,6 @@ uint64_t hash(const Image8& image, uint64_t seed) {
 
 }  // namespace
 
-Image8 read_picture(Gpu& gpu, const Image& image) {
-    Image8 picture(static_cast<int>(image.desc.size.x), static_cast<int>(image.desc.size.y));
-    const std::vector<std::byte> texels = gpu.read_back(image);
-    std::memcpy(picture.pixels.data(), texels.data(), texels.size());
-    return picture;
-}
-
 SplitView::SplitView(Gpu& gpu, const MakeChapter& make, std::filesystem::path scene)
     : gpu_(gpu), make_(make), scene_(std::move(scene)) {}
 
@@ -77,12 +70,13 @@ void SplitView::reload() {
     live_->reload();
 }
 
-void SplitView::draw(const Chapter& chapter, const Look& look, glm::uvec2 size, float time_s, unsigned seed) {
-    for (size_t i = 0; i < chapter.knobs.size(); ++i) chapter_->knobs[i]->set(chapter.knobs[i]->text());
+void SplitView::draw(const Chapter& chapter, const Look& look, const Picture& picture) {
+    const KnobList from = chapter.all_knobs(), to = chapter_->all_knobs();
+    for (size_t i = 0; i < from.size(); ++i) to[i]->set(from[i]->text());
     chapter_->camera = chapter.camera;
     look.attach(*frame_, chapter_->camera, chapter_->scene.bounds);
     const ToggleScope reference(Exercises::ids(), true);
-    live_->draw(*frame_, size, time_s, seed);
+    live_->draw(*frame_, picture);
 }
 
 std::string SplitView::error() const {

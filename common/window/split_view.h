@@ -30,7 +30,7 @@ class SplitView {
     void reload();
 
     /// Draws the reference with the camera and the knobs of `chapter`.
-    void draw(const Chapter& chapter, const Look& look, glm::uvec2 size, float time_s, unsigned seed);
+    void draw(const Chapter& chapter, const Look& look, const Picture& picture);
     Frame& frame() { return *frame_; }
     std::string error() const;
 
@@ -50,8 +50,5 @@ class SplitView {
     std::future<PictureDifference> running_;
     uint64_t compared_ = 0;  ///< hash of the two pictures
 };
-
-/// An 8-bit picture from the device.
-Image8 read_picture(Gpu& gpu, const Image& image);
 
 }  // namespace lightwalk

@@ -18,7 +18,8 @@ constexpr glm::ivec2 default_size{1480, 660};
 
 }  // namespace
 
-int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& holder, const MakeChapter& make) {
+int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& holder, const MakeChapter& make,
+               const Loading& loading) {
     // With --size the picture has that size, as it has without a window.
     const glm::ivec2 size =
         options.size_given ? glm::ivec2(options.size) + glm::ivec2(Panel::default_width, 0) : default_size;
@@ -30,9 +31,7 @@ int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& h
     gpu.pipelines.keep_last_good = true;
     const std::filesystem::path scene = options.scene.empty() ? chapter.default_scene() : options.scene;
     LiveChapter live(chapter, gpu, scene);
-    const auto explanation = live.load(options.automatic ? options.budget : std::nullopt, options.size);
-    if (options.explain)
-        for (const std::string& line : explanation) std::printf("%s\n", line.c_str());
+    live.load(loading);
     Window(options, live, gpu, display, make, scene).run();
     gpu.device.check_validation();
     return 0;
@@ -142,9 +141,9 @@ void Window::draw() {
         const auto own = own_exercises(chapter_);
         std::optional<ToggleScope> mine;
         if (split_.on() && all_reference(own)) mine.emplace(own, false);
-        live_.draw(frame_, size, time_s_, options_.seed);
+        live_.draw(frame_, {size, time_s_, options_.seed, {}});
     }
-    if (split_.on()) split_.draw(chapter_, look_, size, time_s_, options_.seed);
+    if (split_.on()) split_.draw(chapter_, look_, {size, time_s_, options_.seed, {}});
     const Requests requests = build_panel();
 
     const Image* target = swapchain_.acquire();

@@ -6,6 +6,11 @@
 
 namespace lightwalk {
 
+/// Makes the device in `gpu`, which must outlive the chapter, and runs it in a window, which makes a second chapter where
+/// two versions are shown side by side. Returns the exit code.
+int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu, const MakeChapter& make,
+               const Loading& loading);
+
 class Window {
   public:
     /// `scene` is loaded already.

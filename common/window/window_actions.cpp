@@ -2,6 +2,7 @@
 
 #include <ctime>
 
+#include "common/app/read_picture.h"
 #include "common/window/camera_control.h"
 #include "common/window/event_log.h"
 #include "common/window/window.h"
@@ -158,7 +159,7 @@ void Window::take_screenshot() {
 void Window::save_scene() {
     SceneFile scene = chapter_.scene.file;
     scene.camera = chapter_.camera;
-    for (const KnobBase* knob : chapter_.knobs) scene.knobs[knob->name] = knob->text();
+    for (const KnobBase* knob : chapter_.all_knobs()) scene.knobs[knob->path()] = knob->text();
     const bool own =
         scene_.extension() == ".json" && fs::exists(scene_) && !lies_below(scene_, course_root() / "assets");
     const fs::path path = own ? scene_ : fs::path(chapter_.name.substr(0, 2) + "_scene.json");

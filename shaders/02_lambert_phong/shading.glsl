@@ -1,6 +1,8 @@
 // The sum over all directional lights, for a vertex or a fragment.
-#include "02_lambert_phong/lights.h"
+#include "02_lambert_phong/directional_light.h"
 #include "02_lambert_phong/reflection.glsl"
+#include "02_lambert_phong/phong.glsl"
+#include "02_lambert_phong/wrapped_diffuse.glsl"
 
 layout(scalar) readonly buffer LightBuffer { DirectionalLight lights[]; };
 layout(scalar) uniform KnobBlock {
@@ -8,12 +10,29 @@ layout(scalar) uniform KnobBlock {
     float wrap;
     float wrap_power;
     vec3 wrap_tint;
-    int samples;
 } knobs;
 
 struct Lit {
     vec3 diffuse, specular;  // per unit of the material's colours
 };
+
+// [reflect_by_method]
+// The method in use. Gouraud, too, evaluates the normalised model; it only does so less often.
+Reflected reflect_by_method(Surface surface, vec3 to_light) {
+    Reflected result = reflect_light(surface, to_light);
+#if METHOD == METHOD_PHONG
+    // Around the mirror direction the same lobe is about twice as narrow in angle: a quarter of the exponent.
+    result.specular = phong(surface.normal, to_light, surface.to_eye, 0.25 * surface.shininess);
+#elif METHOD == METHOD_BLINN_PHONG
+    result.specular = blinn_phong(surface.normal, to_light, surface.to_eye, surface.shininess);
+#endif
+#if DIFFUSE == DIFFUSE_WRAPPED
+    float cosine = dot(surface.normal, to_light);
+    result.diffuse = wrapped_diffuse(cosine, knobs.wrap, knobs.wrap_power) * wrapped_tint(cosine, knobs.wrap_tint);
+#endif
+    return result;
+}
+// [/reflect_by_method]
 
 // [sum]
 Lit light_surface(vec3 position, vec3 normal, vec3 eye, float material_shininess) {
@@ -21,10 +40,9 @@ Lit light_surface(vec3 position, vec3 normal, vec3 eye, float material_shininess
     surface.normal = normal;
     surface.to_eye = normalize(eye - position);
     surface.shininess = knobs.shininess > 0.0 ? knobs.shininess : material_shininess;
-    Wrap wrap = Wrap(knobs.wrap, knobs.wrap_power, knobs.wrap_tint);
     Lit sum = Lit(vec3(0.0), vec3(0.0));
     for (int i = 0; i < lights.length(); ++i) {
-        Reflected reflected = reflect_light(surface, lights[i].to_light, wrap);
+        Reflected reflected = reflect_by_method(surface, lights[i].to_light);
         sum.diffuse += lights[i].radiance * reflected.diffuse;
         sum.specular += lights[i].radiance * reflected.specular;
     }

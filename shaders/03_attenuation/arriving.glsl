@@ -1,5 +1,5 @@
 // What of a light arrives at a point.
-#include "03_attenuation/lights.h"
+#include "03_attenuation/light_data.h"
 #include "03_attenuation/range_fade.glsl"
 #include "03_attenuation/inverse_square_window.glsl"
 #include "03_attenuation/spot_cone.glsl"
@@ -10,11 +10,11 @@ struct Arriving {
 };
 
 // [falloff]
-// How much weaker than at 1 m. A later chapter has no knob `falloff` and gets the windowed inverse square.
+// How much weaker than at 1 m.
 float falloff(float distance, float range, float fade_k) {
-#if defined(FALLOFF_RANGE_FADE) && FALLOFF == FALLOFF_RANGE_FADE
+#if LIGHTS_FALLOFF == LIGHTS_FALLOFF_RANGE_FADE
     return range_fade(distance, range, fade_k);
-#elif defined(FALLOFF_INVERSE_SQUARE) && FALLOFF == FALLOFF_INVERSE_SQUARE
+#elif LIGHTS_FALLOFF == LIGHTS_FALLOFF_INVERSE_SQUARE
     return 1.0 / max(distance * distance, 1e-4);  // no lamp is smaller than 1 cm
 #else
     return inverse_square_window(distance, range);

@@ -1,7 +1,7 @@
-// Whether a light may reach a cell of the grid. Never no where it does; sometimes yes where it does not.
+// Whether a light may reach a cell of the lights_grid. Never no where it does; sometimes yes where it does not.
 #include "03_attenuation/cone.glsl"
 #include "03_attenuation/light_grid.glsl"
-#include "03_attenuation/lights.h"
+#include "03_attenuation/light_data.h"
 
 struct Cell {
     vec3 lower, upper;  // metres: a box in the camera's space (right, up, forward) that holds the cell
@@ -13,10 +13,11 @@ struct Cell {
 // [cell_between]
 // The part of a tile between two depths, in metres.
 Cell cell_between(uvec2 tile, float near, float far) {
-    vec2 low = vec2(tile * grid.tile_px), high = min(vec2((tile + 1u) * grid.tile_px), grid.size);
+    vec2 low = lights_grid.origin + vec2(tile * lights_grid.tile_px);
+    vec2 high = lights_grid.origin + min(vec2((tile + 1u) * lights_grid.tile_px), lights_grid.size);
     Cell cell;
-    cell.slopes_x = (2.0 * vec2(low.x, high.x) / grid.size.x - 1.0) * grid.tan_half.x;
-    cell.slopes_y = (1.0 - 2.0 * vec2(high.y, low.y) / grid.size.y) * grid.tan_half.y;
+    cell.slopes_x = (2.0 * vec2(low.x, high.x) / lights_grid.whole.x - 1.0) * lights_grid.tan_half.x;
+    cell.slopes_y = (1.0 - 2.0 * vec2(high.y, low.y) / lights_grid.whole.y) * lights_grid.tan_half.y;
     cell.margin = 1e-3 * (1.0 + far);
     vec2 left_bottom = vec2(cell.slopes_x.x, cell.slopes_y.x), right_top = vec2(cell.slopes_x.y, cell.slopes_y.y);
     cell.lower = vec3(min(left_bottom * near, left_bottom * far), near) - cell.margin;
@@ -25,14 +26,14 @@ Cell cell_between(uvec2 tile, float near, float far) {
 }
 // [/cell_between]
 
-vec3 to_camera(vec3 v) { return vec3(dot(v, grid.right), dot(v, grid.up), dot(v, grid.forward)); }
+vec3 to_camera(vec3 v) { return vec3(dot(v, lights_grid.right), dot(v, lights_grid.up), dot(v, lights_grid.forward)); }
 
 // [light_reaches_cell]
 bool light_reaches_cell(LightData light, Cell cell) {
     if (light.kind == LIGHT_DIRECTIONAL) return true;
-    float radius = influence_radius(light, grid.threshold);
+    float radius = influence_radius(light, lights_grid.threshold);
     if (radius == 0.0) return false;
-    vec3 center = to_camera(light.position - grid.eye);
+    vec3 center = to_camera(light.position - lights_grid.eye);
     vec3 gap = center - clamp(center, cell.lower, cell.upper);
     if (dot(gap, gap) > radius * radius) return false;
     // The box is wider than the cell where that widens with depth: the four sides, planes through the eye, cut it down.

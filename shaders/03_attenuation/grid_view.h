@@ -18,6 +18,8 @@ struct GridView {
     vec2 tan_half;                    // of half the field of view, across and down
     float inverse_near, inverse_far;  // 1/m; inverse_far is 0 where the far plane is at infinity
     vec2 size;                        // pixels
+    vec2 whole;                       // pixels of the picture that this one is a part of
+    vec2 origin;                      // of this one in it, pixels
     uvec2 tiles;
     uint tile_px;   // side of a tile
     uint slices;    // of each tile

@@ -25,7 +25,7 @@ vec3 count_color(uint count) {
 void main() {
     MaterialData material = materials[material_index];
     Surface surface = Surface(normalize(world_normal), normalize(view.eye - world_position), material.shininess);
-    Lit lit = light_surface(surface, world_position, item, gl_FragCoord);
+    Lit lit = light_surface(surface, surface.normal, world_position, item, gl_FragCoord);
     vec3 radiance = diffuse_color(material, uv) * (lit.diffuse + ambient) + material.specular * lit.specular +
                     material.emissive;
 #if SHOW == SHOW_LIGHT_COUNT

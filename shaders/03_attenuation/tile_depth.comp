@@ -13,7 +13,7 @@ void main() {
         nearest = 0u;
     }
     barrier();
-    uvec2 first = gl_WorkGroupID.xy * grid.tile_px, end = min(first + grid.tile_px, uvec2(grid.size));
+    uvec2 first = gl_WorkGroupID.xy * lights_grid.tile_px, end = min(first + lights_grid.tile_px, uvec2(lights_grid.size));
     for (uint y = first.y + gl_LocalInvocationID.y; y < end.y; y += 16u)
         for (uint x = first.x + gl_LocalInvocationID.x; x < end.x; x += 16u) {
             uint bits = floatBitsToUint(texelFetch(depth, ivec2(x, y), 0).r);
@@ -23,6 +23,6 @@ void main() {
         }
     barrier();
     if (gl_LocalInvocationIndex == 0u)
-        tile_depths[gl_WorkGroupID.y * grid.tiles.x + gl_WorkGroupID.x] =
+        tile_depths[gl_WorkGroupID.y * lights_grid.tiles.x + gl_WorkGroupID.x] =
             vec2(uintBitsToFloat(farthest), uintBitsToFloat(nearest));
 }

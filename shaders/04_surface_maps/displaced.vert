@@ -41,8 +41,8 @@ void main() {
     TangentFrame frame = tangents[i.x];
     frame.tangent = normalize(a * frame.tangent + b.x * tangents[i.y].tangent + b.y * tangents[i.z].tangent);
     set_varyings(vertex, frame, instances[gl_InstanceIndex]);
-#if HEIGHT
-    world_position -= knobs.height_m * depth_at(moving_uv(uv, view.time_s)) * world_normal;
+#if MAPS_HEIGHT
+    world_position -= maps.height_m * depth_at(moving_uv(uv, view.time_s)) * world_normal;
 #endif
     gl_Position = world_to_clip(view.view_projection, world_position);
 }

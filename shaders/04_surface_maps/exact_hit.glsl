@@ -1,7 +1,7 @@
 // Where a ray meets the bilinear surface, exactly: from one square of four texel middles to the next.
 #include "04_surface_maps/height_field.glsl"
 
-#if !FIELD
+#ifndef FIELD
 // [exact_hit]
 const int most_squares = 8192;
 

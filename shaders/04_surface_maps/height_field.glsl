@@ -2,7 +2,7 @@
 // the depth is bilinear, at full resolution: this one surface is what every method looks for.
 #include "common/image_uv.glsl"
 
-#if FIELD
+#ifdef FIELD
 // For tests: fields whose intersections are known.
 float depth_at(vec2 uv) {
 #if FIELD == 1

@@ -1,5 +1,5 @@
-// The numbers that this chapter's shaders take from knobs.
-layout(scalar) uniform KnobBlock {
+// The numbers that this chapter's shaders take from the module Maps.
+layout(scalar) uniform MapsBlock {
     float height_m;  // how deep the darkest texel of a height map lies
     int steps;
     float strength;
@@ -7,5 +7,4 @@ layout(scalar) uniform KnobBlock {
     float cutoff;
     float wobble;  // tiles
     float scroll;  // tiles per second
-    int samples;
-} knobs;
+} maps;

@@ -4,6 +4,6 @@
 // [moving_uv]
 vec2 moving_uv(vec2 uv, float time_s) {
     const float tau = 6.2831853;
-    return uv + knobs.wobble * sin(tau * (uv.yx + vec2(0.31, 0.23) * time_s)) + vec2(0.0, knobs.scroll * time_s);
+    return uv + maps.wobble * sin(tau * (uv.yx + vec2(0.31, 0.23) * time_s)) + vec2(0.0, maps.scroll * time_s);
 }
 // [/moving_uv]

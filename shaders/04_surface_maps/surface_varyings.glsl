@@ -9,6 +9,8 @@ layout(location = 3) out float handedness;
 layout(location = 4) out vec2 metres_per_uv;
 layout(location = 5) out vec2 uv;
 layout(location = 6) flat out uint material_index;
+layout(location = 7) flat out uint item;  // which of the scene's items
+invariant gl_Position;                    // the depth pass and the shading pass agree to the last bit
 
 // [varyings]
 void set_varyings(Vertex vertex, TangentFrame frame, Instance instance) {
@@ -23,5 +25,6 @@ void set_varyings(Vertex vertex, TangentFrame frame, Instance instance) {
     handedness = frame.handedness * (determinant(mat3(instance.model)) < 0.0 ? -1.0 : 1.0);
     uv = vertex.uv;
     material_index = instance.material;
+    item = gl_InstanceIndex;
 }
 // [/varyings]

@@ -49,7 +49,8 @@ struct CameraView {
     vec3 eye;              // metres, world space
     float time_s;
     vec2 size;  // pixels
-    uint seed;  // of --seed
+    uint seed;    // of --seed
+    vec2 origin;  // of this picture in the one it is a part of, pixels
 };
 
 END_SHARED

@@ -1,6 +1,6 @@
 // Makes an image of a frame visible: any format, fitted into the picture. SHAPE: 0 plain, 1 layers side by side, 2 cube
 // as longitude and latitude, 3 whole numbers. NaN is magenta, infinity cyan.
-#include "common/look.h"
+#include "common/look_parameters.h"
 #include "common/srgb.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

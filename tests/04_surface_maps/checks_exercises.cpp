@@ -116,7 +116,7 @@ CHECK_EXERCISE("04.parallax_occlusion",
                                 return Row{reference(field, in[0], in[2], static_cast<int>(in[4]))};
                             },
                         .bound = {.absolute = 2e-4},
-                        .defines = {{"FIELD", std::to_string(field)}}};
+                        .macros = {{"FIELD", std::to_string(field)}}};
             if (field == 4)
                 probe.inputs = {{0.3, 0.3, 0, 0, 1}, {0.3, 0.3, 0, 0, 2}, {0.3, 0.3, 0, 0, 3}, {0.3, 0.3, 0.5, 0, 7}};
             Random random;

@@ -13,12 +13,12 @@ using namespace lightwalk;
 
 namespace {
 
-Table run(const std::string& file, const std::string& signature, Table inputs, size_t outputs, Defines defines = {}) {
+Table run(const std::string& file, const std::string& signature, Table inputs, size_t outputs, Macros macros = {}) {
     return run_probe(check_device(),
                      {.include = "04_surface_maps/" + file + ".glsl",
                       .signature = signature,
                       .inputs = std::move(inputs),
-                      .defines = std::move(defines)},
+                      .macros = std::move(macros)},
                      outputs);
 }
 
@@ -209,50 +209,23 @@ TEST_CASE("a cutout keeps its coverage down the levels, and loses it where alpha
 TEST_CASE("a map that is off or missing is not in the shader") {
     const Pipeline pipeline =
         graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "04_surface_maps/surface.frag"});
-    const auto words = [&](Defines changed) {
-        Defines defines{{"METHOD", "5"},
-                        {"METHOD_FLAT", "0"},
-                        {"METHOD_NORMAL", "1"},
-                        {"METHOD_OFFSET", "2"},
-                        {"METHOD_OFFSET_LIMITED", "3"},
-                        {"METHOD_STEEP", "4"},
-                        {"METHOD_OCCLUSION", "5"},
-                        {"METHOD_RELIEF", "6"},
-                        {"METHOD_EXACT", "7"},
-                        {"SHOW", "0"},
-                        {"SHOW_SHADED", "0"},
-                        {"SHOW_HIT_ERROR", "1"},
-                        {"SHOW_SWIM", "2"},
-                        {"SHOW_NORMAL", "3"},
-                        {"MESH", "0"},
-                        {"MESH_LOADED", "0"},
-                        {"MESH_DISPLACED", "1"},
-                        {"FILTER", "1"},
-                        {"FILTER_RENORMALISED", "0"},
-                        {"FILTER_TOKSVIG", "1"},
-                        {"NORMAL_Y", "0"},
-                        {"NORMAL_Y_UP", "0"},
-                        {"NORMAL_Y_DOWN", "1"}};
-        for (const char* map : {"DIFFUSE", "SPECULAR", "EMISSIVE", "OPACITY", "NORMAL", "HEIGHT", "ORM", "OCCLUSION",
-                                "GLOSS", "DETAIL_NORMAL"})
-            defines[map] = "1";
-        for (const auto& [name, value] : changed) defines[name] = value;
-        return compile_stages(pipeline, flatten_stages(pipeline, defines)).spirv[1].size();
+    struct Owner : Module {
+    } chapter;
+    const Maps maps(chapter, "maps");
+    const Lights lights(chapter, "lights");
+    constexpr const char* slots[] = {"DIFFUSE", "SPECULAR", "EMISSIVE",  "OPACITY", "NORMAL",
+                                     "HEIGHT",  "ORM",      "OCCLUSION", "GLOSS",   "DETAIL_NORMAL"};
+    const auto words = [&](std::string_view left_out) {
+        Macros macros{{"SHOW", "0"}, {"SHOW_HIT_ERROR", "1"}, {"SHOW_SWIM", "2"}, {"SHOW_NORMAL", "3"}};
+        macros.add(lights.macros());
+        macros.add(maps.macros());
+        for (const std::string slot : slots)
+            if (left_out == slot || left_out == "all") macros.set("MAPS_" + slot, "0");
+        return compile_stages(pipeline, flatten_stages(pipeline, macros)).spirv[1].size();
     };
-    const size_t all = words({});
-    for (const char* map : {"DIFFUSE", "SPECULAR", "EMISSIVE", "OPACITY", "NORMAL", "HEIGHT", "ORM", "OCCLUSION",
-                            "GLOSS", "DETAIL_NORMAL"})
-        CHECK(words({{map, "0"}}) < all);
-    const size_t none = words({{"DIFFUSE", "0"},
-                               {"SPECULAR", "0"},
-                               {"EMISSIVE", "0"},
-                               {"OPACITY", "0"},
-                               {"NORMAL", "0"},
-                               {"HEIGHT", "0"},
-                               {"ORM", "0"},
-                               {"OCCLUSION", "0"},
-                               {"GLOSS", "0"},
-                               {"DETAIL_NORMAL", "0"}});
+    const size_t all = words("");
+    for (const char* slot : slots) CHECK(words(slot) < all);
+    const size_t none = words("all");
     WARN("SPIR-V words of surface.frag: " << all << " with every map, " << none << " with none");
     CHECK(double(none) < 0.8 * double(all));
 }

@@ -50,7 +50,7 @@ struct Scale {
 
 TEST_CASE("a compute pass reads, writes and is timed; a later pass sees what an earlier one wrote") {
     Gpu& gpu = check_device();
-    const Pipeline twice = compute({.shader = "doubler", .defines = {}, .source = doubler});
+    const Pipeline twice = compute({.shader = "doubler", .source = doubler});
     const Buffer in = gpu.upload("in", std::vector<float>{1, 2, 3, 4, 5});
     Buffer middle(gpu.device, {.name = "middle", .bytes = 20}), out(gpu.device, {.name = "out", .bytes = 20});
     Frame frame(gpu);
@@ -79,7 +79,7 @@ TEST_CASE("a compute pass reads, writes and is timed; a later pass sees what an 
 
 TEST_CASE("what a pass does not state it cannot bind; a wrong name lists the right ones") {
     Gpu& gpu = check_device();
-    const Pipeline twice = compute({.shader = "doubler", .defines = {}, .source = doubler});
+    const Pipeline twice = compute({.shader = "doubler", .source = doubler});
     const Buffer in = gpu.upload("in", std::vector<float>{1});
     const Buffer out(gpu.device, {.name = "out", .bytes = 16}), other(gpu.device, {.name = "other", .bytes = 16});
     CHECK(failure_of([&](Compute& p) { p.use(twice).set("doubled", out); }, {.reads = {out}}) ==
@@ -127,7 +127,7 @@ TEST_CASE("a chapter cannot include a later one, nor a file that is not there, n
 }
 
 TEST_CASE("only macros that a shader names make another variant of it") {
-    const Defines defines{{"METHOD", "1"}, {"UNUSED", "2"}};
+    const Macros defines{{"METHOD", "1"}, {"UNUSED", "2"}};
     const std::string text = flatten_text("#if METHOD == 1\n#endif\n", "x", "01", defines).text;
     CHECK(text.find("#define METHOD 1") != text.npos);
     CHECK(text.find("UNUSED") == text.npos);

@@ -1,4 +1,4 @@
-#include "03_attenuation/light_field.h"
+#include "03_attenuation/scattered_lights.h"
 
 #include <algorithm>
 #include <cmath>

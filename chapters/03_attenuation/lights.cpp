@@ -1,0 +1,36 @@
+#include "03_attenuation/lights.h"
+
+namespace lightwalk {
+
+void Lights::update(Gpu& gpu, const Scene& scene, const std::vector<Light>& lights) {
+    buffer_.update(gpu, lights);
+    if (method.is("per_object")) object_lights_.update(gpu, scene, buffer_, ends_at());
+}
+
+void Lights::record(Frame& frame, const Scene& scene, const Camera& camera) {
+    grid_.set_view(frame, camera, scene.bounds,
+                   method.is("tiled") ? LightGrid::Cells::tiles : LightGrid::Cells::clusters, slices,
+                   buffer_.lights().size(), ends_at());
+    if (has_cells()) grid_.record(frame, *this);
+}
+
+std::vector<Resource> Lights::reads() const {
+    std::vector<Resource> reads{buffer_.buffer};
+    if (has_cells() && grid_.masks) reads.insert(reads.end(), {grid_.masks, grid_.groups});
+    return reads;
+}
+
+void Lights::bind(Pass& pass) const {
+    pass.offer("lights_data", buffer_.buffer);
+    pass.offer("lights_grid", grid_.view);
+    if (method.is("per_object")) {
+        pass.offer("lights_object_ends", object_lights_.ends);
+        pass.offer("lights_of_objects", object_lights_.lights);
+    }
+    if (has_cells()) {
+        pass.offer("lights_masks", grid_.masks);
+        pass.offer("lights_groups", grid_.groups);
+    }
+}
+
+}  // namespace lightwalk

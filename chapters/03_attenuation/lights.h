@@ -1,0 +1,56 @@
+// The lights of a scene as a module: all of them in a buffer, and for each pixel those that may reach it.
+#pragma once
+#include "03_attenuation/light_grid.h"
+#include "03_attenuation/object_lights.h"
+#include "common/app/module.h"
+
+namespace lightwalk {
+
+// [lights]
+/// Gives shaders light_surface() of 03_attenuation/lighting.glsl. In each frame: update(), then, where needs_depth()
+/// says so, the scene's depth, then record(); then passes may state it in `.with`.
+struct Lights : Module {
+    Lights(Module& owner, std::string name) : Module(owner, std::move(name), "lights") {}
+
+    Choice method{*this,
+                  "method",
+                  {"every_light", "per_object", "tiled", "clustered"},
+                  "clustered",
+                  "which lights a pixel computes: all, or those that may reach its object, tile or cluster"};
+    Choice falloff{*this,
+                   "falloff",
+                   {"range_fade", "inverse_square_window", "inverse_square"},
+                   "inverse_square_window",
+                   "how light weakens with distance; inverse_square never ends"};
+    // [/lights]
+    Knob<float> fade_k{*this, "fade_k", 1.0f, {0.0f, 100.0f}, "k of range_fade", "1/m²"};
+    Knob<float> threshold{
+        *this, "threshold", 0.004f, {1e-6f, 1.0f}, "radiance at which culling takes inverse_square to have ended"};
+    Knob<int> slices{*this, "slices", 24, {1, 256}, "how many clusters a tile is cut into"};
+
+    /// The lights and each object's list of them, where something has changed.
+    void update(Gpu& gpu, const Scene& scene, const std::vector<Light>& lights);
+
+    /// Tiles ask frame.depth what they hold.
+    bool needs_depth() const { return method.is("tiled"); }
+
+    /// Sorts the lights into tiles or clusters, where those are the method.
+    void record(Frame& frame, const Scene& scene, const Camera& camera);
+
+    /// Another scene was loaded: the lists of objects are made anew.
+    void forget() { object_lights_.forget(); }
+
+    std::vector<Resource> reads() const override;
+    void bind(Pass& pass) const override;
+
+    const LightBuffer& buffer() const { return buffer_; }
+
+  private:
+    bool has_cells() const { return method.is("tiled") || method.is("clustered"); }
+    float ends_at() const { return falloff.is("inverse_square") ? threshold : 0.0f; }
+    LightBuffer buffer_;
+    ObjectLights object_lights_;
+    LightGrid grid_;
+};
+
+}  // namespace lightwalk

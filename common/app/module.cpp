@@ -1,0 +1,85 @@
+#include "common/app/module.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "common/app/target.h"
+#include "common/base/error.h"
+
+namespace lightwalk {
+
+Module::Module(Module& owner, std::string name, std::string kind) : owner_(&owner), kind_(std::move(kind)) {
+    path_ = owner.path_.empty() ? name : owner.path_ + "." + name;
+    if (kind_.empty()) kind_ = name;
+    owner.members_.push_back({.module = this});
+}
+
+Module::~Module() {
+    if (owner_) std::erase_if(owner_->members_, [this](const Member& m) { return m.module == this; });
+}
+
+KnobList Module::all_knobs() const {
+    KnobList all;
+    for (const Member& member : members_) {
+        if (member.knob) {
+            all.push_back(member.knob);
+        } else {
+            const KnobList more = member.module->all_knobs();
+            all.insert(all.end(), more.begin(), more.end());
+        }
+    }
+    return all;
+}
+
+Macros Module::macros() const {
+    Macros macros;
+    for (const Member& member : members_)
+        if (member.knob) member.knob->add_macros(macros);
+    return macros;
+}
+
+// Member by member, the knob of that name.
+std::vector<std::byte> Module::block(const Binding& binding) const {
+    if (binding.name != (kind_.empty() ? "knobs" : kind_)) return {};
+    std::vector<std::byte> bytes(binding.bytes);
+    for (const BlockMember& member : binding.members) {
+        const auto it = std::find_if(members_.begin(), members_.end(),
+                                     [&](const Member& m) { return m.knob && m.knob->name == member.name; });
+        if (it == members_.end())
+            throw Failure("the shader's " + binding.name + "." + member.name + " is no knob of " +
+                          (path_.empty() ? "the chapter" : "the module " + path_));
+        const std::vector<float> numbers = it->knob->numbers();
+        if (numbers.size() != member.components)
+            throw Failure("the shader's " + binding.name + "." + member.name + " has " +
+                          std::to_string(member.components) + " components, the knob " +
+                          std::to_string(numbers.size()));
+        for (size_t i = 0; i < numbers.size(); ++i) {
+            const uint32_t word = member.type == BlockMember::Type::number
+                                      ? std::bit_cast<uint32_t>(numbers[i])
+                                      : std::bit_cast<uint32_t>(static_cast<int32_t>(numbers[i]));
+            std::memcpy(bytes.data() + member.offset + 4 * i, &word, 4);
+        }
+    }
+    return bytes;
+}
+
+void Module::expand(std::vector<const Given*>& into) const {
+    Given::expand(into);
+    for (const Member& member : members_)
+        if (member.module && owner_) member.module->expand(into);  // a chapter's modules are stated one by one
+}
+
+void Module::begin_frame(Gpu& gpu, glm::uvec2 frame_size) {
+    for (TargetBase* target : targets_) target->begin_frame(gpu, frame_size);
+    for (const Member& member : members_)
+        if (member.module) member.module->begin_frame(gpu, frame_size);
+}
+
+void Module::forget_history() {
+    for (TargetBase* target : targets_) target->forget();
+    for (const Member& member : members_)
+        if (member.module) member.module->forget_history();
+}
+
+}  // namespace lightwalk

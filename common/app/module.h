@@ -1,0 +1,62 @@
+// Modules: what one chapter hands to the next, under one name.
+#pragma once
+#include "common/app/knob.h"
+#include "common/gpu/given.h"
+
+namespace lightwalk {
+
+class Gpu;
+class TargetBase;
+
+// [module]
+/// An owner of knobs, targets, passes and GLSL. Its members register with it in their constructors:
+///
+///     struct Shadow : Module {
+///         using Module::Module;
+///         Choice filter{*this, "filter", {"hard", "pcf"}, "pcf", "how the shadow is filtered"};
+///     };
+///     Shadow shadow{*this, "shadow"};  // in a chapter, or in another module
+///
+/// The option and scene key is shadow.filter. In GLSL the kind, which is the name unless it is given, stands before all
+/// it has: the macro SHADOW_FILTER, the uniform block `shadow`. So two modules of one kind have different options and
+/// share their shaders; a pass takes one of them. A pass that states it in `.with` is given its own modules, too.
+class Module : public Given {
+  public:
+    Module(Module& owner, std::string name, std::string kind = "");
+    ~Module() override;
+    Module(const Module&) = delete;
+
+    const std::string& kind() const override { return kind_; }
+    const std::string& path() const { return path_; }  ///< "shadow", or "lights.shadow"; empty: the chapter itself
+
+    Macros macros() const override;
+    std::vector<std::byte> block(const Binding& binding) const override;
+    void expand(std::vector<const Given*>& into) const override;
+
+    /// Of it and of all its modules, in the order of declaration; of a chapter all there are.
+    KnobList all_knobs() const;
+
+    /// At the start of a frame: gives targets their size, and turns histories over.
+    void begin_frame(Gpu& gpu, glm::uvec2 frame_size);
+
+    /// What was before is not to be used: another scene, another method.
+    void forget_history();
+// [/module]
+
+  protected:
+    Module() = default;  ///< a chapter: it has no owner and no name
+
+  private:
+    friend class KnobBase;
+    friend class TargetBase;
+    Module* owner_ = nullptr;
+    std::string path_, kind_;
+    struct Member {  ///< one of the two
+        KnobBase* knob = nullptr;
+        Module* module = nullptr;
+    };
+    std::vector<Member> members_;
+    std::vector<TargetBase*> targets_;
+};
+
+}  // namespace lightwalk

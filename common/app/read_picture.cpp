@@ -1,0 +1,32 @@
+#include "common/app/read_picture.h"
+
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+
+#include "common/base/error.h"
+
+namespace lightwalk {
+
+ImageRgb read_linear(Gpu& gpu, const Image& image) {
+    if (image.desc.format == VK_FORMAT_R8G8B8A8_UNORM) return to_linear(read_picture(gpu, image));
+    const bool half = image.desc.format == VK_FORMAT_R16G16B16A16_SFLOAT;
+    if (!half && image.desc.format != VK_FORMAT_R32G32B32A32_SFLOAT)
+        throw Failure(image.desc.name + " is no picture: it has neither RGBA16F, RGBA32F nor RGBA8");
+    const std::vector<std::byte> texels = gpu.read_back(image);
+    ImageRgb result(static_cast<int>(image.desc.size.x), static_cast<int>(image.desc.size.y));
+    for (size_t i = 0; i < result.pixels.size(); ++i) {
+        uint64_t packed = 0;
+        half ? std::memcpy(&packed, &texels[8 * i], 8) : std::memcpy(&result.pixels[i], &texels[16 * i], 12);
+        if (half) result.pixels[i] = glm::vec3(glm::unpackHalf4x16(packed));
+    }
+    return result;
+}
+
+Image8 read_picture(Gpu& gpu, const Image& image) {
+    Image8 picture(static_cast<int>(image.desc.size.x), static_cast<int>(image.desc.size.y));
+    const std::vector<std::byte> texels = gpu.read_back(image);
+    std::memcpy(picture.pixels.data(), texels.data(), texels.size());
+    return picture;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,29 @@
+// Drawing a chapter's frames.
+#pragma once
+#include "common/app/chapter.h"
+
+namespace lightwalk {
+
+/// What is drawn: how large, when, and of what.
+struct Picture {
+    glm::uvec2 size{960, 540};  ///< pixels
+    float time_s = 0;
+    unsigned seed = 0;
+    Crop crop;
+};
+
+// [render]
+/// Records, submits and waits for chapter.samples frames, each shifted within a pixel; frame.linear() and frame.output
+/// then hold their mean in linear light, and frame.times the sum of each pass's times. Where recording throws, what was
+/// recorded is submitted all the same.
+void render(Chapter& chapter, Frame& frame, const Picture& picture);
+// [/render]
+
+/// Adds frame.hdr to the mean of linear light over the pictures so far, where there is more than one.
+void accumulate(Frame& frame);
+
+/// Linear light to frame.output: clamped to 1 and sRGB-encoded. Chapters that map tones better do so themselves, after
+/// accumulate(frame), from frame.linear().
+void encode_srgb(Frame& frame);
+
+}  // namespace lightwalk

@@ -1,0 +1,22 @@
+// Named pictures of a chapter.
+#pragma once
+#include <glm/glm.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lightwalk {
+
+/// One of the list in tests/NN_name/shots.json.
+struct Shot {
+    std::string name, caption, scene;
+    glm::uvec2 size{960, 540};
+    float time_s = 0;
+    int frames = 1;
+    std::vector<std::pair<std::string, std::string>> set;
+};
+
+/// Throws InputError where the file is damaged; none where there is no file.
+std::vector<Shot> read_shots(const std::string& chapter);
+
+}  // namespace lightwalk

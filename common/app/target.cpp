@@ -1,0 +1,47 @@
+#include "common/app/target.h"
+
+#include "common/gpu/gpu.h"
+
+namespace lightwalk {
+
+TargetBase::TargetBase(Module& owner) : owner_(owner) { owner_.targets_.push_back(this); }
+TargetBase::~TargetBase() { std::erase(owner_.targets_, this); }
+
+Target::Target(Module& owner, TargetDesc target)
+    : TargetBase(owner),
+      wanted(std::move(target)),
+      path_((owner.path().empty() ? "" : owner.path() + ".") + wanted.name) {}
+
+void Target::begin_frame(Gpu& gpu, glm::uvec2 frame_size) {
+    glm::uvec2 size = wanted.size;
+    if (size == glm::uvec2(0)) size = glm::max(glm::uvec2(glm::ceil(wanted.scale * glm::vec2(frame_size))), 1u);
+    const Image::Desc next{.name = path_,
+                           .format = wanted.format,
+                           .size = size,
+                           .mips = wanted.mips ? wanted.mips : full_mip_count(size),
+                           .layers = wanted.layers,
+                           .cube = wanted.cube};
+    if (handle && desc == next) return;
+    static_cast<Image&>(*this) = Image(gpu.device, next);
+}
+
+History::History(Module& owner, const TargetDesc& target)
+    : TargetBase(owner), images_{{owner, target}, {owner, target}} {}
+
+const Image& History::now() {
+    written_ = true;
+    return images_[current_];
+}
+
+const Image& History::before() const { return images_[1 - current_]; }
+
+// Registered before its images, it sees them change their size.
+void History::begin_frame(Gpu& gpu, glm::uvec2 frame_size) {
+    const VkImage last = images_[current_].handle;
+    for (Target& image : images_) image.begin_frame(gpu, frame_size);
+    valid_ = written_ && images_[current_].handle == last;
+    if (written_) current_ = 1 - current_;
+    written_ = false;
+}
+
+}  // namespace lightwalk

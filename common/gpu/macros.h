@@ -1,0 +1,41 @@
+// Macros for shaders.
+#pragma once
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <string>
+
+#include "common/base/files.h"
+
+namespace lightwalk {
+
+/// Names and values, and a number that differs where they do: a variant of a pipeline is found by it.
+class Macros {
+  public:
+    Macros() = default;
+    Macros(std::initializer_list<std::pair<const std::string, std::string>> list) {
+        for (const auto& [name, value] : list) set(name, value);
+    }
+    void set(const std::string& name, const std::string& value) {
+        auto [it, added] = values_.try_emplace(name, value);
+        if (!added) hash_ -= of(name, it->second), it->second = value;
+        hash_ += of(name, value);
+    }
+    /// Takes all of `other`, over what is here.
+    void add(const Macros& other) {
+        for (const auto& [name, value] : other.values_) set(name, value);
+    }
+    const std::map<std::string, std::string>& values() const { return values_; }
+    uint64_t hash() const { return hash_; }
+    auto begin() const { return values_.begin(); }
+    auto end() const { return values_.end(); }
+
+  private:
+    static uint64_t of(const std::string& name, const std::string& value) {
+        return hash_bytes(value, hash_bytes(name + "="));
+    }
+    std::map<std::string, std::string> values_;
+    uint64_t hash_ = 0;
+};
+
+}  // namespace lightwalk

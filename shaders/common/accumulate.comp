@@ -1,0 +1,15 @@
+// The running mean of linear light over pictures that are shifted within a pixel.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+uniform sampler2D hdr;
+layout(rgba32f) uniform image2D mean;
+layout(scalar) uniform WeightBlock { float weight; };  // of this picture: 1 / (how many there are with it)
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(mean)))) return;
+    vec4 now = texelFetch(hdr, pixel, 0);
+    // Where this is the first, what the image holds from before is not read: it may be NaN.
+    vec4 before = weight == 1.0 ? now : imageLoad(mean, pixel);
+    imageStore(mean, pixel, before + (now - before) * weight);
+}
