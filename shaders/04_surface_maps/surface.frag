@@ -130,7 +130,7 @@ Shaded shade(vec3 position, vec3 normal, Coordinates at) {
     mat3 frame = tangent_space(normal);
     vec3 to_eye = normalize(view.eye - position);
 #if HEIGHT && MESH == MESH_LOADED && (HAS_PARALLAX || MEASURES_HITS)
-    at.uv = fract(at.uv);  // textures repeat, and numbers near 0 are finer
+    at.uv -= round(at.uv);  // textures repeat, and numbers near 0 are finer; unlike fract this loses no bit
     vec3 eye_in_frame = to_eye * frame;
     vec2 deepest = knobs.height_m / metres_per_uv;
 #if SHOW == SHOW_HIT_ERROR
