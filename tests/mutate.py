@@ -196,7 +196,8 @@ class Bench:
                     caught.append(name)
                 elif picture.read_bytes() != self.right[name]:
                     differs.append(name)
-                    if shot and exceeded(compare(golden_path(self.chapter, name), picture), limits_of(shot)):
+                    if shot and exceeded(compare(golden_path(self.chapter, name), picture),
+                                         limits_of(self.chapter, name)):
                         caught.append("shot " + name)
                 if caught and not everything:
                     return "caught", caught[0]

@@ -135,7 +135,8 @@ def check_pictures(chapter: str, exercise: str, result: dict):
         heatmap = picture.with_suffix(".flip.png")
         try:
             render_shot(chapter, shot, picture, f"solution,{exercise}=exercise" if has_solutions() else "exercise")
-            why = exceeded(compare(golden_path(chapter, shot["name"]), picture, heatmap), limits_of(shot))
+            why = exceeded(compare(golden_path(chapter, shot["name"]), picture, heatmap),
+                           limits_of(chapter, shot["name"]))
         except Failure as failure:
             why = [str(failure)]
         if why:

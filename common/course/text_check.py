@@ -19,6 +19,7 @@ import sys
 from pathlib import Path
 
 from format_tree import unformatted
+from shots import measured_distances
 from tree import ROOT, Failure, chapters, exercises, files, say, shots, write_atomically
 
 HELP = "Fills the code that lessons quote (<!-- quote: FILE#MARKER --> before a block of code) from the source."
@@ -163,9 +164,16 @@ def check_chapters() -> list[str]:
         wrong += [f"{file}: {name} is no earlier chapter" for name in earlier if name not in chapters()[:number]]
         if found and number and not earlier:
             wrong.append(f"{file}: no golden has to reject the picture of an earlier chapter")
-        goldens = (ROOT / "tests" / chapter / "golden").glob("*.png")
-        wrong += [f"tests/{chapter}/golden/{path.name}: no shot has this name" for path in sorted(goldens)
-                  if path.stem not in names]
+        goldens = sorted(path.stem for path in (ROOT / "tests" / chapter / "golden").glob("*.png"))
+        wrong += [f"tests/{chapter}/golden/{name}.png: no shot has this name" for name in goldens if name not in names]
+        # Limits are what was measured, and nothing else.
+        measured = measured_distances(chapter)
+        wrong += [f"{file}: {shot['name']} says its own limits; ./course accept measures them" for shot in found
+                  if "limits" in shot]
+        wrong += [f"{file}: nobody measured how far drivers differ on {name}; ./course accept {chapter[:2]}.{name}"
+                  for name in goldens if name in names and not measured.get(name)]
+        wrong += [f"tests/{chapter}/golden/distances.json: {name} has no golden" for name in measured
+                  if name not in goldens]
     return wrong
 
 

@@ -5,6 +5,7 @@
 
 #include "common/base/error.h"
 #include "common/image/image.h"
+#include "common/scene/color_levels.h"
 
 namespace lightwalk {
 namespace {
@@ -68,7 +69,10 @@ std::shared_ptr<Image> ImagePool::load(const std::filesystem::path& file, Textur
                                                                   .format = texels.format,
                                                                   .size = texels.size,
                                                                   .mips = full_mip_count(texels.size)});
-    gpu_.upload(*image, texels.bytes);
+    if (texels.format == VK_FORMAT_R8G8B8A8_SRGB)
+        gpu_.upload(*image, color_levels(texels.size, texels.bytes));
+    else
+        gpu_.upload(*image, texels.bytes);
     channels_[image.get()] = texels.channels;
     return entry = image;
 }

@@ -16,7 +16,7 @@ const float walk_m = 0.05;        // by which the eye comes closer along the sur
 float measured(vec2 uv) {
 #if MAPS_HEIGHT && MAPS_MESH == MAPS_MESH_LOADED
     mat3 frame = tangent_space();
-    uv = fract(uv);  // as map_surface() has it
+    uv -= round(uv);  // as map_surface() has it
 #if SHOW == SHOW_HIT_ERROR
     return hit_error(uv, normalize(view.eye - world_position) * frame, deepest(), maps.steps);
 #else

@@ -124,7 +124,7 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
     m.position = world_position;
     m.surface.to_eye = normalize(eye - world_position);
 #if HAS_PARALLAX
-    at.uv = fract(at.uv);  // textures repeat, and numbers near 0 are finer
+    at.uv -= round(at.uv);  // textures repeat, and numbers near 0 are finer
     vec3 eye_in_frame = m.surface.to_eye * frame;
     Hit hit = find_hit(at.uv, eye_in_frame, deepest(), maps.steps);
     m.position -= m.surface.to_eye * (maps.height_m * hit.depth / max(eye_in_frame.z, lowest_eye));

@@ -2,6 +2,7 @@
 
 import io
 import json
+import math
 import os
 import re
 import signal
@@ -11,12 +12,13 @@ import time
 import unittest
 import zipfile
 
-from small_course import LESSON, REAL, Course
+from small_course import LESSON, REAL, SHOTS_02, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
 import cli  # noqa: E402
 from check_teeth import with_bodies  # noqa: E402
 from progress import Progress  # noqa: E402
+from shots import LIMITS, exceeded  # noqa: E402
 from study_file import Study, markdown_table  # noqa: E402
 
 
@@ -150,6 +152,43 @@ class Shots(Course):
         self.put("drift", "!")
         self.assertIn("flip_mean is 0.5, at most 0.002", self.shot("check", "01_obj", "bunny", code=1))
 
+    def test_two_steps_never_fail(self):
+        self.accept()
+        self.put("drift", "^^")  # FLIP 0.5
+        self.shot("check", "01_obj", "bunny")
+        self.put("drift", "^^^")
+        self.assertIn("flip_mean is 0.5, at most 0.002", self.shot("check", "01_obj", "bunny", code=1))
+        metrics = {"flip": {"mean": 0.0, "p99": 0.0}, "max_diff": {"steps": 2, "x": 0, "y": 0}}
+        self.assertEqual(exceeded(metrics, LIMITS), [])
+        for key in ("mean", "p99"):
+            self.assertEqual(len(exceeded(metrics | {"flip": metrics["flip"] | {key: math.nan}}, LIMITS)), 1, key)
+
+    def limits(self):
+        self.shot("check", "01_obj", "bunny", code=None)
+        return json.loads((self.root / "build/results/shot.01.bunny.json").read_text())["limits"]
+
+    def test_limits_are_three_times_what_accept_measured_and_never_less_than_the_usual(self):
+        self.assertIn("LIGHTWALK_SECOND_DRIVER is not set", self.accept())
+        self.assertEqual(self.limits(), LIMITS)
+        self.put("drift.sse4.1", "!")
+        self.assertIn("01.bunny is allowed more than others: flip_mean 1.5, flip_p99 1.5, max_diff 300", self.accept())
+        self.assertEqual(self.limits(), {"flip_mean": 1.5, "flip_p99": 1.5, "max_diff": 300})
+        self.put("drift.sse4.1", "~")
+        self.accept()
+        self.assertEqual(self.limits(), LIMITS | {"flip_mean": 0.003})
+
+    def test_a_second_driver_is_measured_and_remembered_while_the_golden_stays(self):
+        self.assertIn("which is no file", self.course("accept", "--yes", code=2, LIGHTWALK_SECOND_DRIVER="/no/such"))
+        self.put("second")
+        self.put("drift.second", "!")
+        self.course("accept", "--yes", LIGHTWALK_SECOND_DRIVER=str(self.root / "second"))
+        self.assertEqual(self.limits()["max_diff"], 300)
+        self.accept()
+        self.assertEqual(self.limits()["max_diff"], 300)
+        self.put("drift", "!")
+        self.accept()
+        self.assertEqual(self.limits(), LIMITS)
+
     def test_nearly_constant_fails_and_is_not_accepted(self):
         self.put("flat")
         self.assertIn("refused: the picture is nearly one colour", self.course("accept", "01", "--yes", code=1))
@@ -176,7 +215,7 @@ class Shots(Course):
 
     def test_accept_asks_first_and_says_what_changed(self):
         self.assertIn("add --yes", self.course("accept", "01.car", code=2))
-        self.assertFalse((self.root / "tests/01_obj/golden/car.png").exists())
+        self.assertEqual(list(self.root.glob("tests/01_obj/golden/*")), [])
         self.assertIn("a new picture", self.course("accept", "01.car", "--yes"))
         self.assertIn("01.car: as it was", self.course("accept", "01.car", "--yes"))
         self.put("drift", "!")
@@ -316,6 +355,18 @@ class Text(Course):
         self.assertIn("assets/models/c.obj: assets/CREDITS.md does not name it", self.wrong())
         self.remove("assets/models/b.obj")
         self.assertIn("assets/CREDITS.md:3: there is no assets/models/b.obj", self.wrong())
+
+    def test_limits_without_a_measurement(self):
+        self.addCleanup(lambda: [path.unlink() for path in self.root.glob("tests/*/golden/*")])
+        self.accept()
+        self.assertEqual(self.wrong(), "")
+        measured = self.root / "tests/01_obj/golden/distances.json"
+        known = json.loads(measured.read_text())
+        self.put("tests/01_obj/golden/distances.json", json.dumps({"car": known["car"], "cat": known["car"]}))
+        self.assertIn("nobody measured how far drivers differ on bunny; ./course accept 01.bunny", self.wrong())
+        self.assertIn("golden/distances.json: cat has no golden", self.wrong())
+        self.put("tests/02_lambert/shots.json", json.dumps({"shots": [SHOTS_02["shots"][0] | {"limits": {"max_diff": 99}}]}))
+        self.assertIn("tests/02_lambert/shots.json: bunny says its own limits", self.wrong())
 
     def test_private_paths_and_what_a_chapter_needs(self):
         self.put("docs/02_lambert.md", "see /" + "work/main/x\n")
