@@ -1,5 +1,7 @@
 // Studies: what a scene's entry sets, what is measured of it, what is kept on the way, and study.json's errors.
 #include "catch.h"
+#include "common/app/read_picture.h"
+#include "common/app/render.h"
 #include "common/study/study.h"
 #include "common/check/check.h"
 #include "common/base/error.h"
@@ -10,11 +12,11 @@ using nlohmann::json;
 
 namespace {
 
-// A picture of one grey: `light`, too bright by 1 / (8 samples) where the method is coarse.
+// A picture of one grey: `light`, too bright by 1 / (8 looks) where the method is coarse.
 struct Grey : Chapter {
-    Choice method{"method", {"exact", "coarse"}, "exact", "how"};
-    Knob<float> light{"light", 0.25f, {0.0f, 4.0f}, "how bright"};
-    Knob<int> samples{"samples", 1, {1, 1024}, "how many"};
+    Choice method{*this, "method", {"exact", "coarse"}, "exact", "how"};
+    Knob<float> light{*this, "light", 0.25f, {0.0f, 4.0f}, "how bright"};
+    Knob<int> looks{*this, "looks", 1, {1, 1024}, "how many"};
     std::vector<std::pair<std::string, float>> prepared;  // scene and light, in order
     std::string fails_at;                                 // a scene
     bool measures = false, rude = false;
@@ -28,7 +30,7 @@ struct Grey : Chapter {
         prepared.emplace_back(file, light.value);
     }
     void frame(Frame& frame) override {
-        const float grey = light + (method.is("coarse") ? 0.125f / static_cast<float>(samples.value) : 0.0f);
+        const float grey = light + (method.is("coarse") ? 0.125f / static_cast<float>(looks.value) : 0.0f);
         frame.raster("fill", {.color = {frame.hdr}, .clear = glm::vec4(glm::vec3(grey), 1)}, [](Raster&) {});
         encode_srgb(frame);
     }
@@ -36,9 +38,9 @@ struct Grey : Chapter {
         if (!measures) return;
         if (rude) error["rmse"] = 1;
         Frame further(gpu);
-        samples.value = 512;
-        render(*this, further, size, 0, 0);
-        error["missing"] = double(light) - double(read_hdr(gpu, further.hdr).at(0, 0).x);
+        looks.value = 512;
+        render(*this, further, {size, 0, 0, {}});
+        error["missing"] = double(light) - double(read_linear(gpu, further.hdr).at(0, 0).x);
         error["width"] = size.x;
     }
 };
@@ -67,7 +69,7 @@ struct StudyTest {
         {"rounds", 1},
         {"truth", {{"set", {{"method", "exact"}}}, {"exact", true}}},
         {"scenes", {folder.scene("a"), {{"scene", folder.scene("b")}, {"set", {{"light", 1}}}, {"label", "bright"}}}},
-        {"curves", {{{"method", "exact"}}, {{"method", "coarse"}, {"set", {{"samples", {1, 2}}}}}}}};
+        {"curves", {{{"method", "exact"}}, {{"method", "coarse"}, {"set", {{"looks", {1, 2}}}}}}}};
 
     StudyTest() { options.study = (folder.path / "out.json").string(); }
     json measure() {
@@ -79,7 +81,7 @@ struct StudyTest {
     // What it says where it cannot be used; empty where it can.
     std::string refusal() {
         try {
-            read_study(parse_json(study.dump(1), "study.json"), chapter.knobs);
+            read_study(parse_json(study.dump(1), "study.json"), chapter.all_knobs());
         } catch (const InputError& e) { return e.what(); }
         return "";
     }
@@ -93,9 +95,9 @@ TEST_CASE_METHOD(StudyTest, "study: what a scene sets holds for its points, its 
     REQUIRE(result["points"].size() == 6);
     const auto point = [&](size_t i) { return result["points"][i]; };
     CHECK(point(1)["scene"] == "a");
-    CHECK(point(1)["knobs"] == json{{"samples", 1}});
+    CHECK(point(1)["knobs"] == json{{"looks", 1}});
     CHECK(point(4)["scene"] == "bright");
-    CHECK(point(4)["knobs"] == json{{"light", 1}, {"samples", 1}});
+    CHECK(point(4)["knobs"] == json{{"light", 1}, {"looks", 1}});
     for (const size_t i : {0u, 3u}) CHECK(point(i)["error"]["max"] == 0);  // the truth is this scene's
     for (const size_t i : {1u, 4u}) CHECK(point(i)["error"]["max"] == 0.125);
     for (const size_t i : {2u, 5u}) CHECK(point(i)["error"]["max"] == 0.0625);
@@ -110,8 +112,8 @@ TEST_CASE_METHOD(StudyTest, "study: what a scene sets holds for its points, its 
 }
 
 TEST_CASE_METHOD(StudyTest, "study: a truth with samples is doubled in each scene") {
-    study["truth"] = {{"set", {{"method", "coarse"}, {"samples", 16}}},
-                      {"doubled", {{"method", "coarse"}, {"samples", 32}}},
+    study["truth"] = {{"set", {{"method", "coarse"}, {"looks", 16}}},
+                      {"doubled", {{"method", "coarse"}, {"looks", 32}}},
                       {"most_change", 0.004}};
     const json result = measure();
     CHECK(result["scenes"]["a"]["doubling"]["max"] == Approx(1.0 / 256));
@@ -133,14 +135,14 @@ TEST_CASE_METHOD(StudyTest, "study: errors of the chapter's own, with the point'
         CHECK(result["points"][i]["error"]["width"] == 16);
     }
     CHECK(result["points"][4]["error"]["max"] == 0.125);  // measured before
-    const KnobList& knobs = chapter.knobs;
-    chapter.samples.value = 7;
+    const KnobList knobs = chapter.all_knobs();
+    chapter.looks.value = 7;
     {
         const KeptKnobs kept(knobs);
-        chapter.samples.value = 9;
+        chapter.looks.value = 9;
         chapter.method.set("coarse");
     }
-    CHECK(chapter.samples == 7);
+    CHECK(chapter.looks == 7);
 
     chapter.rude = true;
     CHECK_THROWS_WITH(measure(), Catch::Matchers::Contains("measures 'rmse' as 1"));
@@ -191,7 +193,7 @@ TEST_CASE_METHOD(StudyTest,
 TEST_CASE_METHOD(StudyTest, "study: charts go into the result as they are") {
     study["charts"] =
         json::parse(R"([{"name": "main"}, {"name": "light", "title": "Time", "x": "knob light", "y": "time",
-        "scenes": ["bright"], "methods": ["coarse"], "knobs": {"samples": 2}, "x_scale": "log"}])");
+        "scenes": ["bright"], "methods": ["coarse"], "knobs": {"looks": 2}, "x_scale": "log"}])");
     CHECK(measure()["charts"] == study["charts"]);
     CHECK(refusal().empty());
 }
@@ -208,25 +210,25 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
         {"/rounds", "0", "key 'rounds' is 0"},
         {"/scenes", "[]", "key 'scenes' is []"},
         {"/scenes/1/lights", "3", "key 'lights' is unknown here; known: scene, set, label"},
-        {"/scenes/1/set/lamps", "3", "key 'lamps': unknown knob 'lamps'; this chapter has: method, light, samples"},
+        {"/scenes/1/set/lamps", "3", "key 'lamps': unknown knob 'lamps'; this chapter has: samples, method, light, looks"},
         {"/scenes/1/set/light", "5", "key 'light': light=5: expected a number from 0 to 4"},
         {"/scenes/1/set/light", "[1, 2]", "key 'light' is [1,2], expected one value"},
-        {"/scenes/1/set/samples", "2", "'samples' is set by the scene, so neither a curve nor the truth may set it"},
+        {"/scenes/1/set/looks", "2", "'looks' is set by the scene, so neither a curve nor the truth may set it"},
         {"/scenes/1/set/method", "\"coarse\"", "'method' is set by the scene"},
         {"/scenes/1/label", "\"a\"", "two scenes are called 'a'"},
         {"/scenes/1/label", "7", "key 'label' is 7"},
         {"/scenes/1/scene", "\"none.json\"", "none.json"},
         {"/scenes/1", "4", "is 4, expected a text"},
         {"/curves/1/method", "\"none\"", "method=none: expected one of exact, coarse"},
-        {"/curves/1/set/samples", "[1, 0]", "samples=0: expected a whole number"},
+        {"/curves/1/set/looks", "[1, 0]", "looks=0: expected a whole number"},
         {"/curves/1/better", "\"lower\"", "key 'better' is unknown here"},
         {"/truth", R"({"set": {}})", R"(needs "doubled" and "most_change", or "exact": true)"},
         {"/truth", R"({"set": {}, "doubled": {}})", R"(has no "most_change")"},
         {"/truth/exact", "false", "key 'exact' is false, expected true"},
         {"/truth/doubled", "{}", "key 'doubled' does not go with \"exact\""},
         {"/truth/set", "{\"none\": 1}", "unknown knob 'none'"},
-        {"/better", R"({"samples": "more"})",
-         "key 'samples' is \"more\", expected \"lower\", \"higher\" or \"either\""},
+        {"/better", R"({"looks": "more"})",
+         "key 'looks' is \"more\", expected \"lower\", \"higher\" or \"either\""},
         {"/better", R"({"none": "lower"})", "unknown knob 'none'"},
         {"/better", "3", "key 'better' is 3"},
         {"/metrics", R"({"width": 3})", "key 'width' is 3"},
@@ -236,7 +238,7 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
         {"/charts", R"([{"name": "a", "z": 1}])", "key 'z' is unknown here"},
         {"/charts", R"([{"name": "a", "x": "knob none"}])", "unknown knob 'none'"},
         {"/charts", R"([{"name": "a", "y": "knob light"}])", "expected \"time\" or a metric"},
-        {"/charts", R"([{"name": "a", "knobs": {"samples": [1, 0]}}])", "samples=0: expected a whole number"},
+        {"/charts", R"([{"name": "a", "knobs": {"looks": [1, 0]}}])", "looks=0: expected a whole number"},
         {"/charts", R"([{"name": "a", "knobs": {"none": 1}}])", "unknown knob 'none'"},
         {"/charts", R"([{"name": "a", "x_scale": "cubic"}])", "expected \"linear\" or \"log\""},
         {"/charts", R"([{"name": "a", "scenes": ["b"]}])", "no scene is called 'b'"},
