@@ -20,7 +20,8 @@ class ModelChapter : public Chapter {
     /// Gives the shaders of this frame the uniform block `view`: what the camera sees.
     void set_view(Frame& frame) const {
         const glm::vec2 whole(frame.crop.whole);
-        look_from({part_of(frame.crop, frame.size) * view_projection(camera, whole.x / whole.y), camera.position}, frame);
+        look_from({part_of(frame.crop, frame.size) * view_projection(camera, whole.x / whole.y), camera.position},
+                  frame);
     }
     // [/view]
 };

@@ -26,7 +26,7 @@ struct SurfaceMaps : ModelChapter {
         graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "04_surface_maps/depth.frag"});
 
     SurfaceMaps() {
-        maps.method.alone = true;  // --method is about maps here
+        maps.method.alone = true;                     // --method is about maps here
         lights.method.change_default("every_light");  // these scenes have few
     }
     std::string default_scene() const override { return "scenes/castle_wall.json"; }
@@ -64,8 +64,7 @@ struct SurfaceMaps : ModelChapter {
         lights.record(frame, scene, camera);
 
         // 2. Every surface, each by the variant that has just its maps.
-        frame.raster("shade",
-                     {.color = {frame.hdr}, .depth = frame.depth, .with = {maps, lights}, .clear = behind},
+        frame.raster("shade", {.color = {frame.hdr}, .depth = frame.depth, .with = {maps, lights}, .clear = behind},
                      [&](Raster& pass) { maps.draw(pass, scene, surface, displaced); });
 
         // 3. Linear light to the codes a screen expects.

@@ -1,11 +1,10 @@
 #include "04_surface_maps/maps.h"
 
-#include "04_surface_maps/tangents.h"
-
 #include <cstring>
 #include <glm/gtc/color_space.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include "04_surface_maps/tangents.h"
 #include "common/image/image.h"
 
 namespace lightwalk {

@@ -132,8 +132,8 @@ void refuse_unknown_macros(const std::string& text, const Macros& macros) {
                 } else if (!known.count(words[i]) && !words[i].starts_with("GL_")) {
                     const std::string shown = file.size() > 2 ? file.substr(1, file.size() - 2) : file;
                     throw ShaderError(shown + ":" + std::to_string(number) + ": nobody defines " +
-                                      std::string(words[i]) + "; does the pass state `.with` the module it belongs to?" +
-                                      "\n    " + line);
+                                      std::string(words[i]) +
+                                      "; does the pass state `.with` the module it belongs to?" + "\n    " + line);
                 }
             }
         }

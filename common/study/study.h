@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/app/options.h"
-#include "common/study/study_plan.h"
 #include "common/image/image.h"
+#include "common/study/study_plan.h"
 
 namespace lightwalk {
 
