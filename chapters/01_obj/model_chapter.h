@@ -10,13 +10,17 @@ class ModelChapter : public Chapter {
   public:
     Model load_model(const std::filesystem::path& file) override { return lightwalk::load_model(file, loader()); }
 
+    bool animated() const override { return scene.moves(); }
+
   protected:
     /// Which loader reads .obj files.
     virtual Loader loader() const { return Loader::parallel; }
 
     // [view]
-    /// Gives the shaders of this frame the uniform block `view`.
-    void set_view(Frame& frame) const {
+    /// Places what moves, and gives the shaders of this frame the uniform block `view`.
+    void set_view(Frame& frame) {
+        animate(scene, frame.time_s);
+        scene.upload_moved(frame);
         const float aspect = static_cast<float>(frame.size.x) / static_cast<float>(frame.size.y);
         const CameraView view{.view_projection = view_projection(camera, aspect),
                               .eye = camera.position,

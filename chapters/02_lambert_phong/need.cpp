@@ -148,7 +148,8 @@ ShadingNeed measure_need(const Scene& scene, const glm::mat4& view_projection, g
                               dvec2(0.5 * double(clip.x / clip.w) * size.x, 0.5 * double(clip.y / clip.w) * size.y)};
             }
             const dvec3 face =
-                glm::cross(corners[1].position - corners[0].position, corners[2].position - corners[0].position);
+                glm::cross(corners[1].position - corners[0].position, corners[2].position - corners[0].position) *
+                (draw.mirrored ? -1.0 : 1.0);
             if (!inside || glm::dot(face, context.eye - corners[0].position) <= 0) continue;
             const Triangle triangle(context, item, corners);
             if (triangle.area < 1e-6) continue;

@@ -34,15 +34,16 @@ struct Attenuation : ModelChapter {
     LightBuffer light_buffer;
     ObjectLights object_lights;
     LightGrid grid;
+    Bounds lit;  ///< where lights are scattered: where the scene was at 0 s
 
     std::string default_scene() const override { return "scenes/night.json"; }
-    bool animated() const override { return moving; }
-    void prepare(Gpu&) override { object_lights.forget(); }
+    bool animated() const override { return moving || scene.moves(); }
+    void prepare(Gpu&) override { lit = scene.bounds; }
 
     // The scene's lights and the scattered ones, where they are at this time.
     std::vector<Light> lights_at(float time_s, unsigned seed) const {
         std::vector<Light> all = scene.file.lights;
-        const std::vector<Light> more = scatter_lights(scene.bounds, lights, seed);
+        const std::vector<Light> more = scatter_lights(lit, lights, seed);
         all.insert(all.end(), more.begin(), more.end());
         if (moving) move_lights(all, time_s);
         return all;

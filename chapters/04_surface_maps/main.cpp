@@ -43,7 +43,7 @@ struct SurfaceMaps : ModelChapter {
     std::string default_scene() const override { return "scenes/castle_wall.json"; }
     bool reload_on_toggle() const override { return true; }
     std::string load_key() const override { return coverage.is("kept") ? cutoff.text() : coverage.text(); }
-    bool animated() const override { return wobble > 0 || scroll != 0; }
+    bool animated() const override { return wobble > 0 || scroll != 0 || scene.moves(); }
 
     void prepare(Gpu& gpu) override {
         device = &gpu;
@@ -79,14 +79,14 @@ struct SurfaceMaps : ModelChapter {
 
         // 1. Every surface, each by the variant that has just its maps.
         frame.raster("shade", {.color = {frame.hdr}, .depth = frame.depth, .clear = behind}, [&](Raster& pass) {
-            for (const DrawItem& item : scene.items) {
-                maps.define(frame.gpu.pipelines.defines, item);
+            for (const Batch& batch : scene.batches()) {
+                maps.define(frame.gpu.pipelines.defines, batch.item());
                 pass.use(mesh.is("displaced") ? displaced : surface);
                 pass.set("lights", lights.buffer).set("ambient", scene.file.ambient);
                 if (mesh.is("displaced"))
-                    draw_displaced(pass, scene, item, static_cast<uint32_t>(subdivide.value));
+                    draw_displaced(pass, batch, static_cast<uint32_t>(subdivide.value));
                 else
-                    scene.draw(pass, item);
+                    pass.draw(batch);
             }
         });
 

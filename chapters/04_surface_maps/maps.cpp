@@ -83,26 +83,28 @@ Level read_level(Gpu& gpu, const Image& image) {
 }
 
 void MapSwitches::define(Defines& defines, const DrawItem& item) const {
-    for (const Knob<bool>* knob :
-         {&diffuse, &specular, &emissive, &opacity, &normal, &height, &orm, &occlusion, &gloss, &detail_normal})
-        for (const auto& [macro, value] : knob->macros())
-            defines[macro] = item.maps.count(knob->name + "_map") ? value : "0";
+    const std::array<const Knob<bool>*, map_slot_count> knobs{
+        // in the order of the slots
+        &diffuse, &specular, &emissive, &opacity, &normal, &height, &orm, &occlusion, &gloss, &detail_normal};
+    for (size_t i = 0; i < knobs.size(); ++i)
+        for (const auto& [macro, value] : knobs[i]->macros()) defines[macro] = item.maps[i] ? value : "0";
 }
 
 void make_mips(Gpu& gpu, Scene& scene, float cutoff) {
-    std::map<std::pair<const Image*, std::string>, std::shared_ptr<Image>> made;  // many items share one texture
+    std::map<std::pair<const Image*, MapSlot>, std::shared_ptr<Image>> made;  // many items share one texture
     for (DrawItem& item : scene.items)
-        for (auto& [slot, image] : item.maps) {
-            const bool is_normal = slot == "normal_map" || slot == "detail_normal_map";
-            if (!is_normal && slot != "diffuse_map" && slot != "opacity_map" && slot != "height_map") continue;
+        for (const MapSlot slot :
+             {MapSlot::diffuse, MapSlot::opacity, MapSlot::normal, MapSlot::height, MapSlot::detail_normal}) {
+            std::shared_ptr<Image>& image = item.maps[slot];
+            if (!image) continue;
             std::shared_ptr<Image>& entry = made[{image.get(), slot}];
             if (!entry) {
                 const Level level = read_level(gpu, *image);
-                if (is_normal)
+                if (slot == MapSlot::normal || slot == MapSlot::detail_normal)
                     entry = upload_levels(gpu, image->desc, normal_levels(level));
-                else if (slot == "height_map")
+                else if (slot == MapSlot::height)
                     entry = upload_heights(gpu, *image, level);
-                else if (slot == "opacity_map")
+                else if (slot == MapSlot::opacity)
                     entry = upload_levels(gpu, image->desc, opacity_levels(level, cutoff));
                 else if (coverage(level, 1.0f) < 1.0)
                     entry = upload_levels(gpu, image->desc, cutout_levels(level, cutoff));
@@ -120,11 +122,12 @@ double mean_texels(const ImageRgb& picture) {
     return count > 0 ? white_texels * sum / count : 0.0;
 }
 
-void draw_displaced(Raster& pass, const Scene& scene, const DrawItem& item, uint32_t subdivide) {
+void draw_displaced(Raster& pass, const Batch& batch, uint32_t subdivide) {
+    const DrawItem& item = batch.item();
     const Part& part = item.model->model.meshes[item.mesh].parts[item.part];
     pass.set("indices", item.model->indices[item.mesh]).set("part", glm::uvec2(part.first_index, subdivide));
-    scene.bind(pass, item);
-    pass.draw(part.index_count * subdivide * subdivide, 1, static_cast<uint32_t>(&item - scene.items.data()));
+    batch.bind(pass);
+    pass.draw(part.index_count * subdivide * subdivide, batch.count, batch.first);
 }
 
 }  // namespace lightwalk

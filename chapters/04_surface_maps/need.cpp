@@ -76,21 +76,21 @@ struct Maps {
 Maps read_maps(Gpu& gpu, const DrawItem& item) {
     Maps maps;
     maps.field = HeightField({1, 1}, {1.0f});  // flat, where there is no map
-    if (const auto height = item.maps.find("height_map"); height != item.maps.end()) {
-        const Level level = read_level(gpu, *height->second);
+    if (const auto& height = item.maps[MapSlot::height]) {
+        const Level level = read_level(gpu, *height);
         std::vector<float> heights;
         for (const glm::vec4& texel : level.texels) heights.push_back(texel.r);
         maps.field = HeightField(glm::ivec2(level.size), std::move(heights));
     }
-    const auto texture = [&](const char* slot, bool is_normal) {
-        const auto map = item.maps.find(slot);
-        if (map == item.maps.end()) return Texture();
-        const Level level = read_level(gpu, *map->second);
+    const auto texture = [&](MapSlot slot, bool is_normal) {
+        const auto& map = item.maps[slot];
+        if (!map) return Texture();
+        const Level level = read_level(gpu, *map);
         return Texture(is_normal ? normal_levels(level) : cutout_levels(level, -1.0f));
     };
-    maps.color = texture("diffuse_map", false);
-    maps.glow = texture("emissive_map", false);
-    maps.normal = texture("normal_map", true);
+    maps.color = texture(MapSlot::diffuse, false);
+    maps.glow = texture(MapSlot::emissive, false);
+    maps.normal = texture(MapSlot::normal, true);
     return maps;
 }
 
@@ -126,7 +126,7 @@ RayHit nearest(const Scene& scene, dvec3 eye, dvec3 direction) {
                    t,
                    to_world * ((uv2.y * e1 - uv1.y * e2) / uv_det),
                    to_world * ((uv1.x * e2 - uv2.x * e1) / uv_det),
-                   glm::normalize(glm::cross(to_world * e1, to_world * e2)),
+                   glm::normalize(glm::cross(to_world * e1, to_world * e2)) * (item.mirrored ? -1.0 : 1.0),
                    dvec2(a->uv) + x * uv1 + y * uv2};
         }
     }
@@ -209,7 +209,7 @@ ParallaxNeed measure_need(Gpu& gpu, const Scene& scene, const Camera& camera, gl
             const RayHit hit = nearest(scene, eye, direction);
             if (!hit.item) continue;
             for (ParallaxChoice& choice : need.choices) choice.cost += each * other_reads * 1e-6;
-            if (!hit.item->maps.count("height_map") && !hit.item->maps.count("normal_map")) continue;
+            if (!hit.item->maps[MapSlot::height] && !hit.item->maps[MapSlot::normal]) continue;
             auto [entry, added] = maps.try_emplace(hit.item);
             if (added) entry->second = read_maps(gpu, *hit.item);
             const auto probe = probe_at(scene, entry->second, hit, -direction, height_m, angle * hit.distance_m);

@@ -108,6 +108,11 @@ bool Pass::flush() {
 
 Raster& Raster::use(const Pipeline& pipeline) {
     bind(frame.gpu.pipelines.get(pipeline, formats), VK_PIPELINE_BIND_POINT_GRAPHICS);
+    return mirrored(false);
+}
+
+Raster& Raster::mirrored(bool is_mirrored) {
+    vkCmdSetFrontFace(commands, is_mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     return *this;
 }
 
