@@ -99,7 +99,6 @@ void read_keyframe(KeyReader r, const SceneObject& object, std::vector<Keyframe>
 
 Motion read_motion(const JsonWithLines& source, KeyReader r, const SceneObject& object) {
     Motion motion;
-    const bool spins = r.find("spin_deg_per_s");
     r.number("spin_deg_per_s", motion.spin_deg_per_s, -1e5, 1e5);
     r.vector("axis", motion.axis, -1e6, 1e6);
     if (glm::length(motion.axis) == 0.0f) r.refuse("axis", "has no length");
@@ -113,7 +112,6 @@ Motion read_motion(const JsonWithLines& source, KeyReader r, const SceneObject& 
             r.refuse("period_s", "must be above the time from the first keyframe to the last");
     }
     r.done();
-    if (!spins && motion.path.empty()) r.refuse("", "says neither spin_deg_per_s nor path");
     return motion;
 }
 
@@ -131,8 +129,11 @@ SceneObject read_object(const JsonWithLines& source, KeyReader r, const std::str
     read_scale(r, object.scale);
     if (const json* material = r.find("material"))
         object.material = read_material(source, KeyReader(source, *material, pointer + "/material"));
-    if (const json* motion = r.find("motion"))
+    if (const json* motion = r.find("motion")) {
         object.motion = read_motion(source, KeyReader(source, *motion, pointer + "/motion"), object);
+        if (!motion->contains("spin_deg_per_s") && !motion->contains("path"))
+            r.refuse("motion", "says neither spin_deg_per_s nor path");
+    }
     r.done();
     return object;
 }

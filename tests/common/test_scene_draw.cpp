@@ -3,6 +3,7 @@
 #include <random>
 
 #include "catch.h"
+#include "common/image/image.h"
 #include "scene_fixture.h"
 
 using namespace lightwalk;
@@ -183,4 +184,28 @@ TEST_CASE("a turned object's bounds hold all of it and no more than its turned b
     const float half = std::sqrt(0.5f);
     CHECK(glm::length(test.scene.items[1].bounds.upper - glm::vec3(half, 1, half)) < 1e-5f);
     CHECK(glm::length(test.scene.items[1].bounds.lower + glm::vec3(half, 1, half)) < 1e-5f);
+}
+
+TEST_CASE("an environment is loaded as halves with mips, in linear light; without one there is none") {
+    TestScene test({object_at(quad_file, {0, 0, 0})});
+    CHECK(test.scene.environment == nullptr);
+    const auto file = std::filesystem::temp_directory_path() / ("lightwalk_sky_" + std::to_string(getpid()) + ".pfm");
+    ImageRgb sky(8, 4);
+    for (int x = 0; x < 8; ++x) sky.at(x, 0) = glm::vec3(float(x), 1000.0f, 0.25f);
+    write_pfm(file, sky);
+    SceneFile scene = test.scene.file;
+    scene.environment.image = file;
+    test.scene.load(test.gpu, scene, test_model);
+    REQUIRE(test.scene.environment);
+    const Image& image = *test.scene.environment;
+    CHECK(image.desc.format == VK_FORMAT_R16G16B16A16_SFLOAT);
+    CHECK(image.desc.size == glm::uvec2(8, 4));
+    CHECK(image.desc.mips == 4);
+    const auto bytes = test.gpu.read_back(image);
+    uint64_t texel = 0;
+    std::memcpy(&texel, &bytes[8 * 3], 8);
+    CHECK(glm::unpackHalf4x16(texel) == glm::vec4(3, 1000, 0.25f, 1));
+    std::filesystem::remove(file);
+    test.scene.load(test.gpu, SceneFile(), test_model);
+    CHECK(test.scene.environment == nullptr);
 }
