@@ -13,6 +13,7 @@ namespace lightwalk {
 /// Files that there are, whatever is in them: test_model() makes what they stand for.
 inline const char* const quad_file = "models/cube.obj";    ///< from -1 to 1, facing +z
 inline const char* const other_file = "models/plane.obj";  ///< the same as another mesh
+inline const char* const pair_file = "models/column.obj";  ///< two quads; the second one is mirrored after 1 s
 inline const char* const ball_file = "models/sphere.obj";  ///< of radius 1
 
 inline Mesh quad_mesh() {
@@ -46,6 +47,15 @@ inline Model test_model(const std::filesystem::path& file) {
     mesh.parts = {{0, static_cast<uint32_t>(mesh.indices.size()), 0}};
     for (const Vertex& v : mesh.vertices) mesh.bounds.add(v.position);
     model.nodes.push_back({.name = "root", .meshes = {0}});
+    if (file.filename() == "column.obj") {
+        model.nodes.push_back({.name = "turns", .parent = 0, .meshes = {0}});
+        NodeMotion& turn = model.motions.emplace_back();
+        turn.node = 1;
+        turn.position = {{0, {2.5f, 0, 0}}};
+        turn.rotation = {{0, {1, 0, 0, 0}}};
+        turn.scale = {{0, {1, 1, 1}}, {1, {-1, 1, 1}}};
+        model.motions_s = 3;
+    }
     return model;
 }
 

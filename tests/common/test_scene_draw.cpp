@@ -42,6 +42,8 @@ TEST_CASE("equal parts are instances of one batch; opaque ones come first, other
     CHECK(names(test.scene, test.scene.all()) == Names{"a", "c", "d", "b", "mirror", "glass"});
     CHECK(batches[2].item().mirrored);
     CHECK(batches[3].item().transparent);
+    const TestScene two({object_at(quad_file, {0, 0, 0}), with_opacity(object_at(quad_file, {0, 0, 0}), 0.5f)});
+    CHECK(two.scene.batches().size() == 2);
 }
 
 TEST_CASE("an instance is its own item: gl_InstanceIndex is its place, and numbers of its material are its own") {
