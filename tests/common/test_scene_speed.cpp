@@ -92,4 +92,13 @@ TEST_CASE("a frame of 5,000 items of 200 meshes: placed, culled, sorted and reco
         "together %.2f ms of one core\n",
         medians[0], medians[1], medians[2], medians[3]);
     CHECK(medians[3] < 3 * 2.0);
+
+    // And all of it has arrived where it belongs.
+    const auto bytes = gpu.read_back(scene.instances);
+    size_t wrong = 0;
+    for (size_t i = 0; i < scene.items.size(); ++i) {
+        const Instance expected = instance_of(scene.items[i], i);
+        wrong += std::memcmp(&bytes[i * sizeof(Instance)], &expected, sizeof(Instance)) != 0;
+    }
+    CHECK(wrong == 0);
 }
