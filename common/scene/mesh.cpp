@@ -33,7 +33,7 @@ std::vector<glm::mat4> world_transforms(const Model& model) {
 
 std::vector<glm::mat4> world_transforms(const Model& model, float time_s) {
     if (model.motions.empty()) return world_transforms(model);
-    const double time = double(time_s) - std::floor(double(time_s) / model.motions_s) * model.motions_s;
+    const double time = std::fmod(double(time_s), model.motions_s) + (time_s < 0 ? model.motions_s : 0.0f);
     std::vector<glm::mat4> world;
     for (const Node& node : model.nodes) world.push_back(node.local);
     for (const NodeMotion& motion : model.motions) {

@@ -24,7 +24,7 @@ Keyframe path_at(const Motion& motion, float time_s) {
     const float start_s = motion.path.front().time_s;
     const bool closed = motion.period_s > 0.0f;
     double time = double(time_s) - start_s;  // since the first keyframe
-    if (closed) time -= std::floor(time / motion.period_s) * motion.period_s;
+    if (closed) time = std::fmod(time, motion.period_s) + (time < 0 ? motion.period_s : 0.0);
     const float now_s = start_s + static_cast<float>(time);
     if (!closed && now_s <= start_s) return motion.path.front();
     if (!closed && now_s >= motion.path.back().time_s) return motion.path.back();

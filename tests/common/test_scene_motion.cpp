@@ -48,6 +48,7 @@ TEST_CASE("a closed path comes round, smoothly, before the first keyframe and af
     CHECK(near(path_at(square, 5).position, {1, 0, 0}));
     CHECK(near(path_at(square, -2).position, {0, 1, 0}));
     CHECK(near(path_at(square, 4.5f).position, path_at(square, 0.5f).position));
+    for (const float t : {1e30f, -1e30f}) CHECK(glm::length(path_at(square, t).position) <= 1.01f);
     CHECK(near(path_at(square, 4.5f).position, {0.625f, -0.625f, 0}));  // as every other quarter
     CHECK(near(path_at(square, 2.5f).position, {-0.625f, 0.625f, 0}));
     const glm::vec3 before = path_at(square, 4.999f).position, at = path_at(square, 5).position,
