@@ -32,12 +32,9 @@ struct SurfaceMaps : ModelChapter {
     std::string default_scene() const override { return "scenes/castle_wall.json"; }
     bool reload_on_toggle() const override { return true; }
     std::string load_key() const override { return maps.load_key(); }
-    bool animated() const override { return maps.animated(); }
+    bool animated() const override { return maps.animated() || scene.moves(); }
 
-    void prepare(Gpu& gpu) override {
-        lights.forget();
-        maps.prepare(gpu, scene);
-    }
+    void prepare(Gpu& gpu) override { maps.prepare(gpu, scene); }
 
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         const auto mean_of = [&](const char* shown) {

@@ -73,7 +73,7 @@ Level read_level(Gpu& gpu, const Image& image);
 /// The mean of a picture of hit errors or of swimming over the pixels where there is one, in texels of the height map.
 double mean_texels(const ImageRgb& picture);
 
-/// Draws `item` with each triangle cut into subdivide × subdivide.
-void draw_displaced(Raster& pass, const Scene& scene, const DrawItem& item, uint32_t subdivide);
+/// Draws the batch with each triangle cut into subdivide × subdivide.
+void draw_displaced(Raster& pass, const Batch& batch, uint32_t subdivide);
 
 }  // namespace lightwalk
