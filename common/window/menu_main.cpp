@@ -4,9 +4,10 @@
 #include <chrono>
 #include <cstdio>
 
-#include "common/app/chapter.h"
+#include "common/app/shots.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/gpu/frame.h"
 #include "common/image/image.h"
 #include "common/window/blit.h"
 #include "common/window/child_process.h"
