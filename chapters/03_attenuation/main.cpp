@@ -77,10 +77,8 @@ struct Attenuation : ModelChapter {
         if (cells) grid.record(frame, light_buffer.buffer);
 
         // 4. Every surface, in linear HDR.
-        RasterTargets targets{.color = {frame.hdr},
-                              .depth = frame.depth,
-                              .clear = glm::vec4(scene.file.background, 0.0f),
-                              .keep_depth = true};
+        RasterTargets targets{.color = {clear(frame.hdr, glm::vec4(scene.file.background, 0.0f))},
+                              .depth = keep(frame.depth)};
         if (cells) targets.reads = {grid.masks, grid.groups};
         frame.raster("shade", targets, [&](Raster& pass) {
             pass.use(shade).set("lights", light_buffer.buffer).set("ambient", scene.file.ambient);

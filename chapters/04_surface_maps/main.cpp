@@ -78,7 +78,7 @@ struct SurfaceMaps : ModelChapter {
         const glm::vec4 behind(measures ? glm::vec3(-1.0f) : scene.file.background, 1.0f);
 
         // 1. Every surface, each by the variant that has just its maps.
-        frame.raster("shade", {.color = {frame.hdr}, .depth = frame.depth, .clear = behind}, [&](Raster& pass) {
+        frame.raster("shade", {.color = {clear(frame.hdr, behind)}, .depth = frame.depth}, [&](Raster& pass) {
             for (const DrawItem& item : scene.items) {
                 maps.define(frame.gpu.pipelines.defines, item);
                 pass.use(mesh.is("displaced") ? displaced : surface);

@@ -77,7 +77,7 @@ void render(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, unsig
 
 void encode_srgb(Frame& frame) {
     frame.compute("encode_srgb", {.reads = {frame.hdr}, .writes = {frame.output}}, [&](Compute& pass) {
-        pass.use(encode).set("hdr", frame.hdr, Sampling::nearest_clamp).set("result", frame.output);
+        pass.use(encode).set("hdr", frame.hdr, nearest_clamp).set("result", frame.output);
         pass.dispatch_threads(frame.size);
     });
 }
