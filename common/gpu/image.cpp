@@ -28,6 +28,8 @@ void check_supported(const Device& device, const VkImageCreateInfo& info, const 
     if (vkGetPhysicalDeviceImageFormatProperties(device.physical, info.format, info.imageType, info.tiling, info.usage,
                                                  info.flags, &most) != VK_SUCCESS)
         fail("the device has no images of " + name_of(info.format));
+    const VkDeviceSize bytes = VkDeviceSize(info.extent.width) * info.extent.height * info.extent.depth *
+                               info.arrayLayers * info.samples * texel_bytes(info.format);
     if (!(most.sampleCounts & info.samples)) fail("the device has no " + std::to_string(info.samples) + " samples");
     if (info.extent.width > most.maxExtent.width || info.extent.height > most.maxExtent.height ||
         info.extent.depth > most.maxExtent.depth || info.mipLevels > most.maxMipLevels ||
@@ -35,6 +37,9 @@ void check_supported(const Device& device, const VkImageCreateInfo& info, const 
         fail("the device has at most " + std::to_string(most.maxExtent.width) + "×" +
              std::to_string(most.maxExtent.height) + "×" + std::to_string(most.maxExtent.depth) + " texels, " +
              std::to_string(most.maxMipLevels) + " mips and " + std::to_string(most.maxArrayLayers) + " layers");
+    if (bytes > most.maxResourceSize)
+        fail(std::to_string(bytes >> 20) + " MiB, and the device's have at most " +
+             std::to_string(most.maxResourceSize >> 20));
 }
 
 }  // namespace

@@ -90,6 +90,7 @@ class Image {
     ImageView all_mips() const { return *this; }
     ImageView layer(uint32_t i) const { return ImageView(*this).layer(i); }
     ImageView face(uint32_t i) const { return layer(i); }
+    ImageView layer_range(uint32_t first, uint32_t count) const { return ImageView(*this).layer_range(first, count); }
     ImageView as_array() const { return ImageView(*this).as_array(); }
     VkImageSubresourceRange range() const { return ImageView(*this).range(); }
 

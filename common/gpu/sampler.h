@@ -17,7 +17,7 @@ enum class Border { transparent_black, opaque_black, opaque_white };
 struct Sampler {
     Filter filter = Filter::linear;        ///< between the texels of a mip
     Filter mip_filter = Filter::linear;    ///< between mips
-    Compare compare = Compare::off;       ///< for sampler2DShadow and the like: the reference with what is stored
+    Compare compare = Compare::off;        ///< for sampler2DShadow and the like: the reference with what is stored
     Wrap wrap = Wrap::repeat;              ///< outside 0 to 1, in each direction
     Border border = Border::opaque_black;  ///< outside, with Wrap::border
     float anisotropy = 1;                  ///< samples along a slanted footprint, 1 to 16; what the device has at most
