@@ -166,7 +166,7 @@ TEST_CASE("what cannot be pushed comes from a pool and draws the same") {
             frame.begin({1, 1}, 0);
             frame.raster("sum", {.color = {target}}, [&](Raster& pass) {
                 pass.use(sum).set("quad", Quad{}).set("first", a);
-                for (int i = 0; i < 600; ++i) pass.set("second", i % 2 ? b : a).draw(6).draw(6);
+                for (int i = 0; i < 600; ++i) pass.set("second", i % 2 ? b : a).draw(6).set("first", a).draw(6);
             });
             frame.end();
             float texel = 0;

@@ -239,3 +239,29 @@ TEST_CASE_METHOD(OnDevice, "a transfer copies from one mip to another") {
     frame.end();
     CHECK(value(chain.mip(1)) == 5.0f);
 }
+
+TEST_CASE_METHOD(OnDevice, "what was uploaded may be copied from, and read again by a pass that does not say so") {
+    Image source = image({.format = one_float, .size = {2, 2}});
+    const std::vector<float> texels{1, 2, 3, 4};
+    gpu.upload(source, std::as_bytes(std::span(texels)));
+    const Image copy = image({.name = "copy", .format = one_float, .size = {2, 2}});
+    const Image sum = image({.name = "sum", .format = one_float, .size = {1, 1}});
+    frame.transfer("copy", {.reads = {source}, .writes = {copy}}, [&](VkCommandBuffer commands) {
+        const VkImageCopy all{.srcSubresource = ImageView(source).first_mip_layers(),
+                              .dstSubresource = ImageView(copy).first_mip_layers(),
+                              .extent = {2, 2, 1}};
+        vkCmdCopyImage(commands, source.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, copy.handle,
+                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &all);
+    });
+    frame.compute("sum", {.writes = {sum}}, [&](Compute& pass) {
+        pass.use(halve).set("source", source).set("result", sum).dispatch({1, 1, 1});
+    });
+    // Written by a pass it is as any other: it has to be stated.
+    frame.raster("clear", {.color = {source}}, [](Raster&) {});
+    CHECK(failure_of([&] {
+              frame.compute("sum", {.writes = {sum}}, [&](Compute& pass) { pass.use(halve).set("source", source); });
+          }) == "pass 'sum' binds 'source' without stating it in its reads");
+    frame.end();
+    CHECK(read<float>(copy) == texels);
+    CHECK(value(sum) == 11.0f);
+}
