@@ -1,9 +1,9 @@
 // Studies: what a scene's entry sets, what is measured of it, what is kept on the way, and study.json's errors.
 #include "catch.h"
-#include "common/study/study.h"
-#include "common/check/check.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/check/check.h"
+#include "common/study/study.h"
 
 using namespace lightwalk;
 using nlohmann::json;
