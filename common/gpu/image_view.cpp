@@ -91,7 +91,8 @@ std::string ImageView::name() const {
         result += std::string(" ") + what + (count > 1 ? "s " : " ") + std::to_string(first);
         if (count > 1) result += " to " + std::to_string(first + count - 1);
     };
-    part(is_volume() ? "slice" : "layer", first_layer, layers, type == VK_IMAGE_VIEW_TYPE_3D ? 1 : image->desc.layers);
+    const bool whole_volume = type == VK_IMAGE_VIEW_TYPE_3D;
+    part(is_volume() ? "slice" : "layer", first_layer, layers, whole_volume ? 1 : is_volume() ? 0 : image->desc.layers);
     part("mip", first_mip, mips, image->desc.mips);
     return result;
 }

@@ -21,6 +21,23 @@ const char* shape(VkImageViewType type) {
     return names[type];
 }
 
+const char* shape(const ImageView& view) {
+    return view.is_volume() && view.type != VK_IMAGE_VIEW_TYPE_3D ? "a slice, which can be drawn into alone"
+                                                                  : shape(view.type);
+}
+
+// The same mips and layers in the shape that a shader declares. False where they do not have it.
+bool turn_into(ImageView& view, VkImageViewType wanted) {
+    if (view.is_volume()) return wanted == VK_IMAGE_VIEW_TYPE_3D && view.type == wanted;
+    const bool is_cube = view.image->desc.cube;
+    const bool possible = wanted == VK_IMAGE_VIEW_TYPE_2D           ? view.layers == 1
+                          : wanted == VK_IMAGE_VIEW_TYPE_CUBE       ? is_cube && view.layers == 6
+                          : wanted == VK_IMAGE_VIEW_TYPE_CUBE_ARRAY ? is_cube && view.layers % 6 == 0
+                                                                    : wanted == VK_IMAGE_VIEW_TYPE_2D_ARRAY;
+    if (possible) view.type = wanted;
+    return possible;
+}
+
 }  // namespace
 
 Pass::Pass(Frame& owner, std::string pass_name, VkCommandBuffer command_buffer, std::vector<Stated> stated_resources)
@@ -112,13 +129,9 @@ void Pass::store(const Binding& binding, uint32_t element, std::vector<Info>& in
 VkDescriptorImageInfo Pass::image_info(const Binding& binding, ImageView view, const Sampler& sampler) const {
     const bool storage = binding.type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
     if (storage && view.mips > 1) view = view.mip(0);
-    if (view.type != binding.view_type) {
-        const bool wants_array = binding.view_type == VK_IMAGE_VIEW_TYPE_2D_ARRAY && !view.is_volume();
-        if (!wants_array)
-            throw Failure("pass '" + name + "': '" + binding.name + "' is " + shape(binding.view_type) +
-                          " in the shader, and " + view.name() + " is " + shape(view.type));
-        view = view.as_array();
-    }
+    if (!turn_into(view, binding.view_type))
+        throw Failure("pass '" + name + "': '" + binding.name + "' is " + shape(binding.view_type) +
+                      " in the shader, and " + view.name() + " is " + shape(view));
     const Stated* found = stated(view, storage);
     if (!found && (!view.image->constant || storage)) fail_unstated(binding.name, storage);
     return {.sampler = storage ? VK_NULL_HANDLE : frame.gpu.samplers[sampler],

@@ -164,11 +164,14 @@ void main() {
     });
     frame.raster("slice", {.color = {clear(volume.layer(5), glm::vec4(-7.0f))}}, [](Raster&) {});
     frame.compute("look", {.reads = {volume}, .writes = {seen}}, [&](Compute& pass) {
+        pass.use(look);
+        CHECK(failure_of([&] { pass.set("volume", volume.layer(1)); }) ==
+              "pass 'look': 'volume' is 3-D in the shader, and test slice 1 is a slice, which can be drawn into alone");
         pass.use(look).set("volume", volume, linear_clamp).set("seen", seen).dispatch({1, 1, 1});
     });
     frame.end();
     const auto values = read<float>(seen);
-    CHECK(values[0] == 351.0f);
+    CHECK(values[0] == 351.0f);  // between 301 and 401
     CHECK(values[1] == 713.0f);
     CHECK(values[2] == -7.0f);
     const auto texels = read<float>(volume);
@@ -201,6 +204,9 @@ void main() {
         pass.dispatch({1, 1, 1});
         CHECK(failure_of([&] { pass.set("face", cube); }) ==
               "pass 'look': 'face' is 2-D in the shader, and test is cube");
+        CHECK(failure_of([&] { pass.set("cube", cube.layer_range(0, 5)); }) ==
+              "pass 'look': 'cube' is cube in the shader, and test layers 0 to 4 is 2-D array");
+        pass.set("face", cube.layer_range(2, 1).mip(1)).set("cube", cube.as_array()).dispatch({1, 1, 1});
     });
     frame.end();
     const auto values = read<float>(seen);
