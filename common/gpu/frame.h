@@ -47,7 +47,8 @@ class Frame {
     void upload(const std::string& name, Buffer& buffer, const std::vector<T>& items) {
         upload(name, buffer, std::as_bytes(std::span(items)));
     }
-    /// The same for a view's first mip, all its layers, tightly packed. Throws Failure for another number of bytes.
+    /// The same for a view's first mip, all its layers, tightly packed; passes state the image as they did before.
+    /// Throws Failure for another number of bytes.
     void upload(const std::string& name, const ImageView& view, std::span<const std::byte> texels);
 
     /// A transfer pass after which, when this frame has ended, `into` has the bytes; of a view, the first mip's texels,
