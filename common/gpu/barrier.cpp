@@ -10,7 +10,7 @@ bool covers(VkPipelineStageFlags2 stages, VkPipelineStageFlags2 wanted) {
 }
 
 // True where a barrier from `from` is needed; updates the history to hold `next`.
-bool advance(History& history, const Access& next, bool image, Access& from) {
+bool advance(AccessHistory& history, const Access& next, bool image, Access& from) {
     const bool new_layout = image && history.layout != next.layout;
     from = history.last_write;
     if (next.writes || new_layout) {
@@ -70,7 +70,7 @@ void Barriers::add(const ImageView& view, const Access& next) {
     const uint32_t mips = view.image->desc.mips, layers = view.image->desc.layers;
     const bool whole = range.levelCount == mips && range.layerCount == layers;
     if (history.each.empty()) {
-        History after = history.all;
+        AccessHistory after = history.all;
         const bool needed = advance(after, next, true, from);
         if (whole || after == history.all) {
             if (needed) images.push_back(make(history.all.layout, range));
@@ -85,14 +85,15 @@ void Barriers::add(const ImageView& view, const Access& next) {
     for (uint32_t mip = range.baseMipLevel; mip < range.baseMipLevel + range.levelCount; ++mip) {
         of_mip.clear();
         for (uint32_t layer = range.baseArrayLayer; layer < range.baseArrayLayer + range.layerCount; ++layer) {
-            History& one = history.each[size_t(mip) * layers + layer];
+            AccessHistory& one = history.each[size_t(mip) * layers + layer];
             const VkImageLayout old_layout = one.layout;
             if (advance(one, next, true, from))
                 append(of_mip, 0, make(old_layout, {range.aspectMask, mip, 1, layer, 1}));
         }
         for (const VkImageMemoryBarrier2& one : of_mip) append(images, first, one);
     }
-    if (std::all_of(history.each.begin(), history.each.end(), [&](const History& h) { return h == history.each[0]; })) {
+    if (std::all_of(history.each.begin(), history.each.end(),
+                    [&](const AccessHistory& h) { return h == history.each[0]; })) {
         history.all = history.each[0];
         history.each.clear();
     }

@@ -31,7 +31,7 @@ class Buffer {
     VkDeviceSize capacity = 0;  ///< bytes that `bytes` may be set to without another allocation
     std::byte* mapped = nullptr;
     std::string name;
-    mutable History history;
+    mutable AccessHistory history;
     mutable bool constant = false;  ///< uploaded, not written since: every pass may read it without saying so
     explicit operator bool() const { return handle != VK_NULL_HANDLE; }
 

@@ -6,7 +6,7 @@ namespace lightwalk {
 
 Raster& Raster::use(const Pipeline& pipeline) {
     bind(frame.gpu.pipelines.get(pipeline, formats), VK_PIPELINE_BIND_POINT_GRAPHICS);
-    return *this;
+    return mirrored(false);
 }
 
 Raster& Raster::mirrored(bool mirrors) {

@@ -16,17 +16,17 @@ struct Access {
 };
 
 /// The last write and the reads since then.
-struct History {
+struct AccessHistory {
     Access last_write;
     VkPipelineStageFlags2 readers = VK_PIPELINE_STAGE_2_NONE;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
-    bool operator==(const History&) const = default;
+    bool operator==(const AccessHistory&) const = default;
 };
 
 /// An image's: one for all of it, for as long as its parts are used alike.
 struct ImageHistory {
-    History all;
-    std::vector<History> each;  ///< mip by mip the layers; empty: `all` holds
+    AccessHistory all;
+    std::vector<AccessHistory> each;  ///< mip by mip the layers; empty: `all` holds
 };
 
 constexpr Access transfer_read{VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,

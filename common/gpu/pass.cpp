@@ -92,21 +92,16 @@ void Pass::check_indirect(const Buffer& buffer) const {
 }
 
 void Pass::bind(const BuiltPipeline* pipeline, VkPipelineBindPoint point) {
-    const bool same = pipeline == pipeline_;
+    if (pipeline && pipeline == pipeline_) return;  // what was set is bound still
     pipeline_ = pipeline;
     point_ = point;
     if (!pipeline) return;
-    if (!same) {
-        vkCmdBindPipeline(commands, point, pipeline->handle);
-        bound_.clear();
-        dirty_.clear();
-        image_infos_.assign(pipeline->descriptors, {});
-        buffer_infos_.assign(pipeline->descriptors, {});
-    }
-    // What the same pipeline had bound is pushed again where it changes, and has to be set all the same.
-    bound_.resize(pipeline->bindings.size());
-    for (Bound& bound : bound_) bound.set = false;
+    vkCmdBindPipeline(commands, point, pipeline->handle);
+    bound_.assign(pipeline->bindings.size(), {});
     missing_ = bound_.size();
+    dirty_.clear();
+    image_infos_.assign(pipeline->descriptors, {});
+    buffer_infos_.assign(pipeline->descriptors, {});
     for (const Binding& binding : pipeline->bindings)
         if (const auto bytes = frame.global_block(binding); !bytes.empty()) set_bytes(binding.name, bytes);
 }

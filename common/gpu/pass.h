@@ -18,7 +18,8 @@ struct Drawable {
     virtual void draw(Raster& pass) const = 0;
 };
 
-/// Bindings by name. set() is remembered until the next use(); a draw or dispatch checks that nothing is missing.
+/// Bindings by name. set() is remembered until the next use() of another pipeline; a draw or dispatch checks that
+/// nothing is missing.
 class Pass {
   public:
     Pass(Frame& frame, std::string name, VkCommandBuffer commands, std::vector<Stated> stated);
@@ -127,8 +128,7 @@ class Raster : public PassSetters<Raster> {
     TargetFormats formats;
     Raster& use(const Pipeline& pipeline);
 
-    /// From now on triangles face the eye clockwise (true), as those of an object whose transform mirrors it do. False
-    /// when a pass begins.
+    /// Until the next use(): what is drawn was mirrored by its transform, so that its front is clockwise (true).
     Raster& mirrored(bool mirrors);
 
     Raster& draw(uint32_t vertices, uint32_t instances = 1, uint32_t first_instance = 0);

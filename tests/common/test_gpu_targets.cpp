@@ -199,8 +199,8 @@ TEST_CASE_METHOD(OnDevice, "what is mirrored shows its other side") {
     const auto drawn = [&](const Quad& quad, bool mirrored) {
         frame.begin({4, 4}, 0);
         frame.raster("mirror", {.color = {clear(color, glm::vec4(0))}}, [&](Raster& pass) {
-            pass.mirrored(!mirrored).mirrored(mirrored);
-            pass.use(paint).set("quad", quad).set("paint", Paint{}).draw(6);
+            pass.use(paint).mirrored(true);
+            pass.use(paint).mirrored(mirrored).set("quad", quad).set("paint", Paint{}).draw(6);
         });
         frame.end();
         return value(color) == 1.0f;
