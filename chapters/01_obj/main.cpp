@@ -35,7 +35,7 @@ struct Obj : ModelChapter {
 
         // 1. The mesh into the HDR target; what is nearer has the greater depth.
         frame.raster("clay",
-                     {.color = {frame.hdr}, .depth = frame.depth, .clear = glm::vec4(scene.file.background, 1.0f)},
+                     {.color = {clear(frame.hdr, glm::vec4(scene.file.background, 1.0f))}, .depth = frame.depth},
                      [&](Raster& pass) { pass.use(clay).draw(scene); });
 
         // 2. Linear light to the codes a screen expects.

@@ -38,7 +38,7 @@ struct LambertPhong : ModelChapter {
 
         // 1. Every surface, lit by every light, in linear HDR.
         frame.raster("shade",
-                     {.color = {frame.hdr}, .depth = frame.depth, .clear = glm::vec4(scene.file.background, 1.0f)},
+                     {.color = {clear(frame.hdr, glm::vec4(scene.file.background, 1.0f))}, .depth = frame.depth},
                      [&](Raster& pass) {
                          pass.use(shade).set("lights", lights);
                          if (ambient) pass.set("ambient", scene.file.ambient);

@@ -65,7 +65,7 @@ void LightGrid::record(Frame& frame, const Given& lights) {
         reserve(frame.gpu.device, tile_depths_, "tile depths", 2 * cell_count());
         frame.compute("tile_depth", {.reads = {frame.depth}, .writes = {tile_depths_}, .with = {lights}},
                       [&](Compute& pass) {
-                          pass.use(find_depths_).set("depth", frame.depth, Sampling::nearest_clamp);
+                          pass.use(find_depths_).set("depth", frame.depth, nearest_clamp);
                           pass.set("tile_depths", tile_depths_).dispatch({view.tiles, 1});
                       });
         reads.push_back(tile_depths_);

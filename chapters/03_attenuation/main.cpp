@@ -49,11 +49,9 @@ struct Attenuation : ModelChapter {
 
         // 4. Every surface, in linear HDR.
         frame.raster("shade",
-                     {.color = {frame.hdr},
-                      .depth = frame.depth,
-                      .with = {lights},
-                      .clear = glm::vec4(scene.file.background, 0.0f),
-                      .keep_depth = true},
+                     {.color = {clear(frame.hdr, glm::vec4(scene.file.background, 0.0f))},
+                      .depth = keep(frame.depth),
+                      .with = {lights}},
                      [&](Raster& pass) { pass.use(shade).set("ambient", scene.file.ambient).draw(scene); });
 
         // 5. Linear light to the codes a screen expects.

@@ -61,7 +61,7 @@ struct SurfaceMaps : ModelChapter {
         lights.record(frame, scene, camera);
 
         // 2. Every surface, each by the variant that has just its maps.
-        frame.raster("shade", {.color = {frame.hdr}, .depth = frame.depth, .with = {maps, lights}, .clear = behind},
+        frame.raster("shade", {.color = {clear(frame.hdr, behind)}, .depth = frame.depth, .with = {maps, lights}},
                      [&](Raster& pass) { maps.draw(pass, scene, surface, displaced); });
 
         // 3. Linear light to the codes a screen expects.

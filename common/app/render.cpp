@@ -55,7 +55,7 @@ void accumulate(Frame& frame) {
     if (samples == 1) return;
     const Image& mean = frame.linear();
     frame.compute("accumulate", {.reads = {frame.hdr, mean}, .writes = {mean}}, [&](Compute& pass) {
-        pass.use(add).set("hdr", frame.hdr, Sampling::nearest_clamp).set("mean", mean);
+        pass.use(add).set("hdr", frame.hdr, nearest_clamp).set("mean", mean);
         pass.set("weight", 1.0f / static_cast<float>(sample + 1)).dispatch_threads(frame.size);
     });
 }
@@ -63,7 +63,7 @@ void accumulate(Frame& frame) {
 void encode_srgb(Frame& frame) {
     accumulate(frame);
     frame.compute("encode_srgb", {.reads = {frame.linear()}, .writes = {frame.output}}, [&](Compute& pass) {
-        pass.use(encode).set("hdr", frame.linear(), Sampling::nearest_clamp).set("result", frame.output);
+        pass.use(encode).set("hdr", frame.linear(), nearest_clamp).set("result", frame.output);
         pass.dispatch_threads(frame.size);
     });
 }

@@ -1,7 +1,7 @@
 // Images that a module owns from frame to frame.
 #pragma once
 #include "common/app/module.h"
-#include "common/gpu/resources.h"
+#include "common/gpu/image.h"
 
 namespace lightwalk {
 

@@ -9,24 +9,14 @@
 
 namespace lightwalk {
 
+int& checks_until_failure() {
+    static int left = -1;
+    return left;
+}
+
 void check(VkResult result, const char* what) {
-    const auto name = [&] {
-        switch (result) {
-            case VK_ERROR_OUT_OF_HOST_MEMORY:
-                return std::string("out of host memory");
-            case VK_ERROR_OUT_OF_DEVICE_MEMORY:
-                return std::string("out of device memory");
-            case VK_ERROR_DEVICE_LOST:
-                return std::string("the device was lost");
-            case VK_ERROR_INITIALIZATION_FAILED:
-                return std::string("initialisation failed");
-            case VK_TIMEOUT:
-                return std::string("timed out");
-            default:
-                return "VkResult " + std::to_string(static_cast<int>(result));
-        }
-    };
-    if (result != VK_SUCCESS) throw Failure(std::string(what) + ": " + name());
+    if (checks_until_failure() >= 0 && checks_until_failure()-- == 0) throw Failure(std::string(what) + ": forced");
+    if (result != VK_SUCCESS) throw Failure(std::string(what) + ": " + name_of(result));
 }
 
 VkBool32 keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
@@ -34,6 +24,7 @@ VkBool32 keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessag
     auto* device = static_cast<Device*>(user);
     const std::lock_guard lock(device->mutex_);
     device->messages_.push_back(data->pMessage);
+    if (device->on_message_) device->on_message_(data->pMessage);
     return VK_FALSE;
 }
 
@@ -110,6 +101,11 @@ VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, const std::str
     throw InputError("--device " + wanted + ": no usable device of that name; there are: " + known);
 }
 
+uint32_t push_descriptors_from_environment() {
+    const char* given = std::getenv("LIGHTWALK_MAX_PUSH_DESCRIPTORS");
+    return given ? static_cast<uint32_t>(std::max(std::atoi(given), 0)) : UINT32_MAX;
+}
+
 template <class F>
 void load(VkInstance instance, F& function, const char* name) {
     function = reinterpret_cast<F>(vkGetInstanceProcAddr(instance, name));
@@ -130,7 +126,8 @@ std::vector<DeviceInfo> list_devices() {
     return result;
 }
 
-Device::Device(const DeviceOptions& options) {
+Device::Device(const DeviceOptions& options) : Device() {
+    on_message_ = options.on_message;
     const bool debug_utils =
         has_instance_extension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME) ||
         (options.validate && has_instance_extension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, validation_layer));
@@ -152,13 +149,12 @@ Device::Device(const DeviceOptions& options) {
         load(instance, create_messenger, "vkCreateDebugUtilsMessengerEXT");
         check(create_messenger(instance, &create, nullptr, &messenger_), "vkCreateDebugUtilsMessengerEXT");
     }
-    try {
-        physical = choose(physical_devices(instance), options.name);
-    } catch (...) {
-        vkDestroyInstance(instance, nullptr);
-        throw;
-    }
+    physical = choose(physical_devices(instance), options.name);
     vkGetPhysicalDeviceProperties(physical, &properties);
+    const Limits limits(physical);
+    max_buffer_bytes = limits.core13.maxBufferSize;
+    max_push_descriptors =
+        std::min(options.max_push_descriptors.value_or(push_descriptors_from_environment()), limits.push_descriptors);
     info = describe_device(physical);
     queue_family = *graphics_family(physical);
 
@@ -168,7 +164,9 @@ Device::Device(const DeviceOptions& options) {
                                          .queueCount = 1,
                                          .pQueuePriorities = &priority};
     DeviceFeatures features(physical);
-    std::vector<const char*> extensions{VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+    has = features.core.features;
+    std::vector<const char*> extensions;
+    if (limits.push_descriptors > 0) extensions.push_back(VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
     if (!options.surface_extensions.empty()) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     const VkDeviceCreateInfo create{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                     .pNext = &features.core,
@@ -177,19 +175,24 @@ Device::Device(const DeviceOptions& options) {
                                     .enabledExtensionCount = static_cast<uint32_t>(extensions.size()),
                                     .ppEnabledExtensionNames = extensions.data()};
     check(vkCreateDevice(physical, &create, nullptr, &handle), "vkCreateDevice");
+    set_name(VK_OBJECT_TYPE_DEVICE, reinterpret_cast<uint64_t>(handle), info.name);
     vkGetDeviceQueue(handle, queue_family, 0, &queue);
+    set_name(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<uint64_t>(queue), "graphics and compute");
     push_descriptors =
         reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(vkGetDeviceProcAddr(handle, "vkCmdPushDescriptorSetKHR"));
 }
 
 Device::~Device() {
-    vkDestroyDevice(handle, nullptr);
-    if (messenger_) {
-        PFN_vkDestroyDebugUtilsMessengerEXT destroy = nullptr;
-        load(instance, destroy, "vkDestroyDebugUtilsMessengerEXT");
-        destroy(instance, messenger_, nullptr);
+    if (handle) {
+        for (const auto& [use, objects] : doomed_) destroy_now(objects);
+        vkDestroyDevice(handle, nullptr);
     }
-    vkDestroyInstance(instance, nullptr);
+    if (messenger_) {
+        PFN_vkDestroyDebugUtilsMessengerEXT destroy_messenger = nullptr;
+        load(instance, destroy_messenger, "vkDestroyDebugUtilsMessengerEXT");
+        destroy_messenger(instance, messenger_, nullptr);
+    }
+    if (instance) vkDestroyInstance(instance, nullptr);
 }
 
 void Device::set_name(VkObjectType type, uint64_t object, const std::string& name) const {
@@ -219,14 +222,6 @@ void Device::check_validation() const {
     const std::lock_guard lock(mutex_);
     if (messages_.empty()) return;
     throw Failure("validation said " + std::to_string(messages_.size()) + " things; the first: " + messages_[0]);
-}
-
-uint32_t Device::memory_type(uint32_t type_mask, VkMemoryPropertyFlags wanted) const {
-    VkPhysicalDeviceMemoryProperties memory;
-    vkGetPhysicalDeviceMemoryProperties(physical, &memory);
-    for (uint32_t i = 0; i < memory.memoryTypeCount; ++i)
-        if ((type_mask >> i & 1) && (memory.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
-    throw Failure("the device has no memory type with the wanted properties");
 }
 
 uint64_t Device::timeout_ns() const {

@@ -3,7 +3,9 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,12 @@ namespace lightwalk {
 
 /// Throws Failure with the name of the result unless it is VK_SUCCESS.
 void check(VkResult result, const char* what);
+
+/// As the Vulkan headers spell it, such as "ErrorOutOfDeviceMemory".
+std::string name_of(VkResult result);
+
+/// For tests of what a failure leaves behind: how many more calls of check() succeed before one throws; below 0: all.
+int& checks_until_failure();
 
 struct DeviceInfo {
     std::string name;    ///< as the driver gives it
@@ -26,6 +34,19 @@ struct DeviceOptions {
     std::string name;       ///< a part of the wanted device's name, or its type; empty: hardware before software
     bool validate = false;  ///< core and synchronisation validation; every message is kept
     std::vector<const char*> surface_extensions;  ///< what GLFW asks for; empty: headless, no surface at all
+
+    /// How many descriptors a pipeline may have to get them pushed, at most what the device can; 0: none does. Empty:
+    /// $LIGHTWALK_MAX_PUSH_DESCRIPTORS, else what the device can. For tests.
+    std::optional<uint32_t> max_push_descriptors;
+    std::function<void(const char*)> on_message;  ///< also told what validation says, to the end of the destruction
+};
+
+/// Objects of one resource, to be destroyed together.
+struct Doomed {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkImage image = VK_NULL_HANDLE;
+    std::vector<VkImageView> views;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
 };
 
 class Device {
@@ -42,8 +63,11 @@ class Device {
     VkQueue queue = VK_NULL_HANDLE;  ///< graphics and compute
     uint32_t queue_family = 0;
     VkPhysicalDeviceProperties properties{};
+    VkPhysicalDeviceFeatures has{};  ///< enabled: what the device has of what the course may use
+    VkDeviceSize max_buffer_bytes = 0;
     DeviceInfo info;
     PFN_vkCmdPushDescriptorSetKHR push_descriptors = nullptr;
+    uint32_t max_push_descriptors = 0;  ///< 0: the device has none
 
     bool software() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
 
@@ -56,18 +80,33 @@ class Device {
     void check_validation() const;
     size_t validation_message_count() const;
 
-    /// Index of a memory type that has the properties, among the types of the mask.
-    uint32_t memory_type(uint32_t type_mask, VkMemoryPropertyFlags wanted) const;
+    /// Memory for what `name` is. Throws Failure where no type has the properties or its heap is smaller than that.
+    VkDeviceMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags properties,
+                            const std::string& name) const;
 
-    /// How long a frame may take before it counts as one that never ends. $LIGHTWALK_TIMEOUT_S, else 60 s.
+    /// How long one pass may take before it counts as one that never ends. $LIGHTWALK_TIMEOUT_S, else 60 s.
     uint64_t timeout_ns() const;
 
+    /// Between the two a frame is recorded or runs: what destroy() gets meanwhile is destroyed when all frames that
+    /// began before have ended.
+    uint64_t begin_use();
+    void end_use(uint64_t use);
+    void destroy(Doomed objects);
+    size_t doomed_count() const { return doomed_.size(); }
+
   private:
+    Device() = default;  // the other constructor goes on from it, so that the destructor runs where that throws
+    void destroy_now(const Doomed& objects) const;
+    std::vector<uint64_t> uses_;
+    uint64_t last_use_ = 0;
+    std::vector<std::pair<uint64_t, Doomed>> doomed_;  ///< with the last frame that had begun
+
     friend VkBool32 keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                  const VkDebugUtilsMessengerCallbackDataEXT*, void*);
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     mutable std::mutex mutex_;
     std::vector<std::string> messages_;
+    std::function<void(const char*)> on_message_;
     PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
     PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;

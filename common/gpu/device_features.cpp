@@ -30,12 +30,39 @@ DeviceFeatures::DeviceFeatures(VkPhysicalDevice physical) {
     core.features.samplerAnisotropy = has.features.samplerAnisotropy;
     core.features.fragmentStoresAndAtomics = has.features.fragmentStoresAndAtomics;
     core.features.vertexPipelineStoresAndAtomics = has.features.vertexPipelineStoresAndAtomics;
+    core.features.depthClamp = has.features.depthClamp;
+    core.features.depthBiasClamp = has.features.depthBiasClamp;
+    core.features.independentBlend = has.features.independentBlend;
+    core.features.imageCubeArray = has.features.imageCubeArray;
+    core.features.multiDrawIndirect = has.features.multiDrawIndirect;
+    core.features.drawIndirectFirstInstance = has.features.drawIndirectFirstInstance;
+    core.features.shaderUniformBufferArrayDynamicIndexing = has.features.shaderUniformBufferArrayDynamicIndexing;
+    core.features.shaderSampledImageArrayDynamicIndexing = has.features.shaderSampledImageArrayDynamicIndexing;
+    core.features.shaderStorageBufferArrayDynamicIndexing = has.features.shaderStorageBufferArrayDynamicIndexing;
+    core.features.shaderStorageImageArrayDynamicIndexing = has.features.shaderStorageImageArrayDynamicIndexing;
     core.features.shaderFloat64 = has.features.shaderFloat64;
     core.features.sampleRateShading = has.features.sampleRateShading;
     core.features.fillModeNonSolid = has.features.fillModeNonSolid;
     core.features.shaderStorageImageWriteWithoutFormat = has.features.shaderStorageImageWriteWithoutFormat;
     v13.shaderDemoteToHelperInvocation = has13.shaderDemoteToHelperInvocation;
     v13.shaderTerminateInvocation = has13.shaderTerminateInvocation;
+}
+
+Limits::Limits(VkPhysicalDevice physical) {
+    uint32_t count = 0;
+    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
+    std::vector<VkExtensionProperties> extensions(count);
+    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data());
+    const bool pushes = std::any_of(extensions.begin(), extensions.end(), [](const auto& e) {
+        return !std::strcmp(e.extensionName, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
+    });
+    VkPhysicalDevicePushDescriptorPropertiesKHR push{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PUSH_DESCRIPTOR_PROPERTIES_KHR};
+    core13.pNext = pushes ? &push : nullptr;
+    VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &core13};
+    vkGetPhysicalDeviceProperties2(physical, &properties);
+    core13.pNext = nullptr;
+    push_descriptors = push.maxPushDescriptors;
 }
 
 std::optional<uint32_t> graphics_family(VkPhysicalDevice physical) {
@@ -82,14 +109,6 @@ DeviceInfo describe_device(VkPhysicalDevice physical) {
     info.lacks = DeviceFeatures(physical).lacks;
     const auto lack = [&](const char* what) { info.lacks += (info.lacks.empty() ? "" : ", ") + std::string(what); };
     if (!graphics_family(physical)) lack("a graphics and compute queue with timestamps");
-    uint32_t count = 0;
-    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
-    std::vector<VkExtensionProperties> extensions(count);
-    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data());
-    if (std::none_of(extensions.begin(), extensions.end(), [](const auto& e) {
-            return !std::strcmp(e.extensionName, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
-        }))
-        lack("push descriptors");
     return info;
 }
 

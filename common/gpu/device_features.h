@@ -22,6 +22,13 @@ struct DeviceFeatures {
     std::string lacks;  ///< names of needed features that are absent
 };
 
+/// What a device can at most, beyond VkPhysicalDeviceProperties.
+struct Limits {
+    explicit Limits(VkPhysicalDevice physical);
+    VkPhysicalDeviceVulkan13Properties core13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES};
+    uint32_t push_descriptors = 0;  ///< 0: it cannot push them
+};
+
 DeviceInfo describe_device(VkPhysicalDevice physical);
 std::optional<uint32_t> graphics_family(VkPhysicalDevice physical);
 

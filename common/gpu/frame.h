@@ -3,7 +3,9 @@
 #include <functional>
 #include <map>
 
+#include "common/gpu/arena.h"
 #include "common/gpu/pass.h"
+#include "common/gpu/read_back.h"
 
 namespace lightwalk {
 
@@ -48,21 +50,40 @@ class Frame {
     /// Starts recording; makes the targets anew where the size has changed.
     void begin(glm::uvec2 size_in_pixels, float time_in_seconds);
 
+    /// Passes are recorded one after the other, not within each other. One that throws is submitted all the same.
     void raster(const std::string& name, const RasterTargets& targets, const std::function<void(Raster&)>& record);
     void compute(const std::string& name, const ComputeAccess& access, const std::function<void(Compute&)>& record);
     void transfer(const std::string& name, const ComputeAccess& access,
                   const std::function<void(VkCommandBuffer)>& record);
 
-    /// An image that lives as long as the frame's size does not change, by name: for a pass's intermediate results.
+    /// A transfer pass that fills the buffer, which is made, or made larger, where it is too small; every later pass
+    /// may read it. `bytes` are copied now. `name` is the pass's and a new buffer's.
+    void upload(const std::string& name, Buffer& buffer, std::span<const std::byte> bytes);
+    template <class T>
+    void upload(const std::string& name, Buffer& buffer, const std::vector<T>& items) {
+        upload(name, buffer, std::as_bytes(std::span(items)));
+    }
+    /// The same for a view's first mip, all its layers, tightly packed; passes state the image as they did before.
+    /// Throws Failure for another number of bytes.
+    void upload(const std::string& name, const ImageView& view, std::span<const std::byte> texels);
+
+    /// A transfer pass after which, when this frame has ended, `into` has the bytes; of a view, the first mip's texels,
+    /// layer by layer, tightly packed. Throws Failure for an image with several samples.
+    void read_back(const Buffer& buffer, ReadBack& into);
+    void read_back(const ImageView& view, ReadBack& into);
+
+    /// An image by name that lives until the frame's size changes, or it is asked for with another description: for a
+    /// pass's intermediate results. What recorded passes use of the old one lives until the frame has ended.
     Image& image(const std::string& name, Image::Desc desc);
 
-    /// Submits and waits. A pass that outlasts Device::timeout_ns ends the process with its name. Fills `times`.
+    /// Submits and waits. A pass that takes longer than Device::timeout_ns from the end of the one before ends the
+    /// process with its name. Fills `times`.
     void end(VkSemaphore wait = VK_NULL_HANDLE, VkSemaphore signal = VK_NULL_HANDLE);
 
     std::vector<PassTime> times;  ///< of the last frame that ended, in order
 
-    /// The image each pass of this frame wrote first, in order, to look at.
-    std::vector<std::pair<std::string, const Image*>> outputs;
+    /// What each pass of this frame wrote, in order, to look at: 2-D images with one sample.
+    std::vector<std::pair<std::string, ImageView>> outputs;
 
     /// Called after each pass that wrote an image, before a later pass can overwrite it: for whoever wants to look.
     std::function<void()> after_pass;
@@ -72,6 +93,10 @@ class Frame {
 
     // For Pass.
     VkDescriptorBufferInfo copy_to_arena(std::span<const std::byte> bytes);
+    VkDescriptorSet descriptor_set(const BuiltPipeline& pipeline, std::span<VkWriteDescriptorSet> writes) {
+        return sets_.make(pipeline, writes);
+    }
+    size_t descriptor_sets() const { return sets_.count; }  ///< of this frame: what could not be pushed
 
   private:
     struct Recorded {
@@ -80,19 +105,26 @@ class Frame {
     };
     VkCommandBuffer begin_pass(const std::string& name, const char* stage);
     void end_pass();
+    template <class Record, class End>
+    void record_and_end(const Record& record, const End& end);
+    void add_output(const std::string& name, const ImageView& view);
     void run_after_pass(size_t outputs_before);
+    ReadBack::State& staging_for(ReadBack& into, const std::string& name, VkDeviceSize bytes);
+    void wait_for_passes();
     void read_times();
     std::vector<Recorded> passes_;
+    bool in_pass_ = false;
+    uint64_t use_ = 0;  ///< Device::begin_use; 0: not recording
     std::vector<VkCommandBuffer> free_commands_;
     std::map<std::string, Image> images_;
     Image mean_;
-    VkCommandPool pool_ = VK_NULL_HANDLE;
-    VkQueryPool queries_ = VK_NULL_HANDLE;
-    VkSemaphore timeline_ = VK_NULL_HANDLE;
+    Owned<VkCommandPool, vkDestroyCommandPool> pool_;
+    Owned<VkQueryPool, vkDestroyQueryPool> queries_;
+    Owned<VkSemaphore, vkDestroySemaphore> timeline_;
     uint64_t counted_ = 0;
-    std::vector<Buffer> arenas_;
-    size_t arena_ = 0;
-    VkDeviceSize arena_used_ = 0;
+    Arena uniforms_, uploads_;
+    DescriptorSets sets_;
+    std::vector<std::shared_ptr<ReadBack::State>> read_backs_;  ///< of this frame
 };
 
 }  // namespace lightwalk

@@ -1,4 +1,5 @@
 #include <array>
+#include <utility>
 
 #include "common/gpu/frame.h"
 
@@ -6,7 +7,10 @@ namespace lightwalk {
 
 void Frame::end(VkSemaphore wait, VkSemaphore signal) {
     const size_t count = passes_.size();
-    if (count == 0) return;
+    if (count == 0) {
+        if (use_) gpu.device.end_use(std::exchange(use_, 0));
+        return;
+    }
     const auto semaphore_info = [](VkSemaphore semaphore, uint64_t value) {
         return VkSemaphoreSubmitInfo{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
                                      .semaphore = semaphore,
@@ -33,24 +37,29 @@ void Frame::end(VkSemaphore wait, VkSemaphore signal) {
     if (signal) submits.back().signalSemaphoreInfoCount = 2;
     check(vkQueueSubmit2(gpu.device.queue, static_cast<uint32_t>(count), submits.data(), VK_NULL_HANDLE),
           "vkQueueSubmit2");
-    const uint64_t target = counted_ + count;
-    const VkSemaphoreWaitInfo wait_info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
-                                        .semaphoreCount = 1,
-                                        .pSemaphores = &timeline_,
-                                        .pValues = &target};
-    const VkResult waited = vkWaitSemaphores(gpu.device.handle, &wait_info, gpu.device.timeout_ns());
-    if (waited != VK_SUCCESS) {
-        uint64_t reached = counted_;
-        vkGetSemaphoreCounterValue(gpu.device.handle, timeline_, &reached);
-        const std::string& name = passes_[std::min<size_t>(reached - counted_, count - 1)].name;
+    wait_for_passes();
+    for (const auto& state : read_backs_) state->bytes = state->recorded;
+    read_backs_.clear();
+    if (use_) gpu.device.end_use(std::exchange(use_, 0));
+    read_times();
+}
+
+// For one after the other, so that the clock starts anew with each: a frame of many passes may take its time.
+void Frame::wait_for_passes() {
+    for (const Recorded& pass : passes_) {
+        const uint64_t target = counted_ + 1;
+        const VkSemaphoreWaitInfo wait_info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
+                                            .semaphoreCount = 1,
+                                            .pSemaphores = timeline_.address(),
+                                            .pValues = &target};
+        const VkResult waited = vkWaitSemaphores(gpu.device.handle, &wait_info, gpu.device.timeout_ns());
         if (waited == VK_TIMEOUT)
-            abandon_device("pass '" + name + "' did not end within " +
+            abandon_device("pass '" + pass.name + "' did not end within " +
                            std::to_string(static_cast<double>(gpu.device.timeout_ns()) / 1e9).substr(0, 4) +
                            " s; look for a loop without an end in its shaders");
-        check(waited, ("pass '" + name + "'").c_str());
+        check(waited, ("pass '" + pass.name + "'").c_str());
+        counted_ = target;
     }
-    counted_ = target;
-    read_times();
 }
 
 void Frame::read_times() {

@@ -3,9 +3,12 @@
 #include <functional>
 #include <span>
 
+#include "common/gpu/buffer.h"
 #include "common/gpu/device.h"
+#include "common/gpu/image.h"
+#include "common/gpu/owned.h"
 #include "common/gpu/pipeline.h"
-#include "common/gpu/resources.h"
+#include "common/gpu/sampler.h"
 
 namespace lightwalk {
 
@@ -19,21 +22,24 @@ class Gpu {
     Samplers samplers{device};
     PipelineLibrary pipelines{device};
 
-    /// A device-local buffer holding `bytes`, through a staging buffer. Every pass may read it.
+    /// A device-local buffer holding `bytes`, through a staging buffer. Every pass may read it. Waits: for loading; in
+    /// a frame, Frame::upload.
     Buffer upload(const std::string& name, std::span<const std::byte> bytes);
     template <class T>
     Buffer upload(const std::string& name, const std::vector<T>& items) {
         return upload(name, std::as_bytes(std::span(items)));
     }
 
-    /// Fills level 0 of every layer from tightly packed texels and makes the other mips by repeated halving.
+    /// Fills level 0 of every layer from tightly packed texels and makes the other mips by repeated halving. Throws
+    /// Failure where the number of bytes is another.
     void upload(Image& image, std::span<const std::byte> texels);
 
     /// Fills every level of an image with one layer: `levels` has as many as the image, tightly packed, from level 0.
     void upload(Image& image, const std::vector<std::vector<std::byte>>& levels);
 
-    /// The texels of level 0, layer 0, tightly packed. Waits.
-    std::vector<std::byte> read_back(const Image& image);
+    /// The texels of the view's first mip, layer by layer, tightly packed. Waits; in a frame, Frame::read_back. Throws
+    /// Failure for an image with several samples.
+    std::vector<std::byte> read_back(const ImageView& view);
     std::vector<std::byte> read_back(const Buffer& buffer);
 
     /// Records, submits and waits: for uploads and read-backs, not for frames.
@@ -43,13 +49,14 @@ class Gpu {
     uint64_t uploaded_bytes = 0;
 
   private:
-    VkCommandPool pool_ = VK_NULL_HANDLE;
-    VkFence fence_ = VK_NULL_HANDLE;
+    Owned<VkCommandPool, vkDestroyCommandPool> pool_;
+    Owned<VkFence, vkDestroyFence> fence_;
 };
 
-/// The barrier that lets `next` follow what was done to the resource, or nothing where none is needed.
-void barrier(VkCommandBuffer commands, const Image& image, const Access& next);
-void barrier(VkCommandBuffer commands, const Buffer& buffer, const Access& next);
+/// Copies between a buffer, from byte `offset` on, and the view's first mip, all its layers. The image is in the layout
+/// for transfers.
+void copy(VkCommandBuffer commands, VkBuffer from, VkDeviceSize offset, const ImageView& to);
+void copy(VkCommandBuffer commands, const ImageView& from, VkBuffer to);
 
 /// Ends the process at once with a line on stderr and exit code 1: the device is still busy with a command that never
 /// ends, so that destroying anything would wait for ever.

@@ -1,22 +1,61 @@
+#include <bit>
+
+#include "common/base/error.h"
 #include "common/gpu/pipeline.h"
 
 namespace lightwalk {
 namespace {
 
-VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
-    VkPipelineColorBlendAttachmentState state{.blendEnable = blend != Blend::opaque,
-                                              .srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA,
-                                              .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
-                                              .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
-                                              .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
-                                              .colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
-                                                                VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT};
-    if (blend == Blend::add)
-        state.srcColorBlendFactor = state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+VkPipelineColorBlendAttachmentState blend_state(Blend blend, VkColorComponentFlags write) {
+    VkPipelineColorBlendAttachmentState state{.blendEnable = blend != Blend::opaque, .colorWriteMask = write};
+    // Of colour and alpha alike: what new and old are multiplied by, and how they meet.
+    const auto set = [&](VkBlendFactor source, VkBlendFactor target, VkBlendOp op = VK_BLEND_OP_ADD) {
+        state.srcColorBlendFactor = state.srcAlphaBlendFactor = source;
+        state.dstColorBlendFactor = state.dstAlphaBlendFactor = target;
+        state.colorBlendOp = state.alphaBlendOp = op;
+    };
+    switch (blend) {
+        case Blend::opaque:
+            break;
+        case Blend::alpha:
+            set(VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA);
+            state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+            break;
+        case Blend::premultiplied:
+            set(VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA);
+            break;
+        case Blend::add:
+            set(VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE);
+            break;
+        case Blend::multiply:
+            set(VK_BLEND_FACTOR_DST_COLOR, VK_BLEND_FACTOR_ZERO);
+            break;
+        case Blend::minimum:
+            set(VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE, VK_BLEND_OP_MIN);
+            break;
+        case Blend::maximum:
+            set(VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE, VK_BLEND_OP_MAX);
+            break;
+    }
     return state;
 }
 
 }  // namespace
+
+std::string state_key(const Pipeline::Graphics& g, const TargetFormats& formats) {
+    std::string key;
+    const auto add = [&](auto value) { key += std::to_string(value) + ","; };
+    for (const int value : {int(g.cull), int(g.depth_test), int(g.depth_write), int(g.depth_compare),
+                            int(g.depth_clamp), int(g.alpha_to_coverage), int(g.topology)})
+        add(value);
+    for (const float value : {g.depth_bias.constant, g.depth_bias.slope, g.depth_bias.clamp})
+        add(std::bit_cast<uint32_t>(value));
+    for (const Blend blend : g.blend.values()) add(int(blend));
+    for (const VkColorComponentFlags write : g.color_write.values()) add(write + 100);
+    for (const VkFormat format : formats.color) key += " " + std::to_string(format);
+    return key + " depth " + std::to_string(formats.depth) + (formats.depth_read_only ? " read only " : " ") +
+           std::to_string(formats.samples);
+}
 
 VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const TargetFormats& formats,
                            const std::vector<VkPipelineShaderStageCreateInfo>& stages, VkPipelineLayout layout) {
@@ -29,20 +68,28 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
     const VkPipelineRasterizationStateCreateInfo raster{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+        .depthClampEnable = desc.depth_clamp,
         .polygonMode = VK_POLYGON_MODE_FILL,
         .cullMode = desc.cull,
+        .frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE,
+        .depthBiasEnable = static_cast<bool>(desc.depth_bias),
+        .depthBiasConstantFactor = desc.depth_bias.constant,
+        .depthBiasClamp = desc.depth_bias.clamp,
+        .depthBiasSlopeFactor = desc.depth_bias.slope,
         .lineWidth = 1.0f};
     const VkPipelineMultisampleStateCreateInfo samples{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
-        .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
+        .rasterizationSamples = static_cast<VkSampleCountFlagBits>(formats.samples),
+        .alphaToCoverageEnable = desc.alpha_to_coverage};
     const bool has_depth = formats.depth != VK_FORMAT_UNDEFINED;
     // Reverse depth: nearer is greater.
     const VkPipelineDepthStencilStateCreateInfo depth{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
         .depthTestEnable = has_depth && desc.depth_test,
-        .depthWriteEnable = has_depth && desc.depth_write,
-        .depthCompareOp = VK_COMPARE_OP_GREATER_OR_EQUAL};
-    const std::vector<VkPipelineColorBlendAttachmentState> blends(formats.color.size(), blend_state(desc.blend));
+        .depthWriteEnable = has_depth && desc.depth_write && !formats.depth_read_only,
+        .depthCompareOp = compare_op(desc.depth_compare)};
+    std::vector<VkPipelineColorBlendAttachmentState> blends;
+    for (size_t i = 0; i < formats.color.size(); ++i) blends.push_back(blend_state(desc.blend[i], desc.color_write[i]));
     const VkPipelineColorBlendStateCreateInfo blend{.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
                                                     .attachmentCount = static_cast<uint32_t>(blends.size()),
                                                     .pAttachments = blends.data()};
@@ -68,6 +115,16 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
                                             .pColorBlendState = &blend,
                                             .pDynamicState = &dynamic,
                                             .layout = layout};
+    // Said in words: a driver may ignore what it has not, or crash.
+    const VkPhysicalDeviceFeatures& has = device.has;
+    const auto need = [&](bool wanted, VkBool32 present, const char* what) {
+        if (wanted && !present) throw Failure(desc.vertex + " + " + desc.fragment + ": the device has no " + what);
+    };
+    need(desc.depth_clamp, has.depthClamp, "depth clamp");
+    need(desc.depth_bias.clamp != 0, has.depthBiasClamp, "clamp of the depth bias");
+    need(desc.blend.values().size() > 1 || desc.color_write.values().size() > 1, has.independentBlend,
+         "blend for each target");
+    need(!desc.geometry.empty(), has.geometryShader, "geometry shaders");
     VkPipeline pipeline = VK_NULL_HANDLE;
     check(vkCreateGraphicsPipelines(device.handle, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
           (desc.vertex + " + " + desc.fragment).c_str());

@@ -6,53 +6,115 @@
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
+namespace {
 
-std::vector<Resource> Given::reads() const { return {}; }
+bool equal(const VkDescriptorBufferInfo& a, const VkDescriptorBufferInfo& b) {
+    return a.buffer == b.buffer && a.offset == b.offset && a.range == b.range;
+}
 
-Pass::Pass(Frame& owner, std::string pass_name, VkCommandBuffer command_buffer, const std::vector<Resource>& reads,
-           const std::vector<Resource>& writes, const std::vector<const Given*>& given)
-    : commands(command_buffer), frame(owner), name(std::move(pass_name)), given_(given) {
+bool equal(const VkDescriptorImageInfo& a, const VkDescriptorImageInfo& b) {
+    return a.sampler == b.sampler && a.imageView == b.imageView && a.imageLayout == b.imageLayout;
+}
+
+const char* shape(VkImageViewType type) {
+    constexpr const char* names[] = {"1-D", "2-D", "3-D", "cube", "1-D array", "2-D array", "cube array"};
+    return names[type];
+}
+
+const char* shape(const ImageView& view) {
+    return view.is_volume() && view.type != VK_IMAGE_VIEW_TYPE_3D ? "a slice, which can be drawn into alone"
+                                                                  : shape(view.type);
+}
+
+// The same mips and layers in the shape that a shader declares. False where they do not have it.
+bool turn_into(ImageView& view, VkImageViewType wanted) {
+    if (view.is_volume()) return wanted == VK_IMAGE_VIEW_TYPE_3D && view.type == wanted;
+    const bool is_cube = view.image->desc.cube;
+    const bool possible = wanted == VK_IMAGE_VIEW_TYPE_2D           ? view.layers == 1
+                          : wanted == VK_IMAGE_VIEW_TYPE_CUBE       ? is_cube && view.layers == 6
+                          : wanted == VK_IMAGE_VIEW_TYPE_CUBE_ARRAY ? is_cube && view.layers % 6 == 0
+                                                                    : wanted == VK_IMAGE_VIEW_TYPE_2D_ARRAY;
+    if (possible) view.type = wanted;
+    return possible;
+}
+
+}  // namespace
+
+Pass::Pass(Frame& owner, std::string pass_name, VkCommandBuffer command_buffer, std::vector<Stated> stated_resources,
+           std::vector<const Given*> given)
+    : commands(command_buffer),
+      frame(owner),
+      name(std::move(pass_name)),
+      stated_(std::move(stated_resources)),
+      given_(std::move(given)) {
     for (const Given* one : given_) macros_.push_back(one->macros());
-    const auto key = [](const Resource& r) { return r.image ? static_cast<const void*>(r.image) : r.buffer; };
-    for (const Resource& r : reads) readable_.insert(key(r));
-    for (const Resource& w : writes) writable_.insert(key(w));
 }
 
-bool Pass::wants(const std::string& binding) const {
-    if (!pipeline_) return false;
+Pass::Slot Pass::slot(std::string_view binding) const {
+    Slot result;
+    if (!pipeline_) return result;
     for (const Binding& b : pipeline_->bindings)
-        if (b.name == binding) return true;
-    return false;
+        if (b.name == binding) {
+            result.pipeline_ = pipeline_;
+            result.number_ = b.number;
+        }
+    return result;
 }
 
-const Binding& Pass::find(const std::string& binding) const {
+// Null where there is nothing to set: no pipeline, or an empty slot.
+const Binding* Pass::find(const Name& binding) const {
+    if (!pipeline_ || (binding.by_slot && !binding.slot)) return nullptr;
+    const Slot found = binding.by_slot ? binding.slot : slot(binding.text);
+    if (found.pipeline_ == pipeline_) return &pipeline_->bindings[found.number_];
+    if (binding.by_slot) throw Failure("pass '" + name + "' sets a slot of a pipeline that is not in use any more");
     std::string known;
-    for (const Binding& b : pipeline_->bindings) {
-        if (b.name == binding) return b;
-        known += (known.empty() ? "" : ", ") + b.name;
-    }
-    throw Failure("pass '" + name + "': its shaders have no binding '" + binding + "'; they have: " + known);
+    for (const Binding& b : pipeline_->bindings) known += (known.empty() ? "" : ", ") + b.name;
+    throw Failure("pass '" + name + "': its shaders have no binding '" + std::string(binding.text) +
+                  "'; they have: " + known);
 }
 
-void Pass::check_stated(const std::string& binding, const void* resource, bool constant, bool writes) const {
-    if (writes ? writable_.count(resource) : constant || readable_.count(resource) || writable_.count(resource)) return;
-    throw Failure("pass '" + name + "' binds '" + binding + "' without stating it in its " +
+void Pass::fail_unstated(std::string_view use, bool writes) const {
+    throw Failure("pass '" + name + "' binds '" + std::string(use) + "' without stating it in its " +
                   (writes ? "writes" : "reads"));
 }
 
-void Pass::bind(const Pipeline& pipeline, const Macros& variant, const TargetFormats& formats,
+const Stated* Pass::stated(const ImageView& view, bool writes) const {
+    for (const Stated& s : stated_)
+        if (s.resource.view && (s.writable || !writes) && s.resource.view.contains(view)) return &s;
+    return nullptr;
+}
+
+void Pass::check_stated(std::string_view use, const Buffer& buffer, bool writes) const {
+    if (buffer.constant && !writes) return;
+    for (const Stated& s : stated_)
+        if (s.resource.buffer == &buffer && (s.writable || !writes)) return;
+    fail_unstated(use, writes);
+}
+
+void Pass::check_indirect(const Buffer& buffer) const {
+    if (buffer.constant) return;
+    for (const Stated& s : stated_)
+        if (s.resource.buffer == &buffer && s.read) return;
+    fail_unstated(buffer.name, false);
+}
+
+void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetFormats& formats,
                 VkPipelineBindPoint point) {
     std::vector<const Macros*> scopes;
     for (const Macros& macros : macros_) scopes.push_back(&macros);
     scopes.push_back(&variant);
-    const BuiltPipeline* const built = frame.gpu.pipelines.get(pipeline, formats, scopes);
-    if (built == pipeline_ && built) return;
-    pipeline_ = built;
+    const BuiltPipeline* const pipeline = frame.gpu.pipelines.get(wanted, formats, scopes);
+    if (pipeline && pipeline == pipeline_) return;  // what was set is bound still
+    pipeline_ = pipeline;
     point_ = point;
-    bound_.clear();
-    if (!pipeline_) return;
-    vkCmdBindPipeline(commands, point, pipeline_->handle);
-    for (const Binding& binding : pipeline_->bindings) {
+    if (!pipeline) return;
+    vkCmdBindPipeline(commands, point, pipeline->handle);
+    bound_.assign(pipeline->bindings.size(), {});
+    missing_ = bound_.size();
+    dirty_.clear();
+    image_infos_.assign(pipeline->descriptors, {});
+    buffer_infos_.assign(pipeline->descriptors, {});
+    for (const Binding& binding : pipeline->bindings) {
         if (binding.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) continue;
         if (const auto it = frame.globals.find(binding.name); it != frame.globals.end()) {
             set_bytes(binding.name, it->second);
@@ -64,105 +126,108 @@ void Pass::bind(const Pipeline& pipeline, const Macros& variant, const TargetFor
     for (const Given* given : given_) given->bind(*this);
 }
 
-void Pass::set_image(const std::string& name_in_shader, const Image& image, Sampling sampling, int mip) {
-    if (!pipeline_) return;
-    const Binding& binding = find(name_in_shader);
-    const bool storage = binding.type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-    if (!storage && binding.type != VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER)
-        throw Failure("pass '" + name + "': '" + name_in_shader + "' is a buffer in the shader, not an image");
-    check_stated(name_in_shader, &image, image.constant, storage);
+void Pass::mark(const Binding& binding) {
     Bound& bound = bound_[binding.number];
-    bound.image = {.sampler = storage ? VK_NULL_HANDLE : frame.gpu.samplers[sampling],
-                   .imageView = mip >= 0                         ? image.mip_view(static_cast<uint32_t>(mip))
-                                : storage && image.desc.mips > 1 ? image.mip_view(0)
-                                                                 : image.view,
-                   .imageLayout = storage || writable_.count(&image) ? VK_IMAGE_LAYOUT_GENERAL
-                                                                     : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    if (bound.dirty) return;
     bound.dirty = true;
+    dirty_.push_back(binding.number);
 }
 
-void Pass::set_buffer(const std::string& name_in_shader, const Buffer& buffer) {
-    if (!pipeline_) return;
-    const Binding& binding = find(name_in_shader);
-    if (binding.type != VK_DESCRIPTOR_TYPE_STORAGE_BUFFER)
-        throw Failure("pass '" + name + "': '" + name_in_shader + "' is not a storage buffer in the shader");
-    check_stated(name_in_shader, &buffer, buffer.constant, binding.writable);
-    bound_[binding.number] = {.buffer = {.buffer = buffer.handle, .range = VK_WHOLE_SIZE}, .dirty = true};
+template <class Info>
+void Pass::store(const Binding& binding, uint32_t element, std::vector<Info>& infos, const Info& info) {
+    Info& known = infos[binding.first + element];
+    if (equal(known, info)) return;
+    known = info;
+    mark(binding);
 }
 
-void Pass::set_bytes(const std::string& name_in_shader, std::span<const std::byte> bytes) {
-    if (!pipeline_) return;
-    const Binding& binding = find(name_in_shader);
-    if (binding.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
-        throw Failure("pass '" + name + "': '" + name_in_shader + "' is not a uniform block in the shader");
-    if (bytes.size() < binding.bytes)
-        throw Failure("pass '" + name + "': '" + name_in_shader + "' is " + std::to_string(bytes.size()) +
-                      " bytes in C++ and " + std::to_string(binding.bytes) + " in the shader");
-    bound_[binding.number] = {.buffer = frame.copy_to_arena(bytes), .dirty = true};
+VkDescriptorImageInfo Pass::image_info(const Binding& binding, ImageView view, const Sampler& sampler) const {
+    const bool storage = binding.type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    if (storage && view.mips > 1) view = view.mip(0);
+    if (!turn_into(view, binding.view_type))
+        throw Failure("pass '" + name + "': '" + binding.name + "' is " + shape(binding.view_type) +
+                      " in the shader, and " + view.name() + " is " + shape(view));
+    const Stated* found = stated(view, storage);
+    if (!found && (!view.image->constant || storage)) fail_unstated(binding.name, storage);
+    return {.sampler = storage ? VK_NULL_HANDLE : frame.gpu.samplers[sampler],
+            .imageView = view.handle(),
+            .imageLayout = found ? found->layout : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+}
+
+void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> views, const Sampler& sampler) {
+    const Binding* found = find(name_in_shader);
+    if (!found) return;
+    const Binding& binding = *found;
+    if (binding.type != VK_DESCRIPTOR_TYPE_STORAGE_IMAGE && binding.type != VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER)
+        throw Failure("pass '" + name + "': '" + binding.name + "' is a buffer in the shader, not an image");
+    if (views.empty() || views.size() > binding.count)
+        throw Failure("pass '" + name + "': '" + binding.name + "' has " + std::to_string(binding.count) +
+                      " elements in the shader and gets " + std::to_string(views.size()));
+    VkDescriptorImageInfo info{};
+    for (uint32_t i = 0; i < binding.count; ++i) {
+        if (i < views.size()) info = image_info(binding, views[i], sampler);
+        store(binding, i, image_infos_, info);
+    }
+    missing_ -= !std::exchange(bound_[binding.number].set, true);
+}
+
+void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
+    const Binding* binding = find(name_in_shader);
+    if (!binding) return;
+    if (binding->type != VK_DESCRIPTOR_TYPE_STORAGE_BUFFER)
+        throw Failure("pass '" + name + "': '" + binding->name + "' is not a storage buffer in the shader");
+    if (binding->count > 1)
+        throw Failure("pass '" + name + "': '" + binding->name + "' is an array of buffers, which passes do not bind");
+    check_stated(binding->name, buffer, binding->writable);
+    store(*binding, 0, buffer_infos_, {.buffer = buffer.handle, .offset = 0, .range = buffer.bytes});
+    missing_ -= !std::exchange(bound_[binding->number].set, true);
+}
+
+void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> bytes) {
+    const Binding* binding = find(name_in_shader);
+    if (!binding) return;
+    if (binding->type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
+        throw Failure("pass '" + name + "': '" + binding->name + "' is not a uniform block in the shader");
+    if (bytes.size() < binding->bytes)
+        throw Failure("pass '" + name + "': '" + binding->name + "' is " + std::to_string(bytes.size()) +
+                      " bytes in C++ and " + std::to_string(binding->bytes) + " in the shader");
+    Bound& bound = bound_[binding->number];
+    // Compared here: reading back what was written for the device can be slow.
+    if (bound.bytes.size() != bytes.size() || std::memcmp(bound.bytes.data(), bytes.data(), bytes.size()) != 0) {
+        bound.bytes.assign(bytes.begin(), bytes.end());
+        store(*binding, 0, buffer_infos_, frame.copy_to_arena(bytes));
+    }
+    missing_ -= !std::exchange(bound.set, true);
 }
 
 bool Pass::flush() {
     if (!pipeline_) return false;
-    std::vector<VkWriteDescriptorSet> writes;
-    for (const Binding& binding : pipeline_->bindings) {
-        const auto it = bound_.find(binding.number);
-        if (it == bound_.end())
-            throw Failure("pass '" + name + "' draws or dispatches without '" + binding.name + "' being set");
-        if (!it->second.dirty) continue;
-        it->second.dirty = false;
-        writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-                          .dstBinding = binding.number,
-                          .descriptorCount = 1,
-                          .descriptorType = binding.type,
-                          .pImageInfo = &it->second.image,
-                          .pBufferInfo = &it->second.buffer});
+    if (missing_ > 0)
+        for (const Binding& binding : pipeline_->bindings)
+            if (!bound_[binding.number].set)
+                throw Failure("pass '" + name + "' draws or dispatches without '" + binding.name + "' being set");
+    if (dirty_.empty()) return true;
+    writes_.clear();
+    const auto write = [&](const Binding& binding) {
+        writes_.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                           .dstBinding = binding.number,
+                           .descriptorCount = binding.count,
+                           .descriptorType = binding.type,
+                           .pImageInfo = &image_infos_[binding.first],
+                           .pBufferInfo = &buffer_infos_[binding.first]});
+    };
+    for (const uint32_t number : dirty_) bound_[number].dirty = false;
+    if (pipeline_->pushes) {
+        for (const uint32_t number : dirty_) write(pipeline_->bindings[number]);
+        frame.gpu.device.push_descriptors(commands, point_, pipeline_->layout, 0, static_cast<uint32_t>(writes_.size()),
+                                          writes_.data());
+    } else {
+        for (const Binding& binding : pipeline_->bindings) write(binding);
+        const VkDescriptorSet set = frame.descriptor_set(*pipeline_, writes_);
+        vkCmdBindDescriptorSets(commands, point_, pipeline_->layout, 0, 1, &set, 0, nullptr);
     }
-    if (!writes.empty())
-        frame.gpu.device.push_descriptors(commands, point_, pipeline_->layout, 0, static_cast<uint32_t>(writes.size()),
-                                          writes.data());
+    dirty_.clear();
     return true;
-}
-
-Raster& Raster::use(const Pipeline& pipeline, const Macros& variant) {
-    bind(pipeline, variant, formats, VK_PIPELINE_BIND_POINT_GRAPHICS);
-    return mirrored(false);
-}
-
-Raster& Raster::mirrored(bool is_mirrored) {
-    vkCmdSetFrontFace(commands, is_mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-    return *this;
-}
-
-Raster& Raster::draw(uint32_t vertices, uint32_t instances, uint32_t first_instance) {
-    if (flush()) vkCmdDraw(commands, vertices, instances, 0, first_instance);
-    return *this;
-}
-
-Raster& Raster::draw_indexed(const Buffer& indices, uint32_t first_index, uint32_t count, uint32_t instances,
-                             uint32_t first_instance) {
-    if (!flush()) return *this;
-    vkCmdBindIndexBuffer(commands, indices.handle, 0, VK_INDEX_TYPE_UINT32);
-    vkCmdDrawIndexed(commands, count, instances, first_index, 0, first_instance);
-    return *this;
-}
-
-Raster& Raster::draw(const Drawable& drawable) {
-    if (pipeline_) drawable.draw(*this);
-    return *this;
-}
-
-Compute& Compute::use(const Pipeline& pipeline, const Macros& variant) {
-    bind(pipeline, variant, {}, VK_PIPELINE_BIND_POINT_COMPUTE);
-    return *this;
-}
-
-Compute& Compute::dispatch_threads(glm::uvec3 threads) {
-    return pipeline_ ? dispatch((threads + pipeline_->local_size - 1u) / pipeline_->local_size) : *this;
-}
-
-Compute& Compute::dispatch(glm::uvec3 groups) {
-    if (flush() && groups.x && groups.y && groups.z) vkCmdDispatch(commands, groups.x, groups.y, groups.z);
-    return *this;
 }
 
 }  // namespace lightwalk

@@ -1,50 +1,16 @@
-// What a pass states and what it can do while it is recorded.
+// What can be done in a pass while it is recorded.
 #pragma once
 #include <functional>
-#include <map>
-#include <set>
+#include <string_view>
 #include <type_traits>
 
-#include "common/gpu/given.h"
 #include "common/gpu/gpu.h"
+#include "common/gpu/targets.h"
 
 namespace lightwalk {
 
 class Frame;
 class Raster;
-
-/// An image or a buffer in a pass's statement.
-struct Resource {
-    const Image* image = nullptr;
-    const Buffer* buffer = nullptr;
-    Resource() = default;
-    Resource(const Image& i) : image(&i) {}
-    Resource(const Buffer& b) : buffer(&b) {}
-    explicit operator bool() const { return image || buffer; }
-};
-
-/// A module in a pass's statement.
-using With = std::reference_wrapper<const Given>;
-
-// [raster_targets]
-/// A raster pass draws into `color` and `depth` and may read and write other resources in its shaders. What it does not
-/// state it cannot bind; what was uploaded once needs no statement.
-struct RasterTargets {
-    std::vector<Resource> color;
-    Resource depth;
-    std::vector<Resource> reads, writes;
-    std::vector<With> with;  ///< modules: their macros, uniforms, reads and bindings
-    glm::vec4 clear{0.0f, 0.0f, 0.0f, 1.0f};
-    bool keep = false;        ///< draw over what the targets hold instead of clearing them
-    bool keep_depth = false;  ///< the same for depth alone
-};
-// [/raster_targets]
-
-/// A compute pass; what stands in both lists is read and written.
-struct ComputeAccess {
-    std::vector<Resource> reads, writes;
-    std::vector<With> with;
-};
 
 /// What is drawn by binding things to the pass and calling its draw functions.
 struct Drawable {
@@ -52,77 +18,117 @@ struct Drawable {
     virtual void draw(Raster& pass) const = 0;
 };
 
-/// Bindings by name. set() is remembered until the next use(); a draw or dispatch checks that nothing is missing.
+/// Bindings by name. set() is remembered until the next use() of another pipeline; a draw or dispatch checks that
+/// nothing is missing.
 class Pass {
   public:
-    Pass(Frame& frame, std::string name, VkCommandBuffer commands, const std::vector<Resource>& reads,
-         const std::vector<Resource>& writes, const std::vector<const Given*>& given);
+    Pass(Frame& frame, std::string name, VkCommandBuffer commands, std::vector<Stated> stated,
+         std::vector<const Given*> given);
     Pass(const Pass&) = delete;
 
     VkCommandBuffer commands;
     Frame& frame;
     const std::string name;
 
-    /// True where the pipeline in use has a binding of that name.
-    bool wants(const std::string& binding) const;
+    /// A binding of the pipeline in use, looked up once, for many set(). False where its shaders have none of that
+    /// name; setting it then does nothing.
+    class Slot {
+      public:
+        explicit operator bool() const { return pipeline_; }
 
-    // For modules, which do not know whether the pass draws or computes; where the shader lacks the name, nothing.
-    void offer(const std::string& binding, const Image& image, Sampling sampling) {
-        if (wants(binding)) set_image(binding, image, sampling, -1);
+      private:
+        friend class Pass;
+        const BuiltPipeline* pipeline_ = nullptr;
+        uint32_t number_ = 0;
+    };
+    Slot slot(std::string_view binding) const;
+
+    /// True where the pipeline in use has a binding of that name.
+    bool wants(std::string_view binding) const { return static_cast<bool>(slot(binding)); }
+
+    /// What set() takes: a name, which must be one of the shaders', or a slot.
+    struct Name {
+        Name(const char* n) : text(n) {}
+        Name(const std::string& n) : text(n) {}
+        Name(std::string_view n) : text(n) {}
+        Name(const Slot& s) : slot(s), by_slot(true) {}
+        std::string_view text;
+        Slot slot;
+        bool by_slot = false;
+    };
+
+    /// For modules, which know neither whether the pass draws nor what its shaders name: set() where there is such a
+    /// binding.
+    void offer(std::string_view binding, const ImageView& view, const Sampler& sampler = linear_repeat) {
+        set_images(slot(binding), {&view, 1}, sampler);
     }
-    void offer(const std::string& binding, const Buffer& buffer) {
-        if (wants(binding)) set_buffer(binding, buffer);
-    }
+    void offer(std::string_view binding, const Buffer& buffer) { set_buffer(slot(binding), buffer); }
     template <class T>
-    requires(std::is_trivially_copyable_v<T>) void offer(const std::string& binding, const T& value) {
-        if (wants(binding)) set_bytes(binding, std::as_bytes(std::span(&value, 1)));
+    requires(std::is_trivially_copyable_v<T> &&
+             !std::convertible_to<const T&, ImageView>) void offer(std::string_view binding, const T& value) {
+        set_bytes(slot(binding), std::as_bytes(std::span(&value, 1)));
     }
 
   protected:
     void bind(const Pipeline& pipeline, const Macros& variant, const TargetFormats& formats, VkPipelineBindPoint point);
-    void set_image(const std::string& binding, const Image& image, Sampling sampling, int mip);
-    void set_buffer(const std::string& binding, const Buffer& buffer);
-    void set_bytes(const std::string& binding, std::span<const std::byte> bytes);
-    /// Pushes what was set. False where there is no pipeline to draw with.
+    void set_images(const Name& binding, std::span<const ImageView> views, const Sampler& sampler);
+    void set_buffer(const Name& binding, const Buffer& buffer);
+    void set_bytes(const Name& binding, std::span<const std::byte> bytes);
+    /// Binds what was set and has changed. False where there is no pipeline to draw with.
     bool flush();
+    /// Throws Failure where the pass does not read a buffer that draws, dispatches or indices come from.
+    void check_indirect(const Buffer& buffer) const;
     const BuiltPipeline* pipeline_ = nullptr;
 
   private:
-    const Binding& find(const std::string& binding) const;
-    void check_stated(const std::string& binding, const void* resource, bool constant, bool writes) const;
     struct Bound {
-        VkDescriptorBufferInfo buffer{};
-        VkDescriptorImageInfo image{};
-        bool dirty = false;
+        bool set = false, dirty = false;
+        std::vector<std::byte> bytes;  ///< of a uniform block
     };
-    std::map<uint32_t, Bound> bound_;
-    std::set<const void*> readable_, writable_;
+    const Binding* find(const Name& binding) const;
+    void check_stated(std::string_view use, const Buffer& buffer, bool writes) const;
+    const Stated* stated(const ImageView& view, bool writes) const;
+    [[noreturn]] void fail_unstated(std::string_view use, bool writes) const;
+    VkDescriptorImageInfo image_info(const Binding& binding, ImageView view, const Sampler& sampler) const;
+    template <class Info>
+    void store(const Binding& binding, uint32_t element, std::vector<Info>& infos, const Info& info);
+    void mark(const Binding& binding);
+    std::vector<Stated> stated_;
     const std::vector<const Given*> given_;
-    std::vector<Macros> macros_;
+    std::vector<Macros> macros_;                      ///< of what is given
+    std::vector<Bound> bound_;                        ///< by binding number
+    std::vector<VkDescriptorImageInfo> image_infos_;  ///< by element
+    std::vector<VkDescriptorBufferInfo> buffer_infos_;
+    std::vector<uint32_t> dirty_;  ///< numbers of bindings
+    std::vector<VkWriteDescriptorSet> writes_;
+    size_t missing_ = 0;  ///< bindings that were not set since use()
     VkPipelineBindPoint point_ = VK_PIPELINE_BIND_POINT_GRAPHICS;
 };
 
-/// The setters, returning the pass they belong to so that a draw reads as one sentence.
+/// The setters, returning the pass they belong to so that a draw reads as one sentence. A name may be a slot.
 template <class Self>
 class PassSetters : public Pass {
   public:
     using Pass::Pass;
-    Self& set(const std::string& binding, const Image& image, Sampling sampling = Sampling::linear_repeat) {
-        set_image(binding, image, sampling, -1);
+    /// A view to sample, or its first mip as a storage image.
+    Self& set(const Name& binding, const ImageView& view, const Sampler& sampler = linear_repeat) {
+        set_images(binding, {&view, 1}, sampler);
         return self();
     }
-    /// One mip level, as a storage image or to sample.
-    Self& set_mip(const std::string& binding, const Image& image, uint32_t mip) {
-        set_image(binding, image, Sampling::nearest_clamp, static_cast<int>(mip));
+    /// Those of an array, from its first element on; the last view is for the elements that are left.
+    Self& set(const Name& binding, std::span<const ImageView> views, const Sampler& sampler = linear_repeat) {
+        set_images(binding, views, sampler);
         return self();
     }
-    Self& set(const std::string& binding, const Buffer& buffer) {
+    Self& set(const Name& binding, const Buffer& buffer) {
         set_buffer(binding, buffer);
         return self();
     }
     /// A uniform block, copied now.
     template <class T>
-    requires(std::is_trivially_copyable_v<T>) Self& set(const std::string& binding, const T& value) {
+    requires(std::is_trivially_copyable_v<T> && !std::convertible_to<const T&, ImageView> &&
+             !std::convertible_to<const T&, std::span<const ImageView>>) Self& set(const Name& binding,
+                                                                                   const T& value) {
         set_bytes(binding, std::as_bytes(std::span(&value, 1)));
         return self();
     }
@@ -137,12 +143,28 @@ class Raster : public PassSetters<Raster> {
     TargetFormats formats;
     /// `variant`: macros for this use alone, over those of the pass.
     Raster& use(const Pipeline& pipeline, const Macros& variant = {});
-    /// Until the next use(): what is drawn was mirrored, so that its front is clockwise rather than counter-clockwise.
-    Raster& mirrored(bool is_mirrored);
+
+    /// Until the next use(): what is drawn was mirrored by its transform, so that its front is clockwise (true).
+    Raster& mirrored(bool mirrors);
+
     Raster& draw(uint32_t vertices, uint32_t instances = 1, uint32_t first_instance = 0);
+    /// With 32-bit indices.
     Raster& draw_indexed(const Buffer& indices, uint32_t first_index, uint32_t count, uint32_t instances = 1,
                          uint32_t first_instance = 0);
+    /// `count` draws as VkDrawIndirectCommands in a buffer that the pass reads, from byte `offset` (a multiple of 4)
+    /// on.
+    Raster& draw_indirect(const Buffer& draws, uint32_t count = 1, VkDeviceSize offset = 0);
+    /// The same with indices, as VkDrawIndexedIndirectCommands.
+    Raster& draw_indexed_indirect(const Buffer& indices, const Buffer& draws, uint32_t count = 1,
+                                  VkDeviceSize offset = 0);
     Raster& draw(const Drawable& drawable);
+
+  private:
+    void bind_indices(const Buffer& indices);
+    template <class Draw>
+    void indirect(const Buffer& draws, uint32_t count, VkDeviceSize offset, uint32_t stride, Draw draw);
+    bool mirrored_ = false;
+    VkBuffer indices_ = VK_NULL_HANDLE;
 };
 
 class Compute : public PassSetters<Compute> {
@@ -153,6 +175,11 @@ class Compute : public PassSetters<Compute> {
     Compute& dispatch_threads(glm::uvec3 threads);
     Compute& dispatch_threads(glm::uvec2 threads) { return dispatch_threads(glm::uvec3(threads, 1)); }
     Compute& dispatch(glm::uvec3 groups);
+    /// As many groups as a VkDispatchIndirectCommand says in a buffer that the pass reads, at byte `offset` (a multiple
+    /// of 4).
+    Compute& dispatch_indirect(const Buffer& groups, VkDeviceSize offset = 0);
+    /// What is dispatched from now on sees what was written before in this pass.
+    Compute& wait();
 };
 
 }  // namespace lightwalk

@@ -34,12 +34,8 @@ std::string identity(const Pipeline& p, const TargetFormats& formats) {
         for (const auto& [name, value] : p.macros()) key += name + "=" + value + " ";
         return key + (p.compute.source.empty() ? "" : std::to_string(std::hash<std::string>{}(p.compute.source)));
     }
-    const Pipeline::Graphics& g = p.graphics;
     for (const auto& [name, value] : p.macros()) key += name + "=" + value + " ";
-    for (const int value : {int(g.cull), int(g.depth_test), int(g.depth_write), int(g.blend), int(g.topology)})
-        key += std::to_string(value) + ",";
-    for (const VkFormat format : formats.color) key += " " + std::to_string(format);
-    return key + " depth " + std::to_string(formats.depth);
+    return key + state_key(p.graphics, formats);
 }
 
 uint64_t next_id() {
@@ -63,7 +59,7 @@ std::vector<std::string> Pipeline::shaders() const {
 }
 
 uint64_t TargetFormats::hash() const {
-    uint64_t result = static_cast<uint64_t>(depth);
+    uint64_t result = 31 * static_cast<uint64_t>(depth) + 2 * samples + (depth_read_only ? 1 : 0);
     for (const VkFormat format : color) result = 31 * result + static_cast<uint64_t>(format) + 1;
     return result;
 }
@@ -103,14 +99,20 @@ std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_s
         if (local_size) *local_size = reflections.back().local_size;
         for (const Binding& binding : reflections.back().bindings) {
             auto [it, added] = merged.emplace(binding.name, binding);
-            if (!added && (it->second.type != binding.type || it->second.bytes != binding.bytes))
+            if (!added && (it->second.type != binding.type || it->second.bytes != binding.bytes ||
+                           it->second.count != binding.count || it->second.view_type != binding.view_type))
                 throw ShaderError(stages.names[i] + ": '" + binding.name + "' is declared otherwise in another stage");
             it->second.stages |= stage_bit(stages.stages[i]);
             it->second.writable |= binding.writable;
         }
     }
     uint32_t number = 0;
-    for (auto& [name, binding] : merged) binding.number = number++;
+    uint32_t first = 0;
+    for (auto& [name, binding] : merged) {
+        binding.number = number++;
+        binding.first = first;
+        first += binding.count;
+    }
     for (size_t i = 0; i < reflections.size(); ++i)
         for (const Binding& binding : reflections[i].bindings)
             stages.spirv[i][binding.offset_of_number] = merged.at(binding.name).number;
@@ -198,12 +200,17 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
     auto built = std::make_unique<BuiltPipeline>(device_.handle);
     built->bindings = assign_bindings(stages, &built->local_size);
     std::vector<VkDescriptorSetLayoutBinding> entries;
-    for (const Binding& binding : built->bindings)
-        entries.push_back({binding.number, binding.type, 1, binding.stages, nullptr});
-    const VkDescriptorSetLayoutCreateInfo set_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-                                                   .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
-                                                   .bindingCount = static_cast<uint32_t>(entries.size()),
-                                                   .pBindings = entries.data()};
+    for (const Binding& binding : built->bindings) {
+        entries.push_back({binding.number, binding.type, binding.count, binding.stages, nullptr});
+        built->descriptors += binding.count;
+    }
+    built->pushes = built->descriptors <= device_.max_push_descriptors;
+    const VkDescriptorSetLayoutCreateInfo set_info{
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+        .flags = VkDescriptorSetLayoutCreateFlags(
+            built->pushes ? VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR : 0),
+        .bindingCount = static_cast<uint32_t>(entries.size()),
+        .pBindings = entries.data()};
     check(vkCreateDescriptorSetLayout(device_.handle, &set_info, nullptr, &built->set_layout), "set layout");
     const VkPipelineLayoutCreateInfo layout_info{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = 1, .pSetLayouts = &built->set_layout};

@@ -10,10 +10,9 @@
 #include "common/gpu/device.h"
 #include "common/gpu/glsl.h"
 #include "common/gpu/reflect.h"
+#include "common/gpu/states.h"
 
 namespace lightwalk {
-
-enum class Blend { opaque, alpha, add };
 
 /// A pipeline's description. It builds nothing by itself: the variant in use follows the toggles and choices of the
 /// moment. Every live one is in Pipeline::all(), so that the build can compile them all.
@@ -23,7 +22,12 @@ class Pipeline {
         std::string vertex, geometry, fragment;  ///< below shaders/
         VkCullModeFlags cull = VK_CULL_MODE_BACK_BIT;
         bool depth_test = true, depth_write = true;
-        Blend blend = Blend::opaque;
+        Compare depth_compare = Compare::greater_or_equal;  ///< a fragment's depth with what is stored
+        DepthBias depth_bias;
+        bool depth_clamp = false;  ///< what lies before the near or behind the far plane is drawn at its depth
+        PerTarget<Blend> blend = Blend::opaque;
+        PerTarget<VkColorComponentFlags> color_write = write_rgba;
+        bool alpha_to_coverage = false;  ///< with several samples: alpha says how many of them are covered
         VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
         Macros macros;  ///< its own, which overrule all others
     };
@@ -51,10 +55,12 @@ class Pipeline {
 inline Pipeline graphics(Pipeline::Graphics desc) { return Pipeline(std::move(desc)); }
 inline Pipeline compute(Pipeline::Compute desc) { return Pipeline(std::move(desc)); }
 
-/// The formats a graphics pipeline draws into.
+/// What a graphics pipeline draws into.
 struct TargetFormats {
     std::vector<VkFormat> color;
     VkFormat depth = VK_FORMAT_UNDEFINED;
+    bool depth_read_only = false;  ///< depth is tested against and never written, whatever the pipeline says
+    uint32_t samples = 1;
     auto operator<=>(const TargetFormats&) const = default;
     uint64_t hash() const;
 };
@@ -67,7 +73,9 @@ struct BuiltPipeline {
     VkPipeline handle = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
-    std::vector<Binding> bindings;
+    std::vector<Binding> bindings;  ///< by number
+    uint32_t descriptors = 0;       ///< all their elements
+    bool pushes = true;             ///< push descriptors; else the set of a pool
     glm::uvec3 local_size{1};
     std::vector<VkShaderModule> modules;
 
@@ -119,6 +127,9 @@ class PipelineLibrary {
 
 VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const TargetFormats& formats,
                            const std::vector<VkPipelineShaderStageCreateInfo>& stages, VkPipelineLayout layout);
+
+/// What in a description makes another pipeline of the same shaders.
+std::string state_key(const Pipeline::Graphics& desc, const TargetFormats& formats);
 
 /// A pipeline's stages as text, with `macros` and the pipeline's own.
 std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Macros& macros);

@@ -70,6 +70,18 @@ bool writable(spvc_compiler compiler, const spvc_reflected_resource& resource, b
     return true;
 }
 
+VkImageViewType view_type_of(spvc_type type) {
+    const bool array = spvc_type_get_image_arrayed(type);
+    switch (spvc_type_get_image_dimension(type)) {
+        case SpvDim3D:
+            return VK_IMAGE_VIEW_TYPE_3D;
+        case SpvDimCube:
+            return array ? VK_IMAGE_VIEW_TYPE_CUBE_ARRAY : VK_IMAGE_VIEW_TYPE_CUBE;
+        default:
+            return array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+    }
+}
+
 }  // namespace
 
 Reflection reflect(const std::vector<uint32_t>& spirv) {
@@ -94,6 +106,11 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
             const bool block = type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER || type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
             const spvc_type base = spvc_compiler_get_type_handle(compiler, list[i].base_type_id);
             Binding binding{.name = name_of(compiler, list[i], base, block), .type = type};
+            const spvc_type whole = spvc_compiler_get_type_handle(compiler, list[i].type_id);
+            for (unsigned d = 0; d < spvc_type_get_num_array_dimensions(whole); ++d)
+                binding.count *= spvc_type_get_array_dimension(whole, d);
+            if (binding.count == 0) throw Failure("'" + binding.name + "' is an array without a size");
+            if (!block) binding.view_type = view_type_of(base);
             if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) {
                 size_t bytes = 0;
                 spvc_compiler_get_declared_struct_size(compiler, base, &bytes);

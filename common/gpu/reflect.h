@@ -24,6 +24,9 @@ struct Binding {
     std::string name;
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_MAX_ENUM;
     uint32_t number = 0;
+    uint32_t count = 1;                                 ///< elements of an array
+    uint32_t first = 0;                                 ///< of its elements among those of all the pipeline's bindings
+    VkImageViewType view_type = VK_IMAGE_VIEW_TYPE_2D;  ///< of an image
     VkShaderStageFlags stages = 0;
     uint32_t bytes = 0;     ///< of a uniform block
     bool writable = false;  ///< a storage buffer or image without `readonly`
@@ -36,7 +39,7 @@ struct Reflection {
     glm::uvec3 local_size{1};  ///< of a compute shader
 };
 
-/// Throws Failure where the module cannot be read.
+/// Throws Failure where the module cannot be read or an array of bindings has no size.
 Reflection reflect(const std::vector<uint32_t>& spirv);
 
 }  // namespace lightwalk

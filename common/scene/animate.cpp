@@ -87,9 +87,6 @@ void Scene::upload_moved(Frame& frame) {
                 run.clear();
             }
         }
-        barrier(commands, instances,
-                {.stages = VK_PIPELINE_STAGE_2_ALL_GRAPHICS_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                 .access = VK_ACCESS_2_SHADER_READ_BIT});
     });
     to_upload_.assign(items.size(), false);
 }

@@ -11,30 +11,26 @@ namespace {
 // Asks the pipeline in use once what of a scene it wants, and then sets what differs from the item before.
 class Bindings {
   public:
-    Bindings(Raster& pass, const Scene& scene) : pass_(pass), scene_(scene) {
-        static const std::string instances = "instances", materials = "materials", vertices = "vertices";
-        if (pass.wants(instances)) pass.set(instances, scene.instances);
-        if (pass.wants(materials)) pass.set(materials, scene.materials);
-        if (pass.wants(vertices)) vertices_ = &vertices;
-        for (size_t slot = 0; slot < map_slot_count; ++slot)
-            if (pass.wants(map_slots()[slot].binding)) slots_[slot_count_++] = slot;
+    Bindings(Raster& pass, const Scene& scene) : pass_(pass), scene_(scene), vertices_(pass.slot("vertices")) {
+        pass.set(pass.slot("instances"), scene.instances).set(pass.slot("materials"), scene.materials);
+        for (size_t map = 0; map < map_slot_count; ++map)
+            if (const Pass::Slot slot = pass.slot(map_slots()[map].binding)) maps_[map_count_++] = {slot, map, nullptr};
     }
 
     void set(const DrawItem& item) {
         pass_.mirrored(item.mirrored);
         if (model_ != item.model.get() || mesh_ != item.mesh) {
-            if (vertices_) pass_.set(*vertices_, item.model->vertices[item.mesh]);
-            for (const auto& [name, buffers] : item.model->attributes)
-                if (pass_.wants(name)) pass_.set(name, buffers[item.mesh]);
+            pass_.set(vertices_, item.model->vertices[item.mesh]);
+            for (const auto& [name, buffers] : item.model->attributes) pass_.set(pass_.slot(name), buffers[item.mesh]);
             model_ = item.model.get();
             mesh_ = item.mesh;
         }
-        for (size_t i = 0; i < slot_count_; ++i) {
-            const size_t slot = slots_[i];
-            const Image& image = scene_.texture(item, static_cast<MapSlot>(slot));
-            if (set_[i] == &image) continue;
-            set_[i] = &image;
-            pass_.set(map_slots()[slot].binding, image);
+        for (size_t i = 0; i < map_count_; ++i) {
+            Wanted& wanted = maps_[i];
+            const Image& image = scene_.texture(item, static_cast<MapSlot>(wanted.map));
+            if (wanted.set == &image) continue;
+            wanted.set = &image;
+            pass_.set(wanted.slot, image);
         }
     }
 
@@ -45,12 +41,16 @@ class Bindings {
     }
 
   private:
+    struct Wanted {
+        Pass::Slot slot;
+        size_t map = 0;
+        const Image* set = nullptr;
+    };
     Raster& pass_;
     const Scene& scene_;
-    const std::string* vertices_ = nullptr;       // its name, where it is wanted
-    std::array<size_t, map_slot_count> slots_{};  // those wanted
-    std::array<const Image*, map_slot_count> set_{};
-    size_t slot_count_ = 0;
+    const Pass::Slot vertices_;
+    std::array<Wanted, map_slot_count> maps_;
+    size_t map_count_ = 0;
     const GpuModel* model_ = nullptr;
     uint32_t mesh_ = 0;
 };

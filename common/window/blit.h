@@ -1,6 +1,6 @@
 // Copies a rectangle of one image to another, scaled and with the formats converted.
 #pragma once
-#include "common/gpu/resources.h"
+#include "common/gpu/image.h"
 
 namespace lightwalk {
 

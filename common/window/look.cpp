@@ -16,18 +16,18 @@ const Pipeline plain = view_pipeline("0"), layered = view_pipeline("1"), cube = 
 
 constexpr const char* viewed = "look";
 
-std::string name_of(const std::pair<std::string, const Image*>& output) {
-    return output.first + ": " + output.second->desc.name;
+std::string name_of(const std::pair<std::string, ImageView>& output) {
+    return output.first + ": " + output.second.name();
 }
 
-const Pipeline& pipeline_for(const Image::Desc& desc) {
-    if (desc.format == VK_FORMAT_R32_UINT) return whole_numbers;
-    return desc.cube ? cube : desc.layers > 1 ? layered : plain;
+const Pipeline& pipeline_for(const ImageView& view) {
+    if (view.image->desc.format == VK_FORMAT_R32_UINT) return whole_numbers;
+    return view.type == VK_IMAGE_VIEW_TYPE_CUBE ? cube : view.layers > 1 ? layered : plain;
 }
 
-int kind_of(const Image& image, const Frame& frame) {
-    if (&image == &frame.depth) return LOOK_DEPTH;
-    switch (image.desc.format) {
+int kind_of(const ImageView& view, const Frame& frame) {
+    if (view.image == &frame.depth) return LOOK_DEPTH;
+    switch (view.image->desc.format) {
         case VK_FORMAT_D32_SFLOAT:
         case VK_FORMAT_D16_UNORM:
         case VK_FORMAT_R8_UNORM:
@@ -59,26 +59,26 @@ void Look::attach(Frame& frame, const Camera& camera, const Bounds& bounds) cons
         const size_t end = frame.outputs.size();
         if (seen > end) seen = 0;  // the next of several pictures
         for (; seen < end; ++seen)
-            if (name_of(frame.outputs[seen]) == output) record(frame, *frame.outputs[seen].second, camera, bounds);
+            if (name_of(frame.outputs[seen]) == output) record(frame, frame.outputs[seen].second, camera, bounds);
         frame.outputs.resize(end);  // without what was recorded here
     };
 }
 
-void Look::record(Frame& frame, const Image& image, const Camera& camera, const Bounds& bounds) const {
+void Look::record(Frame& frame, const ImageView& view, const Camera& camera, const Bounds& bounds) const {
     const Image& target = frame.image(viewed, {.format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size});
     const float radius = bounds.empty() ? 1.0f : 0.5f * glm::length(bounds.extent());
     const float middle = glm::distance(camera.position, bounds.empty() ? camera.target : bounds.center());
-    const LookParameters parameters{.image_size = image.desc.size,
+    const LookParameters parameters{.image_size = glm::uvec2(view.size()),
                                     .scale = std::exp2(stops),
-                                    .kind = kind_of(image, frame),
+                                    .kind = kind_of(view, frame),
                                     .channel = channel,
-                                    .layers = static_cast<int>(image.desc.layers),
+                                    .layers = static_cast<int>(view.layers),
                                     .near_m = camera.near_m,
                                     .far_m = camera.far_m,
                                     .bright_m = std::max(camera.near_m, middle - radius),
                                     .dark_m = middle + radius};
-    frame.compute(viewed, {.reads = {image}, .writes = {target}}, [&](Compute& pass) {
-        pass.use(pipeline_for(image.desc)).set("source", image, Sampling::nearest_clamp);
+    frame.compute(viewed, {.reads = {view}, .writes = {target}}, [&](Compute& pass) {
+        pass.use(pipeline_for(view)).set("source", view, nearest_clamp);
         pass.set("look", parameters).set("result", target).dispatch_threads(frame.size);
     });
 }

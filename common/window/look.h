@@ -22,7 +22,7 @@ struct Look {
     const Image& picture(Frame& frame) const;
 
   private:
-    void record(Frame& frame, const Image& image, const Camera& camera, const Bounds& bounds) const;
+    void record(Frame& frame, const ImageView& view, const Camera& camera, const Bounds& bounds) const;
 };
 
 }  // namespace lightwalk

@@ -103,17 +103,8 @@ void Swapchain::make(VkSurfaceCapabilitiesKHR surface, glm::uvec2 wanted) {
     std::vector<VkImage> handles(count);
     vkGetSwapchainImagesKHR(device, handle_, &count, handles.data());
     for (const VkImage handle : handles) {
-        // Borrowed: an Image without a device frees nothing.
-        Image& image = images_.emplace_back();
-        image.handle = handle;
-        image.desc = {.name = "window", .format = format, .size = size};
-        gpu_.device.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(handle), "window");
-        const VkImageViewCreateInfo view{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-                                         .image = handle,
-                                         .viewType = VK_IMAGE_VIEW_TYPE_2D,
-                                         .format = format,
-                                         .subresourceRange = image.range()};
-        check(vkCreateImageView(device, &view, nullptr, &views.emplace_back()), "vkCreateImageView");
+        images_.push_back(Image::borrowed(gpu_.device, handle, {.name = "window", .format = format, .size = size}));
+        views.push_back(ImageView(images_.back()).handle());
         rendered_.push_back(make_semaphore(device));
     }
     outdated_ = false;
@@ -121,7 +112,6 @@ void Swapchain::make(VkSurfaceCapabilitiesKHR surface, glm::uvec2 wanted) {
 }
 
 void Swapchain::destroy_images() {
-    for (const VkImageView view : views) vkDestroyImageView(gpu_.device.handle, view, nullptr);
     for (const VkSemaphore semaphore : rendered_) vkDestroySemaphore(gpu_.device.handle, semaphore, nullptr);
     views.clear();
     rendered_.clear();
@@ -140,7 +130,7 @@ const Image* Swapchain::acquire() {
     outdated_ = result == VK_SUBOPTIMAL_KHR;
     // What it held is of no interest; writing has to wait for the semaphore, which Frame::end waits for with all
     // stages.
-    images_[index_].history = {.last_write = {.stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT}};
+    images_[index_].history = {.all = {.last_write = {.stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT}}, .each = {}};
     return &images_[index_];
 }
 

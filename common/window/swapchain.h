@@ -15,8 +15,8 @@ class Swapchain {
     Swapchain(const Swapchain&) = delete;
 
     VkFormat format = VK_FORMAT_UNDEFINED;
-    glm::uvec2 size{0};  ///< pixels
-    std::vector<VkImageView> views;
+    glm::uvec2 size{0};              ///< pixels
+    std::vector<VkImageView> views;  ///< of its images, which own them
 
     /// Brings the size up to date. False where there is nothing to draw on: minimised.
     bool ready();

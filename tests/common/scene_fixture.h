@@ -90,7 +90,7 @@ struct TestScene {
     }
 
     void draw(Frame& frame, const Drawable& what) {
-        frame.raster("draw", {.color = {frame.hdr}, .depth = frame.depth, .clear = glm::vec4(0.0f)},
+        frame.raster("draw", {.color = {clear(frame.hdr, glm::vec4(0.0f))}, .depth = frame.depth},
                      [&](Raster& pass) { pass.use(pipeline).draw(what); });
     }
 

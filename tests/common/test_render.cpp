@@ -30,7 +30,7 @@ struct Trial : Chapter {
         valid.push_back(blur.light.valid());
         shifts.push_back(frame.crop.shift);
         const float grey = frame.samples.index == 0 ? 3.0f : 0.25f;
-        frame.raster("fill", {.color = {frame.hdr}, .clear = glm::vec4(glm::vec3(grey), 1)}, [](Raster&) {});
+        frame.raster("fill", {.color = {clear(frame.hdr, glm::vec4(glm::vec3(grey), 1))}}, [](Raster&) {});
         if (writes_history) frame.raster("keep", {.color = {blur.light.now()}}, [](Raster&) {});
         encode_srgb(frame);
     }

@@ -31,7 +31,7 @@ struct Grey : Chapter {
     }
     void frame(Frame& frame) override {
         const float grey = light + (method.is("coarse") ? 0.125f / static_cast<float>(looks.value) : 0.0f);
-        frame.raster("fill", {.color = {frame.hdr}, .clear = glm::vec4(glm::vec3(grey), 1)}, [](Raster&) {});
+        frame.raster("fill", {.color = {clear(frame.hdr, glm::vec4(glm::vec3(grey), 1))}}, [](Raster&) {});
         encode_srgb(frame);
     }
     void measure(Gpu& gpu, glm::uvec2 size, json& error) override {

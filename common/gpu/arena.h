@@ -1,0 +1,48 @@
+// Memory of one frame: bytes for the device to read, and descriptor sets. Both begin anew with every frame.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "common/gpu/buffer.h"
+#include "common/gpu/owned.h"
+#include "common/gpu/pipeline.h"
+
+namespace lightwalk {
+
+/// Host-visible buffers that are filled one after the other. One frame is in flight, so that what the last one put
+/// there is free again; what a frame needed once is kept.
+class Arena {
+  public:
+    Arena(Device& device, std::string name) : device_(device), name_(std::move(name)) {}
+
+    /// Copies the bytes to a place at a multiple of `alignment`.
+    VkDescriptorBufferInfo copy(std::span<const std::byte> bytes, VkDeviceSize alignment);
+    void reset() { current_ = 0, used_ = 0; }
+
+  private:
+    Device& device_;
+    std::string name_;
+    std::vector<Buffer> buffers_;
+    size_t current_ = 0;
+    VkDeviceSize used_ = 0;
+};
+
+/// Sets for pipelines that have more bindings than can be pushed.
+class DescriptorSets {
+  public:
+    explicit DescriptorSets(Device& device) : device_(device) {}
+
+    /// A set that holds `writes`, until the next reset().
+    VkDescriptorSet make(const BuiltPipeline& pipeline, std::span<VkWriteDescriptorSet> writes);
+    void reset();
+    size_t count = 0;  ///< made since then
+
+  private:
+    using Pool = Owned<VkDescriptorPool, vkDestroyDescriptorPool>;
+    Pool make_pool(const BuiltPipeline& pipeline) const;
+    Device& device_;
+    std::vector<Pool> pools_;
+    size_t current_ = 0;
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,68 @@
+// What lives in the device's memory, and when it may go.
+#include <algorithm>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/gpu/device.h"
+
+namespace lightwalk {
+
+VkDeviceMemory Device::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags properties_wanted,
+                                const std::string& name) const {
+    VkPhysicalDeviceMemoryProperties memory;
+    vkGetPhysicalDeviceMemoryProperties(physical, &memory);
+    uint32_t type = 0;
+    const auto fits = [&] {
+        return (needs.memoryTypeBits >> type & 1) &&
+               (memory.memoryTypes[type].propertyFlags & properties_wanted) == properties_wanted;
+    };
+    while (type < memory.memoryTypeCount && !fits()) ++type;
+    if (type == memory.memoryTypeCount) throw Failure("the device has no memory of the kind that " + name + " needs");
+    const VkDeviceSize heap = memory.memoryHeaps[memory.memoryTypes[type].heapIndex].size;
+    if (needs.size > heap)
+        throw Failure(name + " needs " + std::to_string(needs.size >> 20) + " MiB, and the device has " +
+                      std::to_string(heap >> 20));
+    const VkMemoryAllocateInfo allocate_info{
+        .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = needs.size, .memoryTypeIndex = type};
+    VkDeviceMemory result = VK_NULL_HANDLE;
+    const VkResult made = vkAllocateMemory(handle, &allocate_info, nullptr, &result);
+    if (made == VK_SUCCESS) set_name(VK_OBJECT_TYPE_DEVICE_MEMORY, reinterpret_cast<uint64_t>(result), name);
+    try {
+        check(made, ("memory of " + name).c_str());
+    } catch (...) {
+        vkFreeMemory(handle, result, nullptr);
+        throw;
+    }
+    return result;
+}
+
+uint64_t Device::begin_use() {
+    uses_.push_back(++last_use_);
+    return last_use_;
+}
+
+void Device::end_use(uint64_t use) {
+    std::erase(uses_, use);
+    const uint64_t oldest = uses_.empty() ? UINT64_MAX : *std::min_element(uses_.begin(), uses_.end());
+    std::erase_if(doomed_, [&](const auto& entry) {
+        const bool unused = entry.first < oldest;
+        if (unused) destroy_now(entry.second);
+        return unused;
+    });
+}
+
+void Device::destroy(Doomed objects) {
+    if (uses_.empty())
+        destroy_now(objects);
+    else
+        doomed_.emplace_back(last_use_, std::move(objects));
+}
+
+void Device::destroy_now(const Doomed& objects) const {
+    for (const VkImageView view : objects.views) vkDestroyImageView(handle, view, nullptr);
+    vkDestroyImage(handle, objects.image, nullptr);
+    vkDestroyBuffer(handle, objects.buffer, nullptr);
+    vkFreeMemory(handle, objects.memory, nullptr);
+}
+
+}  // namespace lightwalk

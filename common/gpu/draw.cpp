@@ -1,0 +1,110 @@
+// What raster and compute passes do once everything is bound.
+#include "common/base/error.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+Raster& Raster::use(const Pipeline& pipeline, const Macros& variant) {
+    bind(pipeline, variant, formats, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    return mirrored(false);
+}
+
+Raster& Raster::mirrored(bool mirrors) {
+    if (mirrors != mirrored_)
+        vkCmdSetFrontFace(commands, mirrors ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    mirrored_ = mirrors;
+    return *this;
+}
+
+Raster& Raster::draw(uint32_t vertices, uint32_t instances, uint32_t first_instance) {
+    if (flush()) vkCmdDraw(commands, vertices, instances, 0, first_instance);
+    return *this;
+}
+
+void Raster::bind_indices(const Buffer& indices) {
+    if (indices.handle == indices_) return;
+    check_indirect(indices);
+    vkCmdBindIndexBuffer(commands, indices.handle, 0, VK_INDEX_TYPE_UINT32);
+    indices_ = indices.handle;
+}
+
+Raster& Raster::draw_indexed(const Buffer& indices, uint32_t first_index, uint32_t count, uint32_t instances,
+                             uint32_t first_instance) {
+    if (!flush()) return *this;
+    bind_indices(indices);
+    vkCmdDrawIndexed(commands, count, instances, first_index, 0, first_instance);
+    return *this;
+}
+
+template <class Draw>
+void Raster::indirect(const Buffer& draws, uint32_t count, VkDeviceSize offset, uint32_t stride, Draw draw) {
+    check_indirect(draws);
+    if (offset % 4 || offset + VkDeviceSize(count) * stride > draws.bytes)
+        throw Failure("pass '" + name + "': " + std::to_string(count) + " indirect draws from byte " +
+                      std::to_string(offset) + " on are not in '" + draws.name + "'");
+    if (frame.gpu.device.has.multiDrawIndirect) {
+        draw(draws.handle, offset, count, stride);
+        return;
+    }
+    for (uint32_t i = 0; i < count; ++i) draw(draws.handle, offset + VkDeviceSize(i) * stride, 1, stride);
+}
+
+Raster& Raster::draw_indirect(const Buffer& draws, uint32_t count, VkDeviceSize offset) {
+    if (!flush()) return *this;
+    indirect(draws, count, offset, sizeof(VkDrawIndirectCommand),
+             [&](auto... arguments) { vkCmdDrawIndirect(commands, arguments...); });
+    return *this;
+}
+
+Raster& Raster::draw_indexed_indirect(const Buffer& indices, const Buffer& draws, uint32_t count, VkDeviceSize offset) {
+    if (!flush()) return *this;
+    bind_indices(indices);
+    indirect(draws, count, offset, sizeof(VkDrawIndexedIndirectCommand),
+             [&](auto... arguments) { vkCmdDrawIndexedIndirect(commands, arguments...); });
+    return *this;
+}
+
+Raster& Raster::draw(const Drawable& drawable) {
+    if (pipeline_) drawable.draw(*this);
+    return *this;
+}
+
+Compute& Compute::use(const Pipeline& pipeline, const Macros& variant) {
+    bind(pipeline, variant, {}, VK_PIPELINE_BIND_POINT_COMPUTE);
+    return *this;
+}
+
+Compute& Compute::dispatch_threads(glm::uvec3 threads) {
+    return pipeline_ ? dispatch((threads + pipeline_->local_size - 1u) / pipeline_->local_size) : *this;
+}
+
+Compute& Compute::dispatch(glm::uvec3 groups) {
+    if (flush() && groups.x && groups.y && groups.z) vkCmdDispatch(commands, groups.x, groups.y, groups.z);
+    return *this;
+}
+
+Compute& Compute::dispatch_indirect(const Buffer& groups, VkDeviceSize offset) {
+    if (!flush()) return *this;
+    check_indirect(groups);
+    if (offset % 4 || offset + sizeof(VkDispatchIndirectCommand) > groups.bytes)
+        throw Failure("pass '" + name + "': no dispatch at byte " + std::to_string(offset) + " of '" + groups.name +
+                      "'");
+    vkCmdDispatchIndirect(commands, groups.handle, offset);
+    return *this;
+}
+
+Compute& Compute::wait() {
+    const VkMemoryBarrier2 memory{
+        .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+        .srcStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+        .srcAccessMask = VK_ACCESS_2_SHADER_WRITE_BIT,
+        .dstStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
+        .dstAccessMask =
+            VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT};
+    const VkDependencyInfo info{
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &memory};
+    vkCmdPipelineBarrier2(commands, &info);
+    return *this;
+}
+
+}  // namespace lightwalk

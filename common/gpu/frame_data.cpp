@@ -1,0 +1,70 @@
+// What a frame takes from the host and brings back to it.
+#include "common/base/error.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+VkDescriptorBufferInfo Frame::copy_to_arena(std::span<const std::byte> bytes) {
+    const VkPhysicalDeviceLimits& limits = gpu.device.properties.limits;
+    if (bytes.size() > limits.maxUniformBufferRange)
+        throw Failure("a uniform block has at most " + std::to_string(limits.maxUniformBufferRange) + " bytes");
+    return uniforms_.copy(bytes, limits.minUniformBufferOffsetAlignment);
+}
+
+void Frame::upload(const std::string& name, Buffer& buffer, std::span<const std::byte> bytes) {
+    const VkDeviceSize needed = std::max<VkDeviceSize>(bytes.size(), 16);
+    // Half as much again, so that one which grows a little each frame is not made anew each frame.
+    if (buffer.capacity < needed)
+        buffer = Buffer(gpu.device, {.name = name, .bytes = std::max(needed, buffer.capacity + buffer.capacity / 2)});
+    buffer.bytes = needed;
+    buffer.constant = true;
+    const VkDescriptorBufferInfo from = uploads_.copy(bytes, 16);
+    gpu.uploaded_bytes += bytes.size();
+    transfer(name, {.reads = {}, .writes = {buffer}}, [&](VkCommandBuffer commands) {
+        const VkBufferCopy region{.srcOffset = from.offset, .size = bytes.size()};
+        if (!bytes.empty()) vkCmdCopyBuffer(commands, from.buffer, buffer.handle, 1, &region);
+    });
+}
+
+void Frame::upload(const std::string& name, const ImageView& view, std::span<const std::byte> texels) {
+    if (texels.size() != byte_count(view))
+        throw Failure("upload of " + std::to_string(texels.size()) + " bytes into " + view.name() + ", which holds " +
+                      std::to_string(byte_count(view)));
+    const VkDescriptorBufferInfo from = uploads_.copy(texels, 4 * texel_bytes(view.image->desc.format));
+    gpu.uploaded_bytes += texels.size();
+    transfer(name, {.reads = {}, .writes = {view.mip(0)}},
+             [&](VkCommandBuffer commands) { copy(commands, from.buffer, from.offset, view); });
+}
+
+ReadBack::State& Frame::staging_for(ReadBack& into, const std::string& name, VkDeviceSize bytes) {
+    if (!into.state_) into.state_ = std::make_shared<ReadBack::State>();
+    ReadBack::State& state = *into.state_;
+    // The bytes of the last frame stay as they are until this one is submitted. A larger one is another buffer.
+    if (state.staging.capacity < bytes) {
+        state.bytes = 0;
+        state.staging = Buffer(gpu.device, {.name = "read back " + name, .bytes = bytes, .host_visible = true});
+    }
+    state.recorded = bytes;
+    read_backs_.push_back(into.state_);
+    return state;
+}
+
+void Frame::read_back(const Buffer& buffer, ReadBack& into) {
+    const Buffer& staging = staging_for(into, buffer.name, buffer.bytes).staging;
+    transfer("read back " + buffer.name, {.reads = {buffer}, .writes = {staging}}, [&](VkCommandBuffer commands) {
+        const VkBufferCopy region{.size = buffer.bytes};
+        vkCmdCopyBuffer(commands, buffer.handle, staging.handle, 1, &region);
+        barrier(commands, staging, host_read);
+    });
+}
+
+void Frame::read_back(const ImageView& view, ReadBack& into) {
+    if (view.image->desc.samples > 1) throw Failure(view.name() + " has several samples: resolve it, then read back");
+    const Buffer& staging = staging_for(into, view.name(), byte_count(view)).staging;
+    transfer("read back " + view.name(), {.reads = {view.mip(0)}, .writes = {staging}}, [&](VkCommandBuffer commands) {
+        copy(commands, view, staging.handle);
+        barrier(commands, staging, host_read);
+    });
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,24 @@
+// What the Vulkan headers know about their own numbers.
+#define VULKAN_HPP_NO_SMART_HANDLE
+#define VULKAN_HPP_NO_STRUCT_CONSTRUCTORS
+#include <vulkan/vulkan.hpp>
+// After it: they do not include what they need.
+#include <vulkan/vulkan_format_traits.hpp>
+#include <vulkan/vulkan_to_string.hpp>
+
+#include "common/base/error.h"
+#include "common/gpu/image.h"
+
+namespace lightwalk {
+
+std::string name_of(VkResult result) { return vk::to_string(static_cast<vk::Result>(result)); }
+std::string name_of(VkFormat format) { return vk::to_string(static_cast<vk::Format>(format)); }
+
+uint32_t texel_bytes(VkFormat format) {
+    const auto traits = static_cast<vk::Format>(format);
+    if (vk::blockSize(traits) == 0 || vk::texelsPerBlock(traits) != 1)
+        throw Failure("texel_bytes: a texel of " + name_of(format) + " is no number of bytes");
+    return vk::blockSize(traits);
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,55 @@
+// What a graphics pipeline does besides its shaders: comparing depth, blending, writing colour.
+#pragma once
+#include <vulkan/vulkan.h>
+
+#include <initializer_list>
+#include <vector>
+
+namespace lightwalk {
+
+/// What is compared with what is stored. Reverse depth: nearer is greater. `off` is for samplers alone.
+enum class Compare { off, never, less, equal, less_or_equal, greater, not_equal, greater_or_equal, always };
+
+inline VkCompareOp compare_op(Compare compare) {
+    return compare == Compare::off ? VK_COMPARE_OP_ALWAYS : static_cast<VkCompareOp>(static_cast<int>(compare) - 1);
+}
+
+/// How a fragment's colour and alpha (new) meet the target's (old).
+enum class Blend {
+    opaque,         ///< new
+    alpha,          ///< new · new alpha + old · (1 - new alpha)
+    premultiplied,  ///< new + old · (1 - new alpha): its colour holds the alpha already
+    add,            ///< new + old
+    multiply,       ///< new · old
+    minimum,        ///< the smaller, for each component
+    maximum         ///< the greater, for each component
+};
+
+/// Added to a fragment's depth: `constant` in steps of the depth format (of a float: of the triangle's largest depth)
+/// and `slope` times the greater of |∂z/∂x| and |∂z/∂y|, a pixel. With reverse depth, negative is farther.
+struct DepthBias {
+    float constant = 0, slope = 0;
+    float clamp = 0;  ///< the greatest bias by magnitude, with the sign of the bias; 0: no limit
+    explicit operator bool() const { return constant != 0 || slope != 0; }
+};
+
+constexpr VkColorComponentFlags write_nothing = 0;
+constexpr VkColorComponentFlags write_rgb =
+    VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT;
+constexpr VkColorComponentFlags write_rgba = write_rgb | VK_COLOR_COMPONENT_A_BIT;
+
+/// One for all colour targets, or one for each: `.blend = Blend::add`, `.blend = {Blend::add, Blend::opaque}`.
+template <class T>
+class PerTarget {
+  public:
+    PerTarget(T all) : values_{all} {}
+    PerTarget(std::initializer_list<T> each) : values_(each) {}
+    /// The last one is for all targets that follow, too.
+    T operator[](size_t target) const { return values_.at(target < values_.size() ? target : values_.size() - 1); }
+    const std::vector<T>& values() const { return values_; }
+
+  private:
+    std::vector<T> values_;
+};
+
+}  // namespace lightwalk

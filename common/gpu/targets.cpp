@@ -1,0 +1,235 @@
+#include "common/gpu/targets.h"
+
+#include <algorithm>
+
+#include "common/base/error.h"
+
+namespace lightwalk {
+namespace {
+
+constexpr VkPipelineStageFlags2 raster_stages =
+    VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+constexpr VkPipelineStageFlags2 depth_stages =
+    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+
+constexpr Access color_access{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                              VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT,
+                              VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, true};
+constexpr Access depth_access{
+    depth_stages, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
+    VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, true};
+// Resolving depth counts as colour output.
+constexpr Access depth_resolve_access{depth_stages | color_access.stages, depth_access.access | color_access.access,
+                                      VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, true};
+
+constexpr Access read_only_access{depth_stages | raster_stages,
+                                  VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_SHADER_READ_BIT,
+                                  VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL, false};
+
+Access shader_access(bool compute, bool reads, bool writes, bool buffer) {
+    Access access{.stages = compute ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT : raster_stages,
+                  .access = VK_ACCESS_2_NONE,
+                  .layout = writes ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+                  .writes = writes};
+    if (reads) access.access |= VK_ACCESS_2_SHADER_READ_BIT;
+    // A storage image is often read to be written; saying so costs nothing.
+    if (writes) access.access |= VK_ACCESS_2_SHADER_WRITE_BIT | VK_ACCESS_2_SHADER_READ_BIT;
+    if (buffer && reads) {
+        access.stages |= VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT;
+        access.access |= VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT;
+        if (!compute) {
+            access.stages |= VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT;
+            access.access |= VK_ACCESS_2_INDEX_READ_BIT;
+        }
+    }
+    return access;
+}
+
+bool same(const Resource& a, const Resource& b) { return a.view == b.view && a.buffer == b.buffer; }
+
+bool contains(const std::vector<Resource>& list, const Resource& wanted) {
+    for (const Resource& r : list)
+        if (same(r, wanted)) return true;
+    return false;
+}
+
+bool overlap(const Resource& a, const Resource& b) { return a.view && b.view && a.view.overlaps(b.view); }
+
+// What is drawn into of a view.
+ImageView target_view(const ImageView& view, uint32_t layers) {
+    const ImageView mip = view.mip(0);
+    if (layers > 1) return mip.layer_range(0, layers);
+    return mip.type == VK_IMAGE_VIEW_TYPE_2D ? mip : mip.layer(0);
+}
+
+Attachment with(const ImageView& view, Attachment::Load load) {
+    Attachment target(view);
+    target.load = load;
+    return target;
+}
+
+}  // namespace
+
+Attachment clear(const ImageView& view, const glm::vec4& color) {
+    Attachment target(view);
+    target.color = color;
+    return target;
+}
+
+Attachment clear(const ImageView& view, float depth) {
+    Attachment target(view);
+    target.depth = depth;
+    return target;
+}
+
+Attachment keep(const ImageView& view) { return with(view, Attachment::Load::keep); }
+Attachment discard(const ImageView& view) { return with(view, Attachment::Load::discard); }
+Attachment read_only(const ImageView& view) { return with(view, Attachment::Load::read_only); }
+
+Attachment resolve(Attachment from, const ImageView& into) {
+    from.resolve_into = into;
+    return from;
+}
+
+Rendering::Rendering(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size)
+    : layers(targets.layers) {
+    for (const Attachment& target : targets.color) color_.push_back(add(pass, target, false));
+    if (targets.depth.view) depth_ = add(pass, targets.depth, true);
+    if (size == glm::uvec2(0)) size = targets.size == glm::uvec2(0) ? frame_size : targets.size;
+}
+
+VkRenderingAttachmentInfo Rendering::add(const std::string& pass, const Attachment& target, bool is_depth) {
+    const auto fail = [&](const std::string& why) {
+        throw Failure("pass '" + pass + "': target " + target.view.name() + " " + why);
+    };
+    if (!target.view) throw Failure("pass '" + pass + "' has a target without an image");
+    const ImageView view = target_view(target.view, layers);
+    const Image::Desc& desc = view.image->desc;
+    const bool read_only = target.load == Attachment::Load::read_only;
+    if (is_depth != view.image->is_depth()) fail(is_depth ? "is no depth image" : "is a depth image");
+    if (read_only && !is_depth) fail("cannot be read-only: only depth can");
+    const glm::uvec2 extent(view.size());
+    if (!accesses.empty() && (extent != size || desc.samples != formats.samples))
+        fail("differs in size or samples from the pass's others");
+    size = extent;
+    formats.samples = desc.samples;
+    (is_depth ? formats.depth : formats.color.emplace_back()) = desc.format;
+    formats.depth_read_only |= read_only;
+    const bool resolves = static_cast<bool>(target.resolve_into);
+    accesses.emplace_back(view, read_only   ? read_only_access
+                                : !is_depth ? color_access
+                                : resolves  ? depth_resolve_access
+                                            : depth_access);
+    const VkClearColorValue color{.float32 = {target.color.r, target.color.g, target.color.b, target.color.a}};
+    VkRenderingAttachmentInfo info{
+        .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+        .imageView = view.handle(),
+        .imageLayout = accesses.back().second.layout,
+        .loadOp = target.load == Attachment::Load::clear     ? VK_ATTACHMENT_LOAD_OP_CLEAR
+                  : target.load == Attachment::Load::discard ? VK_ATTACHMENT_LOAD_OP_DONT_CARE
+                                                             : VK_ATTACHMENT_LOAD_OP_LOAD,
+        .storeOp = read_only ? VK_ATTACHMENT_STORE_OP_NONE : VK_ATTACHMENT_STORE_OP_STORE,
+        .clearValue = is_depth ? VkClearValue{.depthStencil = {.depth = target.depth}} : VkClearValue{.color = color}};
+    if (resolves) {
+        const ImageView into = target_view(target.resolve_into, layers);
+        if (into.image->desc.samples != 1 || desc.samples == 1 || glm::uvec2(into.size()) != extent ||
+            into.image->desc.format != desc.format)
+            fail("cannot be resolved into " + into.name() +
+                 ": that takes several samples into one, of the same size and format");
+        info.resolveMode = is_depth ? VK_RESOLVE_MODE_SAMPLE_ZERO_BIT : VK_RESOLVE_MODE_AVERAGE_BIT;
+        info.resolveImageView = into.handle();
+        info.resolveImageLayout = info.imageLayout;
+        accesses.emplace_back(into, accesses.back().second);
+    }
+    return info;
+}
+
+void Rendering::add_barriers(Barriers& barriers) const {
+    for (const auto& [view, access] : accesses) {
+        barriers.add(view, access);
+        if (access.writes) view.image->constant = false;
+    }
+}
+
+void Rendering::begin(VkCommandBuffer commands) const {
+    const VkRect2D area{.extent = {size.x, size.y}};
+    const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                               .renderArea = area,
+                               .layerCount = layers,
+                               .colorAttachmentCount = static_cast<uint32_t>(color_.size()),
+                               .pColorAttachments = color_.data(),
+                               .pDepthAttachment = depth_.imageView ? &depth_ : nullptr};
+    vkCmdBeginRendering(commands, &info);
+    const VkViewport viewport{.width = float(size.x), .height = float(size.y), .maxDepth = 1.0f};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &area);
+    vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+}
+
+std::vector<Stated> state(const std::string& pass, const std::vector<Resource>& reads,
+                          const std::vector<Resource>& writes, const RasterTargets* targets) {
+    std::vector<Stated> result;
+    for (const Resource& w : writes) result.push_back({w, VK_IMAGE_LAYOUT_GENERAL, contains(reads, w), true});
+    if (targets && targets->depth.load == Attachment::Load::read_only)
+        result.push_back(
+            {target_view(targets->depth.view, targets->layers), VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL, true, false});
+    for (const Resource& r : reads) {
+        const auto is_this = [&](const Stated& s) { return same(s.resource, r); };
+        if (std::none_of(result.begin(), result.end(), is_this))
+            result.push_back({r, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, true, false});
+    }
+    const auto fail = [&](const ImageView& a, const ImageView& b) {
+        throw Failure("pass '" + pass + "' uses " + a.name() + " and " + b.name() +
+                      ", which overlap, in different ways; state mips or layers apart");
+    };
+    for (size_t i = 0; i < result.size(); ++i)
+        for (size_t j = i + 1; j < result.size(); ++j)
+            if (result[i].layout != result[j].layout && overlap(result[i].resource, result[j].resource))
+                fail(result[i].resource.view, result[j].resource.view);
+    if (!targets) return result;
+    const auto check_target = [&](const Attachment& target) {
+        for (const Stated& s : result)
+            if (target.view && s.layout != VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL && s.resource.view &&
+                target_view(target.view, targets->layers).overlaps(s.resource.view))
+                fail(s.resource.view, target.view);
+    };
+    for (const Attachment& target : targets->color) check_target(target);
+    check_target(targets->depth);
+    return result;
+}
+
+void add_barriers(Barriers& barriers, bool compute, const std::vector<Stated>& stated) {
+    for (const Stated& s : stated) {
+        if (s.layout == VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL) continue;  // a target's
+        const Access access = shader_access(compute, s.read, s.writable, s.resource.buffer != nullptr);
+        if (s.resource.buffer) {
+            barriers.add(*s.resource.buffer, access);
+            if (s.writable) s.resource.buffer->constant = false;
+        } else {
+            barriers.add(s.resource.view, access);
+            if (s.writable) s.resource.view.image->constant = false;
+        }
+    }
+}
+
+std::vector<Resource> Given::reads() const { return {}; }
+
+std::vector<const Given*> all_given(const std::string& pass, const std::vector<With>& with, const Given* root) {
+    std::vector<const Given*> all;
+    if (root) all.push_back(root);
+    for (const Given& given : with) given.expand(all);
+    for (size_t i = 0; i < all.size(); ++i)
+        for (size_t j = 0; j < i; ++j)
+            if (all[i]->kind() == all[j]->kind())
+                throw Failure("pass '" + pass + "' is given two modules of the kind '" + all[i]->kind() +
+                              "'; it takes one");
+    return all;
+}
+
+std::vector<Resource> with_given(std::vector<Resource> reads, const std::vector<const Given*>& given) {
+    for (const Given* one : given)
+        for (const Resource& resource : one->reads()) reads.push_back(resource);
+    return reads;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,110 @@
+// What a pass states: the images it draws into, and what it reads and writes besides.
+#pragma once
+#include <concepts>
+#include <functional>
+
+#include "common/gpu/barrier.h"
+#include "common/gpu/given.h"
+#include "common/gpu/pipeline.h"
+
+namespace lightwalk {
+
+/// An image or a buffer in a pass's statement. Whatever turns into a view does, too.
+struct Resource {
+    ImageView view;
+    const Buffer* buffer = nullptr;
+    Resource() = default;
+    template <class T>
+    requires std::convertible_to<const T&, ImageView> Resource(const T& image) : view(image) {}
+    Resource(const Buffer& b) : buffer(&b) {}
+    explicit operator bool() const { return view || buffer; }
+};
+
+/// A target, and what it holds when the pass begins. A view's first mip; its first layer, or as many as the pass says.
+struct Attachment {
+    enum class Load { clear, keep, discard, read_only };
+    ImageView view;
+    Load load = Load::clear;
+    glm::vec4 color{0.0f, 0.0f, 0.0f, 1.0f};
+    float depth = 0.0f;      ///< reversed: 0 is farthest
+    ImageView resolve_into;  ///< none: its samples stay apart
+    Attachment() = default;
+    template <class T>
+    requires std::convertible_to<const T&, ImageView> Attachment(const T& image) : view(image) {}
+};
+
+/// Cleared: what a target is that says nothing else.
+Attachment clear(const ImageView& view, const glm::vec4& color = {0.0f, 0.0f, 0.0f, 1.0f});
+Attachment clear(const ImageView& view, float depth);
+/// Drawn over.
+Attachment keep(const ImageView& view);
+/// Holds anything: for a pass that draws every pixel.
+Attachment discard(const ImageView& view);
+/// Depth that is tested against, not written, and may be sampled in the same pass.
+Attachment read_only(const ImageView& view);
+/// The mean of each pixel's samples goes into another image when the pass ends; of depth, the first sample.
+Attachment resolve(Attachment from, const ImageView& into);
+
+/// A module in a pass's statement.
+using With = std::reference_wrapper<const Given>;
+
+// [raster_targets]
+/// A raster pass draws into `color` and `depth` and may read and write other resources in its shaders. What it does not
+/// state it cannot bind; what was uploaded needs no statement. A target is cleared unless it says otherwise:
+/// `.color = {clear(f.hdr, sky), keep(normals)}, .depth = read_only(f.depth)`.
+struct RasterTargets {
+    std::vector<Attachment> color;
+    Attachment depth;
+    std::vector<Resource> reads, writes;
+    std::vector<With> with;  ///< modules: their macros, uniforms, reads and bindings
+    uint32_t layers = 1;     ///< of every target, for geometry shaders that write gl_Layer
+    glm::uvec2 size{0};      ///< pixels, where there is no target; 0: the frame's
+};
+// [/raster_targets]
+
+/// A compute pass; what stands in both lists is read and written.
+struct ComputeAccess {
+    std::vector<Resource> reads, writes;
+    std::vector<With> with;
+};
+
+/// A resource as a pass may bind it.
+struct Stated {
+    Resource resource;
+    VkImageLayout layout;
+    bool read, writable;
+};
+
+/// The targets of one pass, checked. Throws Failure, with the pass's name, where they differ in size or samples.
+struct Rendering {
+    Rendering(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size);
+    void begin(VkCommandBuffer commands) const;
+    void add_barriers(Barriers& barriers) const;
+
+    TargetFormats formats;
+    glm::uvec2 size{0};
+    uint32_t layers = 1;
+    std::vector<std::pair<ImageView, Access>> accesses;
+
+  private:
+    VkRenderingAttachmentInfo add(const std::string& pass, const Attachment& target, bool is_depth);
+    std::vector<VkRenderingAttachmentInfo> color_;
+    VkRenderingAttachmentInfo depth_{};
+};
+
+/// All that is given to a pass by the modules it names, and by `root` (may be null). Throws Failure where two are of
+/// one kind: they would share their names in its shaders.
+std::vector<const Given*> all_given(const std::string& pass, const std::vector<With>& with, const Given* root);
+
+/// `reads`, and what was given reads besides.
+std::vector<Resource> with_given(std::vector<Resource> reads, const std::vector<const Given*>& given);
+
+/// What the shaders of a pass may bind of reads and writes, beside its targets. Throws Failure where parts overlap that
+/// are not the same.
+std::vector<Stated> state(const std::string& pass, const std::vector<Resource>& reads,
+                          const std::vector<Resource>& writes, const RasterTargets* targets = nullptr);
+
+/// The barriers for that.
+void add_barriers(Barriers& barriers, bool compute, const std::vector<Stated>& stated);
+
+}  // namespace lightwalk

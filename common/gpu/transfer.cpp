@@ -1,0 +1,132 @@
+// What comes and goes while nothing is drawn: uploads and read-backs that wait.
+#include <cstring>
+
+#include "common/base/error.h"
+#include "common/gpu/barrier.h"
+#include "common/gpu/gpu.h"
+
+namespace lightwalk {
+namespace {
+
+VkBufferImageCopy region(VkDeviceSize offset, const ImageView& view) {
+    const glm::uvec3 size = view.size();
+    return {
+        .bufferOffset = offset, .imageSubresource = view.first_mip_layers(), .imageExtent = {size.x, size.y, size.z}};
+}
+
+VkOffset3D corner(const ImageView& view) {
+    const glm::ivec3 size(view.size());
+    return {size.x, size.y, size.z};
+}
+
+void check_size(const ImageView& view, VkDeviceSize bytes) {
+    if (bytes != byte_count(view))
+        throw Failure("upload of " + std::to_string(bytes) + " bytes into " + view.name() + ", which holds " +
+                      std::to_string(byte_count(view)));
+}
+
+}  // namespace
+
+void copy(VkCommandBuffer commands, VkBuffer from, VkDeviceSize offset, const ImageView& to) {
+    const VkBufferImageCopy one = region(offset, to);
+    vkCmdCopyBufferToImage(commands, from, to.image->handle, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &one);
+}
+
+void copy(VkCommandBuffer commands, const ImageView& from, VkBuffer to) {
+    const VkBufferImageCopy one = region(0, from);
+    vkCmdCopyImageToBuffer(commands, from.image->handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, 1, &one);
+}
+
+// [upload]
+Buffer Gpu::upload(const std::string& name, std::span<const std::byte> bytes) {
+    Buffer buffer(device, {.name = name, .bytes = bytes.size()});
+    if (!bytes.empty()) {
+        Buffer staging(device, {.name = name + " staging", .bytes = bytes.size(), .host_visible = true});
+        std::memcpy(staging.mapped, bytes.data(), bytes.size());
+        submit_now([&](VkCommandBuffer commands) {
+            const VkBufferCopy region{.size = bytes.size()};
+            barrier(commands, buffer, transfer_write);
+            vkCmdCopyBuffer(commands, staging.handle, buffer.handle, 1, &region);
+            barrier(commands, buffer, any_read);
+        });
+        uploaded_bytes += bytes.size();
+    }
+    buffer.constant = true;
+    return buffer;
+}
+// [/upload]
+
+void Gpu::upload(Image& image, std::span<const std::byte> texels) {
+    const ImageView whole(image);
+    check_size(whole.mip(0), texels.size());
+    Buffer staging(device, {.name = image.desc.name + " staging", .bytes = texels.size(), .host_visible = true});
+    std::memcpy(staging.mapped, texels.data(), texels.size());
+    uploaded_bytes += texels.size();
+    submit_now([&](VkCommandBuffer commands) {
+        barrier(commands, whole, transfer_write);
+        copy(commands, staging.handle, 0, whole.mip(0));
+        for (uint32_t m = 1; m < image.desc.mips; ++m) {
+            const ImageView from = whole.mip(m - 1), to = whole.mip(m);
+            barrier(commands, from, transfer_read);
+            const VkImageBlit half{.srcSubresource = from.first_mip_layers(),
+                                   .srcOffsets = {{}, corner(from)},
+                                   .dstSubresource = to.first_mip_layers(),
+                                   .dstOffsets = {{}, corner(to)}};
+            vkCmdBlitImage(commands, image.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image.handle,
+                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &half, VK_FILTER_LINEAR);
+        }
+        barrier(commands, whole, any_read);
+    });
+    image.constant = true;
+}
+
+void Gpu::upload(Image& image, const std::vector<std::vector<std::byte>>& levels) {
+    const ImageView whole(image);
+    VkDeviceSize bytes = 0;
+    for (const auto& level : levels) bytes += level.size();
+    Buffer staging(device, {.name = image.desc.name + " staging", .bytes = bytes, .host_visible = true});
+    std::vector<VkDeviceSize> offsets;
+    VkDeviceSize at = 0;
+    for (uint32_t m = 0; m < image.desc.mips; ++m) {
+        const auto& level = levels.at(m);
+        check_size(whole.mip(m), level.size());
+        std::memcpy(staging.mapped + at, level.data(), level.size());
+        offsets.push_back(at);
+        at += level.size();
+    }
+    uploaded_bytes += bytes;
+    submit_now([&](VkCommandBuffer commands) {
+        barrier(commands, whole, transfer_write);
+        for (uint32_t m = 0; m < image.desc.mips; ++m) copy(commands, staging.handle, offsets[m], whole.mip(m));
+        barrier(commands, whole, any_read);
+    });
+    image.constant = true;
+}
+
+std::vector<std::byte> Gpu::read_back(const ImageView& view) {
+    if (view.image->desc.samples > 1) throw Failure(view.name() + " has several samples: resolve it, then read back");
+    const VkDeviceSize bytes = byte_count(view);
+    Buffer staging(device, {.name = "read back " + view.name(), .bytes = bytes, .host_visible = true});
+    submit_now([&](VkCommandBuffer commands) {
+        barrier(commands, view.mip(0), transfer_read);
+        barrier(commands, staging, transfer_write);
+        copy(commands, view, staging.handle);
+        if (view.image->constant) barrier(commands, view.mip(0), any_read);
+        barrier(commands, staging, host_read);
+    });
+    return {staging.mapped, staging.mapped + bytes};
+}
+
+std::vector<std::byte> Gpu::read_back(const Buffer& buffer) {
+    Buffer staging(device, {.name = "read back " + buffer.name, .bytes = buffer.bytes, .host_visible = true});
+    submit_now([&](VkCommandBuffer commands) {
+        barrier(commands, buffer, transfer_read);
+        const VkBufferCopy region{.size = buffer.bytes};
+        barrier(commands, staging, transfer_write);
+        vkCmdCopyBuffer(commands, buffer.handle, staging.handle, 1, &region);
+        barrier(commands, staging, host_read);
+    });
+    return {staging.mapped, staging.mapped + buffer.bytes};
+}
+
+}  // namespace lightwalk

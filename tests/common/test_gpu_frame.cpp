@@ -1,0 +1,200 @@
+// Over a frame's life: uploads, read-backs, what is destroyed meanwhile, passes that take long, failures half way.
+#include <chrono>
+#include <cstdlib>
+
+#include "tests/common/gpu_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+const Pipeline total = compute_pipeline("total", R"(
+layout(local_size_x = 1) in;
+layout(scalar) readonly buffer ValuesBuffer { uint values[]; };
+layout(scalar) buffer TotalBuffer { uint sum; uint count; } total;
+void main() {
+    uint sum = 0u;
+    for (int i = 0; i < values.length(); ++i) sum += values[i];
+    total.sum = sum;
+    total.count = uint(values.length());
+}
+)");
+
+std::vector<uint32_t> counting(size_t n) {
+    std::vector<uint32_t> result(n);
+    for (size_t i = 0; i < n; ++i) result[i] = static_cast<uint32_t>(i);
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(OnDevice, "an upload within a frame grows its buffer, is timed, and each pass sees its own") {
+    Buffer values;
+    const Buffer out(gpu.device, {.name = "out", .bytes = 16});
+    ReadBack small, large;
+    const auto sum = [&] {
+        frame.compute("total", {.writes = {out}}, [&](Compute& pass) {
+            pass.use(total).set("values", values).set("total", out).dispatch({1, 1, 1});
+        });
+    };
+    for (const size_t n : {10u, 100u, 50000u, 50u}) {
+        frame.begin({4, 4}, 0);
+        frame.upload("values", values, counting(4));
+        sum();
+        frame.read_back(out, small);
+        frame.upload("values", values, counting(n));
+        sum();
+        frame.read_back(out, large);
+        frame.end();
+        CHECK(small.as<uint32_t>()[0] == 6);
+        CHECK(small.as<uint32_t>()[1] == 4);
+        CHECK(large.as<uint32_t>()[0] == static_cast<uint32_t>(n * (n - 1) / 2));
+        CHECK(large.as<uint32_t>()[1] == n);
+        REQUIRE(frame.times.size() == 6);
+        CHECK(frame.times[0].name == "values");
+        CHECK(frame.times[0].stage == "transfer");
+        CHECK(gpu.device.doomed_count() == 0);
+    }
+    CHECK(values.bytes == 200);
+    CHECK(values.capacity >= 200000);
+}
+
+TEST_CASE_METHOD(OnDevice, "a level of an image is uploaded within a frame") {
+    const Image chain = image({.format = one_float, .size = {4, 2}, .mips = 2});
+    const std::vector<float> eight{1, 2, 3, 4, 5, 6, 7, 8}, two{9, 10};
+    frame.upload("level 0", chain.mip(0), std::as_bytes(std::span(eight)));
+    frame.upload("level 1", chain.mip(1), std::as_bytes(std::span(two)));
+    CHECK(failure_of([&] { frame.upload("x", chain.mip(1), std::as_bytes(std::span(eight))); }) ==
+          "upload of 32 bytes into test mip 1, which holds 8");
+    frame.end();
+    CHECK(read<float>(chain) == eight);
+    CHECK(read<float>(chain.mip(1)) == two);
+}
+
+TEST_CASE_METHOD(OnDevice, "a read-back arrives when its frame has ended, and keeps the last one until then") {
+    const Image picture = image({.format = one_float, .size = {2, 1}});
+    ReadBack seen;
+    CHECK_FALSE(seen);
+    for (int i = 0; i < 3; ++i) {
+        frame.begin({4, 4}, 0);
+        frame.raster("fill", {.color = {clear(picture, glm::vec4(float(i)))}}, [](Raster&) {});
+        {
+            ReadBack dropped;  // goes before the frame ends
+            frame.read_back(picture, dropped);
+        }
+        frame.read_back(picture, seen);
+        CHECK(seen.as<float>() == (i == 0 ? std::vector<float>{} : std::vector<float>(2, float(i - 1))));
+        frame.end();
+        CHECK(seen.as<float>() == std::vector<float>(2, float(i)));
+        CHECK(frame.times.back().name == "read back test");
+    }
+}
+
+TEST_CASE_METHOD(OnDevice, "what recorded passes use lives until the frame has ended") {
+    const Buffer out(gpu.device, {.name = "out", .bytes = 16});
+    {
+        const Buffer values = gpu.upload("short-lived", counting(5));
+        frame.compute("total", {.writes = {out}}, [&](Compute& pass) {
+            pass.use(total).set("values", values).set("total", out).dispatch({1, 1, 1});
+        });
+    }
+    // The same name with another size: the first one is drawn into already.
+    frame.raster("a", {.color = {clear(frame.image("bloom", {.size = {8, 8}}), glm::vec4(1))}}, [](Raster&) {});
+    frame.raster("b", {.color = {clear(frame.image("bloom", {.size = {4, 4}}), glm::vec4(1))}}, [](Raster&) {});
+    CHECK(gpu.device.doomed_count() == 3);  // an image, a buffer, and what that was uploaded through
+    frame.end();
+    CHECK(gpu.device.doomed_count() == 0);
+    CHECK(read<uint32_t>(out)[0] == 10);
+
+    // Two frames at once: what the first may use stays until it has ended, whatever the second does.
+    Frame second(gpu);
+    frame.begin({4, 4}, 0);
+    { const Buffer gone(gpu.device, {.name = "gone", .bytes = 16}); }
+    second.begin({4, 4}, 0);
+    second.end();
+    CHECK(gpu.device.doomed_count() == 1);
+    second.begin({4, 4}, 0);
+    frame.end();
+    CHECK(gpu.device.doomed_count() == 0);
+}
+
+TEST_CASE_METHOD(OnDevice, "the clock is for one pass, not for a frame") {
+    const Buffer out(gpu.device, {.name = "out", .bytes = 16});
+    const Pipeline busy = compute_pipeline("busy", R"(
+layout(local_size_x = 1) in;
+layout(scalar) buffer OutBuffer { uint result; } work;
+void main() {
+    uint x = gl_GlobalInvocationID.x;
+    for (int i = 0; i < 50000; ++i) x = x * 1664525u + 1013904223u;  // Mesa's software loops end after 65,535 rounds
+    atomicAdd(work.result, x);
+}
+)");
+    const auto record = [&](int passes, uint32_t groups) {
+        frame.begin({4, 4}, 0);
+        for (int i = 0; i < passes; ++i)
+            frame.compute("busy", {.writes = {out}}, [&](Compute& pass) {
+                pass.use(busy).set("work", out).dispatch({groups, 1, 1});
+            });
+    };
+    uint32_t groups = 16;
+    for (record(1, groups), frame.end(); frame.times[0].gpu_ms < 50 && groups < 1u << 15; frame.end())
+        record(1, groups *= 2);
+    const double pass_s = 1e-3 * frame.times[0].gpu_ms;
+    struct TooLong {};
+    on_abandoned_device() = [](const std::string&) { throw TooLong(); };
+    setenv("LIGHTWALK_TIMEOUT_S", std::to_string(8 * pass_s).c_str(), 1);
+    record(24, groups);
+    CHECK_NOTHROW(frame.end());
+    setenv("LIGHTWALK_TIMEOUT_S", std::to_string(0.1 * pass_s).c_str(), 1);
+    record(1, groups);
+    CHECK_THROWS_AS(frame.end(), TooLong);
+    unsetenv("LIGHTWALK_TIMEOUT_S");
+    on_abandoned_device() = nullptr;
+    vkDeviceWaitIdle(gpu.device.handle);
+}
+
+TEST_CASE("a constructor that throws half way leaves nothing behind") {
+    std::vector<std::string> messages;
+    DeviceOptions options = validated();
+    options.on_message = [&](const char* text) { messages.push_back(text); };
+    {
+        Gpu gpu(options);
+        CHECK_THROWS_WITH(Buffer(gpu.device, {.name = "huge", .bytes = VkDeviceSize(1) << 62}),
+                          Catch::Matchers::Contains("buffer huge of"));
+        CHECK_THROWS_WITH(Image(gpu.device, {.name = "huge",
+                                             .format = four_floats,
+                                             .size = {8192, 8192},
+                                             .layers = gpu.device.properties.limits.maxImageArrayLayers}),
+                          Catch::Matchers::Contains("image huge"));
+        CHECK_THROWS_WITH(Image(gpu.device, {.name = "wide", .size = {1u << 30, 1}}),
+                          Catch::Matchers::Contains("image wide: the device has at most"));
+    }
+    CHECK(messages.empty());
+    // Every call that can fail does, one after the other.
+    int failures = 0;
+    for (int n = 0;; ++n) {
+        checks_until_failure() = n;
+        try {
+            Gpu gpu(options);
+            const Buffer buffer(gpu.device, {.name = "buffer", .bytes = 64, .host_visible = true});
+            const Image image(gpu.device, {.name = "image", .size = {4, 4}, .mips = 2});
+            ImageView(image).mip(1).handle();
+            gpu.samplers[nearest_repeat];
+            Frame frame(gpu);
+            const Buffer uploaded = gpu.upload("uploaded", counting(100));
+            frame.begin({4, 4}, 0);
+            frame.compute("total", {.writes = {buffer}}, [&](Compute& pass) {
+                pass.use(total).set("values", uploaded).set("total", buffer).dispatch({1, 1, 1});
+            });
+            frame.end();
+            checks_until_failure() = -1;
+            break;
+        } catch (const Failure& e) {
+            ++failures;
+            CHECK_THAT(e.what(), Catch::Matchers::EndsWith(": forced"));
+        }
+        INFO("failure " << n << ": " << (messages.empty() ? "" : messages[0]));
+        REQUIRE(messages.empty());
+    }
+    CHECK(failures > 30);
+}

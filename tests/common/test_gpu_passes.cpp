@@ -1,0 +1,181 @@
+// Within a pass: arrays, indirect draws and dispatches, slots, and what binding costs.
+#include <chrono>
+
+#include "common/check/check.h"
+#include "tests/common/gpu_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+const Pipeline add_one = compute_pipeline("add one", R"(
+layout(local_size_x = 64) in;
+layout(scalar) buffer ValuesBuffer { uint values[]; };
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    uint old = values[(i + 1u) % values.length()];
+    barrier();
+    values[i] = old + 1u;
+}
+)");
+
+const Pipeline grow = compute_pipeline("grow", R"(
+layout(local_size_x = 1) in;
+layout(scalar) buffer CountBuffer { uint groups[3]; uint sum; } count;
+void main() { atomicAdd(count.sum, 1u); if (gl_GlobalInvocationID.x == 0u) count.groups[0] = 5u; }
+)");
+
+}  // namespace
+
+TEST_CASE_METHOD(OnDevice, "an array of textures is one binding") {
+    std::vector<Image> images;
+    for (int i = 0; i < 3; ++i) {
+        images.push_back(image({.name = "map " + std::to_string(i), .format = one_float, .size = {1, 1}}));
+        frame.raster("fill", {.color = {clear(images[i], glm::vec4(float(1 + i)))}}, [](Raster&) {});
+    }
+    const Buffer seen(gpu.device, {.name = "seen", .bytes = 32});
+    const bool dynamic = gpu.device.has.shaderSampledImageArrayDynamicIndexing;
+    const std::string look = dynamic ? "for (int i = 0; i < 5; ++i) seen[i] = texelFetch(maps[i], ivec2(0), 0).r;"
+                                     : "seen[0] = texelFetch(maps[0], ivec2(0), 0).r;"
+                                       "seen[1] = texelFetch(maps[1], ivec2(0), 0).r;"
+                                       "seen[2] = texelFetch(maps[2], ivec2(0), 0).r;"
+                                       "seen[3] = texelFetch(maps[3], ivec2(0), 0).r;"
+                                       "seen[4] = texelFetch(maps[4], ivec2(0), 0).r;";
+    const Pipeline look_up = compute_pipeline(
+        "array",
+        "layout(local_size_x = 1) in;\nuniform sampler2D maps[5];\nlayout(scalar) buffer SeenBuffer { float "
+        "seen[]; };\nvoid main() { " +
+            look + " }\n");
+    const std::vector<ImageView> views{images[0], images[1], images[2]};
+    frame.compute("look", {.reads = {images[0], images[1], images[2]}, .writes = {seen}}, [&](Compute& pass) {
+        pass.use(look_up).set("maps", views, nearest_clamp).set("seen", seen).dispatch({1, 1, 1});
+        CHECK(failure_of([&] { pass.set("maps", std::vector<ImageView>(6, images[0])); }) ==
+              "pass 'look': 'maps' has 5 elements in the shader and gets 6");
+    });
+    frame.end();
+    auto values = read<float>(seen);
+    values.resize(5);
+    CHECK(values == std::vector<float>{1, 2, 3, 3, 3});  // the last one is for what is left
+}
+
+TEST_CASE_METHOD(OnDevice, "a dispatch sees what the one before wrote, and how many groups it said") {
+    const Buffer count(gpu.device, {.name = "count", .bytes = 16});
+    const Buffer values = gpu.upload("values", std::vector<uint32_t>(64, 0));
+    frame.transfer("zero", {.reads = {}, .writes = {count}},
+                   [&](VkCommandBuffer commands) { vkCmdFillBuffer(commands, count.handle, 0, VK_WHOLE_SIZE, 1); });
+    frame.compute("groups", {.reads = {count}, .writes = {count}}, [&](Compute& pass) {
+        pass.use(grow).set("count", count).dispatch({1, 1, 1}).wait();
+        pass.dispatch_indirect(count);
+        CHECK(failure_of([&] { pass.dispatch_indirect(count, 8); }) ==
+              "pass 'groups': no dispatch at byte 8 of 'count'");
+    });
+    frame.compute("values", {.reads = {values}, .writes = {values}}, [&](Compute& pass) {
+        for (int i = 0; i < 100; ++i) pass.use(add_one).set("values", values).dispatch({1, 1, 1}).wait();
+        CHECK(failure_of([&] { pass.dispatch_indirect(count); }) ==
+              "pass 'values' binds 'count' without stating it in its reads");
+    });
+    frame.end();
+    CHECK(read<uint32_t>(count)[3] == 1 + 1 + 5);
+    CHECK(read<uint32_t>(values) == std::vector<uint32_t>(64, 100));
+}
+
+TEST_CASE_METHOD(OnDevice, "draws come from a buffer") {
+    const Buffer count(gpu.device, {.name = "count", .bytes = 16});
+    const Buffer draws =
+        gpu.upload("draws", std::vector<VkDrawIndirectCommand>{{6, 1, 0, 0}, {0, 1, 0, 0}, {6, 3, 0, 0}});
+    const Buffer indexed = gpu.upload("indexed", std::vector<VkDrawIndexedIndirectCommand>{{3, 2, 0, 0, 0}});
+    const Buffer indices = gpu.upload("indices", std::vector<uint32_t>{0, 1, 2});
+    const Pipeline counts = quad_pipeline({}, "count.frag");
+    const auto fragments = [&](const std::function<void(Raster&)>& draw) {
+        frame.begin({4, 4}, 0);
+        frame.transfer("zero", {.reads = {}, .writes = {count}},
+                       [&](VkCommandBuffer commands) { vkCmdFillBuffer(commands, count.handle, 0, VK_WHOLE_SIZE, 0); });
+        frame.raster("count", {.reads = {count}, .writes = {count}}, [&](Raster& pass) {
+            pass.use(counts).set("quad", Quad{}).set("count", count);
+            draw(pass);
+        });
+        frame.end();
+        return read<uint32_t>(count)[0];
+    };
+    CHECK(fragments([&](Raster& pass) { pass.draw_indirect(draws, 3); }) == 16 * 4);
+    CHECK(fragments([&](Raster& pass) { pass.draw_indirect(draws, 1, 2 * sizeof(VkDrawIndirectCommand)); }) == 16 * 3);
+    const uint32_t triangle = fragments([&](Raster& pass) { pass.draw_indexed(indices, 0, 3); });
+    CHECK(triangle > 0);
+    CHECK(fragments([&](Raster& pass) { pass.draw_indexed_indirect(indices, indexed); }) == 2 * triangle);
+    fragments([&](Raster& pass) {
+        CHECK(failure_of([&] { pass.draw_indirect(draws, 4); }) ==
+              "pass 'count': 4 indirect draws from byte 0 on are not in 'draws'");
+    });
+}
+
+TEST_CASE_METHOD(OnDevice, "a slot stands for a name; an empty one sets nothing; one of another pipeline is refused") {
+    const Buffer values = gpu.upload("values", std::vector<uint32_t>(64, 0));
+    const Buffer count(gpu.device, {.name = "count", .bytes = 16});
+    frame.compute("slots", {.writes = {values, count}}, [&](Compute& pass) {
+        pass.use(add_one);
+        const auto slot = pass.slot("values");
+        CHECK(slot);
+        CHECK_FALSE(pass.slot("absent"));
+        pass.set(pass.slot("absent"), values).set(slot, values).dispatch({1, 1, 1});
+        pass.use(grow);
+        CHECK(failure_of([&] { pass.set(slot, values); }) ==
+              "pass 'slots' sets a slot of a pipeline that is not in use any more");
+        pass.use(add_one);
+        CHECK(failure_of([&] {
+                  pass.dispatch({1, 1, 1});
+              }) == "pass 'slots' draws or dispatches without 'values' being set");
+    });
+    frame.end();
+    CHECK(read<uint32_t>(values)[0] == 1);
+}
+
+TEST_CASE("five thousand draws with two changed bindings each are recorded within milliseconds") {
+    Gpu& gpu = check_device();  // validation would take most of the time
+    Frame frame(gpu);
+    frame.begin({4, 4}, 0);
+    const Pipeline sum = quad_pipeline({.cull = VK_CULL_MODE_NONE}, "sum.frag");
+    const Image target(gpu.device, {.name = "target", .format = four_floats, .size = {1, 1}});
+    std::vector<Buffer> buffers;
+    for (int i = 0; i < 4; ++i)
+        buffers.push_back(gpu.upload("value " + std::to_string(i), std::vector<float>(4, float(1 << i))));
+    double ms = 0;
+    frame.raster("many", {.color = {target}}, [&](Raster& pass) {
+        pass.use(sum).set("quad", Quad{});
+        const auto first = pass.slot("first"), second = pass.slot("second");
+        const auto started = std::chrono::steady_clock::now();
+        for (int i = 0; i < 5000; ++i) pass.set(first, buffers[i & 1]).set(second, buffers[2 + (i & 1)]).draw(6);
+        ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started).count();
+    });
+    frame.end();
+    float texel = 0;
+    std::memcpy(&texel, gpu.read_back(target).data(), 4);
+    CHECK(texel == 2 + 8);
+    WARN("5000 draws recorded in " << ms << " ms");
+    CHECK(ms < 1000);
+}
+
+TEST_CASE("what cannot be pushed comes from a pool and draws the same") {
+    std::vector<uint32_t> sums, sets;
+    for (const std::optional<uint32_t> most : {std::optional<uint32_t>{}, std::optional<uint32_t>{2}, {0u}}) {
+        Gpu gpu(validated(most));
+        const Pipeline sum = quad_pipeline({}, "sum.frag");
+        const Image target(gpu.device, {.name = "target", .format = four_floats, .size = {1, 1}});
+        const Buffer a = gpu.upload("a", std::vector<float>(4, 3)), b = gpu.upload("b", std::vector<float>(4, 4));
+        Frame frame(gpu);
+        for (int repeat = 0; repeat < 2; ++repeat) {
+            frame.begin({1, 1}, 0);
+            frame.raster("sum", {.color = {target}}, [&](Raster& pass) {
+                pass.use(sum).set("quad", Quad{}).set("first", a);
+                for (int i = 0; i < 600; ++i) pass.set("second", i % 2 ? b : a).draw(6).set("first", a).draw(6);
+            });
+            frame.end();
+            float texel = 0;
+            std::memcpy(&texel, gpu.read_back(target).data(), 4);
+            sums.push_back(static_cast<uint32_t>(texel));
+        }
+        sets.push_back(static_cast<uint32_t>(frame.descriptor_sets()));
+        CHECK_NOTHROW(gpu.device.check_validation());
+    }
+    CHECK(sums == std::vector<uint32_t>(6, 7));
+    CHECK(sets == std::vector<uint32_t>{0, 600, 600});
+}
