@@ -45,7 +45,7 @@ std::string readable(const std::string& log) {
         std::ifstream source(course_root() / file);
         std::string text;
         for (int i = 0; i < number && std::getline(source, text); ++i) {}
-        if (source) result += "\n    " + text;
+        if (source) result += "\n    " + (text.size() > 200 ? text.substr(0, 200) + " ..." : text);
     }
     return result.empty() ? log : result;
 }

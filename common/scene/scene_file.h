@@ -99,6 +99,10 @@ SceneFile parse_scene(const std::string& text, const std::filesystem::path& path
 /// Writes what read_scene reads back, whole or not at all.
 void write_scene(const SceneFile& scene, const std::filesystem::path& path);
 
+/// Writes the scene's camera and knobs into a scene file that is there, and leaves all else in it as it is: includes,
+/// the order of keys, what was edited since. Throws InputError where the file does not parse.
+void update_scene(const SceneFile& scene, const std::filesystem::path& path);
+
 /// An asset's path: as given if it exists, else below assets/ or the root. Throws InputError where it is in none.
 std::filesystem::path find_asset(const std::filesystem::path& path);
 

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/base/files.h"
+#include "common/scene/json_lines.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {
@@ -65,13 +66,22 @@ json light_json(const Light& light) {
     return j;
 }
 
+json camera_json(const Camera& c) {
+    return {{"position", list(c.position)},         {"target", list(c.target)}, {"up", list(c.up)},
+            {"fov_deg", glm::degrees(c.fov_y_rad)}, {"near_m", c.near_m},       {"far_m", c.far_m}};
+}
+
+json knobs_json(const SceneFile& scene) {
+    json j = json::object();
+    for (const auto& [name, value] : scene.knobs) j[name] = value;
+    return j;
+}
+
 }  // namespace
 
 void write_scene(const SceneFile& scene, const std::filesystem::path& path) {
     json j;
-    const Camera& c = scene.camera;
-    j["camera"] = {{"position", list(c.position)},         {"target", list(c.target)}, {"up", list(c.up)},
-                   {"fov_deg", glm::degrees(c.fov_y_rad)}, {"near_m", c.near_m},       {"far_m", c.far_m}};
+    j["camera"] = camera_json(scene.camera);
     j["ambient"] = list(scene.ambient);
     j["background"] = list(scene.background);
     if (const Environment& e = scene.environment)
@@ -81,8 +91,16 @@ void write_scene(const SceneFile& scene, const std::filesystem::path& path) {
     for (const SceneObject& o : scene.objects) j["objects"].push_back(object_json(o));
     j["lights"] = json::array();
     for (const Light& light : scene.lights) j["lights"].push_back(light_json(light));
-    j["knobs"] = json::object();
-    for (const auto& [name, value] : scene.knobs) j["knobs"][name] = value;
+    j["knobs"] = knobs_json(scene);
+    write_file(path, j.dump(1, '\t') + "\n");
+}
+
+void update_scene(const SceneFile& scene, const std::filesystem::path& path) {
+    const std::string text = read_file(path);
+    parse_json(text, path.string());  // throws and says where
+    json j = json::parse(text);
+    j["camera"] = camera_json(scene.camera);
+    j["knobs"] = knobs_json(scene);
     write_file(path, j.dump(1, '\t') + "\n");
 }
 

@@ -66,14 +66,18 @@ bool exercise_row(const std::string& id) {
 Panel::Panel(const Chapter& chapter, const Overlay& overlay)
     : overlay_(overlay), title_(chapter.name.substr(0, 2) + "  " + chapter_title(chapter.name)) {}
 
-int Panel::width(float scale) const { return visible ? static_cast<int>(default_width * scale) : 0; }
+int Panel::width(float scale, uint32_t window_width) const {
+    const float wanted = default_width * scale;
+    return visible && wanted < 0.6f * static_cast<float>(window_width) ? static_cast<int>(wanted) : 0;
+}
 
 Requests Panel::draw(PanelState& state, float scale) {
     Requests requests;
-    if (!visible) return requests;
-    const float left = ImGui::GetIO().DisplaySize.x - static_cast<float>(width(scale));
-    ImGui::SetNextWindowPos({left, 0.0f});
-    ImGui::SetNextWindowSize({static_cast<float>(width(scale)), ImGui::GetIO().DisplaySize.y});
+    const ImVec2 whole = ImGui::GetIO().DisplaySize;
+    const float own = static_cast<float>(width(scale, static_cast<uint32_t>(whole.x)));
+    if (own == 0.0f) return requests;
+    ImGui::SetNextWindowPos({whole.x - own, 0.0f});
+    ImGui::SetNextWindowSize({own, whole.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |

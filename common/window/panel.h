@@ -33,8 +33,9 @@ class Panel {
     static constexpr int default_width = 340;  ///< pixels at scale 1
     bool visible = true;
 
-    /// Of the right edge of the window, in pixels; 0 while it is hidden.
-    int width(float scale) const;
+    /// Of the right edge of the window, in pixels; 0 while it is hidden, and in a window in which it would cover most
+    /// of the picture.
+    int width(float scale, uint32_t window_width) const;
 
     Requests draw(PanelState& state, float scale);
 

@@ -16,6 +16,19 @@ void side_name(const char* text, const ImVec4& color, ImVec2 corner) {
     list.AddText({corner.x + 6.0f, corner.y + 4.0f}, ImGui::GetColorU32(color), text);
 }
 
+// What fits on a screen: a compiler may quote a line of any length, and ImGui counts vertices with 16 bits.
+std::string shortened(const std::string& error) {
+    constexpr size_t most_of_line = 400, most = 4000;
+    std::string result;
+    for (size_t begin = 0; begin < error.size() && result.size() < most;) {
+        const size_t end = std::min(error.find('\n', begin), error.size());
+        const bool cut = end - begin > most_of_line;
+        result += error.substr(begin, cut ? most_of_line : end - begin) + (cut ? " ...\n" : "\n");
+        begin = end + 1;
+    }
+    return result.substr(0, std::max<size_t>(result.size(), 1) - 1);
+}
+
 }  // namespace
 
 void Panel::draw_messages(const std::vector<std::string>& errors, const std::string& notice, glm::uvec2 picture) {
@@ -30,7 +43,7 @@ void Panel::draw_messages(const std::vector<std::string>& errors, const std::str
         ImGui::PushFont(overlay_.mono);
         ImGui::PushStyleColor(ImGuiCol_Text, error_color);
         ImGui::PushTextWrapPos();
-        for (const std::string& error : errors) ImGui::TextUnformatted(error.c_str());
+        for (const std::string& error : errors) ImGui::TextUnformatted(shortened(error).c_str());
         ImGui::PopTextWrapPos();
         ImGui::PopStyleColor();
         ImGui::PopFont();

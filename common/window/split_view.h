@@ -21,6 +21,7 @@ class SplitView {
 
     float divider = 0.5f;  ///< share of the picture's width that the left side has
     bool on() const { return live_ != nullptr; }
+    bool drawn() const { return on() && frame_->output; }  ///< there is a picture of the reference
 
     /// Throws InputError where even the reference cannot load the scene.
     void turn_on(const Chapter& chapter);

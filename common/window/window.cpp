@@ -52,15 +52,17 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
       frame_(gpu),
       screen_(gpu),
       clock_runs_(chapter_.animated()),
-      time_s_(options.time_s) {}
+      time_s_(options.time_s) {
+    remember_scene();
+}
 
 double Window::now() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 glm::uvec2 Window::picture_size() const {
-    const uint32_t panel = static_cast<uint32_t>(panel_.width(display_.scale()));
-    return {swapchain_.size.x > panel + 16 ? swapchain_.size.x - panel : 16u, swapchain_.size.y};
+    const uint32_t panel = static_cast<uint32_t>(panel_.width(display_.scale(), swapchain_.size.x));
+    return {std::max(swapchain_.size.x - std::min(panel, swapchain_.size.x), 16u), swapchain_.size.y};
 }
 
 void Window::run() {
@@ -181,7 +183,7 @@ const Image& Window::compose(glm::uvec2 size, const Image& mine, const Image& re
 }
 
 void Window::compare_when_still() {
-    if (!split_.on()) return;
+    if (!split_.drawn() || !frame_.output) return;
     if (split_.poll()) {
         log_event("flip " + std::to_string(split_.difference->flip_mean));
         active_until_ = now() + 0.01;  // to show the figure

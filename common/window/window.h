@@ -28,6 +28,7 @@ class Window {
     void toggle_all(bool earlier_too);
     void take_screenshot();
     void save_scene();
+    void remember_scene();
     void switch_split();
     void tell(const std::string& text);
     void watch_files();
@@ -57,6 +58,9 @@ class Window {
     int drawn_ = 0;
     double active_until_ = 0, next_watch_ = 0, next_compare_ = 0, notice_until_ = 0, last_draw_ = 0, frame_ms_ = 0;
     std::string notice_, logged_errors_;
+    uint64_t scene_hash_ = 0;       ///< of the scene file as it was read or saved
+    uint64_t saved_hash_ = 0;       ///< of the file that was saved beside it
+    double confirm_until_ = 0;      ///< until then Ctrl+S saves without asking
     const Image* shown_ = nullptr;  ///< the picture drawn last, without the panel
 };
 

@@ -129,6 +129,7 @@ void Window::reload() {
     gpu_.pipelines.rebuild();
     live_.reload();
     split_.reload();
+    if (live_.load_error.empty()) remember_scene();
     tell(live_.load_error.empty() ? "reloaded" : "not reloaded");
     log_event("reloaded");
 }
@@ -156,6 +157,8 @@ void Window::take_screenshot() {
     } catch (const InputError& e) { tell(e.what()); }
 }
 
+// What the window changes is the camera and the knobs. A scene file of one's own keeps everything else; where it is not
+// what was read, or another file is in the way, the key has to be pressed twice.
 void Window::save_scene() {
     SceneFile scene = chapter_.scene.file;
     scene.camera = chapter_.camera;
@@ -164,10 +167,28 @@ void Window::save_scene() {
         scene_.extension() == ".json" && fs::exists(scene_) && !lies_below(scene_, course_root() / "assets");
     const fs::path path = own ? scene_ : fs::path(chapter_.name.substr(0, 2) + "_scene.json");
     try {
-        write_scene(scene, path);
+        const uint64_t there = fs::exists(path) ? hash_bytes(read_file(path)) : 0;
+        const bool known = there == 0 || there == (own ? scene_hash_ : saved_hash_);
+        if (!known && now() > confirm_until_) {
+            confirm_until_ = now() + notice_s;
+            tell(path.string() + (own ? " was edited since it was read" : " is there already") +
+                 "; Ctrl+S again writes " + (own ? "camera and knobs into it" : "over it"));
+            log_event("asks before saving " + fs::absolute(path).string());
+            return;
+        }
+        own ? update_scene(scene, path) : write_scene(scene, path);
+        (own ? scene_hash_ : saved_hash_) = hash_bytes(read_file(path));
         tell("scene: " + fs::absolute(path).string());
         log_event("saved " + fs::absolute(path).string());
-    } catch (const InputError& e) { tell(e.what()); }
+    } catch (const InputError& e) {
+        tell("not saved: " + std::string(e.what()));
+        log_event("not saved");
+    }
+}
+
+void Window::remember_scene() {
+    std::error_code error;
+    scene_hash_ = fs::is_regular_file(scene_, error) ? hash_bytes(read_file(scene_)) : 0;
 }
 
 void Window::tell(const std::string& text) {

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The window as a person uses it: keys, mouse, resizing, and shaders edited while it runs. Under Xvfb, validated."""
+import json
 import os
 import re
 import shutil
@@ -308,6 +309,51 @@ class Window(PictureTest):
         self.assertEqual(turned.read_bytes(), headless.read_bytes(), "the saved scene is another picture")
         self.scene.write_text(before)
         self.session.key("Home")
+        self.assert_as_at_the_start()
+
+    def test_an_edited_scene_is_not_saved_over(self):
+        """Ctrl+S asks first, and what was edited stays beside camera and knobs."""
+        before = self.scene.read_text()
+        self.addCleanup(self.session.key, "F5")
+        self.addCleanup(self.scene.write_text, before)
+        edited = json.loads(before) | {"include": [], "ambient": [0.5, 0.25, 0.125]}
+        self.scene.write_text(json.dumps(edited))
+        since = self.session.said()
+        self.session.key("ctrl+s")
+        self.session.wait_for_line("asks before saving .*", since)
+        self.assertEqual(json.loads(self.scene.read_text()), edited)
+        self.session.key("ctrl+s")
+        self.session.wait_for_line(r"saved .*my_scene.json", since)
+        saved = json.loads(self.scene.read_text())
+        self.assertEqual({key: saved[key] for key in edited if key not in ("camera", "knobs")},
+                         {key: edited[key] for key in edited if key not in ("camera", "knobs")})
+        self.scene.write_text("{broken")
+        since = self.session.said()
+        self.session.key("ctrl+s")
+        self.session.wait_for_line("asks before saving .*", since)
+        self.session.key("ctrl+s")
+        self.session.wait_for_line("not saved", since)
+        self.assertEqual(self.scene.read_text(), "{broken")
+
+    def test_split_while_the_clock_runs(self):
+        """The reference is compared only when it has been drawn."""
+        since = self.session.said()
+        self.session.key("space")
+        self.session.key("F3")
+        self.session.wait_for_line(r"flip (\S+)", since)
+        self.session.key("F3")
+        self.session.wait_for_line("split off", since)
+        self.session.key("space")
+        self.assert_as_at_the_start()
+
+    def test_an_error_that_quotes_a_very_long_line(self):
+        since = self.session.said()
+        self.edit("void main() {", "void main() { int wrong = nothing + " + "1 + " * 50000 + "1;")
+        self.session.wait_for_line("error: shaders/01_obj/clay.frag.*", since)
+        self.assert_last_good_picture_stays()
+        since = self.session.said()
+        (self.course / FRAGMENT).write_text((ROOT / FRAGMENT).read_text())
+        self.session.wait_for_line("no error", since)
         self.assert_as_at_the_start()
 
     def test_clock_runs_and_stops(self):
