@@ -15,7 +15,8 @@ struct Subject {
     virtual void measure(const nlohmann::json& study, nlohmann::json& result) = 0;
 
     /// The need rule: sets the cheapest method whose error in this scene is at most `budget`, by measuring. Called when
-    /// chapter.scene.file is read and nothing loaded. Returns what was measured and chosen, as docs/study_format.md says.
+    /// chapter.scene.file is read and nothing loaded. Returns what was measured and chosen, as docs/study_format.md
+    /// says.
     virtual nlohmann::json choose(double budget) = 0;
 };
 
