@@ -68,7 +68,8 @@ json LoaderSubject::choose(double budget) {
         size_t bytes = 0;
         for (const LoaderFigures& f : measure_loaders(find_asset(object.model), rounds_to_choose, bytes)) {
             const std::string name(loader_name(f.loader));
-            json& c = candidates.try_emplace(name, json{{"method", name}, {"error", 0.0}, {"time_ms", 0.0}}).first->second;
+            json& c =
+                candidates.try_emplace(name, json{{"method", name}, {"error", 0.0}, {"time_ms", 0.0}}).first->second;
             if (f.error.empty()) {
                 c["error"] = std::max(c["error"].get<double>(), static_cast<double>(f.largest_ulps));
                 c["time_ms"] = c["time_ms"].get<double>() + f.quantile(0.5);
@@ -86,7 +87,10 @@ json LoaderSubject::choose(double budget) {
     for (const json& c : all)
         if (c["enough"] == true && (!best || c["time_ms"] < best->at("time_ms"))) best = &c;
     if (best) loader.set(best->at("method").get<std::string>());
-    return {{"budget", budget}, {"error_metric", "ulp"}, {"candidates", all}, {"none_would_do", !best && !all.empty()},
+    return {{"budget", budget},
+            {"error_metric", "ulp"},
+            {"candidates", all},
+            {"none_would_do", !best && !all.empty()},
             {"choice", {{"method", loader.text()}}}};
 }
 

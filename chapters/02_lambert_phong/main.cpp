@@ -7,18 +7,23 @@ using namespace lightwalk;
 
 struct LambertPhong : ModelChapter {
     // [method]
-    Choice method{*this, "method",
+    Choice method{*this,
+                  "method",
                   {"gouraud", "phong", "blinn_phong", "blinn_phong_normalised"},
                   "blinn_phong_normalised",
                   "how highlights are computed; gouraud does so at vertices"};
     // [/method]
     Choice diffuse{*this, "diffuse", {"lambert", "wrapped"}, "lambert", "how matt surfaces receive light"};
     Knob<bool> ambient{*this, "ambient", true, "add the scene's ambient light"};
-    Knob<float> shininess{*this, "shininess", 0.0f, {0.0f, 4096.0f}, "exponent of all highlights; 0: each material's own"};
+    Knob<float> shininess{
+        *this, "shininess", 0.0f, {0.0f, 4096.0f}, "exponent of all highlights; 0: each material's own"};
     Knob<float> wrap{*this, "wrap", 0.5f, {0.0f, 1.0f}, "how far wrapped light reaches around; 0 is Lambert"};
     Knob<float> wrap_power{*this, "wrap_power", 1.5f, {0.1f, 8.0f}, "exponent of wrapped light"};
-    Knob<glm::vec3> wrap_tint{
-        *this, "wrap_tint", {1.0f, 0.35f, 0.2f}, {glm::vec3(0.0f), glm::vec3(1.0f)}, "colour of wrapped light at the edge"};
+    Knob<glm::vec3> wrap_tint{*this,
+                              "wrap_tint",
+                              {1.0f, 0.35f, 0.2f},
+                              {glm::vec3(0.0f), glm::vec3(1.0f)},
+                              "colour of wrapped light at the edge"};
 
     Pipeline shade = graphics({.vertex = "02_lambert_phong/shade.vert", .fragment = "02_lambert_phong/shade.frag"});
     Buffer lights;

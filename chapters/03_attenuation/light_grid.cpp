@@ -6,7 +6,7 @@ namespace lightwalk {
 namespace {
 
 void reserve(Device& device, Buffer& buffer, const char* name, VkDeviceSize words) {
-    if (buffer.bytes < 4 * words) buffer = Buffer(device, {.name = name, .bytes = 4 * words});
+    if (!buffer || buffer.bytes < 4 * words) buffer = Buffer(device, {.name = name, .bytes = 4 * words});
 }
 
 }  // namespace

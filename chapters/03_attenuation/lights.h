@@ -37,9 +37,6 @@ struct Lights : Module {
     /// Sorts the lights into tiles or clusters, where those are the method.
     void record(Frame& frame, const Scene& scene, const Camera& camera);
 
-    /// Another scene was loaded: the lists of objects are made anew.
-    void forget() { object_lights_.forget(); }
-
     std::vector<Resource> reads() const override;
     void bind(Pass& pass) const override;
 

@@ -19,14 +19,16 @@ struct Attenuation : ModelChapter {
     Pipeline depth = graphics({.vertex = "03_attenuation/surface.vert"});
     Pipeline shade = graphics({.vertex = "03_attenuation/surface.vert", .fragment = "03_attenuation/shade.frag"});
 
+    Bounds lit;  ///< where lights are scattered: where the scene was when it was loaded
+
     std::string default_scene() const override { return "scenes/night.json"; }
-    bool animated() const override { return moving; }
-    void prepare(Gpu&) override { lights.forget(); }
+    bool animated() const override { return moving || scene.moves(); }
+    void prepare(Gpu&) override { lit = scene.bounds; }
 
     // The scene's lights and the scattered ones, where they are at this time.
     std::vector<Light> lights_at(float time_s, unsigned seed) const {
         std::vector<Light> all = scene.file.lights;
-        const std::vector<Light> more = scatter_lights(scene.bounds, scattered, seed);
+        const std::vector<Light> more = scatter_lights(lit, scattered, seed);
         all.insert(all.end(), more.begin(), more.end());
         if (moving) move_lights(all, time_s);
         return all;

@@ -6,14 +6,11 @@
 namespace lightwalk {
 
 /// The lists of all draw calls, one after the other, made on the CPU. They do not depend on the camera: only a change
-/// of the lights, of the threshold or of the exercise's toggle makes them anew.
+/// of the lights, of where the scene's parts are, of the threshold or of the exercise's toggle makes them anew.
 class ObjectLights {
   public:
     /// `threshold` is influence_radius()'s. Nothing that reads the buffers may be in flight.
     void update(Gpu& gpu, const Scene& scene, const LightBuffer& lights, float threshold);
-
-    /// Another scene: the next update() makes the lists.
-    void forget() { made_for_ = {}; }
 
     Buffer ends;    ///< where each draw call's list ends in `lights`
     Buffer lights;  ///< positions in the LightBuffer, ascending in each list
@@ -21,6 +18,7 @@ class ObjectLights {
   private:
     struct Key {
         int rebuilds = 0;
+        uint64_t placed = 0;
         float threshold = 0;
         bool solution = false;
         bool operator==(const Key&) const = default;

@@ -26,18 +26,15 @@ struct SurfaceMaps : ModelChapter {
         graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "04_surface_maps/depth.frag"});
 
     SurfaceMaps() {
-        maps.method.alone = true;  // --method is about maps here
+        maps.method.alone = true;                     // --method is about maps here
         lights.method.change_default("every_light");  // these scenes have few
     }
     std::string default_scene() const override { return "scenes/castle_wall.json"; }
     bool reload_on_toggle() const override { return true; }
     std::string load_key() const override { return maps.load_key(); }
-    bool animated() const override { return maps.animated(); }
+    bool animated() const override { return maps.animated() || scene.moves(); }
 
-    void prepare(Gpu& gpu) override {
-        lights.forget();
-        maps.prepare(gpu, scene);
-    }
+    void prepare(Gpu& gpu) override { maps.prepare(gpu, scene); }
 
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         const auto mean_of = [&](const char* shown) {
@@ -64,8 +61,7 @@ struct SurfaceMaps : ModelChapter {
         lights.record(frame, scene, camera);
 
         // 2. Every surface, each by the variant that has just its maps.
-        frame.raster("shade",
-                     {.color = {frame.hdr}, .depth = frame.depth, .with = {maps, lights}, .clear = behind},
+        frame.raster("shade", {.color = {frame.hdr}, .depth = frame.depth, .with = {maps, lights}, .clear = behind},
                      [&](Raster& pass) { maps.draw(pass, scene, surface, displaced); });
 
         // 3. Linear light to the codes a screen expects.

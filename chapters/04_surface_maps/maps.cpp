@@ -1,11 +1,10 @@
 #include "04_surface_maps/maps.h"
 
-#include "04_surface_maps/tangents.h"
-
 #include <cstring>
 #include <glm/gtc/color_space.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include "04_surface_maps/tangents.h"
 #include "common/image/image.h"
 
 namespace lightwalk {
@@ -92,38 +91,40 @@ void Maps::prepare(Gpu& gpu, Scene& scene) {
 }
 
 Macros Maps::variant(const DrawItem& item) const {
+    const std::array<const Knob<bool>*, map_slot_count> knobs{
+        // in the order of the slots
+        &diffuse, &specular, &emissive, &opacity, &normal, &height, &orm, &occlusion, &gloss, &detail_normal};
     Macros macros;
-    for (const Knob<bool>* slot :
-         {&diffuse, &specular, &emissive, &opacity, &normal, &height, &orm, &occlusion, &gloss, &detail_normal})
-        macros.set(slot->macro(), *slot && item.maps.count(slot->name + "_map") ? "1" : "0");
+    for (size_t i = 0; i < knobs.size(); ++i) macros.set(knobs[i]->macro(), *knobs[i] && item.maps[i] ? "1" : "0");
     return macros;
 }
 
 void Maps::draw(Raster& pass, const Scene& scene, const Pipeline& loaded, const Pipeline& displaced) const {
-    for (const DrawItem& item : scene.items) {
-        pass.use(mesh.is("displaced") ? displaced : loaded, variant(item));
+    for (const Batch& batch : scene.batches()) {
+        pass.use(mesh.is("displaced") ? displaced : loaded, variant(batch.item()));
         pass.offer("ambient", scene.file.ambient);
         if (mesh.is("displaced"))
-            draw_displaced(pass, scene, item, static_cast<uint32_t>(subdivide.value));
+            draw_displaced(pass, batch, static_cast<uint32_t>(subdivide.value));
         else
-            scene.draw(pass, item);
+            pass.draw(batch);
     }
 }
 
 void make_mips(Gpu& gpu, Scene& scene, float cutoff) {
-    std::map<std::pair<const Image*, std::string>, std::shared_ptr<Image>> made;  // many items share one texture
+    std::map<std::pair<const Image*, MapSlot>, std::shared_ptr<Image>> made;  // many items share one texture
     for (DrawItem& item : scene.items)
-        for (auto& [slot, image] : item.maps) {
-            const bool is_normal = slot == "normal_map" || slot == "detail_normal_map";
-            if (!is_normal && slot != "diffuse_map" && slot != "opacity_map" && slot != "height_map") continue;
+        for (const MapSlot slot :
+             {MapSlot::diffuse, MapSlot::opacity, MapSlot::normal, MapSlot::height, MapSlot::detail_normal}) {
+            std::shared_ptr<Image>& image = item.maps[slot];
+            if (!image) continue;
             std::shared_ptr<Image>& entry = made[{image.get(), slot}];
             if (!entry) {
                 const Level level = read_level(gpu, *image);
-                if (is_normal)
+                if (slot == MapSlot::normal || slot == MapSlot::detail_normal)
                     entry = upload_levels(gpu, image->desc, normal_levels(level));
-                else if (slot == "height_map")
+                else if (slot == MapSlot::height)
                     entry = upload_heights(gpu, *image, level);
-                else if (slot == "opacity_map")
+                else if (slot == MapSlot::opacity)
                     entry = upload_levels(gpu, image->desc, opacity_levels(level, cutoff));
                 else if (coverage(level, 1.0f) < 1.0)
                     entry = upload_levels(gpu, image->desc, cutout_levels(level, cutoff));
@@ -141,11 +142,12 @@ double mean_texels(const ImageRgb& picture) {
     return count > 0 ? white_texels * sum / count : 0.0;
 }
 
-void draw_displaced(Raster& pass, const Scene& scene, const DrawItem& item, uint32_t subdivide) {
+void draw_displaced(Raster& pass, const Batch& batch, uint32_t subdivide) {
+    const DrawItem& item = batch.item();
     const Part& part = item.model->model.meshes[item.mesh].parts[item.part];
     pass.set("indices", item.model->indices[item.mesh]).set("part", glm::uvec2(part.first_index, subdivide));
-    scene.bind(pass, item);
-    pass.draw(part.index_count * subdivide * subdivide, 1, static_cast<uint32_t>(&item - scene.items.data()));
+    batch.bind(pass);
+    pass.draw(part.index_count * subdivide * subdivide, batch.count, batch.first);
 }
 
 }  // namespace lightwalk

@@ -1,4 +1,5 @@
-// Surfaces that textures describe, as a module: which maps are in use, how bumps are shown, and the maps' smaller levels.
+// Surfaces that textures describe, as a module: which maps are in use, how bumps are shown, and the maps' smaller
+// levels.
 #pragma once
 #include "04_surface_maps/levels.h"
 #include "common/app/module.h"
@@ -21,8 +22,7 @@ struct Maps : Module {
     // [/method]
     Knob<int> steps{*this, "steps", 32, {1, 4096}, "how often steep, occlusion and relief look at the height map"};
     Knob<float> height_m{*this, "height_m", 0.05f, {0.0f, 1.0f}, "how deep black lies in a height map", "m"};
-    Choice mesh{
-        *this, "mesh", {"loaded", "displaced"}, "loaded", "displaced: the height map moves a finely cut mesh"};
+    Choice mesh{*this, "mesh", {"loaded", "displaced"}, "loaded", "displaced: the height map moves a finely cut mesh"};
     Knob<int> subdivide{*this, "subdivide", 16, {1, 1024}, "into how many a displaced triangle's edge is cut"};
     Knob<float> strength{*this, "strength", 1.0f, {0.0f, 4.0f}, "by what the slope in normal maps is multiplied"};
     Knob<float> detail_tiles{
@@ -73,7 +73,7 @@ Level read_level(Gpu& gpu, const Image& image);
 /// The mean of a picture of hit errors or of swimming over the pixels where there is one, in texels of the height map.
 double mean_texels(const ImageRgb& picture);
 
-/// Draws `item` with each triangle cut into subdivide × subdivide.
-void draw_displaced(Raster& pass, const Scene& scene, const DrawItem& item, uint32_t subdivide);
+/// Draws the batch with each triangle cut into subdivide × subdivide.
+void draw_displaced(Raster& pass, const Batch& batch, uint32_t subdivide);
 
 }  // namespace lightwalk

@@ -1,9 +1,10 @@
+#include "common/app/compile_shaders.h"
+
 #include <cstdio>
 #include <set>
 
-#include "common/app/compile_shaders.h"
-#include "common/base/exercise.h"
 #include "common/base/error.h"
+#include "common/base/exercise.h"
 #include "common/base/files.h"
 
 namespace lightwalk {
@@ -50,8 +51,8 @@ std::vector<Macros> variants(const Chapter& chapter, const std::string& text, bo
 }
 
 // Compiles what no earlier state or variant has compiled already.
-int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defaults_only,
-                     std::set<std::string>& seen, std::set<std::filesystem::path>& files) {
+int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defaults_only, std::set<std::string>& seen,
+                     std::set<std::filesystem::path>& files) {
     std::string text;
     for (const std::string& shader : pipeline.shaders())
         if (pipeline.compute.source.empty()) text += flatten_bare(shader).text;

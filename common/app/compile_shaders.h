@@ -5,8 +5,8 @@
 namespace lightwalk {
 
 /// Compiles every pipeline of the chapter in every variant of its choices and toggles, and validates the SPIR-V. Needs
-/// no device. Then writes the file `stamp`, and beside it `stamp`.d, which says in make's words which shaders it was made
-/// from. Throws ShaderError.
+/// no device. Then writes the file `stamp`, and beside it `stamp`.d, which says in make's words which shaders it was
+/// made from. Throws ShaderError.
 int compile_all_shaders(Chapter& chapter, const std::string& stamp);
 
 }  // namespace lightwalk

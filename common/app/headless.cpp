@@ -1,8 +1,9 @@
+#include "common/app/headless.h"
+
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "common/app/headless.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
 #include "common/base/error.h"

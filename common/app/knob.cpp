@@ -148,8 +148,11 @@ void Choice::set(const std::string& given) {
 }
 
 nlohmann::json Choice::describe() const {
-    return {
-        {"name", path()}, {"type", "choice"}, {"default", options[default_index_]}, {"options", options}, {"help", help}};
+    return {{"name", path()},
+            {"type", "choice"},
+            {"default", options[default_index_]},
+            {"options", options},
+            {"help", help}};
 }
 
 void Choice::add_macros(Macros& macros) const {

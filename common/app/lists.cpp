@@ -1,10 +1,11 @@
+#include "common/app/lists.h"
+
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "common/app/lists.h"
 #include "common/app/shots.h"
-#include "common/base/exercise.h"
 #include "common/base/error.h"
+#include "common/base/exercise.h"
 #include "common/gpu/device.h"
 
 namespace lightwalk {

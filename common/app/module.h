@@ -41,7 +41,7 @@ class Module : public Given {
 
     /// What was before is not to be used: another scene, another method.
     void forget_history();
-// [/module]
+    // [/module]
 
   protected:
     Module() = default;  ///< a chapter: it has no owner and no name

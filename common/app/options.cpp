@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "common/app/shots.h"
-#include "common/base/exercise.h"
 #include "common/base/error.h"
+#include "common/base/exercise.h"
 
 namespace lightwalk {
 namespace {
@@ -76,7 +76,8 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--validate", validate, "Vulkan validation, core and synchronisation; a message is a failure")
         ->check(CLI::IsMember({"on", "off"}));
     app.add_option("--seed", o.seed, "seed for what is random");
-    app.add_option("--compile-shaders", o.compile_shaders, "compile and validate all shaders in all variants; for the build")
+    app.add_option("--compile-shaders", o.compile_shaders,
+                   "compile and validate all shaders in all variants; for the build")
         ->type_name("STAMP");
     std::map<std::string, std::string> by_knob, by_command;
     const KnobList knobs = chapter.all_knobs();

@@ -47,8 +47,8 @@ class Target : public TargetBase, public Image {
 class History : public TargetBase {
   public:
     History(Module& owner, const TargetDesc& desc);
-    const Image& now();              ///< to write; marks it as written in this frame
-    const Image& before() const;     ///< to read where valid()
+    const Image& now();                    ///< to write; marks it as written in this frame
+    const Image& before() const;           ///< to read where valid()
     bool valid() const { return valid_; }  ///< the frame before this one wrote it, at this size
     void begin_frame(Gpu& gpu, glm::uvec2 frame_size) override;
     void forget() override { valid_ = written_ = false; }

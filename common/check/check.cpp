@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <memory>
 
-#include "common/base/exercise.h"
 #include "common/base/error.h"
+#include "common/base/exercise.h"
 
 namespace lightwalk {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "common/check/check.h"
-#include "common/base/exercise.h"
 #include "common/base/error.h"
+#include "common/base/exercise.h"
+#include "common/check/check.h"
 #include "common/gpu/gpu.h"
 
 using namespace lightwalk;

@@ -12,9 +12,11 @@ namespace lightwalk {
 namespace fs = std::filesystem;
 namespace {
 
-// "02" for "02_lambert_phong/x.glsl", "00" for common.
+// "02" for "02_lambert_phong/x.glsl", and for a test's file in tests/02_lambert_phong; "00" for common.
 std::string chapter_of(const std::string& name) {
-    return name.size() > 2 && std::isdigit(static_cast<unsigned char>(name[0])) ? name.substr(0, 2) : "00";
+    for (const fs::path& folder : fs::path(name))
+        if (std::isdigit(static_cast<unsigned char>(folder.native()[0]))) return folder.string().substr(0, 2);
+    return "00";
 }
 
 // $LIGHTWALK_OVERLAY: a folder whose shaders stand in for those of the same path, to try a change without making it.
@@ -132,8 +134,8 @@ void refuse_unknown_macros(const std::string& text, const Macros& macros) {
                 } else if (!known.count(words[i]) && !words[i].starts_with("GL_")) {
                     const std::string shown = file.size() > 2 ? file.substr(1, file.size() - 2) : file;
                     throw ShaderError(shown + ":" + std::to_string(number) + ": nobody defines " +
-                                      std::string(words[i]) + "; does the pass state `.with` the module it belongs to?" +
-                                      "\n    " + line);
+                                      std::string(words[i]) +
+                                      "; does the pass state `.with` the module it belongs to?" + "\n    " + line);
                 }
             }
         }

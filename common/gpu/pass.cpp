@@ -125,6 +125,11 @@ bool Pass::flush() {
 
 Raster& Raster::use(const Pipeline& pipeline, const Macros& variant) {
     bind(pipeline, variant, formats, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    return mirrored(false);
+}
+
+Raster& Raster::mirrored(bool is_mirrored) {
+    vkCmdSetFrontFace(commands, is_mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     return *this;
 }
 

@@ -137,6 +137,8 @@ class Raster : public PassSetters<Raster> {
     TargetFormats formats;
     /// `variant`: macros for this use alone, over those of the pass.
     Raster& use(const Pipeline& pipeline, const Macros& variant = {});
+    /// Until the next use(): what is drawn was mirrored, so that its front is clockwise rather than counter-clockwise.
+    Raster& mirrored(bool is_mirrored);
     Raster& draw(uint32_t vertices, uint32_t instances = 1, uint32_t first_instance = 0);
     Raster& draw_indexed(const Buffer& indices, uint32_t first_index, uint32_t count, uint32_t instances = 1,
                          uint32_t first_instance = 0);

@@ -1,5 +1,6 @@
 #include "common/scene/import.h"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -100,6 +101,8 @@ Material to_material(const aiMaterial& from, const aiScene& scene, const fs::pat
     from.Get(AI_MATKEY_REFRACTI, to.refraction);
     from.Get(AI_MATKEY_ROUGHNESS_FACTOR, to.roughness);
     from.Get(AI_MATKEY_METALLIC_FACTOR, to.metalness);
+    aiString alpha;
+    to.blend = from.Get(AI_MATKEY_GLTF_ALPHAMODE, alpha) == AI_SUCCESS && alpha == aiString("BLEND");
     static constexpr std::pair<aiTextureType, TextureMap Material::*> maps[] = {
         {aiTextureType_DIFFUSE, &Material::diffuse_map},
         {aiTextureType_BASE_COLOR, &Material::diffuse_map},
@@ -157,6 +160,43 @@ std::vector<Node> to_nodes(const aiNode& root) {
     return nodes;
 }
 
+template <class T, class Key, class Convert>
+std::vector<TimedValue<T>> to_values(const Key* keys, unsigned count, double ticks_per_s, Convert convert) {
+    std::vector<TimedValue<T>> values;
+    for (unsigned i = 0; i < count; ++i)
+        values.push_back({static_cast<float>(keys[i].mTime / ticks_per_s), convert(keys[i].mValue)});
+    return values;
+}
+
+// The file's first animation. A channel without positions, rotations or scales leaves the node's own.
+void add_motions(const aiScene& scene, Model& model) {
+    if (scene.mNumAnimations == 0 || !(scene.mAnimations[0]->mDuration > 0)) return;
+    const aiAnimation& from = *scene.mAnimations[0];
+    const double ticks_per_s = from.mTicksPerSecond > 0 ? from.mTicksPerSecond : 25;
+    model.motions_s = static_cast<float>(from.mDuration / ticks_per_s);
+    for (unsigned i = 0; i < from.mNumChannels; ++i) {
+        const aiNodeAnim& channel = *from.mChannels[i];
+        const auto node = std::find_if(model.nodes.begin(), model.nodes.end(),
+                                       [&](const Node& n) { return n.name == channel.mNodeName.C_Str(); });
+        const aiNode* own = scene.mRootNode->FindNode(channel.mNodeName);
+        if (node == model.nodes.end() || !own) continue;
+        aiVector3D scale, position;
+        aiQuaternion rotation;
+        own->mTransformation.Decompose(scale, rotation, position);
+        const auto to_quat = [](const aiQuaternion& q) { return glm::quat(q.w, q.x, q.y, q.z); };
+        const auto to_vec = [](const aiVector3D& v) { return to_glm(v); };
+        NodeMotion motion{
+            .node = static_cast<uint32_t>(node - model.nodes.begin()),
+            .position = to_values<glm::vec3>(channel.mPositionKeys, channel.mNumPositionKeys, ticks_per_s, to_vec),
+            .scale = to_values<glm::vec3>(channel.mScalingKeys, channel.mNumScalingKeys, ticks_per_s, to_vec),
+            .rotation = to_values<glm::quat>(channel.mRotationKeys, channel.mNumRotationKeys, ticks_per_s, to_quat)};
+        if (motion.position.empty()) motion.position = {{0, to_glm(position)}};
+        if (motion.scale.empty()) motion.scale = {{0, to_glm(scale)}};
+        if (motion.rotation.empty()) motion.rotation = {{0, to_quat(rotation)}};
+        model.motions.push_back(std::move(motion));
+    }
+}
+
 std::string first_line(std::string text) {
     text = text.substr(0, text.find_first_of("\r\n"));
     return text.empty() ? "cannot be read" : text;
@@ -198,6 +238,7 @@ Model import_model(const fs::path& path) {
     if (model.materials.empty()) model.materials.emplace_back();
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) model.meshes.push_back(to_mesh(*scene->mMeshes[i]));
     model.nodes = to_nodes(*scene->mRootNode);
+    add_motions(*scene, model);
     return model;
 }
 

@@ -27,7 +27,8 @@ struct Material {
     float opacity = 1.0f;                                                    ///< d, or 1 − Tr
     float refraction = 1.5f;                                                 ///< Ni
     float roughness = 0.5f, metalness = 0.0f;                                ///< Pr Pm
-    int illumination = 2;                                                    ///< illum, 0 to 10
+    bool blend = false;    ///< alpha and opacity let through what lies behind, rather than cut holes
+    int illumination = 2;  ///< illum, 0 to 10
     TextureMap diffuse_map, specular_map, ambient_map, emissive_map, shininess_map, opacity_map;
     TextureMap bump_map, normal_map, displacement_map, roughness_map, metalness_map;
 };

@@ -1,6 +1,24 @@
 #include "common/scene/mesh.h"
 
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace lightwalk {
+namespace {
+
+glm::vec3 blend(glm::vec3 a, glm::vec3 b, float t) { return glm::mix(a, b, t); }
+glm::quat blend(glm::quat a, glm::quat b, float t) { return glm::slerp(a, b, t); }
+
+template <class T>
+T value_at(const std::vector<TimedValue<T>>& values, float time_s) {
+    size_t next = 0;
+    while (next < values.size() && values[next].time_s <= time_s) ++next;
+    if (next == 0 || next == values.size()) return values[next == 0 ? 0 : next - 1].value;
+    const TimedValue<T>&a = values[next - 1], &b = values[next];
+    return blend(a.value, b.value, (time_s - a.time_s) / (b.time_s - a.time_s));
+}
+
+}  // namespace
 
 // [world_transforms]
 std::vector<glm::mat4> world_transforms(const Model& model) {
@@ -12,6 +30,23 @@ std::vector<glm::mat4> world_transforms(const Model& model) {
     return world;
 }
 // [/world_transforms]
+
+std::vector<glm::mat4> world_transforms(const Model& model, float time_s) {
+    if (model.motions.empty()) return world_transforms(model);
+    const double time = std::fmod(double(time_s), model.motions_s) + (time_s < 0 ? model.motions_s : 0.0f);
+    std::vector<glm::mat4> world;
+    for (const Node& node : model.nodes) world.push_back(node.local);
+    for (const NodeMotion& motion : model.motions) {
+        const auto now_s = static_cast<float>(time);
+        const glm::mat4 moved = glm::translate(glm::mat4(1.0f), value_at(motion.position, now_s));
+        world[motion.node] =
+            glm::scale(moved * glm::mat4_cast(value_at(motion.rotation, now_s)), value_at(motion.scale, now_s));
+    }
+    for (size_t i = 0; i < world.size(); ++i)
+        if (const int parent = model.nodes[i].parent; parent >= 0)
+            world[i] = world[static_cast<size_t>(parent)] * world[i];
+    return world;
+}
 
 Bounds model_bounds(const Model& model) {
     const auto world = world_transforms(model);

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <string>
 #include <vector>
 
@@ -42,14 +43,33 @@ struct Node {
     std::vector<uint32_t> meshes;
 };
 
+template <class T>
+struct TimedValue {
+    float time_s = 0;
+    T value{};
+};
+
+/// A node that a model file moves: values in rising time, linear in between, those of the ends outside. None is empty.
+/// They take the place of Node::local: scaled, then rotated, then moved.
+struct NodeMotion {
+    uint32_t node = 0;
+    std::vector<TimedValue<glm::vec3>> position, scale;
+    std::vector<TimedValue<glm::quat>> rotation;
+};
+
 struct Model {
     std::vector<Mesh> meshes;
     std::vector<Material> materials;  ///< never empty: a default stands in where the file names none
     std::vector<Node> nodes;
+    std::vector<NodeMotion> motions;
+    float motions_s = 0;  ///< how long they take; then they begin anew. Above 0 where there is one
 };
 
 /// Each node's transform into the model's space: the product of the locals from the root down.
 std::vector<glm::mat4> world_transforms(const Model& model);
+
+/// The same at a time, with the nodes moved by the model's motions.
+std::vector<glm::mat4> world_transforms(const Model& model, float time_s);
 
 /// The box around every vertex that a node places.
 Bounds model_bounds(const Model& model);

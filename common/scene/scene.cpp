@@ -1,33 +1,12 @@
 #include "common/scene/scene.h"
 
-#include <cstdio>
+#include <numeric>
+#include <tuple>
 
 #include "common/base/error.h"
 
 namespace lightwalk {
 namespace {
-
-struct Slot {
-    const char* name;
-    uint32_t bit;
-    TextureKind kind;
-    int channels;  ///< that a texture must have at least
-    const TextureMap Material::*map;
-};
-
-// In the order of the bits in common/structs.h. What MTL has no statement for, only a scene file can name.
-constexpr Slot slots[] = {
-    {"diffuse", DIFFUSE_MAP, TextureKind::color, 1, &Material::diffuse_map},
-    {"specular", SPECULAR_MAP, TextureKind::data, 1, &Material::specular_map},
-    {"emissive", EMISSIVE_MAP, TextureKind::color, 1, &Material::emissive_map},
-    {"opacity", OPACITY_MAP, TextureKind::data, 1, &Material::opacity_map},
-    {"normal", NORMAL_MAP, TextureKind::data, 3, &Material::normal_map},
-    {"height", HEIGHT_MAP, TextureKind::data, 1, &Material::displacement_map},
-    {"orm", ORM_MAP, TextureKind::data, 3, nullptr},
-    {"occlusion", OCCLUSION_MAP, TextureKind::data, 1, nullptr},
-    {"gloss", GLOSS_MAP, TextureKind::data, 1, &Material::shininess_map},
-    {"detail_normal", DETAIL_NORMAL_MAP, TextureKind::data, 3, nullptr},
-};
 
 Material overridden(Material material, const MaterialOverride& with) {
     if (with.diffuse) material.diffuse = *with.diffuse;
@@ -35,133 +14,138 @@ Material overridden(Material material, const MaterialOverride& with) {
     if (with.emissive) material.emissive = *with.emissive;
     if (with.shininess) material.shininess = *with.shininess;
     if (with.opacity) material.opacity = *with.opacity;
+    if (with.blend) material.blend = *with.blend;
     return material;
 }
 
-const Slot& find_slot(const std::string& name) {
-    std::string known;
-    for (const Slot& slot : slots) {
-        if (slot.name == name) return slot;
-        known += (known.empty() ? "" : ", ") + std::string(slot.name);
-    }
-    throw InputError("unknown texture slot '" + name + "'; there are: " + known);
+MaterialData material_data(const DrawItem& item) {
+    return {.diffuse = item.material.diffuse,
+            .shininess = item.material.shininess,
+            .specular = item.material.specular,
+            .opacity = item.material.opacity,
+            .emissive = item.material.emissive,
+            .maps = item.maps.bits(),
+            .roughness = item.roughness,
+            .metalness = item.metalness};
+}
+
+std::vector<uint32_t> places(size_t from, size_t to) {
+    std::vector<uint32_t> result(to - from);
+    std::iota(result.begin(), result.end(), static_cast<uint32_t>(from));
+    return result;
 }
 
 }  // namespace
-
-std::shared_ptr<GpuModel> ModelPool::load(Gpu& gpu, const std::filesystem::path& file, const ModelLoader& loader) {
-    std::error_code error;
-    std::shared_ptr<GpuModel>& entry = models_[std::filesystem::weakly_canonical(file, error).string()];
-    if (entry) return entry;
-    auto model = std::make_shared<GpuModel>();
-    model->model = loader(file);
-    for (const Mesh& mesh : model->model.meshes) {
-        model->vertices.push_back(gpu.upload(mesh.name + " vertices", mesh.vertices));
-        model->indices.push_back(gpu.upload(mesh.name + " indices", mesh.indices));
-    }
-    return entry = model;
-}
 
 void Scene::load(Gpu& gpu, SceneFile scene, const ModelLoader& loader) {
     if (!images_) images_ = std::make_unique<ImagePool>(gpu);
     white_ = images_->constant(glm::vec4(1.0f));
     flat_ = images_->constant({0.5f, 0.5f, 1.0f, 1.0f});
     file = std::move(scene);
+    load_environment();
     items.clear();
+    objects_.clear();
+    moving_models_.clear();
+    moving_items_.clear();
     bounds = {};
-    std::map<std::string, glm::mat4> world;
-    for (const SceneObject& object : file.objects) {
-        const glm::mat4 parent = object.parent.empty() ? glm::mat4(1.0f) : world.at(object.parent);
-        const glm::mat4 transform = parent * local_transform(object);
-        if (!object.name.empty()) world[object.name] = transform;
-        if (!object.model.empty()) place(gpu, object, transform, loader);
+    std::map<std::string, int> by_name;
+    for (size_t i = 0; i < file.objects.size(); ++i) {
+        const SceneObject& object = file.objects[i];
+        Placed& placed_object = objects_.emplace_back();
+        if (!object.parent.empty()) placed_object.parent = by_name.at(object.parent);
+        const Placed root;
+        const Placed& parent = placed_object.parent < 0 ? root : objects_[static_cast<size_t>(placed_object.parent)];
+        placed_object.local = local_transform(object, 0.0f);
+        placed_object.world = parent.world * placed_object.local;
+        placed_object.moves = object.motion || parent.moves;
+        if (!object.name.empty()) by_name[object.name] = static_cast<int>(i);
+        if (!object.model.empty()) add_items(gpu, i, loader);
     }
+    for (DrawItem& item : items) place(item);
+    sort_items();
+    find_batches();
+    placed = next_placement();
     std::vector<Instance> instance_data;
-    std::vector<MaterialData> material_data;
-    for (const DrawItem& item : items) {
+    std::vector<MaterialData> numbers;
+    for (size_t i = 0; i < items.size(); ++i) {
+        const DrawItem& item = items[i];
         bounds.add(item.bounds);
-        instance_data.push_back({item.transform, glm::transpose(glm::inverse(glm::mat3(item.transform))),
-                                 static_cast<uint32_t>(material_data.size())});
-        MaterialData data{.diffuse = item.material.diffuse,
-                          .shininess = item.material.shininess,
-                          .specular = item.material.specular,
-                          .opacity = item.material.opacity,
-                          .emissive = item.material.emissive,
-                          .maps = 0,
-                          .roughness = item.roughness,
-                          .metalness = item.metalness};
-        for (const Slot& slot : slots)
-            if (item.maps.count(std::string(slot.name) + "_map")) data.maps |= slot.bit;
-        material_data.push_back(data);
+        instance_data.push_back(instance_of(item, i));
+        numbers.push_back(material_data(item));
+        if (objects_[item.object].moves || item.model->model.motions.size())
+            moving_items_.push_back(static_cast<uint32_t>(i));
     }
+    to_upload_.assign(items.size(), false);
     instances = gpu.upload("instances", instance_data);
-    materials = gpu.upload("materials", material_data);
+    materials = gpu.upload("materials", numbers);
 }
 
-void Scene::place(Gpu& gpu, const SceneObject& object, const glm::mat4& world, const ModelLoader& loader) {
-    const auto model = models_.load(gpu, find_asset(object.model), loader);
-    const auto transforms = world_transforms(model->model);
-    for (size_t node = 0; node < model->model.nodes.size(); ++node)
-        for (const uint32_t mesh_index : model->model.nodes[node].meshes) {
-            const Mesh& mesh = model->model.meshes[mesh_index];
-            for (uint32_t part = 0; part < mesh.parts.size(); ++part) {
-                DrawItem item{.model = model, .mesh = mesh_index, .part = part};
-                item.transform = world * transforms[node];
-                for (int corner = 0; corner < 8; ++corner) {
-                    const glm::vec3 pick(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
-                    const glm::vec3 p = glm::mix(mesh.bounds.lower, mesh.bounds.upper, pick);
-                    item.bounds.add(glm::vec3(item.transform * glm::vec4(p, 1.0f)));
-                }
-                const Material& own = model->model.materials[mesh.parts[part].material];
-                item.material = overridden(own, object.material);
-                item.roughness = object.material.roughness.value_or(-1.0f);
-                item.metalness = object.material.metalness.value_or(-1.0f);
-                const auto load_map = [&](const std::filesystem::path& image, const Slot& slot) {
-                    try {
-                        return images_->load(image, slot.kind, slot.channels);
-                    } catch (const InputError& e) { throw InputError(std::string(slot.name) + " map: " + e.what()); }
-                };
-                for (const Slot& slot : slots) {
-                    if (!slot.map || !(own.*slot.map)) continue;
-                    try {
-                        item.maps[std::string(slot.name) + "_map"] = load_map((own.*slot.map).file, slot);
-                    } catch (const InputError& e) {
-                        if (warned_.insert(own.name + "\n" + e.what()).second)
-                            std::fprintf(stderr, "warning: material '%s': %s; drawn without it\n", own.name.c_str(),
-                                         e.what());
-                    }
-                }
-                for (const auto& [name, texture] : object.material.maps)
-                    item.maps[name + "_map"] = load_map(find_asset(texture), find_slot(name));
-                items.push_back(std::move(item));
-            }
-        }
-}
-
-void Scene::draw(Raster& pass) const {
-    for (const DrawItem& item : items) draw(pass, item);
-}
-
-void Scene::bind(Raster& pass, const DrawItem& item) const {
-    if (pass.wants("instances")) pass.set("instances", instances);
-    if (pass.wants("materials")) pass.set("materials", materials);
-    if (pass.wants("vertices")) pass.set("vertices", item.model->vertices[item.mesh]);
-    for (const auto& [name, buffers] : item.model->attributes)
-        if (pass.wants(name)) pass.set(name, buffers[item.mesh]);
-    for (const Slot& slot : slots) {
-        const std::string binding = std::string(slot.name) + "_map";
-        if (!pass.wants(binding)) continue;
-        const auto map = item.maps.find(binding);
-        const bool is_normal = slot.bit == NORMAL_MAP || slot.bit == DETAIL_NORMAL_MAP;
-        pass.set(binding, map != item.maps.end() ? *map->second : is_normal ? *flat_ : *white_);
+void Scene::add_items(Gpu& gpu, size_t object, const ModelLoader& loader) {
+    const SceneObject& from = file.objects[object];
+    const auto gpu_model = models_.load(gpu, find_asset(from.model), loader);
+    const Model& model = gpu_model->model;
+    if (!model.motions.empty() &&
+        std::find(moving_models_.begin(), moving_models_.end(), gpu_model) == moving_models_.end()) {
+        gpu_model->nodes = world_transforms(model, 0.0f);  // the pool's may have been moved
+        moving_models_.push_back(gpu_model);
     }
+    for (uint32_t node = 0; node < model.nodes.size(); ++node)
+        for (const uint32_t mesh : model.nodes[node].meshes)
+            for (uint32_t part = 0; part < model.meshes[mesh].parts.size(); ++part) {
+                DrawItem& item = items.emplace_back();
+                item.model = gpu_model;
+                item.mesh = mesh, item.part = part, item.node = node;
+                item.object = static_cast<uint32_t>(object);
+                const Material& own = model.materials[model.meshes[mesh].parts[part].material];
+                item.material = overridden(own, from.material);
+                item.transparent = item.material.opacity < 1.0f || item.material.blend;
+                item.roughness = from.material.roughness.value_or(-1.0f);
+                item.metalness = from.material.metalness.value_or(-1.0f);
+                item.maps = load_maps(*images_, own, from.material, warned_);
+            }
 }
 
-void Scene::draw(Raster& pass, const DrawItem& item) const {
-    bind(pass, item);
-    const Part& part = item.model->model.meshes[item.mesh].parts[item.part];
-    pass.draw_indexed(item.model->indices[item.mesh], part.first_index, part.index_count, 1,
-                      static_cast<uint32_t>(&item - items.data()));
+// Groups in the order in which their first item stands in the file, the transparent ones after the opaque ones.
+void Scene::sort_items() {
+    using Key = std::tuple<bool, const GpuModel*, uint32_t, uint32_t, bool, MaterialMaps>;
+    std::map<Key, size_t> groups;
+    std::vector<size_t> group;
+    for (const DrawItem& item : items) {
+        const Key key{item.transparent, item.model.get(), item.mesh, item.part, item.mirrored, item.maps};
+        group.push_back(groups.emplace(key, groups.size()).first->second);
+    }
+    std::vector<uint32_t> order = places(0, items.size());
+    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+        return std::pair(items[a].transparent, group[a]) < std::pair(items[b].transparent, group[b]);
+    });
+    std::vector<DrawItem> sorted;
+    sorted.reserve(items.size());
+    for (const uint32_t i : order) sorted.push_back(std::move(items[i]));
+    items = std::move(sorted);
+    first_transparent_ = static_cast<size_t>(
+        std::count_if(items.begin(), items.end(), [](const DrawItem& item) { return !item.transparent; }));
+}
+
+void Scene::load_environment() {
+    environment = nullptr;
+    if (!file.environment) return;
+    const auto refuse = [&](const std::string& why) { throw InputError(file.environment.where + ": " + why); };
+    try {
+        environment = images_->load(find_asset(file.environment.image), TextureKind::data, 3);
+    } catch (const InputError& e) { refuse(e.what()); }
+    const glm::uvec2 size = environment->desc.size;
+    if (size.x != 2 * size.y)
+        refuse(file.environment.image.string() + " is " + std::to_string(size.x) + "x" + std::to_string(size.y) +
+               ", expected an image of all directions, twice as wide as high");
+}
+
+DrawList Scene::all() const { return {*this, places(0, items.size())}; }
+DrawList Scene::opaque() const { return {*this, places(0, first_transparent_)}; }
+DrawList Scene::transparent() const { return {*this, places(first_transparent_, items.size())}; }
+
+const Image& Scene::texture(const DrawItem& item, MapSlot slot) const {
+    if (const auto& map = item.maps[slot]) return *map;
+    return map_slots()[static_cast<size_t>(slot)].is_normal ? *flat_ : *white_;
 }
 
 size_t Scene::triangle_count() const {
@@ -172,6 +156,8 @@ size_t Scene::triangle_count() const {
 
 void Scene::clear() {
     items.clear();
+    moving_items_.clear();
+    environment = nullptr;
     models_.clear();
     if (images_) images_->clear();
     warned_.clear();

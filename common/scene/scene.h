@@ -1,69 +1,76 @@
-// A scene on the device: models placed by a scene file, drawn part by part.
+// A scene on the device: models placed by a scene file, drawn in batches of equal parts.
 #pragma once
-#include <functional>
-#include <memory>
-#include <set>
-
-#include "common/gpu/pass.h"
-#include "common/scene/image_pool.h"
-#include "common/scene/mesh.h"
-#include "common/scene/scene_file.h"
+#include "common/gpu/frame.h"
+#include "common/scene/draw_list.h"
+#include "common/scene/material_maps.h"
+#include "common/scene/model_pool.h"
 
 namespace lightwalk {
 
-using ModelLoader = std::function<Model(const std::filesystem::path&)>;
-
-/// A model as loaded and its buffers: for each mesh one of vertices and one of indices.
-struct GpuModel {
-    Model model;
-    std::vector<Buffer> vertices, indices;
-
-    /// What a chapter adds to vertices: by binding, a buffer for each mesh.
-    std::map<std::string, std::vector<Buffer>> attributes;
-};
-
-/// Models by file, each loaded and uploaded once.
-class ModelPool {
-  public:
-    std::shared_ptr<GpuModel> load(Gpu& gpu, const std::filesystem::path& file, const ModelLoader& loader);
-    void clear() { models_.clear(); }
-    size_t size() const { return models_.size(); }
-
-  private:
-    std::map<std::string, std::shared_ptr<GpuModel>> models_;
-};
-
-/// One draw call: a part of a mesh, placed.
+/// A part of a mesh, placed.
 struct DrawItem {
     std::shared_ptr<GpuModel> model;
     uint32_t mesh = 0, part = 0;
-    glm::mat4 transform{1.0f};  ///< object to world
-    Bounds bounds;              ///< world space
+    uint32_t object = 0, node = 0;  ///< of SceneFile::objects, and of the model's nodes
+    glm::mat4 transform{1.0f};      ///< object to world
+    Bounds bounds;                  ///< world space
+    bool mirrored = false;          ///< the transform turns counter-clockwise into clockwise
+    /// What lies behind shows through: opacity below 1, or the material says that its alpha blends. Holes that an
+    /// opacity map or a texture's alpha cuts leave an item opaque: what is cut out is not drawn, the rest hides.
+    bool transparent = false;
+    MaterialMaps maps;
     Material material;
     float roughness = -1, metalness = -1;  ///< the scene file's, instead of a map's; below 0: it says nothing
-    std::map<std::string, std::shared_ptr<Image>> maps;  ///< by binding, such as "diffuse_map"
 };
+
+/// What shaders read of it; `index` is its place in Scene::items.
+Instance instance_of(const DrawItem& item, size_t index);
+
+/// For Scene::placed.
+uint64_t next_placement();
 
 class Scene : public Drawable {
   public:
     SceneFile file;
     Bounds bounds;  ///< world space
+
+    /// Those that can be drawn as instances stand together, the transparent ones at the end; otherwise in the order of
+    /// the file. gl_InstanceIndex is the place in here.
     std::vector<DrawItem> items;
 
-    /// Loads models and textures. Throws InputError.
+    /// The image of the scene file's `environment`: equirectangular, linear RGBA16F with all mips. Null where the file
+    /// names none. Its intensity and rotation are in `file`.
+    std::shared_ptr<Image> environment;
+
+    /// Loads models and textures and places them as at 0 s. Throws InputError.
     void load(Gpu& gpu, SceneFile scene, const ModelLoader& loader);
 
-    /// Binds `vertices` and the model's attributes, `instances`, `materials` and those of the material's textures that
-    /// the shader names, and draws every item. A texture that a material lacks is one white texel (a flat normal for
-    /// normal maps).
-    void draw(Raster& pass) const override;
-    void draw(Raster& pass, const DrawItem& item) const;
+    /// Draws every item, as DrawList::draw.
+    void draw(Raster& pass) const override { all().draw(pass); }
 
-    /// Binds that for an item which is drawn otherwise; gl_InstanceIndex has to be the item's place in `items`.
-    void bind(Raster& pass, const DrawItem& item) const;
+    DrawList all() const;
+    DrawList opaque() const;
+    DrawList transparent() const;
+    std::vector<Batch> batches() const { return all().batches(); }
+
+    /// Whether animate() has anything to do.
+    bool moves() const { return !moving_items_.empty(); }
+
+    /// Another number whenever an item was placed elsewhere, and after load(); no two scenes have the same. For what is
+    /// made from placements and kept.
+    uint64_t placed = 0;
+
+    /// Records the upload of the instances that animate() has moved since the last one; nothing where none has moved.
+    void upload_moved(Frame& frame);
 
     Buffer instances, materials;
     size_t triangle_count() const;
+
+    /// The item's texture; without one it is a white texel, or a flat normal.
+    const Image& texture(const DrawItem& item, MapSlot slot) const;
+
+    /// Equal for items of one batch.
+    uint32_t batch_of(uint32_t item) const { return batch_of_[item]; }
 
     /// Forgets pools too: the next load reads every file again.
     void clear();
@@ -72,12 +79,42 @@ class Scene : public Drawable {
     const ImagePool* images() const { return images_.get(); }
 
   private:
-    void place(Gpu& gpu, const SceneObject& object, const glm::mat4& world, const ModelLoader& loader);
+    friend void animate(Scene& scene, float time_s);
+    struct Placed {
+        int parent = -1;  ///< an earlier object
+        bool moves = false;
+        glm::mat4 local{1.0f}, world{1.0f};  ///< local: of an object without a motion of its own
+    };
+    void add_items(Gpu& gpu, size_t object, const ModelLoader& loader);
+    void load_environment();
+    bool place(DrawItem& item) const;
+    void place_objects(float time_s);
+    void sort_items();
+    void find_batches();
+    std::vector<Placed> objects_;
+    std::vector<std::shared_ptr<GpuModel>> moving_models_;
+    std::vector<uint32_t> moving_items_, batch_of_;
+    std::vector<bool> to_upload_;
+    size_t first_transparent_ = 0;
     ModelPool models_;
     std::unique_ptr<ImagePool> images_;
     std::shared_ptr<Image> white_, flat_;
     std::set<std::string> warned_;  ///< textures that could not be read: each is said once
 };
+
+/// Places every object and every model's nodes as they are at that time, whatever was shown before; bounds follow.
+/// Objects move by the `motion` of the scene file, nodes by the first animation of their model file; children go with
+/// their parents. What was made from the scene's items (batches, lists' order) is to be made anew.
+void animate(Scene& scene, float time_s);
+
+template <class Predicate>
+DrawList DrawList::where(Predicate predicate) const {
+    std::vector<uint32_t> kept;
+    kept.reserve(items_.size());
+    for (const uint32_t i : items_)
+        if (predicate(scene_->items[i])) kept.push_back(i);
+    return {*scene_, std::move(kept)};
+}
 
 /// A scene that shows one model: a camera that frames it, a key and a fill light. `bounds` in metres.
 SceneFile scene_of_model(const std::filesystem::path& model, const Bounds& bounds);

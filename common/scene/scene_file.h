@@ -1,4 +1,45 @@
-// Scene files: JSON that places models, a camera and lights. Every error names file, line and key.
+// Scene files: JSON that places models, a camera and lights. Every error names file, line and key; an unknown key is
+// one.
+//
+//   include      list of scene files, relative to this one, read before it. Objects and lights of all are kept, of
+//   other
+//                keys what was read last.
+//   camera       position [0, 0, 3] and target [0, 0, 0] in metres, up [0, 1, 0] (each -1 to 1), fov_deg 45.8 (1 to
+//   170,
+//                the whole vertical angle), near_m 0.05 (1e-5 to 1e5), far_m 1000 (above near_m, to 1e9)
+//   ambient      [0.05, 0.05, 0.05], linear radiance from everywhere, 0 to 1e4
+//   background   [0.02, 0.02, 0.02], linear, 0 to 1e4
+//   environment  a file name, or
+//     image          .hdr or .pfm, all directions, twice as wide as high; below assets/ or a whole path; required
+//     intensity      1, by what its radiance is multiplied, 0 to 1e6
+//     rotation_deg   0, by what it is turned about +y, counter-clockwise seen from above; -1e6 to 1e6
+//   objects      list of
+//     name, parent   texts; a parent is another object's name; none
+//     model          a model file, below assets/ or a whole path; none: a group, which places its children
+//     position       [0, 0, 0], metres in the parent's space
+//     rotation_deg   [0, 0, 0], about x, then y, then z
+//     scale          1, or [1, 1, 1]; -1e6 to 1e6 but not 0; an odd number of negative ones mirrors
+//     material       what it says stands in for the model's: diffuse and specular [r, g, b] (linear, 0 to 1), emissive
+//                    (0 to 1e4), shininess (0 to 1e5), opacity (0 to 1; below 1 it is transparent), blend (true: alpha
+//                    and the opacity map let through what lies behind; false: they cut holes), roughness, metalness
+//                    (0 to 1), maps {slot: file} (diffuse, specular, emissive, opacity, normal, height, orm, occlusion,
+//                    gloss, detail_normal)
+//     motion         at least one of
+//       spin_deg_per_s   0, about axis ([0, 1, 0], any length above 0) in the object's own space, -1e5 to 1e5
+//       path             list of keyframes: time_s (required, rising, -1e6 to 1e6), position, rotation_deg, scale (the
+//                        object's own where not given; scales keep their signs). A smooth curve goes through them; an
+//                        open path rests before the first and after the last.
+//       period_s         closes the path: so long after the first keyframe the object is there again; above the time
+//                        from the first to the last, to 1e6
+//   lights       list of
+//     type           directional (the default), point or spot
+//     color          [1, 1, 1], linear, 0 to 1
+//     intensity      1, at the surface (directional) or at 1 m; 0 to 1e6
+//     direction      [0, -1, 0], the way the light travels, any length above 0; directional and spot
+//     position       [0, 0, 0], metres; point and spot
+//     range_m        10, 0 to 1e6: beyond it a falloff with an end is 0; point and spot
+//     inner_deg, outer_deg, softness   17.2, 28.6 (half angles, 0 to 180, inner at most outer), 0.5 (0 to 1); spot
+//   knobs        {name: value}, those of the chapter that shows the scene
 #pragma once
 #include <filesystem>
 #include <map>
@@ -8,6 +49,7 @@
 
 #include "common/scene/camera.h"
 #include "common/scene/light.h"
+#include "common/scene/motion.h"
 
 namespace lightwalk {
 
@@ -15,6 +57,7 @@ namespace lightwalk {
 struct MaterialOverride {
     std::optional<glm::vec3> diffuse, specular, emissive;  ///< linear
     std::optional<float> shininess, opacity, roughness, metalness;
+    std::optional<bool> blend;
     std::map<std::string, std::filesystem::path> maps;  ///< by slot, such as "normal" or "height"
 };
 
@@ -25,6 +68,16 @@ struct SceneObject {
     glm::vec3 rotation_deg{0.0f};  ///< about x, then y, then z
     glm::vec3 scale{1.0f};
     MaterialOverride material;
+    Motion motion{};
+};
+
+/// Light from far away in every direction, as an image.
+struct Environment {
+    std::filesystem::path image;  ///< relative to assets/, or absolute; empty: none
+    float intensity = 1;
+    float rotation_deg = 0;  ///< about +y
+    std::string where{};     ///< "file:line: key 'image'", for what is only found when it is loaded
+    explicit operator bool() const { return !image.empty(); }
 };
 
 struct SceneFile {
@@ -34,6 +87,7 @@ struct SceneFile {
     std::vector<Light> lights;
     glm::vec3 ambient{0.05f};     ///< linear radiance from everywhere
     glm::vec3 background{0.02f};  ///< linear
+    Environment environment;
     std::map<std::string, std::string> knobs;
 };
 
@@ -48,7 +102,7 @@ void write_scene(const SceneFile& scene, const std::filesystem::path& path);
 /// An asset's path: as given if it exists, else below assets/ or the root. Throws InputError where it is in none.
 std::filesystem::path find_asset(const std::filesystem::path& path);
 
-/// The object's transform into its parent's space.
-glm::mat4 local_transform(const SceneObject& object);
+/// The object's transform into its parent's space at a time: scale, then spin, then rotation, then position.
+glm::mat4 local_transform(const SceneObject& object, float time_s = 0.0f);
 
 }  // namespace lightwalk

@@ -10,6 +10,21 @@ using json = nlohmann::ordered_json;
 
 json list(glm::vec3 v) { return {v.x, v.y, v.z}; }
 
+json motion_json(const Motion& motion) {
+    json j = json::object();
+    if (motion.spin_deg_per_s != 0.0f) {
+        j["spin_deg_per_s"] = motion.spin_deg_per_s;
+        j["axis"] = list(motion.axis);
+    }
+    for (const Keyframe& key : motion.path)
+        j["path"].push_back({{"time_s", key.time_s},
+                             {"position", list(key.position)},
+                             {"rotation_deg", list(key.rotation_deg)},
+                             {"scale", list(key.scale)}});
+    if (motion.period_s > 0.0f) j["period_s"] = motion.period_s;
+    return j;
+}
+
 json object_json(const SceneObject& o) {
     json j = json::object();
     if (!o.name.empty()) j["name"] = o.name;
@@ -28,7 +43,9 @@ json object_json(const SceneObject& o) {
     if (m.roughness) material["roughness"] = *m.roughness;
     if (m.metalness) material["metalness"] = *m.metalness;
     for (const auto& [slot, file] : m.maps) material["maps"][slot] = file.generic_string();
+    if (m.blend) material["blend"] = *m.blend;
     if (!material.empty()) j["material"] = material;
+    if (o.motion) j["motion"] = motion_json(o.motion);
     return j;
 }
 
@@ -57,6 +74,9 @@ void write_scene(const SceneFile& scene, const std::filesystem::path& path) {
                    {"fov_deg", glm::degrees(c.fov_y_rad)}, {"near_m", c.near_m},       {"far_m", c.far_m}};
     j["ambient"] = list(scene.ambient);
     j["background"] = list(scene.background);
+    if (const Environment& e = scene.environment)
+        j["environment"] = {
+            {"image", e.image.generic_string()}, {"intensity", e.intensity}, {"rotation_deg", e.rotation_deg}};
     j["objects"] = json::array();
     for (const SceneObject& o : scene.objects) j["objects"].push_back(object_json(o));
     j["lights"] = json::array();

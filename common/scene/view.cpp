@@ -1,5 +1,7 @@
 #include "common/scene/view.h"
 
+#include <cmath>
+
 namespace lightwalk {
 
 CameraView shader_view(const View& view, const Frame& frame, glm::uvec2 size) {
@@ -8,7 +10,8 @@ CameraView shader_view(const View& view, const Frame& frame, glm::uvec2 size) {
             .time_s = frame.time_s,
             .size = size,
             .seed = frame.seed,
-            .origin = frame.crop.origin};
+            .origin = frame.crop.origin,
+            .lod_bias = -0.5f * std::log2(static_cast<float>(frame.samples.count))};
 }
 
 void look_from(const View& view, Frame& frame) {

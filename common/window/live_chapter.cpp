@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/base/exercise.h"
 #include "common/base/error.h"
+#include "common/base/exercise.h"
 
 namespace lightwalk {
 

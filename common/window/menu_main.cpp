@@ -4,15 +4,16 @@
 #include <chrono>
 #include <cstdio>
 
+#include "common/app/shots.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/gpu/frame.h"
+#include "common/image/image.h"
 #include "common/window/blit.h"
-#include "common/app/chapter.h"
 #include "common/window/child_process.h"
 #include "common/window/event_log.h"
 #include "common/window/overlay.h"
 #include "common/window/titles.h"
-#include "common/base/error.h"
-#include "common/base/files.h"
-#include "common/image/image.h"
 
 namespace lightwalk {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "common/base/exercise.h"
 #include "common/window/event_log.h"
 #include "common/window/knob_widgets.h"
 #include "common/window/titles.h"
-#include "common/base/exercise.h"
 
 namespace lightwalk {
 namespace {

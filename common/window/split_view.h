@@ -2,9 +2,9 @@
 #pragma once
 #include <future>
 
+#include "common/image/image.h"
 #include "common/window/live_chapter.h"
 #include "common/window/look.h"
-#include "common/image/image.h"
 
 namespace lightwalk {
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "common/window/display.h"
 #include "common/gpu/gpu.h"
+#include "common/window/display.h"
 
 namespace lightwalk {
 

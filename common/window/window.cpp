@@ -2,11 +2,11 @@
 
 #include <chrono>
 
+#include "common/base/error.h"
+#include "common/base/exercise.h"
 #include "common/window/blit.h"
 #include "common/window/event_log.h"
 #include "common/window/titles.h"
-#include "common/base/exercise.h"
-#include "common/base/error.h"
 
 namespace lightwalk {
 namespace {

@@ -1,13 +1,13 @@
 // A chapter in a window, while someone works on it.
 #pragma once
-#include "common/window/live_chapter.h"
 #include "common/app/options.h"
+#include "common/window/live_chapter.h"
 #include "common/window/panel.h"
 
 namespace lightwalk {
 
-/// Makes the device in `gpu`, which must outlive the chapter, and runs it in a window, which makes a second chapter where
-/// two versions are shown side by side. Returns the exit code.
+/// Makes the device in `gpu`, which must outlive the chapter, and runs it in a window, which makes a second chapter
+/// where two versions are shown side by side. Returns the exit code.
 int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu, const MakeChapter& make,
                const Loading& loading);
 

@@ -3,12 +3,12 @@
 #include <ctime>
 
 #include "common/app/read_picture.h"
+#include "common/base/error.h"
+#include "common/base/exercise.h"
+#include "common/base/files.h"
 #include "common/window/camera_control.h"
 #include "common/window/event_log.h"
 #include "common/window/window.h"
-#include "common/base/exercise.h"
-#include "common/base/error.h"
-#include "common/base/files.h"
 
 namespace lightwalk {
 namespace {

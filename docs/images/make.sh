@@ -68,7 +68,7 @@ done
 join 03_threshold 3x1 field.tiled field.clustered field.every_light
 
 for one in normal.1 offset.1 steep.8 occlusion.8 relief.8 exact.1; do
-    draw 04_surface_maps "tiles.${one%.*}" --scene assets/scenes/stone_tiles_70.json --size 640x360 --samples 2 \
+    draw 04_surface_maps "tiles.${one%.*}" --scene assets/scenes/stone_tiles_70.json --size 640x360 --samples 4 \
         --method "${one%.*}" --steps "${one#*.}"
     mogrify -crop 320x180+40+20 +repage "$work/tiles.${one%.*}.png"
 done
@@ -81,7 +81,7 @@ join 04_outline 2x1 outline.loaded outline.displaced
 
 draw 04_surface_maps floor.renormalised --shot brushed --size 480x270 --filter renormalised
 draw 04_surface_maps floor.toksvig --shot brushed --size 480x270 --filter toksvig
-draw 04_surface_maps floor.truth --shot brushed --size 480x270 --filter renormalised --samples 16
+draw 04_surface_maps floor.truth --shot brushed --size 480x270 --filter renormalised --samples 256
 join 04_filter 3x1 floor.renormalised floor.toksvig floor.truth
 
 for steps in 8 32 128; do

@@ -27,5 +27,5 @@ void main() {
 #if AMBIENT
     lit.diffuse += ambient;
 #endif
-    color = vec4(diffuse_color(material, uv) * lit.diffuse + material.specular * lit.specular + material.emissive, 1.0);
+    color = vec4(diffuse_color(material, uv, view.lod_bias) * lit.diffuse + material.specular * lit.specular + material.emissive, 1.0);
 }

@@ -26,7 +26,7 @@ void main() {
     MaterialData material = materials[material_index];
     Surface surface = Surface(normalize(world_normal), normalize(view.eye - world_position), material.shininess);
     Lit lit = light_surface(surface, surface.normal, world_position, item, gl_FragCoord);
-    vec3 radiance = diffuse_color(material, uv) * (lit.diffuse + ambient) + material.specular * lit.specular +
+    vec3 radiance = diffuse_color(material, uv, view.lod_bias) * (lit.diffuse + ambient) + material.specular * lit.specular +
                     material.emissive;
 #if SHOW == SHOW_LIGHT_COUNT
     radiance = count_color(lit.lights) * (0.35 + 0.65 * max(surface.normal.y, 0.0));

@@ -4,6 +4,6 @@
 layout(scalar) uniform ViewBlock { CameraView view; };
 
 void main() {
-    if (is_cut_out(map_surface(view.eye, materials[material_index], coordinates_at(view.time_s)).alpha, maps.cutoff))
+    if (is_cut_out(map_surface(view.eye, materials[material_index], coordinates_at(view)).alpha, maps.cutoff))
         discard;
 }

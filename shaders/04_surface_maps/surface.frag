@@ -32,7 +32,7 @@ float measured(vec2 uv) {
 
 // [main]
 void main() {
-    Coordinates at = coordinates_at(view.time_s);
+    Coordinates at = coordinates_at(view);
 #if SHOW == SHOW_HIT_ERROR || SHOW == SHOW_SWIM
     color = vec4(vec3(measured(at.uv) / white_texels), 1.0);
 #else

@@ -30,9 +30,10 @@ vec4 read(sampler2D map, Coordinates at) {
 }
 
 // Of this fragment.
-Coordinates coordinates_at(float time_s) {
-    vec2 moved = moving_uv(uv, time_s);
-    return Coordinates(moved, dFdx(moved), dFdy(moved));
+Coordinates coordinates_at(CameraView view) {
+    vec2 moved = moving_uv(uv, view.time_s);
+    float sharper = exp2(view.lod_bias);
+    return Coordinates(moved, sharper * dFdx(moved), sharper * dFdy(moved));
 }
 
 // How far one unit of u and of v goes from the top of the height field to its bottom.

@@ -5,6 +5,7 @@ uniform sampler2D hdr;
 layout(rgba32f) uniform image2D mean;
 layout(scalar) uniform WeightBlock { float weight; };  // of this picture: 1 / (how many there are with it)
 
+// [main]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(mean)))) return;
@@ -13,3 +14,4 @@ void main() {
     vec4 before = weight == 1.0 ? now : imageLoad(mean, pixel);
     imageStore(mean, pixel, before + (now - before) * weight);
 }
+// [/main]

@@ -5,6 +5,7 @@
 layout(scalar) readonly buffer MaterialBuffer { MaterialData materials[]; };
 uniform sampler2D diffuse_map;
 
-vec3 diffuse_color(MaterialData material, vec2 uv) {
-    return material.diffuse * ((material.maps & DIFFUSE_MAP) != 0u ? texture(diffuse_map, image_uv(uv)).rgb : vec3(1.0));
+vec3 diffuse_color(MaterialData material, vec2 uv, float lod_bias) {
+    if ((material.maps & DIFFUSE_MAP) == 0u) return material.diffuse;
+    return material.diffuse * texture(diffuse_map, image_uv(uv), lod_bias).rgb;
 }

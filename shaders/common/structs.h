@@ -48,9 +48,10 @@ struct CameraView {
     mat4 view_projection;  // world to clip space: y down, depth 1 near and 0 far
     vec3 eye;              // metres, world space
     float time_s;
-    vec2 size;  // pixels
-    uint seed;    // of --seed
-    vec2 origin;  // of this picture in the one it is a part of, pixels
+    vec2 size;       // pixels
+    uint seed;       // of --seed
+    vec2 origin;     // of this picture in the one it is a part of, pixels
+    float lod_bias;  // for mip levels: 0, or less where the mean of several pictures is taken, each of which is sharper
 };
 
 END_SHARED

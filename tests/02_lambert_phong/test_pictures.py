@@ -44,8 +44,8 @@ class PicturesTest(ChapterPictures):
         return [[image[x, y] for x in range(scale * WIDTH)] for y in range(scale * HEIGHT)]
 
     def test_samples_are_the_average_of_smaller_pixels(self):
-        """Position and normal are linear across this picture, so the two agree but for the rounding to 8 bits."""
-        got, fine, one = self.draw(1, "--samples", str(SAMPLES)), self.draw(SAMPLES), self.draw(1)
+        """Pictures shifted within a pixel, and a larger picture whose pixels lie there: their means agree."""
+        got, fine, one = self.draw(1, "--samples", "256"), self.draw(SAMPLES), self.draw(1)
         worst = moved = 0
         for y in range(HEIGHT):
             for x in range(WIDTH):
@@ -54,7 +54,7 @@ class PicturesTest(ChapterPictures):
                                for j in range(SAMPLES) for i in range(SAMPLES)) / SAMPLES ** 2
                     worst = max(worst, abs(got[y][x][c] - to_code(mean)))
                     moved = max(moved, abs(one[y][x][c] - to_code(mean)))
-        self.assertLess(worst, 1.0)  # steps of 1/255
+        self.assertLess(worst, 1.5)  # steps of 1/255; both were rounded
         self.assertGreater(moved, 5)  # so that it matters where the samples lie
 
     def test_each_part_has_its_own_material_and_texture(self):

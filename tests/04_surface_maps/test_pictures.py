@@ -50,7 +50,7 @@ class PicturesTest(ChapterPictures):
 
     def test_exact_hits_look_like_the_displaced_mesh(self):
         """Two programs that share nothing but the height map: a ray through texels, and a mesh that was moved."""
-        options = ["--height_m", "0.03", "--samples", "2"]
+        options = ["--height_m", "0.03", "--samples", "4"]
         wall = self.wall({"diffuse": str(TEXTURES / "castle_wall_albedo.jpg"),
                           "height": str(TEXTURES / "castle_wall_height.png")})
         wall["camera"]["position"] = [0.5, 0, 0.8]
@@ -171,8 +171,8 @@ class PicturesTest(ChapterPictures):
                                            "maps": {"normal": str(TEXTURES / "stone_tiles_normal.png")}}}],
                  "lights": [{"type": "directional", "direction": [0.1, -0.75, 0.7], "intensity": 0.7}],
                  "ambient": [0.1, 0.11, 0.13]}
-        truth = self.draw(floor, "--samples", "16", "--filter", "renormalised", name="truth")
-        fewer = self.draw(floor, "--samples", "12", "--filter", "renormalised", name="fewer")
+        truth = self.draw(floor, "--samples", "256", "--filter", "renormalised", name="truth")
+        fewer = self.draw(floor, "--samples", "144", "--filter", "renormalised", name="fewer")
         toksvig = self.flip(truth, self.draw(floor, "--filter", "toksvig"))
         renormalised = self.flip(truth, self.draw(floor, "--filter", "renormalised"))
         self.assertLess(self.flip(truth, fewer), 0.25 * renormalised)

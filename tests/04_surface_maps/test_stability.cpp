@@ -1,14 +1,14 @@
 // Where the methods of chapter 04 fail: a bound where they hold, the size of the failure where they do not.
+#include "03_attenuation/lights.h"
 #include "04_surface_maps/exercises.h"
 #include "04_surface_maps/height_field.h"
-#include "03_attenuation/lights.h"
 #include "04_surface_maps/levels.h"
 #include "04_surface_maps/maps.h"
 #include "04_surface_maps/tangents.h"
 #include "04_surface_maps/truth.h"
 #include "catch.h"
-#include "common/check/check.h"
 #include "common/base/files.h"
+#include "common/check/check.h"
 #include "common/image/image.h"
 
 using namespace lightwalk;

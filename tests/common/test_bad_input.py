@@ -204,6 +204,43 @@ class BadInput(unittest.TestCase):
         for name, (_, says) in scenes.items():
             self.draw("02", "--scene", self.folder / name, says=says)
 
+    def test_environments(self):
+        """Some of these are found only when the image is read; the scene's line and key are named all the same."""
+        cube = {"model": "models/cube.obj"}
+        images = {"cut.hdr": radiance(64, 32)[:900], "zero.hdr": b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 0 +X 0\n",
+                  "text.hdr": "no picture", "empty.hdr": b"", "square.hdr": radiance(64, 64), "wide.hdr": radiance(64, 8),
+                  "cut.pfm": b"PF\n4 2\n-1.0\n"}
+        for name, content in images.items():
+            image = self.write(name, content)
+            says = {"square.hdr": "64x64.*twice as wide", "wide.hdr": "64x8.*twice as wide"}.get(name, re.escape(name))
+            for given, key in ((str(image), "environment"), ({"image": str(image)}, "image")):
+                text = '{"objects": [%s],\n"environment": %s}' % (json.dumps(cube), json.dumps(given))
+                self.draw("02", "--scene", self.write("scene.json", text), says=rf"scene\.json:2: key '{key}': .*" + says)
+        self.write("folder.hdr/x", "")
+        good = self.write("good.hdr", radiance(64, 32))
+        for given, says in ((str(self.folder / "none.hdr"), r"key 'environment'.*none\.hdr"),
+                            (str(self.folder / "folder.hdr"), r"key 'environment'.*folder\.hdr"),
+                            ("models/cube.obj", r"key 'environment'.*\.hdr"), ("", r"key 'environment'.*\.hdr"),
+                            (7, "key 'environment'.*object"), ({}, "key 'image' is missing"),
+                            ({"image": 7}, "key 'image'.*text"),
+                            ({"image": str(good), "intensity": -1}, "key 'intensity' is -1"),
+                            ({"image": str(good), "turn": 1}, "key 'turn' is unknown")):
+            self.draw("02", "--scene", self.scene("scene.json", objects=[cube], environment=given), says=says)
+        for given in (str(good), {"image": str(good), "intensity": 0, "rotation_deg": 720}):
+            scene = self.scene("scene.json", objects=[cube], environment=given)
+            done = self.run_program(CHAPTERS["02"], "--size", "64x48", "--scene", scene, "--screenshot", self.picture)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.picture.unlink()
+
+    def test_motions(self):
+        wrong = {"{}": "key 'motion'", "7": "key 'motion'", '{"spin_deg_per_s": NaN}': r"scene\.json:1",
+                 '{"spin_deg_per_s": 1e999}': r"scene\.json:1", '{"spin_deg_per_s": [1]}': "key 'spin_deg_per_s'",
+                 '{"path": []}': "key 'path'", '{"path": [{"time_s": 1}, {"time_s": 1}]}': "key 'time_s'",
+                 '{"path": [{"time_s": 1, "positon": [0, 0, 0]}]}': "positon.*known.*position"}
+        for motion, says in wrong.items():
+            scene = self.write("scene.json", '{"objects": [{"model": "models/cube.obj", "motion": %s}]}' % motion)
+            self.draw("02", "--scene", scene, says=says)
+
     def test_lights(self):
         """What a light can be given wrong, by the key that the error must name. NaN and infinities are no JSON."""
         wrong = {"intensity": ["-1", "-1e-9", "1000001", "1e300", "1e999", "-1e999", "NaN", "Infinity", '"bright"', "[1]"],

@@ -5,9 +5,9 @@
 #include <thread>
 
 #include "catch.h"
-#include "common/check/check.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/check/check.h"
 #include "common/gpu/frame.h"
 
 using namespace lightwalk;

@@ -1,6 +1,7 @@
 // Knobs: one declaration gives option, macro, uniform and description.
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "catch.h"
 #include "common/app/module.h"
@@ -100,8 +101,9 @@ TEST_CASE("a name alone finds the one knob that has it, or the one that answers 
     CHECK(has_short_name(knobs, outer.lamp.filter));
     CHECK(!has_short_name(knobs, outer.sun.filter));
     CHECK(!has_short_name(knobs, outer.method));
-    CHECK_THROWS_WITH(find_knob(knobs, "c"), "unknown knob 'c'; this chapter has: method, sun.filter, sun.bias_m, "
-                                             "lamp.filter, lamp.bias_m, count");
+    CHECK_THROWS_WITH(find_knob(knobs, "c"),
+                      "unknown knob 'c'; this chapter has: method, sun.filter, sun.bias_m, "
+                      "lamp.filter, lamp.bias_m, count");
 }
 
 TEST_CASE("a module fills its uniform block and no other") {
@@ -135,4 +137,20 @@ TEST_CASE("what a pass is given brings its own modules along; a chapter does not
     outer.expand(all);
     CHECK(all == std::vector<const Given*>{&outer});
     CHECK(nest.inner.path() == "nest.inner");
+}
+
+TEST_CASE("macros that differ have different hashes, however many change at once") {
+    std::set<uint64_t> hashes;
+    for (int i = 0; i < 4096; ++i) {
+        Macros macros;
+        for (int digit = 0, rest = i; digit < 6; ++digit, rest /= 4)
+            macros.set("NAME_" + std::to_string(digit), std::to_string(rest % 4));
+        hashes.insert(macros.hash());
+    }
+    CHECK(hashes.size() == 4096);
+    Macros one{{"A", "1"}, {"B", "2"}}, other{{"B", "3"}};
+    other.set("A", "1");
+    CHECK(one.hash() != other.hash());
+    other.set("B", "2");
+    CHECK(one.hash() == other.hash());
 }

@@ -20,6 +20,8 @@ def settings(knob) -> list[str]:
         return ["on", "off"]
     if "options" in knob:
         return knob["options"]
+    if knob["name"] == "samples":
+        return ["2", "7"]  # the end is 4,096 pictures
     count = len(knob["default"]) if isinstance(knob["default"], list) else 1
     return [",".join([str(int(end) if knob["type"] == "whole number" else end)] * count) for end in knob["range"]]
 

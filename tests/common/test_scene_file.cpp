@@ -64,6 +64,16 @@ TEST_CASE("every mistake names file, line and key") {
         {"{\"objects\": [{\"parent\": \"gone\"}]}", "parent 'gone' is no object's name"},
         {"{\"objects\": [{\"name\": \"a\"}, {\"name\": \"a\"}]}", "two objects are named 'a'"},
         {"{\n\"ambient\": [0, 0, 0],\n\"ambient\": [1, 1, 1]}", "scene.json:3: key 'ambient' stands twice"},
+        {R"({"environment": 7})", "scene.json:1: key 'environment' must be an object"},
+        {R"({"environment": {"intensity": 2}})", "key 'image' is missing"},
+        {R"({"environment": "models/cube.obj"})",
+         "key 'environment' is 'models/cube.obj', expected an .hdr or .pfm file"},
+        {R"({"environment": "hdr/none.hdr"})", "key 'environment': no file hdr/none.hdr"},
+        {"{\n\"environment\": {\n\"image\": \"hdr/none.hdr\"}}", "scene.json:3: key 'image': no file hdr/none.hdr"},
+        {R"({"environment": {"image": "x.hdr", "intensity": -1}})", "key 'intensity' is -1, expected 0.0 to 1000000.0"},
+        {R"({"environment": {"image": "x.hdr", "rotation_deg": "north"}})", "key 'rotation_deg' must be a number"},
+        {R"({"environment": {"image": "x.hdr", "exposure": 1}})",
+         "key 'exposure' is unknown here; known: image, intensity"},
         {"{\n\"camera\": }", "scene.json:2: not JSON"},
         {"", "not JSON"},
         {"[]", "must be an object"},
@@ -73,6 +83,63 @@ TEST_CASE("every mistake names file, line and key") {
         INFO(text);
         CHECK_THAT(error_of(text), Catch::Matchers::Contains(expected));
     }
+}
+
+TEST_CASE("every mistake in a motion names file, line and key") {
+    const std::vector<std::pair<std::string, std::string>> mistakes{
+        {"{}", "key 'motion' says neither spin_deg_per_s nor path"},
+        {"[]", "key 'motion' must be an object"},
+        {"{\n\"spin\": 3}", "scene.json:2: key 'spin' is unknown here; known: axis, path, period_s, spin_deg_per_s"},
+        {R"({"spin_deg_per_s": "fast"})", "key 'spin_deg_per_s' must be a number"},
+        {R"({"spin_deg_per_s": 1e300})", "key 'spin_deg_per_s' is 1e+300"},
+        {R"({"spin_deg_per_s": 1, "axis": [0, 0, 0]})", "key 'axis' has no length"},
+        {R"({"spin_deg_per_s": NaN})", "not JSON"},
+        {R"({"path": []})", "key 'path' is empty"},
+        {R"({"path": {}})", "key 'path' must be a list"},
+        {R"({"path": [7]})", "key '0' must be an object"},
+        {R"({"path": [{"position": [0, 0, 0]}]})", "key 'time_s' is missing"},
+        {R"({"path": [{"time_s": null}]})", "key 'time_s' must be a number"},
+        {"{\"path\": [{\"time_s\": 0},\n{\"time_s\": 0}]}", "scene.json:2: key 'time_s' must be above the one before"},
+        {R"({"path": [{"time_s": 1}, {"time_s": 0}]})", "key 'time_s' must be above the one before"},
+        {R"({"path": [{"time_s": 1, "where": [0, 0, 0]}]})", "key 'where' is unknown here"},
+        {R"({"path": [{"time_s": 1, "scale": 0}]})", "key 'scale' is 0"},
+        {R"({"path": [{"time_s": 1}, {"time_s": 2, "scale": [1, -1, 1]}]})", "key 'scale' has another sign"},
+        {R"({"path": [{"time_s": 1}, {"time_s": 2}], "period_s": 1})", "key 'period_s' must be above the time"},
+        {R"({"path": [{"time_s": 1}], "period_s": -1})", "key 'period_s' is -1"},
+        {R"({"spin_deg_per_s": 1, "period_s": 1})", "key 'period_s' closes a path, and there is none"},
+    };
+    for (const auto& [text, expected] : mistakes) {
+        INFO(text);
+        CHECK_THAT(error_of("{\"objects\": [{\"motion\": " + text + "}]}"), Catch::Matchers::Contains(expected));
+    }
+}
+
+TEST_CASE("a keyframe that leaves something out has the object's own") {
+    const SceneFile scene = parse_scene(R"({"objects": [{"position": [1, 2, 3], "scale": -2, "rotation_deg": [4, 5, 6],
+        "motion": {"path": [{"time_s": 0}, {"time_s": 1, "position": [7, 8, 9], "scale": [-1, -2, -3]}]}}]})",
+                                        "s.json");
+    const std::vector<Keyframe>& path = scene.objects[0].motion.path;
+    CHECK(path[0] == Keyframe{0, {1, 2, 3}, {4, 5, 6}, {-2, -2, -2}});
+    CHECK(path[1] == Keyframe{1, {7, 8, 9}, {4, 5, 6}, {-1, -2, -3}});
+}
+
+TEST_CASE("several includes: lights and objects of all are kept in their order, of other keys what was said last") {
+    const Folder folder;
+    const auto write = [&](const char* name, const char* text) { std::ofstream(folder.path / name) << text; };
+    write("room.json", R"({"lights": [{"intensity": 1}, {"intensity": 2}], "objects": [{"name": "a"}],
+                           "camera": {"fov_deg": 90}, "background": [1, 0, 0], "knobs": {"samples": 2, "wrap": 1}})");
+    write("sky.json", R"({"lights": [{"intensity": 3}], "objects": [{"name": "b"}], "background": [0, 1, 0],
+                          "knobs": {"samples": 3}})");
+    write("all.json",
+          R"({"include": ["room.json", "sky.json"], "lights": [{"intensity": 4}], "objects": [{"name": "c"}]})");
+    const SceneFile scene = read_scene(folder.path / "all.json");
+    REQUIRE(scene.lights.size() == 4);
+    for (size_t i = 0; i < 4; ++i) CHECK(scene.lights[i].intensity == float(i + 1));
+    REQUIRE(scene.objects.size() == 3);
+    for (size_t i = 0; i < 3; ++i) CHECK(scene.objects[i].name == std::string(1, char('a' + i)));
+    CHECK(scene.camera.fov_y_rad == Approx(1.5707963));
+    CHECK(scene.background == glm::vec3(0, 1, 0));
+    CHECK(scene.knobs == std::map<std::string, std::string>{{"samples", "3"}, {"wrap", "1"}});
 }
 
 TEST_CASE("a cycle of includes is named, and a chain without one is read") {
@@ -93,10 +160,14 @@ TEST_CASE("what is written is read back the same") {
     SceneFile scene = parse_scene(R"({
         "camera": {"position": [0.1, 0.2, 0.3], "fov_deg": 41},
         "objects": [{"name": "a", "model": "models/cube.obj", "rotation_deg": [10, 20, 30],
-                     "material": {"diffuse": [0.1, 0.2, 0.3], "shininess": 7}}],
+                     "material": {"diffuse": [0.1, 0.2, 0.3], "shininess": 7, "blend": true},
+                     "motion": {"spin_deg_per_s": 20, "axis": [1, 1, 0], "period_s": 9,
+                                "path": [{"time_s": 1}, {"time_s": 2.5, "position": [1, 2, 3], "scale": 2}]}}],
         "lights": [{"type": "point", "position": [1, 2, 3], "range_m": 4, "intensity": 5}],
         "knobs": {"samples": 3}})",
                                   "s.json");
+    write_file(folder.path / "sky.hdr", "read when the scene is loaded");
+    scene.environment = {.image = folder.path / "sky.hdr", .intensity = 2.5f, .rotation_deg = -30};
     write_scene(scene, folder.path / "s.json");
     const SceneFile again = read_scene(folder.path / "s.json");
     CHECK(again.camera.position == scene.camera.position);
@@ -104,8 +175,13 @@ TEST_CASE("what is written is read back the same") {
     CHECK(again.objects[0].rotation_deg == scene.objects[0].rotation_deg);
     CHECK(*again.objects[0].material.diffuse == *scene.objects[0].material.diffuse);
     CHECK(again.lights[0].position == scene.lights[0].position);
+    CHECK(again.objects[0].motion == scene.objects[0].motion);
+    CHECK(again.objects[0].material.blend == true);
+    CHECK(again.environment.image == scene.environment.image);
+    CHECK(again.environment.intensity == 2.5f);
+    CHECK(again.environment.rotation_deg == -30);
     CHECK(again.knobs == scene.knobs);
-    CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 1);
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 2);
 }
 
 TEST_CASE("the scene corpus never does worse than an InputError") {

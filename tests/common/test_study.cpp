@@ -2,10 +2,10 @@
 #include "catch.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
-#include "common/study/study.h"
-#include "common/check/check.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/check/check.h"
+#include "common/study/study.h"
 
 using namespace lightwalk;
 using nlohmann::json;
@@ -210,7 +210,8 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
         {"/rounds", "0", "key 'rounds' is 0"},
         {"/scenes", "[]", "key 'scenes' is []"},
         {"/scenes/1/lights", "3", "key 'lights' is unknown here; known: scene, set, label"},
-        {"/scenes/1/set/lamps", "3", "key 'lamps': unknown knob 'lamps'; this chapter has: samples, method, light, looks"},
+        {"/scenes/1/set/lamps", "3",
+         "key 'lamps': unknown knob 'lamps'; this chapter has: samples, method, light, looks"},
         {"/scenes/1/set/light", "5", "key 'light': light=5: expected a number from 0 to 4"},
         {"/scenes/1/set/light", "[1, 2]", "key 'light' is [1,2], expected one value"},
         {"/scenes/1/set/looks", "2", "'looks' is set by the scene, so neither a curve nor the truth may set it"},
@@ -227,8 +228,7 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
         {"/truth/exact", "false", "key 'exact' is false, expected true"},
         {"/truth/doubled", "{}", "key 'doubled' does not go with \"exact\""},
         {"/truth/set", "{\"none\": 1}", "unknown knob 'none'"},
-        {"/better", R"({"looks": "more"})",
-         "key 'looks' is \"more\", expected \"lower\", \"higher\" or \"either\""},
+        {"/better", R"({"looks": "more"})", "key 'looks' is \"more\", expected \"lower\", \"higher\" or \"either\""},
         {"/better", R"({"none": "lower"})", "unknown knob 'none'"},
         {"/better", "3", "key 'better' is 3"},
         {"/metrics", R"({"width": 3})", "key 'width' is 3"},

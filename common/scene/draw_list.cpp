@@ -1,0 +1,124 @@
+#include "common/scene/draw_list.h"
+
+#include <array>
+#include <numeric>
+
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+namespace {
+
+// Asks the pipeline in use once what of a scene it wants, and then sets what differs from the item before.
+class Bindings {
+  public:
+    Bindings(Raster& pass, const Scene& scene) : pass_(pass), scene_(scene) {
+        static const std::string instances = "instances", materials = "materials", vertices = "vertices";
+        if (pass.wants(instances)) pass.set(instances, scene.instances);
+        if (pass.wants(materials)) pass.set(materials, scene.materials);
+        if (pass.wants(vertices)) vertices_ = &vertices;
+        for (size_t slot = 0; slot < map_slot_count; ++slot)
+            if (pass.wants(map_slots()[slot].binding)) slots_[slot_count_++] = slot;
+    }
+
+    void set(const DrawItem& item) {
+        pass_.mirrored(item.mirrored);
+        if (model_ != item.model.get() || mesh_ != item.mesh) {
+            if (vertices_) pass_.set(*vertices_, item.model->vertices[item.mesh]);
+            for (const auto& [name, buffers] : item.model->attributes)
+                if (pass_.wants(name)) pass_.set(name, buffers[item.mesh]);
+            model_ = item.model.get();
+            mesh_ = item.mesh;
+        }
+        for (size_t i = 0; i < slot_count_; ++i) {
+            const size_t slot = slots_[i];
+            const Image& image = scene_.texture(item, static_cast<MapSlot>(slot));
+            if (set_[i] == &image) continue;
+            set_[i] = &image;
+            pass_.set(map_slots()[slot].binding, image);
+        }
+    }
+
+    void draw(const DrawItem& item, uint32_t first, uint32_t count) {
+        set(item);
+        const Part& part = item.model->model.meshes[item.mesh].parts[item.part];
+        pass_.draw_indexed(item.model->indices[item.mesh], part.first_index, part.index_count, count, first);
+    }
+
+  private:
+    Raster& pass_;
+    const Scene& scene_;
+    const std::string* vertices_ = nullptr;       // its name, where it is wanted
+    std::array<size_t, map_slot_count> slots_{};  // those wanted
+    std::array<const Image*, map_slot_count> set_{};
+    size_t slot_count_ = 0;
+    const GpuModel* model_ = nullptr;
+    uint32_t mesh_ = 0;
+};
+
+// Calls f(first, count) for each run of neighbours in one batch.
+template <class F>
+void each_run(const Scene& scene, const std::vector<uint32_t>& items, F f) {
+    for (size_t i = 0; i < items.size();) {
+        size_t end = i + 1;
+        while (end < items.size() && items[end] == items[end - 1] + 1 &&
+               scene.batch_of(items[end]) == scene.batch_of(items[i]))
+            ++end;
+        f(items[i], static_cast<uint32_t>(end - i));
+        i = end;
+    }
+}
+
+}  // namespace
+
+const DrawItem& Batch::item() const { return scene_->items[first]; }
+void Batch::draw(Raster& pass) const { Bindings(pass, *scene_).draw(item(), first, count); }
+void Batch::bind(Raster& pass) const { Bindings(pass, *scene_).set(item()); }
+
+void DrawList::draw(Raster& pass) const {
+    Bindings bindings(pass, *scene_);
+    each_run(*scene_, items_,
+             [&](uint32_t first, uint32_t count) { bindings.draw(scene_->items[first], first, count); });
+}
+
+std::vector<Batch> DrawList::batches() const {
+    std::vector<Batch> result;
+    each_run(*scene_, items_, [&](uint32_t first, uint32_t count) { result.emplace_back(*scene_, first, count); });
+    return result;
+}
+
+DrawList DrawList::sorted_from(glm::vec3 eye) const {
+    std::vector<std::pair<float, uint32_t>> far;  // squared distance; place in items_
+    far.reserve(items_.size());
+    for (const uint32_t i : items_) {
+        const glm::vec3 away = scene_->items[i].bounds.center() - eye;
+        far.emplace_back(glm::dot(away, away), i);
+    }
+    std::stable_sort(far.begin(), far.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<uint32_t> sorted;
+    sorted.reserve(far.size());
+    for (const auto& [distance, i] : far) sorted.push_back(i);
+    return {*scene_, std::move(sorted)};
+}
+
+DrawList DrawList::inside(const glm::mat4& view_projection) const {
+    return where([&](const DrawItem& item) { return may_show(item.bounds, view_projection); });
+}
+
+// [may_show]
+bool may_show(const Bounds& box, const glm::mat4& view_projection) {
+    if (box.empty()) return true;
+    const glm::mat4 rows = glm::transpose(view_projection);
+    const glm::vec3 middle = box.center(), half = 0.5f * box.extent();
+    // A point is inside where all of these are at least 0 (G. Gribb and K. Hartmann, 2001).
+    for (const glm::vec4& plane :
+         {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[2], rows[3] - rows[2]}) {
+        const glm::vec3 normal(plane), size = glm::abs(normal);
+        const float most = glm::dot(normal, middle) + plane.w + glm::dot(size, half);  // of the eight corners
+        const float rounding = 1e-6f * (glm::dot(size, glm::abs(middle) + half) + std::abs(plane.w));
+        if (most < -rounding) return false;
+    }
+    return true;
+}
+// [/may_show]
+
+}  // namespace lightwalk

@@ -1,0 +1,42 @@
+// The textures of a material, by slot.
+#pragma once
+#include <array>
+#include <set>
+
+#include "common/scene/image_pool.h"
+#include "common/scene/material.h"
+#include "common/scene/scene_file.h"
+
+namespace lightwalk {
+
+/// In the order of MaterialData::maps' bits.
+enum class MapSlot { diffuse, specular, emissive, opacity, normal, height, orm, occlusion, gloss, detail_normal };
+
+struct MapSlotInfo {
+    std::string name, binding;  ///< "diffuse", and what shaders call it: "diffuse_map"
+    TextureKind kind;
+    int channels;                      ///< that a texture must have at least
+    const TextureMap Material::*from;  ///< what a model's material names; null where only a scene file can
+    bool is_normal;                    ///< without a texture it is flat; others are white
+};
+
+inline constexpr size_t map_slot_count = 10;
+const std::array<MapSlotInfo, map_slot_count>& map_slots();
+
+/// A texture for each slot; null where the material has none.
+struct MaterialMaps : std::array<std::shared_ptr<Image>, map_slot_count> {
+    using array::operator[];
+    std::shared_ptr<Image>& operator[](MapSlot slot) { return (*this)[static_cast<size_t>(slot)]; }
+    const std::shared_ptr<Image>& operator[](MapSlot slot) const { return (*this)[static_cast<size_t>(slot)]; }
+
+    /// MaterialData::maps: DIFFUSE_MAP and so on.
+    uint32_t bits() const;
+};
+
+/// The textures that a model's material names, and those of the scene file in their place. One of the material's that
+/// cannot be read is left out with a warning, said once for each text in `warned`. Throws InputError for one of the
+/// scene file's: an unknown slot, or as ImagePool::load.
+MaterialMaps load_maps(ImagePool& images, const Material& own, const MaterialOverride& with,
+                       std::set<std::string>& warned);
+
+}  // namespace lightwalk

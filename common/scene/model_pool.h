@@ -1,0 +1,36 @@
+// Models on the device, each loaded and uploaded once.
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "common/gpu/gpu.h"
+#include "common/scene/mesh.h"
+
+namespace lightwalk {
+
+using ModelLoader = std::function<Model(const std::filesystem::path&)>;
+
+/// A model as loaded and its buffers: for each mesh one of vertices and one of indices.
+struct GpuModel {
+    Model model;
+    std::vector<Buffer> vertices, indices;
+    std::vector<glm::mat4> nodes;  ///< into the model's space, at the time the scene was placed for
+
+    /// What a chapter adds to vertices: by binding, a buffer for each mesh.
+    std::map<std::string, std::vector<Buffer>> attributes;
+};
+
+/// Models by file.
+class ModelPool {
+  public:
+    /// Throws what the loader throws.
+    std::shared_ptr<GpuModel> load(Gpu& gpu, const std::filesystem::path& file, const ModelLoader& loader);
+    void clear() { models_.clear(); }
+    size_t size() const { return models_.size(); }
+
+  private:
+    std::map<std::string, std::shared_ptr<GpuModel>> models_;
+};
+
+}  // namespace lightwalk

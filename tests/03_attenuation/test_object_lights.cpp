@@ -1,0 +1,28 @@
+// Each object's lights where the objects move.
+#include "03_attenuation/object_lights.h"
+#include "catch.h"
+#include "common/scene_fixture.h"
+
+using namespace lightwalk;
+
+TEST_CASE("an object that has moved away from a light has another list, and one that rests keeps its own") {
+    SceneObject object = object_at(quad_file, {0, 0, 0});
+    object.motion.path = {{.time_s = 0}, {.time_s = 1, .position = {9, 0, 0}}};
+    TestScene test({object});
+    LightBuffer lights;
+    lights.update(test.gpu, {{.kind = Light::Kind::point, .position = {0, 0, 1}, .range_m = 2}});
+    ObjectLights lists;
+    const auto reaching = [&](float time_s) {
+        animate(test.scene, time_s);
+        lists.update(test.gpu, test.scene, lights, 0);
+        uint32_t end = 0;
+        std::memcpy(&end, test.gpu.read_back(lists.ends).data(), 4);
+        return end;
+    };
+    CHECK(reaching(0) == 1);
+    CHECK(reaching(1) == 0);
+    CHECK(reaching(0) == 1);
+    const uint64_t before = test.gpu.uploaded_bytes;
+    lists.update(test.gpu, test.scene, lights, 0);
+    CHECK(test.gpu.uploaded_bytes == before);
+}

@@ -1,0 +1,181 @@
+// Scenes that move: where a time places things, and that only what moved is uploaded.
+#include "catch.h"
+#include "scene_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+Motion path(std::vector<Keyframe> keys, float period_s = 0) {
+    Motion motion;
+    motion.path = std::move(keys);
+    motion.period_s = period_s;
+    return motion;
+}
+
+Keyframe key(float time_s, glm::vec3 position, glm::vec3 scale = glm::vec3(1.0f)) {
+    return {time_s, position, glm::vec3(0.0f), scale};
+}
+
+bool near(glm::vec3 a, glm::vec3 b) { return glm::length(a - b) < 1e-4f; }
+
+SceneObject spinning(const char* file, glm::vec3 position) {
+    SceneObject object = object_at(file, position);
+    object.name = "hub";
+    object.motion.spin_deg_per_s = 90;
+    return object;
+}
+
+bool same(const Instance& a, const Instance& b) {
+    return a.model == b.model && a.normal_matrix == b.normal_matrix && a.material == b.material;
+}
+
+}  // namespace
+
+TEST_CASE("a path goes through its keyframes, along a straight line at even speed, and rests at its ends") {
+    const Motion line = path({key(0, {0, 0, 0}), key(1, {1, 0, 0}), key(3, {3, 0, 0}), key(4, {4, 0, 0})});
+    for (const float t : {0.0f, 0.25f, 1.0f, 2.0f, 2.9f, 4.0f}) CHECK(path_at(line, t).position.x == Approx(t));
+    CHECK(path_at(line, -5).position.x == 0);
+    CHECK(path_at(line, 9).position.x == 4);
+    // Catmull and Rom, in the middle of four points at even times: (9 (b + c) - (a + d)) / 16.
+    const Motion bend = path({key(0, {0, 0, 0}), key(1, {0, 1, 0}), key(2, {0, 5, 0}), key(3, {0, 2, 0})});
+    CHECK(path_at(bend, 1.5f).position.y == Approx((9 * (1 + 5) - (0 + 2)) / 16.0));
+    CHECK(path_at(path({key(7, {1, 2, 3})}), 0).position == glm::vec3(1, 2, 3));
+}
+
+TEST_CASE("a closed path comes round, smoothly, before the first keyframe and after the last") {
+    const Motion square = path({key(1, {1, 0, 0}), key(2, {0, 1, 0}), key(3, {-1, 0, 0}), key(4, {0, -1, 0})}, 4);
+    CHECK(near(path_at(square, 5).position, {1, 0, 0}));
+    CHECK(near(path_at(square, -2).position, {0, 1, 0}));
+    CHECK(near(path_at(square, 4.5f).position, path_at(square, 0.5f).position));
+    for (const float t : {1e30f, -1e30f}) CHECK(glm::length(path_at(square, t).position) <= 1.01f);
+    CHECK(near(path_at(square, 4.5f).position, {0.625f, -0.625f, 0}));  // as every other quarter
+    CHECK(near(path_at(square, 2.5f).position, {-0.625f, 0.625f, 0}));
+    const glm::vec3 before = path_at(square, 4.999f).position, at = path_at(square, 5).position,
+                    after = path_at(square, 5.001f).position;
+    CHECK(glm::length((at - before) - (after - at)) < 1e-5f);
+}
+
+TEST_CASE("a scale never passes through 0, however short the dip") {
+    const Motion dip = path({key(0, {}, glm::vec3(-1, 1, 1)), key(1, {}, glm::vec3(-0.01f, 1, 1)),
+                             key(2, {}, glm::vec3(-0.01f, 1, 1)), key(3, {}, glm::vec3(-1, 1, 1))});
+    for (float t = 0; t < 3; t += 0.01f) CHECK(path_at(dip, t).scale.x < 0);
+    CHECK(path_at(dip, 1).scale.x == Approx(-0.01f));
+    CHECK(path_at(dip, 1.5f).scale.y == 1);
+}
+
+TEST_CASE("a spin turns about its axis in the object's own space, before the object's rotation") {
+    SceneObject object = spinning(quad_file, {1, 0, 0});
+    object.rotation_deg = {0, 0, 90};  // the axis +y becomes -x
+    const auto at = [&](glm::vec3 p, float t) { return glm::vec3(local_transform(object, t) * glm::vec4(p, 1.0f)); };
+    CHECK(near(at({0, 1, 0}, 1), {0, 0, 0}));
+    CHECK(near(at({1, 0, 0}, 1), {1, 0, -1}));
+    CHECK(near(at({1, 0, 0}, 5), {1, 0, -1}));
+    object.motion.axis = {0, 0, -3};
+    CHECK(near(at({1, 0, 0}, 1), {2, 0, 0}));
+}
+
+TEST_CASE("children follow, bounds follow, and a time places everything whatever was shown before") {
+    SceneObject child = object_at(ball_file, {2, 0, 0});
+    child.parent = "hub";
+    TestScene test({spinning(quad_file, {0, 0, 0}), child, object_at(other_file, {0, 3, 0})});
+    Scene& scene = test.scene;
+    CHECK(scene.moves());
+    const uint64_t loaded = scene.placed;
+    const auto child_at = [&] { return glm::vec3(scene.items[1].transform[3]); };
+    CHECK(near(child_at(), {2, 0, 0}));
+    animate(scene, 0);
+    CHECK(scene.placed == loaded);  // it is where it was
+    animate(scene, 1);
+    CHECK(scene.placed != loaded);
+    CHECK(near(child_at(), {0, 0, -2}));
+    CHECK(near(scene.items[1].bounds.center(), {0, 0, -2}));
+    CHECK(near(scene.items[1].bounds.extent(), {2, 2, 2}));
+    CHECK(scene.bounds.lower.z == Approx(-3));
+    CHECK(scene.bounds.upper.x == Approx(1));  // nothing is left where the child was
+    animate(scene, 7.3f);
+    animate(scene, 1);
+    CHECK(near(child_at(), {0, 0, -2}));
+    TestScene again({object_at(quad_file, {0, 0, 0})});
+    CHECK(again.scene.placed != scene.placed);
+}
+
+TEST_CASE("a child that moves itself moves in its parent's space") {
+    SceneObject child = object_at(quad_file, {9, 9, 9});
+    child.parent = "hub";
+    child.motion = path({key(0, {1, 0, 0}), key(1, {3, 0, 0})});
+    TestScene test({spinning("", {0, 5, 0}), child});
+    animate(test.scene, 1);
+    CHECK(near(glm::vec3(test.scene.items[0].transform[3]), {0, 5, -3}));
+}
+
+TEST_CASE("only what has moved is uploaded; a scene without motion uploads nothing and records no pass") {
+    SceneObject child = object_at(ball_file, {2, 0, 0});
+    child.parent = "hub";
+    TestScene test(
+        {object_at(other_file, {0, 3, 0}), spinning(quad_file, {0, 0, 0}), object_at(other_file, {0, -3, 0}), child});
+    const auto frame_at = [&](TestScene& of, float time_s) {
+        const uint64_t before = of.gpu.uploaded_bytes;
+        Frame frame(of.gpu);
+        TestScene::begin(frame);
+        animate(of.scene, time_s);
+        of.scene.upload_moved(frame);
+        of.draw(frame, of.scene);
+        frame.end();
+        return std::pair(of.gpu.uploaded_bytes - before, frame.times.size());
+    };
+    CHECK(frame_at(test, 0) == std::pair<uint64_t, size_t>(0, 1));
+    CHECK(frame_at(test, 1) == std::pair<uint64_t, size_t>(2 * sizeof(Instance), 2));
+    CHECK(frame_at(test, 1) == std::pair<uint64_t, size_t>(0, 1));
+    const auto on_device = test.on_device();
+    for (size_t i = 0; i < on_device.size(); ++i) CHECK(same(on_device[i], instance_of(test.scene.items[i], i)));
+    TestScene still({object_at(quad_file, {0, 0, 0})});
+    CHECK_FALSE(still.scene.moves());
+    CHECK(frame_at(still, 3) == std::pair<uint64_t, size_t>(0, 1));
+}
+
+TEST_CASE("a frame shows a moved object where it is: the upload comes before the draw") {
+    SceneObject object = object_at(quad_file, {-3, 0, 0});
+    object.motion = path({key(0, {-3, 0, 0}), key(1, {3, 0, 0})});
+    TestScene test({object});
+    const std::vector<glm::vec2> places{{-2.9f, 0.1f}, {2.9f, 0.1f}};
+    animate(test.scene, 1);
+    auto seen = test.seen(test.scene, places);
+    CHECK((seen[0].r == 0 && seen[1].r == 1));
+    animate(test.scene, 0);
+    seen = test.seen(test.scene, places);
+    CHECK((seen[0].r == 1 && seen[1].r == 0));
+}
+
+TEST_CASE("a model's own animation moves its nodes, and begins anew when it has ended") {
+    const std::string file = (course_root() / "tests/common/data/moving.gltf").string();
+    // The cart goes by (2, 0, 0) in the first second and by (0, 4, 0) in the second. The quad on it is 3 m above in z,
+    // twice as wide, and turns by 180 degrees about z in two seconds.
+    TestScene test({object_at(file.c_str(), {0, 0, 1})});
+    const auto at = [&](float time_s, glm::vec3 p) {
+        animate(test.scene, time_s);
+        return glm::vec3(test.scene.items[0].transform * glm::vec4(p, 1.0f));
+    };
+    CHECK(test.scene.moves());
+    CHECK(near(at(0, {1, 0, 0}), {2, 0, 4}));
+    CHECK(near(at(0.5f, {0, 0, 0}), {1, 0, 4}));
+    CHECK(near(at(1, {1, 0, 0}), {2, 2, 4}));
+    CHECK(near(at(1.5f, {0, 0, 0}), {2, 2, 4}));
+    CHECK(near(at(2.5f, {0, 0, 0}), {1, 0, 4}));
+    CHECK(near(test.scene.bounds.center(), {1, 0, 4}));
+    const Model model = import_model(file);
+    CHECK(model.motions.size() == 2);
+    CHECK(model.motions_s == Approx(2));
+    CHECK(import_model(course_root() / "tests/common/data/mirrored.gltf").motions.empty());
+}
+
+TEST_CASE("a part that an animation mirrors leaves its batch and still shows its front") {
+    TestScene test({object_at(pair_file, {0, 0, 0})});
+    for (const float time_s : {0.0f, 1.0f, 3.1f}) {
+        CAPTURE(time_s);
+        animate(test.scene, time_s);
+        CHECK(test.scene.batches().size() == (time_s == 1.0f ? 2 : 1));
+        const auto seen = test.seen(test.scene, {{0.1f, 0.1f}, {2.5f, 0.1f}});
+        CHECK((seen[0].a == 1.0f && seen[1].a == 1.0f));
+    }
+}
