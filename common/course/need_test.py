@@ -22,7 +22,7 @@ from tree import BUILD, ROOT, Failure, chapter_program, run_on_chapter, say
 
 AIM = 1.15    # times the cost of the cheapest that would have done, in the median
 SLACK = 1.15  # times that much is not a failure: the rule and this test time each frame for themselves
-ROUNDS = "3"
+ROUNDS = "1"
 SAME = 1e-6   # a mean FLIP: how far a picture drawn anew may be from the one that was judged
 
 
@@ -99,7 +99,7 @@ def median_row(rows: list[dict]) -> dict:
     return {"case": "time over that of the cheapest that would do, median",
             "inputs": f"{len(ratios)} choices, worst {max(ratios):.2f}x", "worst": statistics.median(ratios),
             "bound": f"{AIM}, asserted {AIM * SLACK:.2f}", "ok": statistics.median(ratios) <= AIM * SLACK,
-            "text": "by the median of interleaved rounds"}
+            "text": "each frame timed once"}
 
 
 def command_line_row(chapter: str, needs: dict) -> dict:

@@ -87,9 +87,8 @@ Loading automatic_choice(const Options& options, Chapter& chapter) {
                     const ReferenceJudges judges;
                     student = !judges.students.empty();
                     if (student && chapter.reload_on_toggle()) load_scene(chapter, gpu, scene);
-                    said = choose_candidate(
-                        chapter, gpu, plan,
-                        {.budget = *options.budget, .picture = {options.size, options.time_s, options.seed, {}}});
+                    const Picture picture{options.size, options.time_s, options.seed, {}};
+                    said = choose_candidates(chapter, gpu, plan, {{*options.budget}, picture})[0];
                 }
                 if (student && chapter.reload_on_toggle()) {
                     load_scene(chapter, gpu, scene);

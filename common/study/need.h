@@ -6,15 +6,17 @@
 namespace lightwalk {
 
 struct NeedQuestion {
-    double budget = 0;   ///< the greatest mean FLIP allowed
-    Picture picture;     ///< whose error and time count
-    bool crops = false;  ///< draw crops also where whole pictures cost less, as far as the picture is large enough
+    std::vector<double> budgets;  ///< the greatest mean FLIP allowed
+    Picture picture;              ///< whose error and time count
+    bool crops = false;           ///< draw crops also where whole pictures cost less, if the picture is large enough
 };
 
-/// Sets the knobs of the cheapest of the plan's candidates whose error is at most the budget, of those that agree with
-/// the chapter's pinned knobs and their own `where`; where none is within it, of the most accurate one. Knobs are the
-/// scene's before, and the exercises those that are to judge. Returns what docs/study_format.md says of --explain.
+/// For each budget the cheapest of the plan's candidates whose error is at most the budget, of those that agree with
+/// the chapter's pinned knobs and their own `where`; where none is within it, the most accurate one. The last choice's
+/// knobs are set. Before, knobs are the scene's, and the exercises those that are to judge. Returns what
+/// docs/study_format.md says of --explain, one for each budget; what was drawn for one is not drawn again for the next.
 /// Throws InputError where no candidate agrees.
-nlohmann::json choose_candidate(Chapter& chapter, Gpu& gpu, const StudyPlan& plan, const NeedQuestion& question);
+std::vector<nlohmann::json> choose_candidates(Chapter& chapter, Gpu& gpu, const StudyPlan& plan,
+                                              const NeedQuestion& question);
 
 }  // namespace lightwalk

@@ -65,10 +65,9 @@ class SceneStudy {
                        {"doubling", doubling},
                        {"one_step", one_step(reference)},
                        {"points", time(errors)}};
-        for (const double budget : plan_.budgets) {
+        if (!plan_.budgets.empty()) {
             set({});
-            result["choices"].push_back(choose_candidate(
-                chapter_, frame_.gpu, plan_, {.budget = budget, .picture = picture_, .crops = plan_.crops}));
+            result["choices"] = choose_candidates(chapter_, frame_.gpu, plan_, {plan_.budgets, picture_, plan_.crops});
         }
         return result;
     }
