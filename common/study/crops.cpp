@@ -44,9 +44,13 @@ double mean_of_crop(const ErrorMap& map, const CropPlace& place) {
 std::vector<size_t> draw_places(std::span<const double> chances, size_t count, double start) {
     std::vector<size_t> drawn;
     double sum = 0;
+    const auto target = [&] {
+        const double turns = start + golden_ratio * static_cast<double>(drawn.size());
+        return static_cast<double>(drawn.size()) + turns - std::floor(turns);
+    };
     for (size_t i = 0; i < chances.size(); ++i) {
         sum += chances[i] * static_cast<double>(count);
-        while (drawn.size() < count && static_cast<double>(drawn.size()) + start < sum) drawn.push_back(i);
+        while (drawn.size() < count && target() < sum) drawn.push_back(i);
     }
     while (drawn.size() < count) drawn.push_back(chances.size() - 1);  // the sum was rounded down
     return drawn;

@@ -31,8 +31,12 @@ double mean_over(const ErrorMap& map, glm::uvec2 whole, const CropPlace& place);
 /// The mean of the map of a drawn crop over the pixels that count.
 double mean_of_crop(const ErrorMap& map, const CropPlace& place);
 
-/// `count` places, drawn with these chances (which sum to 1), some of them more than once: systematic sampling, one in
-/// every count-th part of the sum of chances. The same for the same `start`, in [0, 1).
+/// Multiples of it are spread evenly between whole numbers, however many there are.
+constexpr double golden_ratio = 0.6180339887498949;
+
+/// `count` places, drawn with these chances (which sum to 1), some of them more than once: one in every count-th part
+/// of the sum of chances, at a place in it that differs from part to part, so that no pattern of the picture keeps
+/// step. The same for the same `start`, in [0, 1).
 std::vector<size_t> draw_places(std::span<const double> chances, size_t count, double start);
 
 // [estimate]

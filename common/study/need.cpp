@@ -90,8 +90,7 @@ class NeedRule {
         const std::vector<double> chance = chances();
         const size_t most = std::min<size_t>(64, pictures_.places.size() / 4);
         for (size_t look = 0; 2 * crops_ <= most && (crops_ < fewest_crops || anything_matters()); ++look) {
-            // Multiples of the golden ratio are spread evenly between whole numbers, however many there are.
-            const double start = 0.5 + 0.6180339887 * static_cast<double>(look);
+            const double start = 0.5 + golden_ratio * static_cast<double>(look);
             const size_t count = crops_ ? crops_ : first_crops;
             const std::vector<size_t> drawn = draw_places(chance, count, start - std::floor(start));
             for (Candidate& c : candidates_) {
