@@ -21,7 +21,7 @@ from study import SceneEntry, study_of
 from tree import BUILD, ROOT, Failure, chapter_program, run_on_chapter, say
 
 AIM = 1.15    # times the cost of the cheapest that would have done, in the median
-SLACK = 1.15  # times that much is not a failure: the rule and this test time each frame for themselves
+SLACK = 1.3  # times that much is not a failure: the rule and this test time frames for themselves, beside other tests
 ROUNDS = "1"
 SAME = 1e-6   # a mean FLIP: how far a picture drawn anew may be from the one that was judged
 

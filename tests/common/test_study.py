@@ -196,7 +196,7 @@ class Tables(unittest.TestCase):
         poor = {"a": points["a"]}
         self.assertEqual([row("s", poor, said(bad, none))["ok"] for none in (True, False)], [True, False])
         self.assertIsNone(row("s", poor, said(bad, True))["ratio"])
-        rows = [{"ratio": ratio} for ratio in (1, 1.4, None, 1.5)]
+        rows = [{"ratio": ratio} for ratio in (1, 1.6, None, 1.7)]
         self.assertFalse(median_row(rows)["ok"])
         self.assertTrue(median_row([*rows, {"ratio": 1}, {"ratio": 1}])["ok"])
 
