@@ -1,5 +1,6 @@
 #include "01_obj/load_study.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -61,37 +62,49 @@ void LoaderSubject::measure(const json& study, json& result) {
 
 // Every .obj file of the scene, each once: its loaders' times add up, of their errors the largest counts.
 json LoaderSubject::choose(double budget) {
-    std::map<std::string, json> candidates;
+    const auto start = std::chrono::steady_clock::now();
+    struct Candidate {
+        double ulps = 0, ms = 0;
+        bool reads = true;
+    };
+    std::map<Loader, Candidate> candidates;
     std::set<std::filesystem::path> files;
     for (const SceneObject& object : scene.objects) {
         if (!is_obj(object.model) || !files.insert(object.model).second) continue;
         size_t bytes = 0;
         for (const LoaderFigures& f : measure_loaders(find_asset(object.model), rounds_to_choose, bytes)) {
-            const std::string name(loader_name(f.loader));
-            json& c =
-                candidates.try_emplace(name, json{{"method", name}, {"error", 0.0}, {"time_ms", 0.0}}).first->second;
-            if (f.error.empty()) {
-                c["error"] = std::max(c["error"].get<double>(), static_cast<double>(f.largest_ulps));
-                c["time_ms"] = c["time_ms"].get<double>() + f.quantile(0.5);
-            } else {
-                c["error"] = nullptr;  // it cannot read the file
-            }
+            Candidate& c = candidates[f.loader];
+            c.reads = c.reads && f.error.empty();
+            if (!f.error.empty()) continue;
+            c.ulps = std::max(c.ulps, static_cast<double>(f.largest_ulps));
+            c.ms += f.quantile(0.5);
         }
     }
     json all = json::array();
-    const json* best = nullptr;
-    for (auto& [name, c] : candidates) {
-        c["enough"] = !c["error"].is_null() && c["error"].get<double>() <= budget;
-        all.push_back(c);
+    const json *fastest = nullptr, *most_accurate = nullptr;
+    for (const auto& [which, c] : candidates)
+        all.push_back({{"method", loader_name(which)},
+                       {"knobs", json::object()},
+                       {"error", c.reads ? json(c.ulps) : json()},
+                       {"error_upper", c.reads ? json(c.ulps) : json()},
+                       {"time_ms", c.ms},
+                       {"enough", c.reads && c.ulps <= budget}});
+    for (const json& c : all) {
+        if (c["enough"] == true && (!fastest || c["time_ms"] < fastest->at("time_ms"))) fastest = &c;
+        if (!c["error"].is_null() && (!most_accurate || c["error"] < most_accurate->at("error"))) most_accurate = &c;
     }
-    for (const json& c : all)
-        if (c["enough"] == true && (!best || c["time_ms"] < best->at("time_ms"))) best = &c;
+    const json* const best = fastest ? fastest : most_accurate;
     if (best) loader.set(best->at("method").get<std::string>());
+    // A scene without an .obj file is read alike by all: the loader stays.
+    const json as_it_is = {{"method", loader.text()}, {"knobs", json::object()}};
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     return {{"budget", budget},
             {"error_metric", "ulp"},
+            {"crops", 0},
             {"candidates", all},
-            {"none_would_do", !best && !all.empty()},
-            {"choice", {{"method", loader.text()}}}};
+            {"choice", best ? *best : as_it_is},
+            {"none_would_do", !fastest && !all.empty()},
+            {"choosing_ms", took.count()}};
 }
 
 }  // namespace lightwalk

@@ -25,12 +25,12 @@ glm::uvec2 parse_size(const std::string& text) {
 
 // "auto" for the method leaves the choice to the need rule.
 void set_knob(Options& options, Chapter& chapter, const std::string& name, const std::string& value) {
-    const bool is_method = name == chapter.method_knob || name == "method";
-    if (is_method && value == "auto") {
+    const KnobList knobs = chapter.all_knobs();
+    KnobBase& knob = find_knob(knobs, name == "method" ? chapter.method_knob : name);
+    if (value == "auto" && &knob == &find_knob(knobs, chapter.method_knob)) {
         options.automatic = true;
         return;
     }
-    KnobBase& knob = find_knob(chapter.all_knobs(), name);
     knob.set(value);
     knob.pinned = true;
 }

@@ -1,34 +1,35 @@
-"""Tests a need rule over scenes that it was not fitted on: need_test.py NN_name. A failure is exit code 1 and a line.
+"""Tests a chapter's need rule on scenes of its own: need_test.py NN_name. A failure is exit code 1 and a line.
 
-    tests/NN_name/needs.json  {"size": [480, 270], "budgets": [0.002, 0.01], "scenes": ["assets/scenes/bunny.json"]}
+    tests/NN_name/needs.json  {"size": [320, 180], "budgets": [0.002, 0.01], "scenes": ["assets/scenes/bunny.json"],
+                               "large": {"size": [640, 360], "scenes": ["assets/scenes/cups.json"]}}
 
-where a scene is written as in study.json: a file, or {"scene": FILE, "set": {KNOB: VALUE}, "label": TEXT}. For each scene and budget the chapter chooses by itself (--method auto --budget E --explain). The picture that it then
-draws may differ from the truth of the chapter's study by a mean FLIP of at most E, unless the rule said that no choice
-would do and no point of the study's sweep does. How much more than needed the choice costs is reported: its predicted
-cost, as --explain prints it, over that of the cheapest point of that sweep whose measured error is within the budget.
+where a scene is written as in study.json: a file, or {"scene": FILE, "set": {KNOB: VALUE}, "label": TEXT}. In one
+process, a study, the chapter chooses for each scene and budget, and every candidate is drawn and timed. The error of the
+choice's whole picture may be above the budget only where the rule said that none would do, and none would. The time of
+the choice over that of the cheapest candidate that would have done is asserted in the median: times on a machine that
+does other things too are noisy. Under "large" the rule may not draw whole pictures where crops decide. What the command line
+says (--explain --json) is asked for the first scene.
 """
 
 import itertools
 import json
-import re
 import statistics
-from pathlib import Path
 
 from results import table
 from shots import compare, render, run_program, text
 from study import SceneEntry, study_of
 from tree import BUILD, ROOT, Failure, chapter_program, run_on_chapter, say
 
-# "blinn_phong   samples 1: error 0.03545 predicted, 0.02403 million evaluations"
-PREDICTED = re.compile(r"^(\S+)\s+(.*): error (\S+) predicted, (\S+) ")
-CHOICE = re.compile(r"^choice: (.*?), ")
-AIM = 1.25  # times the cost of the cheapest that would have done, in the median
+AIM = 1.15    # times the cost of the cheapest that would have done, in the median
+SLACK = 1.3  # times that much is not a failure: the rule and this test time frames for themselves, beside other tests
+ROUNDS = "1"
+SAME = 1e-6   # a mean FLIP: how far a picture drawn anew may be from the one that was judged
 
 
-def sweep(study: dict) -> list[dict]:
+def sweep(study: dict, key: str = "curves") -> list[dict]:
     """The study's points, each as the knobs that it sets."""
     points = []
-    for curve in study["curves"]:
+    for curve in study[key]:
         knobs = {name: values if isinstance(values, list) else [values]
                  for name, values in curve.get("set", {}).items()}
         points += [{"method": curve["method"], **dict(zip(knobs, values))}
@@ -36,92 +37,100 @@ def sweep(study: dict) -> list[dict]:
     return points
 
 
-def label(knobs: dict) -> str:
-    return " ".join([knobs["method"], *(f"{name} {text(value)}" for name, value in knobs.items() if name != "method")])
+def label(method: str, knobs: dict) -> str:
+    return " ".join([method, *(f"{name} {text(value)}" for name, value in sorted(knobs.items()))])
 
 
 def set_options(knobs: dict) -> list[str]:
     return [word for name, value in knobs.items() for word in ("--set", f"{name}={text(value)}")]
 
 
-class Explained:
-    """What --explain printed: the choice as a label, each choice's predicted cost, and whether none would do."""
+def measure(chapter: str, needs: dict, crops: bool) -> dict:
+    """The study of the scenes of `needs`: all candidates, and what the rule chooses for each budget."""
+    study = study_of(chapter)
+    asked = {**study, "size": needs["size"], "scenes": needs["scenes"], "budgets": needs["budgets"], "crops": crops,
+             "curves": study.get("candidates", study["curves"]), "error_metric": "flip_mean",
+             "truth": {"set": study["truth"]["set"], "exact": True}}
+    for key in ("charts", "candidates"):
+        asked.pop(key, None)
+    folder = BUILD / "needs"
+    folder.mkdir(parents=True, exist_ok=True)
+    name = f"{chapter}.{'large' if crops else 'small'}"
+    file, out = folder / f"{name}.asked.json", folder / f"{name}.json"
+    file.write_text(json.dumps(asked, indent=1))
+    out.with_name(out.name + ".partial").unlink(missing_ok=True)
+    done = run_program([chapter_program(chapter), "--study", out], LIGHTWALK_STUDY_FILE=file,
+                       LIGHTWALK_STUDY_ROUNDS=ROUNDS)
+    if done.returncode:
+        raise Failure(f"the study of {file} ended with {done.returncode}: {done.stderr.strip()[-500:]}")
+    return json.loads(out.read_text())
 
-    def __init__(self, printed: str):
-        self.cost, chosen = {}, None
-        for line in printed.splitlines():
-            if match := PREDICTED.match(line):
-                self.cost[f"{match[1]} {match[2]}".strip()] = float(match[4])
-            elif match := CHOICE.match(line):
-                chosen = dict(word.split("=", 1) for word in match[1].split())
-                self.none_would_do = "would be none" in line
-        if not chosen:
-            raise Failure(f"--explain names no choice: {printed.strip()[-300:]}")
-        self.choice = label(chosen)
 
-    def cost_of(self, wanted: str) -> float:
-        """Of a point of the sweep, which need not name every knob that the explanation does."""
-        words = wanted + " "
-        return next(cost for name, cost in self.cost.items() if (name + " ").startswith(words))
+def rows_of_study(measured: dict) -> list[dict]:
+    rows = []
+    for scene, entry in measured["scenes"].items():
+        points = {label(point["method"], {name: value for name, value in point["knobs"].items()
+                                          if name not in entry["set"]}): point
+                  for point in measured["points"] if point["scene"] == scene}
+        rows += [row(scene, points, choice) for choice in entry["choices"]]
+    return rows
 
 
-class SceneNeeds:
-    """One scene: its truth, and the measured error of each point of the sweep."""
+def row(scene: str, points: dict, said: dict) -> dict:
+    """How the rule did with a budget, as a row of the report; "ratio" is None where no candidate is within it."""
+    budget, chosen = said["budget"], label(said["choice"]["method"], said["choice"]["knobs"])
+    time = {name: point["time_ms"]["median"] for name, point in points.items()}
+    error = points[chosen]["error"]["flip_mean"]
+    enough = [name for name, point in points.items() if point["error"]["flip_mean"] <= budget]
+    best = min(enough, key=time.get, default=None)
+    ratio = time[chosen] / time[best] if best else None
+    words = f"{chosen}; "
+    words += f"{ratio:.2f}x the time of {best}" if best else "no candidate is within"
+    if said["none_would_do"]:
+        words += "; the rule said that none would do"
+    return {"case": f"{scene}, budget {budget:g}", "inputs": f"{len(points)} candidates, {said['crops']} crops",
+            "worst": error, "bound": budget, "text": words, "ratio": ratio, "choosing_ms": said["choosing_ms"],
+            "crops": said["crops"], "truth_ms": said["truth_ms"],
+            "ok": error <= budget and not said["none_would_do"] if enough else said["none_would_do"]}
 
-    def __init__(self, chapter: str, study: dict, needs: dict, scene: SceneEntry):
-        self.chapter = chapter
-        self.name = scene.label
-        self.folder = BUILD / "needs" / chapter
-        self.file = re.sub(r"[^\w.-]", "_", scene.label)
-        self.view = ["--scene", scene.file, "--size", "x".join(str(side) for side in needs["size"]),
-                     *set_options(scene.set)]
-        self.truth = self.picture("truth", study["truth"]["set"])
-        self.errors = {label(knobs): self.error(self.picture(f"point{i}", knobs))
-                       for i, knobs in enumerate(sweep(study))}
 
-    def picture(self, name: str, knobs: dict) -> Path:
-        path = self.folder / f"{self.file}.{name}.png"
-        render(self.chapter, [*self.view, *set_options(knobs)], path)
-        return path
+def median_row(rows: list[dict]) -> dict:
+    ratios = [row["ratio"] for row in rows if row["ratio"] is not None]
+    return {"case": "time over that of the cheapest that would do, median",
+            "inputs": f"{len(ratios)} choices, worst {max(ratios):.2f}x", "worst": statistics.median(ratios),
+            "bound": f"{AIM}, asserted {AIM * SLACK:.2f}", "ok": statistics.median(ratios) <= AIM * SLACK,
+            "text": "each frame timed once"}
 
-    def error(self, picture: Path) -> float:
-        return compare(self.truth, picture)["flip"]["mean"]
 
-    def row(self, budget: float) -> dict:
-        """How the rule did with a budget, as a row of the report; "ratio" is None where no point is within it."""
-        picture = self.folder / f"{self.file}.auto{budget:g}.png"
-        picture.unlink(missing_ok=True)
-        done = run_program([chapter_program(self.chapter), *self.view, "--method", "auto", "--budget", budget,
-                            "--explain", "--screenshot", picture])
-        if done.returncode:
-            raise Failure(f"{self.chapter} ended with {done.returncode}: {done.stderr.strip()[-500:]}")
-        explained, error = Explained(done.stdout), self.error(picture)
-        enough = [point for point, measured in self.errors.items() if measured <= budget]
-        best = min(enough, key=explained.cost_of, default=None)
-        ratio = explained.cost_of(explained.choice) / explained.cost_of(best) if best else None
-        said = f"{explained.choice}; "
-        said += f"{ratio:.2f}x the cost of {best}" if best else "no point of the sweep is within"
-        if explained.none_would_do:
-            said += "; the rule said that none would do"
-        return {"case": f"{self.name}, budget {budget:g}", "inputs": f"{len(self.errors)} points in the sweep",
-                "worst": error, "bound": budget, "text": said, "ratio": ratio,
-                "ok": error <= budget or (explained.none_would_do and not enough)}
+def command_line_row(chapter: str, needs: dict) -> dict:
+    """--method auto --explain --json chooses what it says, and the picture is of that error."""
+    scene, budget = SceneEntry(needs["scenes"][0]), needs["budgets"][-1]
+    folder = BUILD / "needs" / chapter
+    folder.mkdir(parents=True, exist_ok=True)
+    view = ["--scene", scene.file, "--size", "x".join(map(str, needs["size"])), *set_options(scene.set)]
+    done = run_program([chapter_program(chapter), *view, "--method", "auto", "--budget", budget, "--explain", "--json",
+                        "--screenshot", folder / "auto.png"])
+    if done.returncode:
+        raise Failure(f"{chapter} ended with {done.returncode}: {done.stderr.strip()[-500:]}")
+    said = json.loads(done.stdout)
+    choice = said["choice"]
+    render(chapter, [*view, "--method", choice["method"], *set_options(choice["knobs"])], folder / "chosen.png")
+    error = compare(folder / "auto.png", folder / "chosen.png")["flip"]["mean"]
+    return {"case": f"{scene.label}, budget {budget:g}, from the command line",
+            "inputs": f"{len(said['candidates'])} candidates", "worst": error, "bound": SAME,
+            "ok": error <= SAME and choice in said["candidates"] and choice["enough"],
+            "text": f"draws {label(choice['method'], choice['knobs'])}"}
 
 
 def main(chapter: str) -> list[str]:
-    study = study_of(chapter)
     needs = json.loads((ROOT / "tests" / chapter / "needs.json").read_text())
-    rows = [scene.row(budget) for scene in (SceneNeeds(chapter, study, needs, SceneEntry(entry))
-                                    for entry in needs["scenes"])
-            for budget in needs["budgets"]]
-    ratios = [row["ratio"] for row in rows if row["ratio"] is not None]
-    if ratios:
-        rows.append({"case": "cost over that of the cheapest that would do, median",
-                     "inputs": f"{len(ratios)} choices, worst {max(ratios):.2f}x",
-                     "worst": statistics.median(ratios), "bound": f"aim: {AIM}", "ok": True,
-                     "text": "reported, not asserted"})
+    rows = rows_of_study(measure(chapter, needs, crops=False))
+    if "large" in needs:
+        large = rows_of_study(measure(chapter, {**needs, **needs["large"]}, crops=True))
+        rows += [{**row, "case": row["case"] + ", large"} for row in large]
+    rows += [median_row(rows), command_line_row(chapter, needs)]
     for row in rows:
-        say(f"{'ok  ' if row['ok'] else 'OVER'}  {row['case']:28} {row['worst']:8.5f}  {row['text']}")
+        say(f"{'ok  ' if row['ok'] else 'OVER'}  {row['case']:44} {row['worst']:8.5f}  {row['text']}")
     again = f"build/chapters/{chapter} --scene FILE --method auto --budget E --explain --screenshot FILE"
     return table("stability", chapter, "need", again, rows)
 

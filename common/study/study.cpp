@@ -16,17 +16,13 @@
 #include "common/measure/metrics.h"
 #include "common/measure/statistics.h"
 #include "common/scene/json_lines.h"
+#include "common/study/need.h"
 #include "common/study/subject.h"
 
 namespace lightwalk {
 namespace {
 
 using nlohmann::json;
-
-void apply(Chapter& chapter, const KnobValues& set) {
-    const KnobList knobs = chapter.all_knobs();
-    for (const auto& [name, value] : set) find_knob(knobs, name).set(value);
-}
 
 int rounds_of(int rounds_of_study) {
     const char* override = std::getenv("LIGHTWALK_STUDY_ROUNDS");
@@ -36,49 +32,44 @@ int rounds_of(int rounds_of_study) {
     return rounds;
 }
 
-// A knob's value as JSON has it: a number where it is one.
-json as_json(const std::string& value) {
-    const json number = json::parse(value, nullptr, false);
-    return number.is_number() ? number : json(value);
-}
-
-json as_json(const KnobValues& values) {
-    json knobs = json::object();
-    for (const auto& [name, value] : values) knobs[name] = as_json(value);
-    return knobs;
-}
-
 // One scene of the study: its truth, then every point's error, then every point's time, round by round.
 class SceneStudy {
   public:
     SceneStudy(const StudyPlan& plan, const Options& options, Chapter& chapter, Frame& frame, const StudyScene& scene)
         : plan_(plan),
-          options_(options),
           chapter_(chapter),
           frame_(frame),
           scene_(scene),
-          size_(options.size_given ? options.size : plan.size.value_or(options.size)) {}
+          picture_{
+              options.size_given ? options.size : plan.size.value_or(options.size), options.time_s, options.seed, {}} {}
 
     json run() {
         load();
-        set_knobs(plan_.truth);
+        set(plan_.truth);
+        for (const StudyPoint& point : plan_.points)
+            if (have_values(chapter_.all_knobs(), point.where)) points_.push_back(point);
         const ImageRgb reference = render_picture();
         const json doubling = plan_.doubled ? double_samples(reference) : json::object();
         std::vector<json> errors;
-        for (const StudyPoint& point : plan_.points) {
-            set_knobs(point);
-            show_progress(scene_.label + ": errors", errors.size(), plan_.points.size());
+        for (const StudyPoint& point : points_) {
+            set(point.all());
+            show_progress(scene_.label + ": errors", errors.size(), points_.size());
             errors.push_back(study_errors(reference, render_picture()));
-            errors.back().update(measured());
+            if (plan_.budgets.empty()) errors.back().update(measured());
         }
         if (std::none_of(errors.begin(), errors.end(), [&](const json& e) { return e.contains(plan_.error_metric); }))
             throw InputError("error_metric is '" + plan_.error_metric + "', but no point of " + scene_.label +
                              " has it");
-        return {{"file", scene_.file},
-                {"set", as_json(scene_.set)},
-                {"doubling", doubling},
-                {"one_step", one_step(reference)},
-                {"points", time(errors)}};
+        json result = {{"file", scene_.file},
+                       {"set", as_json(scene_.set)},
+                       {"doubling", doubling},
+                       {"one_step", one_step(reference)},
+                       {"points", time(errors)}};
+        if (!plan_.budgets.empty()) {
+            set({});
+            result["choices"] = choose_candidates(chapter_, frame_.gpu, plan_, {plan_.budgets, picture_, plan_.crops});
+        }
+        return result;
     }
 
   private:
@@ -95,29 +86,26 @@ class SceneStudy {
         load_scene(chapter_, frame_.gpu, scene_.file);
         for (const auto& [knob, pinned] : pins) knob->pinned = pinned;
     }
-    void set_knobs(const KnobValues& set) {
-        for (KnobBase* knob : chapter_.all_knobs()) knob->reset();
-        for (const auto& [name, value] : chapter_.scene.file.knobs) find_knob(chapter_.all_knobs(), name).set(value);
-        apply(chapter_, scene_.set);
-        apply(chapter_, set);
-    }
-    void set_knobs(const StudyPoint& point) {
-        set_knobs(point.set);
-        if (!point.method.empty()) find_knob(chapter_.all_knobs(), "method").set(point.method);
+    void set(const KnobValues& values) {
+        const KnobList knobs = chapter_.all_knobs();
+        for (KnobBase* knob : knobs) knob->reset();
+        for (const auto& [name, value] : chapter_.scene.file.knobs) find_knob(knobs, name).set(value);
+        set_knobs(knobs, scene_.set);
+        set_knobs(knobs, values);
         chapter_.forget_history();
     }
     void draw(const StudyPoint& point) {
-        set_knobs(point);
-        render(chapter_, frame_, {size_, options_.time_s, options_.seed, {}});
+        set(point.all());
+        render(chapter_, frame_, picture_);
     }
     ImageRgb render_picture() {
-        render(chapter_, frame_, {size_, options_.time_s, options_.seed, {}});
+        render(chapter_, frame_, picture_);
         return read_linear(frame_.gpu, chapter_.judged(frame_));
     }
     // What the chapter itself measures of the picture just rendered. Every picture sets all knobs, whatever this sets.
     json measured() {
         json own = json::object();
-        chapter_.measure(frame_.gpu, size_, own);
+        chapter_.measure(frame_.gpu, picture_.size, own);
         static const json of_pictures = study_errors(ImageRgb(1, 1), ImageRgb(1, 1));
         for (const auto& [name, value] : own.items())
             if (of_pictures.contains(name) || !value.is_number())
@@ -128,7 +116,7 @@ class SceneStudy {
     // How far the truth moves with its samples doubled, in every metric. Knobs are the truth's before.
     json double_samples(const ImageRgb& reference) {
         const json before = measured();
-        set_knobs(*plan_.doubled);
+        set(*plan_.doubled);
         json change = study_errors(render_picture(), reference);
         const json after = measured();
         for (const auto& [name, value] : after.items())
@@ -146,7 +134,7 @@ class SceneStudy {
         return study_errors(to_linear(codes), to_linear(one_step_away(codes)));
     }
     json time(const std::vector<json>& errors) {
-        const std::vector<StudyPoint>& points = plan_.points;
+        const std::vector<StudyPoint>& points = points_;
         const int rounds = rounds_of(plan_.rounds);
         std::vector<std::map<std::string, std::vector<double>>> samples(points.size());
         std::vector<std::vector<double>> totals(points.size());
@@ -185,11 +173,11 @@ class SceneStudy {
         return result;
     }
     const StudyPlan& plan_;
-    const Options& options_;
     Chapter& chapter_;
     Frame& frame_;
     const StudyScene& scene_;
-    const glm::uvec2 size_;
+    const Picture picture_;
+    std::vector<StudyPoint> points_;  // those of the plan that are for this scene
 };
 
 // The method apart from the other knobs, as docs/study_format.md has it.
@@ -293,7 +281,8 @@ void run_subject_study(const Options& options, Chapter& chapter, const std::file
 
 int run_study(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu) {
     check_writable(options.study);
-    const std::filesystem::path file = course_root() / "chapters" / chapter.name / "study.json";
+    const char* other = std::getenv("LIGHTWALK_STUDY_FILE");
+    const std::filesystem::path file = other ? other : course_root() / "chapters" / chapter.name / "study.json";
     if (chapter.subject) {
         run_subject_study(options, chapter, file);
         return 0;

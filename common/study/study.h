@@ -20,11 +20,13 @@ nlohmann::json study_errors(const ImageRgb& truth, const ImageRgb& test);
 nlohmann::json measure_study(const std::string& text, const std::string& file, const Options& options, Chapter& chapter,
                              Gpu& gpu);
 
-/// Measures chapters/NN_name/study.json and writes options.study; makes the device in `gpu`, which must outlive the
-/// chapter. Returns the exit code. Throws as measure_study.
+/// Measures chapters/NN_name/study.json, or the file that LIGHTWALK_STUDY_FILE in the environment names, and writes
+/// options.study; makes the device in `gpu`, which must outlive the chapter. Returns the exit code. Throws as
+/// measure_study.
 int run_study(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu);
 
-/// What --method auto does while a scene is loaded: nothing where it was not asked for.
+/// What --method auto does while a scene is loaded: nothing where it was not asked for. Throws InputError where the
+/// chapter has no study.
 Loading automatic_choice(const Options& options, Chapter& chapter);
 
 /// A line with a bar on stderr; on a terminal it is drawn over.

@@ -65,7 +65,7 @@ class PlanReader {
 
     StudyPlan read(const Node& study) {
         study.expect_keys({"title", "error_metric", "stage", "size", "rounds", "truth", "scenes", "curves", "charts",
-                           "better", "metrics", "generate", "test_size"});
+                           "better", "metrics", "generate", "test_size", "candidates", "budgets", "crops"});
         plan_.title = study["title"].text();
         plan_.error_metric = study["error_metric"].text();
         plan_.stage = study["stage"].text();
@@ -78,7 +78,21 @@ class PlanReader {
             plan_.rounds = rounds.get<int>();
         }
         read_truth(study["truth"]);
-        for (const Node& curve : study["curves"].items()) read_curve(curve);
+        for (const Node& curve : study["curves"].items()) read_curve(curve, plan_.points);
+        plan_.candidates = plan_.points;
+        if (study.has("candidates")) {
+            plan_.candidates.clear();
+            for (const Node& curve : study["candidates"].items()) read_curve(curve, plan_.candidates);
+        }
+        if (study.has("budgets"))
+            for (const Node& budget : study["budgets"].items()) {
+                budget.expect(budget.value.is_number() && budget.value >= 0, "a number from 0");
+                plan_.budgets.push_back(budget.value.get<double>());
+            }
+        if (study.has("crops")) {
+            study["crops"].expect(study["crops"].value.is_boolean(), "true or false");
+            plan_.crops = study["crops"].value;
+        }
         for (const Node& scene : study["scenes"].items()) read_scene_entry(scene);
         if (study.has("charts")) read_charts(study["charts"]);
         if (study.has("better")) {
@@ -148,9 +162,10 @@ class PlanReader {
         plan_.most_change = most.value.get<double>();
     }
 
-    void read_curve(const Node& curve) {
-        curve.expect_keys({"method", "set"});
-        std::vector<StudyPoint> points{{curve.has("method") ? checked(curve["method"], "method") : "", {}}};
+    void read_curve(const Node& curve, std::vector<StudyPoint>& into) const {
+        curve.expect_keys({"method", "set", "where"});
+        std::vector<StudyPoint> points{{curve.has("method") ? checked(curve["method"], "method") : "", {}, {}}};
+        if (curve.has("where")) points[0].where = read_set(curve["where"]);
         if (curve.has("set")) {
             curve["set"].expect(curve["set"].value.is_object(), "an object { } of knobs");
             for (const auto& [name, ignored] : curve["set"].value.items()) {
@@ -164,7 +179,7 @@ class PlanReader {
                 points = std::move(next);
             }
         }
-        plan_.points.insert(plan_.points.end(), points.begin(), points.end());
+        into.insert(into.end(), points.begin(), points.end());
     }
 
     void read_scene_entry(const Node& entry) {
@@ -248,11 +263,40 @@ StudyPlan read_study(const JsonWithLines& source, const KnobList& knobs) {
     return PlanReader(knobs).read(Node(source, source.root, ""));
 }
 
+KnobValues StudyPoint::all() const {
+    KnobValues values = set;
+    if (!method.empty()) values.emplace_back("method", method);
+    return values;
+}
+
+void set_knobs(const KnobList& knobs, const KnobValues& values) {
+    for (const auto& [name, value] : values) find_knob(knobs, name).set(value);
+}
+
+bool have_values(const KnobList& knobs, const KnobValues& values) {
+    const KeptKnobs kept(knobs);
+    return std::all_of(values.begin(), values.end(), [&](const auto& wanted) {
+        KnobBase& knob = find_knob(knobs, wanted.first);
+        const std::string now = knob.text();
+        knob.set(wanted.second);
+        return knob.text() == now;
+    });
+}
+
+json as_json(const KnobValues& values) {
+    json knobs = json::object();
+    for (const auto& [name, value] : values) {
+        const json number = json::parse(value, nullptr, false);
+        knobs[name] = number.is_number() ? number : json(value);
+    }
+    return knobs;
+}
+
 KeptKnobs::KeptKnobs(const KnobList& knobs) {
     for (KnobBase* knob : knobs) kept_.emplace_back(knob, knob->text());
 }
 
-KeptKnobs::~KeptKnobs() {
+void KeptKnobs::put_back() const {
     for (const auto& [knob, text] : kept_) knob->set(text);
 }
 

@@ -20,6 +20,9 @@ struct StudyScene {
 struct StudyPoint {
     std::string method;  ///< empty where the chapter has none
     KnobValues set;
+    KnobValues where;  ///< only in scenes where these knobs have these values
+
+    KnobValues all() const;  ///< what it sets, the method too
 };
 
 /// The sweep of one frame study.
@@ -29,6 +32,7 @@ struct StudyPoint {
 ///      "scenes": ["assets/scenes/teapot.json",
 ///                 {"scene": "assets/scenes/yard.json", "set": {"lights": 100}, "label": "100 lights"}],
 ///      "curves": [{"method": "gouraud"}, {"method": "phong", "set": {"samples": [1, 2, 4]}}],
+///      "candidates": [{"method": "phong"}, {"method": "gouraud", "where": {"ambient": "on"}}],
 ///      "test_size": [96, 54], "better": {"threshold": "lower"}, "metrics": {"hit_texels": "hit error, texels"},
 ///      "charts": [{"name": "lights", "title": "...", "x": "knob lights", "y": "time", "scenes": ["100 lights"],
 ///                  "methods": ["phong"], "knobs": {"samples": 4}, "x_scale": "linear"}]}
@@ -43,7 +47,10 @@ struct StudyPlan {
     std::optional<KnobValues> doubled;  ///< none: the truth is exact
     double most_change = 0;
     std::vector<StudyScene> scenes;
-    std::vector<StudyPoint> points;  ///< every curve's: the product of the values its knobs list
+    std::vector<StudyPoint> points;      ///< every curve's: the product of the values its knobs list
+    std::vector<StudyPoint> candidates;  ///< what the need rule chooses from; the points, where none are given
+    std::vector<double> budgets;         ///< for each of which the need rule is asked in each scene
+    bool crops = false;                  ///< it is to draw crops also where whole pictures cost less
     nlohmann::json charts, metrics = nlohmann::json::object();  ///< for the result as they are; charts may be null
 };
 
@@ -51,12 +58,21 @@ struct StudyPlan {
 /// there, a knob or value that the chapter does not have, a knob set twice, two scenes with one label.
 StudyPlan read_study(const JsonWithLines& source, const KnobList& knobs);
 
+void set_knobs(const KnobList& knobs, const KnobValues& values);
+
+/// Whether the knobs have these values, in whatever way they are written.
+bool have_values(const KnobList& knobs, const KnobValues& values);
+
+/// As JSON has them: a number where it is one.
+nlohmann::json as_json(const KnobValues& values);
+
 /// Puts every knob back to what it was when this was made.
 class KeptKnobs {
   public:
     explicit KeptKnobs(const KnobList& knobs);
-    ~KeptKnobs();
+    ~KeptKnobs() { put_back(); }
     KeptKnobs(const KeptKnobs&) = delete;
+    void put_back() const;
 
   private:
     std::vector<std::pair<KnobBase*, std::string>> kept_;

@@ -2,6 +2,7 @@
 #include "catch.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
+#include "common/app/target.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/check/check.h"
@@ -20,6 +21,9 @@ struct Grey : Chapter {
     std::vector<std::pair<std::string, float>> prepared;  // scene and light, in order
     std::string fails_at;                                 // a scene
     bool measures = false, rude = false;
+    bool codes = false;    // the encoded picture is judged
+    bool gathers = false;  // adds what was before
+    History past{*this, {.name = "past", .size = {1, 1}}};
 
     Grey() { name = "99_grey"; }
     std::string default_scene() const override { return ""; }
@@ -30,10 +34,13 @@ struct Grey : Chapter {
         prepared.emplace_back(file, light.value);
     }
     void frame(Frame& frame) override {
-        const float grey = light + (method.is("coarse") ? 0.125f / static_cast<float>(looks.value) : 0.0f);
+        const float before = gathers && past.valid() ? 0.125f : 0.0f;
+        frame.raster("past", {.color = {past.now()}}, [](Raster&) {});
+        const float grey = before + light + (method.is("coarse") ? 0.125f / static_cast<float>(looks.value) : 0.0f);
         frame.raster("fill", {.color = {clear(frame.hdr, glm::vec4(glm::vec3(grey), 1))}}, [](Raster&) {});
         encode_srgb(frame);
     }
+    const Image& judged(const Frame& frame) const override { return codes ? frame.output : frame.linear(); }
     void measure(Gpu& gpu, glm::uvec2 size, json& error) override {
         if (!measures) return;
         if (rude) error["rmse"] = 1;
@@ -150,6 +157,44 @@ TEST_CASE_METHOD(StudyTest, "study: errors of the chapter's own, with the point'
     CHECK_THROWS_WITH(measure(), Catch::Matchers::Contains("error_metric is 'missing', but no point of a has it"));
 }
 
+TEST_CASE_METHOD(StudyTest, "study: the encoded picture can be what is judged: its steps show, and white is the most") {
+    chapter.codes = true;
+    study["scenes"][1]["set"]["light"] = 1.5;
+    const json result = measure();
+    const double linear = srgb_to_linear(std::round(255.0f * linear_to_srgb(0.625f)) / 255.0f) -
+                          srgb_to_linear(std::round(255.0f * linear_to_srgb(0.5f)) / 255.0f);
+    CHECK(result["points"][1]["error"]["max"] == Approx(linear).epsilon(1e-4));
+    CHECK(result["points"][1]["error"]["max"] != 0.125);
+    CHECK(result["points"][4]["error"]["max"] == 0);
+}
+
+TEST_CASE_METHOD(StudyTest, "study: every point and the truth start without a history") {
+    chapter.gathers = true;
+    study["truth"] = {{"set", {{"method", "exact"}}}, {"doubled", {{"method", "exact"}}}, {"most_change", 0}};
+    const json result = measure();
+    for (const size_t i : {0u, 3u}) CHECK(result["points"][i]["error"]["max"] == 0);
+    for (const size_t i : {1u, 4u}) CHECK(result["points"][i]["error"]["max"] == 0.125);
+}
+
+TEST_CASE_METHOD(StudyTest, "study: what the need rule chooses for each budget, and points for some scenes alone") {
+    study["size"] = {32, 16};
+    study["curves"] = {{{"method", "exact"}},
+                       {{"method", "coarse"}, {"set", {{"looks", {1, 512}}}}},
+                       {{"method", "coarse"}, {"set", {{"looks", 4}}}, {"where", {{"light", 1}}}}};
+    study["budgets"] = {0, 1};
+    const json result = measure();
+    CHECK(result["points"].size() == 7);
+    const json choices = result["scenes"]["bright"]["choices"];
+    REQUIRE(choices.size() == 2);
+    CHECK(choices[0]["budget"] == 0);
+    CHECK(choices[0]["choice"]["error"] == 0);
+    CHECK(choices[0]["candidates"].size() == 4);
+    CHECK(result["scenes"]["a"]["choices"][0]["candidates"].size() == 3);
+    for (const json& c : choices[1]["candidates"]) CHECK(c["enough"] == true);
+    study["candidates"] = {{{"method", "coarse"}}};
+    CHECK(measure()["scenes"]["a"]["choices"][0]["none_would_do"]);
+}
+
 TEST_CASE_METHOD(StudyTest, "study: the size given stands for the study's, and the result says both") {
     json result = measure();
     CHECK(result["size"] == json{16, 8});
@@ -228,6 +273,11 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
         {"/truth/exact", "false", "key 'exact' is false, expected true"},
         {"/truth/doubled", "{}", "key 'doubled' does not go with \"exact\""},
         {"/truth/set", "{\"none\": 1}", "unknown knob 'none'"},
+        {"/candidates", "[]", "key 'candidates' is []"},
+        {"/candidates", R"([{"method": "none"}])", "method=none"},
+        {"/candidates", R"([{"method": "exact", "where": {"none": 1}}])", "unknown knob 'none'"},
+        {"/budgets", "[-1]", "is -1, expected a number from 0"},
+        {"/crops", "1", "key 'crops' is 1, expected true or false"},
         {"/better", R"({"looks": "more"})", "key 'looks' is \"more\", expected \"lower\", \"higher\" or \"either\""},
         {"/better", R"({"none": "lower"})", "unknown knob 'none'"},
         {"/better", "3", "key 'better' is 3"},

@@ -11,7 +11,7 @@ import unittest
 from small_course import REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
-from need_test import Explained, set_options, sweep  # noqa: E402
+from need_test import median_row, row, set_options, sweep  # noqa: E402
 from study import SceneEntry, device_slug  # noqa: E402
 from study_test import curve_row, curve_rows, frame_rows  # noqa: E402
 
@@ -179,14 +179,26 @@ class Tables(unittest.TestCase):
         self.assertEqual(set_options(scene.set), ["--set", "lights=10", "--set", "fast=true"])
         self.assertEqual((SceneEntry("x/a.json").label, SceneEntry("x/a.json").set), ("a", {}))
 
-    def test_what_a_rule_explains(self):
-        said = ("rule: words\nm   samples 1: error 0.1 predicted, 0.5 million evaluations\n"
-                "m   samples 12: error 0.01 predicted, 2 million evaluations\n"
-                "choice: method=m samples=12, the cheapest with an error of at most 0.02")
-        explained = Explained(said)
-        self.assertEqual((explained.choice, explained.none_would_do), ("m samples 12", False))
-        self.assertEqual((explained.cost_of("m"), explained.cost_of("m samples 12")), (0.5, 2))
-        self.assertTrue(Explained(said + " would be none: it is the most accurate").none_would_do)
+    def test_what_a_need_rule_chose_is_judged(self):
+        def point(method, knobs, error, time):
+            return {"method": method, "knobs": knobs, "error": {"flip_mean": error}, "time_ms": {"median": time}}
+
+        def said(chosen, none=False):
+            return {"budget": 0.02, "choice": chosen, "none_would_do": none, "crops": 0, "choosing_ms": 1, "truth_ms": 1}
+
+        points = {"a": point("a", {}, 0.03, 1), "b": point("b", {}, 0.01, 2),
+                  "b samples 4": point("b", {"samples": 4}, 0.001, 6)}
+        four, cheap = {"method": "b", "knobs": {"samples": 4}}, {"method": "b", "knobs": {}}
+        bad = {"method": "a", "knobs": {}}
+        self.assertEqual([row("s", points, said(*case))["ok"] for case in (
+            (cheap,), (four,), (bad,), (cheap, True), (bad, True))], [True, True, False, False, False])
+        self.assertEqual(row("s", points, said(four))["ratio"], 3)
+        poor = {"a": points["a"]}
+        self.assertEqual([row("s", poor, said(bad, none))["ok"] for none in (True, False)], [True, False])
+        self.assertIsNone(row("s", poor, said(bad, True))["ratio"])
+        rows = [{"ratio": ratio} for ratio in (1, 1.6, None, 1.7)]
+        self.assertFalse(median_row(rows)["ok"])
+        self.assertTrue(median_row([*rows, {"ratio": 1}, {"ratio": 1}])["ok"])
 
 
 if __name__ == "__main__":
