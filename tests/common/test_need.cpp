@@ -50,14 +50,14 @@ struct Patch : Chapter {
         sizes.push_back(frame.size);
         const int fills = method.is("exact") ? 24 : method.is("dear") ? 12 : 1;
         for (int i = 0; i < fills; ++i)
-            frame.raster("work", {.color = {work}, .clear = glm::vec4(float(i))}, [](Raster&) {});
+            frame.raster("work", {.color = {clear(work, glm::vec4(float(i)))}}, [](Raster&) {});
         const float light = 0.3f + (method.is("coarse") ? excess / float(detail.value) : 0.0f);
         const float scale = float(frame.crop.whole.x) / 640.0f;
         const glm::ivec2 low = glm::clamp(glm::ivec2(glm::vec2(lower) * scale) - glm::ivec2(frame.crop.origin),
                                           glm::ivec2(0), glm::ivec2(frame.size));
         const glm::ivec2 high = glm::clamp(glm::ivec2(glm::vec2(upper) * scale) - glm::ivec2(frame.crop.origin),
                                            glm::ivec2(0), glm::ivec2(frame.size));
-        frame.raster("fill", {.color = {frame.hdr}, .clear = glm::vec4(0, 0, 0, 1)}, [&](Raster& pass) {
+        frame.raster("fill", {.color = {frame.hdr}}, [&](Raster& pass) {
             if (high.x <= low.x || high.y <= low.y) return;
             const VkClearAttachment clear{.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT,
                                           .colorAttachment = 0,
