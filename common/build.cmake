@@ -14,12 +14,14 @@ function(lightwalk_common)
   target_include_directories(lightwalk PUBLIC ${PROJECT_SOURCE_DIR})
   target_include_directories(lightwalk SYSTEM PUBLIC ${PROJECT_SOURCE_DIR}/shaders)
   target_compile_definitions(lightwalk PUBLIC GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_RADIANS GLM_ENABLE_EXPERIMENTAL)
-  target_link_libraries(lightwalk PUBLIC glm::glm nlohmann_json::nlohmann_json Threads::Threads Vulkan::Vulkan)
+  target_link_libraries(lightwalk PUBLIC fmt::fmt glm::glm nlohmann_json::nlohmann_json Threads::Threads
+                        Vulkan::Vulkan)
   target_link_libraries(lightwalk PRIVATE PkgConfig::stb glslang::glslang glslang::SPIRV
                         glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS} assimp::assimp glfw
                         PkgConfig::imgui CLI11::CLI11)
   target_precompile_headers(lightwalk PRIVATE <algorithm> <array> <filesystem> <functional> <map> <memory> <optional>
-                            <span> <string> <string_view> <vector> <glm/glm.hpp> <glm/gtc/matrix_transform.hpp>)
+                            <span> <string> <string_view> <vector> <fmt/core.h> <glm/glm.hpp>
+                            <glm/gtc/matrix_transform.hpp>)
   file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/solution)
   if(NOT solutions) # a handout
     target_compile_definitions(lightwalk PUBLIC LIGHTWALK_NO_SOLUTION)

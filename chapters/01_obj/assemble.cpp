@@ -147,13 +147,12 @@ void cut_polygon(Triangulate cut, const Corner* polygon, size_t count, const Arr
         std::memcpy(&points[k], positions.data() + 3 * size_t{polygon[k].position}, sizeof(glm::vec3));
     const std::vector<glm::uvec3> triangles = cut(points);
     if (triangles.size() != count - 2)
-        throw Failure("triangulate made " + std::to_string(triangles.size()) + " triangles of a polygon with " +
-                      std::to_string(count) + " corners, expected " + std::to_string(count - 2));
+        throw Failure("triangulate made {} triangles of a polygon with {} corners, expected {}", triangles.size(),
+                      count, count - 2);
     for (const glm::uvec3& triangle : triangles)
         for (int k = 0; k < 3; ++k) {
             if (triangle[k] >= count)
-                throw Failure("triangulate gave corner " + std::to_string(triangle[k]) + " of a polygon with " +
-                              std::to_string(count) + " corners");
+                throw Failure("triangulate gave corner {} of a polygon with {} corners", triangle[k], count);
             *out++ = polygon[triangle[k]];
         }
 }

@@ -16,7 +16,7 @@ ObjData parse_assimp(std::string_view text, const std::string& name) {
                                                        aiProcess_Triangulate | aiProcess_JoinIdenticalVertices, "obj");
     if (!scene) {
         const std::string error = importer.GetErrorString();
-        throw InputError(name + ": assimp: " + error.substr(0, error.find('\n')));
+        throw InputError("{}: assimp: {}", name, error.substr(0, error.find('\n')));
     }
     ObjData data;
     for (unsigned m = 0; m < scene->mNumMeshes; ++m) {

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -14,12 +16,6 @@ Json array(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 uint64_t hash_floats(const float* values, size_t count, uint64_t seed) {
     static_assert(std::endian::native == std::endian::little);
     return hash_bytes({reinterpret_cast<const char*>(values), count * sizeof(float)}, seed);
-}
-
-std::string hexadecimal(uint64_t value) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-    return text;
 }
 
 }  // namespace
@@ -46,7 +42,7 @@ std::string describe_mesh(const std::filesystem::path& path, Loader loader) {
     out["bounds"] = {{"lower", array(bounds.lower)}, {"upper", array(bounds.upper)}};
     out["materials"] = Json::array();
     for (const Material& m : model.materials) out["materials"].push_back(m.name);
-    out["positions_fnv1a64"] = hexadecimal(checksum);
+    out["positions_fnv1a64"] = fmt::format("{:016x}", checksum);
     return out.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -91,7 +91,7 @@ class Statements {
 };
 
 [[noreturn]] inline void fail_at(const std::string& file, size_t line, const std::string& reason) {
-    throw InputError(file + ":" + std::to_string(line) + ": " + reason);
+    throw InputError("{}:{}: {}", file, line, reason);
 }
 
 }  // namespace lightwalk

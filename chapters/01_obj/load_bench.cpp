@@ -118,7 +118,7 @@ double LoaderFigures::quantile(double share) const {
 }
 
 std::vector<LoaderFigures> measure_loaders(const std::filesystem::path& path, int runs, size_t& bytes) {
-    if (runs < 1) throw InputError("the load bench needs at least 1 run, got " + std::to_string(runs));
+    if (runs < 1) throw InputError("the load bench needs at least 1 run, got {}", runs);
     parse_obj(path, Loader::scan);  // whatever is wrong with the file is said here
     std::vector<LoaderFigures> results;
     for (const std::string_view name : loader_names()) results.emplace_back().loader = loader_from_name(name);

@@ -33,7 +33,7 @@ void LoaderSubject::measure(const json& study, json& result) {
     result = {{"subject", "loader"},
               {"device", processor_name()},
               {"driver", "CPU"},
-              {"stage", std::to_string(threads) + " threads"},
+              {"stage", fmt::format("{} threads", threads)},
               {"truth", {{"method", "strtof in the C locale"}, {"knobs", json::object()}, {"doubling_change", 0}}},
               {"error_metric", "ulp"},
               {"time_unit", "MB/s"},

@@ -13,7 +13,7 @@
 namespace lightwalk {
 
 MappedFile::MappedFile(const std::filesystem::path& path) {
-    const auto fail = [&](const std::string& why) { throw InputError(path.string() + ": cannot be opened: " + why); };
+    const auto fail = [&](const std::string& why) { throw InputError("{}: cannot be opened: {}", path.string(), why); };
     struct Descriptor {
         int number;
         ~Descriptor() {
@@ -23,8 +23,8 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
     } file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
     struct stat status;
     if (file.number < 0 || fstat(file.number, &status) != 0) fail(std::strerror(errno));
-    if (S_ISDIR(status.st_mode)) throw InputError(path.string() + ": is a folder, expected a file");
-    if (!S_ISREG(status.st_mode)) throw InputError(path.string() + ": is not a regular file");
+    if (S_ISDIR(status.st_mode)) throw InputError("{}: is a folder, expected a file", path.string());
+    if (!S_ISREG(status.st_mode)) throw InputError("{}: is not a regular file", path.string());
     size_ = static_cast<size_t>(status.st_size);
     // Zero pages first, then the file over them: what lies past its end reads as zeros and not as a bus error.
     const size_t page = static_cast<size_t>(sysconf(_SC_PAGESIZE));

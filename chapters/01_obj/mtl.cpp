@@ -24,9 +24,9 @@ std::string lower(std::string_view word) {
 float take_float(std::string_view& rest, std::string_view what) {
     const std::string_view word = next_word(rest);
     float value = 0.0f;
-    if (word.empty()) throw InputError("a number is missing after " + std::string(what));
+    if (word.empty()) throw InputError("a number is missing after {}", what);
     if (parse_float(word, value) != FloatStatus::ok)
-        throw InputError(shown(word) + " after " + std::string(what) + " is not a number that a float can hold");
+        throw InputError("{} after {} is not a number that a float can hold", shown(word), what);
     return value;
 }
 
@@ -41,8 +41,7 @@ std::optional<glm::vec3> take_color(std::string_view rest, std::string_view what
 
 bool take_switch(std::string_view& rest, std::string_view what) {
     const std::string_view word = next_word(rest);
-    if (word != "on" && word != "off")
-        throw InputError(shown(word) + " after " + std::string(what) + ", expected on or off");
+    if (word != "on" && word != "off") throw InputError("{} after {}, expected on or off", shown(word), what);
     return word == "on";
 }
 
@@ -84,7 +83,7 @@ TextureMap take_map(std::string_view rest, const fs::path& folder) {
         else if (option == "-imfchan") {
             const std::string_view channel = next_word(after);
             if (channel.size() != 1 || std::string_view("rgbmlz").find(channel[0]) == std::string_view::npos)
-                throw InputError(shown(channel) + " after -imfchan, expected one of r g b m l z");
+                throw InputError("{} after -imfchan, expected one of r g b m l z", shown(channel));
             map.channel = channel[0];
         } else
             break;  // a file whose name starts with a dash
@@ -110,7 +109,7 @@ struct Reader {
         const bool known = color_of(keyword) || number_of(keyword) || map_of(keyword) || keyword == "d" ||
                            keyword == "tr" || keyword == "illum";
         if (!known) return;
-        if (materials.empty()) throw InputError(written + " before the first newmtl");
+        if (materials.empty()) throw InputError("{} before the first newmtl", written);
         Material& m = materials.back();
         if (glm::vec3 Material::*color = color_of(keyword)) {
             if (const auto value = take_color(rest, written)) m.*color = *value;
@@ -186,7 +185,7 @@ std::vector<fs::path> library_files(const std::string& written, const fs::path& 
 
 std::vector<Material> parse_mtl(std::string_view text, const std::string& name, const fs::path& folder) {
     if (text.substr(0, 4096).find('\0') != text.npos)
-        throw InputError(name + ":1: the file is binary, expected MTL text");
+        throw InputError("{}:1: the file is binary, expected MTL text", name);
     std::vector<Material> materials;
     Reader reader{materials, folder};
     Statements statements(without_mark(text));

@@ -37,7 +37,7 @@ ObjData parse(std::string_view text, const std::string& name, Loader loader, con
             data = parse_parallel(text, name, options);
             break;
     }
-    if (data.corners.empty()) throw InputError(name + ":1: no face in the file, expected a line such as f 1 2 3");
+    if (data.corners.empty()) throw InputError("{}:1: no face in the file, expected a line such as f 1 2 3", name);
     return data;
 }
 
@@ -53,7 +53,7 @@ Loader loader_from_name(std::string_view name) {
         if (names[i] == name) return static_cast<Loader>(i);
         known += (i ? ", " : "") + std::string(names[i]);
     }
-    throw InputError("unknown loader '" + std::string(name) + "'; there are: " + known);
+    throw InputError("unknown loader '{}'; there are: {}", name, known);
 }
 
 bool is_obj(const fs::path& path) {

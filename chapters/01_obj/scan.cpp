@@ -15,9 +15,9 @@ float float_or_throw(std::string_view word) {
         case FloatStatus::ok:
             break;
         case FloatStatus::not_a_number:
-            throw InputError(shown(word) + " is not a number such as -1.5 or 2e-3");
+            throw InputError("{} is not a number such as -1.5 or 2e-3", shown(word));
         case FloatStatus::too_large:
-            throw InputError(shown(word) + " is too large for a float, at most 3.4028e38");
+            throw InputError("{} is too large for a float, at most 3.4028e38", shown(word));
     }
     return value;
 }
@@ -29,12 +29,10 @@ const char* plural(size_t count) { return count == 1 ? "" : "s"; }
 int read_floats(std::string_view rest, int least, int most, float* values, std::string_view usage) {
     int count = 0;
     for (std::string_view word; !(word = next_value(rest)).empty(); ++count) {
-        if (count == most) throw InputError("too many numbers, expected " + std::string(usage));
+        if (count == most) throw InputError("too many numbers, expected {}", usage);
         values[count] = float_or_throw(word);
     }
-    if (count < least)
-        throw InputError(std::to_string(count) + " number" + plural(static_cast<size_t>(count)) + ", expected " +
-                         std::string(usage));
+    if (count < least) throw InputError("{} number{}, expected {}", count, plural(static_cast<size_t>(count)), usage);
     return count;
 }
 
@@ -42,17 +40,16 @@ uint32_t Scanner::index(std::string_view& word, size_t so_far, size_t total, con
     int64_t number = 0;
     const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error == std::errc::invalid_argument)
-        throw InputError(shown(word) + " is not an index; a corner is v, v/vt, v//vn or v/vt/vn");
+        throw InputError("{} is not an index; a corner is v, v/vt, v//vn or v/vt/vn", shown(word));
     const std::string_view digits(word.data(), static_cast<size_t>(stop - word.data()));
     word.remove_prefix(digits.size());
-    if (number == 0 && error == std::errc()) throw InputError("index 0; the first " + std::string(what) + " is 1");
+    if (number == 0 && error == std::errc()) throw InputError("index 0; the first {} is 1", what);
     if (error != std::errc() || number > largest_index || number < -largest_index)
-        throw InputError("index " + std::string(digits.substr(0, 40)) + " is out of range");
+        throw InputError("index {} is out of range", digits.substr(0, 40));
     const int64_t from_start = number > 0 ? number - 1 : static_cast<int64_t>(so_far) + number;
     if (total_ && (from_start < 0 || from_start >= static_cast<int64_t>(total)))
-        throw InputError("index " + std::string(digits) + " is out of range, there " + (total == 1 ? "is " : "are ") +
-                         std::to_string(number < 0 ? so_far : total) + " " + what + plural(total) +
-                         (number < 0 ? " before it" : ""));
+        throw InputError("index {} is out of range, there {}{} {}{}{}", digits, total == 1 ? "is " : "are ",
+                         number < 0 ? so_far : total, what, plural(total), number < 0 ? " before it" : "");
     return number > 0 ? static_cast<uint32_t>(from_start) : relative_index(from_start);
 }
 
@@ -73,12 +70,11 @@ void Scanner::face(std::string_view rest) {
                 corner.normal = index(word, normals, total.normals, "normal");
             }
         }
-        if (!word.empty()) throw InputError(shown(whole) + " is not a corner; write v, v/vt, v//vn or v/vt/vn");
+        if (!word.empty()) throw InputError("{} is not a corner; write v, v/vt, v//vn or v/vt/vn", shown(whole));
         out_.corners.push_back(corner);
     }
     const size_t count = out_.corners.size() - first;
-    if (count < 3)
-        throw InputError("a face with " + std::to_string(count) + " corner" + plural(count) + ", expected 3 or more");
+    if (count < 3) throw InputError("a face with {} corner{}, expected 3 or more", count, plural(count));
     out_.sizes.push_back(static_cast<uint32_t>(count));
 }
 
@@ -117,15 +113,15 @@ void Scanner::statement(std::string_view text) {
 void check_keyword(std::string_view keyword) {
     for (const char c : keyword)
         if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'))
-            throw InputError(shown(keyword) + " is not a statement; a line starts with a word such as v, vt, vn or f");
+            throw InputError("{} is not a statement; a line starts with a word such as v, vt, vn or f", shown(keyword));
 }
 
 Piece Scanner::piece() { return {&out_, start_, mark(out_), std::move(names_)}; }
 
 void check_is_text(std::string_view text, const std::string& name) {
-    if (trim(text).empty()) throw InputError(name + ":1: the file is empty, expected OBJ text");
+    if (trim(text).empty()) throw InputError("{}:1: the file is empty, expected OBJ text", name);
     if (text.substr(0, 4096).find('\0') != text.npos)
-        throw InputError(name + ":1: the file is binary, expected OBJ text");
+        throw InputError("{}:1: the file is binary, expected OBJ text", name);
 }
 
 Counts count_elements(std::string_view text) {
@@ -146,7 +142,7 @@ void throw_first_error(std::string_view text, const std::string& name) {
     for (std::string_view statement; statements.next(statement);) try {
             scanner.statement(statement);
         } catch (const InputError& error) { fail_at(name, statements.line(), error.what()); }
-    throw InputError(name + ": more than " + std::to_string(largest_index) + " elements or triangles");
+    throw InputError("{}: more than {} elements or triangles", name, largest_index);
 }
 
 ObjData parse_scan(std::string_view text, const std::string& name) {

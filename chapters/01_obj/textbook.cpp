@@ -24,7 +24,7 @@ float number(const std::string& word) {
     float value = 0.0f;
     std::istringstream in = words_of(word);
     if (!(in >> value) || in.peek() != std::istringstream::traits_type::eof())
-        throw InputError(shown(word) + " is not a number that a float can hold");
+        throw InputError("{} is not a number that a float can hold", shown(word));
     return value;
 }
 // [/number]
@@ -35,8 +35,8 @@ std::vector<float> numbers(const std::string& line, size_t least, size_t most) {
     std::string word;
     for (words >> word; words >> word && word[0] != '#';) values.push_back(number(word));
     if (values.size() < least || values.size() > most)
-        throw InputError(std::to_string(values.size()) + " numbers, expected " + std::to_string(least) +
-                         (least == most ? "" : " to " + std::to_string(most)));
+        throw InputError("{} numbers, expected {}{}", values.size(), least,
+                         least == most ? "" : fmt::format(" to {}", most));
     return values;
 }
 

@@ -14,8 +14,7 @@ namespace {
 uint32_t checked(int index, size_t count, bool required, const std::string& name) {
     if (index < 0 && !required) return none;
     if (index < 0 || static_cast<size_t>(index) >= count)
-        throw InputError(name + ": tinyobjloader: index " + std::to_string(index + 1) + " is out of range, there are " +
-                         std::to_string(count));
+        throw InputError("{}: tinyobjloader: index {} is out of range, there are {}", name, index + 1, count);
     return static_cast<uint32_t>(index);
 }
 
@@ -69,7 +68,7 @@ ObjData parse_tinyobjloader(std::string_view text, const std::string& name) {
     std::istream in(&view);
     if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &in, &number_materials, true, false)) {
         const size_t end = error.find_first_of("\r\n");
-        throw InputError(name + ": tinyobjloader: " + (error.empty() ? "cannot read it" : error.substr(0, end)));
+        throw InputError("{}: tinyobjloader: {}", name, error.empty() ? "cannot read it" : error.substr(0, end));
     }
     copy(attributes.vertices, data.positions);
     copy(attributes.texcoords, data.uvs);

@@ -1,4 +1,6 @@
 // Chapter 03: point and spot lights, and how not to compute those that do not reach.
+#include <fmt/core.h>
+
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
@@ -68,8 +70,7 @@ struct Attenuation : ModelChapter {
     }
 
     std::vector<std::string> status() const override {
-        return {std::to_string(lights.buffer().lights().size()) + " lights, packed " +
-                std::to_string(lights.buffer().rebuilds) + "×"};
+        return {fmt::format("{} lights, packed {}×", lights.buffer().lights().size(), lights.buffer().rebuilds)};
     }
 };
 

@@ -69,7 +69,7 @@ int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defa
         assign_bindings(stages);
         for (size_t i = 0; i < stages.spirv.size(); ++i, ++modules)
             if (const std::string why = validate_spirv(stages.spirv[i]); !why.empty())
-                throw ShaderError(stages.names[i] + ": spirv-val: " + why);
+                throw ShaderError("{}: spirv-val: {}", stages.names[i], why);
     }
     return modules;
 }
@@ -82,8 +82,8 @@ int compile_all_shaders(Chapter& chapter, const std::string& stamp) {
     std::vector<std::string> states{"solution", "exercise"};
     for (const std::string& id : Exercises::ids()) {
         if (id.substr(0, 2) > chapter.name.substr(0, 2)) continue;
-        states.push_back("solution," + id + "=exercise");
-        states.push_back("exercise," + id + "=solution");
+        states.push_back(fmt::format("solution,{}=exercise", id));
+        states.push_back(fmt::format("exercise,{}=solution", id));
     }
     int modules = 0;
     std::set<std::string> seen;

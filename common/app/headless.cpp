@@ -20,9 +20,7 @@ void report_non_finite(Gpu& gpu, const Image& linear) {
     size_t nan = 0, infinite = 0;
     for (const glm::vec3& pixel : read_linear(gpu, linear).pixels)
         for (int i = 0; i < 3; ++i) std::isnan(pixel[i]) ? ++nan : infinite += std::isinf(pixel[i]);
-    if (nan || infinite)
-        throw Failure("the HDR target holds " + std::to_string(nan) + " NaN and " + std::to_string(infinite) +
-                      " infinite values");
+    if (nan || infinite) throw Failure("the HDR target holds {} NaN and {} infinite values", nan, infinite);
 }
 
 json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter,
@@ -52,7 +50,7 @@ std::unique_ptr<Gpu> make_gpu(const Options& options) {
         DeviceOptions{.name = options.device, .validate = options.validate, .surface_extensions = {}});
     const uint32_t most = gpu->device.properties.limits.maxImageDimension2D;
     if (std::max(options.size.x, options.size.y) > most)
-        throw InputError("--size: this device renders at most " + std::to_string(most) + " pixels a side");
+        throw InputError("--size: this device renders at most {} pixels a side", most);
     return gpu;
 }
 

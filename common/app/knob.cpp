@@ -69,8 +69,8 @@ void Knob<T>::set(const std::string& given) {
     using C = Components<T>;
     const double lower = C::get(range.lower, 0), upper_bound = C::get(range.upper, 0);
     const auto refuse = [&] {
-        throw InputError(path() + "=" + given + ": expected a " + kind<T> + " from " + format(lower) + " to " +
-                         format(upper_bound) + (unit.empty() ? "" : " " + unit));
+        throw InputError("{}={}: expected a {} from {} to {}{}", path(), given, kind<T>, format(lower),
+                         format(upper_bound), unit.empty() ? "" : " " + unit);
     };
     T parsed{};
     const char* at = given.data();
@@ -124,7 +124,7 @@ Knob<bool>::Knob(Module& knob_owner, std::string knob_name, bool initial, std::s
 
 void Knob<bool>::set(const std::string& given) {
     if (given != "on" && given != "off" && given != "true" && given != "false")
-        throw InputError(path() + "=" + given + ": expected on or off");
+        throw InputError("{}={}: expected on or off", path(), given);
     value = given == "on" || given == "true";
 }
 
@@ -143,7 +143,7 @@ void Choice::set(const std::string& given) {
     const auto it = std::find(options.begin(), options.end(), given);
     std::string known;
     for (const std::string& option : options) known += (known.empty() ? "" : ", ") + option;
-    if (it == options.end()) throw InputError(path() + "=" + given + ": expected one of " + known);
+    if (it == options.end()) throw InputError("{}={}: expected one of {}", path(), given, known);
     index = static_cast<size_t>(it - options.begin());
 }
 
@@ -187,8 +187,8 @@ KnobBase& find_knob(const KnobList& knobs, const std::string& name) {
         if (knob->path() == name) return *knob;
     const KnobList same = called(knobs, name);
     if (same.size() == 1) return *same[0];
-    if (!same.empty()) throw InputError("knob '" + name + "' could be " + listed(same, " or "));
-    throw InputError("unknown knob '" + name + "'; this chapter has: " + listed(knobs, ", "));
+    if (!same.empty()) throw InputError("knob '{}' could be {}", name, listed(same, " or "));
+    throw InputError("unknown knob '{}'; this chapter has: {}", name, listed(knobs, ", "));
 }
 
 bool has_short_name(const KnobList& knobs, const KnobBase& knob) {

@@ -47,13 +47,12 @@ std::vector<std::byte> Module::block(const Binding& binding) const {
         const auto it = std::find_if(members_.begin(), members_.end(),
                                      [&](const Member& m) { return m.knob && m.knob->name == member.name; });
         if (it == members_.end())
-            throw Failure("the shader's " + binding.name + "." + member.name + " is no knob of " +
-                          (path_.empty() ? "the chapter" : "the module " + path_));
+            throw Failure("the shader's {}.{} is no knob of {}", binding.name, member.name,
+                          path_.empty() ? "the chapter" : "the module " + path_);
         const std::vector<float> numbers = it->knob->numbers();
         if (numbers.size() != member.components)
-            throw Failure("the shader's " + binding.name + "." + member.name + " has " +
-                          std::to_string(member.components) + " components, the knob " +
-                          std::to_string(numbers.size()));
+            throw Failure("the shader's {}.{} has {} components, the knob {}", binding.name, member.name,
+                          member.components, numbers.size());
         for (size_t i = 0; i < numbers.size(); ++i) {
             const uint32_t word = member.type == BlockMember::Type::number
                                       ? std::bit_cast<uint32_t>(numbers[i])

@@ -19,7 +19,7 @@ glm::uvec2 parse_size(const std::string& text) {
     const auto height = cross ? std::from_chars(width.ptr + 1, end, size.y) : width;
     if (!cross || height.ec != std::errc() || height.ptr != end || size.x < 1 || size.y < 1 || size.x > 16384 ||
         size.y > 16384)
-        throw InputError("--size " + text + ": expected WIDTHxHEIGHT, each from 1 to 16384, such as 960x540");
+        throw InputError("--size {}: expected WIDTHxHEIGHT, each from 1 to 16384, such as 960x540", text);
     return size;
 }
 
@@ -47,7 +47,7 @@ void apply_shot(Options& options, Chapter& chapter) {
         for (const auto& [name, value] : shot.set) set_knob(options, chapter, name, value);
         return;
     }
-    throw InputError("unknown shot '" + options.shot + "'; " + chapter.name + " has: " + known);
+    throw InputError("unknown shot '{}'; {} has: {}", options.shot, chapter.name, known);
 }
 
 }  // namespace
@@ -96,11 +96,11 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     } catch (const CLI::CallForHelp&) {
         std::printf("%s", app.help().c_str());
         return std::nullopt;
-    } catch (const CLI::ParseError& e) { throw InputError(std::string(e.what()) + "; --help lists what there is"); }
+    } catch (const CLI::ParseError& e) { throw InputError("{}; --help lists what there is", e.what()); }
     for (const CLI::Option* option : app.get_options())
         for (const std::string& value : option->results())
             if (value.empty())
-                throw InputError(option->get_name() + " is given an empty text; --help says what it takes");
+                throw InputError("{} is given an empty text; --help says what it takes", option->get_name());
     // CLI11's ranges let a NaN through: it is neither below nor above them.
     if (o.budget && !(*o.budget >= 0)) throw InputError("--budget: the greatest error allowed is 0 or more");
     if (o.time_given && std::isnan(*o.time_given)) throw InputError("--time nan: expected seconds from -1e6 to 1e6");
@@ -113,7 +113,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     if (!o.shot.empty()) apply_shot(o, chapter);
     for (const std::string& item : o.set) {
         const size_t equals = item.find('=');
-        if (equals == item.npos) throw InputError("--set " + item + ": expected NAME=VALUE");
+        if (equals == item.npos) throw InputError("--set {}: expected NAME=VALUE", item);
         set_knob(o, chapter, item.substr(0, equals), item.substr(equals + 1));
     }
     for (const auto& [name, value] : by_knob)

@@ -11,7 +11,7 @@ ImageRgb read_linear(Gpu& gpu, const Image& image) {
     if (image.desc.format == VK_FORMAT_R8G8B8A8_UNORM) return to_linear(read_picture(gpu, image));
     const bool half = image.desc.format == VK_FORMAT_R16G16B16A16_SFLOAT;
     if (!half && image.desc.format != VK_FORMAT_R32G32B32A32_SFLOAT)
-        throw Failure(image.desc.name + " is no picture: it has neither RGBA16F, RGBA32F nor RGBA8");
+        throw Failure("{} is no picture: it has neither RGBA16F, RGBA32F nor RGBA8", image.desc.name);
     const std::vector<std::byte> texels = gpu.read_back(image);
     ImageRgb result(static_cast<int>(image.desc.size.x), static_cast<int>(image.desc.size.y));
     for (size_t i = 0; i < result.pixels.size(); ++i) {

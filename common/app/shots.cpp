@@ -30,7 +30,7 @@ std::vector<Shot> read_shots(const std::string& chapter) {
                     shot.set.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
             shots.push_back(std::move(shot));
         }
-    } catch (const json::exception& e) { throw InputError(path.string() + ": " + e.what()); }
+    } catch (const json::exception& e) { throw InputError("{}: {}", path.string(), e.what()); }
     return shots;
 }
 

@@ -49,13 +49,13 @@ State& find(std::string_view id) {
     if (const auto it = exercises.find(id); it != exercises.end()) return it->second;
     std::string known;
     for (const auto& [name, state] : exercises) known += (known.empty() ? "" : ", ") + name;
-    throw InputError("unknown exercise '" + std::string(id) + "'; there are: " + known);
+    throw InputError("unknown exercise '{}'; there are: {}", id, known);
 }
 
 bool is_solution(std::string_view word) {
     if (word == "solution") return true;
     if (word == "exercise") return false;
-    throw InputError("--use: '" + std::string(word) + "' is neither 'solution' nor 'exercise'");
+    throw InputError("--use: '{}' is neither 'solution' nor 'exercise'", word);
 }
 
 }  // namespace

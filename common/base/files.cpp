@@ -24,9 +24,9 @@ const fs::path& course_root() {
 
 std::string read_file(const fs::path& path) {
     std::error_code ignored;
-    if (fs::is_directory(path, ignored)) throw InputError(path.string() + ": is a folder, expected a file");
+    if (fs::is_directory(path, ignored)) throw InputError("{}: is a folder, expected a file", path.string());
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw InputError(path.string() + ": cannot be opened: " + std::strerror(errno));
+    if (!in) throw InputError("{}: cannot be opened: {}", path.string(), std::strerror(errno));
     std::string bytes;
     if (const auto size = fs::file_size(path, ignored); !ignored) bytes.reserve(size);
     bytes.assign(std::istreambuf_iterator<char>(in), {});
@@ -35,7 +35,7 @@ std::string read_file(const fs::path& path) {
 
 namespace {
 
-fs::path temporary_beside(const fs::path& path) { return path.string() + ".part" + std::to_string(getpid()); }
+fs::path temporary_beside(const fs::path& path) { return fmt::format("{}.part{}", path.string(), getpid()); }
 
 }  // namespace
 
@@ -44,28 +44,28 @@ void write_file(const fs::path& path, std::string_view bytes) {
     std::error_code error;
     {
         std::ofstream out(part, std::ios::binary | std::ios::trunc);
-        if (!out) throw InputError(path.string() + ": cannot be written: " + std::strerror(errno));
+        if (!out) throw InputError("{}: cannot be written: {}", path.string(), std::strerror(errno));
         out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         if (!out.flush()) {
             out.close();
             fs::remove(part, error);
-            throw InputError(path.string() + ": cannot be written: " + std::strerror(errno));
+            throw InputError("{}: cannot be written: {}", path.string(), std::strerror(errno));
         }
     }
     fs::rename(part, path, error);
     if (error) {
         const std::string why = error.message();
         fs::remove(part, error);
-        throw InputError(path.string() + ": cannot be written: " + why);
+        throw InputError("{}: cannot be written: {}", path.string(), why);
     }
 }
 
 void check_writable(const fs::path& path) {
     std::error_code error;
-    if (fs::is_directory(path, error)) throw InputError(path.string() + ": cannot be written: is a folder");
+    if (fs::is_directory(path, error)) throw InputError("{}: cannot be written: is a folder", path.string());
     const fs::path part = temporary_beside(path);
     if (!std::ofstream(part, std::ios::binary))
-        throw InputError(path.string() + ": cannot be written: " + std::strerror(errno));
+        throw InputError("{}: cannot be written: {}", path.string(), std::strerror(errno));
     fs::remove(part, error);
 }
 

@@ -8,7 +8,6 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 from build import build
-from gallery import write_gallery
 from progress import Progress
 from shots import render
 from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, shots,
@@ -56,6 +55,8 @@ def execute(program: Path, options: list[str]):
 
 def draw_gallery() -> int:
     """Draws every chapter's shots that are not drawn yet as things stand. Exit code 1 where one failed."""
+    from gallery import write_gallery  # here: a chapter starts without jinja2, too
+
     folder = BUILD / "gallery"
     pictures = [{"chapter": chapter, "name": shot["name"], "caption": shot.get("caption", ""),
                  "image": f"{chapter}/{shot['name']}.png", "error": None,

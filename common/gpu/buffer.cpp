@@ -12,8 +12,7 @@ Buffer::Buffer(Device& device, const Desc& desc) : Buffer() {
     name = desc.name;
     bytes = capacity = std::max<VkDeviceSize>(desc.bytes, 16);
     if (bytes > device.max_buffer_bytes)
-        throw Failure("buffer " + name + " of " + std::to_string(bytes) + " bytes: the device's have at most " +
-                      std::to_string(device.max_buffer_bytes));
+        throw Failure("buffer {} of {} bytes: the device's have at most {}", name, bytes, device.max_buffer_bytes);
     const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
                                   .size = bytes,
                                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |

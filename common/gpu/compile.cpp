@@ -41,7 +41,7 @@ std::string readable(const std::string& log) {
         const int number = std::stoi(match[3]);
         const std::string message = match[4];
         if (message.find("compilation terminated") != message.npos) continue;
-        result += (result.empty() ? "" : "\n") + file + ":" + std::to_string(number) + ": " + message;
+        result += fmt::format("{}{}:{}: {}", result.empty() ? "" : "\n", file, number, message);
         std::ifstream source(course_root() / file);
         std::string text;
         for (int i = 0; i < number && std::getline(source, text); ++i) {}
@@ -67,7 +67,7 @@ std::vector<uint32_t> compile_now(Stage stage, const std::string& text, const st
     if (!shader.parse(GetDefaultResources(), 460, false, rules)) throw ShaderError(readable(shader.getInfoLog()));
     glslang::TProgram program;
     program.addShader(&shader);
-    if (!program.link(rules) || !program.mapIO()) throw ShaderError(name + ": " + program.getInfoLog());
+    if (!program.link(rules) || !program.mapIO()) throw ShaderError("{}: {}", name, program.getInfoLog());
     std::vector<uint32_t> spirv;
     glslang::SpvOptions options;
     glslang::GlslangToSpv(*program.getIntermediate(language(stage)), spirv, &options);
@@ -119,16 +119,14 @@ void store(const fs::path& file, const std::vector<uint32_t>& spirv) {
 }  // namespace
 
 std::vector<uint32_t> compile(Stage stage, const std::string& flat_text, const std::string& name) {
-    const std::string key = std::to_string(static_cast<int>(stage)) + " glslang " +
-                            std::to_string(glslang::GetSpirvGeneratorVersion()) + " spirv 1.5\n";
-    char file[40];
-    std::snprintf(file, sizeof file, "%016llx%016llx.spv",
-                  static_cast<unsigned long long>(hash_bytes(flat_text, hash_bytes(key))),
-                  static_cast<unsigned long long>(hash_bytes(flat_text, hash_bytes(key, 7))));
+    const std::string key =
+        fmt::format("{} glslang {} spirv 1.5\n", static_cast<int>(stage), glslang::GetSpirvGeneratorVersion());
+    const fs::path file = cache_folder() / fmt::format("{:016x}{:016x}.spv", hash_bytes(flat_text, hash_bytes(key)),
+                                                       hash_bytes(flat_text, hash_bytes(key, 7)));
     std::vector<uint32_t> spirv;
-    if (load(cache_folder() / file, spirv)) return spirv;
+    if (load(file, spirv)) return spirv;
     spirv = compile_now(stage, flat_text, name);
-    store(cache_folder() / file, spirv);
+    store(file, spirv);
     return spirv;
 }
 

@@ -15,8 +15,8 @@ int& checks_until_failure() {
 }
 
 void check(VkResult result, const char* what) {
-    if (checks_until_failure() >= 0 && checks_until_failure()-- == 0) throw Failure(std::string(what) + ": forced");
-    if (result != VK_SUCCESS) throw Failure(std::string(what) + ": " + name_of(result));
+    if (checks_until_failure() >= 0 && checks_until_failure()-- == 0) throw Failure("{}: forced", what);
+    if (result != VK_SUCCESS) throw Failure("{}: {}", what, name_of(result));
 }
 
 VkBool32 keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
@@ -94,11 +94,11 @@ VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, const std::str
         const DeviceInfo info = describe_device(physical);
         const bool named = lower(info.name).find(lower(wanted)) != std::string::npos || info.type == lower(wanted);
         if (named && info.lacks.empty()) return physical;
-        known += (known.empty() ? "" : ", ") + info.name + " (" + info.type +
-                 (info.lacks.empty() ? ")" : ", lacks " + info.lacks + ")");
+        known += fmt::format("{}{} ({}{})", known.empty() ? "" : ", ", info.name, info.type,
+                             info.lacks.empty() ? "" : ", lacks " + info.lacks);
     }
-    if (wanted.empty()) throw InputError("no device has what the course needs: " + known);
-    throw InputError("--device " + wanted + ": no usable device of that name; there are: " + known);
+    if (wanted.empty()) throw InputError("no device has what the course needs: {}", known);
+    throw InputError("--device {}: no usable device of that name; there are: {}", wanted, known);
 }
 
 uint32_t push_descriptors_from_environment() {
@@ -221,7 +221,7 @@ size_t Device::validation_message_count() const {
 void Device::check_validation() const {
     const std::lock_guard lock(mutex_);
     if (messages_.empty()) return;
-    throw Failure("validation said " + std::to_string(messages_.size()) + " things; the first: " + messages_[0]);
+    throw Failure("validation said {} things; the first: {}", messages_.size(), messages_[0]);
 }
 
 uint64_t Device::timeout_ns() const {

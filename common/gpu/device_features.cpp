@@ -1,5 +1,7 @@
 #include "common/gpu/device_features.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstring>
 #include <vector>
@@ -99,7 +101,7 @@ DeviceInfo describe_device(VkPhysicalDevice physical) {
     vkGetPhysicalDeviceProperties2(physical, &properties);
     constexpr const char* types[] = {"discrete", "integrated", "virtual", "other", "software"};
     DeviceInfo info{.name = properties.properties.deviceName,
-                    .driver = std::string(driver.driverName) + " " + driver.driverInfo,
+                    .driver = fmt::format("{} {}", driver.driverName, driver.driverInfo),
                     .type = types[device_rank(physical)],
                     .lacks = {}};
     if (properties.properties.apiVersion < VK_API_VERSION_1_3) {

@@ -17,11 +17,9 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& needs, VkMemoryPrope
                (memory.memoryTypes[type].propertyFlags & properties_wanted) == properties_wanted;
     };
     while (type < memory.memoryTypeCount && !fits()) ++type;
-    if (type == memory.memoryTypeCount) throw Failure("the device has no memory of the kind that " + name + " needs");
+    if (type == memory.memoryTypeCount) throw Failure("the device has no memory of the kind that {} needs", name);
     const VkDeviceSize heap = memory.memoryHeaps[memory.memoryTypes[type].heapIndex].size;
-    if (needs.size > heap)
-        throw Failure(name + " needs " + std::to_string(needs.size >> 20) + " MiB, and the device has " +
-                      std::to_string(heap >> 20));
+    if (needs.size > heap) throw Failure("{} needs {} MiB, and the device has {}", name, needs.size >> 20, heap >> 20);
     const VkMemoryAllocateInfo allocate_info{
         .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = needs.size, .memoryTypeIndex = type};
     VkDeviceMemory result = VK_NULL_HANDLE;

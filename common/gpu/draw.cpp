@@ -40,8 +40,7 @@ template <class Draw>
 void Raster::indirect(const Buffer& draws, uint32_t count, VkDeviceSize offset, uint32_t stride, Draw draw) {
     check_indirect(draws);
     if (offset % 4 || offset + VkDeviceSize(count) * stride > draws.bytes)
-        throw Failure("pass '" + name + "': " + std::to_string(count) + " indirect draws from byte " +
-                      std::to_string(offset) + " on are not in '" + draws.name + "'");
+        throw Failure("pass '{}': {} indirect draws from byte {} on are not in '{}'", name, count, offset, draws.name);
     if (frame.gpu.device.has.multiDrawIndirect) {
         draw(draws.handle, offset, count, stride);
         return;
@@ -87,8 +86,7 @@ Compute& Compute::dispatch_indirect(const Buffer& groups, VkDeviceSize offset) {
     if (!flush()) return *this;
     check_indirect(groups);
     if (offset % 4 || offset + sizeof(VkDispatchIndirectCommand) > groups.bytes)
-        throw Failure("pass '" + name + "': no dispatch at byte " + std::to_string(offset) + " of '" + groups.name +
-                      "'");
+        throw Failure("pass '{}': no dispatch at byte {} of '{}'", name, offset, groups.name);
     vkCmdDispatchIndirect(commands, groups.handle, offset);
     return *this;
 }

@@ -47,7 +47,7 @@ class Flattener {
         std::istringstream in(text);
         std::string line;
         int number = 0, depth = 0;
-        result.text += "#line 1 \"" + shown + "\"\n";
+        result.text += fmt::format("#line 1 \"{}\"\n", shown);
         while (std::getline(in, line)) {
             ++number;
             const size_t hash = line.find_first_not_of(" \t");
@@ -69,13 +69,12 @@ class Flattener {
             }
             const std::string name = match[1];
             // Included once, wherever first met: within an #if that would depend on the order of files.
-            if (depth > 0)
-                throw ShaderError(shown + ":" + std::to_string(number) + ": #include within #if; move it to the top");
+            if (depth > 0) throw ShaderError("{}:{}: #include within #if; move it to the top", shown, number);
             if (chapter_of(name) > chapter)
-                throw ShaderError(shown + ":" + std::to_string(number) + ": chapter " + chapter +
-                                  " may not include the later chapter's " + name);
+                throw ShaderError("{}:{}: chapter {} may not include the later chapter's {}", shown, number, chapter,
+                                  name);
             include(name, shown, number);
-            result.text += "#line " + std::to_string(number + 1) + " \"" + shown + "\"\n";
+            result.text += fmt::format("#line {} \"{}\"\n", number + 1, shown);
         }
     }
 
@@ -89,7 +88,7 @@ class Flattener {
             const std::string id = chapter_of(name) + "." + file.stem().string();
             return Exercises::uses_solution(id) ? root / folder / "solution" / file : exercise;
         }
-        throw ShaderError(from + ":" + std::to_string(line) + ": no file shaders/" + name);
+        throw ShaderError("{}:{}: no file shaders/{}", from, line, name);
     }
 
     std::set<fs::path> seen_;
@@ -133,9 +132,9 @@ void refuse_unknown_macros(const std::string& text, const Macros& macros) {
                     ++i;
                 } else if (!known.count(words[i]) && !words[i].starts_with("GL_")) {
                     const std::string shown = file.size() > 2 ? file.substr(1, file.size() - 2) : file;
-                    throw ShaderError(shown + ":" + std::to_string(number) + ": nobody defines " +
-                                      std::string(words[i]) +
-                                      "; does the pass state `.with` the module it belongs to?" + "\n    " + line);
+                    throw ShaderError(
+                        "{}:{}: nobody defines {}; does the pass state `.with` the module it belongs to?\n    {}",
+                        shown, number, words[i], line);
                 }
             }
         }
@@ -150,7 +149,7 @@ FlatShader with_header(FlatShader shader, const Macros& macros) {
         "#extension GL_EXT_scalar_block_layout : require\n"
         "#extension GL_GOOGLE_cpp_style_line_directive : require\n";
     for (const auto& [name, value] : macros)
-        if (names_macro(shader.text, name)) header += "#define " + name + " " + value + "\n";
+        if (names_macro(shader.text, name)) header += fmt::format("#define {} {}\n", name, value);
     shader.text.insert(0, header);
     return shader;
 }
@@ -186,7 +185,7 @@ Stage stage_of(const std::string& file_name) {
     if (extension == ".geom") return Stage::geometry;
     if (extension == ".frag") return Stage::fragment;
     if (extension == ".comp") return Stage::compute;
-    throw ShaderError(file_name + ": a shader ends in .vert, .geom, .frag or .comp");
+    throw ShaderError("{}: a shader ends in .vert, .geom, .frag or .comp", file_name);
 }
 
 }  // namespace lightwalk

@@ -66,8 +66,8 @@ void Frame::begin(glm::uvec2 size_in_pixels, float time_in_seconds) {
 }
 
 VkCommandBuffer Frame::begin_pass(const std::string& name, const char* stage) {
-    if (passes_.size() >= max_passes) throw Failure("a frame has at most " + std::to_string(max_passes) + " passes");
-    if (in_pass_) throw Failure("pass '" + name + "' begins within pass '" + passes_.back().name + "'");
+    if (passes_.size() >= max_passes) throw Failure("a frame has at most {} passes", max_passes);
+    if (in_pass_) throw Failure("pass '{}' begins within pass '{}'", name, passes_.back().name);
     VkCommandBuffer commands = VK_NULL_HANDLE;
     if (!free_commands_.empty()) {
         commands = free_commands_.back();

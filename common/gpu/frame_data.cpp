@@ -7,7 +7,7 @@ namespace lightwalk {
 VkDescriptorBufferInfo Frame::copy_to_arena(std::span<const std::byte> bytes) {
     const VkPhysicalDeviceLimits& limits = gpu.device.properties.limits;
     if (bytes.size() > limits.maxUniformBufferRange)
-        throw Failure("a uniform block has at most " + std::to_string(limits.maxUniformBufferRange) + " bytes");
+        throw Failure("a uniform block has at most {} bytes", limits.maxUniformBufferRange);
     return uniforms_.copy(bytes, limits.minUniformBufferOffsetAlignment);
 }
 
@@ -28,8 +28,7 @@ void Frame::upload(const std::string& name, Buffer& buffer, std::span<const std:
 
 void Frame::upload(const std::string& name, const ImageView& view, std::span<const std::byte> texels) {
     if (texels.size() != byte_count(view))
-        throw Failure("upload of " + std::to_string(texels.size()) + " bytes into " + view.name() + ", which holds " +
-                      std::to_string(byte_count(view)));
+        throw Failure("upload of {} bytes into {}, which holds {}", texels.size(), view.name(), byte_count(view));
     const VkDescriptorBufferInfo from = uploads_.copy(texels, 4 * texel_bytes(view.image->desc.format));
     gpu.uploaded_bytes += texels.size();
     transfer(name, {.reads = {}, .writes = {view.mip(0)}},
@@ -59,7 +58,7 @@ void Frame::read_back(const Buffer& buffer, ReadBack& into) {
 }
 
 void Frame::read_back(const ImageView& view, ReadBack& into) {
-    if (view.image->desc.samples > 1) throw Failure(view.name() + " has several samples: resolve it, then read back");
+    if (view.image->desc.samples > 1) throw Failure("{} has several samples: resolve it, then read back", view.name());
     const Buffer& staging = staging_for(into, view.name(), byte_count(view)).staging;
     transfer("read back " + view.name(), {.reads = {view.mip(0)}, .writes = {staging}}, [&](VkCommandBuffer commands) {
         copy(commands, view, staging.handle);

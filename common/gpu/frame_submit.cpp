@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <array>
 #include <utility>
 
@@ -54,10 +56,10 @@ void Frame::wait_for_passes() {
                                             .pValues = &target};
         const VkResult waited = vkWaitSemaphores(gpu.device.handle, &wait_info, gpu.device.timeout_ns());
         if (waited == VK_TIMEOUT)
-            abandon_device("pass '" + pass.name + "' did not end within " +
-                           std::to_string(static_cast<double>(gpu.device.timeout_ns()) / 1e9).substr(0, 4) +
-                           " s; look for a loop without an end in its shaders");
-        check(waited, ("pass '" + pass.name + "'").c_str());
+            abandon_device(
+                fmt::format("pass '{}' did not end within {:.4} s; look for a loop without an end in its shaders",
+                            pass.name, std::to_string(static_cast<double>(gpu.device.timeout_ns()) / 1e9)));
+        check(waited, fmt::format("pass '{}'", pass.name).c_str());
         counted_ = target;
     }
 }

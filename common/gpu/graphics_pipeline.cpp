@@ -44,7 +44,7 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend, VkColorComponentFla
 
 std::string state_key(const Pipeline::Graphics& g, const TargetFormats& formats) {
     std::string key;
-    const auto add = [&](auto value) { key += std::to_string(value) + ","; };
+    const auto add = [&](auto value) { key += fmt::format("{},", value); };
     for (const int value : {int(g.cull), int(g.depth_test), int(g.depth_write), int(g.depth_compare),
                             int(g.depth_clamp), int(g.alpha_to_coverage), int(g.topology)})
         add(value);
@@ -52,9 +52,9 @@ std::string state_key(const Pipeline::Graphics& g, const TargetFormats& formats)
         add(std::bit_cast<uint32_t>(value));
     for (const Blend blend : g.blend.values()) add(int(blend));
     for (const VkColorComponentFlags write : g.color_write.values()) add(write + 100);
-    for (const VkFormat format : formats.color) key += " " + std::to_string(format);
-    return key + " depth " + std::to_string(formats.depth) + (formats.depth_read_only ? " read only " : " ") +
-           std::to_string(formats.samples);
+    for (const VkFormat format : formats.color) key += fmt::format(" {}", int(format));
+    return fmt::format("{} depth {} {}{}", key, int(formats.depth), formats.depth_read_only ? "read only " : "",
+                       formats.samples);
 }
 
 VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const TargetFormats& formats,
@@ -118,7 +118,7 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
     // Said in words: a driver may ignore what it has not, or crash.
     const VkPhysicalDeviceFeatures& has = device.has;
     const auto need = [&](bool wanted, VkBool32 present, const char* what) {
-        if (wanted && !present) throw Failure(desc.vertex + " + " + desc.fragment + ": the device has no " + what);
+        if (wanted && !present) throw Failure("{} + {}: the device has no {}", desc.vertex, desc.fragment, what);
     };
     need(desc.depth_clamp, has.depthClamp, "depth clamp");
     need(desc.depth_bias.clamp != 0, has.depthBiasClamp, "clamp of the depth bias");
@@ -127,7 +127,7 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
     need(!desc.geometry.empty(), has.geometryShader, "geometry shaders");
     VkPipeline pipeline = VK_NULL_HANDLE;
     check(vkCreateGraphicsPipelines(device.handle, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-          (desc.vertex + " + " + desc.fragment).c_str());
+          fmt::format("{} + {}", desc.vertex, desc.fragment).c_str());
     return pipeline;
 }
 

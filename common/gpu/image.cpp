@@ -23,23 +23,21 @@ VkImageUsageFlags usage_of(const Device& device, const Image& image) {
 
 // Throws Failure where the device has no such image.
 void check_supported(const Device& device, const VkImageCreateInfo& info, const std::string& name) {
-    const auto fail = [&](const std::string& why) { throw Failure("image " + name + ": " + why); };
+    const auto fail = [&](const std::string& why) { throw Failure("image {}: {}", name, why); };
     VkImageFormatProperties most;
     if (vkGetPhysicalDeviceImageFormatProperties(device.physical, info.format, info.imageType, info.tiling, info.usage,
                                                  info.flags, &most) != VK_SUCCESS)
         fail("the device has no images of " + name_of(info.format));
     const VkDeviceSize bytes = VkDeviceSize(info.extent.width) * info.extent.height * info.extent.depth *
                                info.arrayLayers * info.samples * texel_bytes(info.format);
-    if (!(most.sampleCounts & info.samples)) fail("the device has no " + std::to_string(info.samples) + " samples");
+    if (!(most.sampleCounts & info.samples)) fail(fmt::format("the device has no {} samples", int(info.samples)));
     if (info.extent.width > most.maxExtent.width || info.extent.height > most.maxExtent.height ||
         info.extent.depth > most.maxExtent.depth || info.mipLevels > most.maxMipLevels ||
         info.arrayLayers > most.maxArrayLayers)
-        fail("the device has at most " + std::to_string(most.maxExtent.width) + "×" +
-             std::to_string(most.maxExtent.height) + "×" + std::to_string(most.maxExtent.depth) + " texels, " +
-             std::to_string(most.maxMipLevels) + " mips and " + std::to_string(most.maxArrayLayers) + " layers");
+        fail(fmt::format("the device has at most {}×{}×{} texels, {} mips and {} layers", most.maxExtent.width,
+                         most.maxExtent.height, most.maxExtent.depth, most.maxMipLevels, most.maxArrayLayers));
     if (bytes > most.maxResourceSize)
-        fail(std::to_string(bytes >> 20) + " MiB, and the device's have at most " +
-             std::to_string(most.maxResourceSize >> 20));
+        fail(fmt::format("{} MiB, and the device's have at most {}", bytes >> 20, most.maxResourceSize >> 20));
 }
 
 }  // namespace
@@ -49,7 +47,7 @@ Image::Image(Device& device, const Desc& wanted) : Image() {
     desc = wanted;
     if (desc.cube && desc.layers == 1) desc.layers = 6;
     if ((desc.depth && (desc.layers > 1 || desc.cube)) || (desc.cube && desc.layers % 6))
-        throw Failure("image " + desc.name + ": a volume has one layer, a cube a multiple of 6");
+        throw Failure("image {}: a volume has one layer, a cube a multiple of 6", desc.name);
     VkImageCreateFlags flags = 0;
     if (desc.cube) flags |= VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
     if (desc.depth) flags |= VK_IMAGE_CREATE_2D_ARRAY_COMPATIBLE_BIT;  // its slices are targets

@@ -19,7 +19,7 @@ ImageView::ImageView(const Image& whole)
 }
 
 ImageView ImageView::mip(uint32_t m) const {
-    if (m >= mips) throw Failure(name() + " has no mip " + std::to_string(m));
+    if (m >= mips) throw Failure("{} has no mip {}", name(), m);
     ImageView result = *this;
     result.first_mip += m;
     result.mips = 1;
@@ -35,8 +35,7 @@ ImageView ImageView::all_mips() const {
 
 ImageView ImageView::layer_range(uint32_t first, uint32_t count) const {
     const uint32_t all = is_volume() && type == VK_IMAGE_VIEW_TYPE_3D ? size().z : layers;
-    if (count == 0 || first + count > all)
-        throw Failure(name() + " has no layers " + std::to_string(first) + " to " + std::to_string(first + count - 1));
+    if (count == 0 || first + count > all) throw Failure("{} has no layers {} to {}", name(), first, first + count - 1);
     ImageView result = *this;
     result.first_layer += first;
     result.layers = count;
@@ -88,8 +87,8 @@ std::string ImageView::name() const {
     std::string result = image->desc.name;
     const auto part = [&](const char* what, uint32_t first, uint32_t count, uint32_t all) {
         if (count == all) return;
-        result += std::string(" ") + what + (count > 1 ? "s " : " ") + std::to_string(first);
-        if (count > 1) result += " to " + std::to_string(first + count - 1);
+        result += count > 1 ? fmt::format(" {}s {} to {}", what, first, first + count - 1)
+                            : fmt::format(" {} {}", what, first);
     };
     const bool whole_volume = type == VK_IMAGE_VIEW_TYPE_3D;
     part(is_volume() ? "slice" : "layer", first_layer, layers, whole_volume ? 1 : is_volume() ? 0 : image->desc.layers);

@@ -17,7 +17,7 @@ std::string name_of(VkFormat format) { return vk::to_string(static_cast<vk::Form
 uint32_t texel_bytes(VkFormat format) {
     const auto traits = static_cast<vk::Format>(format);
     if (vk::blockSize(traits) == 0 || vk::texelsPerBlock(traits) != 1)
-        throw Failure("texel_bytes: a texel of " + name_of(format) + " is no number of bytes");
+        throw Failure("texel_bytes: a texel of {} is no number of bytes", name_of(format));
     return vk::blockSize(traits);
 }
 

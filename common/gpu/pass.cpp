@@ -66,16 +66,14 @@ const Binding* Pass::find(const Name& binding) const {
     if (!pipeline_ || (binding.by_slot && !binding.slot)) return nullptr;
     const Slot found = binding.by_slot ? binding.slot : slot(binding.text);
     if (found.pipeline_ == pipeline_) return &pipeline_->bindings[found.number_];
-    if (binding.by_slot) throw Failure("pass '" + name + "' sets a slot of a pipeline that is not in use any more");
+    if (binding.by_slot) throw Failure("pass '{}' sets a slot of a pipeline that is not in use any more", name);
     std::string known;
     for (const Binding& b : pipeline_->bindings) known += (known.empty() ? "" : ", ") + b.name;
-    throw Failure("pass '" + name + "': its shaders have no binding '" + std::string(binding.text) +
-                  "'; they have: " + known);
+    throw Failure("pass '{}': its shaders have no binding '{}'; they have: {}", name, binding.text, known);
 }
 
 void Pass::fail_unstated(std::string_view use, bool writes) const {
-    throw Failure("pass '" + name + "' binds '" + std::string(use) + "' without stating it in its " +
-                  (writes ? "writes" : "reads"));
+    throw Failure("pass '{}' binds '{}' without stating it in its {}", name, use, writes ? "writes" : "reads");
 }
 
 const Stated* Pass::stated(const ImageView& view, bool writes) const {
@@ -145,8 +143,8 @@ VkDescriptorImageInfo Pass::image_info(const Binding& binding, ImageView view, c
     const bool storage = binding.type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
     if (storage && view.mips > 1) view = view.mip(0);
     if (!turn_into(view, binding.view_type))
-        throw Failure("pass '" + name + "': '" + binding.name + "' is " + shape(binding.view_type) +
-                      " in the shader, and " + view.name() + " is " + shape(view));
+        throw Failure("pass '{}': '{}' is {} in the shader, and {} is {}", name, binding.name, shape(binding.view_type),
+                      view.name(), shape(view));
     const Stated* found = stated(view, storage);
     if (!found && (!view.image->constant || storage)) fail_unstated(binding.name, storage);
     return {.sampler = storage ? VK_NULL_HANDLE : frame.gpu.samplers[sampler],
@@ -159,10 +157,10 @@ void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> vie
     if (!found) return;
     const Binding& binding = *found;
     if (binding.type != VK_DESCRIPTOR_TYPE_STORAGE_IMAGE && binding.type != VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER)
-        throw Failure("pass '" + name + "': '" + binding.name + "' is a buffer in the shader, not an image");
+        throw Failure("pass '{}': '{}' is a buffer in the shader, not an image", name, binding.name);
     if (views.empty() || views.size() > binding.count)
-        throw Failure("pass '" + name + "': '" + binding.name + "' has " + std::to_string(binding.count) +
-                      " elements in the shader and gets " + std::to_string(views.size()));
+        throw Failure("pass '{}': '{}' has {} elements in the shader and gets {}", name, binding.name, binding.count,
+                      views.size());
     VkDescriptorImageInfo info{};
     for (uint32_t i = 0; i < binding.count; ++i) {
         if (i < views.size()) info = image_info(binding, views[i], sampler);
@@ -175,9 +173,9 @@ void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
     const Binding* binding = find(name_in_shader);
     if (!binding) return;
     if (binding->type != VK_DESCRIPTOR_TYPE_STORAGE_BUFFER)
-        throw Failure("pass '" + name + "': '" + binding->name + "' is not a storage buffer in the shader");
+        throw Failure("pass '{}': '{}' is not a storage buffer in the shader", name, binding->name);
     if (binding->count > 1)
-        throw Failure("pass '" + name + "': '" + binding->name + "' is an array of buffers, which passes do not bind");
+        throw Failure("pass '{}': '{}' is an array of buffers, which passes do not bind", name, binding->name);
     check_stated(binding->name, buffer, binding->writable);
     store(*binding, 0, buffer_infos_, {.buffer = buffer.handle, .offset = 0, .range = buffer.bytes});
     missing_ -= !std::exchange(bound_[binding->number].set, true);
@@ -187,10 +185,10 @@ void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> byte
     const Binding* binding = find(name_in_shader);
     if (!binding) return;
     if (binding->type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
-        throw Failure("pass '" + name + "': '" + binding->name + "' is not a uniform block in the shader");
+        throw Failure("pass '{}': '{}' is not a uniform block in the shader", name, binding->name);
     if (bytes.size() < binding->bytes)
-        throw Failure("pass '" + name + "': '" + binding->name + "' is " + std::to_string(bytes.size()) +
-                      " bytes in C++ and " + std::to_string(binding->bytes) + " in the shader");
+        throw Failure("pass '{}': '{}' is {} bytes in C++ and {} in the shader", name, binding->name, bytes.size(),
+                      binding->bytes);
     Bound& bound = bound_[binding->number];
     // Compared here: reading back what was written for the device can be slow.
     if (bound.bytes.size() != bytes.size() || std::memcmp(bound.bytes.data(), bytes.data(), bytes.size()) != 0) {
@@ -205,7 +203,7 @@ bool Pass::flush() {
     if (missing_ > 0)
         for (const Binding& binding : pipeline_->bindings)
             if (!bound_[binding.number].set)
-                throw Failure("pass '" + name + "' draws or dispatches without '" + binding.name + "' being set");
+                throw Failure("pass '{}' draws or dispatches without '{}' being set", name, binding.name);
     if (dirty_.empty()) return true;
     writes_.clear();
     const auto write = [&](const Binding& binding) {

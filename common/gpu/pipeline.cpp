@@ -31,10 +31,10 @@ std::string identity(const Pipeline& p, const TargetFormats& formats) {
     std::string key;
     for (const std::string& shader : p.shaders()) key += shader + " ";
     if (p.is_compute) {
-        for (const auto& [name, value] : p.macros()) key += name + "=" + value + " ";
+        for (const auto& [name, value] : p.macros()) key += fmt::format("{}={} ", name, value);
         return key + (p.compute.source.empty() ? "" : std::to_string(std::hash<std::string>{}(p.compute.source)));
     }
-    for (const auto& [name, value] : p.macros()) key += name + "=" + value + " ";
+    for (const auto& [name, value] : p.macros()) key += fmt::format("{}={} ", name, value);
     return key + state_key(p.graphics, formats);
 }
 
@@ -101,7 +101,7 @@ std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_s
             auto [it, added] = merged.emplace(binding.name, binding);
             if (!added && (it->second.type != binding.type || it->second.bytes != binding.bytes ||
                            it->second.count != binding.count || it->second.view_type != binding.view_type))
-                throw ShaderError(stages.names[i] + ": '" + binding.name + "' is declared otherwise in another stage");
+                throw ShaderError("{}: '{}' is declared otherwise in another stage", stages.names[i], binding.name);
             it->second.stages |= stage_bit(stages.stages[i]);
             it->second.writable |= binding.writable;
         }
@@ -149,7 +149,7 @@ const BuiltPipeline* PipelineLibrary::find(const Pipeline& pipeline, const Targe
     watch(flat);
     const std::string same = identity(pipeline, formats);
     std::string key = same;
-    for (const FlatShader& shader : flat) key += " " + std::to_string(hash_bytes(shader.text));
+    for (const FlatShader& shader : flat) key += fmt::format(" {}", hash_bytes(shader.text));
     Variant& variant = variants_[key];
     if (!variant.error.empty()) throw ShaderError(variant.error);  // what did not compile will not until it is edited
     try {

@@ -18,7 +18,7 @@ struct Context {
                 SPVC_SUCCESS) {
             const std::string why = spvc_context_get_last_error_string(handle);
             spvc_context_destroy(handle);
-            throw Failure("spirv-cross: " + why);
+            throw Failure("spirv-cross: {}", why);
         }
     }
     ~Context() { spvc_context_destroy(handle); }
@@ -109,7 +109,7 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
             const spvc_type whole = spvc_compiler_get_type_handle(compiler, list[i].type_id);
             for (unsigned d = 0; d < spvc_type_get_num_array_dimensions(whole); ++d)
                 binding.count *= spvc_type_get_array_dimension(whole, d);
-            if (binding.count == 0) throw Failure("'" + binding.name + "' is an array without a size");
+            if (binding.count == 0) throw Failure("'{}' is an array without a size", binding.name);
             if (!block) binding.view_type = view_type_of(base);
             if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) {
                 size_t bytes = 0;
@@ -121,7 +121,7 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
             }
             if (!spvc_compiler_get_binary_offset_for_decoration(compiler, list[i].id, SpvDecorationBinding,
                                                                 &binding.offset_of_number))
-                throw Failure("'" + binding.name + "' has no binding number to replace");
+                throw Failure("'{}' has no binding number to replace", binding.name);
             result.bindings.push_back(std::move(binding));
         }
     }

@@ -1,5 +1,7 @@
 #include "common/gpu/sampler.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace lightwalk {
@@ -57,7 +59,7 @@ VkSampler Samplers::operator[](const Sampler& sampler) {
                                    .borderColor = vk(sampler.border)};
     check(vkCreateSampler(device_.handle, &info, nullptr, made.put(device_.handle)), "vkCreateSampler");
     device_.set_name(VK_OBJECT_TYPE_SAMPLER, reinterpret_cast<uint64_t>(VkSampler(made)),
-                     "sampler " + std::to_string(made_.size()));
+                     fmt::format("sampler {}", made_.size()));
     return made;
 }
 

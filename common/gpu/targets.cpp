@@ -100,9 +100,9 @@ Rendering::Rendering(const std::string& pass, const RasterTargets& targets, glm:
 
 VkRenderingAttachmentInfo Rendering::add(const std::string& pass, const Attachment& target, bool is_depth) {
     const auto fail = [&](const std::string& why) {
-        throw Failure("pass '" + pass + "': target " + target.view.name() + " " + why);
+        throw Failure("pass '{}': target {} {}", pass, target.view.name(), why);
     };
-    if (!target.view) throw Failure("pass '" + pass + "' has a target without an image");
+    if (!target.view) throw Failure("pass '{}' has a target without an image", pass);
     const ImageView view = target_view(target.view, layers);
     const Image::Desc& desc = view.image->desc;
     const bool read_only = target.load == Attachment::Load::read_only;
@@ -179,8 +179,8 @@ std::vector<Stated> state(const std::string& pass, const std::vector<Resource>& 
             result.push_back({r, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, true, false});
     }
     const auto fail = [&](const ImageView& a, const ImageView& b) {
-        throw Failure("pass '" + pass + "' uses " + a.name() + " and " + b.name() +
-                      ", which overlap, in different ways; state mips or layers apart");
+        throw Failure("pass '{}' uses {} and {}, which overlap, in different ways; state mips or layers apart", pass,
+                      a.name(), b.name());
     };
     for (size_t i = 0; i < result.size(); ++i)
         for (size_t j = i + 1; j < result.size(); ++j)
@@ -221,8 +221,7 @@ std::vector<const Given*> all_given(const std::string& pass, const std::vector<W
     for (size_t i = 0; i < all.size(); ++i)
         for (size_t j = 0; j < i; ++j)
             if (all[i]->kind() == all[j]->kind())
-                throw Failure("pass '" + pass + "' is given two modules of the kind '" + all[i]->kind() +
-                              "'; it takes one");
+                throw Failure("pass '{}' is given two modules of the kind '{}'; it takes one", pass, all[i]->kind());
     return all;
 }
 

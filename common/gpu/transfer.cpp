@@ -21,8 +21,7 @@ VkOffset3D corner(const ImageView& view) {
 
 void check_size(const ImageView& view, VkDeviceSize bytes) {
     if (bytes != byte_count(view))
-        throw Failure("upload of " + std::to_string(bytes) + " bytes into " + view.name() + ", which holds " +
-                      std::to_string(byte_count(view)));
+        throw Failure("upload of {} bytes into {}, which holds {}", bytes, view.name(), byte_count(view));
 }
 
 }  // namespace
@@ -104,7 +103,7 @@ void Gpu::upload(Image& image, const std::vector<std::vector<std::byte>>& levels
 }
 
 std::vector<std::byte> Gpu::read_back(const ImageView& view) {
-    if (view.image->desc.samples > 1) throw Failure(view.name() + " has several samples: resolve it, then read back");
+    if (view.image->desc.samples > 1) throw Failure("{} has several samples: resolve it, then read back", view.name());
     const VkDeviceSize bytes = byte_count(view);
     Buffer staging(device, {.name = "read back " + view.name(), .bytes = bytes, .host_visible = true});
     submit_now([&](VkCommandBuffer commands) {

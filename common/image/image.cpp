@@ -73,7 +73,7 @@ bool is_cut_jpeg(const std::string& bytes) {
 }
 
 [[noreturn]] void reject(const fs::path& path, const std::string& why) {
-    throw InputError(path.string() + ": " + why + "; expected a whole PNG, JPEG, .hdr or .pfm image");
+    throw InputError("{}: {}; expected a whole PNG, JPEG, .hdr or .pfm image", path.string(), why);
 }
 
 /// stb calls a PNG it finds too large "unknown"; so its header (width and height at byte 16, big endian) is read first.
@@ -104,7 +104,7 @@ Encoded read_encoded(const fs::path& path) {
     if (!stbi_info_from_memory(file.data(), file.size(), &width, &height, &channels)) {
         const bool known = file.bytes.starts_with("\x89PNG") || file.bytes.starts_with("\xFF\xD8");
         const char* why = stbi_failure_reason();
-        reject(path, known ? std::string("has a broken header (") + (why ? why : "cut off") + ")" : "is not an image");
+        reject(path, known ? fmt::format("has a broken header ({})", why ? why : "cut off") : "is not an image");
     }
     check_image_size(path, width, height);
     if (is_cut_jpeg(file.bytes)) reject(path, "is cut off");
@@ -123,7 +123,7 @@ template <class Value>
 StbPixels<Value> loaded(Value* pixels, const fs::path& path) {
     if (!pixels) {
         const char* why = stbi_failure_reason();
-        reject(path, std::string("is broken or cut off") + (why ? std::string(" (") + why + ")" : ""));
+        reject(path, why ? fmt::format("is broken or cut off ({})", why) : "is broken or cut off");
     }
     return StbPixels<Value>(pixels);
 }
@@ -133,9 +133,8 @@ StbPixels<Value> loaded(Value* pixels, const fs::path& path) {
 void check_image_size(const fs::path& path, int64_t width, int64_t height) {
     if (width < 1 || height < 1) reject(path, "has no pixels");
     if (width > max_image_side || height > max_image_side || width * height > max_image_pixels)
-        throw InputError(path.string() + ": " + std::to_string(width) + "x" + std::to_string(height) +
-                         " pixels is too large; at most " + std::to_string(max_image_side) + " a side and " +
-                         std::to_string(max_image_pixels >> 20) + " Mi pixels");
+        throw InputError("{}: {}x{} pixels is too large; at most {} a side and {} Mi pixels", path.string(), width,
+                         height, max_image_side, max_image_pixels >> 20);
 }
 
 bool is_hdr_name(const fs::path& path) {
@@ -201,7 +200,7 @@ void write_png(const fs::path& path, const Image8& image) {
         static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<size_t>(size));
     };
     if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.pixels.data(), 4 * image.width))
-        throw Failure(path.string() + ": the PNG could not be encoded");
+        throw Failure("{}: the PNG could not be encoded", path.string());
     write_file(path, bytes);
 }
 

@@ -16,7 +16,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little);
 
 [[noreturn]] void reject(const std::filesystem::path& path, const std::string& why) {
-    throw InputError(path.string() + ": " + why + "; expected \"PF\", width, height, scale and 32-bit floats");
+    throw InputError("{}: {}; expected \"PF\", width, height, scale and 32-bit floats", path.string(), why);
 }
 
 /// The next word of the text header; ends on the single white space after it.
@@ -69,7 +69,7 @@ ImageRgb read_pfm(const std::filesystem::path& path) {
 }
 
 void write_pfm(const std::filesystem::path& path, const ImageRgb& image) {
-    std::string bytes = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
+    std::string bytes = fmt::format("PF\n{} {}\n-1.0\n", image.width, image.height);
     for (int y = image.height - 1; y >= 0; --y)
         bytes.append(reinterpret_cast<const char*>(&image.at(0, y)), size_t(image.width) * sizeof(glm::vec3));
     write_file(path, bytes);

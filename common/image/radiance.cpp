@@ -17,7 +17,7 @@ struct Reader {
     std::string_view rest;
 
     [[noreturn]] void reject(const std::string& why) const {
-        throw InputError(path.string() + ": " + why + "; expected a whole Radiance .hdr image");
+        throw InputError("{}: {}; expected a whole Radiance .hdr image", path.string(), why);
     }
     std::string line() {
         const size_t end = rest.find('\n');
@@ -82,7 +82,7 @@ ImageRgb read_radiance(const std::filesystem::path& path) {
     const std::string size = in.line();
     int width = 0, height = 0, used = 0;
     if (std::sscanf(size.c_str(), "-Y %d +X %d%n", &height, &width, &used) != 2 || size_t(used) != size.size())
-        in.reject("has no size \"-Y height +X width\" but \"" + size.substr(0, 40) + "\"");
+        in.reject(fmt::format("has no size \"-Y height +X width\" but \"{}\"", size.substr(0, 40)));
     check_image_size(path, width, height);
 
     ImageRgb image(width, height);

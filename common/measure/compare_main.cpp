@@ -112,9 +112,7 @@ bool within_limits(const Options& options, const Comparison& c) {
     std::string over;
     const auto check = [&](const char* what, double value, double limit) {
         if (value <= limit || limit == no_limit) return;
-        char text[96];
-        std::snprintf(text, sizeof text, "%s%s %.6g, at most %.6g", over.empty() ? "" : "; ", what, value, limit);
-        over += text;
+        over += fmt::format("{}{} {:.6g}, at most {:.6g}", over.empty() ? "" : "; ", what, value, limit);
     };
     check("FLIP mean", c.flip.mean, options.max_mean);
     check("FLIP p99", c.flip.p99, options.max_p99);
@@ -149,7 +147,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success&) {
         std::cout << app.help();
         return 0;
-    } catch (const CLI::ParseError& error) { throw InputError(std::string(error.what()) + " (try --help)"); }
+    } catch (const CLI::ParseError& error) { throw InputError("{} (try --help)", error.what()); }
     if (!options.heatmap.empty()) check_writable(options.heatmap);
     const Comparison comparison = compare(options);
     if (!options.heatmap.empty()) write_png(options.heatmap, heat_map(comparison.map));

@@ -211,9 +211,8 @@ bool finite(glm::vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && st
 
 void check_pair(const ImageRgb& reference, const ImageRgb& test, float per_degree) {
     if (reference.width != test.width || reference.height != test.height)
-        throw InputError("FLIP needs images of one size, not " + std::to_string(reference.width) + "x" +
-                         std::to_string(reference.height) + " and " + std::to_string(test.width) + "x" +
-                         std::to_string(test.height));
+        throw InputError("FLIP needs images of one size, not {}x{} and {}x{}", reference.width, reference.height,
+                         test.width, test.height);
     if (reference.pixels.empty()) throw InputError("FLIP needs images with at least one pixel");
     if (!(per_degree > 0.0f && per_degree <= 1000.0f))
         throw InputError("FLIP needs pixels per degree above 0 and at most 1000");

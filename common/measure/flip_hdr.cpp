@@ -41,8 +41,8 @@ double flip_tone_map_inverse(double level) {
 
 ExposureRange exposure_range(float start, float stop) {
     if (!std::isfinite(start) || !std::isfinite(stop) || start > stop || stop - start > 64.0f)
-        throw InputError("HDR-FLIP needs exposures in stops, start <= stop, at most 64 apart, not " +
-                         std::to_string(start) + " to " + std::to_string(stop));
+        throw InputError("HDR-FLIP needs exposures in stops, start <= stop, at most 64 apart, not {:f} to {:f}", start,
+                         stop);
     return {start, stop, std::max(2, static_cast<int>(std::ceil(stop - start)))};
 }
 

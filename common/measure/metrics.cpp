@@ -14,8 +14,7 @@ namespace {
 template <class Image>
 void check_sizes(const Image& a, const Image& b) {
     if (a.width != b.width || a.height != b.height)
-        throw InputError("the images differ in size: " + std::to_string(a.width) + "x" + std::to_string(a.height) +
-                         " and " + std::to_string(b.width) + "x" + std::to_string(b.height));
+        throw InputError("the images differ in size: {}x{} and {}x{}", a.width, a.height, b.width, b.height);
 }
 
 void count(glm::vec3 p, NonFinite& into) {

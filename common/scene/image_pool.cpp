@@ -43,8 +43,8 @@ Texels decode(const std::filesystem::path& file, TextureKind kind, uint32_t max_
                   std::move(image.bytes)};
     }
     if (std::max(texels.size.x, texels.size.y) > max_size)
-        throw InputError(file.string() + ": " + std::to_string(texels.size.x) + "x" + std::to_string(texels.size.y) +
-                         " is larger than the device's " + std::to_string(max_size));
+        throw InputError("{}: {}x{} is larger than the device's {}", file.string(), texels.size.x, texels.size.y,
+                         max_size);
     return texels;
 }
 
@@ -56,8 +56,8 @@ std::shared_ptr<Image> ImagePool::load(const std::filesystem::path& file, Textur
     std::shared_ptr<Image>& entry = images_[real.string() + (kind == TextureKind::color ? " color" : " data")];
     const auto enough = [&](int there) {
         if (there >= channels) return;
-        throw InputError(file.string() + ": has " + (there == 1 ? "one channel" : "two channels") +
-                         ", expected three or four");
+        throw InputError("{}: has {}, expected three or four", file.string(),
+                         there == 1 ? "one channel" : "two channels");
     };
     if (entry) {
         enough(channels_[entry.get()]);
@@ -79,7 +79,7 @@ std::shared_ptr<Image> ImagePool::load(const std::filesystem::path& file, Textur
 
 std::shared_ptr<Image> ImagePool::constant(glm::vec4 value) {
     const uint32_t packed = glm::packUnorm4x8(value);
-    std::shared_ptr<Image>& entry = images_["constant " + std::to_string(packed)];
+    std::shared_ptr<Image>& entry = images_[fmt::format("constant {}", packed)];
     if (entry) return entry;
     entry = std::make_shared<Image>(gpu_.device, Image::Desc{.name = "constant", .format = VK_FORMAT_R8G8B8A8_UNORM});
     gpu_.upload(*entry, std::as_bytes(std::span(&packed, 1)));

@@ -44,8 +44,8 @@ void check_counts(const fs::path& path, const std::string& extension, uintmax_t 
             continue;
         for (unsigned long long count; words >> count || !words.eof();)
             if (words.fail() || count > file_bytes)
-                throw InputError(path.string() + ":" + std::to_string(i + 1) +
-                                 ": the header announces more elements than the file has bytes");
+                throw InputError("{}:{}: the header announces more elements than the file has bytes", path.string(),
+                                 i + 1);
         if (extension == ".off") return;
     }
 }
@@ -210,15 +210,15 @@ Model import_model(const fs::path& path) {
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     std::error_code error;
-    if (!fs::exists(path, error)) throw InputError(name + ": cannot be opened: no such file");
-    if (!fs::is_regular_file(path, error)) throw InputError(name + ": is not a file");
+    if (!fs::exists(path, error)) throw InputError("{}: cannot be opened: no such file", name);
+    if (!fs::is_regular_file(path, error)) throw InputError("{}: is not a file", name);
     if (std::find(formats.begin(), formats.end(), extension) == formats.end()) {
         std::string known;
         for (const std::string_view format : formats) known += (known.empty() ? "" : ", ") + std::string(format);
-        throw InputError(name + ": unknown model format '" + extension + "'; there are: " + known);
+        throw InputError("{}: unknown model format '{}'; there are: {}", name, extension, known);
     }
     const uintmax_t bytes = fs::file_size(path, error);
-    if (error || bytes == 0) throw InputError(name + ": the file is empty");
+    if (error || bytes == 0) throw InputError("{}: the file is empty", name);
     check_counts(path, extension, bytes);
 
     Assimp::Importer importer;
@@ -228,9 +228,9 @@ Model import_model(const fs::path& path) {
     try {
         scene = importer.ReadFile(name, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
                                             aiProcess_SortByPType | aiProcess_ValidateDataStructure);
-    } catch (const std::exception& failed) { throw InputError(name + ": " + first_line(failed.what())); }
-    if (!scene) throw InputError(name + ": " + first_line(importer.GetErrorString()));
-    if (scene->mNumMeshes == 0) throw InputError(name + ": no triangle in the file");
+    } catch (const std::exception& failed) { throw InputError("{}: {}", name, first_line(failed.what())); }
+    if (!scene) throw InputError("{}: {}", name, first_line(importer.GetErrorString()));
+    if (scene->mNumMeshes == 0) throw InputError("{}: no triangle in the file", name);
 
     Model model;
     for (unsigned i = 0; i < scene->mNumMaterials; ++i)

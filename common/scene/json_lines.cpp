@@ -52,7 +52,7 @@ class LineReader : public json::json_sax_t {
     bool key(json::string_t& name) override {
         levels_.back().key = name;
         if (!result_.lines.emplace(pointer(), line_).second)
-            throw InputError(result_.file + ":" + std::to_string(line_) + ": key '" + name + "' stands twice");
+            throw InputError("{}:{}: key '{}' stands twice", result_.file, line_, name);
         return true;
     }
     bool parse_error(std::size_t position, const std::string&, const json::exception& e) override {
@@ -61,7 +61,7 @@ class LineReader : public json::json_sax_t {
         std::string why = e.what();
         if (const size_t colon = why.rfind(": "); colon != why.npos)
             why = why.substr(why.find(": ", why.find("column")) + 2);
-        throw InputError(result_.file + ":" + std::to_string(at) + ": not JSON: " + why);
+        throw InputError("{}:{}: not JSON: {}", result_.file, at, why);
     }
 
   private:
@@ -88,7 +88,7 @@ class LineReader : public json::json_sax_t {
     }
     bool open(bool array) {
         note();
-        if (levels_.size() > 64) throw InputError(result_.file + ":" + std::to_string(line_) + ": nested too deep");
+        if (levels_.size() > 64) throw InputError("{}:{}: nested too deep", result_.file, line_);
         levels_.push_back({array, 0, ""});
         return true;
     }
@@ -111,7 +111,7 @@ std::string JsonWithLines::where(const std::string& pointer) const {
         if (it != lines.end() || at.empty()) {
             const int line = it != lines.end() ? it->second : 1;
             const std::string key = pointer.substr(pointer.rfind('/') + 1);
-            return file + ":" + std::to_string(line) + (key.empty() ? ":" : ": key '" + key + "'");
+            return fmt::format("{}:{}:{}", file, line, key.empty() ? "" : " key '" + key + "'");
         }
     }
 }

@@ -17,13 +17,13 @@ size_t find_slot(const std::string& name) {
         if (map_slots()[i].name == name) return i;
         known += (known.empty() ? "" : ", ") + map_slots()[i].name;
     }
-    throw InputError("unknown texture slot '" + name + "'; there are: " + known);
+    throw InputError("unknown texture slot '{}'; there are: {}", name, known);
 }
 
 std::shared_ptr<Image> load_map(ImagePool& images, const std::filesystem::path& file, const MapSlotInfo& slot) {
     try {
         return images.load(file, slot.kind, slot.channels);
-    } catch (const InputError& e) { throw InputError(slot.name + " map: " + e.what()); }
+    } catch (const InputError& e) { throw InputError("{} map: {}", slot.name, e.what()); }
 }
 
 }  // namespace

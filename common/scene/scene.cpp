@@ -129,14 +129,14 @@ void Scene::sort_items() {
 void Scene::load_environment() {
     environment = nullptr;
     if (!file.environment) return;
-    const auto refuse = [&](const std::string& why) { throw InputError(file.environment.where + ": " + why); };
+    const auto refuse = [&](const std::string& why) { throw InputError("{}: {}", file.environment.where, why); };
     try {
         environment = images_->load(find_asset(file.environment.image), TextureKind::data, 3);
     } catch (const InputError& e) { refuse(e.what()); }
     const glm::uvec2 size = environment->desc.size;
     if (size.x != 2 * size.y)
-        refuse(file.environment.image.string() + " is " + std::to_string(size.x) + "x" + std::to_string(size.y) +
-               ", expected an image of all directions, twice as wide as high");
+        refuse(fmt::format("{} is {}x{}, expected an image of all directions, twice as wide as high",
+                           file.environment.image.string(), size.x, size.y));
 }
 
 DrawList Scene::all() const { return {*this, places(0, items.size())}; }

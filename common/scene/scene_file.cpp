@@ -15,10 +15,10 @@ void sort_by_parent(const JsonWithLines& source, std::vector<SceneObject>& objec
     std::set<std::string> placed, all;
     for (const SceneObject& o : objects)
         if (!o.name.empty() && !all.insert(o.name).second)
-            throw InputError(source.where("/objects") + ": two objects are named '" + o.name + "'");
+            throw InputError("{}: two objects are named '{}'", source.where("/objects"), o.name);
     for (const SceneObject& o : objects)
         if (!o.parent.empty() && !all.count(o.parent))
-            throw InputError(source.where("/objects") + ": parent '" + o.parent + "' is no object's name");
+            throw InputError("{}: parent '{}' is no object's name", source.where("/objects"), o.parent);
     while (sorted.size() < objects.size()) {
         const size_t before = sorted.size();
         for (SceneObject& o : objects) {
@@ -31,7 +31,7 @@ void sort_by_parent(const JsonWithLines& source, std::vector<SceneObject>& objec
         std::string names;
         for (const SceneObject& o : objects)
             if (o.parent != "\n") names += (names.empty() ? "" : ", ") + o.name;
-        throw InputError(source.where("/objects") + ": a cycle of parents among " + names);
+        throw InputError("{}: a cycle of parents among {}", source.where("/objects"), names);
     }
     objects = std::move(sorted);
 }
@@ -43,7 +43,7 @@ void read_included(const fs::path& path, std::vector<fs::path>& open_files, Scen
     std::string chain;
     for (const fs::path& open : open_files) chain += open.filename().string() + " includes ";
     if (std::find(open_files.begin(), open_files.end(), real) != open_files.end())
-        throw InputError(path.string() + ": a cycle of includes: " + chain + real.filename().string());
+        throw InputError("{}: a cycle of includes: {}{}", path.string(), chain, real.filename().string());
     open_files.push_back(real);
     read(read_file(path), path, open_files, scene);
     open_files.pop_back();
@@ -56,10 +56,11 @@ void read(const std::string& text, const fs::path& path, std::vector<fs::path>& 
     if (const json* includes = r.find("include")) {
         if (!includes->is_array()) r.refuse("include", "must be a list of file names");
         for (size_t i = 0; i < includes->size(); ++i) {
-            const std::string pointer = "/include/" + std::to_string(i);
-            if (!(*includes)[i].is_string()) throw InputError(source.where(pointer) + " must be a file name in quotes");
+            const std::string pointer = fmt::format("/include/{}", i);
+            if (!(*includes)[i].is_string())
+                throw InputError("{} must be a file name in quotes", source.where(pointer));
             const fs::path included = path.parent_path() / (*includes)[i].get<std::string>();
-            if (!fs::exists(included)) throw InputError(source.where(pointer) + ": no file " + included.string());
+            if (!fs::exists(included)) throw InputError("{}: no file {}", source.where(pointer), included.string());
             read_included(included, open_files, scene);
         }
     }
@@ -103,7 +104,7 @@ SceneFile parse_scene(const std::string& text, const fs::path& path) {
 fs::path find_asset(const fs::path& path) {
     for (const fs::path& candidate : {path, course_root() / "assets" / path, course_root() / path})
         if (fs::exists(candidate)) return candidate;
-    throw InputError("no file " + path.string() + ", neither here nor below assets/");
+    throw InputError("no file {}, neither here nor below assets/", path.string());
 }
 
 // [local_transform]

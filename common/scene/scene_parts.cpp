@@ -10,7 +10,7 @@ namespace {
 fs::path asset(const JsonWithLines& source, const std::string& pointer, const std::string& name) {
     try {
         find_asset(name);
-    } catch (const InputError& e) { throw InputError(source.where(pointer) + ": " + e.what()); }
+    } catch (const InputError& e) { throw InputError("{}: {}", source.where(pointer), e.what()); }
     return name;
 }
 
@@ -61,7 +61,7 @@ MaterialOverride read_material(const JsonWithLines& source, KeyReader r) {
         if (!maps->is_object()) r.refuse("maps", "must be an object { slot: file }");
         for (const auto& [slot, file] : maps->items()) {
             const std::string pointer = r.at("maps") + "/" + slot;
-            if (!file.is_string()) throw InputError(source.where(pointer) + " must be a file name in quotes");
+            if (!file.is_string()) throw InputError("{} must be a file name in quotes", source.where(pointer));
             material.maps[slot] = asset(source, pointer, file.get<std::string>());
         }
     }
@@ -147,7 +147,7 @@ Light read_light(KeyReader r) {
     else if (kind == "spot")
         light.kind = Light::Kind::spot;
     else if (kind != "directional")
-        r.refuse("type", "is '" + kind + "', expected directional, point or spot");
+        r.refuse("type", fmt::format("is '{}', expected directional, point or spot", kind));
     r.vector("color", light.color, 0, 1);
     r.number("intensity", light.intensity, 0, 1e6);
     if (light.kind != Light::Kind::point) {
@@ -184,7 +184,7 @@ Environment read_environment(const JsonWithLines& source, KeyReader& scene) {
         pointer += "/image";
     }
     environment.where = source.where(pointer);
-    if (!is_hdr_name(image)) throw InputError(environment.where + " is '" + image + "', expected an .hdr or .pfm file");
+    if (!is_hdr_name(image)) throw InputError("{} is '{}', expected an .hdr or .pfm file", environment.where, image);
     environment.image = asset(source, pointer, image);
     return environment;
 }

@@ -15,7 +15,7 @@ class KeyReader {
   public:
     KeyReader(const JsonWithLines& source, const json& object, std::string pointer)
         : source_(source), object_(object), pointer_(std::move(pointer)) {
-        if (!object.is_object()) throw InputError(source.where(pointer_) + " must be an object { }");
+        if (!object.is_object()) throw InputError("{} must be an object {{ }}", source.where(pointer_));
     }
 
     void number(const char* key, float& value, double lower, double upper) {
@@ -24,7 +24,7 @@ class KeyReader {
         if (!given->is_number()) refuse(key, "must be a number");
         const double number = given->get<double>();
         if (!(number >= lower && number <= upper))
-            refuse(key, "is " + given->dump() + ", expected " + text(lower) + " to " + text(upper));
+            refuse(key, fmt::format("is {}, expected {} to {}", given->dump(), text(lower), text(upper)));
         value = static_cast<float>(number);
     }
     void angle(const char* key, float& value_rad, double lower_deg, double upper_deg) {
@@ -41,7 +41,7 @@ class KeyReader {
             if (!item.is_number()) refuse(key, "must be three numbers [x, y, z]");
             const double number = item.get<double>();
             if (!(number >= lower && number <= upper))
-                refuse(key, "holds " + item.dump() + ", expected " + text(lower) + " to " + text(upper));
+                refuse(key, fmt::format("holds {}, expected {} to {}", item.dump(), text(lower), text(upper)));
             value[i] = static_cast<float>(number);
         }
     }
@@ -58,14 +58,14 @@ class KeyReader {
     }
     std::string at(const std::string& key) const { return pointer_ + "/" + key; }
     [[noreturn]] void refuse(const std::string& key, const std::string& why) const {
-        throw InputError(source_.where(at(key)) + " " + why);
+        throw InputError("{} {}", source_.where(at(key)), why);
     }
     void done() const {
         for (const auto& [key, value] : object_.items()) {
             if (known_.count(key)) continue;
             std::string names;
             for (const std::string& name : known_) names += (names.empty() ? "" : ", ") + name;
-            throw InputError(source_.where(at(key)) + " is unknown here; known: " + names);
+            throw InputError("{} is unknown here; known: {}", source_.where(at(key)), names);
         }
     }
 
@@ -84,7 +84,7 @@ void each(const JsonWithLines& source, KeyReader& parent, const char* key, F rea
     if (!list) return;
     if (!list->is_array()) parent.refuse(key, "must be a list [ ]");
     for (size_t i = 0; i < list->size(); ++i) {
-        const std::string pointer = parent.at(key) + "/" + std::to_string(i);
+        const std::string pointer = fmt::format("{}/{}", parent.at(key), i);
         read(KeyReader(source, (*list)[i], pointer), pointer);
     }
 }

@@ -85,7 +85,7 @@ class ReportText(ReportCase):
     def test_what_failed_stands_first_and_says_how_to_look_closer(self):
         self.some_results()
         html = self.write()
-        failed, chapters = html.replace("&#x27;", "'").split('<section id="02_lambert_phong">')
+        failed, chapters = html.replace("&#39;", "'").split('<section id="02_lambert_phong">')
         self.assertIn('badge bad">4 failed', failed)  # bad, new, reflection, unit.bad; shot.02.bad is bad again
         for text in ("bad is &lt;wrong&gt; &amp; bad", "./course again bad", "build/compare", "./course accept 02.bad",
                      "02.blinn", "f(x = 0) &lt; nothing", "unit.bad", "1 == 2 &lt;b&gt;", "./course test '^unit.bad$'",

@@ -11,12 +11,12 @@ uint32_t read_index(std::string_view& word, size_t so_far, size_t total) {
     int64_t index = 0;
     const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), index);
     if (error == std::errc::invalid_argument)
-        throw InputError(shown(word) + " is not an index; a corner is v, v/vt, v//vn or v/vt/vn");
+        throw InputError("{} is not an index; a corner is v, v/vt, v//vn or v/vt/vn", shown(word));
     word.remove_prefix(static_cast<size_t>(stop - word.data()));
     if (error == std::errc() && index == 0) throw InputError("index 0; the first one is 1");
     const int64_t from_zero = index > 0 ? index - 1 : static_cast<int64_t>(so_far) + index;
     if (error != std::errc() || from_zero < 0 || from_zero >= static_cast<int64_t>(total))
-        throw InputError("an index is out of range, there are " + std::to_string(total));
+        throw InputError("an index is out of range, there are {}", total);
     return static_cast<uint32_t>(from_zero);
 }
 
@@ -36,10 +36,10 @@ std::vector<Corner> parse_face(std::string_view line, const Counts& so_far, cons
                 corner.normal = read_index(word, so_far.normals, total.normals);
             }
         }
-        if (!word.empty()) throw InputError(shown(word) + " after a corner; write v, v/vt, v//vn or v/vt/vn");
+        if (!word.empty()) throw InputError("{} after a corner; write v, v/vt, v//vn or v/vt/vn", shown(word));
         corners.push_back(corner);
     }
-    if (corners.size() < 3) throw InputError("a face with fewer than 3 corners: " + std::to_string(corners.size()));
+    if (corners.size() < 3) throw InputError("a face with fewer than 3 corners: {}", corners.size());
     return corners;
 }
 
