@@ -115,6 +115,10 @@ Check run_check(const ExerciseCheck& exercise, bool solution) {
     Exercises::use("solution");
     Exercises::set(exercise.id, solution);
     try {
+        if (!solution && !Exercises::compiles(exercise.id)) {
+            check.expect(false, "it does not compile", "begin with the first error; the others may follow from it");
+            return check;
+        }
         exercise.run(check);
         if (check.passed + check.failed == 0) check.expect(false, "the check of " + exercise.id + " checked nothing");
     } catch (const std::exception& e) { check.expect(false, e.what()); }

@@ -16,7 +16,8 @@ struct Operation {
     const char* words;      ///< with A and B for the operands
 };
 
-// GLSL 4.60, chapters 5.9 and 8.1 to 8.5. The first stands for none, the second is an operator.
+// GLSL 4.60, chapters 5.9 and 8.1 to 8.5; what any of them makes of a NaN is open too. The first stands for none, the
+// second is an operator.
 constexpr Operation operations[] = {
     {"", 0, "", ""},
     {"divide", 2, "b == 0.0", "divides A by 0"},
@@ -30,6 +31,8 @@ constexpr Operation operations[] = {
     {"asin", 1, "abs(a) > 1.0", "takes asin(A)"},
     {"acosh", 1, "a < 1.0", "takes acosh(A)"},
     {"atanh", 1, "abs(a) >= 1.0", "takes atanh(A)"},
+    {"min", 2, "false", "takes the smaller of A and B"},
+    {"max", 2, "false", "takes the larger of A and B"},
     {"clamp", 3, "b > c", "takes clamp with a lower limit A above the upper one B"},
     {"smoothstep", 3, "a >= b", "takes smoothstep between A and B, which must be the larger"},
 };
@@ -230,6 +233,7 @@ std::string instrumented(const std::string& glsl) {
 std::string undefined_glsl() {
     std::string text =
         "float undefined_result = 0.0, undefined_a, undefined_b;\nint undefined_what = 0;\n"
+        "bool undefined_nan(float a) { return (floatBitsToUint(a) & 0x7fffffffu) > 0x7f800000u; }\n"
         "float undefined_note(int what, float a, float b) {\n"
         "    if (undefined_what == 0) { undefined_what = what; undefined_a = a; undefined_b = b; }\n"
         "    return undefined_result;\n}\n";
@@ -253,7 +257,9 @@ std::string undefined_glsl() {
                 const std::string noted = std::string(op.name) == "clamp" ? "b, c"
                                           : types.size() > 1              ? "a, b"
                                                                           : "a, 0.0";
-                text += "(" + std::string(op.undefined) + ") ? undefined_note(" + std::to_string(what) + ", " + noted +
+                std::string open = op.undefined;
+                for (size_t i = 0; i < types.size(); ++i) open += " || undefined_nan(" + names[i] + ")";
+                text += "(" + open + ") ? undefined_note(" + std::to_string(what) + ", " + noted +
                         ") : " + (divide ? "a / b" : std::string(op.name) + "(" + call + ")") + "; }\n";
                 return;
             }
@@ -269,7 +275,8 @@ std::string undefined_glsl() {
         overload("float", std::vector<std::string>(count, "float"));
         for (const std::string vector : {"vec2", "vec3", "vec4"}) {
             overload(vector, std::vector<std::string>(count, vector));
-            if (divide || std::string(op.name) == "mod") overload(vector, {vector, "float"});
+            if (divide || std::string("mod min max").find(op.name) != std::string::npos)
+                overload(vector, {vector, "float"});
             if (divide) overload(vector, {"float", vector});
             if (std::string(op.name) == "clamp") overload(vector, {vector, "float", "float"});
             if (std::string(op.name) == "smoothstep") overload(vector, {"float", "float", vector});
@@ -297,8 +304,10 @@ std::string undefined_glsl() {
                 noted(outside) + "float(i), float(count))) * 0 : int(i); }\n";
         for (const std::string size : {"", "2", "3", "4"}) {
             const std::string vector = size.empty() ? integer : (integer == "int" ? "ivec" : "uvec") + size;
-            text += vector + " undefined_clamp(" + vector + " a, " + vector + " b, " + vector +
-                    " c) { return clamp(a, b, c); }\n";
+            const std::string two = "(" + vector + " a, " + vector + " b", three = two + ", " + vector + " c";
+            text += vector + " undefined_clamp" + three + ") { return clamp(a, b, c); }\n";
+            for (const std::string name : {"min", "max"})
+                text += vector + " undefined_" + name + two + ") { return " + name + "(a, b); }\n";
         }
     }
     for (const std::string size : {"2", "3", "4"}) {

@@ -26,6 +26,7 @@ are right; until then the numbers decide, and what is waited for is said.
 
 import functools
 import json
+import os
 import subprocess
 from pathlib import Path
 
@@ -103,13 +104,14 @@ def check(chapter: str, exercise: str, use: str = "exercise", root=ROOT) -> dict
     return result | {"chapter": chapter, "file": relative(exercises(chapter)[exercise])}
 
 
-def check_numbers(chapter: str, exercise: str, use: str = "exercise", root=ROOT) -> dict:
-    """The protocol's object, or what stands in for it where the program gave none."""
-    program = root / "build" / "tests" / f"check_{chapter}"
+def check_numbers(chapter: str, exercise: str, use: str = "exercise", root=ROOT, program: Path | None = None,
+                  **environment) -> dict:
+    """The protocol's object, or what stands in for it where the program (the chapter's own) gave none."""
+    program = program or (BUILD if root == ROOT else root / "build") / "tests" / f"check_{chapter}"
     try:
         done = subprocess.run([program, "--exercise", exercise, "--use", use], cwd=root, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace",
-                              timeout=TIMEOUT_S)
+                              env=os.environ | environment, timeout=TIMEOUT_S)
     except OSError as error:
         raise Failure(f"{relative(program)}: {error.strerror}") from None
     except subprocess.TimeoutExpired:

@@ -2,6 +2,7 @@
 #include "03_attenuation/exercises.h"
 #include "03_attenuation/truth.h"
 #include "common/check/check.h"
+#include "common/check/guard.h"
 
 using namespace lightwalk;
 
@@ -116,11 +117,13 @@ std::string words(const Light& light, double radius_m, const Bounds& box) {
 }
 
 void expect_reach(Check& check, const Light& light, double radius_m, const Bounds& box) {
-    const bool reaches = light_reaches_box(light, static_cast<float>(radius_m), box);
     const double miss = truth::misses_box_by(light, radius_m, box), slack = 1e-3 * radius_m;
-    if (miss < -slack) check.expect(reaches, words(light, radius_m, box) + " gave false: light is lost");
-    if (miss > 2 * slack)
-        check.expect(!reaches, words(light, radius_m, box) + " gave true: the box is out of its reach");
+    const std::string call = words(light, radius_m, box);
+    guard_call("light_reaches_box for " + call);
+    const bool reaches = light_reaches_box(light, static_cast<float>(radius_m), box);
+    guard_call("");
+    if (miss < -slack) check.expect(reaches, call + " gave false: light is lost");
+    if (miss > 2 * slack) check.expect(!reaches, call + " gave true: the box is out of its reach");
 }
 
 }  // namespace

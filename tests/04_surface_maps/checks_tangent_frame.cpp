@@ -1,4 +1,6 @@
 // What ./course check runs for 04.tangent_frame.
+#include <cfenv>
+
 #include "04_surface_maps/exercises.h"
 #include "common/check/check.h"
 
@@ -31,6 +33,23 @@ bool is_unit_and_perpendicular(const TangentFrame& frame, glm::vec3 normal) {
 
 }  // namespace
 
+// Calls it and looks whether the processor has noted a division by 0, whatever was then made of the result.
+static TangentFrame frame_of(Check& check, const std::string& what, const Vertex& a, const Vertex& b, const Vertex& c) {
+    TangentFrame frame{};
+    check.call(
+        what,
+        [&]() -> std::string {
+            std::feclearexcept(FE_ALL_EXCEPT);
+            frame = tangent_frame(a, b, c);
+            return std::fetestexcept(FE_DIVBYZERO | FE_INVALID) ? what +
+                                                                      ": it divides by 0, or takes the length of what "
+                                                                      "is not there; C++ leaves open what that gives"
+                                                                : "";
+        },
+        "ask whether the determinant is 0 before the division, not what came out after it");
+    return frame;
+}
+
 CHECK_EXERCISE("04.tangent_frame", "two edges are two equations for dP/du and dP/dv; what if their determinant is 0?") {
     const glm::vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
     std::vector<Case> cases = {
@@ -44,7 +63,7 @@ CHECK_EXERCISE("04.tangent_frame", "two edges are two equations for dP/du and dP
         on_plane("a plane whose u and v are not at right angles", {0, 0, 0}, x, glm::vec3(0.5f, 1, 0), z),
         on_plane("a normal that leans, as a smooth one does", {0, 0, 0}, x, y, {0.3f, -0.2f, 1})};
     for (const Case& c : cases) {
-        const TangentFrame frame = tangent_frame(c.a, c.b, c.c);
+        const TangentFrame frame = frame_of(check, c.what, c.a, c.b, c.c);
         // What is asked for, from the construction.
         const glm::mat2 uv(c.b.uv - c.a.uv, c.c.uv - c.a.uv);
         const glm::mat2x3 edges(c.b.position - c.a.position, c.c.position - c.a.position);
@@ -65,7 +84,8 @@ CHECK_EXERCISE("04.tangent_frame", "two edges are two equations for dP/du and dP
         const auto none = [&](const std::string& what, glm::vec2 b, glm::vec2 c, glm::vec3 edge) {
             const glm::vec3 side = glm::cross(normal, std::fabs(normal.x) < 0.9f ? x : y);
             const TangentFrame frame =
-                tangent_frame({glm::vec3(0), normal, {0.5f, 0.5f}}, {side, normal, b}, {edge, normal, c});
+                frame_of(check, what + ", normal " + show(normal), {glm::vec3(0), normal, {0.5f, 0.5f}},
+                         {side, normal, b}, {edge, normal, c});
             check.expect(is_unit_and_perpendicular(frame, normal),
                          what + ", normal " + show(normal) + ": the tangent is " + show(frame.tangent) +
                              ", expected any unit vector perpendicular to the normal");
