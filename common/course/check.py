@@ -99,9 +99,23 @@ def check(chapter: str, exercise: str, use: str = "exercise", root=ROOT) -> dict
     """What is to be said of one exercise: the protocol's object, with "file" and "chapter"."""
     result = {"exercise": exercise, "ok": False, "passed": 0, "failed": 0, "first_failure": None, "hint": None}
     result |= check_numbers(chapter, exercise, use, root)
+    if use == "exercise" and (said := compiler_said(chapter, exercise, root)):
+        result["first_failure"] = f"it does not compile: {said}"
     if result["ok"] and use == "exercise" and root == ROOT:
         check_pictures(chapter, exercise, result)
     return result | {"chapter": chapter, "file": relative(exercises(chapter)[exercise])}
+
+
+def compiler_said(chapter: str, exercise: str, root: Path) -> str:
+    """The first error in a C++ exercise that does not compile (compile_exercise.sh), else nothing."""
+    folder = (BUILD if root == ROOT else root / "build") / "CMakeFiles" / f"exercises_{chapter}.dir"
+    file = relative(exercises(chapter)[exercise])
+    try:
+        lines = (folder / f"{file}.o.error").read_text(errors="replace").splitlines()
+    except OSError:
+        return ""
+    wrong = next((line for line in lines if "error" in line), lines[0] if lines else "no word why")
+    return file + wrong.partition(file)[2] if file in wrong else wrong
 
 
 def check_numbers(chapter: str, exercise: str, use: str = "exercise", root=ROOT, program: Path | None = None,
