@@ -27,6 +27,7 @@ are right; until then the numbers decide, and what is waited for is said.
 import functools
 import json
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -79,7 +80,7 @@ def run(arguments, _rest) -> int:
 
 def select(what: str) -> list[tuple[str, str]]:
     """(chapter, exercise id) for all, 02 or 02.phong. Raises UsageError."""
-    known = {chapter: exercises(chapter) for chapter in chapters()}
+    known = {chapter: in_order(chapter) for chapter in chapters()}
     if what == "all":
         selected = [(chapter, exercise) for chapter in known for exercise in known[chapter]]
     else:
@@ -93,6 +94,19 @@ def select(what: str) -> list[tuple[str, str]]:
     if not selected:
         raise UsageError(f"there is no exercise in {what}")
     return selected
+
+
+@functools.cache
+def grades(chapter: str) -> dict[str, str]:
+    """The exercises in the lesson's order, and how hard it calls each: "### 02.phong (medium)"."""
+    lesson = ROOT / "docs" / f"{chapter}.md"
+    text = lesson.read_text(encoding="utf-8") if lesson.exists() else ""
+    return dict(re.findall(r"^### (\d\d\.\w+) \((easy|medium|hard)\)$", text, re.M))
+
+
+def in_order(chapter: str) -> list[str]:
+    order = list(grades(chapter))
+    return sorted(exercises(chapter), key=lambda name: order.index(name) if name in order else len(order))
 
 
 def check(chapter: str, exercise: str, use: str = "exercise", root=ROOT) -> dict:
@@ -172,7 +186,8 @@ def check_pictures(chapter: str, exercise: str, result: dict):
     if not has_solutions():
         build([f"check_{earlier}" for earlier in chapters() if earlier <= chapter])
         if waiting := still_open(chapter, exercise):
-            result["note"] = f"its picture is compared once the numbers of {', '.join(waiting)} are right"
+            more = f" and of {len(waiting) - 3} more" if len(waiting) > 3 else ""
+            result["note"] = f"its picture is compared once the numbers of {', '.join(waiting[:3])}{more} are right"
             return
     build([chapter, "compare"])
     for shot in wanted:
@@ -209,8 +224,10 @@ def show(result: dict, arguments):
     if arguments.json:
         say(json.dumps(result, ensure_ascii=False))
         return
+    grade = grades(result["chapter"]).get(result["exercise"])
     counted = f"{result['passed']} of {result['passed'] + result['failed']} checks"
-    say(f"{'ok  ' if result['ok'] else 'open'}  {result['exercise']}  {counted}  {result['file']}")
+    say(f"{'ok  ' if result['ok'] else 'open'}  {result['exercise']}  {counted}  {result['file']}"
+        + (f"  ({grade})" if grade else ""))
     if not result["ok"] and result["first_failure"]:
         say(f"      {result['first_failure']}")
     if result.get("note"):

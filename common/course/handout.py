@@ -1,13 +1,17 @@
 """Copies the course without its solutions, for students."""
 
+import json
 import os
 import platform
+import shlex
 import shutil
 import subprocess
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from build import build
+from build import configure, is_configured
+from progress import Progress
 from tree import BUILD, ROOT, Failure, UsageError, chapters, exercises, files, say, warn
 
 HELP = """Copies the course to a new FOLDER without the solutions: what students are given.
@@ -102,18 +106,32 @@ def starters(names: list[Path]) -> dict[Path, bytes]:
 
 
 def objects(names: list[Path]) -> dict[Path, bytes]:
-    """What each source compiles to, without names of this machine."""
+    """What each source compiles to in a tree without solutions, without names of this machine."""
     if not names:
         return {}
-    kinds = {name: f"{'checks' if name.parts[0] == 'tests' else 'chapter'}_{name.parts[1]}" for name in names}
-    build(sorted(set(kinds.values())))
-    found = {}
-    for name, target in kinds.items():
-        compiled = BUILD / "CMakeFiles" / f"{target}.dir" / f"{name}.o"
-        with tempfile.TemporaryDirectory() as made:
-            stripped = Path(made) / "stripped.o"
-            done = subprocess.run(["strip", "--strip-debug", "-o", stripped, compiled], stderr=subprocess.PIPE, text=True)
-            if done.returncode:
-                raise Failure(f"{name} could not be compiled for the handout: {done.stderr.strip()}")
-            found[name] = stripped.read_bytes()
+    if not is_configured(BUILD):
+        configure("default", BUILD)
+    commands = {entry["file"]: entry for entry in json.loads((BUILD / "compile_commands.json").read_text())}
+    with tempfile.TemporaryDirectory() as made, Progress("compiling the checks") as progress, \
+            ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = {}
+        for name, compiled in zip(names, pool.map(lambda name: compile_one(commands[str(ROOT / name)], Path(made)), names)):
+            found[name] = compiled
+            progress.show(len(found), len(names), str(name))
     return found
+
+
+def compile_one(entry: dict, folder: Path) -> bytes:
+    words = shlex.split(entry["command"])
+    compiled = folder / entry["file"].strip("/").replace("/", ".")
+    words[words.index("-o") + 1] = str(compiled)
+    for word in [word for word in words if "cmake_pch" in word]:  # compiled for a tree with solutions
+        words.remove(word)
+    words = [word for word in words if word not in ("-include", "-Winvalid-pch")]
+    prefix = f"-ffile-prefix-map={ROOT}=."
+    for command in ([*words, "-DLIGHTWALK_NO_SOLUTION", "-g0", prefix], ["strip", "--strip-unneeded", compiled]):
+        done = subprocess.run(command, cwd=entry["directory"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, errors="replace")
+        if done.returncode:
+            raise Failure(f"{entry['file']} could not be compiled for the handout: {done.stdout.strip()}")
+    return compiled.read_bytes()
