@@ -185,6 +185,7 @@ std::vector<Undefined> run_undefined(Gpu& gpu, const Probe& probe, size_t output
 
 std::string number_text(double value) {
     if (std::isnan(value)) return "NaN";
+    if (value == 0) return "0";  // and not -0
     if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
     char buffer[32];
     return {buffer, std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(value)).ptr};

@@ -12,7 +12,7 @@ per exercise on a line of its own:
 
 first_failure and hint are null or missing where there is nothing to say. A file that does not compile is a failure
 like any other; first_failure then holds the compiler's line. Exit code 0 if all are right, 1 if not, 2 if there is no
-such exercise. A program that prints nothing, or dies, or runs for more than a minute per exercise, counts as open.
+such exercise. A program that prints nothing, or dies, or runs for more than half a minute per exercise, counts as open.
 
 The numbers come first. Where they are right the exercise's pictures are drawn too, those shots that name it in
 "exercises" (shots.py), twice: with the student's version of this one exercise, and with the references alone. Both are
@@ -46,7 +46,7 @@ HELP = """Checks your exercises: what is right, and the first thing that is wron
   ./course progress            one line per chapter
 
 Exit code 1 while something is open."""
-TIMEOUT_S = 60
+TIMEOUT_S = 30  # of a whole check; a call that does not return is found after 5 s
 # Of a picture whose numbers are right. A light more or less per object, which 03.light_reaches_box leaves open, is
 # 0.0018 and 0.055; of the starters' pictures the nearest to the reference is 0.013.
 PICTURE_LIMITS = {"flip_mean": 0.01, "flip_p99": 0.25}

@@ -22,7 +22,7 @@ std::string place_text(const glm::dvec3& v) {
 
 // What is probably wrong with a point that is not where it should be.
 std::string hint_for(const glm::dvec4& clip, const glm::dvec3& got, const glm::dvec3& right) {
-    const auto near = [](double a, double b) { return std::abs(a - b) <= 2e-3; };
+    const auto near = [](double a, double b) { return std::abs(a - b) <= 5e-4; };
     if (!(clip.w > 0)) return "w must be the distance in front of the camera, -z in its space, and above 0 there";
     if (near(got.x, right.x) && near(got.y, -right.y) && !near(right.y, 0)) return "y points down on Vulkan's screen";
     if (near(got.x, right.x) && near(got.y, right.y))
@@ -71,7 +71,7 @@ void check_view_projection(Check& check, glm::mat4 (*attempt)(const Camera&, flo
                     return "";
                 });
                 got = glm::dvec3(clip) / clip.w;
-                check.expect(clip.w > 0.0 && glm::length(got - right_place) <= 2e-3,
+                check.expect(clip.w > 0.0 && glm::length(got - right_place) <= 5e-4,
                              call + ": " + what + " appears at " + place_text(got) + " with w = " +
                                  number_text(clip.w) + ", expected " + place_text(right_place) + " and w above 0",
                              hint_for(clip, got, right_place));

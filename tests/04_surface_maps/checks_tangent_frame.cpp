@@ -9,6 +9,8 @@ using namespace lightwalk;
 namespace {
 
 std::string show(glm::vec3 v) {
+    for (int i = 0; i < 3; ++i)
+        if (std::fabs(v[i]) < 1e-6f) v[i] = 0;  // what rounding leaves of it
     char text[96];
     std::snprintf(text, sizeof text, "(%.4g, %.4g, %.4g)", double(v.x), double(v.y), double(v.z));
     return text;
@@ -54,10 +56,10 @@ CHECK_EXERCISE("04.tangent_frame", "two edges are two equations for dP/du and dP
     const glm::vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
     std::vector<Case> cases = {
         on_plane("a wall with u to the right and v up", {0, 0, 0}, x, y, z),
-        on_plane("the same, u turned by a quarter", {1, 2, 3}, y, -x, z),
-        on_plane("the same, two metres for each u, half a metre for each v", {0, 0, 0}, 2.0f * x, 0.5f * y, z),
-        on_plane("the same, mirrored: u to the left", {0, 0, 0}, -x, y, z),
-        on_plane("the same, mirrored: v down", {0, 0, 0}, x, -y, z),
+        on_plane("a wall with u up and v to the left", {1, 2, 3}, y, -x, z),
+        on_plane("a wall with two metres for each u and half a metre for each v", {0, 0, 0}, 2.0f * x, 0.5f * y, z),
+        on_plane("a mirrored wall, u to the left", {0, 0, 0}, -x, y, z),
+        on_plane("a mirrored wall, v down", {0, 0, 0}, x, -y, z),
         on_plane("a floor", {0, -1, 0}, x, -z, y),
         on_plane("a slanting plane", {0, 0, 0}, glm::vec3(1, 1, 0), glm::vec3(-1, 1, 1), glm::cross(x + y, y + z - x)),
         on_plane("a plane whose u and v are not at right angles", {0, 0, 0}, x, glm::vec3(0.5f, 1, 0), z),
@@ -71,9 +73,14 @@ CHECK_EXERCISE("04.tangent_frame", "two edges are two equations for dP/du and dP
         const glm::vec3 tangent = glm::normalize(per[0] - c.a.normal * glm::dot(c.a.normal, per[0]));
         const float side = glm::dot(glm::cross(c.a.normal, tangent), per[1]) < 0 ? -1.0f : 1.0f;
         check.expect(glm::length(frame.tangent - tangent) < 1e-3f,
-                     c.what + ": the tangent is " + show(frame.tangent) + ", expected " + show(tangent));
-        check.expect(frame.handedness == side, c.what + ": the handedness is " + std::to_string(frame.handedness) +
-                                                   ", expected " + std::to_string(side));
+                     c.what + ": the tangent is " + show(frame.tangent) + ", expected " + show(tangent),
+                     std::fabs(glm::dot(frame.tangent, c.a.normal)) > 1e-3f
+                         ? "take away what points along the normal: tangent - normal * dot(normal, tangent)"
+                         : "the tangent is the direction in which u grows and v stays");
+        check.expect(frame.handedness == side,
+                     c.what + ": the handedness is " + number_text(double(frame.handedness)) + ", expected " +
+                         number_text(double(side)),
+                     "1 where dot(cross(normal, tangent), dP/dv) is above 0, else -1");
         const glm::vec2 metres(glm::length(per[0]), glm::length(per[1]));
         check.expect(
             glm::length(frame.metres_per_uv - metres) < 1e-3f,
