@@ -9,12 +9,13 @@ namespace lightwalk {
 inline constexpr float undefined_results[] = {
     0.0f, 1.0f, -1.0f, 7.5f, -1e30f, 1e30f, std::numeric_limits<float>::quiet_NaN()};
 
-/// GLSL with every division, index, pow, normalize, sqrt, log, acos, ... replaced by a function of undefined_glsl(),
-/// which does the same where the result is defined. #includes must be resolved before. Where it cannot follow the text
-/// (a macro with half an expression) what comes out may not compile.
+/// GLSL with every division and index replaced by a function of undefined_glsl(), which does the same where the result
+/// is defined. #includes must be resolved before. Where it cannot follow the text (a macro with half an expression)
+/// what comes out may not compile.
 std::string instrumented(const std::string& glsl);
 
-/// The functions that instrumented text calls. Where a result is not defined they give `undefined_result`, and note
+/// The functions that instrumented text, which comes behind it, calls; and macros that put others in the place of pow,
+/// normalize, sqrt, log, acos, ... . Where a result is not defined they give `undefined_result`, and note
 /// the first such operation in `undefined_what` (0: none) with its operands in `undefined_a` and `undefined_b`.
 std::string undefined_glsl();
 
