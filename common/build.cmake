@@ -26,6 +26,13 @@ function(lightwalk_common)
   if(NOT solutions) # a handout
     target_compile_definitions(lightwalk PUBLIC LIGHTWALK_NO_SOLUTION)
   endif()
+  if(EXISTS ${PROJECT_SOURCE_DIR}/compiled_for) # a handout with checks as objects
+    file(STRINGS ${PROJECT_SOURCE_DIR}/compiled_for processor)
+    if(NOT processor STREQUAL CMAKE_SYSTEM_PROCESSOR)
+      message(FATAL_ERROR "The checks of this copy were compiled for ${processor}, this is ${CMAKE_SYSTEM_PROCESSOR}: "
+                          "ask for one made with ./course handout --sources")
+    endif()
+  endif()
   if(LIGHTWALK_SANITIZE)
     add_library(sanitizer_support SHARED ${PROJECT_SOURCE_DIR}/tests/sanitizer_support.cpp)
     target_link_libraries(lightwalk PUBLIC sanitizer_support)
@@ -53,6 +60,20 @@ function(lightwalk_precompiled name)
   target_precompile_headers(${name} REUSE_FROM lightwalk)
 endfunction()
 
+# The students' C++: warnings are shown and are no errors, and a file that does not compile takes nothing else down. It
+# becomes an empty object, whose function is then null (EXERCISE declares it weak), and what the compiler said lies beside
+# it as FILE.o.error. Objects rather than a library: nothing asks the linker for a weak function.
+function(lightwalk_exercises chapter visible)
+  add_library(exercises_${chapter} OBJECT ${ARGN})
+  target_include_directories(exercises_${chapter} PRIVATE ${visible})
+  target_link_libraries(exercises_${chapter} PRIVATE lightwalk)
+  target_compile_options(exercises_${chapter} PRIVATE -Wno-error)
+  set_target_properties(exercises_${chapter} PROPERTIES CXX_COMPILER_LAUNCHER
+    "sh;${PROJECT_SOURCE_DIR}/common/course/compile_exercise.sh;${CMAKE_CXX_COMPILER_LAUNCHER}")
+  lightwalk_precompiled(exercises_${chapter})
+  target_link_libraries(chapter_${chapter} PUBLIC $<TARGET_OBJECTS:exercises_${chapter}>)
+endfunction()
+
 # A chapter sees common and earlier chapters: its include path holds links to those folders and to no other,
 # so that including a later chapter does not compile.
 function(lightwalk_chapters)
@@ -65,7 +86,8 @@ function(lightwalk_chapters)
     foreach(name ${earlier} ${chapter})
       file(CREATE_LINK ${PROJECT_SOURCE_DIR}/chapters/${name} ${visible}/${name} SYMBOLIC)
     endforeach()
-    file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/exercise/*.cpp ${folder}/solution/*.cpp)
+    file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.o ${folder}/solution/*.cpp)
+    file(GLOB exercises CONFIGURE_DEPENDS ${folder}/exercise/*.cpp)
     list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
     if(sources)
       add_library(chapter_${chapter} STATIC ${sources})
@@ -81,6 +103,9 @@ function(lightwalk_chapters)
     foreach(name ${earlier})
       target_link_libraries(chapter_${chapter} ${reach} chapter_${name})
     endforeach()
+    if(exercises)
+      lightwalk_exercises(${chapter} ${visible} ${exercises})
+    endif()
     if(EXISTS ${folder}/build.cmake)
       include(${folder}/build.cmake)
     endif()
@@ -98,6 +123,23 @@ function(lightwalk_chapters)
   endforeach()
   add_custom_target(programs DEPENDS ${earlier})  # what a person starts, without the tests
   set(LIGHTWALK_CHAPTERS ${earlier} PARENT_SCOPE)
+endfunction()
+
+# Answers whose verdict is known (check_variants.py). A C++ one comes before the student's in the link, and so takes its
+# place: both are weak.
+function(lightwalk_variants name folder library)
+  file(GLOB variants CONFIGURE_DEPENDS ${folder}/variants/*.cpp)
+  string(SUBSTRING ${name} 0 2 number)
+  foreach(variant ${variants})
+    get_filename_component(answer ${variant} NAME_WLE)
+    set(target variant.${number}.${answer})
+    add_executable(${target} ${variant} $<TARGET_OBJECTS:checks_${name}>)
+    set_target_properties(${target} PROPERTIES OUTPUT_NAME ${number}.${answer}
+                          RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/variants)
+    lightwalk_precompiled(${target})
+    target_compile_options(${target} PRIVATE -Wno-error -w)
+    target_link_libraries(${target} PRIVATE check_main ${library})
+  endforeach()
 endfunction()
 
 # tests/common and tests/NN_name: one Catch2 program each, and from the chapter's checks_*.cpp the program that
@@ -122,10 +164,20 @@ function(lightwalk_tests)
       set(library lightwalk)
     endif()
     file(GLOB checks CONFIGURE_DEPENDS ${folder}/checks_*.cpp)
-    if(checks)
-      add_executable(check_${name} ${checks})
-      lightwalk_precompiled(check_${name})
+    file(GLOB compiled CONFIGURE_DEPENDS ${folder}/checks_*.o) # of a handout
+    if(compiled)
+      add_executable(check_${name} ${compiled})
+      set_target_properties(check_${name} PROPERTIES LINKER_LANGUAGE CXX)
       target_link_libraries(check_${name} PRIVATE check_main ${library})
+    elseif(checks)
+      add_library(checks_${name} OBJECT ${checks})
+      lightwalk_precompiled(checks_${name})
+      target_link_libraries(checks_${name} PUBLIC check_main ${library})
+      add_executable(check_${name} $<TARGET_OBJECTS:checks_${name}>)
+      target_link_libraries(check_${name} PRIVATE check_main ${library})
+    endif()
+    if(NOT LIGHTWALK_SANITIZE) # which have their own words for what is wrong
+      lightwalk_variants(${name} ${folder} ${library})
     endif()
     file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
     if(sources)

@@ -1,5 +1,6 @@
 #include "common/base/exercise.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <map>
 
@@ -10,7 +11,7 @@ namespace lightwalk {
 namespace {
 
 struct State {
-    bool has_solution = true, solution = true;
+    bool has_solution = true, solution = true, compiles = true, told = false;
 };
 
 struct Table {
@@ -93,8 +94,20 @@ std::vector<std::string> Exercises::ids() {
 
 bool Exercises::has_solution(std::string_view id) { return find(id).has_solution; }
 
-void Exercises::declare(std::string_view id, bool has_solution) {
-    table().exercises[std::string(id)].has_solution = has_solution;
+void Exercises::declare(std::string_view id, bool has_solution, bool compiles) {
+    State& state = table().exercises[std::string(id)];
+    state.has_solution = has_solution;
+    state.compiles = compiles;
+}
+
+bool Exercises::compiles(std::string_view id) { return find(id).compiles; }
+
+void Exercises::stand_in(std::string_view id) {
+    State& state = find(id);
+    const std::string what = std::string(id) + " does not compile";
+    if (!state.has_solution) throw InputError(what + ": ./course check " + std::string(id) + " says why");
+    if (!state.told) std::fprintf(stderr, "warning: %s; the reference stands in for it\n", what.c_str());
+    state.told = true;
 }
 
 unsigned Exercises::version() { return table().version; }

@@ -23,8 +23,15 @@ class Exercises {
     /// False in a handout: there is no solution to switch to.
     static bool has_solution(std::string_view id);
 
-    /// Makes a C++ exercise known; Toggle calls it.
-    static void declare(std::string_view id, bool has_solution);
+    /// Makes a C++ exercise known; Toggle calls it. `compiles`: whether the student's file did.
+    static void declare(std::string_view id, bool has_solution, bool compiles);
+
+    /// False for a C++ exercise whose file did not compile: the reference stands in for it.
+    static bool compiles(std::string_view id);
+
+    /// For a C++ exercise that is called though its file did not compile: says so, once for each. Without a reference
+    /// it throws InputError.
+    static void stand_in(std::string_view id);
 
     /// The state of every toggle as one word, so that what depends on toggles knows which variant it is.
     static const std::string& state();
@@ -42,10 +49,15 @@ class Toggle<Result(Arguments...)> {
   public:
     using Function = Result (*)(Arguments...);
     Toggle(const char* id, Function exercise, Function solution) : id_(id), exercise_(exercise), solution_(solution) {
-        Exercises::declare(id, solution != nullptr);
+        Exercises::declare(id, solution != nullptr, exercise != nullptr);
     }
     /// The version in use. Look it up once before a loop over millions of calls.
-    Function function() const { return solution_ && Exercises::uses_solution(id_) ? solution_ : exercise_; }
+    Function function() const {
+        if (solution_ && Exercises::uses_solution(id_)) return solution_;
+        if (exercise_) return exercise_;
+        Exercises::stand_in(id_);
+        return solution_;
+    }
     Result operator()(Arguments... arguments) const { return function()(static_cast<Arguments&&>(arguments)...); }
 
   private:
@@ -62,12 +74,13 @@ class Toggle<Result(Arguments...)> {
 #endif
 
 /// Declares exercise::name and solution::name and the toggle `name` that calls one of them, within namespace
-/// lightwalk. EXERCISE("01.triangulate", void, triangulate, int a, int b);
-#define EXERCISE(id, result, name, ...) \
-    namespace exercise {                \
-    result name(__VA_ARGS__);           \
-    }                                   \
-    namespace solution {                \
-    result name(__VA_ARGS__);           \
-    }                                   \
+/// lightwalk. The exercise is a weak symbol, null where the student's file did not compile. EXERCISE("01.triangulate",
+/// void, triangulate, int a, int b);
+#define EXERCISE(id, result, name, ...)     \
+    namespace exercise {                    \
+    [[gnu::weak]] result name(__VA_ARGS__); \
+    }                                       \
+    namespace solution {                    \
+    result name(__VA_ARGS__);               \
+    }                                       \
     inline const Toggle<result(__VA_ARGS__)> name { id, &exercise::name, LIGHTWALK_SOLUTION(name) }

@@ -13,11 +13,14 @@ class Check {
   public:
     int passed = 0, failed = 0;
     std::string first_failure;  ///< empty where all is right
+    std::string hint;           ///< for that failure; empty: the exercise's
 
-    void expect(bool right, const std::string& otherwise);
-    /// One expectation for each entry: none means that all was right.
-    void add(const std::vector<std::string>& failures);
-    /// Runs the probe and expects every result within its bound. Returns the results, for properties.
+    void expect(bool right, const std::string& otherwise, const std::string& hint_for_it = "");
+    /// Runs `wrong`, which calls the student's C++ and returns what is wrong ("" for nothing). `what` names the call
+    /// where it crashes, does not return, or throws.
+    void call(const std::string& what, const std::function<std::string()>& wrong, const std::string& hint_for_it = "");
+    /// Runs the probe and expects every result within its bound, whatever operations give whose result GLSL leaves
+    /// open. Returns the results, for properties.
     Table probe(const Probe& probe);
     /// Expects `holds` of every call's input and result; `otherwise` completes "f(...) gave x, ...".
     void property(const Probe& probe, const Table& results, const std::string& otherwise,

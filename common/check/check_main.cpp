@@ -7,6 +7,7 @@
 #include "common/base/error.h"
 #include "common/base/exercise.h"
 #include "common/check/check.h"
+#include "common/check/guard.h"
 #include "common/gpu/gpu.h"
 
 using namespace lightwalk;
@@ -16,7 +17,7 @@ static void print(const ExerciseCheck& exercise, const Check& check) {
                                    {"failed", check.failed},  {"first_failure", nullptr}, {"hint", nullptr}};
     if (check.failed) {
         line["first_failure"] = check.first_failure;
-        line["hint"] = exercise.hint;
+        line["hint"] = check.hint.empty() ? exercise.hint : check.hint;
     }
     std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     std::fflush(stdout);
@@ -34,16 +35,18 @@ static int run(int argc, char** argv) {
         throw InputError(e.what());
     }
     // A student's loop without an end must not hold everything up for a minute.
-    setenv("LIGHTWALK_TIMEOUT_S", "15", 0);
+    setenv("LIGHTWALK_TIMEOUT_S", std::to_string(call_limit_s).c_str(), 0);
     bool found = false, ok = true;
     for (const ExerciseCheck& exercise : all_checks()) {
         if (!wanted.empty() && exercise.id != wanted) continue;
         found = true;
-        on_abandoned_device() = [&exercise](const std::string& message) {
+        const auto report = [&exercise](const std::string& message) {
             Check check;
-            check.expect(false, message);
+            check.expect(false, message, "try that one call on paper, line by line");
             print(exercise, check);
         };
+        on_abandoned_device() = report;
+        guard_calls(report);
         const Check check = run_check(exercise, use == "solution");
         print(exercise, check);
         ok = ok && check.failed == 0;

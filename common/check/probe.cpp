@@ -9,7 +9,9 @@
 
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/check/undefined.h"
 #include "common/gpu/frame.h"
+#include "common/gpu/glsl.h"
 
 namespace lightwalk {
 namespace {
@@ -47,22 +49,22 @@ bool is_whole(const std::string& type) {
     return type == "int" || type == "uint" || type == "bool" || type[0] == 'i' || (type[0] == 'u' && type != "uint");
 }
 
-std::string shader_text(const Probe& probe, const Signature& s) {
-    std::string text = "#include \"" + probe.include + "\"\n";
-    text += "layout(local_size_x = 64) in;\nstruct ProbeInput {\n";
+// What runs the function once for each row: `include` is the text before it, `call` what is done with "CALL".
+std::string shader_text(const Signature& s, const std::string& include, const std::string& output, std::string call) {
+    std::string text = include + "layout(local_size_x = 64) in;\nstruct ProbeInput {\n";
     for (const Parameter& p : s.parameters) text += "    " + p.type + " " + p.name + ";\n";
-    text += "};\nstruct ProbeOutput { " + s.result + " value; };\n";
-    text +=
-        "layout(scalar) readonly buffer InputBuffer { ProbeInput probe_inputs[]; };\n"
-        "layout(scalar) writeonly buffer OutputBuffer { ProbeOutput probe_outputs[]; };\n"
-        "void main() {\n"
-        "    uint i = gl_GlobalInvocationID.x;\n"
-        "    if (i >= probe_inputs.length()) return;\n"
-        "    ProbeInput row = probe_inputs[i];\n"
-        "    probe_outputs[i].value = " +
-        s.function + "(";
-    for (size_t i = 0; i < s.parameters.size(); ++i) text += (i ? ", row." : "row.") + s.parameters[i].name;
-    return text + ");\n}\n";
+    text += "};\nstruct ProbeOutput { " + output + s.result +
+            " value; };\n"
+            "layout(scalar) readonly buffer InputBuffer { ProbeInput probe_inputs[]; };\n"
+            "layout(scalar) writeonly buffer OutputBuffer { ProbeOutput probe_outputs[]; };\n"
+            "void main() {\n"
+            "    uint i = gl_GlobalInvocationID.x;\n"
+            "    if (i >= probe_inputs.length()) return;\n"
+            "    ProbeInput row = probe_inputs[i];\n";
+    std::string arguments;
+    for (const Parameter& p : s.parameters) arguments += (arguments.empty() ? "row." : ", row.") + p.name;
+    call.replace(call.find("CALL"), 4, s.function + "(" + arguments + ")");
+    return text + call + "}\n";
 }
 
 // The words of a row: whole numbers as such, the rest as floats.
@@ -97,13 +99,14 @@ double Bound::allowed(double truth) const {
     return std::max({absolute, relative * std::fabs(truth), ulps * ulp});
 }
 
-Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs) {
-    const Signature s = parse(probe.signature);
+namespace {
+
+// The words that `source` writes, `count` of them.
+std::vector<uint32_t> run(Gpu& gpu, const Probe& probe, const Signature& s, const std::string& source, size_t count) {
     const std::vector<uint32_t> words = pack(s, probe.inputs);
-    const Pipeline pipeline =
-        compute({.shader = "probe of " + s.function, .macros = probe.macros, .source = shader_text(probe, s)});
+    const Pipeline pipeline = compute({.shader = "probe of " + s.function, .macros = probe.macros, .source = source});
     const Buffer inputs = gpu.upload("probe inputs", words);
-    const Buffer results(gpu.device, {.name = "probe outputs", .bytes = 4 * outputs * probe.inputs.size()});
+    const Buffer results(gpu.device, {.name = "probe outputs", .bytes = 4 * count});
     {
         Frame frame(gpu);
         frame.begin({1, 1}, 0.0f);
@@ -114,24 +117,75 @@ Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs) {
         frame.end();
     }
     const std::vector<std::byte> bytes = gpu.read_back(results);
+    std::vector<uint32_t> out(count);
+    std::memcpy(out.data(), bytes.data(), 4 * count);
+    return out;
+}
+
+double number_of(const Signature& s, uint32_t word) {
+    return is_whole(s.result) ? static_cast<double>(static_cast<int32_t>(word))
+                              : static_cast<double>(std::bit_cast<float>(word));
+}
+
+}  // namespace
+
+Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs) {
+    const Signature s = parse(probe.signature);
+    const std::string source =
+        shader_text(s, "#include \"" + probe.include + "\"\n", "", "    probe_outputs[i].value = CALL;\n");
+    const std::vector<uint32_t> words = run(gpu, probe, s, source, outputs * probe.inputs.size());
     // For tests/mutate.py: whether what a probe returns has changed at all.
     if (const char* log = std::getenv("LIGHTWALK_PROBE_LOG"))
         std::ofstream(log, std::ios::app)
-            << s.function << " "
-            << hash_bytes({reinterpret_cast<const char*>(bytes.data()), 4 * outputs * probe.inputs.size()}) << "\n";
-    const bool whole = is_whole(s.result);
+            << s.function << " " << hash_bytes({reinterpret_cast<const char*>(words.data()), 4 * words.size()}) << "\n";
     Table table(probe.inputs.size(), Row(outputs));
-    for (size_t i = 0; i < table.size() * outputs; ++i) {
-        uint32_t word = 0;
-        std::memcpy(&word, bytes.data() + 4 * i, 4);
-        table[i / outputs][i % outputs] =
-            whole ? static_cast<double>(static_cast<int32_t>(word)) : static_cast<double>(std::bit_cast<float>(word));
-    }
+    for (size_t i = 0; i < words.size(); ++i) table[i / outputs][i % outputs] = number_of(s, words[i]);
     return table;
+}
+
+std::vector<Undefined> run_undefined(Gpu& gpu, const Probe& probe, size_t outputs) {
+    const Signature s = parse(probe.signature);
+    const std::string flat = flatten_text("#include \"" + probe.include + "\"\n", "probe", "99", probe.macros).text;
+    const size_t kinds = std::size(undefined_results), stride = 3 + outputs;
+    std::string call = "    float[] results = float[](";
+    for (const float value : undefined_results)
+        call += (value == undefined_results[0] ? "" : ", ") +
+                (std::isnan(value) ? "uintBitsToFloat(0x7fc00000u)"
+                                   : "float(" + number_text(static_cast<double>(value)) + ")");
+    call +=
+        ");\n    for (int k = 0; k < results.length(); ++k) {\n"
+        "        undefined_what = 0; undefined_a = undefined_b = 0.0; undefined_result = results[k];\n"
+        "        uint at = i * results.length() + k;\n"
+        "        probe_outputs[at].value = CALL;\n"
+        "        probe_outputs[at].what = undefined_what;\n"
+        "        probe_outputs[at].a = undefined_a;\n"
+        "        probe_outputs[at].b = undefined_b;\n    }\n";
+    std::vector<uint32_t> words;
+    try {
+        const std::string source = shader_text(s, undefined_glsl() + instrumented(flat.substr(flat.find("#line 1 "))),
+                                               "int what; float a, b; ", call);
+        words = run(gpu, probe, s, source, stride * kinds * probe.inputs.size());
+    } catch (const ShaderError& e) {
+        if (std::getenv("LIGHTWALK_PROBE_STRICT")) throw;
+        return {};  // instrumented() does not follow every text
+    }
+    std::vector<Undefined> found;
+    for (size_t at = 0; at < words.size(); at += stride) {
+        if (words[at] == 0) continue;
+        Undefined one{.row = at / stride / kinds,
+                      .what = static_cast<int>(words[at]),
+                      .a = static_cast<double>(std::bit_cast<float>(words[at + 1])),
+                      .b = static_cast<double>(std::bit_cast<float>(words[at + 2])),
+                      .result = {}};
+        for (size_t k = 0; k < outputs; ++k) one.result.push_back(number_of(s, words[at + 3 + k]));
+        found.push_back(std::move(one));
+    }
+    return found;
 }
 
 std::string number_text(double value) {
     if (std::isnan(value)) return "NaN";
+    if (value == 0) return "0";  // and not -0
     if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
     char buffer[32];
     return {buffer, std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(value)).ptr};
@@ -146,7 +200,15 @@ std::string tuple_text(std::span<const double> values) {
     return text + ")";
 }
 
+// In the probe's words for it, where it has some.
+std::string value_text(const Probe& probe, const std::string& name, std::span<const double> values) {
+    const std::string words = probe.words ? probe.words(name, values) : "";
+    return words.empty() ? tuple_text(values) : words;
+}
+
 }  // namespace
+
+std::string result_text(const Probe& probe, std::span<const double> values) { return value_text(probe, "", values); }
 
 std::string call_text(const Probe& probe, std::span<const double> row) {
     const Signature s = parse(probe.signature);
@@ -155,31 +217,38 @@ std::string call_text(const Probe& probe, std::span<const double> row) {
     for (size_t i = 0; i < s.parameters.size(); ++i) {
         const Parameter& p = s.parameters[i];
         const size_t count = components(p.type) ? components(p.type) : row.size() - at;
-        text += (i ? ", " : "") + p.name + " = " + tuple_text(row.subspan(at, count));
+        text += (i ? ", " : "") + p.name + " = " + value_text(probe, p.name, row.subspan(at, count));
         at += count;
     }
     return text + ")";
+}
+
+double excess(const Probe& probe, std::span<const double> truth, std::span<const double> got) {
+    double worst = 0;
+    for (size_t k = 0; k < truth.size(); ++k) {
+        double one = std::numeric_limits<double>::infinity();
+        if (std::isfinite(truth[k]) && std::isfinite(got[k]))
+            one = std::fabs(got[k] - truth[k]) / std::max(probe.bound.allowed(truth[k]), 1e-300);
+        else if (got[k] == truth[k] || (std::isnan(got[k]) && std::isnan(truth[k])))
+            one = 0;
+        worst = std::max(worst, one);
+    }
+    return worst;
+}
+
+std::string wrong_text(const Probe& probe, size_t row, std::span<const double> got) {
+    return call_text(probe, probe.inputs[row]) + " gave " + result_text(probe, got) + ", expected " +
+           result_text(probe, probe.truth(probe.inputs[row]));
 }
 
 std::string worst_of(const Probe& probe, const Table& results) {
     double worst = 1.0;
     std::string text;
     for (size_t i = 0; i < results.size(); ++i) {
-        const Row truth = probe.truth(probe.inputs[i]);
-        for (size_t k = 0; k < truth.size(); ++k) {
-            const double got = results[i][k];
-            double excess = 0;
-            if (std::isfinite(truth[k]) && !std::isfinite(got))
-                excess = std::numeric_limits<double>::infinity();
-            else if (std::isfinite(truth[k]))
-                excess = std::fabs(got - truth[k]) / std::max(probe.bound.allowed(truth[k]), 1e-300);
-            else if (!(got == truth[k] || (std::isnan(got) && std::isnan(truth[k]))))
-                excess = std::numeric_limits<double>::infinity();
-            if (!(excess > worst)) continue;
-            worst = excess;
-            text = call_text(probe, probe.inputs[i]) + " gave " + tuple_text(results[i]) + ", expected " +
-                   tuple_text(truth);
-        }
+        const double one = excess(probe, probe.truth(probe.inputs[i]), results[i]);
+        if (!(one > worst)) continue;
+        worst = one;
+        text = wrong_text(probe, i, results[i]);
     }
     return text;
 }

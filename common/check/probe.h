@@ -32,18 +32,40 @@ struct Probe {
     std::function<Row(std::span<const double>)> truth;  ///< inputs exactly as the device gets them
     Bound bound;
     Macros macros;  ///< that the file expects
+    /// How a parameter's value, or the result (name ""), is told; an empty text: as numbers.
+    std::function<std::string(const std::string& name, std::span<const double>)> words;
+    /// What to think of where this call gave this; without it, or where it is empty: the exercise's hint.
+    std::function<std::string(std::span<const double> input, std::span<const double> got)> hint;
 };
 
 /// The results of each call, flattened. `probe.truth` and `bound` are not needed; `outputs` says how many numbers the
 /// result has. Throws ShaderError where the file does not compile.
 Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs);
 
+/// A call that made use of an operation whose result GLSL leaves open.
+struct Undefined {
+    size_t row;  ///< of the probe's inputs
+    int what;    ///< as undefined_words takes it, with its operands
+    double a, b;
+    Row result;  ///< of the call, where that operation gave one of undefined_results
+};
+
+/// Every such call, once for each of undefined_results. None where the shader's text cannot be instrumented.
+std::vector<Undefined> run_undefined(Gpu& gpu, const Probe& probe, size_t outputs);
+
+/// How far a result is from the truth, in units of the bound: above 1 is wrong. A NaN or infinity is wrong unless the
+/// truth is the same.
+double excess(const Probe& probe, std::span<const double> truth, std::span<const double> got);
+/// "f(a = 0) gave 1, expected 2".
+std::string wrong_text(const Probe& probe, size_t row, std::span<const double> got);
+
 /// The worst input in words a student understands: "f(a = 0, b = (0, 1, 0)) gave NaN, expected 0"; empty where every
-/// result is within its bound. A NaN or infinity is wrong unless the truth is the same.
+/// result is within its bound.
 std::string worst_of(const Probe& probe, const Table& results);
 
 /// "f(a = 0, b = (0, 1, 0))".
 std::string call_text(const Probe& probe, std::span<const double> row);
+std::string result_text(const Probe& probe, std::span<const double> values);
 std::string number_text(double value);
 
 /// Appends a vector's components.

@@ -51,7 +51,7 @@ def is_configured(folder: Path, root: Path = ROOT) -> bool:
 
 
 def configure(preset: str, folder: Path, root: Path = ROOT):
-    warn(f"configuring {relative(folder)}")
+    warn(f"configuring {relative(folder)}; the first build compiles all that the chapters share, which takes some minutes")
     # --fresh: a tree that was moved or half configured starts anew.
     done = subprocess.run(["cmake", "--fresh", "--preset", preset], cwd=root, text=True, errors="replace",
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)

@@ -1,6 +1,9 @@
-"""Progress of long work: one line that is drawn over on a terminal, a plain line every tenth elsewhere."""
+"""Progress of long work: one line that is drawn over on a terminal, a plain line every tenth and every ten seconds elsewhere."""
 
 import sys
+import time
+
+QUIET_S = 10  # at most, elsewhere than on a terminal
 
 
 class Progress:
@@ -10,6 +13,7 @@ class Progress:
         self.label, self.stream = label, stream
         self.terminal = stream.isatty()
         self.tenth = -1
+        self.said_s = 0.0
         self.drawn = False
 
     def show(self, done: int, total: int, note: str = ""):
@@ -18,8 +22,9 @@ class Progress:
             line = f"{self.label} [{'#' * filled}{' ' * (24 - filled)}] {done}/{total} {note}"
             self.stream.write(f"\r{line[:110]}\033[K")
             self.drawn = True
-        elif 10 * done // max(total, 1) != self.tenth:
+        elif 10 * done // max(total, 1) != self.tenth or time.monotonic() > self.said_s + QUIET_S:
             self.tenth = 10 * done // max(total, 1)
+            self.said_s = time.monotonic()
             self.stream.write(f"{self.label} {done}/{total} {note}".rstrip() + "\n")
         self.stream.flush()
 

@@ -7,20 +7,20 @@ using namespace lightwalk;
 
 CHECK_EXERCISE("01.parse_vertex_line",
                "std::from_chars rounds correctly and knows no locale; count the numbers before you believe them") {
-    check.add(check_parse_vertex_line(parse_vertex_line.function()));
+    check_parse_vertex_line(check, parse_vertex_line.function());
 }
 
 CHECK_EXERCISE("01.parse_face", "a negative index counts back from the last one read so far: -1 is that one") {
-    check.add(check_parse_face(parse_face.function()));
+    check_parse_face(check, parse_face.function());
 }
 
 CHECK_EXERCISE("01.triangulate", "cut off an ear at a time: a corner that turns left and has no other corner inside") {
-    check.add(check_triangulate(triangulate.function()));
+    check_triangulate(check, triangulate.function());
 }
 
 CHECK_EXERCISE("01.view_projection",
                "write down where the near and the far plane must land, and solve for two numbers") {
-    check.add(check_view_projection(view_projection.function()));
+    check_view_projection(check, view_projection.function());
 }
 
 namespace {
@@ -35,6 +35,22 @@ Row random_matrix(Random& random, int count) {
     Row row;
     for (int i = 0; i < count; ++i) row.push_back(random.uniform(-2, 2));
     return row;
+}
+
+// A matrix by what it does, where that is simple.
+std::string words(const std::string&, std::span<const double> v) {
+    const size_t side = v.size() == 16 ? 4 : v.size() == 9 ? 3 : 0;
+    if (side == 0) return "";
+    std::string moved;
+    size_t different = 0;
+    for (size_t i = 0; i < v.size(); ++i)
+        if (v[i] != (i % (side + 1) == 0 ? 1.0 : 0.0)) {
+            ++different;
+            moved += (moved.empty() ? "" : ", ") + ("[" + std::to_string(i / side) + "][" + std::to_string(i % side)) +
+                     "] = " + number_text(v[i]);
+        }
+    if (different == 0) return "the identity";
+    return different <= 4 ? "the identity but for " + moved : "a matrix of random numbers";
 }
 
 Row row_of(const glm::dvec4& v, int count) {
@@ -70,6 +86,31 @@ CHECK_EXERCISE("01.transform",
         .truth =
             [](std::span<const double> in) { return row_of(matrix4(in) * glm::dvec4(in[16], in[17], in[18], 1.0), 4); },
         .bound = {.absolute = 1e-5, .relative = 1e-5}};
+    place.words = project.words = turn.words = words;
+    place.hint = [](auto in, auto out) -> std::string {
+        const glm::dvec4 direction = matrix4(in) * glm::dvec4(in[16], in[17], in[18], 0.0);
+        return std::fabs(out[0] - direction.x) + std::fabs(out[1] - direction.y) + std::fabs(out[2] - direction.z) <
+                       1e-4
+                   ? "the translation is missing: a point has w = 1"
+                   : "a matrix stands left of the vector that it transforms";
+    };
+    turn.hint = [](auto, auto out) -> std::string {
+        const double length = std::sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
+        return std::fabs(length - 1) > 1e-4 ? "stretching changes a normal's length: make it 1 again"
+                                            : "the normal matrix stands left of the normal";
+    };
+    // What can be followed on paper comes first.
+    const Row identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, identity3{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const auto with = [](Row matrix, const Row& changes, const Row& vector) {
+        for (size_t i = 0; i + 1 < changes.size(); i += 2) matrix[static_cast<size_t>(changes[i])] = changes[i + 1];
+        matrix.insert(matrix.end(), vector.begin(), vector.end());
+        return matrix;
+    };
+    for (Probe* one : {&place, &project})
+        one->inputs = {with(identity, {}, {1, 2, 3}), with(identity, {12, 5, 13, -1}, {1, 2, 3}),
+                       with(identity, {0, 2}, {1, 2, 3}), with(identity, {0, 0, 1, 1, 4, -1, 5, 0}, {1, 2, 3})};
+    turn.inputs = {with(identity3, {}, {0, 1, 0}), with(identity3, {4, 0.5}, {0, 1, 0}),
+                   with(identity3, {0, 0, 1, 1, 3, -1, 4, 0}, {1, 0, 0})};
     for (int i = 0; i < 500; ++i) {
         Row row = random_matrix(random, 16);
         row[3] = row[7] = row[11] = 0, row[15] = 1;  // a model matrix is affine

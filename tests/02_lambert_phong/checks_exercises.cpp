@@ -15,7 +15,9 @@ Row directions(std::initializer_list<glm::vec3> list, std::initializer_list<doub
     return row;
 }
 
-const glm::vec3 up{0, 1, 0}, right{1, 0, 0}, down{0, -1, 0};
+// Whether a light in the surface, at 90 degrees, is behind it nobody says: above it or below.
+const glm::vec3 up{0, 1, 0}, right{1, 0, 0}, down{0, -1, 0}, low = glm::normalize(glm::vec3(1, 0.02f, 0)),
+                                                             sunk = glm::normalize(glm::vec3(1, -0.02f, 0));
 
 // Lights and eyes all around a normal: those a student thinks of first, then random ones.
 Table reflections(std::initializer_list<double> exponents) {
@@ -25,11 +27,13 @@ Table reflections(std::initializer_list<double> exponents) {
         table.push_back(directions({up, up, up}, {n}));
         table.push_back(directions({up, slant, mirrored}, {n}));
         table.push_back(directions({up, slant, slant}, {n}));
-        table.push_back(directions({up, right, up}, {n}));
-        table.push_back(directions({up, right, -right}, {n}));
+        table.push_back(directions({up, low, up}, {n}));
+        table.push_back(directions({up, sunk, up}, {n}));
+        table.push_back(directions({up, sunk, -right}, {n}));
         table.push_back(directions({up, down, up}, {n}));
         table.push_back(directions({up, -slant, mirrored}, {n}));
         table.push_back(directions({up, up, down}, {n}));
+        table.push_back(directions({up, slant, -slant}, {n}));  // no half vector, and the light in front
     }
     Random random;
     while (table.size() < 4000)
@@ -49,7 +53,18 @@ Probe lobe_probe(const std::string& name, Lobe lobe) {
                     return Row{lobe(vector3(in, 0), vector3(in, 3), vector3(in, 6), in[9])};
                 },
             // A direction's rounding (6e-8) moves the cosine, which the power multiplies by up to 1000.
-            .bound = {.absolute = 3e-4}};
+            .bound = {.absolute = 3e-4},
+            .hint = [lobe](std::span<const double> in, std::span<const double> got) -> std::string {
+                const double facing = glm::dot(vector3(in, 0), vector3(in, 3));
+                const double truth = lobe(vector3(in, 0), vector3(in, 3), vector3(in, 6), in[9]);
+                if (facing < 0 && got[0] != 0) return "here the light is behind the surface: no highlight";
+                if (truth == 0 && got[0] != 0)
+                    return "here the cosine is not above 0: no highlight, whatever the exponent";
+                if (lobe(vector3(in, 0), vector3(in, 3), vector3(in, 6), 4 * in[9]) == got[0])
+                    return "the cosine is right, the exponent is four times too large";
+                if (truth == 1 && facing > 0.999) return "light, eye and normal are one direction: the cosine is 1";
+                return "";
+            }};
 }
 
 void check_lobe(Check& check, const Probe& probe) {
@@ -80,7 +95,14 @@ CHECK_EXERCISE("02.lambert",
                 .signature = "float lambert(vec3 normal, vec3 to_light)",
                 .inputs = {directions({up, up}), directions({up, right}), directions({up, down})},
                 .truth = [](std::span<const double> in) { return Row{truth::lambert(vector3(in, 0), vector3(in, 3))}; },
-                .bound = {.absolute = 3e-7}};
+                // A direction's length is off by 6e-8, and a formula may square, add and take away.
+                .bound = {.absolute = 1e-6},
+                .hint = [](auto in, auto got) -> std::string {
+                    const double cosine = glm::dot(vector3(in, 0), vector3(in, 3));
+                    if (cosine < 0 && got[0] < 0) return "negative light takes away what other lamps give: clamp at 0";
+                    if (cosine < 0) return "the light is behind the surface: 0, not its absolute value";
+                    return "the cosine between two vectors of length 1 is their dot product";
+                }};
     Random random;
     for (int i = 0; i < 2000; ++i) probe.inputs.push_back(directions({random.direction(), random.direction()}));
     const Table results = check.probe(probe);
@@ -123,7 +145,16 @@ CHECK_EXERCISE("02.wrapped_diffuse", "shift the cosine by wrap, divide so that 1
                             {-0.8, 0.5, 2},
                             {0.3, 0, 1}},
                  .truth = [](std::span<const double> in) { return Row{truth::wrapped_diffuse(in[0], in[1], in[2])}; },
-                 .bound = {.absolute = 2e-6}};
+                 .bound = {.absolute = 2e-6},
+                 .hint = [](auto in, auto got) -> std::string {
+                     if (in[0] < -in[1] && got[0] != 0) return "cosine + wrap is negative here: no light";
+                     const double once = std::max((in[0] + in[1]) / (1 + in[1]), 0.0);
+                     if (std::fabs(got[0] - std::pow(std::clamp(in[0] + in[1], 0.0, 1.0), in[2])) < 1e-5)
+                         return "divide by 1 + wrap, so that the brightest point is 1";
+                     if (std::fabs(got[0] - once) < 1e-5) return "the power is missing";
+                     if (std::fabs(got[0] - std::pow(std::max(in[0], 0.0), in[2])) < 1e-5) return "the wrap is missing";
+                     return "";
+                 }};
     Probe tint{.include = amount.include,
                .signature = "vec3 wrapped_tint(float cosine, vec3 tint)",
                .inputs = {{1, 1, 0.3, 0.2}, {0, 1, 0.3, 0.2}, {-1, 1, 0.3, 0.2}, {0.5, 0, 0, 0}},

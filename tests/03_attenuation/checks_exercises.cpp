@@ -2,10 +2,20 @@
 #include "03_attenuation/exercises.h"
 #include "03_attenuation/truth.h"
 #include "common/check/check.h"
+#include "common/check/guard.h"
 
 using namespace lightwalk;
 
 namespace {
+
+// What both falloffs are told by.
+std::string falloff_hint(std::span<const double> in, std::span<const double> got) {
+    if (in[1] == 0) return "a light of range 0 lights nothing: ask that before you divide by the range";
+    if (in[0] >= in[1] && got[0] != 0)
+        return "beyond the range the bracket is negative, and its square is not: return 0 before";
+    if (in[0] == 0) return "at distance 0 nothing is lost: 1";
+    return "";
+}
 
 // A falloff between 0 and 1 that never rises with the distance and is 0 from the range on.
 void check_falloff(Check& check, const Probe& probe, const Row& others) {
@@ -37,7 +47,8 @@ CHECK_EXERCISE("03.range_fade",
         .signature = "float range_fade(float distance, float range, float k)",
         .inputs = {{0, 10, 1}, {5, 10, 1}, {5, 10, 0}, {10, 10, 1}, {12, 10, 1}, {0, 0, 1}, {1, 0, 1}, {1, 2, 100}},
         .truth = [](std::span<const double> in) { return Row{truth::range_fade(in[0], in[1], in[2])}; },
-        .bound = {.absolute = 1e-6}};
+        .bound = {.absolute = 1e-6},
+        .hint = falloff_hint};
     Random random;
     for (int i = 0; i < 2000; ++i)
         probe.inputs.push_back({random.uniform(0, 12), random.uniform(0, 12), random.logarithmic(0.01, 100)});
@@ -50,7 +61,8 @@ CHECK_EXERCISE("03.inverse_square_window",
                 .signature = "float inverse_square_window(float distance, float range)",
                 .inputs = {{0, 10}, {1, 100}, {5, 10}, {7.5, 10}, {9, 10}, {10, 10}, {12, 10}, {0, 0}, {1, 0}},
                 .truth = [](std::span<const double> in) { return Row{truth::inverse_square_window(in[0], in[1])}; },
-                .bound = {.absolute = 1e-6}};
+                .bound = {.absolute = 1e-6},
+                .hint = falloff_hint};
     Random random;
     for (int i = 0; i < 2000; ++i) probe.inputs.push_back({random.uniform(0, 12), random.uniform(0, 12)});
     check_falloff(check, probe, {});
@@ -76,7 +88,16 @@ CHECK_EXERCISE("03.spot_cone",
                            {-0.9, -1, -1, 0.5}},
                 .truth = [](std::span<const double> in) { return Row{truth::spot_cone(in[0], in[1], in[2], in[3])}; },
                 // The division magnifies what rounding does to the difference of two cosines.
-                .bound = {.absolute = 2e-4}};
+                .bound = {.absolute = 2e-4},
+                .hint = [](auto in, auto got) -> std::string {
+                    if (in[1] == in[2]) return "the angles are equal: a hard edge, with 1 inside and 0 outside";
+                    if (in[0] >= in[1])
+                        return "inside the inner cone: 1; the inner angle is the smaller, its cosine the larger";
+                    if (in[0] <= in[2]) return "outside of the outer cone: 0";
+                    const double t = (in[0] - in[2]) / (in[1] - in[2]);
+                    if (std::fabs(got[0] - t) < 1e-3) return "t is right; its power mix(1, 0.35, softness) is missing";
+                    return "in between t goes from 0 at cos_outer to 1 at cos_inner, in proportion to the cosine";
+                }};
     Random random;
     while (probe.inputs.size() < 3000) {
         const double a = random.uniform(-1, 1), b = random.uniform(-1, 1), cosine = random.uniform(-1, 1);
@@ -116,11 +137,13 @@ std::string words(const Light& light, double radius_m, const Bounds& box) {
 }
 
 void expect_reach(Check& check, const Light& light, double radius_m, const Bounds& box) {
-    const bool reaches = light_reaches_box(light, static_cast<float>(radius_m), box);
     const double miss = truth::misses_box_by(light, radius_m, box), slack = 1e-3 * radius_m;
-    if (miss < -slack) check.expect(reaches, words(light, radius_m, box) + " gave false: light is lost");
-    if (miss > 2 * slack)
-        check.expect(!reaches, words(light, radius_m, box) + " gave true: the box is out of its reach");
+    const std::string call = words(light, radius_m, box);
+    guard_call("light_reaches_box for " + call);
+    const bool reaches = light_reaches_box(light, static_cast<float>(radius_m), box);
+    guard_call("");
+    if (miss < -slack) check.expect(reaches, call + " gave false: light is lost");
+    if (miss > 2 * slack) check.expect(!reaches, call + " gave true: the box is out of its reach");
 }
 
 }  // namespace

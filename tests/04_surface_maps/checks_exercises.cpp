@@ -44,7 +44,16 @@ CHECK_EXERCISE("04.unpack_normal",
                         return row_of(truth::unpack_normal({in[0], in[1]}, in[2]));
                     },
                 // Near the equator z is the root of a small difference.
-                .bound = {.absolute = 1e-3}};
+                .bound = {.absolute = 1e-3},
+                .hint = [](auto in, auto got) -> std::string {
+                    const glm::dvec2 xy(2 * in[0] - 1, 2 * in[1] - 1);
+                    if (in[2] == 0 && glm::dot(xy, xy) >= 1) return "nothing is left of this one: (0, 0, 1)";
+                    if (glm::dot(xy, xy) > 1)
+                        return "x and y are too long for any z: z is 0, and the whole is made unit length";
+                    if (std::fabs(glm::length(vector3(got, 0)) - 1) > 1e-3) return "make the result unit length";
+                    if (in[2] != 1) return "strength scales x and y, before the whole is made unit length, and not z";
+                    return "";
+                }};
     Random random;
     for (int i = 0; i < 2000; ++i)
         probe.inputs.push_back({random.uniform(0, 1), random.uniform(0, 1), random.uniform(0.1, 4)});
@@ -107,7 +116,7 @@ CHECK_EXERCISE("04.parallax_offset",
 
 CHECK_EXERCISE("04.parallax_occlusion",
                "compare the ray's depth with the surface's, layer by layer; then cut two straight lines") {
-    for (const int field : {1, 2, 4}) {
+    for (const int field : {4, 1, 2}) {
         const auto probe_of = [&](const std::string& name, double (*reference)(int, double, double, int)) {
             Probe probe{.include = "04_surface_maps/parallax_occlusion.glsl",
                         .signature = "float " + name + "(vec2 uv, vec2 shift, int steps)",
@@ -117,6 +126,21 @@ CHECK_EXERCISE("04.parallax_occlusion",
                             },
                         .bound = {.absolute = 2e-4},
                         .macros = {{"FIELD", std::to_string(field)}}};
+            const std::string surface = field == 1   ? "a ramp, depth_at = fract(u): "
+                                        : field == 2 ? "a wave, depth_at = 0.5 + 0.5 sin(2 pi u): "
+                                                     : "a plane, depth_at = 0.5: ";
+            probe.words = [surface](const std::string& parameter, std::span<const double> v) {
+                return parameter == "uv" ? "(" + number_text(v[0]) + ", " + number_text(v[1]) + ") over " +
+                                               surface.substr(0, surface.size() - 2)
+                                         : std::string();
+            };
+            probe.hint = [reference, field](auto in, auto) -> std::string {
+                const double right = reference(field, in[0], in[2], static_cast<int>(in[4]));
+                if (right == 0)
+                    return "the very first layer, depth 0, is below the surface already: no layer is before it";
+                if (right == 1) return "no layer before the last is below: at depth 1 the ray always is";
+                return "";
+            };
             if (field == 4)
                 probe.inputs = {{0.3, 0.3, 0, 0, 1}, {0.3, 0.3, 0, 0, 2}, {0.3, 0.3, 0, 0, 3}, {0.3, 0.3, 0.5, 0, 7}};
             Random random;
@@ -145,22 +169,40 @@ CHECK_EXERCISE("04.parallax_occlusion",
 }
 
 CHECK_EXERCISE("04.mix_orm", "a metal has no diffuse colour; guard the division where roughness is 0") {
-    Probe probe{.include = "04_surface_maps/mix_orm.glsl",
-                .signature = "MixedMaterial mix_orm(vec3 base, float roughness, float metalness)",
-                .inputs = {{1, 0.5, 0.2, 0, 0},
-                           {1, 0.5, 0.2, 1, 0},
-                           {1, 0.5, 0.2, 0.5, 1},
-                           {1, 0.5, 0.2, 0.3, 0.5},
-                           {0, 0, 0, 0.01, 1}},
-                .truth =
-                    [](std::span<const double> in) {
-                        const truth::Mixed mixed = truth::mix_orm(vector3(in, 0), in[3], in[4]);
-                        Row row = row_of(mixed.diffuse);
-                        append(row, mixed.specular);
-                        row.push_back(mixed.shininess);
-                        return row;
-                    },
-                .bound = {.absolute = 1e-5, .relative = 1e-4}};
+    Probe probe{
+        .include = "04_surface_maps/mix_orm.glsl",
+        .signature = "MixedMaterial mix_orm(vec3 base, float roughness, float metalness)",
+        .inputs = {{1, 0.5, 0.2, 1, 0},
+                   {1, 0.5, 0.2, 0, 0},
+                   {1, 0.5, 0.2, 0.5, 1},
+                   {1, 0.5, 0.2, 0.3, 0.5},
+                   {0, 0, 0, 0.01, 1}},
+        .truth =
+            [](std::span<const double> in) {
+                const truth::Mixed mixed = truth::mix_orm(vector3(in, 0), in[3], in[4]);
+                Row row = row_of(mixed.diffuse);
+                append(row, mixed.specular);
+                row.push_back(mixed.shininess);
+                return row;
+            },
+        .bound = {.absolute = 1e-5, .relative = 1e-4},
+        .words = [](const std::string& name, std::span<const double> v) -> std::string {
+            const auto color = [&](size_t at) {
+                return "(" + number_text(v[at]) + ", " + number_text(v[at + 1]) + ", " + number_text(v[at + 2]) + ")";
+            };
+            return name.empty() && v.size() == 7
+                       ? "diffuse " + color(0) + ", specular " + color(3) + ", shininess " + number_text(v[6])
+                       : "";
+        },
+        .hint = [](auto in, auto got) -> std::string {
+            const truth::Mixed right = truth::mix_orm(vector3(in, 0), in[3], in[4]);
+            if (glm::length(vector3(got, 0) - right.diffuse) > 1e-4)
+                return "diffuse is wrong: a metal has none, anything else base";
+            if (glm::length(vector3(got, 3) - right.specular) > 1e-4)
+                return "specular is wrong: 0.04 for what is no metal, base for a metal, in proportion in between";
+            return in[3] == 0 ? "roughness 0 divides by 0: the exponent is most_shininess"
+                              : "the exponent is wrong: alpha is roughness squared, and squared again below the 2";
+        }};
     Random random;
     for (int i = 0; i < 1000; ++i)
         probe.inputs.push_back({random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1),

@@ -5,12 +5,14 @@ import json
 import math
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
 import time
 import unittest
 import zipfile
+from pathlib import Path
 
 from small_course import LESSON, REAL, SHOTS_02, Course
 
@@ -244,6 +246,64 @@ class Exercises(Course):
         self.assertIn("the numbers are right, the picture of bunny is not", self.course("check", "02", code=1))
         self.put("no_teeth")
         self.assertIn("ok    02.one", self.course("check", "02"))
+
+    def test_a_picture_is_compared_with_the_reference_drawn_here(self):
+        self.put("chapters/02_lambert/exercise/one.cpp", "right")
+        self.put("no_teeth")
+        self.accept()
+        self.put("drift", "as this processor draws it")  # unlike the golden, but like the reference
+        self.assertIn("ok    02.one", self.course("check", "02"))
+
+    def test_in_a_handout_the_picture_waits_for_what_else_it_shows(self):
+        self.put("no_teeth")
+        self.accept()
+        folder = self.outside / "waiting"
+        self.course("handout", str(folder))
+        self.addCleanup(shutil.rmtree, folder)
+        (folder / "chapters/02_lambert/exercise/one.cpp").write_text("right")
+        check = [folder / "course", "check", "02"]
+        self.assertIn("compared once the numbers of 01.one are right", self.run_program(check))
+        (folder / "chapters/01_obj/exercise/one.cpp").write_text("right")
+        self.assertNotIn("compared once", self.run_program(check))
+        (folder / "no_teeth").unlink()
+        self.assertIn("the picture of bunny is not: 3 pixels differ", self.run_program(check, code=1))
+
+    def test_a_file_that_does_not_compile_becomes_an_empty_object(self):
+        script = REAL / "common/course/compile_exercise.sh"
+        source, made = self.outside / "a.cpp", self.outside / "a.o"
+        command = ["sh", script, "c++", "-Wall", "-o", made, "-c", source]
+        source.write_text("int f() { int unused; return 1; }")
+        self.assertIn("unused", self.run_program(command))
+        self.assertIn(b"1fv", made.read_bytes())
+        source.write_text("int f() { return }")
+        self.assertIn("error", self.run_program(command))
+        self.assertNotIn(b"1fv", made.read_bytes())
+        self.assertIn("a.cpp:1:18: error", Path(f"{made}.error").read_text())
+        source.write_text("int f() { return 1; }")
+        self.assertEqual(self.run_program(command), "")
+        self.assertFalse(Path(f"{made}.error").exists())
+
+    def test_exercises_come_in_the_lessons_order(self):
+        self.put("chapters/01_obj/exercise/and.cpp", "right")
+        self.put("docs/01_obj.md", "# One\n### 01.one (easy)\n### 01.and (hard)\n")
+        printed = self.course("check", "01", code=1)
+        self.assertLess(printed.index("01.one  2 of 3"), printed.index("01.and  3 of 3"))
+        self.assertIn("one.cpp  (easy)", printed)
+
+    def test_handout_of_a_tree_with_history(self):
+        def git(*words):
+            self.run_program(["git", "-C", self.root, "-c", "user.name=a", "-c", "user.email=a@b.c", *words])
+        self.put("chapters/01_obj/exercise/one.cpp", "open")
+        git("init", "-q")
+        self.addCleanup(shutil.rmtree, self.root / ".git")
+        git("add", "-A")
+        git("commit", "-q", "-m", "all")
+        self.put("grades.csv", "ann 2")
+        self.put("chapters/01_obj/exercise/one.cpp", "right")
+        folder = self.outside / "committed"
+        self.assertIn("one.cpp: handed out as committed", self.course("handout", str(folder)))
+        self.assertFalse((folder / "grades.csv").exists())
+        self.assertEqual((folder / "chapters/01_obj/exercise/one.cpp").read_text(), "open")
 
     def test_a_check_that_dies_is_open(self):
         self.put("chapters/01_obj/exercise/one.cpp", "die")

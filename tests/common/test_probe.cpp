@@ -1,6 +1,7 @@
 // The probes themselves.
 #include "catch.h"
 #include "common/check/check.h"
+#include "common/check/undefined.h"
 
 using namespace lightwalk;
 
@@ -52,6 +53,39 @@ TEST_CASE("a row that does not fit the signature is refused") {
 TEST_CASE("a function that is not there is a compile error with file and line") {
     CHECK_THROWS_WITH(run_probe(check_device(), probe_of("common/srgb.glsl", "float absent(float x)", {{1}}), 1),
                       Catch::Matchers::Contains("absent"));
+}
+
+TEST_CASE("every division becomes a call, with both operands whole") {
+    // Without spaces, which are no matter.
+    const auto body = [](const std::string& glsl) {
+        std::string text = instrumented(glsl);
+        std::erase(text, ' ');
+        return text;
+    };
+    CHECK(body("float y = a * b / c.x[i](2) - d;") ==
+          "floaty=undefined_divide(a*b,c.x[undefined_index(i,c.x.length())](2))-d;");
+    CHECK(body("return -a / -b / (c + d / e);") ==
+          "return-undefined_divide(undefined_divide(a,-b),(c+undefined_divide(d,e)));");
+    CHECK(body("x /= y - 1.0; i %= 3;") == "x=undefined_divide(x,y-1.0);i=undefined_remainder(i,3);");
+    CHECK(body("a / 2.0; // b / c\n#define H d / e\n/* f / g */ int v[3];") ==
+          "a/2.0;//b/c\n#defineHd/e\n/*f/g*/intv[3];");
+    CHECK(body("const float k = 1.0;\nfloat f(const float x) { return x / k; }") ==
+          "floatk=1.0;\nfloatf(constfloatx){returnundefined_divide(x,k);}");
+    CHECK_THROWS(instrumented("float f() { return (1.0; }"));
+}
+
+TEST_CASE("an operation without a defined result is noted with its operands, and its result is any") {
+    // encode_srgb takes pow(c, 1 / 2.4), but only above 0.0031308.
+    Probe fine = probe_of("common/srgb.glsl", "vec3 encode_srgb(vec3 linear)", {{0, -1, 2}});
+    CHECK(run_undefined(check_device(), fine, 3).empty());
+    Probe root = probe_of("common/srgb.glsl", "float undefined_sqrt(float x)", {{4}, {-4}});
+    const std::vector<Undefined> found = run_undefined(check_device(), root, 1);
+    REQUIRE(found.size() == std::size(undefined_results));
+    for (size_t i = 0; i < found.size(); ++i) {
+        CHECK(found[i].row == 1);
+        CHECK(undefined_words(found[i].what, found[i].a, found[i].b) == "takes the square root of -4");
+        if (!std::isnan(undefined_results[i])) CHECK(found[i].result[0] == static_cast<double>(undefined_results[i]));
+    }
 }
 
 TEST_CASE("ints travel as ints") {

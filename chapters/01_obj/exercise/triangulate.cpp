@@ -4,6 +4,11 @@
 
 namespace lightwalk::exercise {
 
+// [triangulate]
+// A polygon cut into triangles, given as corner numbers: always polygon.size() - 2 of them, wound as the polygon is,
+// covering a simple, nearly planar polygon once, be it convex or not. A fan from corner 0 where it is convex. Must
+// return for any finite input, flat, crossing itself or with repeated corners. Fewer than three corners: none.
+// [/triangulate]
 std::vector<glm::uvec3> triangulate(std::span<const glm::vec3> polygon) {
     // n corners make n - 2 triangles. For a convex polygon a fan will do: (0, 1, 2), (0, 2, 3), ...
     // A polygon with a dent needs ear clipping:

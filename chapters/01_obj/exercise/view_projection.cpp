@@ -4,6 +4,10 @@
 
 namespace lightwalk::exercise {
 
+// [view_projection]
+// World space to Vulkan's clip space: x right, y down, depth 1 at near_m and 0 at far_m (which may be infinity).
+// `aspect` is width / height, above 0.
+// [/view_projection]
 glm::mat4 view_projection(const Camera& camera, float aspect) {
     // View: three axes of the camera. It looks along -z, its x points right and its y up (cross products of the
     // direction and camera.up). The rows of the rotation are these axes; then move the camera into the origin.

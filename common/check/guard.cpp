@@ -1,0 +1,61 @@
+#include "common/check/guard.h"
+
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <utility>
+
+namespace lightwalk {
+namespace {
+
+std::string current;
+std::function<void(const std::string&)> tell;
+
+const char* words_for(int signal) {
+    switch (signal) {
+        case SIGALRM:
+            return "did not return within 5 s: does a loop never end?";
+        case SIGSEGV:
+        case SIGBUS:
+            return "crashed: it reads or writes memory that is not its own, or calls itself without an end";
+        case SIGFPE:
+            return "crashed: it divides a whole number by 0";
+        default:
+            return "gave up: an exception that nobody caught, an index outside a checked container, or memory freed "
+                   "twice";
+    }
+}
+
+// The program is lost, so that nothing is risked by doing here what a signal handler must not.
+void give_up(int signal) {
+    std::signal(signal, SIG_DFL);
+    std::signal(SIGALRM, SIG_DFL);
+    alarm(2);
+    tell((current.empty() ? "the check" : current) + " " + words_for(signal));
+    _exit(1);
+}
+
+}  // namespace
+
+void guard_calls(std::function<void(const std::string&)> report) {
+    tell = std::move(report);
+    static_assert(call_limit_s == 5, "words_for says 5 s");
+#if !defined(__SANITIZE_ADDRESS__)
+    static char stack[1 << 16];  // of its own: that of the program may be what overflowed
+    const stack_t other{.ss_sp = stack, .ss_flags = 0, .ss_size = sizeof stack};
+    sigaltstack(&other, nullptr);
+    struct sigaction action = {};
+    action.sa_handler = give_up;
+    action.sa_flags = SA_ONSTACK;
+    for (const int signal : {SIGALRM, SIGSEGV, SIGBUS, SIGFPE, SIGABRT, SIGILL}) sigaction(signal, &action, nullptr);
+#endif
+}
+
+void guard_call(std::string what) {
+    current = std::move(what);
+    alarm(current.empty() ? 0 : call_limit_s);
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,51 @@
+// A locale that writes 1.5 as 1,5, as in much of Europe, for C and C++, whatever is installed.
+#pragma once
+#include <clocale>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <locale>
+#include <string>
+
+namespace lightwalk {
+
+struct CommaPoint : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+/// In force while it lives. The C++ streams' locale is always to be had; C's is written in glibc's format to a folder
+/// of its own, from where setlocale takes it.
+class CommaLocale {
+  public:
+    CommaLocale() {
+        char folder[] = "/tmp/lightwalk.XXXXXX";
+        if (!mkdtemp(folder)) return;
+        folder_ = folder;
+        std::filesystem::create_directory(folder_ / "comma");
+        // Magic number, number of entries, where each begins; then decimal point, thousands separator, grouping, both
+        // as wide characters, and the encoding.
+        const uint32_t head[] = {0x20031115u ^ LC_NUMERIC, 6, 32, 34, 36, 40, 44, 48};
+        const char data[] = ",\0.\0\3\3\0\0,\0\0\0.\0\0\0UTF-8";
+        std::ofstream out(folder_ / "comma" / "LC_NUMERIC", std::ios::binary);
+        out.write(reinterpret_cast<const char*>(head), sizeof head).write(data, sizeof data);
+        out.close();
+        setenv("LOCPATH", folder, 1);
+        setlocale(LC_NUMERIC, "comma");
+    }
+    ~CommaLocale() {
+        setlocale(LC_NUMERIC, "C");
+        unsetenv("LOCPATH");
+        std::error_code ignored;
+        if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
+        std::locale::global(before_);
+    }
+    CommaLocale(const CommaLocale&) = delete;
+
+  private:
+    std::locale before_ = std::locale::global(std::locale(std::locale::classic(), new CommaPoint));
+    std::filesystem::path folder_;
+};
+
+}  // namespace lightwalk

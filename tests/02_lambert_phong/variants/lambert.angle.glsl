@@ -1,0 +1,4 @@
+// wrong: lambert(
+float lambert(vec3 normal, vec3 to_light) {
+    return max(cos(acos(dot(normal, to_light))), 0.0);
+}

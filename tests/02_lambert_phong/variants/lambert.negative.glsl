@@ -1,0 +1,4 @@
+// wrong: lambert(
+float lambert(vec3 normal, vec3 to_light) {
+    return dot(normal, to_light);
+}
