@@ -24,7 +24,7 @@ void report_non_finite(Gpu& gpu, const Image& linear) {
 }
 
 json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter,
-                  const std::vector<std::vector<PassTime>>& frames) {
+                  const std::vector<std::vector<PassTime>>& frames, const std::vector<double>& recording_ms) {
     json passes = json::array();
     for (size_t i = 0; i < frames[0].size(); ++i) {
         std::vector<double> samples;
@@ -37,9 +37,13 @@ json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter
                           {"q1_ms", q.q1},
                           {"q3_ms", q.q3}});
     }
-    return {{"device", gpu.device.info.name},    {"driver", gpu.device.info.driver},
-            {"software", gpu.device.software()}, {"size", {options.size.x, options.size.y}},
-            {"frames", frames.size()},           {"passes", passes},
+    return {{"device", gpu.device.info.name},
+            {"driver", gpu.device.info.driver},
+            {"software", gpu.device.software()},
+            {"size", {options.size.x, options.size.y}},
+            {"frames", frames.size()},
+            {"recording_cpu_ms", median(recording_ms)},
+            {"passes", passes},
             {"status", chapter.status()}};
 }
 
@@ -64,14 +68,17 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     // The first frame of a timing run compiles and warms up, and is not counted.
     const int warm_up = options.timings.empty() ? 0 : 1;
     std::vector<std::vector<PassTime>> times;
+    std::vector<double> recording_ms;
     for (int i = 0; i < options.frames + warm_up; ++i) {
         const int counted = std::max(i - warm_up, 0);
         render(chapter, frame, {options.size, options.time_s + static_cast<float>(counted) / 60.0f, options.seed, {}});
-        if (i >= warm_up) times.push_back(frame.times);
+        if (i < warm_up) continue;
+        times.push_back(frame.times);
+        recording_ms.push_back(frame.recording_ms);
     }
     if (!options.screenshot.empty()) write_png(options.screenshot, read_picture(gpu, frame.output));
     if (!options.timings.empty())
-        write_file(options.timings, timings_json(gpu, options, chapter, times).dump(1) + "\n");
+        write_file(options.timings, timings_json(gpu, options, chapter, times, recording_ms).dump(1) + "\n");
     report_non_finite(gpu, frame.linear());
     gpu.device.check_validation();
     return 0;

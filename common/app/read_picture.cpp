@@ -7,13 +7,14 @@
 
 namespace lightwalk {
 
-ImageRgb read_linear(Gpu& gpu, const Image& image) {
-    if (image.desc.format == VK_FORMAT_R8G8B8A8_UNORM) return to_linear(read_picture(gpu, image));
-    const bool half = image.desc.format == VK_FORMAT_R16G16B16A16_SFLOAT;
-    if (!half && image.desc.format != VK_FORMAT_R32G32B32A32_SFLOAT)
-        throw Failure("{} is no picture: it has neither RGBA16F, RGBA32F nor RGBA8", image.desc.name);
-    const std::vector<std::byte> texels = gpu.read_back(image);
-    ImageRgb result(static_cast<int>(image.desc.size.x), static_cast<int>(image.desc.size.y));
+ImageRgb read_linear(Gpu& gpu, const ImageView& view) {
+    const VkFormat format = view.image->desc.format;
+    if (format == VK_FORMAT_R8G8B8A8_UNORM) return to_linear(read_picture(gpu, view));
+    const bool half = format == VK_FORMAT_R16G16B16A16_SFLOAT;
+    if (!half && format != VK_FORMAT_R32G32B32A32_SFLOAT)
+        throw Failure("{} is no picture: it has neither RGBA16F, RGBA32F nor RGBA8", view.name());
+    const std::vector<std::byte> texels = gpu.read_back(view);
+    ImageRgb result(static_cast<int>(view.size().x), static_cast<int>(view.size().y));
     for (size_t i = 0; i < result.pixels.size(); ++i) {
         uint64_t packed = 0;
         half ? std::memcpy(&packed, &texels[8 * i], 8) : std::memcpy(&result.pixels[i], &texels[16 * i], 12);
@@ -22,10 +23,10 @@ ImageRgb read_linear(Gpu& gpu, const Image& image) {
     return result;
 }
 
-Image8 read_picture(Gpu& gpu, const Image& image) {
-    Image8 picture(static_cast<int>(image.desc.size.x), static_cast<int>(image.desc.size.y));
-    const std::vector<std::byte> texels = gpu.read_back(image);
-    std::memcpy(picture.pixels.data(), texels.data(), texels.size());
+Image8 read_picture(Gpu& gpu, const ImageView& view) {
+    Image8 picture(static_cast<int>(view.size().x), static_cast<int>(view.size().y));
+    const std::vector<std::byte> texels = gpu.read_back(view);
+    std::memcpy(picture.pixels.data(), texels.data(), picture.pixels.size() * sizeof picture.pixels[0]);
     return picture;
 }
 

@@ -5,10 +5,10 @@
 
 namespace lightwalk {
 
-/// Level 0 of an image as linear RGB: of half floats, floats, or sRGB-encoded bytes. Waits.
-ImageRgb read_linear(Gpu& gpu, const Image& image);
+/// The view's first mip and layer as linear RGB: of half floats, floats, or sRGB-encoded bytes. Waits.
+ImageRgb read_linear(Gpu& gpu, const ImageView& view);
 
-/// An 8-bit picture as it is. Waits.
-Image8 read_picture(Gpu& gpu, const Image& image);
+/// The same of an 8-bit picture, as it is. Waits.
+Image8 read_picture(Gpu& gpu, const ImageView& view);
 
 }  // namespace lightwalk

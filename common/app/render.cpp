@@ -1,6 +1,7 @@
 #include "common/app/render.h"
 
 #include <algorithm>
+#include <ctime>
 
 namespace lightwalk {
 namespace {
@@ -15,6 +16,13 @@ glm::vec2 shift_of(int sample, int samples) {
     for (int bits = sample; bits; bits >>= 1, digit *= 0.5f) inverse += static_cast<float>(bits & 1) * digit;
     const float half_cell = 0.5f / static_cast<float>(samples);
     return {(static_cast<float>(sample) + 0.5f) / static_cast<float>(samples) - 0.5f, inverse + half_cell - 0.5f};
+}
+
+// Of this thread.
+double processor_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
 void add_times(std::vector<PassTime>& sum, const std::vector<PassTime>& times) {
@@ -38,12 +46,14 @@ void render(Chapter& chapter, Frame& frame, const Picture& picture) {
         frame.crop.shift = shift_of(sample, samples);
         chapter.begin_frame(frame.gpu, picture.size);
         frame.begin(picture.size, picture.time_s);
+        const double started_ms = processor_ms();
         try {
             chapter.frame(frame);
         } catch (...) {
             frame.end();
             throw;
         }
+        frame.recording_ms = processor_ms() - started_ms;
         frame.end();
         if (samples > 1) add_times(times, frame.times);
     }

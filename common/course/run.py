@@ -85,7 +85,7 @@ def draw(folder: Path, pictures: list[dict]):
     """Draws them, as many at a time as there are cores: half of a picture's time is one thread's."""
     def one(picture):
         try:
-            render(picture["chapter"], ["--shot", picture["name"]], folder / picture["image"])
+            render(picture["chapter"], ["--shot", picture["name"], "--samples", "4"], folder / picture["image"])
         except Failure as failure:
             picture["error"] = str(failure)
         return picture

@@ -81,6 +81,7 @@ class Frame {
     void end(VkSemaphore wait = VK_NULL_HANDLE, VkSemaphore signal = VK_NULL_HANDLE);
 
     std::vector<PassTime> times;  ///< of the last frame that ended, in order
+    double recording_ms = 0;      ///< processor time that the chapter took to record it
 
     /// What each pass of this frame wrote, in order, to look at: 2-D images with one sample.
     std::vector<std::pair<std::string, ImageView>> outputs;

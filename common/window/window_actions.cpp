@@ -178,6 +178,7 @@ void Window::save_scene() {
         }
         own ? update_scene(scene, path) : write_scene(scene, path);
         (own ? scene_hash_ : saved_hash_) = hash_bytes(read_file(path));
+        confirm_until_ = 0;
         tell("scene: " + fs::absolute(path).string());
         log_event("saved " + fs::absolute(path).string());
     } catch (const InputError& e) {

@@ -45,7 +45,7 @@ struct Patch : Chapter {
     Patch() { name = "99_patch"; }
     std::string default_scene() const override { return ""; }
     Model load_model(const std::filesystem::path&) override { return {}; }
-    const Image& judged(const Frame& frame) const override { return codes ? frame.output : frame.linear(); }
+    ImageView judged(const Frame& frame) const override { return codes ? frame.output : frame.linear(); }
     void frame(Frame& frame) override {
         sizes.push_back(frame.size);
         const int fills = method.is("exact") ? 24 : method.is("dear") ? 12 : 1;

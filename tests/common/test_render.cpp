@@ -14,6 +14,7 @@ struct Blur : Module {
     using Module::Module;
     Target half{*this, {.name = "half", .scale = 0.5f}};
     Target fixed{*this, {.name = "fixed", .format = VK_FORMAT_R32_SFLOAT, .size = {8, 4}, .mips = 0}};
+    Target chain{*this, {.name = "chain", .size = {8, 4}, .mips = 0}};
     History light{*this, {.name = "light"}};
 };
 
@@ -31,6 +32,7 @@ struct Trial : Chapter {
         shifts.push_back(frame.crop.shift);
         const float grey = frame.samples.index == 0 ? 3.0f : 0.25f;
         frame.raster("fill", {.color = {clear(frame.hdr, glm::vec4(glm::vec3(grey), 1))}}, [](Raster&) {});
+        frame.raster("level", {.color = {clear(blur.chain.mip(1), glm::vec4(0.5f))}}, [](Raster&) {});
         if (writes_history) frame.raster("keep", {.color = {blur.light.now()}}, [](Raster&) {});
         encode_srgb(frame);
     }
@@ -60,6 +62,14 @@ TEST_CASE_METHOD(RenderTest, "targets: a share of the frame, or a size of their 
     chapter.blur.fixed.wanted.layers = 3;
     draw({32, 8});
     CHECK(chapter.blur.fixed.desc.layers == 3);
+}
+
+TEST_CASE_METHOD(RenderTest, "a level of an image can be looked at as a picture") {
+    draw();
+    const ImageRgb level = read_linear(gpu, chapter.blur.chain.mip(1));
+    CHECK(level.width == 4);
+    CHECK(level.height == 2);
+    for (const glm::vec3& pixel : level.pixels) CHECK(pixel == glm::vec3(0.5f));
 }
 
 TEST_CASE_METHOD(RenderTest,

@@ -40,7 +40,7 @@ struct Grey : Chapter {
         frame.raster("fill", {.color = {clear(frame.hdr, glm::vec4(glm::vec3(grey), 1))}}, [](Raster&) {});
         encode_srgb(frame);
     }
-    const Image& judged(const Frame& frame) const override { return codes ? frame.output : frame.linear(); }
+    ImageView judged(const Frame& frame) const override { return codes ? frame.output : frame.linear(); }
     void measure(Gpu& gpu, glm::uvec2 size, json& error) override {
         if (!measures) return;
         if (rude) error["rmse"] = 1;
