@@ -8,11 +8,13 @@ chapters=${LIGHTWALK_CHAPTERS:-build/chapters}
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 
-# draw CHAPTER NAME OPTIONS...
+# draw CHAPTER NAME OPTIONS...: 16 pictures' mean, where the options say nothing else.
 draw() {
     chapter=$1 name=$2
     shift 2
-    "$chapters/$chapter" "$@" --screenshot "$work/$name.png" >/dev/null
+    case " $* " in *" --samples "*) samples='' ;; *) samples='--samples 16' ;; esac
+    # shellcheck disable=SC2086  # words, or none
+    "$chapters/$chapter" $samples "$@" --screenshot "$work/$name.png" >/dev/null
 }
 
 # join FILE TILES NAMES...: side by side, with a gap of 4 pixels.
@@ -68,7 +70,7 @@ done
 join 03_threshold 3x1 field.tiled field.clustered field.every_light
 
 for one in normal.1 offset.1 steep.8 occlusion.8 relief.8 exact.1; do
-    draw 04_surface_maps "tiles.${one%.*}" --scene assets/scenes/stone_tiles_70.json --size 640x360 --samples 4 \
+    draw 04_surface_maps "tiles.${one%.*}" --scene assets/scenes/stone_tiles_70.json --size 640x360 \
         --method "${one%.*}" --steps "${one#*.}"
     mogrify -crop 320x180+40+20 +repage "$work/tiles.${one%.*}.png"
 done
@@ -79,13 +81,13 @@ draw 04_surface_maps outline.displaced --shot column
 mogrify -crop 400x300+280+100 +repage "$work/outline.loaded.png" "$work/outline.displaced.png"
 join 04_outline 2x1 outline.loaded outline.displaced
 
-draw 04_surface_maps floor.renormalised --shot brushed --size 480x270 --filter renormalised
-draw 04_surface_maps floor.toksvig --shot brushed --size 480x270 --filter toksvig
+draw 04_surface_maps floor.renormalised --shot brushed --size 480x270 --filter renormalised --samples 1
+draw 04_surface_maps floor.toksvig --shot brushed --size 480x270 --filter toksvig --samples 1
 draw 04_surface_maps floor.truth --shot brushed --size 480x270 --filter renormalised --samples 256
 join 04_filter 3x1 floor.renormalised floor.toksvig floor.truth
 
 for steps in 8 32 128; do
-    draw 04_surface_maps "error.$steps" --scene assets/scenes/stone_tiles_85.json --size 320x180 --show hit_error \
+    draw 04_surface_maps "error.$steps" --scene assets/scenes/stone_tiles_85.json --size 320x180 --show hit_error --samples 1 \
         --method occlusion --steps $steps
 done
 join 04_hit_error 3x1 error.8 error.32 error.128
