@@ -89,7 +89,9 @@ TEST_CASE("a frame of 5,000 items of 200 meshes: placed, culled, sorted and reco
         "5,000 items of 200 meshes, all moving: placed in %.2f ms, uploaded in %.2f ms, drawn by lists in %.2f ms; "
         "together %.2f ms of one core\n",
         medians[0], medians[1], medians[2], medians[3]);
+#ifndef __SANITIZE_ADDRESS__  // with it everything takes several times as long
     CHECK(medians[3] < 3 * 2.0);
+#endif
 
     // And all of it has arrived where it belongs.
     const auto bytes = gpu.read_back(scene.instances);
