@@ -194,6 +194,23 @@ class PicturesTest(ChapterPictures):
         self.assertLess(abs(kept - truth), 0.15 * truth, (truth, kept, averaged))
         self.assertGreater(abs(averaged - truth), 0.2 * truth, (truth, kept, averaged))
 
+    # --- lights
+
+    def test_lights_that_are_culled_light_as_all_of_them_do(self):
+        """Chapter 03's lights as this chapter uses them: behind holes, and on what stands out of the mesh."""
+        lamps = [{"type": "point", "position": [0.6 * x, 0.5 * y, 0.3], "range_m": 0.9, "intensity": 0.4}
+                 for x in range(-3, 4) for y in range(-2, 3)]
+        wall = self.wall({"diffuse": str(TEXTURES / "castle_wall_albedo.jpg"),
+                          "height": str(TEXTURES / "castle_wall_height.png")}) | {"lights": lamps}
+        grass = {"model": "models/plane.obj", "rotation_deg": [90, 0, 0], "position": [0, 0, 0.2],
+                 "material": {"maps": {"diffuse": str(TEXTURES / "grass_cutout.png")}}}
+        for name, scene in (("wall", wall), ("holes", wall | {"objects": [grass, *wall["objects"]]})):
+            all_lights = self.draw(scene, "--lights.method", "every_light", name=name).read_bytes()
+            for method in ("per_object", "tiled", "clustered"):
+                with self.subTest(scene=name, method=method):
+                    self.assertEqual(self.draw(scene, "--lights.method", method).read_bytes(), all_lights)
+            self.assertNotEqual(self.draw(scene | {"lights": lamps[:17]}, name="fewer").read_bytes(), all_lights)
+
     # --- edges
 
     def test_scenes_without_lights_textures_or_height(self):
