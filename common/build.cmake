@@ -43,7 +43,8 @@ function(lightwalk_common)
     common/measure/compare_main.cpp PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
   if(LIGHTWALK_SANITIZE OR LIGHTWALK_FUZZ)
     # Debian builds glslang without type information, which this check of the undefined-behaviour sanitizer needs.
-    set_source_files_properties(${PROJECT_SOURCE_DIR}/common/gpu/compile.cpp PROPERTIES COMPILE_OPTIONS -fno-sanitize=vptr)
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/common/gpu/compile.cpp PROPERTIES
+                                COMPILE_OPTIONS -fno-sanitize=vptr SKIP_PRECOMPILE_HEADERS ON)
   endif()
   foreach(program measure/compare window/menu)
     get_filename_component(name ${program} NAME)

@@ -10,7 +10,7 @@
 namespace lightwalk {
 namespace {
 
-constexpr size_t most_variants = 256;
+constexpr size_t most_variants = 32;
 
 Macros macros_of(const Chapter& chapter) {
     Macros macros;
@@ -77,11 +77,11 @@ int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defa
 }  // namespace
 
 int compile_all_shaders(Chapter& chapter, const std::string& stamp) {
-    // Every variant with all references and with all starters; one exercise swapped at a time with default knobs, for
-    // what swapping can break is the interface between the two.
+    // Every variant with all references; with all starters, and with one exercise of the chapter swapped at a time, the
+    // default knobs: what swapping can break is the interface between the two. Earlier chapters have tried their own.
     std::vector<std::string> states{"solution", "exercise"};
     for (const std::string& id : Exercises::ids()) {
-        if (id.substr(0, 2) > chapter.name.substr(0, 2)) continue;
+        if (id.substr(0, 2) != chapter.name.substr(0, 2)) continue;
         states.push_back(fmt::format("solution,{}=exercise", id));
         states.push_back(fmt::format("exercise,{}=solution", id));
     }
@@ -91,7 +91,7 @@ int compile_all_shaders(Chapter& chapter, const std::string& stamp) {
     for (const std::string& state : states) {
         Exercises::use(state);
         for (const Pipeline* pipeline : Pipeline::all())
-            modules += compile_pipeline(chapter, *pipeline, state.find(',') != state.npos, seen, files);
+            modules += compile_pipeline(chapter, *pipeline, state != "solution", seen, files);
     }
     std::printf("%s: %d different shader modules compiled and valid in %zu toggle states\n", chapter.name.c_str(),
                 modules, states.size());

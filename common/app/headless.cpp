@@ -25,14 +25,26 @@ void report_non_finite(Gpu& gpu, const Image& linear) {
 
 json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter,
                   const std::vector<std::vector<PassTime>>& frames, const std::vector<double>& recording_ms) {
+    // Not every frame has every pass: an upload is in those alone in which something has changed.
+    std::vector<std::pair<const PassTime*, std::vector<double>>> passes_of;
+    for (const std::vector<PassTime>& frame : frames) {
+        size_t behind = 0;  // the place behind the pass before
+        for (const PassTime& pass : frame) {
+            const auto known = std::find_if(passes_of.begin(), passes_of.end(),
+                                            [&](const auto& one) { return one.first->name == pass.name; });
+            const auto at = known != passes_of.end()
+                                ? known
+                                : passes_of.insert(passes_of.begin() + static_cast<long>(behind), {&pass, {}});
+            at->second.push_back(pass.gpu_ms);
+            behind = static_cast<size_t>(at - passes_of.begin()) + 1;
+        }
+    }
     json passes = json::array();
-    for (size_t i = 0; i < frames[0].size(); ++i) {
-        std::vector<double> samples;
-        for (const auto& frame : frames)
-            if (i < frame.size()) samples.push_back(frame[i].gpu_ms);
+    for (const auto& [pass, samples] : passes_of) {
         const Quartiles q = quartiles(samples);
-        passes.push_back({{"name", frames[0][i].name},
-                          {"stage", frames[0][i].stage},
+        passes.push_back({{"name", pass->name},
+                          {"stage", pass->stage},
+                          {"frames", samples.size()},
                           {"gpu_ms", q.median},
                           {"q1_ms", q.q1},
                           {"q3_ms", q.q3}});

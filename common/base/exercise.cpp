@@ -1,5 +1,6 @@
 #include "common/base/exercise.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -53,6 +54,16 @@ State& find(std::string_view id) {
     throw InputError("unknown exercise '{}'; there are: {}", id, known);
 }
 
+// Where a lesson's heading "### 02.phong (medium)" stands in it; what has none comes last.
+size_t place_in_lesson(const std::string& id) {
+    namespace fs = std::filesystem;
+    std::error_code none;  // a copy without lessons
+    for (const auto& file : fs::directory_iterator(course_root() / "docs", none))
+        if (file.path().extension() == ".md" && file.path().filename().string().starts_with(id.substr(0, 2) + "_"))
+            return read_file(file.path()).find("\n### " + id + " (");
+    return std::string::npos;
+}
+
 bool is_solution(std::string_view word) {
     if (word == "solution") return true;
     if (word == "exercise") return false;
@@ -87,8 +98,14 @@ void Exercises::set(std::string_view id, bool solution) {
 }
 
 std::vector<std::string> Exercises::ids() {
+    static std::map<std::string, size_t, std::less<>> places;  // in the lessons, which do not change under way
     std::vector<std::string> result;
-    for (const auto& [id, state] : scanned_table().exercises) result.push_back(id);
+    for (const auto& [id, state] : scanned_table().exercises) {
+        result.push_back(id);
+        if (!places.contains(id)) places[id] = place_in_lesson(id);
+    }
+    std::ranges::stable_sort(result, {},
+                             [](const std::string& id) { return std::pair(id.substr(0, 2), places.at(id)); });
     return result;
 }
 

@@ -17,7 +17,7 @@ class Exercises {
     static void use(std::string_view which);
     static void set(std::string_view id, bool solution);
 
-    /// Every id known: C++ exercises that are linked in, and shaders/NN_name/exercise/*.glsl of all chapters.
+    /// Every id known, in the lessons' order: C++ exercises that are linked in, and shaders/NN_name/exercise/*.glsl.
     static std::vector<std::string> ids();
 
     /// False in a handout: there is no solution to switch to.

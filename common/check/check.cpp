@@ -75,7 +75,11 @@ Table Check::probe(const Probe& probe) {
     const Table results = run_probe(check_device(), probe, outputs);
     // An operation whose result is open is wrong where the function's result depends on it.
     std::map<size_t, const Undefined*> open;
-    const std::vector<Undefined> undefined = run_undefined(check_device(), probe, outputs);
+    const std::optional<std::vector<Undefined>> looked_for = run_undefined(check_device(), probe, outputs);
+    if (!looked_for)
+        note = "operations that GLSL leaves undefined were not looked for in " + probe.include +
+               ": the check cannot follow how it is written, a macro with half an expression perhaps";
+    const std::vector<Undefined> undefined = looked_for.value_or(std::vector<Undefined>());  // pointed into below
     for (const Undefined& one : undefined)
         if (counts_always(one.what) || excess(probe, probe.truth(probe.inputs[one.row]), one.result) > 1)
             open.emplace(one.row, &one);

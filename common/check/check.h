@@ -14,6 +14,7 @@ class Check {
     int passed = 0, failed = 0;
     std::string first_failure;  ///< empty where all is right
     std::string hint;           ///< for that failure; empty: the exercise's
+    std::string note;           ///< what was not looked at; empty where all was
 
     void expect(bool right, const std::string& otherwise, const std::string& hint_for_it = "");
     /// Runs `wrong`, which calls the student's C++ and returns what is wrong ("" for nothing). `what` names the call

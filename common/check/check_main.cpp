@@ -19,6 +19,7 @@ static void print(const ExerciseCheck& exercise, const Check& check) {
         line["first_failure"] = check.first_failure;
         line["hint"] = check.hint.empty() ? exercise.hint : check.hint;
     }
+    if (!check.note.empty()) line["note"] = check.note;
     std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     std::fflush(stdout);
 }

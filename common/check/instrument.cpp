@@ -37,7 +37,9 @@ std::vector<Token> tokens_of(const std::string& glsl) {
         } else if (std::isspace(static_cast<unsigned char>(c))) {
             take(at + 1, space);
         } else if (c == '#' && line_start) {
-            take(glsl.find('\n', at), space);
+            size_t end = glsl.find('\n', at);
+            while (end != glsl.npos && glsl[end - 1] == '\\') end = glsl.find('\n', end + 1);
+            take(end, space);
         } else if (glsl.compare(at, 2, "//") == 0) {
             take(glsl.find('\n', at), space);
         } else if (glsl.compare(at, 2, "/*") == 0) {

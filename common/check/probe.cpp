@@ -143,7 +143,7 @@ Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs) {
     return table;
 }
 
-std::vector<Undefined> run_undefined(Gpu& gpu, const Probe& probe, size_t outputs) {
+std::optional<std::vector<Undefined>> run_undefined(Gpu& gpu, const Probe& probe, size_t outputs) {
     const Signature s = parse(probe.signature);
     const std::string flat = flatten_text("#include \"" + probe.include + "\"\n", "probe", "99", probe.macros).text;
     const size_t kinds = std::size(undefined_results), stride = 3 + outputs;
@@ -167,7 +167,7 @@ std::vector<Undefined> run_undefined(Gpu& gpu, const Probe& probe, size_t output
         words = run(gpu, probe, s, source, stride * kinds * probe.inputs.size());
     } catch (const ShaderError& e) {
         if (std::getenv("LIGHTWALK_PROBE_STRICT")) throw;
-        return {};  // instrumented() does not follow every text
+        return std::nullopt;  // instrumented() does not follow every text
     }
     std::vector<Undefined> found;
     for (size_t at = 0; at < words.size(); at += stride) {

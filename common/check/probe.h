@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <random>
 #include <span>
 #include <string>
@@ -50,8 +51,9 @@ struct Undefined {
     Row result;  ///< of the call, where that operation gave one of undefined_results
 };
 
-/// Every such call, once for each of undefined_results. None where the shader's text cannot be instrumented.
-std::vector<Undefined> run_undefined(Gpu& gpu, const Probe& probe, size_t outputs);
+/// Every such call, once for each of undefined_results. Nothing where the shader's text cannot be instrumented: then
+/// nobody has looked.
+std::optional<std::vector<Undefined>> run_undefined(Gpu& gpu, const Probe& probe, size_t outputs);
 
 /// How far a result is from the truth, in units of the bound: above 1 is wrong. A NaN or infinity is wrong unless the
 /// truth is the same.

@@ -13,6 +13,7 @@ import argparse
 import io
 import math
 import sys
+import textwrap
 from pathlib import Path
 
 import matplotlib
@@ -46,38 +47,57 @@ def draw(chart: Chart) -> dict:
 
 def build_figure(chart: Chart):
     panels = chart.panels
-    columns = 1 if len(panels) == 1 else 2
+    columns = chart.columns
     rows = math.ceil(len(panels) / columns)
-    height = 6.75 if rows == 1 else 1.9 + 4.3 * rows
-    figure = plt.figure(figsize=(12, height))
-    top, bottom = 1 - 1.05 / height, 1.2 / height
-    grid = figure.add_gridspec(rows, columns, left=0.085, right=0.975, top=top, bottom=bottom, wspace=0.12,
-                               hspace=0.28)
+    height = (4.6 if chart.y.kind == "method" else 6.75) if rows == 1 else 2.0 + 4.9 * rows
+    figure = plt.figure(figsize=(14 if columns == 3 else 12, height))
+    notes = textwrap.wrap("  ".join(notes_of(chart)), 13 * int(figure.get_figwidth()))
+    top, bottom = 1 - 1.05 / height, (1.0 + 0.2 * len(notes)) / height
+    grid = figure.add_gridspec(rows, columns, left=0.125 if chart.y.kind == "method" else 0.085, right=0.975, top=top, bottom=bottom, wspace=0.06,
+                               hspace=0.2)
     limits = Limits(chart)
     for i, scenes in enumerate(panels):
         panel = Panel(figure, grid[i // columns, i % columns], chart, scenes, limits)
-        panel.draw([p for p in chart.drawable if p.scene in scenes], title=scenes[0] if len(panels) > 1 else "",
+        panel.draw([p for p in chart.drawable if p.scene in scenes], title=chart.panel_title(scenes),
                    x_label=i + columns >= len(panels), y_label=i % columns == 0)
     heading(figure, chart, height)
+    for i, line in enumerate(reversed(notes)):
+        figure.text(0.022, (0.40 + 0.2 * i) / height, line, fontsize=9.5, color=QUIET, va="center")
     return figure
 
 
 def heading(figure, chart: Chart, height: float):
     """What it shows, where it was measured, and how to measure it again."""
-    study, d, kinds = chart.study, chart.study.data, (chart.x.kind, chart.y.kind)
+    study, d = chart.study, chart.study.data
     figure.text(0.022, 1 - 0.33 / height, chart.title, fontsize=17, weight="bold", va="center")
     figure.text(0.022, 1 - 0.65 / height, f'{d["device"]} · {d["driver"]} · {d["stage"]}{study.size_text(" · ")}',
                 color=QUIET, va="center")
+    figure.text(0.022, 0.18 / height, d["command"], fontsize=9, color=QUIET, family="DejaVu Sans Mono", va="center")
+
+
+def notes_of(chart: Chart) -> list[str]:
+    """What a reader has to know of the points, a sentence each."""
+    d, kinds = chart.study.data, (chart.x.kind, chart.y.kind)
     notes = ["Points: median, bars: quartiles."] if "time" in kinds else []
     if d.get("truth") and "error" in kinds:
         notes.append(truth_note(chart))
-    if len(chart.point_knobs) == 1:
+    if chart.front(chart.points):
+        notes.append("Yellow: the Pareto front, which no other beats in both.")
+    if any(chart.enough_of([p for p in chart.drawable if p.scene in scenes]) for scenes in chart.panels):
+        notes.append(f"Ringed: enough, the fastest {below(chart)}.")
+    if len(chart.point_knobs) == 1 and chart.x.kind == "time" and chart.y.kind != "method":
         notes.append(f"Small numbers: {chart.point_knobs[0]}.")
     notes += [f"All with {name} {values[0]}, where it applies." for name, values in chart.kept.items() if len(values) == 1]
     for why, methods in chart.missing().items():
         notes.append(f"Not drawn: {', '.join(methods)} ({why}).")
-    figure.text(0.022, 0.40 / height, "  ".join(notes), fontsize=9.5, color=QUIET, va="center")
-    figure.text(0.022, 0.18 / height, d["command"], fontsize=9, color=QUIET, family="DejaVu Sans Mono", va="center")
+    return notes
+
+
+def below(chart: Chart) -> str:
+    if not chart.enough:
+        also = " (the 99th percentile, too)" if "flip_mean" in (chart.x.name, chart.y.name) else ""
+        return f"with an error below that of one 8-bit step{also}"
+    return f"with at most {chart.enough_words}" if chart.enough["at"] else f"with {chart.enough_words}"
 
 
 def truth_note(chart: Chart) -> str:

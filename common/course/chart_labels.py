@@ -1,34 +1,53 @@
-"""Puts labels beside points so that they cover neither each other nor a curve."""
+"""Puts labels beside points so that they cover neither each other, nor a point, nor a curve.
 
+Labels are wanted one after the other and written together: each has many places, near ones first, and takes the one
+that costs least given where all others stand; this is repeated until none moves. A label that stands away from its
+point has a thin line to it.
+"""
 import math
 
+import numpy as np
+from matplotlib.lines import Line2D
 from matplotlib.transforms import Bbox
 
-# Where a label may stand, seen from its point: (x, y) offset in points, then how it is aligned. Best first.
-PLACES = [((9, 0), "left", "center"), ((-9, 0), "right", "center"), ((0, 9), "center", "bottom"),
-          ((0, -9), "center", "top"), ((8, 7), "left", "bottom"), ((8, -7), "left", "top"), ((-8, 7), "right", "bottom"),
-          ((-8, -7), "right", "top"), ((10, 18), "left", "bottom"), ((10, -18), "left", "top"),
-          ((-10, 18), "right", "bottom"), ((-10, -18), "right", "top"), ((0, 26), "center", "bottom"),
-          ((0, -26), "center", "top")]
+RADII = (9, 17, 27, 40, 56, 76, 100, 128)  # from the point to the label's edge, in points
+NEAR = RADII[1]  # as far as a label needs no line to its point
+ANGLES = tuple(math.radians(angle) for angle in (0, 180, 90, 270, 30, 330, 150, 210, 60, 300, 120, 240,
+                                                   15, 345, 165, 195, 45, 315, 135, 225, 75, 285, 105, 255))  # best first
 POINT_RADIUS = 7  # of a marker with its ring, in points
+PASSES = 8
+TRIED = 60  # places of a label at one anchor whose lines are looked at
+OWN = 1.7  # how many times farther than its own the next point of another curve has to be from a value
+
+
+class Label:
+    """What is to be written, its places, and the one it has taken."""
+
+    def __init__(self, text, colour, size, weight, must):
+        self.text, self.colour, self.size, self.weight, self.must = text, colour, size, weight, must
+        self.places = []  # (cost without other labels, box, axis, anchor in data, its pixel, leader or None)
+        self.taken = None
 
 
 class Labels:
-    """Places labels one after the other; what is placed first has the choice."""
-
     def __init__(self, axes):
         """axes: the panel, which may be of several: a label may leave one of them for another."""
-        self.renderer = axes[0].figure.canvas.get_renderer()
+        self.figure = axes[0].figure
+        self.renderer = self.figure.canvas.get_renderer()
         self.frame = Bbox.union([axis.get_window_extent(self.renderer) for axis in axes])
         self.scale = self.renderer.points_to_pixels(1.0)
-        self.boxes = []  # of labels and points, in pixels
+        self.boxes = []  # of points, their bars and texts, in pixels
         self.samples = []  # along curves, in pixels
+        self.points = []  # (pixel, the curve it is of)
+        self.curves = 0
+        self.wanted = []
 
     def avoid_curve(self, points):
         """points: (axis, x, y, its bar's ends in x, those in y) in order. No curve runs from one axis to another."""
         radius = POINT_RADIUS * self.scale
         pixels = [(axis, axis.transData.transform((x, y))) for axis, x, y, _, _ in points]
         for i, (axis, at) in enumerate(pixels):
+            self.points.append((at, self.curves))
             self.boxes.append(Bbox.from_extents(at[0] - radius, at[1] - radius, at[0] + radius, at[1] + radius))
             ends = [axis.transData.transform((x, points[i][2])) for x in points[i][3]]
             self.boxes.append(Bbox.from_extents(ends[0][0], at[1] - radius / 2, ends[1][0], at[1] + radius / 2))
@@ -39,52 +58,189 @@ class Labels:
                 before = pixels[i - 1][1]
                 steps = max(2, int(math.dist(before, at) / (3 * self.scale)))
                 self.samples += [before + (at - before) * k / steps for k in range(1, steps)]
+        self.curves += 1
+
+    def avoid_line(self, axis, y):
+        """A line from left to right."""
+        (x0, x1), height = axis.get_window_extent(self.renderer).intervalx, axis.transData.transform((1, y))[1]
+        self.samples += [(x, height) for x in np.arange(x0, x1, 8 * self.scale)]
 
     def avoid_texts(self, texts):
         self.boxes += [text.get_window_extent(self.renderer) for text in texts]
 
-    def place(self, text, anchors, colour, size, weight, must):
-        """Writes `text` beside one of the anchors (as in avoid_curve), where it covers least. Unless it `must` be written, it
-        is left out where it would cover anything."""
-        if not text:
-            return
-        best = None
-        for rank_of_anchor, (axis, x, y, *bars) in enumerate(anchors):
-            centre = axis.transData.transform((x, y))
-            reach = [abs(axis.transData.transform((end, y))[0] - centre[0]) / self.scale for end in bars[0]]
-            rise = [abs(axis.transData.transform((x, end))[1] - centre[1]) / self.scale for end in bars[1]]
-            for rank, (offset, align, valign) in enumerate(PLACES):
-                if valign == "center":  # beside the bar, not on it
-                    offset = (max(offset[0], reach[1] + 5) if align == "left" else min(offset[0], -reach[0] - 5), 0)
-                if align == "center":
-                    offset = (0, max(offset[1], rise[1] + 5) if valign == "bottom" else min(offset[1], -rise[0] - 5))
-                note = axis.annotate(text, (x, y), xytext=offset, textcoords="offset points", ha=align, va=valign,
-                                     color=colour, fontsize=size, weight=weight, zorder=5, annotation_clip=False)
-                box = note.get_window_extent(self.renderer)
-                cost = self.cost(box) + 0.02 * rank + 0.1 * rank_of_anchor
-                note.remove()
-                if best is None or cost < best[0]:
-                    best = (cost, box, axis, (x, y), offset, align, valign)
-        if best is None or (best[0] >= 1 and not must):
-            return
-        _, box, axis, at, offset, align, valign = best
-        axis.annotate(text, at, xytext=offset, textcoords="offset points", ha=align, va=valign, color=colour,
-                      fontsize=size, weight=weight, zorder=5, annotation_clip=False)
-        self.boxes.append(box.padded(2 * self.scale))
+    def want(self, text, anchors, colour, size, weight, must):
+        """`text` beside one of the anchors (as in avoid_curve), the first if nothing speaks against it. Unless it `must` be
+        written, it is left out where it would cover anything or could be taken for another point's."""
+        if text:
+            self.wanted.append((Label(text, colour, size, weight, must), anchors))
 
-    def cost(self, box):
-        """0 where it covers nothing; what it covers, and how far it leaves the panel."""
-        covered = sum(1 + overlap(box, other) / max(box.width * box.height, 1)
-                      for other in self.boxes if overlap(box, other) > 0)
-        around = box.padded(1.5 * self.scale)
-        on_curve = sum(around.contains(*at) for at in self.samples)
-        outside = (max(0, box.x1 - self.frame.x1, self.frame.x0 - box.x0) +
-                   max(0, box.y1 - self.frame.y1, self.frame.y0 - box.y0))
-        return covered + 0.35 * on_curve + 0.5 * outside / self.scale
+    def write(self):
+        """Writes what is wanted: what must be first, the rest into the room that is left."""
+        self.fixed = np.array([box.extents for box in self.boxes]).reshape(-1, 4)
+        self.line = np.array(self.samples).reshape(-1, 2)
+        must = [self.with_places(label, anchors) for label, anchors in self.wanted if label.must]
+        for _ in range(PASSES):
+            moved = False
+            for label in must:
+                others = [other.taken for other in must if other is not label and other.taken]
+                best = best_among(label.places, others, self.scale)
+                moved, label.taken = moved or best is not label.taken, best
+            if not moved:
+                break
+        placed = [self.put(label) for label in must]
+        for label, anchors in self.wanted:
+            if label.must:
+                continue
+            self.with_places(label, anchors)
+            free = [place for place in label.places
+                    if place[0] < 1 and among(place, placed, self.scale) < 1 and self.is_own(place)]
+            if free:
+                label.taken = free[0]
+                placed.append(self.put(label))
+
+    def column(self, entries):
+        """Labels right of the curves' ends, one below the other in the ends' order. entries: (text, anchor, colour)."""
+        ends = sorted(((axis.transData.transform((x, y)), text, colour) for text, (axis, x, y, *_), colour in entries),
+                      key=lambda end: end[0][1])
+        left = max(at[0] for at, _, _ in ends) + 20 * self.scale
+        step = 15 * self.scale
+        heights = spaced([at[1] for at, _, _ in ends], step, self.frame.y0 + step / 2, self.frame.y1 - step / 2)
+        for (at, text, colour), height in zip(ends, heights):
+            self.line_to((at[0] + 7 * self.scale, at[1]), (left - 3 * self.scale, height), colour)
+            x, y = self.share((left, height))
+            self.figure.text(x, y, text, ha="left", va="center", color=colour, fontsize=11.5, weight="bold", zorder=5,
+                             gid="label")
+
+    def with_places(self, label, anchors):
+        """Measures the text once and lists its places, with what each costs for itself."""
+        sample = self.figure.text(0, 0, label.text, fontsize=label.size, weight=label.weight)
+        extent = sample.get_window_extent(self.renderer)
+        sample.remove()
+        half = np.array([extent.width, extent.height * 0.9]) / 2  # without the room for accents
+        for rank_of_anchor, (axis, x, y, *_) in enumerate(anchors):
+            at = axis.transData.transform((x, y))
+            found = []
+            for radius in RADII if label.must else RADII[:2]:
+                for rank, angle in enumerate(ANGLES):
+                    u = np.array([math.cos(angle), math.sin(angle)])
+                    reach = min(half[0] / max(abs(u[0]), 1e-9), half[1] / max(abs(u[1]), 1e-9))
+                    centre = at + u * (radius * self.scale + reach)
+                    rather = 0.006 * radius * (1 + 0.03 * radius) + 0.02 * rank + 0.15 * rank_of_anchor
+                    found.append((np.concatenate([centre - half, centre + half]), rather, radius, u, reach))
+            costs = self.costs(np.array([box for box, *_ in found])) + [rather for _, rather, *_ in found]
+            for k in np.argsort(costs, kind="stable")[:TRIED]:
+                box, _, radius, u, reach = found[k]
+                leader, cost = None, float(costs[k])
+                if radius > NEAR:
+                    end = (box[:2] + box[2:]) / 2 - u * (reach + self.scale)
+                    leader = np.linspace(at + u * POINT_RADIUS * self.scale, end, int(radius // 3) + 2)
+                    cost += self.cost_of_line(leader, at)
+                label.places.append((cost, Bbox.from_extents(*box), axis, (x, y), at, leader))
+        label.places.sort(key=lambda place: place[0])
+        return label
+
+    def costs(self, boxes):
+        """Of each box (rows x0, y0, x1, y1) 0 where it covers nothing; what it covers, and how far it leaves the panel."""
+        around = boxes + np.array([-1.5, -1.5, 1.5, 1.5]) * self.scale
+        x0, y0, x1, y1 = around.T
+        frame = self.frame
+        outside = (np.maximum(0, x1 - frame.x1) + np.maximum(0, frame.x0 - x0) + np.maximum(0, y1 - frame.y1) +
+                   np.maximum(0, frame.y0 - y0))
+        width = np.minimum(x1[:, None], self.fixed[:, 2]) - np.maximum(x0[:, None], self.fixed[:, 0])
+        height = np.minimum(y1[:, None], self.fixed[:, 3]) - np.maximum(y0[:, None], self.fixed[:, 1])
+        common = np.where((width > 0) & (height > 0), width * height, 0.0)
+        covered = np.sum((common > 0) + common / ((x1 - x0) * (y1 - y0))[:, None], axis=1)
+        x, y = self.line.T
+        on_curve = (x > x0[:, None]) & (x < x1[:, None]) & (y > y0[:, None]) & (y < y1[:, None])
+        return 10 * covered + 1.5 * np.sum(on_curve, axis=1) + 2 * outside
+
+    def cost_of_line(self, leader, at):
+        """What a label's line to its point at `at` runs over."""
+        x, y = leader.T[:, :, None]
+        on = (self.fixed[:, 0] < x) & (x < self.fixed[:, 2]) & (self.fixed[:, 1] < y) & (y < self.fixed[:, 3])
+        on &= ~((self.fixed[:, 0] < at[0]) & (at[0] < self.fixed[:, 2]) & (self.fixed[:, 1] < at[1]) &
+                (at[1] < self.fixed[:, 3]))  # what is at the point itself is no hindrance
+        cost = 0.5 + 1.5 * int(np.sum(on.any(axis=1)))
+        if len(self.line):
+            gaps = np.min(np.linalg.norm(self.line[None] - leader[:, None], axis=2), axis=1)
+            cost += 0.3 * int(np.sum(gaps < 2 * self.scale))
+        return cost
+
+    def is_own(self, place):
+        """True where no point of another curve could be meant."""
+        _, box, _, _, at, _ = place
+        centre = np.array([(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2])
+        mine = {curve for pixel, curve in self.points if np.allclose(pixel, at)}
+        reach = math.dist(centre, at) * OWN
+        return all(curve in mine and math.dist(centre, pixel) >= math.dist(centre, at) - 1e-6
+                   or math.dist(centre, pixel) > reach for pixel, curve in self.points)
+
+    def put(self, label):
+        _, box, axis, anchor, at, leader = label.taken
+        offset = ((box.x0 + box.x1) / 2 - at[0]) / self.scale, ((box.y0 + box.y1) / 2 - at[1]) / self.scale
+        axis.annotate(label.text, anchor, xytext=offset, textcoords="offset points", ha="center", va="center",
+                      color=label.colour, fontsize=label.size, weight=label.weight, zorder=5, annotation_clip=False)
+        if leader is not None:
+            self.line_to(leader[0], leader[-1], label.colour)
+        return label.taken
+
+    def line_to(self, start, end, colour):
+        (x0, y0), (x1, y1) = self.share(start), self.share(end)
+        self.figure.add_artist(Line2D([x0, x1], [y0, y1], color=colour, linewidth=0.8, alpha=0.6, zorder=4.5))
+
+    def share(self, pixel):
+        """A pixel as shares of the figure, which hold for any resolution that it is saved in."""
+        return self.figure.transFigure.inverted().transform(pixel)
 
 
-def overlap(a, b):
-    """The common area, in square pixels."""
-    width = min(a.x1, b.x1) - max(a.x0, b.x0)
-    height = min(a.y1, b.y1) - max(a.y0, b.y0)
-    return width * height if width > 0 and height > 0 else 0.0
+def best_among(places, others, scale):
+    """The place that costs least; places are sorted by what they cost without others."""
+    best, least = None, math.inf
+    for place in places:
+        if place[0] >= least:
+            break
+        cost = place[0] + among(place, others, scale)
+        if cost < least:
+            best, least = place, cost
+    return best
+
+
+def among(place, others, scale):
+    """What a place costs where labels stand at `others`."""
+    _, box, _, _, _, leader = place
+    padded, cost = box.padded(2 * scale), 0.0
+    for _, other, _, _, _, line in others:
+        cost += 20 * padded.overlaps(other)
+        if line is not None:
+            cost += 2 * int(np.sum(inside(padded, line)))
+        if leader is not None:
+            cost += 2 * int(np.sum(inside(other.padded(2 * scale), leader)))
+        if leader is not None and line is not None:
+            cost += 1.0 * bool(np.min(np.linalg.norm(line[None] - leader[:, None], axis=2)) < 3 * scale)
+    return cost
+
+
+def inside(box, points):
+    """Which of the points lie in the box."""
+    if not len(points):
+        return np.zeros(0, bool)
+    return (points[:, 0] > box.x0) & (points[:, 0] < box.x1) & (points[:, 1] > box.y0) & (points[:, 1] < box.y1)
+
+
+def spaced(heights, step, low, high):
+    """Rising heights moved as little as possible so that neighbours are `step` apart, and kept between low and high where
+    they fit: neighbours that would touch are moved as one, about their mean."""
+    groups = []  # [sum of wished heights of the lowest, count]
+    for i, height in enumerate(heights):
+        groups.append([height, 1])
+        while len(groups) > 1:
+            (a, n), (b, m) = groups[-2:]
+            if a / n + n * step <= b / m:
+                break
+            groups[-2:] = [[a + b - m * n * step, n + m]]
+    found = []
+    for total, count in groups:
+        first = min(max(total / count, low), high - (count - 1) * step)
+        first = max(first, found[-1] + step) if found else first
+        found += [first + k * step for k in range(count)]
+    return found

@@ -19,15 +19,29 @@ class Limits:
         drawable = chart.drawable
         self.zero_x = any(chart.x.is_zero(p) for p in drawable)
         self.zero_y = any(chart.y.is_zero(p) for p in drawable)
-        self.x = limits_of(chart.x, drawable, [], 0.22, 0.22)
+        self.x = limits_of(chart.x, drawable, [], *room_beside(chart))
         lines = [line for scenes in chart.panels for line in lines_of(chart, scenes)[:2]]
-        self.y = limits_of(chart.y, drawable, [line for line in lines if line], 0.10, 0.18)
+        self.y = limits_of(chart.y, drawable, [line for line in lines if line], 0.10, 0.30 if chart.x.kind == "time" else 0.12)
+        if chart.y.kind == "method":
+            self.y = len(chart.methods) - 0.4, -0.6  # the first above
+
+
+def room_beside(chart):
+    """The room for labels left and right of the curves, as shares of what they span: over a knob all stand right."""
+    if chart.y.kind == "method":
+        return 0.08, 0.75
+    if chart.x.kind != "knob":
+        return 0.26, 0.22
+    longest = max(len(chart.curve_name(method, curve)) for method, curve in chart.curves(chart.drawable))
+    label = (24 + 7.6 * longest) / (700 / chart.columns)
+    return 0.05, label / (1 - min(label, 0.6))
 
 
 def limits_of(axis, points, lines, below, above):
     """The range of all values, their quartiles, and of those lines that are less than a decade away: others would
     squeeze the points. `below` and `above`: the room for labels at the ends, as a share of the whole."""
-    values = [value for p in points for value in axis.spread(p) if math.isfinite(value) and (value > 0 or not axis.log)]
+    values = [value for p in points for value in axis.spread(p)
+              if math.isfinite(value) and (value > 0 or not axis.log) and not axis.is_zero(p)]
     if not values:
         return None
     if not axis.log:
@@ -51,7 +65,8 @@ def lines_of(chart, scenes):
     upright axis is an error: over several scenes the least step and the largest doubt. None where there is none."""
     if chart.y.kind != "error":
         return None, None, False
-    steps = [chart.study.one_step(scene, chart.y.name) for scene in scenes]
+    steps = [(chart.enough["at"], True) if chart.enough else chart.study.one_step(scene, chart.y.name)
+             for scene in scenes]
     step, measured = min(steps, key=lambda pair: pair[0] or math.inf)
     doubts = [chart.study.doubling_change(scene, chart.y.name) or 0 for scene in scenes]
     return step, max(doubts) or None, measured
@@ -76,6 +91,7 @@ class Panel:
         self.cells = {cell: figure.add_subplot(at) for cell, at in zip(cells, places)}
         self.first_column, self.last_row, self.columns, self.rows = columns[0], rows[-1], columns, rows
         self.main = self.cells.get((False, False))
+        self.step = None  # where a dashed line is drawn
 
     def draw(self, points: list, title: str, x_label: bool, y_label: bool):
         self.prepare(x_label, y_label)
@@ -85,10 +101,20 @@ class Panel:
         self.draw_front(front)
         curves = []
         for method, curve in self.chart.curves(points):
-            i = self.chart.study.methods.index(method)
-            self.draw_curve(curve, COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)])
-            curves.append((method, curve, COLOURS[i % len(COLOURS)]))
-        self.label(curves, front, self.draw_lines(points))
+            colour, i = colour_of(self.chart, method), self.chart.study.methods.index(method)
+            self.draw_curve(curve, colour, MARKERS[i % len(MARKERS)])
+            curves.append((method, curve, colour))
+        enough = self.chart.enough_of(points)
+        if enough:
+            self.axis_of(enough).scatter(*[[value] for value in self.at(enough)], s=210, facecolor="none",
+                                         edgecolor=INK, linewidth=2, zorder=4.2)
+        notes = self.draw_lines(points)
+        if self.chart.y.kind == "method":
+            self.label_rows(points)
+        elif self.chart.x.kind == "knob":
+            self.label_ends(curves)
+        else:
+            self.label(curves, front, notes, enough)
 
     def prepare(self, x_label: bool, y_label: bool):
         for (zero_x, zero_y), axis in self.cells.items():
@@ -96,13 +122,16 @@ class Panel:
             axis.set_axisbelow(True)
             if zero_x or zero_y:
                 axis.set_facecolor("#f4f6f8")
-            prepare_direction(axis, "x", None if zero_x else self.limits.x, self.chart.x.log, 2.5)
-            prepare_direction(axis, "y", None if zero_y else self.limits.y, self.chart.y.log, 2)
+            prepare_direction(axis, "x", None if zero_x else self.limits.x, self.chart.x, 2.5)
+            prepare_direction(axis, "y", None if zero_y else self.limits.y, self.chart.y, 2)
+            if self.chart.y.kind == "method":
+                self.name_rows(axis, y_label)
             if zero_y != self.last_row:
                 axis.tick_params(labelbottom=False, bottom=False, which="both")
                 axis.spines["bottom"].set_visible(False)
+            if zero_x != self.first_column or not y_label:  # panels share their axes
+                axis.tick_params(labelleft=False, left=zero_x == self.first_column, which="both")
             if zero_x != self.first_column:
-                axis.tick_params(labelleft=False, left=False, which="both")
                 axis.spines["left"].set_visible(False)
         if x_label:
             self.cells[self.columns[-1], self.last_row].set_xlabel(self.chart.x.label())
@@ -113,13 +142,15 @@ class Panel:
         return self.cells[self.chart.x.is_zero(point), self.chart.y.is_zero(point)]
 
     def at(self, point):
-        return self.chart.x.value(point), self.chart.y.value(point)
+        """Where a point lies; in a strip, in its middle."""
+        x, y = self.chart.x, self.chart.y
+        return 0 if x.is_zero(point) else x.value(point), 0 if y.is_zero(point) else y.value(point)
 
     def anchor(self, point):
         """What chart_labels needs to stay clear of a point and its bars."""
         ends = []
         for axis in (self.chart.x, self.chart.y):
-            low, value, high = axis.spread(point)
+            low, value, high = (0, 0, 0) if axis.is_zero(point) else axis.spread(point)
             ends.append([end if math.isfinite(end) else value for end in (low, high)])
         return self.axis_of(point), *self.at(point), *ends
 
@@ -156,13 +187,17 @@ class Panel:
         notes = []
         low, high = self.limits.y
         step, doubling, measured = lines_of(self.chart, self.scenes)
+        right = 0 if self.chart.x.kind == "knob" else 1  # where curves are named at the right
         if step and low < step < high:
             self.main.axhline(step, color=QUIET, linewidth=1, dashes=(5, 3), zorder=1)
-            where = "" if measured else " at mid grey"
-            notes.append(self.note(f"one 8-bit step{where}", ((1, step, 0, 3), (0, step, 0, 3)), 9.5, points))
+            self.step = step
+            words = "one 8-bit step" if measured else "one 8-bit step at mid grey"
+            words = self.chart.enough_words or words
+            notes.append(self.note(words, ((right, step, 0, 3), (1 - right, step, 0, 3)), 9.5, points))
         if doubling and low < doubling < high:
             self.main.axhspan(low, doubling, facecolor="#eef0f3", zorder=0)
             places = ((1, doubling, -3, -12), (0, doubling, 3, -12), (1, low, -3, 4), (0, low, 3, 4))
+            places = places if right else places[1::2]
             notes.append(self.note("below: less than the truth is sure of", places, 9, points))
         return notes
 
@@ -177,47 +212,78 @@ class Panel:
                                       color=QUIET)
             box = note.get_window_extent(renderer).padded(5)
             if i == len(places) or not any(box.contains(*pixel) for pixel in at):
+                note.set_gid("label")
                 return note
             note.remove()
 
-    def label(self, curves: list, front: list, notes: list):
-        """Methods at an end of their curve, knob values at the points where there is room, the front's name. Over a
-        knob the other knobs' values stand at the ends of the curves."""
+    def label(self, curves: list, front: list, notes: list, enough):
+        """Methods at an end of their curve, knob values at the points where there is room, and what is enough."""
         labels = Labels(list(self.cells.values()))
         labels.avoid_texts(notes)
+        if self.step:
+            labels.avoid_line(self.main, self.step)
         for _, curve, _ in curves:
             labels.avoid_curve([self.anchor(p) for p in curve])
-        for method, colour in dict.fromkeys((method, colour) for method, _, colour in curves):
-            ends = [end for name, curve, _ in curves if name == method for end in (curve[-1], curve[0])]
-            labels.place(method, [self.anchor(p) for p in ends], colour, size=11.5,
-                         weight="bold", must=True)
-        if len(front) > 1:
-            ends = [front[0], front[-1]]
-            labels.place("Pareto front", [self.anchor(p) for p in ends], "#9a6b00", size=9.5, weight="normal",
-                         must=False)
+        for method, curve, colour in curves:
+            anchors = [self.anchor(p) for p in dict.fromkeys((curve[-1], curve[0], curve[len(curve) // 2]))]
+            alone = curve == [enough]
+            labels.want(f"{method}: enough" if alone else method, anchors, colour, size=11.5, weight="bold", must=True)
+            if enough in curve and not alone:
+                labels.want(f"enough: {method} {self.chart.label_of(enough)}", [self.anchor(enough)], INK, size=9.5,
+                            weight="bold", must=True)
         for _, curve, colour in curves:
-            if self.chart.x.kind == "knob":
-                labels.place(self.chart.label_of(curve[0]), [self.anchor(p) for p in (curve[-1], curve[0])], colour,
-                             size=8.5, weight="normal", must=False)
-            elif len(curve) > 1:
-                for p in curve:
-                    labels.place(self.chart.label_of(p), [self.anchor(p)], colour, size=8.5, weight="normal",
-                                 must=False)
+            for p in dict.fromkeys((curve[0], curve[-1], *curve)) if len(curve) > 1 else ():
+                labels.want(self.chart.label_of(p), [self.anchor(p)], colour, size=8.5, weight="normal", must=False)
+        labels.write()
+
+    def label_ends(self, curves: list):
+        """Over a knob: what each curve is, right of its end."""
+        Labels(list(self.cells.values())).column(
+            [(self.chart.curve_name(method, curve), self.anchor(curve[-1]), colour) for method, curve, colour in curves])
+
+    def name_rows(self, axis, named: bool):
+        """A row for each method, by its name and in its colour."""
+        axis.set_yticks(range(len(self.chart.methods)), self.chart.methods if named else [""] * len(self.chart.methods))
+        axis.tick_params(axis="y", length=0)
+        axis.grid(False, axis="y")
+        for method, tick in zip(self.chart.methods, axis.get_yticklabels()):
+            tick.set(color=colour_of(self.chart, method), fontsize=11.5, weight="bold")
+
+    def label_rows(self, points: list):
+        """What each row says, right of its point."""
+        for p in points:
+            right = self.chart.x.spread(p)[2]
+            self.axis_of(p).annotate(self.chart.row_text(p), (right, self.chart.y.value(p)), xytext=(11, 0),
+                                     textcoords="offset points", va="center", fontsize=9.5, color=INK, gid="label")
 
 
-def prepare_direction(axis, direction: str, limits, log: bool, few_decades: float):
+def colour_of(chart, method: str) -> str:
+    return COLOURS[chart.study.methods.index(method) % len(COLOURS)]
+
+
+def prepare_direction(axis, direction: str, limits, shown, few_decades: float):
     """Scale, ends and ticks of one direction; without limits it is a strip's, on which only 0 lies."""
     ticks = axis.xaxis if direction == "x" else axis.yaxis
     set_limits, set_scale = getattr(axis, f"set_{direction}lim"), getattr(axis, f"set_{direction}scale")
     if limits is None:
         set_limits(-1, 1)
-        getattr(axis, f"set_{direction}ticks")([0], ["0"])
+        getattr(axis, f"set_{direction}ticks")([0], [shown.zero_text])
         axis.grid(False, axis=direction)
         return
-    if log:
+    if shown.log:
         set_scale("log")
     set_limits(limits)
-    ticks.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    ticks.set_major_formatter(FuncFormatter(lambda value, _: tick_text(value)))
     ticks.set_minor_formatter(NullFormatter())
-    if log and math.log10(limits[1] / limits[0]) < few_decades:
+    if shown.log and math.log10(limits[1] / limits[0]) < few_decades:
         ticks.set_major_locator(LogLocator(10, subs=(1, 2, 5)))
+
+
+def tick_text(value: float) -> str:
+    """0.001, and 10⁻⁵ where there would be more zeros."""
+    if 0 < abs(value) < 0.99e-3 or abs(value) > 1.01e5:
+        exponent = math.floor(math.log10(abs(value)) + 1e-9)
+        power = "10" + str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+        factor = f"{value / 10 ** exponent:g}"
+        return power if factor == "1" else f"{factor}·{power}"
+    return f"{value:,.0f}" if abs(value) >= 1000 else f"{value:g}"

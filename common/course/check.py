@@ -10,9 +10,9 @@ per exercise on a line of its own:
     {"exercise": "02.phong", "ok": false, "passed": 11, "failed": 3,
      "first_failure": "phong(n·h = 0, shininess = 0) gave NaN, expected 0", "hint": "a sentence"}
 
-first_failure and hint are null or missing where there is nothing to say. A file that does not compile is a failure
-like any other; first_failure then holds the compiler's line. Exit code 0 if all are right, 1 if not, 2 if there is no
-such exercise. A program that prints nothing, or dies, or runs for more than half a minute per exercise, counts as open.
+first_failure and hint are null or missing where there is nothing to say; "note" says what was not looked at. A file
+that does not compile is a failure like any other; first_failure then holds the compiler's line. Exit code 0 if all are
+right, 1 if not, 2 if there is no such exercise. A program that prints nothing, or dies, or runs for more than half a minute per exercise, counts as open.
 
 The numbers come first. Where they are right the exercise's pictures are drawn too, those shots that name it in
 "exercises" (shots.py), twice: with the student's version of this one exercise, and with the references alone. Both are
@@ -187,7 +187,8 @@ def check_pictures(chapter: str, exercise: str, result: dict):
         build([f"check_{earlier}" for earlier in chapters() if earlier <= chapter])
         if waiting := still_open(chapter, exercise):
             more = f" and of {len(waiting) - 3} more" if len(waiting) > 3 else ""
-            result["note"] = f"its picture is compared once the numbers of {', '.join(waiting[:3])}{more} are right"
+            later = f"its picture is compared once the numbers of {', '.join(waiting[:3])}{more} are right"
+            result["note"] = "; ".join(filter(None, (result.get("note"), later)))
             return
     build([chapter, "compare"])
     for shot in wanted:

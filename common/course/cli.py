@@ -21,11 +21,13 @@ COMMANDS = {
     "check": "check",
     "progress": "check",
     "study": "study",
+    "stretch": "stretch",
     "quote": "text_check",
     "format": "format_tree",
     "fuzz": "fuzz",
     "handout": "handout",
     "grade": "grade",
+    "docs": "docs",
     "doctor": "doctor",
     "clean": "clean",
 }

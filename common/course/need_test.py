@@ -26,10 +26,12 @@ ROUNDS = "1"
 SAME = 1e-6   # a mean FLIP: how far a picture drawn anew may be from the one that was judged
 
 
-def sweep(study: dict, key: str = "curves") -> list[dict]:
-    """The study's points, each as the knobs that it sets."""
+def sweep(study: dict, key: str = "curves", scene: dict | None = None) -> list[dict]:
+    """The study's points, each as the knobs that it sets; without those that are not for a scene that sets `scene`."""
     points = []
     for curve in study[key]:
+        if any((scene or {}).get(name, value) != value for name, value in curve.get("where", {}).items()):
+            continue
         knobs = {name: values if isinstance(values, list) else [values]
                  for name, values in curve.get("set", {}).items()}
         points += [{"method": curve["method"], **dict(zip(knobs, values))}

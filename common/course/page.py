@@ -2,9 +2,12 @@
 
 import base64
 import io
+import os
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader
+
+from tree import BUILD, ROOT
 
 try:
     from PIL import Image
@@ -42,6 +45,14 @@ def chapter_title(chapter: str) -> str:
     """"02_lambert_phong" as a person writes it."""
     number, _, name = chapter.partition("_")
     return f"{number} {name.replace('_', ' ')}" if name else chapter
+
+
+def lesson_link(chapter: str, folder: Path) -> str:
+    """The chapter's lesson, from a folder: its page where ./course docs made it, else its text; empty without any."""
+    for path in (BUILD / "docs" / f"{chapter}.html", ROOT / "docs" / f"{chapter}.md"):
+        if path.exists():
+            return os.path.relpath(path, folder)
+    return ""
 
 
 TEMPLATES.filters["chapter_title"] = chapter_title

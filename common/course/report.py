@@ -25,7 +25,7 @@ import re
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
-from page import TEMPLATES, data_uri, page
+from page import TEMPLATES, data_uri, lesson_link, page
 from report_cards import Pictures, figures, read_result
 from tree import ROOT, relative, write_atomically
 
@@ -39,7 +39,7 @@ def write_report(results_dir: Path, out: Path):
     """Writes the page of the results in a folder. A folder without results gives a page that says so."""
     results = [read_result(path) for path in sorted(results_dir.glob("*.json"))]
     tests = [test for path in sorted(results_dir.glob("*.xml")) for test in read_junit(path)]
-    write_atomically(out, render(results, tests))
+    write_atomically(out, render(results, tests, out.parent))
 
 
 def read_junit(path: Path) -> list[dict]:
@@ -59,8 +59,8 @@ def is_ok(result: dict) -> bool:
     return result["ok"] if "ok" in result else all(row.get("ok") for row in result.get("rows", []))
 
 
-def render(results: list[dict], tests: list[dict]) -> str:
-    """The page's HTML."""
+def render(results: list[dict], tests: list[dict], folder: Path) -> str:
+    """The page's HTML, for a folder."""
     failed = [result for result in results if not is_ok(result)]
     explained = {result.get("test", f"{result['kind']}.{result['chapter'][:2]}.{result.get('name')}")
                  for result in failed}
@@ -72,7 +72,8 @@ def render(results: list[dict], tests: list[dict]) -> str:
     return page("report.html", results=results, failed=failed, broken=broken, kinds=KINDS, pictures=Pictures(),
                 counted=[f"{count} {what}" for count, what in counts if count],
                 tests=sorted(tests, key=lambda test: (test["ok"], test["name"])),
-                chapters=[chapter(name, [result for result in results if result["chapter"] == name]) for name in names])
+                chapters=[chapter(name, [result for result in results if result["chapter"] == name])
+                          | {"lesson": lesson_link(name, folder)} for name in names])
 
 
 def chapter(name: str, results: list[dict]) -> dict:

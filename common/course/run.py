@@ -65,10 +65,10 @@ def draw_gallery() -> int:
     known, keys = read_keys(folder), {chapter: key_of(chapter) for chapter in chapters()}
     stale = [picture for picture in pictures
              if known.get(picture["image"]) != keys[picture["chapter"]] or not (folder / picture["image"]).exists()]
-    if stale or not (folder / "index.html").exists():
-        start_s = time.monotonic()
-        draw(folder, stale)
-        write_gallery(pictures, folder / "index.html")
+    start_s = time.monotonic()
+    draw(folder, stale)
+    write_gallery(pictures, folder / "index.html")  # with nothing to draw, too: lessons may have got pages
+    if stale:
         drawn = {picture["image"]: keys[picture["chapter"]] for picture in pictures if not picture["error"]}
         write_atomically(folder / "drawn.json", json.dumps(drawn))
         warn(f"drew {len(stale)} pictures in {time.monotonic() - start_s:.1f} s")

@@ -4,17 +4,17 @@ docs/study_format.md has the keys of "charts". A study without them has one char
 """
 import math
 
-from study_file import METRICS, StudyError, number
+from study_file import METRICS, StudyError, figures, number
 
-KEYS = ("name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale")
+KEYS = ("name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale", "x_label", "panel", "enough")
 LOG_FROM = 10  # a knob's axis is logarithmic where its largest value is at least that many times the smallest above 0
 
 
 class Axis:
     """What one axis shows: "time", a metric (`kind` "error") or "knob NAME"."""
 
-    def __init__(self, study, text, points, scale=None):
-        self.study, self.text = study, text
+    def __init__(self, study, text, points, scale=None, words=None):
+        self.study, self.text, self.words = study, text, words
         self.kind = "time" if text == "time" else "knob" if text.startswith("knob ") else "error"
         self.name = text.removeprefix("knob ")
         if self.kind == "knob":
@@ -55,16 +55,55 @@ class Axis:
         return math.isfinite(value) and (value > 0 or not self.log or (value == 0 and self.kind != "time"))
 
     def is_zero(self, point):
-        """True where the value has no place on a log axis and stands in a strip of its own."""
-        return self.log and self.value(point) == 0
+        """True where the value has no place on a log axis and stands in a strip of its own: 0, and an error of less than a
+        tenth of what the truth is not sure of, which is no more known to differ from 0."""
+        if not self.log or self.kind == "time":
+            return False
+        doubt = self.study.doubling_change(point.scene, self.name) or 0 if self.kind == "error" else 0
+        return self.value(point) == 0 or self.kind == "error" and self.value(point) < doubt / 10
+
+    @property
+    def zero_text(self):
+        """What stands at the strip."""
+        return "≈ 0" if any(self.is_zero(p) and self.value(p) for p in self.study.points if self.has(p)) else "0"
 
     def label(self, upright=False):
+        better = ("↓", "↑") if upright else ("←", "→")
+        if self.words:
+            return self.words
         if self.kind == "time":
-            return self.study.time_label.replace("faster to the right", "faster above") if upright else \
-                self.study.time_label
+            return f"{self.study.time_label}  ({better[self.study.higher_is_faster]} faster)"
         if self.kind == "knob":
             return self.name.replace("_", " ")
-        return f"error: {METRICS[self.name][0]}" if self.name in METRICS else self.study.metric_label(self.name)
+        words = f"error: {METRICS[self.name][0]}" if self.name in METRICS else self.study.metric_label(self.name)
+        return f"{words}  ({better[0]} less is better)"
+
+
+class Rows:
+    """The upright axis of a chart that has a row for each method in place of an error."""
+
+    kind, name, log, zero_text = "method", "method", False, "0"
+
+    def __init__(self, methods):
+        self.methods = methods
+
+    def has(self, _):
+        return True
+
+    def value(self, point):
+        return self.methods.index(point.method)
+
+    def spread(self, point):
+        return (self.value(point),) * 3
+
+    def can_show(self, _):
+        return True
+
+    def is_zero(self, _):
+        return False
+
+    def label(self, upright=False):
+        return ""
 
 
 class Chart:
@@ -100,8 +139,14 @@ class Chart:
             self.keep(name)
         if str(entry.get("y", "")).startswith("knob "):
             raise StudyError(f'"y" is "{entry["y"]}", expected "time" or a metric')
-        self.x = Axis(study, entry.get("x", "time"), self.points, entry.get("x_scale"))
-        self.y = Axis(study, entry.get("y", study.metric), self.points)
+        self.enough = entry.get("enough")
+        self.x = Axis(study, entry.get("x", "time"), self.points, entry.get("x_scale"), entry.get("x_label"))
+        self.y = Rows(self.methods) if entry.get("y") == "method" else \
+            Axis(study, entry.get("y", study.metric), self.points)
+        if self.y.kind == "method" and self.x.kind != "time":
+            raise StudyError('"y" is "method", which needs "x": "time"')
+        if self.enough is not None and (not isinstance(self.enough, dict) or set(self.enough) != {"at", "text"}):
+            raise StudyError(f'"enough" is {self.enough}, expected {{"at": NUMBER, "text": WORDS}}')
 
     @property
     def kept(self):
@@ -160,6 +205,51 @@ class Chart:
         if set(axes) != {"time", "error"}:
             return []
         return self.study.front_of([p for p in points if p in self.drawable], axes["error"].value)
+
+    @property
+    def columns(self):
+        """How many panels stand side by side."""
+        count = len(self.panels)
+        return count if count <= 3 else 2 if count == 4 else 3
+
+    def panel_title(self, scenes):
+        """What a panel shows: "panel" with the scene's name put in, the name alone without it."""
+        if len(self.panels) == 1:
+            return ""
+        knobs = next(p.knobs for p in self.points if p.scene == scenes[0])
+        return self.entry.get("panel", "{scene}").format(scene=scenes[0], **knobs)
+
+    def curve_name(self, method, curve):
+        """Over a knob, what stands at a curve's end: a method has several for several values of other knobs."""
+        return ", ".join(word for word in (method, self.label_of(curve[0])) if word)
+
+    def row_text(self, point):
+        """What a row says of its point: its time and its error."""
+        unit = "ULP" if self.study.metric == "ulp" else self.study.metric_label(self.study.metric)
+        error = "no error" if point.error == 0 else f"off by {figures(point.error)} {unit}"
+        return f"{figures(point.time[1])} {self.study.unit}\n{error}"
+
+    @property
+    def enough_words(self):
+        return self.enough["text"] if self.enough else ""
+
+    def enough_of(self, points):
+        """The fastest point whose error is at most the chart's own "enough", or without it below that of one 8-bit step: a
+        mean FLIP hides what is wrong in few pixels, so its 99th percentile has to be, too. None where neither is known,
+        or the axes are not time and error."""
+        if self.y.kind == "method":
+            metrics = [self.study.metric]
+        elif {self.x.kind, self.y.kind} == {"time", "error"}:
+            name = self.x.name if self.x.kind == "error" else self.y.name
+            metrics = [name] if self.enough or name != "flip_mean" else ["flip_mean", "flip_p99"]
+        else:
+            return None
+        good = [p for p in points if p in self.drawable and all(self.is_enough(p, metric) for metric in metrics)]
+        return min(good, key=lambda p: (-1 if self.study.higher_is_faster else 1) * p.time[1], default=None)
+
+    def is_enough(self, point, metric):
+        bound = self.enough["at"] if self.enough else self.study.one_step(point.scene, metric)[0]
+        return bound is not None and number(point.data["error"].get(metric)) <= bound
 
     def missing(self):
         """{why: methods} of points that have no place in the chart."""

@@ -115,7 +115,7 @@ class Study:
     @property
     def time_label(self):
         if self.unit == "MB/s":
-            return "throughput (MB/s), faster to the right"
+            return "throughput, MB/s"
         return "CPU time (software rasteriser), ms" if self.software else "GPU time, ms"
 
     def one_step(self, scene, metric):

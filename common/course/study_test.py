@@ -21,11 +21,23 @@ SIZE = [480, 270]  # or the study's "test_size": where its frames are slow, a te
 OWN_LOADERS = ("textbook", "scan", "parallel")
 
 
-def quick_run(chapter: str, name: str, **environment) -> dict:
+def study_to_test(chapter: str) -> dict:
+    """The chapter's study, with no other scenes than "test_scenes" where it names some: for scenes that are slow."""
+    study = study_of(chapter)
+    if "test_scenes" in study:
+        study["scenes"] = [scene for scene in study["scenes"] if SceneEntry(scene).label in study["test_scenes"]]
+    return study
+
+
+def quick_run(chapter: str, name: str, study: dict, **environment) -> dict:
     """The study at a small size and with one round of timing."""
     file = BUILD / "study" / f"{name}.{chapter}.json"
-    size = "x".join(str(side) for side in study_of(chapter).get("test_size", SIZE))
+    size = "x".join(str(side) for side in study.get("test_size", SIZE))
     file.parent.mkdir(parents=True, exist_ok=True)
+    if "test_scenes" in study:
+        short = file.with_suffix(".study.json")
+        short.write_text(json.dumps(study))
+        environment["LIGHTWALK_STUDY_FILE"] = str(short)
     file.with_name(file.name + ".partial").unlink(missing_ok=True)
     done = run_program([chapter_program(chapter), "--study", file, "--size", size], LIGHTWALK_STUDY_ROUNDS="1",
                        **environment)
@@ -35,11 +47,11 @@ def quick_run(chapter: str, name: str, **environment) -> dict:
 
 
 def rows_of(chapter: str) -> list[dict]:
-    study = study_of(chapter)
-    first = quick_run(chapter, "quick")
+    study = study_to_test(chapter)
+    first = quick_run(chapter, "quick", study)
     if first["subject"] == "loader":
         return loader_rows(first)
-    again = quick_run(chapter, "again", LP_NUM_THREADS="1")
+    again = quick_run(chapter, "again", study, LP_NUM_THREADS="1")
     errors = [[(point["scene"], point["method"], point["error"]) for point in run["points"]] for run in (first, again)]
     differ = [a for a, b in zip(*errors) if a != b]
     rows = [{"case": "a second run, with one thread", "inputs": f"{len(errors[0])} points", "worst": len(differ),
@@ -65,7 +77,7 @@ def frame_rows(study: dict, measured: dict) -> list[dict]:
                  "bound": "0 points", "ok": not unfit,
                  "text": f"{unfit[0]['scene']} {unfit[0]['method']}" if unfit else "none"})
     wanted = {(scene.label, point_key({**scene.set, **knobs})) for scene in map(SceneEntry, study["scenes"])
-              for knobs in sweep(study)}
+              for knobs in sweep(study, scene=scene.set)}
     found = {(point["scene"], point_key({"method": point["method"], **point["knobs"]})) for point in points}
     rows.append({"case": "points measured", "inputs": f"{len(wanted)} wanted", "worst": len(found),
                  "bound": len(wanted), "ok": found == wanted,

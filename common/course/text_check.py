@@ -1,4 +1,4 @@
-"""Checks what is written: lessons' quotes, links, credits, what each chapter must have, the layout of the code.
+"""Checks what is written: lessons' quotes, links, lengths and diagrams, credits, what each chapter must have, the layout of the code.
 
 A lesson quotes code by a marker. In docs/NN_name.md
 
@@ -13,14 +13,17 @@ without their indentation; other markers within them are left out.
 As a program it prints what is wrong, one "file:line: what" each, and ends with 1 if there is any.
 """
 
+import contextlib
 import fnmatch
+import importlib.util
 import re
 import sys
 from pathlib import Path
 
+from check import grades
 from format_tree import unformatted
 from shots import measured_distances
-from tree import ROOT, Failure, chapters, exercises, files, say, shots, write_atomically
+from tree import ROOT, Failure, chapters, exercises, files, relative, say, shots, write_atomically
 
 HELP = "Fills the code that lessons quote (<!-- quote: FILE#MARKER --> before a block of code) from the source."
 
@@ -28,6 +31,7 @@ QUOTE = re.compile(r"\s*<!-- quote: (\S+?)#(\S+) -->\s*$")
 FENCE = re.compile(r"\s*(```+|~~~+)")
 MARKER = re.compile(r"\s*(?://|#) \[(/?)([\w.-]+)\]\s*$")
 LINK = re.compile(r"!?\[[^\]]*\]\(<?([^)\s>]+)>?[^)]*\)|(?:src|href)=[\"']([^\"']+)[\"']")
+LESSON_WORDS = 4000  # at most, before "Further reading", counted as `wc -w` does
 # Paths that mean something on one machine only.
 PRIVATE = re.compile(r"(?<![\w.])/(?:%s)/\w" % "|".join(["work", "root", "home", "Users"]))
 
@@ -186,6 +190,60 @@ def check_private_paths(name: Path) -> list[str]:
             for number, line in enumerate(lines, 1) if PRIVATE.search(line)]
 
 
+def check_lesson(chapter: str) -> list[str]:
+    """A lesson can be read in one sitting, names no chapter that is not there, and states its exercises in full."""
+    name = Path(f"docs/{chapter}.md")
+    if not (ROOT / name).exists():
+        return []
+    lines = (ROOT / name).read_text().splitlines()
+    end = next((i for i, line in enumerate(lines) if line.startswith("## Further reading")), len(lines))
+    count = sum(len(line.split()) for line in lines[:end])
+    wrong = [f"{name}: {count} words before its further reading; a lesson has at most {LESSON_WORDS}"] \
+        if count > LESSON_WORDS else []
+    text = "\n".join(lines)
+    if "## Exercises" in lines:
+        graded = grades(chapter)
+        wrong += [f"{name}: there is no heading '### {exercise} (easy)', or medium, or hard"
+                  for exercise in exercises(chapter) if exercise not in graded]
+        harder = ["easy", "medium", "hard"]
+        if sorted(graded.values(), key=harder.index) != list(graded.values()):
+            wrong.append(f"{name}: a harder exercise stands before an easier one")
+        wrong += [f"{name}: it does not quote {relative(path)}#{marker[2]}, what the exercise asks for"
+                  for path in exercises(chapter).values() for marker in map(MARKER.match, path.read_text().splitlines())
+                  if marker and not marker[1] and f"<!-- quote: {relative(path)}#{marker[2]} -->" not in text]
+    there = {other[:2] for other in chapters()}
+    return wrong + [f"{name}:{number}: there is no chapter {other}" for number, line in prose(name)
+                    for group in re.findall(r"[Cc]hapters? (\d\d(?:(?:, | and | to )\d\d)*)", line)
+                    for other in re.findall(r"\d\d", group) if other not in there]
+
+
+def check_figures() -> list[str]:
+    """docs/images/NAME.svg is what docs/figures/NAME.py draws, and a lesson shows it."""
+    folder, wrong = ROOT / "docs/figures", []
+    shown = "".join((ROOT / name).read_text() for name in lessons())
+    scripts = {path.stem: path for path in sorted(folder.glob("*.py")) if re.search(r"^def draw\(", path.read_text(), re.M)}
+    for image in (name for name in files() if name.match("docs/images/*.svg")):
+        if image.stem not in scripts:
+            wrong.append(f"{image}: no docs/figures/{image.stem}.py draws it")
+        if f"images/{image.name}" not in shown:
+            wrong.append(f"{image}: no lesson shows it")
+    sys.path.insert(0, str(folder))
+    for name, path in scripts.items():
+        spec = importlib.util.spec_from_file_location(f"figure_{name}", path)
+        module, image = importlib.util.module_from_spec(spec), Path(f"docs/images/{name}.svg")
+        try:
+            with contextlib.redirect_stdout(sys.stderr):
+                spec.loader.exec_module(module)
+                drawn = module.draw().svg()
+        except Exception as error:  # whatever a figure's script may do wrong
+            wrong.append(f"docs/figures/{name}.py: {error}")
+            continue
+        if not (ROOT / image).exists() or (ROOT / image).read_text(encoding="utf-8") != drawn:
+            wrong.append(f"{image}: not what its script draws; python3 docs/figures/{name}.py")
+    sys.path.remove(str(folder))
+    return wrong
+
+
 def braces(pattern: str) -> list[str]:
     """a_{b,c}.png as a_b.png and a_c.png."""
     match = re.search(r"\{([^}]*)\}", pattern)
@@ -222,7 +280,8 @@ def check_all() -> list[str]:
             wrong += check_quotes(name) + check_links(name)
         wrong += check_private_paths(name)
     wrong += [f"{name}: not as clang-format writes it; ./course format does" for name in unformatted()]
-    return wrong + check_chapters() + check_credits()
+    wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
+    return wrong + check_chapters() + check_credits() + check_figures()
 
 
 if __name__ == "__main__":

@@ -44,7 +44,6 @@ void Frame::begin(glm::uvec2 size_in_pixels, float time_in_seconds) {
     if (use_) gpu.device.end_use(std::exchange(use_, 0));  // a frame that was recorded and not submitted
     if (size != size_in_pixels) {
         size = size_in_pixels;
-        images_.clear();
         hdr = Image(gpu.device, {.name = "hdr", .format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = size});
         depth = Image(gpu.device, {.name = "depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
         mean_ = Image();
@@ -88,6 +87,12 @@ VkCommandBuffer Frame::begin_pass(const std::string& name, const char* stage) {
     gpu.device.begin_label(commands, name.c_str());
     vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
                          2 * static_cast<uint32_t>(passes_.size() - 1));
+    if (gpu.device.software()) {
+        // Mesa's rasteriser, once it has drawn, writes a time when it draws next, but computes at once: wait for the
+        // time.
+        const VkDependencyInfo nothing{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+        vkCmdPipelineBarrier2(commands, &nothing);
+    }
     return commands;
 }
 
@@ -125,7 +130,7 @@ void Frame::run_after_pass(size_t outputs_before) {
 
 void Frame::raster(const std::string& name, const RasterTargets& targets, const std::function<void(Raster&)>& record) {
     const size_t outputs_before = outputs.size();
-    const Rendering rendering(name, targets, size);
+    const Rendering rendering(name, targets, size, shows_discarded);
     const std::vector<const Given*> given = all_given(name, targets.with, root);
     const std::vector<Stated> stated = state(name, with_given(targets.reads, given), targets.writes, &targets);
     const VkCommandBuffer commands = begin_pass(name, "raster");
@@ -182,14 +187,6 @@ void Frame::transfer(const std::string& name, const ComputeAccess& access,
                        barriers.record(commands);
                        end_pass();
                    });
-}
-
-Image& Frame::image(const std::string& name, Image::Desc desc) {
-    desc.name = name;
-    if (desc.cube && desc.layers == 1) desc.layers = 6;
-    const auto it = images_.find(name);
-    if (it != images_.end() && it->second.desc == desc) return it->second;
-    return images_[name] = Image(gpu.device, desc);
 }
 
 }  // namespace lightwalk

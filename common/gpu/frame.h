@@ -72,10 +72,6 @@ class Frame {
     void read_back(const Buffer& buffer, ReadBack& into);
     void read_back(const ImageView& view, ReadBack& into);
 
-    /// An image by name that lives until the frame's size changes, or it is asked for with another description: for a
-    /// pass's intermediate results. What recorded passes use of the old one lives until the frame has ended.
-    Image& image(const std::string& name, Image::Desc desc);
-
     /// Submits and waits. A pass that takes longer than Device::timeout_ns from the end of the one before ends the
     /// process with its name. Fills `times`.
     void end(VkSemaphore wait = VK_NULL_HANDLE, VkSemaphore signal = VK_NULL_HANDLE);
@@ -85,6 +81,10 @@ class Frame {
 
     /// What each pass of this frame wrote, in order, to look at: 2-D images with one sample.
     std::vector<std::pair<std::string, ImageView>> outputs;
+
+    /// For checks: a target that a pass discards gets what nobody takes for a picture. Most devices leave there what
+    /// was before, and who relies on it is right by chance.
+    bool shows_discarded = false;
 
     /// Called after each pass that wrote an image, before a later pass can overwrite it: for whoever wants to look.
     std::function<void()> after_pass;
@@ -117,7 +117,6 @@ class Frame {
     bool in_pass_ = false;
     uint64_t use_ = 0;  ///< Device::begin_use; 0: not recording
     std::vector<VkCommandBuffer> free_commands_;
-    std::map<std::string, Image> images_;
     Image mean_;
     Owned<VkCommandPool, vkDestroyCommandPool> pool_;
     Owned<VkQueryPool, vkDestroyQueryPool> queries_;

@@ -9,6 +9,7 @@ namespace lightwalk {
 
 void Frame::end(VkSemaphore wait, VkSemaphore signal) {
     const size_t count = passes_.size();
+    times.clear();
     if (count == 0) {
         if (use_) gpu.device.end_use(std::exchange(use_, 0));
         return;
@@ -71,7 +72,6 @@ void Frame::read_times() {
                                 VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
           "vkGetQueryPoolResults");
     const double tick_ms = static_cast<double>(gpu.device.properties.limits.timestampPeriod) * 1e-6;
-    times.clear();
     for (size_t i = 0; i < passes_.size(); ++i)
         times.push_back(
             {passes_[i].name, passes_[i].stage, static_cast<double>(stamps[2 * i + 1] - stamps[2 * i]) * tick_ms});

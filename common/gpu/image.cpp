@@ -16,6 +16,8 @@ VkImageUsageFlags usage_of(const Device& device, const Image& image) {
         VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     // Writing samples one by one in a shader takes a feature of its own.
     if (has & VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT && image.desc.samples == 1) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
+    // Through codes(): every device has 8-bit storage images.
+    if (image.desc.format == VK_FORMAT_R8G8B8A8_SRGB && image.desc.samples == 1) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     if (has & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     if (image.is_depth()) usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     return usage;
@@ -51,7 +53,14 @@ Image::Image(Device& device, const Desc& wanted) : Image() {
     VkImageCreateFlags flags = 0;
     if (desc.cube) flags |= VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
     if (desc.depth) flags |= VK_IMAGE_CREATE_2D_ARRAY_COMPATIBLE_BIT;  // its slices are targets
+    usage_ = usage_of(device, *this);
+    writes_codes_ = desc.format == VK_FORMAT_R8G8B8A8_SRGB && usage_ & VK_IMAGE_USAGE_STORAGE_BIT;
+    if (writes_codes_) flags |= VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT | VK_IMAGE_CREATE_EXTENDED_USAGE_BIT;
+    constexpr VkFormat both[]{VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM};
+    const VkImageFormatListCreateInfo formats{
+        .sType = VK_STRUCTURE_TYPE_IMAGE_FORMAT_LIST_CREATE_INFO, .viewFormatCount = 2, .pViewFormats = both};
     const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                 .pNext = writes_codes_ ? &formats : nullptr,
                                  .flags = flags,
                                  .imageType = desc.depth ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D,
                                  .format = desc.format,
@@ -59,7 +68,7 @@ Image::Image(Device& device, const Desc& wanted) : Image() {
                                  .mipLevels = desc.mips,
                                  .arrayLayers = desc.layers,
                                  .samples = static_cast<VkSampleCountFlagBits>(desc.samples),
-                                 .usage = usage_of(device, *this)};
+                                 .usage = usage_};
     check_supported(device, info, desc.name);
     check(vkCreateImage(device.handle, &info, nullptr, &handle), ("image " + desc.name).c_str());
     device.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(handle), desc.name);
@@ -94,6 +103,8 @@ void Image::swap(Image& other) noexcept {
     std::swap(constant, other.constant);
     std::swap(device_, other.device_);
     std::swap(owned_, other.owned_);
+    std::swap(usage_, other.usage_);
+    std::swap(writes_codes_, other.writes_codes_);
     std::swap(memory_, other.memory_);
     std::swap(views_, other.views_);
     for (auto& [view, made] : views_) view.image = this;

@@ -20,6 +20,7 @@ struct ImageView {
     uint32_t first_mip = 0, mips = 0;
     uint32_t first_layer = 0, layers = 0;
     VkImageViewType type = VK_IMAGE_VIEW_TYPE_2D;
+    VkFormat format = VK_FORMAT_UNDEFINED;  ///< undefined: the image's own
 
     ImageView() = default;
     ImageView(const Image& whole);
@@ -36,6 +37,9 @@ struct ImageView {
     ImageView layer_range(uint32_t first, uint32_t count) const;
     /// The same layers as an array, though the image is a cube or has one layer.
     ImageView as_array() const;
+    /// The codes of an sRGB image as they are, R8G8B8A8_UNORM, to be read or written: no storage image encodes. Any
+    /// other view is returned as it is.
+    ImageView codes() const;
 
     /// Of its first mip, in texels; z is 1 but for a volume.
     glm::uvec3 size() const;
@@ -99,6 +103,8 @@ class Image {
     void swap(Image& other) noexcept;
     Device* device_ = nullptr;
     bool owned_ = true;
+    VkImageUsageFlags usage_ = 0;
+    bool writes_codes_ = false;  ///< its storage views are codes()
     VkDeviceMemory memory_ = VK_NULL_HANDLE;
     mutable std::vector<std::pair<ImageView, VkImageView>> views_;
 };

@@ -51,6 +51,12 @@ ImageView ImageView::layer(uint32_t i) const {
 
 ImageView ImageView::as_array() const { return layer_range(0, layers); }
 
+ImageView ImageView::codes() const {
+    ImageView result = *this;
+    if (image->desc.format == VK_FORMAT_R8G8B8A8_SRGB) result.format = VK_FORMAT_R8G8B8A8_UNORM;
+    return result;
+}
+
 glm::uvec3 ImageView::size() const {
     const glm::uvec3 whole(image->desc.size, std::max(image->desc.depth, 1u));
     return glm::max(whole >> first_mip, glm::uvec3(1));
@@ -100,10 +106,16 @@ VkImageView ImageView::handle() const {
     for (const auto& [view, made] : image->views_)
         if (view == *this) return made;
     const Device& device = *image->device_;
+    const bool own = format == VK_FORMAT_UNDEFINED;
+    // What is written through codes() alone, a view in the image's own format cannot be used for.
+    const VkImageViewUsageCreateInfo without_storage{
+        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO,
+        .usage = image->usage_ & ~VkImageUsageFlags(VK_IMAGE_USAGE_STORAGE_BIT)};
     const VkImageViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                     .pNext = own && image->writes_codes_ ? &without_storage : nullptr,
                                      .image = image->handle,
                                      .viewType = type,
-                                     .format = image->desc.format,
+                                     .format = own ? image->desc.format : format,
                                      .subresourceRange = range()};
     // Its place first, so that the image destroys it whatever happens.
     VkImageView& made = image->views_.emplace_back(*this, VK_NULL_HANDLE).second;

@@ -104,6 +104,7 @@ std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_s
                 throw ShaderError("{}: '{}' is declared otherwise in another stage", stages.names[i], binding.name);
             it->second.stages |= stage_bit(stages.stages[i]);
             it->second.writable |= binding.writable;
+            it->second.readable |= binding.readable;
         }
     }
     uint32_t number = 0;

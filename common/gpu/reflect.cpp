@@ -118,6 +118,7 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
                 binding.members = members_of(compiler, list[i], base);
             } else if (type != VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER) {
                 binding.writable = writable(compiler, list[i], block);
+                binding.readable = !spvc_compiler_has_decoration(compiler, list[i].id, SpvDecorationNonReadable);
             }
             if (!spvc_compiler_get_binary_offset_for_decoration(compiler, list[i].id, SpvDecorationBinding,
                                                                 &binding.offset_of_number))

@@ -30,6 +30,7 @@ struct Binding {
     VkShaderStageFlags stages = 0;
     uint32_t bytes = 0;     ///< of a uniform block
     bool writable = false;  ///< a storage buffer or image without `readonly`
+    bool readable = true;   ///< an image without `writeonly`
     std::vector<BlockMember> members;
     uint32_t offset_of_number = 0;  ///< word of the module that holds the binding number
 };

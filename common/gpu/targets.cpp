@@ -91,14 +91,20 @@ Attachment resolve(Attachment from, const ImageView& into) {
     return from;
 }
 
-Rendering::Rendering(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size)
+Rendering::Rendering(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size, bool shows_discarded)
     : layers(targets.layers) {
-    for (const Attachment& target : targets.color) color_.push_back(add(pass, target, false));
-    if (targets.depth.view) depth_ = add(pass, targets.depth, true);
+    for (const Attachment& target : targets.color) color_.push_back(add(pass, target, false, shows_discarded));
+    if (targets.depth.view) depth_ = add(pass, targets.depth, true, shows_discarded);
     if (size == glm::uvec2(0)) size = targets.size == glm::uvec2(0) ? frame_size : targets.size;
 }
 
-VkRenderingAttachmentInfo Rendering::add(const std::string& pass, const Attachment& target, bool is_depth) {
+VkRenderingAttachmentInfo Rendering::add(const std::string& pass, Attachment target, bool is_depth,
+                                         bool shows_discarded) {
+    if (shows_discarded && target.load == Attachment::Load::discard) {
+        target.load = Attachment::Load::clear;
+        target.color = {1e3f, 0.0f, 1e3f, 1.0f};
+        target.depth = 1.0f;
+    }
     const auto fail = [&](const std::string& why) {
         throw Failure("pass '{}': target {} {}", pass, target.view.name(), why);
     };

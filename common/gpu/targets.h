@@ -77,7 +77,9 @@ struct Stated {
 
 /// The targets of one pass, checked. Throws Failure, with the pass's name, where they differ in size or samples.
 struct Rendering {
-    Rendering(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size);
+    /// `shows_discarded`: what is discarded is filled with bright magenta, or with the nearest depth.
+    Rendering(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size,
+              bool shows_discarded = false);
     void begin(VkCommandBuffer commands) const;
     void add_barriers(Barriers& barriers) const;
 
@@ -87,7 +89,7 @@ struct Rendering {
     std::vector<std::pair<ImageView, Access>> accesses;
 
   private:
-    VkRenderingAttachmentInfo add(const std::string& pass, const Attachment& target, bool is_depth);
+    VkRenderingAttachmentInfo add(const std::string& pass, Attachment target, bool is_depth, bool shows_discarded);
     std::vector<VkRenderingAttachmentInfo> color_;
     VkRenderingAttachmentInfo depth_{};
 };

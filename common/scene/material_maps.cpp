@@ -9,7 +9,7 @@ namespace lightwalk {
 namespace {
 
 constexpr TextureKind color = TextureKind::color, data = TextureKind::data;
-static_assert(DIFFUSE_MAP == 1u << int(MapSlot::diffuse) && DETAIL_NORMAL_MAP == 1u << int(MapSlot::detail_normal));
+static_assert(DIFFUSE_MAP == 1u << int(MapSlot::diffuse) && DISPLACEMENT_MAP == 1u << int(MapSlot::displacement));
 
 size_t find_slot(const std::string& name) {
     std::string known;
@@ -41,6 +41,7 @@ const std::array<MapSlotInfo, map_slot_count>& map_slots() {
         {"occlusion", "occlusion_map", data, 1, nullptr, false},
         {"gloss", "gloss_map", data, 1, &Material::shininess_map, false},
         {"detail_normal", "detail_normal_map", data, 3, nullptr, true},
+        {"displacement", "displacement_map", data, 1, nullptr, false},  // MTL's disp is the height map
     }};
     return slots;
 }

@@ -10,7 +10,19 @@
 namespace lightwalk {
 
 /// In the order of MaterialData::maps' bits.
-enum class MapSlot { diffuse, specular, emissive, opacity, normal, height, orm, occlusion, gloss, detail_normal };
+enum class MapSlot {
+    diffuse,
+    specular,
+    emissive,
+    opacity,
+    normal,
+    height,
+    orm,
+    occlusion,
+    gloss,
+    detail_normal,
+    displacement
+};
 
 struct MapSlotInfo {
     std::string name, binding;  ///< "diffuse", and what shaders call it: "diffuse_map"
@@ -20,7 +32,7 @@ struct MapSlotInfo {
     bool is_normal;                    ///< without a texture it is flat; others are white
 };
 
-inline constexpr size_t map_slot_count = 10;
+inline constexpr size_t map_slot_count = 11;
 const std::array<MapSlotInfo, map_slot_count>& map_slots();
 
 /// A texture for each slot; null where the material has none.

@@ -23,7 +23,7 @@
 //                    (0 to 1e4), shininess (0 to 1e5), opacity (0 to 1; below 1 it is transparent), blend (true: alpha
 //                    and the opacity map let through what lies behind; false: they cut holes), roughness, metalness
 //                    (0 to 1), maps {slot: file} (diffuse, specular, emissive, opacity, normal, height, orm, occlusion,
-//                    gloss, detail_normal)
+//                    gloss, detail_normal, displacement)
 //     motion         at least one of
 //       spin_deg_per_s   0, about axis ([0, 1, 0], any length above 0) in the object's own space, -1e5 to 1e5
 //       path             list of keyframes: time_s (required, rising, -1e6 to 1e6), position, rotation_deg, scale (the
@@ -39,6 +39,9 @@
 //     position       [0, 0, 0], metres; point and spot
 //     range_m        10, 0 to 1e6: beyond it a falloff with an end is 0; point and spot
 //     inner_deg, outer_deg, softness   17.2, 28.6 (half angles, 0 to 180, inner at most outer), 0.5 (0 to 1); spot
+//     shadow         false; true: what stands in its light casts a shadow
+//     size_m         0, diameter of the lamp, 0 to 1e3; point and spot
+//     size_deg       0, how wide the lamp looks (the sun: 0.53), 0 to 90; directional
 //   knobs        {name: value}, those of the chapter that shows the scene
 #pragma once
 #include <filesystem>

@@ -53,9 +53,9 @@ MaterialOverride read_material(const JsonWithLines& source, KeyReader r) {
     number("opacity", material.opacity, 0, 1);
     number("roughness", material.roughness, 0, 1);
     number("metalness", material.metalness, 0, 1);
-    if (const json* blend = r.find("blend")) {
-        if (!blend->is_boolean()) r.refuse("blend", "must be true or false");
-        material.blend = blend->get<bool>();
+    if (bool blend = false; r.find("blend")) {
+        r.boolean("blend", blend);
+        material.blend = blend;
     }
     if (const json* maps = r.find("maps")) {
         if (!maps->is_object()) r.refuse("maps", "must be an object { slot: file }");
@@ -165,6 +165,11 @@ Light read_light(KeyReader r) {
         r.number("softness", light.softness, 0, 1);
         if (light.inner_rad > light.outer_rad) r.refuse("inner_deg", "is above outer_deg");
     }
+    r.boolean("shadow", light.shadow);
+    if (light.kind == Light::Kind::directional)
+        r.angle("size_deg", light.size_rad, 0, 90);
+    else
+        r.number("size_m", light.size_m, 0, 1e3);
     r.done();
     return light;
 }

@@ -51,6 +51,12 @@ class KeyReader {
         if (!given->is_string()) refuse(key, "must be a text in quotes");
         value = given->get<std::string>();
     }
+    void boolean(const char* key, bool& value) {
+        const json* given = find(key);
+        if (!given) return;
+        if (!given->is_boolean()) refuse(key, "must be true or false");
+        value = given->get<bool>();
+    }
     const json* find(const char* key) {
         known_.insert(key);
         const auto it = object_.find(key);

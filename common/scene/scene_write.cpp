@@ -63,6 +63,9 @@ json light_json(const Light& light) {
         j["outer_deg"] = glm::degrees(light.outer_rad);
         j["softness"] = light.softness;
     }
+    if (light.shadow) j["shadow"] = true;
+    if (light.size_m > 0.0f) j["size_m"] = light.size_m;
+    if (light.size_rad > 0.0f) j["size_deg"] = glm::degrees(light.size_rad);
     return j;
 }
 

@@ -4,6 +4,7 @@
 #include "common/base/error.h"
 #include "common/base/exercise.h"
 #include "common/base/files.h"
+#include "common/base/toggle_scope.h"
 #include "common/study/need.h"
 #include "common/study/study.h"
 #include "common/study/subject.h"
@@ -12,19 +13,6 @@ namespace lightwalk {
 namespace {
 
 using nlohmann::json;
-
-// All exercises use the reference for as long as it lives.
-struct ReferenceJudges {
-    std::vector<std::string> students;
-    ReferenceJudges() {
-        for (const std::string& id : Exercises::ids())
-            if (!Exercises::uses_solution(id) && Exercises::has_solution(id)) students.push_back(id);
-        for (const std::string& id : students) Exercises::set(id, true);
-    }
-    ~ReferenceJudges() {
-        for (const std::string& id : students) Exercises::set(id, false);
-    }
-};
 
 std::string text_of(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
@@ -84,8 +72,8 @@ Loading automatic_choice(const Options& options, Chapter& chapter) {
                 bool student = false;
                 json said;
                 {
-                    const ReferenceJudges judges;
-                    student = !judges.students.empty();
+                    const ToggleScope judges(Exercises::ids(), true);
+                    student = judges.changed();
                     if (student && chapter.reload_on_toggle()) load_scene(chapter, gpu, scene);
                     const Picture picture{options.size, options.time_s, options.seed, {}};
                     said = choose_candidates(chapter, gpu, plan, {{*options.budget}, picture})[0];

@@ -196,7 +196,7 @@ std::vector<json> choose_candidates(Chapter& chapter, Gpu& gpu, const StudyPlan&
     std::vector<json> explanations;
     KnobValues chosen;
     {
-        NeedPictures pictures(chapter, gpu, plan, question.picture);
+        NeedPictures pictures(chapter, gpu, plan, question.picture, question.clock);
         for (const double budget : question.budgets) {
             const NeedRule rule(pictures, budget, question.crops);
             explanations.push_back(rule.explanation());

@@ -1,14 +1,19 @@
 // The need rule: the cheapest way to draw a scene whose error is within a budget, by measuring.
 #pragma once
 #include "common/app/render.h"
+#include "common/study/gpu_time.h"
 #include "common/study/study_plan.h"
 
 namespace lightwalk {
+
+/// Milliseconds that the frame just drawn took.
+using FrameClock = std::function<double(const Frame&)>;
 
 struct NeedQuestion {
     std::vector<double> budgets;  ///< the greatest mean FLIP allowed
     Picture picture;              ///< whose error and time count
     bool crops = false;           ///< draw crops also where whole pictures cost less, if the picture is large enough
+    FrameClock clock = gpu_ms;
 };
 
 /// For each budget the cheapest of the plan's candidates whose error is at most the budget, of those that agree with

@@ -2,6 +2,7 @@
 #pragma once
 #include "common/app/render.h"
 #include "common/study/crops.h"
+#include "common/study/need.h"
 #include "common/study/study_plan.h"
 
 namespace lightwalk {
@@ -11,11 +12,11 @@ class NeedPictures {
   public:
     /// Of the plan's candidates those that agree with the chapter's pinned knobs and their own `where`. Throws
     /// InputError where none does.
-    NeedPictures(Chapter& chapter, Gpu& gpu, const StudyPlan& plan, const Picture& picture);
+    NeedPictures(Chapter& chapter, Gpu& gpu, const StudyPlan& plan, const Picture& picture, FrameClock clock);
 
     struct Measured {
         double error = 0;  ///< mean FLIP against the truth
-        double ms = 0;     ///< GPU time of the candidate
+        double ms = 0;     ///< the clock's time of the candidate
     };
 
     std::vector<StudyPoint> candidates;
@@ -47,6 +48,7 @@ class NeedPictures {
     Chapter& chapter_;
     const KnobValues truth_;
     const Picture picture_;
+    const FrameClock clock_;
     const KnobList knobs_;
     const KeptKnobs kept_;
     Frame small_frame_, crop_frame_, whole_frame_;

@@ -16,6 +16,7 @@
 #include "common/measure/metrics.h"
 #include "common/measure/statistics.h"
 #include "common/scene/json_lines.h"
+#include "common/study/gpu_time.h"
 #include "common/study/need.h"
 #include "common/study/subject.h"
 
@@ -148,12 +149,8 @@ class SceneStudy {
             show_progress(scene_.label + ": times", static_cast<size_t>(round), static_cast<size_t>(rounds));
             for (size_t i = 0; i < points.size(); ++i) {
                 draw(points[i]);
-                double total = 0;
-                for (const PassTime& pass : frame_.times) {
-                    samples[i][pass.name].push_back(pass.gpu_ms);
-                    total += pass.gpu_ms;
-                }
-                totals[i].push_back(total);
+                for (const PassTime& pass : frame_.times) samples[i][pass.name].push_back(pass.gpu_ms);
+                totals[i].push_back(gpu_ms(frame_));
             }
         }
         json result = json::array();

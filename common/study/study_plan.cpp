@@ -65,7 +65,8 @@ class PlanReader {
 
     StudyPlan read(const Node& study) {
         study.expect_keys({"title", "error_metric", "stage", "size", "rounds", "truth", "scenes", "curves", "charts",
-                           "better", "metrics", "generate", "test_size", "candidates", "budgets", "crops"});
+                           "better", "metrics", "generate", "test_size", "test_scenes", "candidates", "budgets",
+                           "crops"});
         plan_.title = study["title"].text();
         plan_.error_metric = study["error_metric"].text();
         plan_.stage = study["stage"].text();
@@ -215,16 +216,25 @@ class PlanReader {
                });
     }
 
+    static void read_enough(const Node& enough) {
+        enough.expect_keys({"at", "text"});
+        enough["at"].expect(enough["at"].value.is_number() && enough["at"].value >= 0, "a number from 0");
+        enough["text"].text();
+    }
+
     void read_charts(const Node& charts) {
         std::set<std::string> names;
         for (const Node& chart : charts.items()) {
-            chart.expect_keys({"name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale"});
+            chart.expect_keys(
+                {"name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale", "x_label", "panel", "enough"});
             const std::string name = chart["name"].text();
             if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != name.npos)
                 chart["name"].refuse("is '" + name +
                                      "', expected small letters, digits and _: it is part of a file's name");
             if (!names.insert(name).second) chart["name"].refuse(": two charts are called '" + name + "'");
-            if (chart.has("title")) chart["title"].text();
+            for (const char* words : {"title", "x_label", "panel"})
+                if (chart.has(words)) chart[words].text();
+            if (chart.has("enough")) read_enough(chart["enough"]);
             for (const char* axis : {"x", "y"})
                 if (chart.has(axis)) {
                     const std::string text = chart[axis].text();

@@ -1,4 +1,4 @@
-// Another program of the course, started and waited for.
+// Another program of the course, started beside this one.
 #pragma once
 #include <sys/types.h>
 
@@ -9,25 +9,36 @@
 
 namespace lightwalk {
 
-/// Runs until it ends by itself; what it says on standard error is kept and passed on.
 class ChildProcess {
   public:
-    /// Throws Failure where it cannot be started.
-    ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& options);
+    enum class Kind {
+        program,  ///< a person's: it has our terminal, and its end is waited for
+        job,  ///< ours: no input, all that it says is kept, and it ends, with all that it started, when we let go of it
+        detached  ///< nobody's: no input, no output, and it goes on without us
+    };
+
+    /// A name without a slash is looked for in $PATH. Throws Failure where it cannot be started.
+    ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& options,
+                 Kind kind = Kind::program);
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
 
     /// Its exit code, or 128 plus the signal's number, once it has ended.
     std::optional<int> poll();
 
-    /// The last line it wrote to standard error; complete after the end.
-    const std::string& last_words() const { return last_words_; }
+    /// What it wrote: a program to standard error, a job to both. Complete after the end.
+    const std::string& said() const { return said_; }
+
+    /// The last line of that which is not empty.
+    std::string last_words() const;
 
   private:
-    void read_errors();
+    void read_output();
+    void stop();
+    Kind kind_;
     pid_t pid_ = -1;
-    int errors_ = -1;  ///< the reading end of its standard error
-    std::string line_, last_words_;
+    int output_ = -1;  ///< the reading end of what it says
+    std::string said_;
 };
 
 }  // namespace lightwalk

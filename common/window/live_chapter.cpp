@@ -56,17 +56,6 @@ void LiveChapter::draw(Frame& frame, const Picture& picture) {
     } catch (const std::exception& e) { frame_error = e.what(); }
 }
 
-ToggleScope::ToggleScope(const std::vector<std::string>& ids, bool solution) {
-    for (const std::string& id : ids) {
-        before_.emplace_back(id, Exercises::uses_solution(id));
-        Exercises::set(id, solution);
-    }
-}
-
-ToggleScope::~ToggleScope() {
-    for (const auto& [id, solution] : before_) Exercises::set(id, solution);
-}
-
 namespace {
 
 std::vector<std::string> exercises_where(const std::function<bool(std::string_view number)>& wanted) {

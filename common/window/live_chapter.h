@@ -1,6 +1,7 @@
 // A chapter while someone works on it: what fails is said, and what worked last stays.
 #pragma once
 #include "common/app/render.h"
+#include "common/base/toggle_scope.h"
 
 namespace lightwalk {
 
@@ -28,18 +29,6 @@ class LiveChapter {
     Gpu& gpu_;
     std::filesystem::path scene_;
     std::string loaded_with_;
-};
-
-/// Sets toggles for as long as it lives.
-class ToggleScope {
-  public:
-    /// These exercises to the reference or to the student's version.
-    ToggleScope(const std::vector<std::string>& ids, bool solution);
-    ~ToggleScope();
-    ToggleScope(const ToggleScope&) = delete;
-
-  private:
-    std::vector<std::pair<std::string, bool>> before_;
 };
 
 /// The chapter's own exercises, and those of the chapters before it, whose code it uses.

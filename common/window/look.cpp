@@ -14,8 +14,6 @@ Pipeline view_pipeline(const char* shape) {
 const Pipeline plain = view_pipeline("0"), layered = view_pipeline("1"), cube = view_pipeline("2"),
                whole_numbers = view_pipeline("3");
 
-constexpr const char* viewed = "look";
-
 std::string name_of(const std::pair<std::string, ImageView>& output) {
     return output.first + ": " + output.second.name();
 }
@@ -52,20 +50,21 @@ std::vector<std::string> Look::names(const Frame& frame) {
     return result;
 }
 
-void Look::attach(Frame& frame, const Camera& camera, const Bounds& bounds) const {
+void Look::attach(Frame& frame, Image& copy, const Camera& camera, const Bounds& bounds) const {
     frame.after_pass = nullptr;
     if (output.empty()) return;
-    frame.after_pass = [this, &frame, camera, bounds, seen = size_t(0)]() mutable {
+    frame.after_pass = [this, &frame, &copy, camera, bounds, seen = size_t(0)]() mutable {
         const size_t end = frame.outputs.size();
         if (seen > end) seen = 0;  // the next of several pictures
         for (; seen < end; ++seen)
-            if (name_of(frame.outputs[seen]) == output) record(frame, frame.outputs[seen].second, camera, bounds);
+            if (name_of(frame.outputs[seen]) == output) record(frame, copy, frame.outputs[seen].second, camera, bounds);
         frame.outputs.resize(end);  // without what was recorded here
     };
 }
 
-void Look::record(Frame& frame, const ImageView& view, const Camera& camera, const Bounds& bounds) const {
-    const Image& target = frame.image(viewed, {.format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size});
+void Look::record(Frame& frame, Image& copy, ImageView view, const Camera& camera, const Bounds& bounds) const {
+    if (copy.desc.size != frame.size || !copy)
+        copy = Image(frame.gpu.device, {.name = "look", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size});
     const float radius = bounds.empty() ? 1.0f : 0.5f * glm::length(bounds.extent());
     const float middle = glm::distance(camera.position, bounds.empty() ? camera.target : bounds.center());
     const LookParameters parameters{.image_size = glm::uvec2(view.size()),
@@ -77,16 +76,17 @@ void Look::record(Frame& frame, const ImageView& view, const Camera& camera, con
                                     .far_m = camera.far_m,
                                     .bright_m = std::max(camera.near_m, middle - radius),
                                     .dark_m = middle + radius};
-    frame.compute(viewed, {.reads = {view}, .writes = {target}}, [&](Compute& pass) {
+    frame.compute("look", {.reads = {view}, .writes = {copy}}, [&](Compute& pass) {
         pass.use(pipeline_for(view)).set("source", view, nearest_clamp);
-        pass.set("look", parameters).set("result", target).dispatch_threads(frame.size);
+        pass.set("look", parameters).set("result", copy).dispatch_threads(frame.size);
     });
 }
 
-const Image& Look::picture(Frame& frame) const {
+const Image& Look::picture(const Frame& frame, const Image& copy) const {
+    // What was chosen a moment ago has no copy yet.
     const auto all = names(frame);
-    if (output.empty() || std::find(all.begin(), all.end(), output) == all.end()) return frame.output;
-    return frame.image(viewed, {.format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size});
+    const bool copied = copy && copy.desc.size == frame.size && std::find(all.begin(), all.end(), output) != all.end();
+    return copied ? copy : frame.output;
 }
 
 }  // namespace lightwalk

@@ -14,15 +14,17 @@ struct Look {
     /// What can be looked at in the frame that was recorded last, in order: "pass: image".
     static std::vector<std::string> names(const Frame& frame);
 
-    /// Makes the frame copy that output, visibly, when its pass has been recorded. Call it before recording. `camera`
-    /// and `bounds` (metres) say which depths there are to see.
-    void attach(Frame& frame, const Camera& camera, const Bounds& bounds) const;
+    /// Makes the frame copy that output, visibly, into `copy` when its pass has been recorded; `copy` is made where it
+    /// is none of the frame's size. Call it before recording. `camera` and `bounds` (metres) say which depths there are
+    /// to see.
+    void attach(Frame& frame, Image& copy, const Camera& camera, const Bounds& bounds) const;
 
-    /// The picture to show of a recorded frame: its output, or what is looked at.
-    const Image& picture(Frame& frame) const;
+    /// The picture to show of a recorded frame: its output, or the copy of what is looked at.
+    const Image& picture(const Frame& frame, const Image& copy) const;
 
   private:
-    void record(Frame& frame, const ImageView& view, const Camera& camera, const Bounds& bounds) const;
+    // `view` is a copy: recording adds to the list that it comes from.
+    void record(Frame& frame, Image& copy, ImageView view, const Camera& camera, const Bounds& bounds) const;
 };
 
 }  // namespace lightwalk

@@ -12,6 +12,7 @@
 #include "common/window/blit.h"
 #include "common/window/child_process.h"
 #include "common/window/event_log.h"
+#include "common/window/lesson_pages.h"
 #include "common/window/overlay.h"
 #include "common/window/titles.h"
 
@@ -104,6 +105,10 @@ class Menu {
                 display_.poll(0.2);
                 continue;
             }
+            if (const std::string wrong = lessons_.poll(); !wrong.empty()) {
+                message_ = wrong;
+                settle = 3;
+            }
             if (settle-- <= 0) continue;
             if (const Entry* chosen = draw()) {
                 start(*chosen);
@@ -151,7 +156,7 @@ class Menu {
         ImGui::TextUnformatted("Lightwalk");
         ImGui::PopFont();
         ImGui::TextColored(quiet_color, "A click starts a chapter; Esc in it comes back here.");
-        if (!message_.empty()) ImGui::TextColored(error_color, "%s", message_.c_str());
+        if (!message_.empty()) ImGui::TextColored(mine_color, "%s", message_.c_str());
         const float scale = display_.scale(), gap = 16.0f * scale;
         const ImVec2 size{float(picture_size.x) * scale, (float(picture_size.y) + 34.0f) * scale};
         const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + gap) / (size.x + gap)));
@@ -168,11 +173,13 @@ class Menu {
 
     bool tile(const Entry& entry, ImVec2 size) {
         const ImVec2 corner = ImGui::GetCursorScreenPos();
+        const float foot = size.y - 34.0f * display_.scale();
+        ImGui::BeginGroup();
         const bool clicked = ImGui::InvisibleButton(entry.chapter.c_str(), size);
+        ImGui::SetItemAllowOverlap();  // by what leads to the lesson
         log_place("chapter." + entry.chapter);
         const bool hovered = ImGui::IsItemHovered();
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        const float foot = size.y - 34.0f * display_.scale();
         const ImVec2 end{corner.x + size.x, corner.y + size.y};
         list.AddRectFilled({corner.x, corner.y + foot}, end,
                            ImGui::GetColorU32(hovered ? ImGuiCol_ButtonActive : ImGuiCol_Button));
@@ -188,6 +195,11 @@ class Menu {
             list.AddText({corner.x + 10.0f, corner.y + 10.0f}, ImGui::GetColorU32(quiet_color), "no picture yet");
         }
         if (hovered) list.AddRect(corner, end, ImGui::GetColorU32(reference_color), 0.0f, 0, 2.0f);
+        const float width = ImGui::CalcTextSize("lesson").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+        ImGui::SetCursorScreenPos({end.x - width - 8.0f, corner.y + 8.0f});
+        if (ImGui::SmallButton(("lesson##" + entry.chapter).c_str())) message_ = lessons_.open(entry.chapter);
+        log_place("lesson." + entry.chapter);
+        ImGui::EndGroup();
         return clicked;
     }
 
@@ -228,6 +240,7 @@ class Menu {
     Frame screen_;
     std::vector<Entry> entries_;
     std::vector<Tile> tiles_;
+    LessonPages lessons_;
     std::string message_;
     int drawn_ = 0;
 };

@@ -33,10 +33,11 @@ class Overlay {
     int generation_ = 0;
 };
 
-/// The course's colours: what is mine, what is the reference, and what went wrong.
+/// The course's colours: what is mine, what is the reference, what went wrong and what is right.
 inline const ImVec4 mine_color{0.96f, 0.65f, 0.24f, 1.0f};
 inline const ImVec4 reference_color{0.38f, 0.72f, 0.98f, 1.0f};
 inline const ImVec4 error_color{1.0f, 0.45f, 0.40f, 1.0f};
+inline const ImVec4 right_color{0.34f, 0.83f, 0.61f, 1.0f};
 inline const ImVec4 quiet_color{0.60f, 0.64f, 0.70f, 1.0f};
 
 }  // namespace lightwalk

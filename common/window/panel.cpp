@@ -2,12 +2,16 @@
 
 #include <algorithm>
 
-#include "common/base/exercise.h"
 #include "common/window/event_log.h"
 #include "common/window/knob_widgets.h"
 #include "common/window/titles.h"
 
 namespace lightwalk {
+
+void help_on_hover(const char* text) {
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+
 namespace {
 
 bool section(const char* name) {
@@ -16,49 +20,6 @@ bool section(const char* name) {
     ImGui::PopStyleColor();
     log_place(std::string("section.") + name);
     return open;
-}
-
-void help_on_hover(const char* text) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
-}
-
-// One of two: a pair of buttons of which one is lit.
-bool half_switch(const char* label, bool lit, const ImVec4& color, float width) {
-    const ImVec4 dark{0.08f, 0.09f, 0.10f, 1.0f};
-    if (lit) {
-        for (const ImGuiCol which : {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive})
-            ImGui::PushStyleColor(which, color);
-        ImGui::PushStyleColor(ImGuiCol_Text, dark);
-    }
-    const bool clicked = ImGui::Button(label, {width, 0.0f});
-    if (lit) ImGui::PopStyleColor(4);
-    return clicked && !lit;
-}
-
-// The exercise's mine | reference. True where it was switched.
-bool exercise_row(const std::string& id) {
-    const float padding = 2.0f * ImGui::GetStyle().FramePadding.x, gap = 2.0f;
-    const float mine_width = ImGui::CalcTextSize("mine").x + padding;
-    const float reference_width = ImGui::CalcTextSize("reference").x + padding;
-    ImGui::PushID(id.c_str());
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(id.c_str());
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - mine_width - reference_width - gap);
-    bool switched = false;
-    if (!Exercises::has_solution(id)) {
-        ImGui::TextColored(mine_color, "mine");
-        help_on_hover("This tree has no reference to switch to.");
-    } else {
-        const bool reference = Exercises::uses_solution(id);
-        const bool mine = half_switch("mine", !reference, mine_color, mine_width);
-        log_place("mine." + id);
-        ImGui::SameLine(0.0f, gap);
-        switched = half_switch("reference", reference, reference_color, reference_width) || mine;
-        log_place("reference." + id);
-        if (switched) Exercises::set(id, !reference);
-    }
-    ImGui::PopID();
-    return switched;
 }
 
 }  // namespace
@@ -86,6 +47,9 @@ Requests Panel::draw(PanelState& state, float scale) {
     ImGui::PushFont(overlay_.large);
     ImGui::TextUnformatted(title_.c_str());
     ImGui::PopFont();
+    if (ImGui::Button("lesson", {-1.0f, 0.0f})) requests.lesson = state.chapter.name;
+    log_place("lesson");
+    help_on_hover("The chapter's lesson as a page, in the browser");
     if (section("Exercises")) exercises(state, requests);
     if (!state.chapter.all_knobs().empty() && section("Knobs")) knobs(state, requests);
     if (section("Look at")) look(state, requests);
@@ -95,54 +59,12 @@ Requests Panel::draw(PanelState& state, float scale) {
     return requests;
 }
 
-void Panel::exercises(PanelState& state, Requests& requests) {
-    const auto rows = [&](const std::vector<std::string>& ids) {
-        for (const std::string& id : ids) {
-            if (!exercise_row(id)) continue;
-            requests.changed = true;
-            log_event("toggle " + id + " " + (Exercises::uses_solution(id) ? "reference" : "mine"));
-        }
-    };
-    const auto own = own_exercises(state.chapter), earlier = earlier_exercises(state.chapter);
-    rows(own);
-    if (own.empty()) ImGui::TextColored(quiet_color, "none in this chapter");
-    const bool handout = !any_reference_exists(own) && !any_reference_exists(earlier);
-    if (handout) ImGui::TextColored(quiet_color, "This tree is a handout: it has no reference.");
-    if (!handout && ImGui::Button("switch all   F2", {-1.0f, 0.0f})) requests.all_toggles = true;
-    if (!earlier.empty() && ImGui::TreeNode("earlier", "of earlier chapters (%zu)   Shift+F2", earlier.size())) {
-        rows(earlier);
-        ImGui::TreePop();
-    }
-    if (!handout) split(state, requests);
-}
-
 void Panel::knobs(PanelState& state, Requests& requests) {
     for (KnobBase* knob : state.chapter.all_knobs())
         if (knob_widget(*knob)) {
             requests.changed = true;
             log_event("knob " + knob->name + " " + knob->text());
         }
-}
-
-void Panel::split(PanelState& state, Requests& requests) {
-    bool on = state.split.on();
-    if (ImGui::Checkbox("mine beside reference   F3", &on)) requests.split = true;
-    log_place("split");
-    help_on_hover(
-        "Mine on the left, as the switches say; all of mine where they all say reference.\n"
-        "The reference on the right. Drag the line between them.");
-    if (!state.split.on()) return;
-    if (const auto& difference = state.split.difference) {
-        ImGui::Text("FLIP %.4f", difference->flip_mean);
-        ImGui::SameLine();
-        ImGui::TextColored(quiet_color, difference->shrink == 1 ? "mean error, 0 to 1" : "mean, at 1/%d of the size",
-                           difference->shrink);
-        help_on_hover(
-            "How visible the difference is to someone who flips between the two pictures.\n"
-            "Computed when the picture stands still.");
-    } else {
-        ImGui::TextColored(quiet_color, "FLIP: when the picture stands still");
-    }
 }
 
 void Panel::look(PanelState& state, Requests& requests) {

@@ -1,5 +1,6 @@
 // The panel beside the picture, and what is written over the picture.
 #pragma once
+#include "common/window/exercise_checks.h"
 #include "common/window/overlay.h"
 #include "common/window/split_view.h"
 
@@ -10,6 +11,8 @@ struct Requests {
     bool reload = false, screenshot = false, save = false, home = false, frame_scene = false, all_toggles = false;
     bool earlier_toggles = false;  ///< all, and those of earlier chapters
     bool split = false, clock = false, panel = false, changed = false;
+    std::string lesson;  ///< the chapter or the exercise whose lesson to show
+    std::string check;   ///< the exercise to check
 };
 
 /// What the panel shows and changes.
@@ -18,6 +21,7 @@ struct PanelState {
     const Device& device;
     SplitView& split;
     Look& look;
+    const ExerciseChecks& checks;
     std::vector<std::string> outputs;  ///< what can be looked at
     std::vector<PassTime> times;       ///< of the last frame
     double frame_ms = 0;               ///< from one picture to the next, wall clock
@@ -25,6 +29,12 @@ struct PanelState {
     float time_s = 0;
     glm::uvec2 picture{0};  ///< pixels
 };
+
+/// What fits on a screen of a text of any length: a compiler may quote a line of megabytes.
+std::string shortened(const std::string& text);
+
+/// A tooltip over the widget drawn last.
+void help_on_hover(const char* text);
 
 class Panel {
   public:

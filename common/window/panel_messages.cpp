@@ -16,20 +16,20 @@ void side_name(const char* text, const ImVec4& color, ImVec2 corner) {
     list.AddText({corner.x + 6.0f, corner.y + 4.0f}, ImGui::GetColorU32(color), text);
 }
 
-// What fits on a screen: a compiler may quote a line of any length, and ImGui counts vertices with 16 bits.
-std::string shortened(const std::string& error) {
+}  // namespace
+
+// ImGui counts vertices with 16 bits.
+std::string shortened(const std::string& text) {
     constexpr size_t most_of_line = 400, most = 4000;
     std::string result;
-    for (size_t begin = 0; begin < error.size() && result.size() < most;) {
-        const size_t end = std::min(error.find('\n', begin), error.size());
+    for (size_t begin = 0; begin < text.size() && result.size() < most;) {
+        const size_t end = std::min(text.find('\n', begin), text.size());
         const bool cut = end - begin > most_of_line;
-        result += error.substr(begin, cut ? most_of_line : end - begin) + (cut ? " ...\n" : "\n");
+        result += text.substr(begin, cut ? most_of_line : end - begin) + (cut ? " ...\n" : "\n");
         begin = end + 1;
     }
     return result.substr(0, std::max<size_t>(result.size(), 1) - 1);
 }
-
-}  // namespace
 
 void Panel::draw_messages(const std::vector<std::string>& errors, const std::string& notice, glm::uvec2 picture) {
     const float width = static_cast<float>(picture.x), height = static_cast<float>(picture.y);
@@ -54,7 +54,9 @@ void Panel::draw_messages(const std::vector<std::string>& errors, const std::str
         ImGui::SetNextWindowPos({8.0f, 8.0f});
         ImGui::SetNextWindowBgAlpha(0.85f);
         ImGui::Begin("notice", nullptr, over_picture | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+        ImGui::PushTextWrapPos(std::max(width - 40.0f, 100.0f));
         ImGui::TextUnformatted(notice.c_str());
+        ImGui::PopTextWrapPos();
         ImGui::End();
     }
 }

@@ -74,7 +74,7 @@ void SplitView::draw(const Chapter& chapter, const Look& look, const Picture& pi
     const KnobList from = chapter.all_knobs(), to = chapter_->all_knobs();
     for (size_t i = 0; i < from.size(); ++i) to[i]->set(from[i]->text());
     chapter_->camera = chapter.camera;
-    look.attach(*frame_, chapter_->camera, chapter_->scene.bounds);
+    look.attach(*frame_, viewed_, chapter_->camera, chapter_->scene.bounds);
     const ToggleScope reference(Exercises::ids(), true);
     live_->draw(*frame_, picture);
 }

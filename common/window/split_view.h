@@ -32,7 +32,8 @@ class SplitView {
 
     /// Draws the reference with the camera and the knobs of `chapter`.
     void draw(const Chapter& chapter, const Look& look, const Picture& picture);
-    Frame& frame() { return *frame_; }
+    /// Of the reference, to show: what `look` looks at.
+    const Image& picture(const Look& look) const { return look.picture(*frame_, viewed_); }
     std::string error() const;
 
     /// Starts the comparison unless one is running or the two are those compared last; poll() has the result when it is
@@ -47,6 +48,7 @@ class SplitView {
     std::filesystem::path scene_;
     std::unique_ptr<Chapter> chapter_;
     std::unique_ptr<LiveChapter> live_;
+    Image viewed_;  ///< of `look`
     std::unique_ptr<Frame> frame_;
     std::future<PictureDifference> running_;
     uint64_t compared_ = 0;  ///< hash of the two pictures

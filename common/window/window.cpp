@@ -76,6 +76,7 @@ void Window::run() {
         obey(requests);
         if (input.happened) active_until_ = now() + settle_s;
         watch_files();
+        watch_programs();
         if (!swapchain_.ready()) continue;
         compare_when_still();
         if (!notice_.empty() && now() > notice_until_) {
@@ -98,12 +99,21 @@ void Window::watch_files() {
     active_until_ = now() + settle_s;
 }
 
+void Window::watch_programs() {
+    if (checks_.poll()) active_until_ = std::max(active_until_, now() + settle_s);
+    if (const std::string wrong = lessons_.poll(); !wrong.empty()) {
+        tell(wrong);
+        active_until_ = std::max(active_until_, now() + settle_s);
+    }
+}
+
 Requests Window::build_panel() {
     overlay_.begin();
     PanelState state{.chapter = chapter_,
                      .device = gpu_.device,
                      .split = split_,
                      .look = look_,
+                     .checks = checks_,
                      .outputs = Look::names(frame_),
                      .times = frame_.times,
                      .frame_ms = frame_ms_,
@@ -137,7 +147,7 @@ void Window::draw() {
     const double started = now();
     shown_ = nullptr;
     gpu_.pipelines.errors.clear();
-    look_.attach(frame_, chapter_.camera, chapter_.scene.bounds);
+    look_.attach(frame_, viewed_, chapter_.camera, chapter_.scene.bounds);
     {
         // Where every switch says reference, two equal halves would show nothing: the left one is then mine.
         const auto own = own_exercises(chapter_);
@@ -151,8 +161,8 @@ void Window::draw() {
     const Image* target = swapchain_.acquire();
     if (target) {
         screen_.begin({1, 1}, time_s_);
-        const Image& mine = look_.picture(frame_);
-        const Image& picture = split_.on() ? compose(size, mine, look_.picture(split_.frame())) : mine;
+        const Image& mine = look_.picture(frame_, viewed_);
+        const Image& picture = split_.on() ? compose(size, mine, split_.picture(look_)) : mine;
         shown_ = &picture;
         screen_.transfer("present", {.reads = {picture}, .writes = {*target}}, [&](VkCommandBuffer commands) {
             const Area shown{{0, 0}, glm::min(size, target->desc.size)};
@@ -172,14 +182,15 @@ void Window::draw() {
 }
 
 const Image& Window::compose(glm::uvec2 size, const Image& mine, const Image& reference) {
-    const Image& whole = screen_.image("composed", {.format = VK_FORMAT_R8G8B8A8_UNORM, .size = size});
+    if (composed_.desc.size != size || !composed_)
+        composed_ = Image(gpu_.device, {.name = "composed", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size});
     const uint32_t left = std::min(static_cast<uint32_t>(split_.divider * static_cast<float>(size.x)), size.x);
-    screen_.transfer("compose", {.reads = {mine, reference}, .writes = {whole}}, [&](VkCommandBuffer commands) {
+    screen_.transfer("compose", {.reads = {mine, reference}, .writes = {composed_}}, [&](VkCommandBuffer commands) {
         const Area left_side{{0, 0}, {left, size.y}}, right_side{{left, 0}, {size.x - left, size.y}};
-        blit(commands, mine, left_side, whole, left_side);
-        blit(commands, reference, right_side, whole, right_side);
+        blit(commands, mine, left_side, composed_, left_side);
+        blit(commands, reference, right_side, composed_, right_side);
     });
-    return whole;
+    return composed_;
 }
 
 void Window::compare_when_still() {
@@ -191,7 +202,7 @@ void Window::compare_when_still() {
     const bool still = !clock_runs_ && now() > active_until_;
     const bool due = clock_runs_ && now() > next_compare_;
     if (compared_ || !(still || due)) return;
-    split_.compare(look_.picture(frame_), look_.picture(split_.frame()));
+    split_.compare(look_.picture(frame_, viewed_), split_.picture(look_));
     next_compare_ = now() + compare_every_s;
     compared_ = true;
 }

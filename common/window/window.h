@@ -1,6 +1,7 @@
 // A chapter in a window, while someone works on it.
 #pragma once
 #include "common/app/options.h"
+#include "common/window/lesson_pages.h"
 #include "common/window/live_chapter.h"
 #include "common/window/panel.h"
 
@@ -32,6 +33,7 @@ class Window {
     void switch_split();
     void tell(const std::string& text);
     void watch_files();
+    void watch_programs();
     void draw();
     Requests build_panel();
     std::vector<std::string> errors();
@@ -51,8 +53,12 @@ class Window {
     Panel panel_;
     SplitView split_;
     Look look_;
-    Frame frame_;   ///< the chapter's
-    Frame screen_;  ///< what the window adds: its passes are not the chapter's
+    ExerciseChecks checks_;
+    LessonPages lessons_;
+    Image viewed_;    ///< of what is looked at in frame_
+    Image composed_;  ///< both sides of the split view
+    Frame frame_;     ///< the chapter's
+    Frame screen_;    ///< what the window adds: its passes are not the chapter's
     bool clock_runs_, close_ = false, compared_ = false, dragging_ = false;
     float time_s_;
     int drawn_ = 0;

@@ -70,9 +70,12 @@ void Window::obey(const Requests& requests) {
         const glm::vec2 size(picture_size());
         CameraControl::frame(chapter_.camera, chapter_.scene.bounds, size.x / size.y);
     }
-    const bool any = requests.all_toggles || requests.earlier_toggles || requests.reload || requests.screenshot ||
-                     requests.save || requests.split || requests.clock || requests.panel || requests.home ||
-                     requests.frame_scene || requests.changed;
+    if (!requests.lesson.empty()) tell(lessons_.open(requests.lesson));
+    if (!requests.check.empty()) checks_.start(requests.check);
+    const bool any = !requests.lesson.empty() || !requests.check.empty() || requests.all_toggles ||
+                     requests.earlier_toggles || requests.reload || requests.screenshot || requests.save ||
+                     requests.split || requests.clock || requests.panel || requests.home || requests.frame_scene ||
+                     requests.changed;
     if (any) active_until_ = std::max(active_until_, now() + 0.3);
 }
 

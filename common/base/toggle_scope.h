@@ -1,0 +1,24 @@
+// Toggles of exercises, set for a while.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace lightwalk {
+
+/// Sets toggles for as long as it lives; what was different before is so again afterwards.
+class ToggleScope {
+  public:
+    /// These exercises to the reference, where there is one, or to the student's version.
+    ToggleScope(const std::vector<std::string>& ids, bool solution);
+    ~ToggleScope();
+    ToggleScope(const ToggleScope&) = delete;
+
+    /// True where one of them was the other version before.
+    bool changed() const { return !changed_.empty(); }
+
+  private:
+    std::vector<std::string> changed_;
+    bool solution_;
+};
+
+}  // namespace lightwalk

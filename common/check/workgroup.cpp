@@ -1,0 +1,70 @@
+#include "common/check/workgroup.h"
+
+#include <cstring>
+#include <numeric>
+#include <random>
+
+#include "common/gpu/frame.h"
+#include "common/gpu/glsl.h"
+
+namespace lightwalk {
+namespace {
+
+// Which invocation each one stands for: itself; the last first; two without any order.
+std::vector<uint32_t> orders() {
+    std::vector<uint32_t> all;
+    std::mt19937 random(7);
+    for (uint32_t order = 0; order < workgroup_orders; ++order) {
+        std::vector<uint32_t> one(workgroup_size);
+        std::iota(one.begin(), one.end(), 0u);
+        if (order == 1) std::reverse(one.begin(), one.end());
+        if (order > 1)
+            for (uint32_t i = workgroup_size - 1; i > 0; --i) std::swap(one[i], one[random() % (i + 1)]);
+        all.insert(all.end(), one.begin(), one.end());
+    }
+    return all;
+}
+
+// A name that would go round the order.
+void replace_all(std::string& text, const std::string& old, const std::string& with) {
+    for (size_t at = 0; (at = text.find(old, at)) != text.npos; at += with.size()) text.replace(at, old.size(), with);
+}
+
+}  // namespace
+
+WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run) : puts_(run.puts) {
+    const std::string size = std::to_string(workgroup_size);
+    std::string text = flatten_text(
+                           "uint case_index, put_at, stands_for;\n"
+                           "layout(scalar) readonly buffer GivenBuffer { uint given[]; };\n"
+                           "layout(scalar) writeonly buffer PutBuffer { uint puts[]; };\n"
+                           "void put(uint i, uint word) { puts[put_at + i] = word; }\n" +
+                               run.before + "\n#include \"" + run.include + "\"\n",
+                           "probe", "99", run.macros)
+                           .text;
+    text = text.substr(text.find("#line 1 "));
+    replace_all(text, "gl_LocalInvocationIndex", "stands_for");
+    replace_all(text, "gl_LocalInvocationID", "uvec3(stands_for, 0, 0)");
+    text = "layout(local_size_x = " + size + ") in;\n" + text +
+           "\nlayout(scalar) readonly buffer OrderBuffer { uint orders[]; };\nvoid main() {\n"
+           "    uint local = orders[gl_WorkGroupID.y * " +
+           size +
+           "u + gl_LocalInvocationIndex];\n"
+           "    stands_for = local;\n    case_index = gl_WorkGroupID.x;\n"
+           "    put_at = ((gl_WorkGroupID.x * gl_NumWorkGroups.y + gl_WorkGroupID.y) * " +
+           size + "u + local) * " + std::to_string(puts_) + "u;\n" + run.call + "\n}\n";
+    const Pipeline pipeline = compute({.shader = "workgroup", .macros = run.macros, .source = text});
+    const Buffer given = gpu.upload("given", run.given), order = gpu.upload("orders", orders());
+    words_.resize(size_t(run.cases) * workgroup_orders * workgroup_size * puts_);
+    const Buffer results(gpu.device, {.name = "puts", .bytes = 4 * words_.size()});
+    Frame frame(gpu);
+    frame.begin({1, 1}, 0.0f);
+    frame.compute(run.include, {.writes = {results}}, [&](Compute& pass) {
+        pass.use(pipeline).set("given", given).set("orders", order).set("puts", results);
+        pass.dispatch({run.cases, workgroup_orders, 1});
+    });
+    frame.end();
+    std::memcpy(words_.data(), gpu.read_back(results).data(), 4 * words_.size());
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,29 @@
+"use strict";
+
+// Formulas: their TeX stands in the page (arithmatex) between \( \) or \[ \].
+for (const place of document.querySelectorAll(".arithmatex")) {
+  const text = place.textContent.trim();
+  katex.render(text.slice(2, -2), place, {displayMode: text.startsWith("\\["), throwOnError: false, strict: "error"});
+}
+
+// Two pictures under one slider.
+for (const slide of document.querySelectorAll(".slide")) {
+  const range = slide.querySelector("input");
+  const move = () => slide.style.setProperty("--at", range.value + "%");
+  range.addEventListener("input", move);
+  move();
+}
+
+// A click on a picture shows it as large as the window.
+const large = document.createElement("dialog");
+large.className = "large";
+large.addEventListener("click", () => large.close());
+document.body.append(large);
+for (const image of document.querySelectorAll("article img")) {
+  if (image.closest("a, .slide")) continue;
+  image.classList.add("zooms");
+  image.addEventListener("click", () => {
+    large.replaceChildren(image.cloneNode());
+    large.showModal();
+  });
+}
