@@ -17,7 +17,6 @@ survived. Mesa's lavapipe is bit for bit deterministic; with another driver equi
 """
 import argparse
 import collections
-import json
 import os
 import pathlib
 import re
@@ -26,8 +25,9 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "common" / "course"))
+sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests")]
 from shots import compare, exceeded, golden_path, limits_of  # noqa: E402
+from mutations import changes  # noqa: E402
 from tree import BUILD, Failure, find_chapter, say, shots, warn  # noqa: E402
 
 EXTRA = {
@@ -47,68 +47,7 @@ EXTRA = {
         ["--scene", "scenes/column.json", "--samples", "3", "--strength", "2"],
         ["--scene", "scenes/leather.json", "--normal_y", "down", "--filter", "renormalised"]],
 }
-TIMEOUT_S = 120
-OPPOSITE = {" + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", " += ": " -= ", " > ": " < ", " < ": " > ",
-            " && ": " || ", " || ": " && ", "dFdx": "dFdy", "dFdy": "dFdx", "exp2(": "exp(", "inversesqrt(": "sqrt(",
-            ".x": ".y", ".y": ".x", "position_to_world(": "normal_to_world(", "diffuse": "specular",
-            "specular": "diffuse"}
-EDGE = {" > ": " >= ", " < ": " <= ", " += ": " = "}
-DROPPED = ("max", "min", "clamp", "normalize", "abs")
-SWAPPED = ("mix", "pow", "reflect")  # the operands of max, min and dot may change places
-
-
-def arguments_of(text: str, start: int):
-    """(the arguments of the call whose '(' is at start, the index after its ')'); None if it ends on another line."""
-    depth, parts, begin = 0, [], start + 1
-    for at in range(start, len(text)):
-        if text[at] in "([":
-            depth += 1
-        elif text[at] in ")]":
-            depth -= 1
-        if (text[at] == "," and depth == 1) or depth == 0:
-            parts.append(text[begin:at].strip())
-            begin = at + 1
-        if depth == 0:
-            return parts, at + 1
-    return None
-
-
-def changes(line: str):
-    """(what was done, the changed line), once each, for a line of GLSL."""
-    code = line.split("//")[0].rstrip()
-    if not code.strip() or code.lstrip().startswith(("#", "layout", "struct")):
-        return
-    for table in (OPPOSITE, EDGE):
-        for old, new in table.items():
-            for found in re.finditer(re.escape(old) + (r"(?!\w)" if old[0] == "." else ""), code):
-                yield f"{old.strip()} becomes {new.strip()}", code[:found.start()] + new + code[found.end():]
-    for found in re.finditer(r"(?<=[(,= ])-(?=[A-Za-z0-9(])", code):
-        yield "a minus left out", code[:found.start()] + code[found.end():]
-    for found in re.finditer(r"(?<![\w.])(\d+\.\d*(?:e-?\d+)?|\d+e-?\d+|\d+)(?![\w.])", code):
-        old = found[1]
-        number = float(old)
-        whole = re.fullmatch(r"\d+", old)
-        new = str(int(number) + 1) if whole else repr(number * 1.1 if number else 0.1)
-        yield f"{old} becomes {new}", code[:found.start()] + new + code[found.end():]
-    for name in DROPPED + SWAPPED:
-        for found in re.finditer(rf"\b{name}\(", code):
-            call = arguments_of(code, found.end() - 1)
-            if not call:
-                continue
-            (first, *rest), end = call
-            if name in DROPPED:
-                yield f"{name} left out", f"{code[:found.start()]}({first}){code[end:]}"
-            else:
-                swapped = ", ".join([rest[0], first, *rest[1:]])
-                yield f"{name}'s arguments swapped", f"{code[:found.start()]}{name}({swapped}){code[end:]}"
-    found = re.fullmatch(r"(.*) \? (.*) : (.*);", code)
-    if found:
-        yield "both sides of ? : swapped", f"{found[1]} ? {found[3]} : {found[2]};"
-    if re.match(r"\s+[\w.\[\]]+ [-+*]?= .*;$", code):
-        yield "the statement left out", re.match(r"\s*", code)[0] + ";"
-    found = re.match(r"(\s+)return (.*);$", code)
-    if found:
-        yield "twice the result", f"{found[1]}return 2 * ({found[2]});"
+TIMEOUT_S = 300
 
 
 def mutants(chapter: str, only: str):
@@ -131,8 +70,8 @@ def mutants(chapter: str, only: str):
 class Bench:
     """Draws and tests the chapter with or without a change."""
 
-    def __init__(self, chapter: str, folder: pathlib.Path):
-        self.chapter, self.folder, self.overlay = chapter, folder, folder / "overlay"
+    def __init__(self, chapter: str, folder: pathlib.Path, build: pathlib.Path = BUILD):
+        self.chapter, self.folder, self.overlay, self.build = chapter, folder, folder / "overlay", build
         self.pictures = {shot["name"]: (["--shot", shot["name"]], shot) for shot in shots(chapter)}
         self.pictures |= {" ".join(words): ([*words, "--size", "480x270"], None) for words in EXTRA.get(chapter, [])}
         self.overlay.mkdir()
@@ -151,7 +90,9 @@ class Bench:
         return (("check_" + self.chapter, ["--use", "solution"]), ("test_" + self.chapter, ["~*loaders*"]))
 
     def run(self, command):
-        environment = os.environ | {"LIGHTWALK_OVERLAY": str(self.overlay), "LIGHTWALK_TIMEOUT_S": "20",
+        environment = os.environ | {"LIGHTWALK_BUILD": str(self.build), "LD_LIBRARY_PATH": str(self.build),
+                                    "LIGHTWALK_ROOT": str(ROOT),
+                                    "LIGHTWALK_OVERLAY": str(self.overlay), "LIGHTWALK_TIMEOUT_S": "20",
                                     "LIGHTWALK_CACHE": str(self.folder / "cache"),
                                     "LIGHTWALK_PROBE_LOG": str(self.folder / "probes")}
         (self.folder / "probes").write_text("")
@@ -161,54 +102,57 @@ class Bench:
     def draw(self, name):
         picture = self.folder / "picture.png"
         picture.unlink(missing_ok=True)
-        done = self.run([BUILD / "chapters" / self.chapter, *self.pictures[name][0], "--screenshot", picture])
+        done = self.run([self.build / "chapters" / self.chapter, *self.pictures[name][0], "--screenshot", picture])
         return ("" if done.returncode == 0 else done.stderr.strip()), picture
 
     def test(self, program, words):
         """(what failed, what the probes returned)"""
-        done = self.run([BUILD / "tests" / program, *words])
+        done = self.run([self.build / "tests" / program, *words])
         said = [line for line in done.stdout.splitlines() if '"ok":false' in line or "FAILED" in line]
         failed = (said or [done.stderr.strip() or "failed"])[0] if done.returncode else ""
         return failed, (self.folder / "probes").read_text()
 
     def judge(self, file: pathlib.Path, text: str, everything: bool):
-        """(verdict, by what)"""
+        """(verdict, by what) of a shader's change."""
         changed = self.overlay / file
         changed.parent.mkdir(parents=True, exist_ok=True)
         changed.write_text(text)
         try:
-            differs, caught = [], []
-            for program, words in self.programs():
-                failed, probes = self.test(program, words)
-                if re.search(r"shaders/\S+:\d+: ", failed) and "check_" in program:
-                    return "invalid", failed
-                if failed:
-                    caught.append(program)
-                if probes != self.right[program]:
-                    differs.append("a probe of " + program)
-                if caught and not everything:
-                    return "caught", caught[0]
-            for name, (_, shot) in self.pictures.items():
-                failed, picture = self.draw(name)
-                if re.search(r"shaders/\S+:\d+: ", failed):
-                    return "invalid", failed.splitlines()[0]
-                if failed:
-                    caught.append(name)
-                elif picture.read_bytes() != self.right[name]:
-                    differs.append(name)
-                    if shot and exceeded(compare(golden_path(self.chapter, name), picture),
-                                         limits_of(self.chapter, name)):
-                        caught.append("shot " + name)
-                if caught and not everything:
-                    return "caught", caught[0]
-            for script in sorted((ROOT / "tests" / self.chapter).glob("test_*.py")) if differs or everything else []:
-                if self.run([sys.executable, script]).returncode:
-                    caught.append(script.name)
-            if caught:
-                return "caught", ", ".join(caught)
-            return ("survived", ", ".join(differs) + " differs") if differs else ("equivalent", "")
+            return self.verdict(everything)
         finally:
             changed.unlink()
+
+    def verdict(self, everything: bool = False):
+        """(verdict, by what) of what is drawn and tested now."""
+        differs, caught = [], []
+        for program, words in self.programs():
+            failed, probes = self.test(program, words)
+            if re.search(r"shaders/\S+:\d+: ", failed) and "check_" in program:
+                return "invalid", failed
+            if failed:
+                caught.append(program)
+            if probes != self.right[program]:
+                differs.append("a probe of " + program)
+            if caught and not everything:
+                return "caught", caught[0]
+        for name, (_, shot) in self.pictures.items():
+            failed, picture = self.draw(name)
+            if re.search(r"shaders/\S+:\d+: ", failed):
+                return "invalid", failed.splitlines()[0]
+            if failed:
+                caught.append(name)
+            elif picture.read_bytes() != self.right[name]:
+                differs.append(name)
+                if shot and exceeded(compare(golden_path(self.chapter, name), picture), limits_of(self.chapter, name)):
+                    caught.append("shot " + name)
+            if caught and not everything:
+                return "caught", caught[0]
+        for script in sorted((ROOT / "tests" / self.chapter).glob("test_*.py")) if differs or everything else []:
+            if self.run([sys.executable, script]).returncode:
+                caught.append(script.name)
+        if caught:
+            return "caught", ", ".join(caught)
+        return ("survived", ", ".join(differs) + " differs") if differs else ("equivalent", "")
 
 
 def main() -> int:

@@ -1,6 +1,8 @@
 // Chapter 02: diffuse and specular reflection of directional lights.
 #include "01_obj/model_chapter.h"
 #include "02_lambert_phong/directional_lights.h"
+#include "02_lambert_phong/exercises.h"
+#include "02_lambert_phong/mist.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -25,10 +27,15 @@ struct LambertPhong : ModelChapter {
                               {glm::vec3(0.0f), glm::vec3(1.0f)},
                               "colour of wrapped light at the edge"};
 
+    Knob<float> mist{*this, "mist", 0.0f, {0.0f, 2.0f}, "how fast mist swallows what is behind it; 0: none, and no sky",
+                     "1/m"};
+
     Pipeline shade = graphics({.vertex = "02_lambert_phong/shade.vert", .fragment = "02_lambert_phong/shade.frag"});
+    Pipeline sky = compute({.shader = "02_lambert_phong/sky.comp"});
+    Pipeline fade = compute({.shader = "02_lambert_phong/mist.comp"});
     Buffer lights;
 
-    std::string default_scene() const override { return "scenes/teapot.json"; }
+    std::string default_scene() const override { return "scenes/lacquer.json"; }
 
     void prepare(Gpu& gpu) override { lights = upload_directional_lights(gpu, scene.file.lights); }
 
@@ -37,18 +44,32 @@ struct LambertPhong : ModelChapter {
         set_view(frame);
 
         // 1. Every surface, lit by every light, in linear HDR.
-        frame.raster("shade",
-                     {.color = {clear(frame.hdr, glm::vec4(scene.file.background, 1.0f))}, .depth = frame.depth},
-                     [&](Raster& pass) {
-                         pass.use(shade).set("lights", lights);
-                         if (ambient) pass.set("ambient", scene.file.ambient);
-                         pass.draw(scene);
-                     });
+        const auto draw_scene = [&](Raster& pass) {
+            pass.use(shade).set("lights", lights);
+            if (ambient) pass.set("ambient", scene.file.ambient);
+            pass.draw(scene);
+        };
+        if (mist > 0.0f) {  // before a sky, and in the air between: three passes
+            set_mist(frame);
+            record_mist(frame, {sky, fade, draw_scene});
+        } else {
+            frame.raster("shade",
+                         {.color = {clear(frame.hdr, glm::vec4(scene.file.background, 1.0f))}, .depth = frame.depth},
+                         draw_scene);
+        }
 
         // 2. Linear light to the codes a screen expects.
         encode_srgb(frame);
     }
     // [/frame]
+
+    // Gives the shaders of this frame the uniform block `mist`.
+    void set_mist(Frame& frame) const {
+        const glm::vec3 color = scene.file.background;
+        const Mist air{color, mist, 0.4f * color * color, 1.0f / camera.near_m, 1.0f / camera.far_m};
+        const auto bytes = std::as_bytes(std::span(&air, 1));
+        frame.globals["mist"].assign(bytes.begin(), bytes.end());
+    }
 };
 
 CHAPTER(LambertPhong)

@@ -18,13 +18,13 @@ LightData pack(const Light& light) {
 }
 
 // [update]
-bool LightBuffer::update(Gpu& gpu, const std::vector<Light>& lights) {
+bool LightBuffer::update(Frame& frame, const std::vector<Light>& lights) {
     if (buffer && lights == lights_) return false;
     lights_ = lights;
     std::vector<LightData> packed;
     packed.reserve(lights.size());
     for (const Light& light : lights) packed.push_back(pack(light));
-    buffer = gpu.upload("lights", packed);
+    frame.upload("lights", buffer, packed);
     ++rebuilds;
     return true;
 }

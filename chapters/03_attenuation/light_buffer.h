@@ -1,7 +1,7 @@
 // All lights of a scene in one storage buffer, in the form shaders read.
 #pragma once
 #include "03_attenuation/light_data.h"
-#include "common/gpu/gpu.h"
+#include "common/gpu/frame.h"
 #include "common/scene/light.h"
 
 namespace lightwalk {
@@ -12,8 +12,8 @@ LightData pack(const Light& light);
 /// Holds as many lights as there are, in their order, and is packed and uploaded anew only when one has changed.
 class LightBuffer {
   public:
-    /// True where the lights are not those of the last call. Nothing that reads the buffer may be in flight.
-    bool update(Gpu& gpu, const std::vector<Light>& lights);
+    /// True where the lights are not those of the last call: then the frame gets a pass that uploads them.
+    bool update(Frame& frame, const std::vector<Light>& lights);
 
     Buffer buffer;     ///< what shaders call `lights`; none before update()
     int rebuilds = 0;  ///< how often it was packed

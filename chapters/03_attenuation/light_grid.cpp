@@ -60,21 +60,15 @@ void LightGrid::record(Frame& frame, const Given& lights) {
     const uint32_t group_count = static_cast<uint32_t>((lights_ + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP);
     reserve(frame.gpu.device, masks, "light masks", mask_words());
     reserve(frame.gpu.device, groups, "light groups", VkDeviceSize(group_count) * cell_count());
-    std::vector<Resource> reads;
-    if (cells_ == Cells::tiles) {
-        reserve(frame.gpu.device, tile_depths_, "tile depths", 2 * cell_count());
-        frame.compute("tile_depth", {.reads = {frame.depth}, .writes = {tile_depths_}, .with = {lights}},
+    if (cells_ == Cells::tiles)
+        frame.compute("cull_tiles", {.reads = {frame.depth}, .writes = {masks, groups}, .with = {lights}},
                       [&](Compute& pass) {
-                          pass.use(find_depths_).set("depth", frame.depth, nearest_clamp);
-                          pass.set("tile_depths", tile_depths_).dispatch({view.tiles, 1});
+                          pass.use(cull_tiles_).set("depth", frame.depth, nearest_clamp).dispatch({view.tiles, 1});
                       });
-        reads.push_back(tile_depths_);
-    }
-    frame.compute("cull_lights", {.reads = reads, .writes = {masks, groups}, .with = {lights}}, [&](Compute& pass) {
-        pass.use(cull_);
-        if (cells_ == Cells::tiles) pass.set("tile_depths", tile_depths_);
-        pass.dispatch_threads(glm::uvec2(cell_count(), group_count));
-    });
+    else
+        frame.compute("cull_lights", {.writes = {masks, groups}, .with = {lights}}, [&](Compute& pass) {
+            pass.use(cull_lights_).dispatch_threads(glm::uvec2(cell_count(), group_count));
+        });
 }
 // [/record]
 

@@ -41,9 +41,8 @@ class LightGrid {
     }
     Cells cells_ = Cells::tiles;
     size_t lights_ = 0;
-    Buffer tile_depths_;
-    Pipeline find_depths_ = compute({.shader = "03_attenuation/tile_depth.comp"});
-    Pipeline cull_ = compute({.shader = "03_attenuation/cull_lights.comp"});
+    Pipeline cull_tiles_ = compute({.shader = "03_attenuation/cull_tiles.comp"});
+    Pipeline cull_lights_ = compute({.shader = "03_attenuation/cull_lights.comp"});
 };
 // [/light_grid]
 

@@ -2,9 +2,9 @@
 
 namespace lightwalk {
 
-void Lights::update(Gpu& gpu, const Scene& scene, const std::vector<Light>& lights) {
-    buffer_.update(gpu, lights);
-    if (method.is("per_object")) object_lights_.update(gpu, scene, buffer_, ends_at());
+void Lights::update(Frame& frame, const Scene& scene, const std::vector<Light>& lights) {
+    buffer_.update(frame, lights);
+    if (method.is("per_object")) object_lights_.update(frame, scene, buffer_, ends_at());
 }
 
 void Lights::record(Frame& frame, const Scene& scene, const Camera& camera) {

@@ -28,8 +28,8 @@ struct Lights : Module {
         *this, "threshold", 0.004f, {1e-6f, 1.0f}, "radiance at which culling takes inverse_square to have ended"};
     Knob<int> slices{*this, "slices", 24, {1, 256}, "how many clusters a tile is cut into"};
 
-    /// The lights and each object's list of them, where something has changed.
-    void update(Gpu& gpu, const Scene& scene, const std::vector<Light>& lights);
+    /// The lights and each object's list of them, uploaded in passes of this frame where something has changed.
+    void update(Frame& frame, const Scene& scene, const std::vector<Light>& lights);
 
     /// Tiles ask frame.depth what they hold.
     bool needs_depth() const { return method.is("tiled"); }
@@ -41,6 +41,9 @@ struct Lights : Module {
     void bind(Pass& pass) const override;
 
     const LightBuffer& buffer() const { return buffer_; }
+
+    /// How far a point or spot light is computed, in metres: beyond, it is taken for dark.
+    float reach_m(const Light& light) const { return influence_radius(pack(light), ends_at()); }
 
   private:
     bool has_cells() const { return method.is("tiled") || method.is("clustered"); }

@@ -41,7 +41,7 @@ struct Attenuation : ModelChapter {
         set_view(frame);
 
         // 1. The lights, where something has changed.
-        lights.update(frame.gpu, scene, lights_at(frame.time_s, frame.seed));
+        lights.update(frame, scene, lights_at(frame.time_s, frame.seed));
 
         // 2. Depth alone, so that each pixel is lit once, and tiles know what they hold.
         frame.raster("depth", {.depth = frame.depth}, [&](Raster& pass) { pass.use(depth).draw(scene); });

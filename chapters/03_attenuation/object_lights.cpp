@@ -4,7 +4,7 @@
 
 namespace lightwalk {
 
-void ObjectLights::update(Gpu& gpu, const Scene& scene, const LightBuffer& buffer, float threshold) {
+void ObjectLights::update(Frame& frame, const Scene& scene, const LightBuffer& buffer, float threshold) {
     const Key now{buffer.rebuilds, scene.placed, threshold, Exercises::uses_solution("03.light_reaches_box")};
     if (made_for_ == now) return;
     made_for_ = now;
@@ -17,8 +17,8 @@ void ObjectLights::update(Gpu& gpu, const Scene& scene, const LightBuffer& buffe
             if (reaches(buffer.lights()[i], radii_m[i], item.bounds)) list.push_back(i);
         list_ends.push_back(static_cast<uint32_t>(list.size()));
     }
-    ends = gpu.upload("object ends", list_ends);
-    lights = gpu.upload("object lights", list);
+    frame.upload("object ends", ends, list_ends);
+    frame.upload("object lights", lights, list);
 }
 
 }  // namespace lightwalk

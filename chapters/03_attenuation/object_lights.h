@@ -9,8 +9,8 @@ namespace lightwalk {
 /// of the lights, of where the scene's parts are, of the threshold or of the exercise's toggle makes them anew.
 class ObjectLights {
   public:
-    /// `threshold` is influence_radius()'s. Nothing that reads the buffers may be in flight.
-    void update(Gpu& gpu, const Scene& scene, const LightBuffer& lights, float threshold);
+    /// `threshold` is influence_radius()'s. Lists that are new are uploaded in passes of the frame.
+    void update(Frame& frame, const Scene& scene, const LightBuffer& lights, float threshold);
 
     Buffer ends;    ///< where each draw call's list ends in `lights`
     Buffer lights;  ///< positions in the LightBuffer, ascending in each list

@@ -45,34 +45,4 @@ std::vector<Level> normal_levels(const Level& codes) {
     }
 }
 
-double coverage(const Level& level, float cutoff) {
-    const auto count =
-        std::count_if(level.texels.begin(), level.texels.end(), [&](const auto& t) { return t.a >= cutoff; });
-    return static_cast<double>(count) / static_cast<double>(level.texels.size());
-}
-
-std::vector<Level> cutout_levels(const Level& colors, float cutoff) {
-    std::vector<Level> levels{colors};
-    while (!is_last(levels.back()))
-        levels.push_back(halved(levels.back(), [](auto a, auto b, auto c, auto d) {
-            const float alpha = a.a + b.a + c.a + d.a;
-            const glm::vec4 weighted = a * a.a + b * b.a + c * c.a + d * d.a, plain = 0.25f * (a + b + c + d);
-            return glm::vec4(alpha > 0.0f ? glm::vec3(weighted) / alpha : glm::vec3(plain), 0.25f * alpha);
-        }));
-    if (cutoff < 0.0f) return levels;
-    const double wanted = coverage(colors, cutoff);
-    for (size_t i = 1; i < levels.size(); ++i) {
-        // The alpha that as many texels reach as should is scaled to the cutoff.
-        std::vector<float> alphas;
-        for (const glm::vec4& texel : levels[i].texels) alphas.push_back(texel.a);
-        std::sort(alphas.begin(), alphas.end(), std::greater<>());
-        const auto count = static_cast<size_t>(std::lround(wanted * static_cast<double>(alphas.size())));
-        const float reached = count == 0 ? alphas[0] * 1.001f : alphas[count - 1];
-        // Just above the cutoff, so that rounding to 8 bits does not lose the texel.
-        const float scale = reached > 0.0f ? (cutoff + 0.002f) / reached : 1.0f;
-        for (glm::vec4& texel : levels[i].texels) texel.a = std::min(1.0f, texel.a * scale);
-    }
-    return levels;
-}
-
 }  // namespace lightwalk

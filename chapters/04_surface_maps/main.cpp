@@ -29,7 +29,7 @@ struct SurfaceMaps : ModelChapter {
         maps.method.alone = true;                     // --method is about maps here
         lights.method.change_default("every_light");  // these scenes have few
     }
-    std::string default_scene() const override { return "scenes/castle_wall.json"; }
+    std::string default_scene() const override { return "scenes/courtyard.json"; }
     bool reload_on_toggle() const override { return true; }
     std::string load_key() const override { return maps.load_key(); }
     bool animated() const override { return maps.animated() || scene.moves(); }
@@ -54,7 +54,7 @@ struct SurfaceMaps : ModelChapter {
         const glm::vec4 behind(measures ? glm::vec3(-1.0f) : scene.file.background, 1.0f);
 
         // 1. The lights of chapter 03, into tiles or clusters where those are its method.
-        lights.update(frame.gpu, scene, scene.file.lights);
+        lights.update(frame, scene, scene.file.lights);
         if (lights.needs_depth())
             frame.raster("depth", {.depth = frame.depth, .with = {maps}},
                          [&](Raster& pass) { maps.draw(pass, scene, depth, displaced_depth); });

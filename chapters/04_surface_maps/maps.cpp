@@ -4,6 +4,7 @@
 #include <glm/gtc/color_space.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include "04_surface_maps/cutout_levels.h"
 #include "04_surface_maps/tangents.h"
 #include "common/image/image.h"
 
@@ -64,10 +65,17 @@ std::shared_ptr<Image> upload_heights(Gpu& gpu, const Image& image, const Level&
     return upload_levels(gpu, {.name = image.desc.name, .format = VK_FORMAT_R16_UNORM, .size = level.size}, {level});
 }
 
+// In 16 bits for the same reason, and with their means for what is far away.
+std::shared_ptr<Image> upload_displacement(Gpu& gpu, const Image& image, Level level) {
+    for (glm::vec4& texel : level.texels) texel.a = 1.0f;  // each counts the same
+    return upload_levels(gpu, {.name = image.desc.name, .format = VK_FORMAT_R16_UNORM, .size = level.size},
+                         cutout_levels(gpu, level, -1.0f));
+}
+
 // An opacity map's one number as the alpha of what is to be kept.
-std::vector<Level> opacity_levels(Level level, float cutoff) {
+std::vector<Level> opacity_levels(Gpu& gpu, Level level, float cutoff) {
     for (glm::vec4& texel : level.texels) texel.a = texel.r;
-    std::vector<Level> levels = cutout_levels(level, cutoff);
+    std::vector<Level> levels = cutout_levels(gpu, level, cutoff);
     for (Level& l : levels)
         for (glm::vec4& texel : l.texels) texel = glm::vec4(texel.a);
     return levels;
@@ -87,20 +95,27 @@ Maps::Maps(Module& owner, std::string name) : Module(owner, std::move(name), "ma
 
 void Maps::prepare(Gpu& gpu, Scene& scene) {
     add_tangents(gpu, scene);
-    make_mips(gpu, scene, coverage.is("kept") ? cutoff : -1.0f);
+    with_holes_ = make_mips(gpu, scene, coverage.is("kept") ? cutoff : -1.0f);
 }
 
 Macros Maps::variant(const DrawItem& item) const {
-    const std::array<const Knob<bool>*, map_slot_count> knobs{
-        // in the order of the slots
-        &diffuse, &specular, &emissive, &opacity, &normal, &height, &orm, &occlusion, &gloss, &detail_normal};
+    const std::array<const Knob<bool>*, map_slot_count> in_order{&diffuse, &specular,      &emissive,    &opacity,
+                                                                 &normal,  &height,        &orm,         &occlusion,
+                                                                 &gloss,   &detail_normal, &displacement};
     Macros macros;
-    for (size_t i = 0; i < knobs.size(); ++i) macros.set(knobs[i]->macro(), *knobs[i] && item.maps[i] ? "1" : "0");
+    for (size_t i = 0; i < in_order.size(); ++i)
+        macros.set(in_order[i]->macro(), *in_order[i] && item.maps[i] ? "1" : "0");
     return macros;
 }
 
-void Maps::draw(Raster& pass, const Scene& scene, const Pipeline& loaded, const Pipeline& displaced) const {
-    for (const Batch& batch : scene.batches()) {
+bool Maps::has_holes(const DrawItem& item) const {
+    return (diffuse && with_holes_.contains(item.maps[MapSlot::diffuse].get())) ||
+           (opacity && with_holes_.contains(item.maps[MapSlot::opacity].get()));
+}
+
+void Maps::draw(Raster& pass, const Scene& scene, const std::vector<Batch>& batches, const Pipeline& loaded,
+                const Pipeline& displaced) const {
+    for (const Batch& batch : batches) {
         pass.use(mesh.is("displaced") ? displaced : loaded, variant(batch.item()));
         pass.offer("ambient", scene.file.ambient);
         if (mesh.is("displaced"))
@@ -110,11 +125,12 @@ void Maps::draw(Raster& pass, const Scene& scene, const Pipeline& loaded, const 
     }
 }
 
-void make_mips(Gpu& gpu, Scene& scene, float cutoff) {
+std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff) {
     std::map<std::pair<const Image*, MapSlot>, std::shared_ptr<Image>> made;  // many items share one texture
+    std::set<const Image*> with_holes;
     for (DrawItem& item : scene.items)
-        for (const MapSlot slot :
-             {MapSlot::diffuse, MapSlot::opacity, MapSlot::normal, MapSlot::height, MapSlot::detail_normal}) {
+        for (const MapSlot slot : {MapSlot::diffuse, MapSlot::opacity, MapSlot::normal, MapSlot::height,
+                                   MapSlot::detail_normal, MapSlot::displacement}) {
             std::shared_ptr<Image>& image = item.maps[slot];
             if (!image) continue;
             std::shared_ptr<Image>& entry = made[{image.get(), slot}];
@@ -124,15 +140,20 @@ void make_mips(Gpu& gpu, Scene& scene, float cutoff) {
                     entry = upload_levels(gpu, image->desc, normal_levels(level));
                 else if (slot == MapSlot::height)
                     entry = upload_heights(gpu, *image, level);
+                else if (slot == MapSlot::displacement)
+                    entry = upload_displacement(gpu, *image, level);
                 else if (slot == MapSlot::opacity)
-                    entry = upload_levels(gpu, image->desc, opacity_levels(level, cutoff));
+                    entry = upload_levels(gpu, image->desc, opacity_levels(gpu, level, cutoff));
                 else if (coverage(level, 1.0f) < 1.0)
-                    entry = upload_levels(gpu, image->desc, cutout_levels(level, cutoff));
+                    entry = upload_levels(gpu, image->desc, cutout_levels(gpu, level, cutoff));
                 else
                     entry = image;
+                if (slot == MapSlot::opacity || (slot == MapSlot::diffuse && entry != image))
+                    with_holes.insert(entry.get());
             }
             image = entry;
         }
+    return with_holes;
 }
 
 double mean_texels(const ImageRgb& picture) {

@@ -1,6 +1,8 @@
 // Surfaces that textures describe, as a module: which maps are in use, how bumps are shown, and the maps' smaller
 // levels.
 #pragma once
+#include <set>
+
 #include "04_surface_maps/levels.h"
 #include "common/app/module.h"
 #include "common/image/image.h"
@@ -22,6 +24,8 @@ struct Maps : Module {
     // [/method]
     Knob<int> steps{*this, "steps", 32, {1, 4096}, "how often steep, occlusion and relief look at the height map"};
     Knob<float> height_m{*this, "height_m", 0.05f, {0.0f, 1.0f}, "how deep black lies in a height map", "m"};
+    Knob<float> displacement_m{
+        *this, "displacement_m", 0.05f, {0.0f, 1.0f}, "how far black and white lie apart in a displacement map", "m"};
     Choice mesh{*this, "mesh", {"loaded", "displaced"}, "loaded", "displaced: the height map moves a finely cut mesh"};
     Knob<int> subdivide{*this, "subdivide", 16, {1, 1024}, "into how many a displaced triangle's edge is cut"};
     Knob<float> strength{*this, "strength", 1.0f, {0.0f, 4.0f}, "by what the slope in normal maps is multiplied"};
@@ -48,24 +52,40 @@ struct Maps : Module {
     Knob<bool> occlusion{*this, "occlusion", true, "textures of ambient occlusion alone"};
     Knob<bool> gloss{*this, "gloss", true, "textures of the exponent, 8 to 256"};
     Knob<bool> detail_normal{*this, "detail_normal", true, "fine normal maps on top of the others"};
+    Knob<bool> displacement{*this, "displacement", true, "maps that shift all textures along the view"};
 
     /// Tangents for the scene's meshes, and the levels of its maps.
     void prepare(Gpu& gpu, Scene& scene);
 
     /// Draws the scene with 04_surface_maps' vertex shaders before `fragment`'s: `loaded` and `displaced` are pipelines
     /// with surface.vert and displaced.vert. Each item by the variant that has just its maps.
-    void draw(Raster& pass, const Scene& scene, const Pipeline& loaded, const Pipeline& displaced) const;
+    void draw(Raster& pass, const Scene& scene, const Pipeline& loaded, const Pipeline& displaced) const {
+        draw(pass, scene, scene.all(), loaded, displaced);
+    }
+    void draw(Raster& pass, const Scene& scene, const DrawList& items, const Pipeline& loaded,
+              const Pipeline& displaced) const {
+        draw(pass, scene, items.batches(), loaded, displaced);
+    }
+    void draw(Raster& pass, const Scene& scene, const std::vector<Batch>& batches, const Pipeline& loaded,
+              const Pipeline& displaced) const;
+
+    /// Whether textures cut holes into it. Known after prepare().
+    bool has_holes(const DrawItem& item) const;
 
     /// The macros of an item's own maps.
     Macros variant(const DrawItem& item) const;
 
     bool animated() const { return wobble > 0 || scroll != 0; }
     std::string load_key() const { return coverage.is("kept") ? cutoff.text() : coverage.text(); }
+
+  private:
+    std::set<const Image*> with_holes_;
 };
 
 /// Makes the levels anew of what must not be averaged as colours are: normal maps (see normal_levels) and alpha (see
-/// cutout_levels; `cutoff` below 0: averaged). Of height maps only the first level is read, with 16 bits.
-void make_mips(Gpu& gpu, Scene& scene, float cutoff);
+/// cutout_levels; `cutoff` below 0: averaged). Of height maps only the first level is read, with 16 bits; displacement
+/// maps have 16 bits, too, and all levels. Returns the colour and opacity maps that are not whole.
+std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff);
 
 /// The first level of an image as numbers; sRGB becomes linear. Waits for the device.
 Level read_level(Gpu& gpu, const Image& image);

@@ -12,6 +12,7 @@ constexpr float nowhere_m = 1e9f;  // metres per uv where a texture has no direc
 struct Sum {
     glm::vec3 tangent{0.0f};
     glm::vec2 metres{0.0f};
+    float cos_uv = 0;
     float weight = 0;
     TangentFrame last{};
 };
@@ -22,6 +23,14 @@ double angle_at(const Vertex& a, const Vertex& b, const Vertex& c) {
     return lengths > 0 ? std::acos(std::clamp(glm::dot(e1, e2) / lengths, -1.0, 1.0)) : 0.0;
 }
 
+// Of the angle between dP/du and dP/dv in a triangle whose texture coordinates span an area.
+double cosine_of_uv(const Vertex& a, const Vertex& b, const Vertex& c) {
+    const glm::dvec3 e1 = glm::dvec3(b.position - a.position), e2 = glm::dvec3(c.position - a.position);
+    const glm::dvec2 uv1 = glm::dvec2(b.uv - a.uv), uv2 = glm::dvec2(c.uv - a.uv);
+    const glm::dvec3 per_u = uv2.y * e1 - uv1.y * e2, per_v = uv1.x * e2 - uv2.x * e1;
+    return glm::dot(per_u, per_v) / std::max(glm::length(per_u) * glm::length(per_v), 1e-300);
+}
+
 TangentFrame joined(const Sum& sum, glm::vec3 normal) {
     TangentFrame frame = sum.last;
     frame.metres_per_uv = glm::vec2(nowhere_m);
@@ -30,6 +39,7 @@ TangentFrame joined(const Sum& sum, glm::vec3 normal) {
     if (!(glm::length(in_surface) > 1e-3f * sum.weight)) return frame;
     frame.tangent = glm::normalize(in_surface);
     frame.metres_per_uv = sum.metres / sum.weight;
+    frame.cos_uv = sum.cos_uv / sum.weight;
     return frame;
 }
 
@@ -57,6 +67,7 @@ FramedMesh frame_mesh(const Mesh& mesh) {
         Sum& sum = sums[vertex];
         sum.tangent += weight * frame.tangent;
         sum.metres += weight * frame.metres_per_uv;
+        if (directed) sum.cos_uv += weight * static_cast<float>(cosine_of_uv(a, b, c));
         sum.weight += weight;
         if (directed || sum.weight == 0.0f) sum.last = frame;
     }

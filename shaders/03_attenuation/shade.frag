@@ -1,6 +1,7 @@
 // Lights a fragment, or shows how many lights it took.
 #include "common/material.glsl"
 #include "03_attenuation/lighting.glsl"
+#include "03_attenuation/unshadowed.glsl"
 
 layout(location = 0) in vec3 world_position;
 layout(location = 1) in vec3 world_normal;

@@ -1,5 +1,6 @@
 // A surface with all its maps, lit by chapter 03's lights; or what its method of showing bumps gets wrong.
 #include "03_attenuation/lighting.glsl"
+#include "03_attenuation/unshadowed.glsl"
 #include "04_surface_maps/hit_error.glsl"
 #include "04_surface_maps/surface_maps.glsl"
 
@@ -18,11 +19,11 @@ float measured(vec2 uv) {
     mat3 frame = tangent_space();
     uv -= round(uv);  // as map_surface() has it
 #if SHOW == SHOW_HIT_ERROR
-    return hit_error(uv, normalize(view.eye - world_position) * frame, deepest(), maps.steps);
+    return hit_error(uv, along_uv(normalize(view.eye - world_position) * frame, cos_uv), deepest(), maps.steps);
 #else
     vec3 from = (view.eye - world_position) * frame;
     vec3 to = from - vec3(normalize(from.xy + 1e-6) * walk_m, 0.0);
-    return swim(uv, from, to, deepest(), maps.height_m, maps.steps);
+    return swim(uv, along_uv(from, cos_uv), along_uv(to, cos_uv), deepest(), maps.height_m, maps.steps);
 #endif
 #else
     return 0.0;
@@ -41,10 +42,8 @@ void main() {
 #if SHOW == SHOW_NORMAL
     color = vec4(0.5 + 0.5 * m.surface.normal, 1.0);
 #else
-    Substance s = m.substance;
     Lit lit = light_surface(m.surface, m.facing, m.position, item, gl_FragCoord);
-    vec3 ambient_light = (s.mixed.diffuse + s.ambient_specular) * ambient * s.occlusion;
-    color = vec4(ambient_light + s.mixed.diffuse * lit.diffuse + s.mixed.specular * lit.specular + m.glow, 1.0);
+    color = vec4(radiance_of(m, lit.diffuse, lit.specular, ambient), 1.0);
 #endif
 #endif
 }

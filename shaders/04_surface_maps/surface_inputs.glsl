@@ -7,6 +7,7 @@ layout(location = 4) in vec2 metres_per_uv;
 layout(location = 5) in vec2 uv;
 layout(location = 6) flat in uint material_index;
 layout(location = 7) flat in uint item;
+layout(location = 8) in float cos_uv;
 
 // Tangent space in the world: columns along u, along v, along the normal.
 mat3 tangent_space() {

@@ -5,18 +5,23 @@
 #include "04_surface_maps/knobs.glsl"
 #include "04_surface_maps/moving_uv.glsl"
 #include "04_surface_maps/parallax.glsl"
+#include "04_surface_maps/displacement.glsl"
 #include "04_surface_maps/unpack_normal.glsl"
 #include "04_surface_maps/blend_detail.glsl"
 #include "04_surface_maps/mix_orm.glsl"
 #include "04_surface_maps/cutout.glsl"
 #include "04_surface_maps/surface_inputs.glsl"
+#include "04_surface_maps/tangent_frame.h"
 
 uniform sampler2D specular_map, emissive_map, opacity_map, normal_map, orm_map, occlusion_map, gloss_map,
-    detail_normal_map;
+    detail_normal_map, displacement_map;
 
 #define HAS_PARALLAX                                                                             \
     (MAPS_HEIGHT && MAPS_METHOD != MAPS_METHOD_FLAT && MAPS_METHOD != MAPS_METHOD_NORMAL && \
      MAPS_MESH == MAPS_MESH_LOADED)
+
+// Bumps that are in the mesh itself stay where they are.
+#define HAS_DISPLACEMENT (MAPS_DISPLACEMENT && !(MAPS_HEIGHT && MAPS_MESH == MAPS_MESH_DISPLACED))
 
 struct Coordinates {
     vec2 uv, dx, dy;  // and how they change from pixel to pixel
@@ -124,10 +129,15 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
     m.facing = frame[2];
     m.position = world_position;
     m.surface.to_eye = normalize(eye - world_position);
+#if HAS_PARALLAX || HAS_DISPLACEMENT
+    vec3 eye_in_frame = m.surface.to_eye * frame, to_eye = along_uv(eye_in_frame, cos_uv);
+#endif
+#if HAS_DISPLACEMENT
+    at.uv += displacement_shift(read(displacement_map, at).r, to_eye, maps.displacement_m / metres_per_uv);
+#endif
 #if HAS_PARALLAX
     at.uv -= round(at.uv);  // textures repeat, and numbers near 0 are finer
-    vec3 eye_in_frame = m.surface.to_eye * frame;
-    Hit hit = find_hit(at.uv, eye_in_frame, deepest(), maps.steps);
+    Hit hit = find_hit(at.uv, to_eye, deepest(), maps.steps);
     m.position -= m.surface.to_eye * (maps.height_m * hit.depth / max(eye_in_frame.z, lowest_eye));
     at.uv = hit.uv;
 #endif
@@ -155,3 +165,12 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
     return m;
 }
 // [/map_surface]
+
+// [radiance_of]
+// What leaves a surface towards the eye: `diffuse` and `specular` are the lights' per unit of its colours.
+vec3 radiance_of(MappedSurface m, vec3 diffuse, vec3 specular, vec3 ambient) {
+    Substance s = m.substance;
+    vec3 ambient_light = (s.mixed.diffuse + s.ambient_specular) * ambient * s.occlusion;
+    return ambient_light + s.mixed.diffuse * diffuse + s.mixed.specular * specular + m.glow;
+}
+// [/radiance_of]

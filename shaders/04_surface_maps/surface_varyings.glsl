@@ -10,6 +10,7 @@ layout(location = 4) out vec2 metres_per_uv;
 layout(location = 5) out vec2 uv;
 layout(location = 6) flat out uint material_index;
 layout(location = 7) flat out uint item;  // which of the scene's items
+layout(location = 8) out float cos_uv;
 invariant gl_Position;                    // the depth pass and the shading pass agree to the last bit
 
 // [varyings]
@@ -18,9 +19,12 @@ void set_varyings(Vertex vertex, TangentFrame frame, Instance instance) {
     world_normal = normal_to_world(instance.normal_matrix, vertex.normal);
     // A tangent lies in the surface and goes with it: the model matrix itself, not the normals' one.
     vec3 tangent = mat3(instance.model) * frame.tangent;
-    vec3 bitangent = mat3(instance.model) * cross(vertex.normal, frame.tangent);
+    vec3 across = frame.handedness * cross(vertex.normal, frame.tangent);
+    vec3 along_v = frame.cos_uv * frame.tangent + sqrt(max(1.0 - frame.cos_uv * frame.cos_uv, 0.0)) * across;
+    vec3 bitangent = mat3(instance.model) * along_v;
     world_tangent = tangent / max(length(tangent), 1e-20);
     metres_per_uv = frame.metres_per_uv * vec2(length(tangent), length(bitangent));
+    cos_uv = dot(world_tangent, bitangent / max(length(bitangent), 1e-20));  // a stretched instance shears, too
     // A mirrored instance turns the frame inside out.
     handedness = frame.handedness * (determinant(mat3(instance.model)) < 0.0 ? -1.0 : 1.0);
     uv = vertex.uv;

@@ -42,6 +42,7 @@ const uint ORM_MAP = 64u;             // linear: occlusion, roughness, metalness
 const uint OCCLUSION_MAP = 128u;      // linear
 const uint GLOSS_MAP = 256u;          // linear
 const uint DETAIL_NORMAL_MAP = 512u;  // linear, +y up
+const uint DISPLACEMENT_MAP = 1024u;  // linear, 1/2 is the surface
 
 // What every vertex and fragment may know of the camera.
 struct CameraView {

@@ -10,11 +10,17 @@ TEST_CASE("an object that has moved away from a light has another list, and one 
     object.motion.path = {{.time_s = 0}, {.time_s = 1, .position = {9, 0, 0}}};
     TestScene test({object});
     LightBuffer lights;
-    lights.update(test.gpu, {{.kind = Light::Kind::point, .position = {0, 0, 1}, .range_m = 2}});
+    Frame frame(test.gpu);
+    const auto recorded = [&](const auto& record) {
+        frame.begin({4, 4}, 0);
+        record();
+        frame.end();
+    };
+    recorded([&] { lights.update(frame, {{.kind = Light::Kind::point, .position = {0, 0, 1}, .range_m = 2}}); });
     ObjectLights lists;
     const auto reaching = [&](float time_s) {
         animate(test.scene, time_s);
-        lists.update(test.gpu, test.scene, lights, 0);
+        recorded([&] { lists.update(frame, test.scene, lights, 0); });
         uint32_t end = 0;
         std::memcpy(&end, test.gpu.read_back(lists.ends).data(), 4);
         return end;
@@ -22,7 +28,19 @@ TEST_CASE("an object that has moved away from a light has another list, and one 
     CHECK(reaching(0) == 1);
     CHECK(reaching(1) == 0);
     CHECK(reaching(0) == 1);
+    // An inverse square that never ends: how far it is taken to reach follows the threshold.
+    animate(test.scene, 1);
+    const auto reaching_above = [&](float threshold) {
+        recorded([&] { lists.update(frame, test.scene, lights, threshold); });
+        uint32_t end = 0;
+        std::memcpy(&end, test.gpu.read_back(lists.ends).data(), 4);
+        return end;
+    };
+    CHECK(reaching_above(0.001f) == 1);  // 32 m
+    CHECK(reaching_above(0.5f) == 0);    // 1.4 m
+    CHECK(reaching(0) == 1);
     const uint64_t before = test.gpu.uploaded_bytes;
-    lists.update(test.gpu, test.scene, lights, 0);
+    recorded([&] { lists.update(frame, test.scene, lights, 0); });
     CHECK(test.gpu.uploaded_bytes == before);
+    CHECK(frame.times.empty());
 }

@@ -224,7 +224,28 @@ class PicturesTest(ChapterPictures):
         for options, times in ((("--frames", 6), 1), (("--frames", 6, "--moving", "on"), 6),
                                (("--frames", 6, "--method", "per_object"), 1)):
             self.run_program("--scene", scene, *options, "--timings", out, "--size", "32x24")
-            self.assertEqual(json.loads(out.read_text())["status"], [f"2 lights, packed {times}×"])
+            timings = json.loads(out.read_text())
+            self.assertEqual(timings["status"], [f"2 lights, packed {times}×"])
+            uploads = [p["frames"] for p in timings["passes"] if p["name"] == "lights"]  # the first frame is not counted
+            self.assertEqual(uploads, [times - 1] if times > 1 else [])
+            self.assertEqual([p["name"] for p in timings["passes"] if p["frames"] == 6][-1], "encode_srgb")
+
+    def test_lights_that_move_are_those_of_the_last_frame(self):
+        """Whatever the frames before have left in the buffers: the picture is that of its time alone."""
+        scene = self.scene("moving", [point(0.3 * i - 3, 0.5, 4 - 0.2 * i, intensity=5) for i in range(20)])
+        for method in METHODS:
+            moving = ("--moving", "on", "--method", method, "--validate", "on")
+            alone = self.draw(scene, *moving, "--time", 0.25)
+            self.assertEqual(self.draw(scene, *moving, "--frames", 16), alone)  # the last one's time is 15/60 s
+            self.assertNotEqual(self.draw(scene, *moving), alone)
+
+    def test_a_scene_without_lights_is_drawn_in_silence(self):
+        """The key is absent, not empty; validation says nothing of the buffers that hold none."""
+        path = self.folder / "unlit.json"
+        path.write_text(json.dumps({"camera": ALONG, "objects": [FLOOR], "ambient": [0.2, 0.2, 0.2]}))
+        pictures = [self.draw(path, "--method", method, "--validate", "on") for method in METHODS]
+        self.assertEqual(pictures[1:], pictures[:1] * 3)
+        self.assertGreater(max(max(row) for row in pictures[0])[0], 50)
 
     def test_scattered_lights_follow_the_seed_and_moving_ones_the_time(self):
         scene = self.scene("seed", [], camera=DOWN)

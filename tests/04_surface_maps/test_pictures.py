@@ -1,11 +1,12 @@
 """Pictures of chapter 04 that must agree with others, or differ by a known amount."""
 import json
+import math
 import pathlib
 import subprocess
 import sys
 import unittest
 
-from PIL import Image
+from PIL import Image, ImageChops
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
 from pictures import BUILD, LINEAR, ROOT, ChapterPictures  # noqa: E402
@@ -63,6 +64,32 @@ class PicturesTest(ChapterPictures):
         self.assertLess(errors["occlusion"], 0.3 * errors["offset"], errors)
         self.assertLess(errors["offset"], errors["normal"], errors)
 
+    def test_exact_hits_where_the_texture_is_sheared(self):
+        """u and v turned by 28.6 degrees against the surface's own axes and stretched; by the mesh, and by an instance."""
+        angle = math.radians(28.6)
+
+        def model(name, stretch):
+            corners = [(x, y) for x in (-0.5, 0.5) for y in (-0.5, 0.5)]
+            uv = [(math.cos(angle) * x - math.sin(angle) * stretch * y, math.sin(angle) * x + math.cos(angle) * stretch * y)
+                  for x, y in corners]
+            (self.folder / name).write_text("".join(
+                [f"v {x} {y} 0\n" for x, y in corners] + [f"vt {u} {v}\n" for u, v in uv] +
+                ["vn 0 0 1\nf 1/1/1 3/3/1 4/4/1 2/2/1\n"]))
+            return str(self.folder / name)
+
+        maps = {"diffuse": str(TEXTURES / "castle_wall_albedo.jpg"), "height": str(TEXTURES / "castle_wall_height.png")}
+        wall = self.wall(maps)
+        wall["camera"] |= {"position": [0.9, 0.5, 0.5], "fov_deg": 20}
+        options = ["--height_m", "0.04", "--samples", "4"]
+        for name, stretch, scale in (("mesh", 2.2, 1), ("instance", 1, [1, 2.2, 1])):
+            wall["objects"] = [{"model": model(f"{name}.obj", stretch), "scale": scale,
+                                "material": {"diffuse": [1, 1, 1], "maps": maps}}]
+            mesh = self.draw(wall, *options, "--mesh", "displaced", "--subdivide", "512", name="mesh")
+            errors = {method: self.flip(mesh, self.draw(wall, *options, "--method", method))
+                      for method in ("normal", "exact")}
+            with self.subTest(name=name):
+                self.assertLess(errors["exact"], 0.25 * errors["normal"], errors)
+
     def test_the_outline_is_the_mesh_s_and_not_the_height_map_s(self):
         """Intersection over union of what covers the background: the same for all parallax, less for the truth."""
         def covered(*options):
@@ -103,7 +130,7 @@ class PicturesTest(ChapterPictures):
                  "emissive": "lava_emissive.jpg", "opacity": "castle_wall_height.png",
                  "normal": "castle_wall_normal.png", "height": "castle_wall_height.png", "orm": "wood_orm.png",
                  "occlusion": "stone_tiles_height.png", "gloss": "stone_tiles_specular.png",
-                 "detail_normal": "detail_normal.png"}
+                 "detail_normal": "detail_normal.png", "displacement": "lava_height.png"}
         for slot, file in every.items():
             every[slot] = str(self.folder / f"{slot}.png")
             Image.open(TEXTURES / file).resize((64, 64)).save(every[slot])
@@ -161,6 +188,69 @@ class PicturesTest(ChapterPictures):
         only_rough = self.draw(self.wall(orm((255, 0, 0)), **lit, roughness=0.4), name="rough")
         self.assertNotEqual(of_map.read_bytes(), only_rough.read_bytes())
         self.draw(self.wall(orm((255, 0, 0)), **lit))  # roughness 0: no NaN, or it would have failed
+
+    # --- displacement
+
+    def grey(self, code) -> str:
+        """A texture of one 16-bit code."""
+        Image.new("I;16", (4, 4), code).save(self.folder / f"{code}.png")
+        return str(self.folder / f"{code}.png")
+
+    def most(self, one, other) -> int:
+        """The largest difference of two pictures, in steps of 1/255."""
+        pictures = [Image.open(picture).convert("RGB") for picture in (one, other)]
+        return max(high for _, high in ImageChops.difference(*pictures).getextrema())
+
+    def leaning(self, height=None, displacement=None, depth=0.05, name="leaning"):
+        """The castle wall at 45 degrees, by offset_limited where there is a height map."""
+        maps = {"diffuse": str(TEXTURES / "castle_wall_albedo.jpg")}
+        maps |= {"height": self.grey(height)} if height is not None else {}
+        maps |= {"displacement": self.grey(displacement)} if displacement is not None else {}
+        wall = self.wall(maps)
+        wall["camera"] |= {"position": [0.7, 0.3, 0.7]}
+        return self.draw(wall, "--method", "offset_limited", "--height_m", str(depth), "--displacement_m", "0.1",
+                         name=name)
+
+    def test_a_displacement_map_that_is_off_or_of_strength_0_changes_no_bit(self):
+        maps = {"diffuse": str(TEXTURES / "castle_wall_albedo.jpg"), "height": str(TEXTURES / "castle_wall_height.png")}
+        swell = self.wall(maps | {"displacement": str(TEXTURES / "swell_displacement.png")})
+        for method in ("flat", "normal", "occlusion"):
+            before = self.draw(self.wall(maps), "--method", method, name="before").read_bytes()
+            for options in (("--displacement", "off"), ("--displacement_m", "0"),
+                            ("--mesh", "displaced", "--subdivide", "4")):
+                with self.subTest(method=method, options=options):
+                    if "--mesh" in options:
+                        before = self.draw(self.wall(maps), "--method", method, *options, name="mesh").read_bytes()
+                    self.assertEqual(self.draw(swell, "--method", method, *options).read_bytes(), before)
+            self.assertNotEqual(self.draw(swell, "--method", method).read_bytes(), before)
+
+    def test_a_constant_displacement_map_of_a_half_changes_nothing(self):
+        plain = self.leaning(name="plain")
+        self.assertLessEqual(self.most(plain, self.leaning(displacement=32768)), 1)
+        self.assertGreater(self.most(plain, self.leaning(displacement=65535)), 30)
+
+    def test_shifts_of_both_maps_add(self):
+        """Where both are flat: a height map at the bottom goes down by 5 cm, displacement up or down by half of 10."""
+        self.assertLessEqual(self.most(self.leaning(name="plain"), self.leaning(0, 65535)), 2)
+        self.assertLessEqual(self.most(self.leaning(0, depth=0.1, name="both"), self.leaning(0, 0)), 2)
+
+    def test_a_white_displacement_map_shifts_by_half_of_its_range(self):
+        """Against a mesh whose texture coordinates are shifted so; from far away, at 45 degrees."""
+        def far(shift, maps, name):
+            (self.folder / "wall.obj").write_text("".join(
+                [f"v {x} {y} 0\n" for x in (-0.5, 0.5) for y in (-0.5, 0.5)] +
+                [f"vt {x + shift} {y}\n" for x in (-0.5, 0.5) for y in (-0.5, 0.5)] +
+                ["vn 0 0 1\nf 1/1/1 3/3/1 4/4/1 2/2/1\n"]))
+            wall = self.wall({"diffuse": str(TEXTURES / "castle_wall_albedo.jpg")} | maps)
+            wall["camera"] = {"position": [28, 0, 28], "target": [0, 0, 0], "fov_deg": 1, "near_m": 1, "far_m": 200}
+            wall["objects"][0] |= {"model": str(self.folder / "wall.obj"), "rotation_deg": [0, 0, 0]}
+            return self.draw(wall, "--displacement_m", "0.2", name=name)
+
+        white = far(0, {"displacement": self.grey(65535)}, "white")
+        shift = 0.1 * math.sqrt(0.5)
+        right, wrong = (self.flip(far(s, {}, "moved"), white) for s in (shift, -shift))
+        self.assertLess(right, 0.02)
+        self.assertGreater(wrong, 10 * right)
 
     # --- filters
 

@@ -1,5 +1,6 @@
 // Where the methods of chapter 04 fail: a bound where they hold, the size of the failure where they do not.
 #include "03_attenuation/lights.h"
+#include "04_surface_maps/cutout_levels.h"
 #include "04_surface_maps/exercises.h"
 #include "04_surface_maps/height_field.h"
 #include "04_surface_maps/levels.h"
@@ -115,6 +116,38 @@ TEST_CASE("where the texture is mirrored a shared vertex gets two frames") {
     CHECK(frame_mesh(mesh_of(framed.vertices, framed.indices)).vertices.size() == 6);  // once is enough
 }
 
+TEST_CASE("where the texture is sheared a ray moves along u and v as the surface's own map says") {
+    Random random;
+    std::vector<double> missed, missed_without;
+    for (int i = 0; i < 500; ++i) {
+        // uv = m * (x, z) on a floor: turned by 28.6 degrees, then stretched unequally; some mirrored.
+        const double angle = glm::radians(28.6), stretch_u = random.uniform(0.3, 3), stretch_v = random.uniform(0.3, 3);
+        const glm::dmat2 turned(std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle));
+        const glm::dmat2 m = glm::dmat2(stretch_u, 0, 0, i % 4 ? stretch_v : -stretch_v) * turned *
+                             glm::dmat2(1, 0, 0, random.uniform(0.5, 2));
+        const auto at = [&](double x, double z) {
+            return Vertex{{x, 0, z}, {0, 1, 0}, glm::vec2(m * glm::dvec2(x, z))};
+        };
+        const TangentFrame f = frame_mesh(mesh_of({at(0, 0), at(0, 1), at(1, 0)}, {0, 1, 2})).frames[0];
+        // The eye 80 degrees from the normal; the height field 5 cm deep.
+        const double around = random.uniform(0, 6.28), tangent_80 = std::tan(glm::radians(80.0));
+        const glm::vec3 normal(0, 1, 0), across = f.handedness * glm::cross(normal, f.tangent);
+        const glm::vec3 to_eye(glm::dvec3(std::cos(around) * tangent_80, 1, std::sin(around) * tangent_80));
+        const glm::vec3 in_frame(glm::dot(to_eye, f.tangent), glm::dot(to_eye, across), glm::dot(to_eye, normal));
+        const glm::dvec2 truth = m * (0.05 * glm::dvec2(to_eye.x, to_eye.z));
+        const auto miss = [&](glm::vec3 v) {  // in texels of a map of 512
+            return 512 * glm::length(glm::dvec2(0.05f / f.metres_per_uv * glm::vec2(v.x, v.y) / v.z) - truth);
+        };
+        missed.push_back(miss(along_uv(in_frame, f.cos_uv)));
+        missed_without.push_back(miss(in_frame));
+    }
+    std::sort(missed.begin(), missed.end());
+    std::sort(missed_without.begin(), missed_without.end());
+    INFO("as if u and v were perpendicular: " << missed_without[250] << " texels in the median");
+    CHECK(missed.back() < 0.01);
+    CHECK(missed_without[250] > 10);
+}
+
 TEST_CASE("a vertex without texture coordinates, or without area, has a frame of unit length and moves nothing") {
     const glm::vec3 n = glm::normalize(glm::vec3(1, 2, 3));
     const Mesh mesh = mesh_of(
@@ -192,10 +225,11 @@ TEST_CASE("a cutout keeps its coverage down the levels, and loses it where alpha
         blades.texels.push_back(
             glm::vec4(0.2f, 0.6f, 0.1f, static_cast<float>(std::to_integer<int>(grass.bytes[i + 3])) / 255.0f));
     const double wanted = coverage(blades, 0.5f);
-    const auto kept = cutout_levels(blades, 0.5f), averaged = cutout_levels(blades, -1.0f);
+    const auto kept = cutout_levels(check_device(), blades, 0.5f),
+               averaged = cutout_levels(check_device(), blades, -1.0f);
     REQUIRE(kept.size() == 10);
-    for (size_t i = 1; i < 6; ++i) {  // down to 16x16
-        CHECK(coverage(kept[i], 0.5f) == Approx(wanted).margin(1.0 / double(kept[i].texels.size()) + 0.004));
+    for (size_t i = 1; i < 10; ++i) {  // down to 1x1
+        CHECK(coverage(kept[i], 0.5f) == Approx(wanted).margin(0.5 / double(kept[i].texels.size()) + 0.004));
         for (const glm::vec4& texel : kept[i].texels)  // and no dark seams
             if (texel.a > 0) CHECK(glm::length(glm::vec3(texel) - glm::vec3(0.2f, 0.6f, 0.1f)) < 1e-3f);
     }
@@ -205,7 +239,33 @@ TEST_CASE("a cutout keeps its coverage down the levels, and loses it where alpha
     CHECK(coverage(averaged[5], 0.5f) < 0.85 * wanted);  // 16 texels a side
     CHECK(coverage(averaged[8], 0.5f) == 0);
     const Level none{{4, 4}, std::vector<glm::vec4>(16, glm::vec4(1, 1, 1, 0))};
-    for (const Level& level : cutout_levels(none, 0.5f)) CHECK(coverage(level, 0.5f) == 0);
+    for (const Level& level : cutout_levels(check_device(), none, 0.5f)) CHECK(coverage(level, 0.5f) == 0);
+}
+
+TEST_CASE("the smallest levels of a cutout are as covered as so many texels can be, after rounding to 8 bits") {
+    Random random;
+    for (const double share : {0.02, 0.05, 0.284, 0.5, 0.9}) {
+        Level leaves{glm::uvec2(64), {}};
+        for (int i = 0; i < 64 * 64; ++i)
+            leaves.texels.push_back(glm::vec4(0, 1, 0, random.uniform(0, 1) < share ? 1 : 0));
+        const double wanted = coverage(leaves, 0.5f);
+        const auto kept = cutout_levels(check_device(), leaves, 0.5f),
+                   averaged = cutout_levels(check_device(), leaves, -1.0f);
+        for (size_t i = 1; i < kept.size(); ++i) {
+            Level level = kept[i];
+            for (glm::vec4& texel : level.texels) texel.a = std::round(255.0f * texel.a) / 255.0f;
+            // Texels whose alphas are alike can but all be kept or none: half of those at the border may be too many.
+            std::vector<float> alphas;
+            for (const glm::vec4& texel : averaged[i].texels) alphas.push_back(texel.a);
+            std::sort(alphas.begin(), alphas.end(), std::greater<>());
+            const double count = wanted * double(alphas.size());
+            const float border = alphas[std::min(size_t(count), alphas.size() - 1)];
+            const auto alike = std::count_if(alphas.begin(), alphas.end(),
+                                             [&](float a) { return std::fabs(a - border) <= 0.008f * border; });
+            INFO(share << " at " << level.size.x << ", " << alike << " alike");
+            CHECK(std::fabs(coverage(level, 0.5f) * double(alphas.size()) - count) <= 0.5 * double(alike) + 1e-6);
+        }
+    }
 }
 
 TEST_CASE("a map that is off or missing is not in the shader") {
@@ -215,8 +275,8 @@ TEST_CASE("a map that is off or missing is not in the shader") {
     } chapter;
     const Maps maps(chapter, "maps");
     const Lights lights(chapter, "lights");
-    constexpr const char* slots[] = {"DIFFUSE", "SPECULAR", "EMISSIVE",  "OPACITY", "NORMAL",
-                                     "HEIGHT",  "ORM",      "OCCLUSION", "GLOSS",   "DETAIL_NORMAL"};
+    constexpr const char* slots[] = {"DIFFUSE", "SPECULAR",  "EMISSIVE", "OPACITY",       "NORMAL",      "HEIGHT",
+                                     "ORM",     "OCCLUSION", "GLOSS",    "DETAIL_NORMAL", "DISPLACEMENT"};
     const auto words = [&](std::string_view left_out) {
         Macros macros{{"SHOW", "0"}, {"SHOW_HIT_ERROR", "1"}, {"SHOW_SWIM", "2"}, {"SHOW_NORMAL", "3"}};
         macros.add(lights.macros());

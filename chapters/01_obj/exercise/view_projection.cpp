@@ -5,8 +5,9 @@
 namespace lightwalk::exercise {
 
 // [view_projection]
-// World space to Vulkan's clip space: x right, y down, depth 1 at near_m and 0 at far_m (which may be infinity).
-// `aspect` is width / height, above 0.
+// World space to Vulkan's clip space: x right, y down, depth 1 at near_m and 0 at far_m (which may be infinity). The
+// camera looks from its position to its target; `up` has any length and need not be perpendicular to that; fov_y_rad is
+// the full vertical angle. `aspect` is width / height, above 0.
 // [/view_projection]
 glm::mat4 view_projection(const Camera& camera, float aspect) {
     // View: three axes of the camera. It looks along -z, its x points right and its y up (cross products of the

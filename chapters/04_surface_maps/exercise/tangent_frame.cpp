@@ -9,6 +9,7 @@ namespace lightwalk::exercise {
 // length) and points where u grows; `handedness` is 1, or -1 where the texture is mirrored; `metres_per_uv` are the
 // lengths of dP/du and dP/dv. Where the texture coordinates span no area, or the triangle none, there are no such
 // directions: then the tangent is any unit vector perpendicular to the normal, the handedness 1 and metres_per_uv 0.
+// cos_uv is left at 0: who joins the frames of all triangles at a vertex fills it in.
 // [/tangent_frame]
 TangentFrame tangent_frame(const Vertex& a, const Vertex& b, const Vertex& c) {
     // Two edges of the triangle, e1 = b - a and e2 = c - a, and how u and v change along them:

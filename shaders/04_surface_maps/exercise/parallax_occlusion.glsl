@@ -6,7 +6,8 @@
 // The ray enters at `uv` with depth 0. When it is at depth t it is above uv - t * shift, where the surface's depth is
 // depth_at(uv - t * shift). It is below the surface where t is not less than that.
 //
-// The first of the depths 0, 1/steps, 2/steps, ..., 1 at which the ray is below the surface. At 1 it always is.
+// The first of the depths 0, 1/steps, 2/steps, ..., 1 at which the ray is below the surface. At 1 it always is. `steps`
+// is 1 or more.
 // [/first_layer_below]
 float first_layer_below(vec2 uv, vec2 shift, int steps) {
     return 0.0;

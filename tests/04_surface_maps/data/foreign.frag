@@ -1,5 +1,6 @@
 // A chapter that is none of the course's: it has a METHOD and knobs of its own, beside the modules of 03 and 04.
 #include "03_attenuation/lighting.glsl"
+#include "03_attenuation/unshadowed.glsl"
 #include "04_surface_maps/surface_maps.glsl"
 
 layout(location = 0) out vec4 color;

@@ -1,0 +1,20 @@
+// The C++ exercise of this chapter. The name calls the student's version or the reference, as the toggle says.
+#pragma once
+#include <functional>
+
+#include "common/base/exercise.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+/// What 02.record_mist has to work with.
+struct MistPasses {
+    const Pipeline& sky;   ///< compute: writes every texel of its image `result`
+    const Pipeline& mist;  ///< compute: reads and writes every texel of its image `result`, reads its texture `depth`
+    std::function<void(Raster&)> draw_scene;  ///< with depth test and write; covers a part of the picture
+};
+
+/// exercise/record_mist.cpp says what it must do.
+EXERCISE("02.record_mist", void, record_mist, Frame& frame, const MistPasses& passes);
+
+}  // namespace lightwalk

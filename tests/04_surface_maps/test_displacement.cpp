@@ -1,0 +1,57 @@
+// Displacement maps: the shift in numbers, and what its limit is for.
+#include <cmath>
+
+#include "catch.h"
+#include "common/check/check.h"
+
+using namespace lightwalk;
+
+namespace {
+
+Table shifts(Table inputs) {
+    return run_probe(check_device(),
+                     {.include = "04_surface_maps/displacement.glsl",
+                      .signature = "vec2 displacement_shift(float height, vec3 to_eye, vec2 whole)",
+                      .inputs = std::move(inputs)},
+                     2);
+}
+
+// How many of the places along the view show a place of the texture that one before them has shown, for a swell
+// 0.1 sin(10 u) / 2, whose slope is at most 0.5. `divide`: without the limit.
+int seen_twice(double angle_deg, bool divide) {
+    const double sine = std::sin(glm::radians(angle_deg)), cosine = std::cos(glm::radians(angle_deg));
+    Table inputs;
+    for (int i = 0; i < 1000; ++i)
+        inputs.push_back({0.5 + 0.5 * std::sin(10 * 0.001 * i), sine, 0, cosine, 0.1 / (divide ? cosine : 1), 1});
+    const Table moved = shifts(inputs);
+    int twice = 0;
+    double furthest = -1;
+    for (size_t i = 0; i < moved.size(); ++i) {
+        const double u = 0.001 * double(i) + moved[i][0];
+        twice += u < furthest - 1e-5;
+        furthest = std::max(furthest, u);
+    }
+    return twice;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a displacement map of 1/2 moves nothing, white towards the eye and black away from it by half of the whole") {
+    const Table moved = shifts({{0.5, 0.6, 0, 0.8, 0.1, 0.2},
+                                {1, 0.6, 0, 0.8, 0.1, 0.2},
+                                {0, 0.6, 0, 0.8, 0.1, 0.2},
+                                {1, 0, -0.8, 0.6, 0.1, 0.2},
+                                {0.75, 0.48, 0.64, 0.6, 0.1, 0.2},
+                                {1, 1, 0, 0, 0.1, 0.2}});  // along the surface: finite
+    const Table expected{{0, 0}, {0.03, 0}, {-0.03, 0}, {0, -0.08}, {0.012, 0.032}, {0.05, 0}};
+    for (size_t i = 0; i < expected.size(); ++i)
+        for (size_t k = 0; k < 2; ++k) CHECK(moved[i][k] == Approx(expected[i][k]).margin(1e-7));
+}
+
+TEST_CASE("the limited shift shows no place twice; divided by z a swell of slope 1/2 does from tan(angle) = 2 on") {
+    for (const double angle : {30.0, 60.0, 70.0, 85.0}) CHECK(seen_twice(angle, false) == 0);
+    CHECK(seen_twice(60, true) == 0);
+    CHECK(seen_twice(70, true) > 50);
+    CHECK(seen_twice(85, true) > 200);
+}
