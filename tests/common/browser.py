@@ -107,7 +107,7 @@ class Browser:
             self.complaints.append(parameters["entry"]["text"])
         elif event["method"] == "Network.requestWillBeSent":
             url = parameters["request"]["url"]
-            if not url.startswith(("data:", "file:", "about:")):
+            if not url.startswith(("data:", "file:", "about:", "blob:")):
                 self.complaints.append(f"asks the network for {url}")
 
     def open(self, path: Path):

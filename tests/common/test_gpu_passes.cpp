@@ -27,6 +27,41 @@ void main() { atomicAdd(count.sum, 1u); if (gl_GlobalInvocationID.x == 0u) count
 
 }  // namespace
 
+TEST_CASE_METHOD(OnDevice, "a storage image that a shader reads stands in the pass's reads, too") {
+    const Pipeline doubles = compute_pipeline("doubles", R"(
+layout(local_size_x = 4, local_size_y = 4) in;
+layout(r32f) uniform image2D twice;
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    imageStore(twice, at, 2.0 * imageLoad(twice, at));
+}
+)");
+    const Image number = image({.name = "number", .format = one_float, .size = {4, 4}});
+    frame.raster("fill", {.color = {clear(number, glm::vec4(3))}}, [](Raster&) {});
+    const auto record = [&](std::vector<Resource> reads) {
+        frame.compute("doubles", {.reads = std::move(reads), .writes = {number}},
+                      [&](Compute& pass) { pass.use(doubles).set("twice", number).dispatch_threads(frame.size); });
+    };
+    CHECK(failure_of([&] { record({}); }) == "pass 'doubles' binds 'twice' without stating it in its reads");
+    record({number});
+    frame.end();
+    CHECK(value(number) == 6);
+}
+
+TEST_CASE_METHOD(OnDevice, "what a pass discards is seen where a frame shows it") {
+    const Image number = image({.name = "number", .format = one_float, .size = {4, 4}});
+    for (const bool shows : {false, true}) {
+        frame.begin({4, 4}, 0);
+        frame.shows_discarded = shows;
+        frame.raster("fill", {.color = {clear(number, glm::vec4(3))}, .depth = clear(frame.depth, 0.5f)},
+                     [](Raster&) {});
+        frame.raster("discards", {.color = {discard(number)}, .depth = discard(frame.depth)}, [](Raster&) {});
+        frame.end();
+        if (shows) CHECK(value(number) == 1000);
+        if (shows) CHECK(value(frame.depth) == 1);
+    }
+}
+
 TEST_CASE_METHOD(OnDevice, "an array of textures is one binding") {
     std::vector<Image> images;
     for (int i = 0; i < 3; ++i) {

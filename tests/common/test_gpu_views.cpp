@@ -9,7 +9,7 @@ namespace {
 const Pipeline halve = compute_pipeline("halve", R"(
 layout(local_size_x = 1, local_size_y = 1) in;
 uniform sampler2D source;
-layout(r32f) uniform image2D result;
+layout(r32f) writeonly uniform image2D result;
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     float sum = 0.0;
@@ -143,7 +143,7 @@ TEST_CASE_METHOD(OnDevice, "a volume is written slice by slice, sampled between 
     const Buffer seen(gpu.device, {.name = "seen", .bytes = 16});
     const Pipeline fill = compute_pipeline("fill", R"(
 layout(local_size_x = 1) in;
-layout(r32f) uniform image3D volume;
+layout(r32f) writeonly uniform image3D volume;
 void main() {
     ivec3 at = ivec3(gl_GlobalInvocationID);
     imageStore(volume, at, vec4(at.x + 10 * at.y + 100 * at.z));
@@ -270,4 +270,36 @@ TEST_CASE_METHOD(OnDevice, "what was uploaded may be copied from, and read again
     frame.end();
     CHECK(read<float>(copy) == texels);
     CHECK(value(sum) == 11.0f);
+}
+
+TEST_CASE_METHOD(OnDevice,
+                 "the codes of an sRGB image are written and read as they are, and decoded where it is sampled") {
+    const Image target = image({.format = VK_FORMAT_R8G8B8A8_SRGB}), seen = image({.format = four_floats});
+    const ImageView codes = ImageView(target).codes();
+    CHECK(ImageView(seen).codes() == ImageView(seen));
+    CHECK(codes.mip(0) == codes);
+    const Pipeline write = compute_pipeline("write codes", R"(
+layout(local_size_x = 1) in;
+writeonly uniform image2D result;
+void main() { imageStore(result, ivec2(0), vec4(188.0 / 255.0, 0.0, 1.0, 0.5)); })");
+    const Pipeline read = compute_pipeline("read", R"(
+layout(local_size_x = 1) in;
+uniform sampler2D source;
+writeonly uniform image2D result;
+void main() { imageStore(result, ivec2(0), texelFetch(source, ivec2(0), 0)); })");
+    const auto look = [&](const ImageView& view) {
+        frame.compute("read", {.reads = {view}, .writes = {seen}, .with = {}}, [&](Compute& pass) {
+            pass.use(read).set("source", view).set("result", seen).dispatch({1, 1, 1});
+        });
+        frame.end();
+        const float red = this->read<float>(seen).at(0);
+        frame.begin({4, 4}, 0);
+        return red;
+    };
+    frame.compute("write", {.reads = {}, .writes = {codes}, .with = {}}, [&](Compute& pass) {
+        pass.use(write).set("result", codes).dispatch({1, 1, 1});
+    });
+    CHECK(look(codes) == Approx(188.0 / 255.0));
+    CHECK(look(target) == Approx(0.5029).margin(0.002));
+    frame.end();
 }

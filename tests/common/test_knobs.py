@@ -1,4 +1,4 @@
-"""Every chapter draws with every knob at the ends of its range, in each of its choices, on and off.
+"""The chapters draw with every knob at the ends of its range, in each of its choices, on and off.
 
 LIGHTWALK_BUILD names the build folder where it is not build/ in the tree.
 """
@@ -26,6 +26,10 @@ def settings(knob) -> list[str]:
     return [",".join([str(int(end) if knob["type"] == "whole number" else end)] * count) for end in knob["range"]]
 
 
+# A window reads as many texels as its width's square: it refuses the default width.
+WITH = {"bloom.method=window": ["--set", "sigma_px=4"]}
+
+
 @unittest.skipUnless((BUILD / "compare").exists() or "LIGHTWALK_BUILD" in os.environ, "the chapters are not built")
 class KnobsTest(unittest.TestCase):
     def run_chapter(self, chapter, *arguments):
@@ -33,16 +37,20 @@ class KnobsTest(unittest.TestCase):
                               stdin=subprocess.DEVNULL, timeout=120, cwd=ROOT)
 
     def test_every_knob_at_its_ends(self):
+        tried = set()  # modules: a knob is tried in the first chapter that has it
         for chapter in CHAPTERS:
             knobs = json.loads(self.run_chapter(chapter, "--list", "knobs", "--json").stdout)
             self.assertTrue(knobs, chapter)
             for knob in knobs:
+                if knob["name"] in tried:
+                    continue
+                tried.add(knob["name"])
                 for value in settings(knob):
                     with self.subTest(chapter=chapter, set=f"{knob['name']}={value}"), \
                             tempfile.TemporaryDirectory() as folder:
                         picture = pathlib.Path(folder) / "picture.png"
-                        done = self.run_chapter(chapter, "--set", f"{knob['name']}={value}", "--size", "32x24",
-                                                "--validate", "on", "--screenshot", picture)
+                        done = self.run_chapter(chapter, "--set", f"{knob['name']}={value}", *WITH.get(f"{knob['name']}={value}", []),
+                                                "--size", "32x24", "--validate", "on", "--screenshot", picture)
                         self.assertEqual((done.returncode, done.stderr), (0, ""))
                         self.assertTrue(picture.exists())
 

@@ -72,20 +72,35 @@ TEST_CASE("every division becomes a call, with both operands whole") {
     CHECK(body("const float k = 1.0;\nfloat f(const float x) { return x / k; }") ==
           "floatk=1.0;\nfloatf(constfloatx){returnundefined_divide(x,k);}");
     CHECK_THROWS(instrumented("float f() { return (1.0; }"));
+    // A directive goes on after a backslash: what it opens nobody closes.
+    CHECK_NOTHROW(instrumented("#define BEGIN \\\n namespace x {\nfloat f(float a) { return g(a) * 2.0; }"));
 }
 
 TEST_CASE("an operation without a defined result is noted with its operands, and its result is any") {
     // encode_srgb takes pow(c, 1 / 2.4), but only above 0.0031308.
     Probe fine = probe_of("common/srgb.glsl", "vec3 encode_srgb(vec3 linear)", {{0, -1, 2}});
-    CHECK(run_undefined(check_device(), fine, 3).empty());
+    CHECK(run_undefined(check_device(), fine, 3).value().empty());
     Probe root = probe_of("common/srgb.glsl", "float undefined_sqrt(float x)", {{4}, {-4}});
-    const std::vector<Undefined> found = run_undefined(check_device(), root, 1);
+    const std::vector<Undefined> found = run_undefined(check_device(), root, 1).value();
     REQUIRE(found.size() == std::size(undefined_results));
     for (size_t i = 0; i < found.size(); ++i) {
         CHECK(found[i].row == 1);
         CHECK(undefined_words(found[i].what, found[i].a, found[i].b) == "takes the square root of -4");
         if (!std::isnan(undefined_results[i])) CHECK(found[i].result[0] == static_cast<double>(undefined_results[i]));
     }
+}
+
+TEST_CASE("a check says where it could not look for undefined operations") {
+    Probe probe = probe_of("common/srgb.glsl", "int abs(int x)", {{-7}});
+    probe.truth = [](std::span<const double> x) { return Row{std::fabs(x[0])}; };
+    Check check;
+    check.probe(probe);
+    CHECK(check.note.empty());
+    probe.macros = {{"undefined_note", "7"}};  // breaks what instrumented text calls, and nothing else
+    CHECK_FALSE(run_undefined(check_device(), probe, 1));
+    check.probe(probe);
+    CHECK(check.failed == 0);
+    CHECK(check.note.find("common/srgb.glsl") != std::string::npos);
 }
 
 TEST_CASE("ints travel as ints") {

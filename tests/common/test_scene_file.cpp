@@ -163,7 +163,8 @@ TEST_CASE("what is written is read back the same") {
                      "material": {"diffuse": [0.1, 0.2, 0.3], "shininess": 7, "blend": true},
                      "motion": {"spin_deg_per_s": 20, "axis": [1, 1, 0], "period_s": 9,
                                 "path": [{"time_s": 1}, {"time_s": 2.5, "position": [1, 2, 3], "scale": 2}]}}],
-        "lights": [{"type": "point", "position": [1, 2, 3], "range_m": 4, "intensity": 5}],
+        "lights": [{"type": "point", "position": [1, 2, 3], "range_m": 4, "intensity": 5,
+                    "shadow": true, "size_m": 0.25}, {"shadow": true, "size_deg": 0.53}],
         "knobs": {"samples": 3}})",
                                   "s.json");
     write_file(folder.path / "sky.hdr", "read when the scene is loaded");
@@ -174,7 +175,10 @@ TEST_CASE("what is written is read back the same") {
     CHECK(again.camera.fov_y_rad == Approx(scene.camera.fov_y_rad));
     CHECK(again.objects[0].rotation_deg == scene.objects[0].rotation_deg);
     CHECK(*again.objects[0].material.diffuse == *scene.objects[0].material.diffuse);
-    CHECK(again.lights[0].position == scene.lights[0].position);
+    CHECK(again.lights[0] == scene.lights[0]);
+    CHECK(again.lights[0].size_m == 0.25f);
+    CHECK(again.lights[1].shadow);
+    CHECK(again.lights[1].size_rad == Approx(0.00925).margin(1e-5));
     CHECK(again.objects[0].motion == scene.objects[0].motion);
     CHECK(again.objects[0].material.blend == true);
     CHECK(again.environment.image == scene.environment.image);

@@ -116,6 +116,12 @@ TEST_CASE_METHOD(StudyTest, "study: what a scene sets holds for its points, its 
     CHECK(dark == Approx(0.0062).margin(0.0005));
     CHECK(bright == Approx(0.0089).margin(0.0005));
     CHECK(result["truth"] == json{{"method", "exact"}, {"knobs", json::object()}, {"exact", true}});
+    for (const json& measured : result["points"]) {  // in one round the median is the time
+        double sum = 0;
+        REQUIRE(measured["time_ms"]["per_pass"].size() == 3);
+        for (const json& pass : measured["time_ms"]["per_pass"]) sum += pass.get<double>();
+        CHECK(measured["time_ms"]["median"].get<double>() == Approx(sum));
+    }
 }
 
 TEST_CASE_METHOD(StudyTest, "study: a truth with samples is doubled in each scene") {
@@ -288,6 +294,9 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
         {"/charts", R"([{"name": "a", "z": 1}])", "key 'z' is unknown here"},
         {"/charts", R"([{"name": "a", "x": "knob none"}])", "unknown knob 'none'"},
         {"/charts", R"([{"name": "a", "y": "knob light"}])", "expected \"time\" or a metric"},
+        {"/charts", R"([{"name": "a", "enough": {"at": -1, "text": "x"}}])", "expected a number from 0"},
+        {"/charts", R"([{"name": "a", "enough": {"at": 1}}])", R"(has no "text")"},
+        {"/charts", R"([{"name": "a", "panel": 1}])", "expected a text"},
         {"/charts", R"([{"name": "a", "knobs": {"looks": [1, 0]}}])", "looks=0: expected a whole number"},
         {"/charts", R"([{"name": "a", "knobs": {"none": 1}}])", "unknown knob 'none'"},
         {"/charts", R"([{"name": "a", "x_scale": "cubic"}])", "expected \"linear\" or \"log\""},

@@ -158,6 +158,12 @@ class Tables(unittest.TestCase):
         self.assertEqual(wrong(better={"threshold": "lower"}, scenes=["x/a.json", entry | {"set": {"lights": 9}}]),
                          ["points"])
 
+        curve = study["curves"][0] | {"where": {"lights": 10}}  # measured in one of the two scenes alone
+        more = {"better": {"threshold": "lower"}, "curves": [curve],
+                "scenes": [{"scene": "x/a.json", "set": {"lights": 1}}, entry]}
+        self.assertEqual(wrong(**more), ["points"])
+        self.assertEqual(wrong([point for point in found if point["scene"] == "ten"], **more), [])
+
     def test_only_points_that_differ_in_one_knob_are_compared(self):
         def point(a, b, error):
             return {"scene": "s", "method": "m", "knobs": {"a": a, "b": b}, "error": {"rmse": error}}

@@ -1,0 +1,178 @@
+"""Tests of ./course where exercises are checked, handed out and graded."""
+
+import json
+import shutil
+import sys
+import unittest
+import zipfile
+from pathlib import Path
+
+from small_course import REAL, Course
+
+sys.path.insert(0, str(REAL / "common/course"))
+from check_teeth import with_bodies  # noqa: E402
+from study_file import Study, markdown_table  # noqa: E402
+
+
+class Exercises(Course):
+    def test_check_says_what_is_wrong(self):
+        self.put("chapters/02_lambert/exercise/one.cpp", "right")
+        self.put("no_teeth")
+        self.accept()
+        printed = self.course("check", "01", code=1)
+        self.assertIn("open  01.one  2 of 3 checks  chapters/01_obj/exercise/one.cpp\n"
+                      "      one(0) gave 1, expected 0", printed)
+        self.assertNotIn("think", printed)
+        self.assertIn("hint: think", self.course("check", "01.one", "--hint", code=1))
+        self.assertIn("1 of 2 exercises are right; next: 01.one", self.course("check", code=1))
+        lines = self.course("check", "--json", code=1).splitlines()
+        self.assertEqual([json.loads(line)["ok"] for line in lines if line[0] == "{"], [False, True])
+        self.assertIn("02_lambert               [#] 1 of 1", self.course("progress", code=1))
+
+    def test_the_picture_comes_last(self):
+        self.put("chapters/02_lambert/exercise/one.cpp", "right")
+        self.accept()
+        self.assertIn("the numbers are right, the picture of bunny is not", self.course("check", "02", code=1))
+        self.put("no_teeth")
+        self.assertIn("ok    02.one", self.course("check", "02"))
+
+    def test_a_picture_is_compared_with_the_reference_drawn_here(self):
+        self.put("chapters/02_lambert/exercise/one.cpp", "right")
+        self.put("no_teeth")
+        self.accept()
+        self.put("drift", "as this processor draws it")  # unlike the golden, but like the reference
+        self.assertIn("ok    02.one", self.course("check", "02"))
+
+    def test_in_a_handout_the_picture_waits_for_what_else_it_shows(self):
+        self.put("no_teeth")
+        self.accept()
+        folder = self.outside / "waiting"
+        self.course("handout", str(folder))
+        self.addCleanup(shutil.rmtree, folder)
+        (folder / "chapters/02_lambert/exercise/one.cpp").write_text("right")
+        check = [folder / "course", "check", "02"]
+        self.assertIn("compared once the numbers of 01.one are right", self.run_program(check))
+        (folder / "chapters/01_obj/exercise/one.cpp").write_text("right")
+        self.assertNotIn("compared once", self.run_program(check))
+        (folder / "no_teeth").unlink()
+        self.assertIn("the picture of bunny is not: 3 pixels differ", self.run_program(check, code=1))
+
+    def test_a_file_that_does_not_compile_becomes_an_empty_object(self):
+        script = REAL / "common/course/compile_exercise.sh"
+        source, made = self.outside / "a.cpp", self.outside / "a.o"
+        command = ["sh", script, "c++", "-Wall", "-o", made, "-c", source]
+        source.write_text("int f() { int unused; return 1; }")
+        self.assertIn("unused", self.run_program(command))
+        self.assertIn(b"1fv", made.read_bytes())
+        source.write_text("int f() { return }")
+        self.assertIn("error", self.run_program(command))
+        self.assertNotIn(b"1fv", made.read_bytes())
+        self.assertIn("a.cpp:1:18: error", Path(f"{made}.error").read_text())
+        source.write_text("int f() { return 1; }")
+        self.assertEqual(self.run_program(command), "")
+        self.assertFalse(Path(f"{made}.error").exists())
+
+    def test_exercises_come_in_the_lessons_order(self):
+        self.put("chapters/01_obj/exercise/and.cpp", "right")
+        self.put("docs/01_obj.md", "# One\n### 01.one (easy)\n### 01.and (hard)\n")
+        printed = self.course("check", "01", code=1)
+        self.assertLess(printed.index("01.one  2 of 3"), printed.index("01.and  3 of 3"))
+        self.assertIn("one.cpp  (easy)", printed)
+
+    def test_handout_of_a_tree_with_history(self):
+        def git(*words):
+            self.run_program(["git", "-C", self.root, "-c", "user.name=a", "-c", "user.email=a@b.c", *words])
+        self.put("chapters/01_obj/exercise/one.cpp", "open")
+        git("init", "-q")
+        self.addCleanup(shutil.rmtree, self.root / ".git")
+        git("add", "-A")
+        git("commit", "-q", "-m", "all")
+        self.put("grades.csv", "ann 2")
+        self.put("chapters/01_obj/exercise/one.cpp", "right")
+        folder = self.outside / "committed"
+        self.assertIn("one.cpp: handed out as committed", self.course("handout", str(folder)))
+        self.assertFalse((folder / "grades.csv").exists())
+        self.assertEqual((folder / "chapters/01_obj/exercise/one.cpp").read_text(), "open")
+
+    def test_a_check_that_dies_is_open(self):
+        self.put("chapters/01_obj/exercise/one.cpp", "die")
+        self.assertIn("ended by signal 6", self.course("check", "01", code=1))
+
+    def test_handout_has_no_solution_and_works(self):
+        self.accept()
+        folder = self.outside / "handout"
+        self.assertIn("2 exercises", self.course("handout", str(folder)))
+        self.assertEqual(list(folder.rglob("solution")), [])
+        self.assertTrue((folder / "chapters/01_obj/exercise/one.cpp").exists())
+        self.assertIn("out of 3", self.run_program([folder / "course", "test"]).splitlines()[-1])
+        self.course("handout", str(folder), code=2)
+
+    def test_a_check_must_refuse_the_starter_and_take_the_solution(self):
+        self.course("run", "01")
+        check = [sys.executable, self.root / "common/course/check_teeth.py", "01_obj"]
+        self.run_program(check)
+        self.put("chapters/01_obj/exercise/one.cpp", "right")
+        self.assertIn("01.one: it passes as handed out", self.run_program(check, code=1))
+        self.put("chapters/01_obj/solution/one.cpp", "wrong")
+        self.assertIn("01.one: the reference does not pass", self.run_program(check, code=1))
+
+    def test_the_checks_of_the_reference_are_in_the_report(self):
+        self.course("run", "01")
+        check = [sys.executable, self.root / "common/course/results.py", "check", "01_obj"]
+        self.run_program(check)
+        result = json.loads((self.root / "build/results/check.01.json").read_text())
+        self.assertEqual((result["kind"], result["test"], len(result["rows"])), ("probe", "check.01", 1))
+        self.put("chapters/01_obj/solution/one.cpp", "wrong")
+        self.assertIn("01.one: one(0) gave 1, expected 0", self.run_program(check, code=1))
+
+    def test_a_chart_is_that_of_its_study(self):
+        self.course("run", "01")
+        charts = [sys.executable, self.root / "common/course/results.py", "charts"]
+        point = {"scene": "a", "method": "b", "error": {"ulp": 1}, "mb_per_s": {"median": 2, "q1": 1, "q3": 3}}
+        study = {"chapter": "01_obj", "title": "t", "subject": "loader", "device": "d", "driver": "CPU", "stage": "s",
+                 "command": "c", "error_metric": "ulp", "time_unit": "MB/s", "points": [point]}
+        self.put("docs/studies/01_obj.cpu1.json", json.dumps(study))
+        printed = self.run_program(charts, code=1)
+        self.assertIn("docs/studies/01_obj.cpu1.md is not the table", printed)
+        self.assertIn("there is no docs/studies/01_obj.cpu1.svg", printed)
+        for kind, text in (("svg", ""), ("png", ""), ("md", markdown_table(Study(study)))):
+            self.put(f"docs/studies/01_obj.cpu1.{kind}", text)
+        self.run_program(charts)
+        two = study | {"charts": [{"name": "main"}, {"name": "again", "title": "Once more"}]}
+        self.put("docs/studies/01_obj.cpu1.json", json.dumps(two))
+        printed = self.run_program(charts, code=1)
+        self.assertEqual([f"there is no docs/studies/01_obj.cpu1.again.{kind}" in printed for kind in ("svg", "png")],
+                         [True, True])
+        for kind in ("svg", "png"):
+            self.put(f"docs/studies/01_obj.cpu1.again.{kind}", "")
+        self.run_program(charts)
+        found = json.loads((self.root / "build/results/chart.01_obj.cpu1.again.json").read_text())
+        self.assertEqual((found["title"], found["ok"], found["table"]), ("Once more", True, None))
+        self.put("docs/studies/01_obj.cpu1.json", "{}")
+        self.assertIn('has no "chapter"', self.run_program(charts, code=1))
+
+    def test_functions_without_bodies(self):
+        text = ("// f(x) {\nfloat f(vec3 a,\n        float b) {\n    if (b > 0.0) { return 1.0; }\n    return b;\n}\n"
+                "void g() { h(); }\n")
+        self.assertEqual(with_bodies(text, " return ZERO; "), "// f(x) {\nfloat f(vec3 a,\n        float b) "
+                         "{ return float(0); }\nvoid g() {}\n")
+
+    def test_grade(self):
+        self.put("chapters/02_lambert/exercise/one.cpp", "right")
+        students = self.outside / "students"
+        for name, text in (("ann", "right"), ("ben", "wrong"), ("cat", "syntax error"), ("dan", None)):
+            folder = students / name / "chapters/01_obj/exercise"
+            folder.mkdir(parents=True)
+            if text:
+                (folder / "one.cpp").write_text(text)
+        with zipfile.ZipFile(students / "eve.zip", "w") as archive:
+            archive.writestr("course/chapters/01_obj/exercise/one.cpp", "right")
+            archive.writestr("../../chapters/01_obj/exercise/one.cpp", "wrong")
+        grades = [" ".join(line.split()) for line in self.course("grade", str(students)).splitlines() if " of 2 " in f"{line} "]
+        self.assertEqual(grades, ["ann 2 of 2", "ben 1 of 2 open: 01.one", "cat 1 of 2 open: 01.one",
+                                  "dan 0 of 2 holds no exercise", "eve 2 of 2"])
+        self.assertIn("does not compile: 1: error: no", self.course("grade", "--json", str(students / "cat")))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,294 @@
+"""Tests of the lessons' pages: of all of them as they are, and of what a lesson may contain in a small course."""
+
+import filecmp
+import functools
+import json
+import os
+import re
+import shutil
+import sys
+import tempfile
+import unittest
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote
+
+from browser import CHROMIUM, Browser
+from PIL import Image
+from small_course import REAL, Course
+
+sys.path.insert(0, str(REAL / "common/course"))
+import docs  # noqa: E402
+from tree import BUILD, chapters, exercises  # noqa: E402
+
+# Text that ought to be a formula, outside of code: its TeX, or Markdown's sign for it.
+LEFT_OVER = r"""(() => {
+  const walker = document.createTreeWalker(document.querySelector("article"), NodeFilter.SHOW_TEXT), found = [];
+  while (walker.nextNode()) {
+    const node = walker.currentNode;
+    if (!node.parentElement.closest("code, .katex-mathml, script, style") && /\$|\\[a-zA-Z(\[]|```/.test(node.data))
+      found.push(node.data.trim());
+  }
+  return found;
+})()"""
+BROKEN = "Promise.all([...document.images].map(i => i.decode().then(() => '', () => i.src))).then(all => all.filter(Boolean))"
+UNSET = "[...document.querySelectorAll('.arithmatex')].filter(f => !f.querySelector('.katex') || " \
+        "f.querySelector('.katex-error')).map(f => f.textContent)"
+ASK = """new Promise(done => {
+  document.querySelector("[data-md-toggle=search]").click();
+  const field = document.querySelector("[data-md-component=search-query]"), end = Date.now() + 20000;
+  setTimeout(() => {
+    field.focus(); field.value = %s; field.dispatchEvent(new Event("keyup", {bubbles: true}));
+    const look = () => {
+      const hits = [...document.querySelectorAll(".md-search-result__link")].map(a => a.href);
+      hits.length || Date.now() > end ? done(hits) : setTimeout(look, 100);
+    };
+    look();
+  }, 300);
+})"""
+
+
+class Links(HTMLParser):
+    """What a page names, and what can be named in it."""
+
+    def __init__(self, page: Path):
+        super().__init__()
+        self.links, self.names = [], set()
+        self.feed(page.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        for name, value in attributes:
+            if name in ("href", "src") and value:
+                self.links.append((tag, value))
+            elif name in ("id", "name") and value:
+                self.names.add(value)
+
+
+class TheCourse(unittest.TestCase):
+    """The pages of the tree as it is. They stay in the build folder: the report links them."""
+
+    folder = BUILD / "docs"
+
+    @classmethod
+    def setUpClass(cls):
+        made()
+        cls.pages = sorted(cls.folder.rglob("*.html"))
+        cls.lessons = [cls.folder / f"{chapter}.html" for chapter in chapters()]
+
+
+@functools.cache
+def made():
+    docs.make(TheCourse.folder)
+
+
+class Pages(TheCourse):
+    def test_every_link_leads_to_a_file_and_a_heading(self):
+        found = {page: Links(page) for page in self.pages}
+        self.assertGreater(sum(len(links.links) for links in found.values()), 500)
+        for page, links in found.items():
+            for tag, link in links.links:
+                if re.match(r"(https?|data|mailto):", link):
+                    self.assertEqual(tag, "a", f"{page} loads {link}")
+                    continue
+                path, _, anchor = unquote(link).partition("#")
+                target = (page.parent / path).resolve() if path else page
+                self.assertTrue(target.is_file() and target.is_relative_to(self.folder), f"{page}: {link}")
+                if anchor and target.suffix == ".html" and not anchor.startswith("__"):
+                    self.assertIn(anchor, found[target].names, f"{page}: {link}")
+
+    def test_each_exercise_has_an_address_that_opens_at_it(self):
+        for chapter in chapters():
+            names = Links(self.folder / f"{chapter}.html").names
+            for exercise in exercises(chapter):
+                self.assertIn(exercise, names)
+                self.assertIn(f"../{chapter}.html#{exercise}", (self.folder / "open" / f"{exercise}.html").read_text())
+
+    def test_the_same_tree_gives_the_same_bytes(self):
+        with tempfile.TemporaryDirectory() as again:
+            docs.make(Path(again, "docs"))
+            names = [str(path.relative_to(self.folder)) for path in self.folder.rglob("*") if path.is_file()]
+            same, other, missing = filecmp.cmpfiles(self.folder, Path(again, "docs"), names, shallow=False)
+            self.assertEqual((other, missing, len(same)), ([], [], len(names)))
+
+    def test_a_lesson_leads_to_the_next(self):
+        for before, after in zip(self.lessons, self.lessons[1:]):
+            self.assertIn(f'href="{after.name}" class="md-footer__link md-footer__link--next"', before.read_text())
+            self.assertIn(f'href="{before.name}" class="md-footer__link md-footer__link--prev"', after.read_text())
+
+
+@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+class InBrowser(TheCourse):
+    def test_every_page_is_whole_and_keeps_to_itself(self):
+        with Browser() as browser:
+            formulas = 0
+            for page in self.pages:
+                if page.parent.name == "open":
+                    continue
+                with self.subTest(page=page.name):
+                    browser.open(page)
+                    self.assertEqual(browser.evaluate(BROKEN), [])
+                    self.assertEqual(browser.evaluate(UNSET), [])
+                    self.assertEqual(browser.evaluate(LEFT_OVER), [])
+                    self.assertFalse(browser.evaluate("document.documentElement.scrollWidth > innerWidth"))
+                    formulas += browser.evaluate("document.querySelectorAll('.katex').length")
+                    self.assertEqual(browser.complaints, [])
+            self.assertGreater(formulas, 100)
+
+    def test_on_a_phone_in_the_dark(self):
+        with Browser(dark=True) as browser:
+            browser.call("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=1, mobile=True)
+            for page in [self.folder / "index.html", *self.lessons]:
+                browser.open(page)
+                self.assertEqual(browser.evaluate("[innerWidth, document.documentElement.scrollWidth]"), [390, 390], page)
+                self.assertEqual(browser.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(20, 24, 31)")
+            self.assertEqual(browser.complaints, [])
+
+    def test_search_finds_and_leads_there(self):
+        with Browser() as browser:
+            for words, page in (("half vector", "02_lambert_phong.html"), ("clusters", "03_attenuation.html")):
+                browser.open(self.folder / "index.html")
+                hits = browser.evaluate(ASK % json.dumps(words))
+                self.assertTrue(any(page in hit for hit in hits), hits)
+                self.assertFalse([hit for hit in hits if not hit.startswith("file:")])
+                self.assertEqual(browser.complaints, [])
+            browser.open(self.folder / "index.html")
+            self.assertEqual(browser.evaluate((ASK % '"xyzzyplugh"').replace("20000", "2000")), [])
+
+    def test_an_exercises_address_opens_at_it(self):
+        with Browser() as browser:
+            browser.open(self.folder / "open" / "02.phong.html")
+            until = "new Promise(f => { const t = setInterval(() => { if (scrollY > 500) { clearInterval(t); f(true); } }, 50);" \
+                    " setTimeout(() => f(false), 15000); })"
+            browser.events.clear()
+            while "Page.loadEventFired" not in browser.events:
+                browser.receive(10)
+            self.assertTrue(browser.evaluate(until))
+            self.assertIn("02_lambert_phong.html#02.phong", browser.evaluate("location.href"))
+
+
+LESSON = """# 01 The first lesson
+
+A paragraph with $x_1^2$ and `$code$`, and [the next](02_lambert.md#two), and [a source](../chapters/01_obj/main.cpp).
+
+```math
+\\frac{a}{b} = \\begin{cases} 1 & a > 0 \\\\ 0 \\end{cases}
+```
+
+<!-- compare -->
+| flat | bumpy |
+|---|---|
+| ![A flat wall](images/a.png) | ![A bumpy wall](../tests/01_obj/b.png) |
+
+*One wall twice.*
+
+<!-- quote: chapters/01_obj/main.cpp#frame -->
+```cpp
+draw();
+    twice();
+```
+
+<details>
+<summary>What is `1 + 1`?</summary>
+
+Two, and **not** $3$:
+
+```glsl
+vec3 two = vec3(2.0);
+```
+
+- so it is
+
+</details>
+
+1. A question
+   of two lines?
+
+   <details><summary>The "answer" to $x$</summary>
+
+   - in a list,
+
+     ```cpp
+     int deep = 1;
+     ```
+   </details>
+
+2. Another.
+
+### 01.one (easy)
+
+![A diagram](figure.svg)
+"""
+
+
+class SmallCourse(Course):
+    def setUp(self):
+        self.put("docs/01_obj.md", LESSON)
+        self.put("README.md", "# The course\n\n[a folder](tests/01_obj)\n")
+        self.put("docs/study_format.md", "# The format\n")
+        self.put("docs/figure.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="20" height="20"><circle r="9"/></svg>')
+        for name, color in (("docs/images/a.png", "#775533"), ("tests/01_obj/b.png", "#335577")):
+            self.put(name)
+            Image.new("RGB", (320, 180), color).save(self.root / name)
+        self.site = self.root / "build/docs"
+
+    def test_it_says_how_many_and_what_is_wrong(self):
+        self.assertRegex(self.course("docs"), r"\Abuild/docs/index.html: \d+ pages in \d+\.\d s\n\Z")
+        whole = (self.site / "01_obj.html").read_bytes()
+        for text, says in (("# One\n\n![x](none.png)\n", "docs/01_obj.md:3: there is no docs/none.png"),
+                           ("# One\n\n<!-- compare -->\n| a | b |\n|---|---|\n| a | b |\n",
+                            "docs/01_obj.md:3: after <!-- compare --> comes a table of two names over two pictures")):
+            self.put("docs/01_obj.md", text)
+            self.assertIn(says, self.course("docs", code=1))
+            self.assertEqual((self.site / "01_obj.html").read_bytes(), whole, "what was there did not stay")
+        self.assertEqual([path.name for path in (self.root / "build").glob(".docs*")], [])
+
+    def test_open_says_what_is_missing(self):
+        self.put("bin/xdg-open", "#!/bin/sh\ntest -f \"$1\" && echo $1 > $(dirname $0)/opened\n")
+        opener = self.root / "bin/xdg-open"
+        opener.chmod(0o755)
+        self.addCleanup(lambda: (self.root / "bin/opened").unlink(missing_ok=True))
+        self.course("docs", "--open", PATH=f"{opener.parent}:{os.environ['PATH']}")
+        self.assertEqual((self.root / "bin/opened").read_text().strip(), str(self.site / "index.html"))
+        opener.write_text("#!/bin/sh\nexit 3\n")
+        self.assertIn("xdg-open could not show", self.course("docs", "--open", code=1,
+                                                             PATH=f"{opener.parent}:{os.environ['PATH']}"))
+
+    def test_the_gallery_links_the_page(self):
+        shutil.rmtree(self.site, ignore_errors=True)
+        self.course("run")
+        self.assertIn('href="../../docs/01_obj.md"', (self.root / "build/gallery/index.html").read_text())
+        self.course("docs")
+        self.course("run")
+        self.assertIn('href="../docs/01_obj.html"', (self.root / "build/gallery/index.html").read_text())
+
+    @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+    def test_what_a_lesson_may_contain(self):
+        self.course("docs")
+        with Browser() as browser:
+            browser.open(self.site / "01_obj.html")
+            self.assertEqual([browser.evaluate(BROKEN), browser.evaluate(UNSET), browser.evaluate(LEFT_OVER)], [[], [], []])
+            count = "document.querySelectorAll('article %s').length"
+            for what, expected in ((".katex", 4), (".katex-display", 1), ("details .katex", 2), ("details .highlight .kt", 3),
+                                   ("details li", 2), ("details > summary code", 1),
+                                   ("ol", 1), ("ol > li", 2), ("ol details ul .highlight", 1), ("ol summary .katex", 1), ("span.filename", 1), (".grade.easy", 1),
+                                   ("figure.compare img", 2), (".highlight .n", 4)):
+                self.assertEqual(browser.evaluate(count % what), expected, what)
+            self.assertEqual(browser.evaluate("document.querySelector('code').textContent"), "$code$")
+            self.slide(browser)
+            browser.evaluate("document.querySelector('img[src$=\".svg\"]').click()")
+            self.assertTrue(browser.evaluate("document.querySelector('dialog.large').open"))
+            self.assertEqual(browser.complaints, [])
+
+    def slide(self, browser: Browser):
+        shown = "getComputedStyle(document.querySelector('.slide img + img')).clipPath"
+        self.assertIn("50%", browser.evaluate(shown))
+        browser.evaluate("document.querySelector('.slide').scrollIntoView({block: 'center', behavior: 'instant'})")
+        x, y, width = browser.evaluate("(r => [r.x, r.y + r.height / 2, r.width])"
+                                       "(document.querySelector('.slide').getBoundingClientRect())")
+        browser.drag((x + width / 2, y), (x + width / 4, y))
+        self.assertLess(abs(browser.evaluate("+document.querySelector('.slide input').value") - 25), 4)
+        self.assertNotIn("50%", browser.evaluate(shown))
+
+
+if __name__ == "__main__":
+    unittest.main()

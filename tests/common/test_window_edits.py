@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""Shaders and scenes that are edited while the window shows them. Under Xvfb, validated."""
+import json
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+from window_case import CHAPTER, HEIGHT, WIDTH, WindowTest
+from window_session import ROOT
+
+FRAGMENT = "shaders/01_obj/clay.frag"
+
+
+class Edits(WindowTest):
+    def edit(self, old: str, new: str, shader: str = FRAGMENT) -> float:
+        """Replaces text in a shader as an editor does; returns the moment. After the test it is as it was."""
+        file = self.course / shader
+        text = file.read_text()
+        self.assertIn(old, text)
+        self.addCleanup(file.write_text, (ROOT / shader).read_text())
+        file.write_text(text.replace(old, new))
+        return time.monotonic()
+
+    def test_broken_shader_is_reported_and_mended(self):
+        since = self.session.said()
+        line = next(i for i, text in enumerate((self.course / FRAGMENT).read_text().splitlines(), 1) if "color =" in text)
+        self.edit("color = ", "color = no_such_thing + ")
+        self.session.wait_for_line(rf"error: {FRAGMENT}:{line}: .*no_such_thing.*", since)
+        shown = self.session.settled(0, 0, WIDTH, HEIGHT)
+        red = sum(1 for i in range(0, len(shown), 3) if shown[i] > 180 and shown[i + 1] < 130 and shown[i + 2] < 130)
+        self.assertGreater(red, 200, "no red text on the screen")
+        self.assert_last_good_picture_stays()
+        since = self.session.said()
+        self.edit("color = no_such_thing + ", "color = ")
+        self.session.wait_for_line("no error", since)
+        self.assert_as_at_the_start()
+
+    def test_shader_edit_shows(self):
+        edited = self.edit("color = ", "color = vec4(0.0, 0.3, 0.0, 0.0) + ")
+        self.session.wait(lambda: self.session.pixels(0, 0, WIDTH, HEIGHT) != self.start, "the edit to show")
+        print(f"\nedit to new picture: {time.monotonic() - edited:.2f} s")
+        self.edit("color = vec4(0.0, 0.3, 0.0, 0.0) + ", "color = ")
+        self.assert_as_at_the_start()
+
+    def test_binding_that_is_gone_is_reported(self):
+        since = self.session.said()
+        self.edit("hdr", "radiance", "shaders/common/encode_srgb.comp")
+        self.session.wait_for_line(r"error: pass 'encode_srgb': .* 'hdr'.* radiance.*", since)
+        self.edit("radiance", "hdr", "shaders/common/encode_srgb.comp")
+        self.session.wait_for_line("no error", since)
+        self.assert_as_at_the_start()
+
+    def test_broken_scene_is_reported_on_reload(self):
+        text = self.scene.read_text()
+        since = self.session.said()
+        self.scene.write_text(text.replace('"camera"', '"camra"'))
+        self.session.key("F5")
+        self.session.wait_for_line(r"error: .*my_scene\.json.*camra.*", since)
+        self.assert_last_good_picture_stays()
+        self.scene.write_text(text)
+        since = self.session.said()
+        self.session.key("F5")
+        self.session.wait_for_line("no error", since)
+        self.assert_as_at_the_start()
+
+    def test_scene_is_saved_and_read_back(self):
+        self.session.drag((200, 200), (320, 240))
+        self.picture()
+        turned = self.screenshot()
+        since = self.session.said()
+        before = self.scene.read_text()
+        self.session.key("ctrl+s")
+        self.assertEqual(Path(self.session.wait_for_line(r"saved (.*)", since)[1]), self.scene)
+        headless = self.folder / "saved.png"
+        subprocess.run([CHAPTER, "--screenshot", headless, "--size", f"{WIDTH}x{HEIGHT}", "--scene", self.scene],
+                       check=True)
+        self.assertEqual(turned.read_bytes(), headless.read_bytes(), "the saved scene is another picture")
+        self.scene.write_text(before)
+        self.session.key("Home")
+        self.assert_as_at_the_start()
+
+    def test_an_edited_scene_is_not_saved_over(self):
+        """Ctrl+S asks first, and what was edited stays beside camera and knobs."""
+        before = self.scene.read_text()
+        self.addCleanup(self.session.key, "F5")
+        self.addCleanup(self.scene.write_text, before)
+        edited = json.loads(before) | {"include": [], "ambient": [0.5, 0.25, 0.125]}
+        self.scene.write_text(json.dumps(edited))
+        since = self.session.said()
+        self.session.key("ctrl+s")
+        self.session.wait_for_line("asks before saving .*", since)
+        self.assertEqual(json.loads(self.scene.read_text()), edited)
+        self.session.key("ctrl+s")
+        self.session.wait_for_line(r"saved .*my_scene.json", since)
+        saved = json.loads(self.scene.read_text())
+        self.assertEqual({key: saved[key] for key in edited if key not in ("camera", "knobs")},
+                         {key: edited[key] for key in edited if key not in ("camera", "knobs")})
+        self.scene.write_text("{broken")
+        since = self.session.said()
+        self.session.key("ctrl+s")
+        self.session.wait_for_line("asks before saving .*", since)
+        self.session.key("ctrl+s")
+        self.session.wait_for_line("not saved", since)
+        self.assertEqual(self.scene.read_text(), "{broken")
+
+    def test_an_error_that_quotes_a_very_long_line(self):
+        since = self.session.said()
+        self.edit("void main() {", "void main() { int wrong = nothing + " + "1 + " * 50000 + "1;")
+        self.session.wait_for_line("error: shaders/01_obj/clay.frag.*", since)
+        self.assert_last_good_picture_stays()
+        since = self.session.said()
+        (self.course / FRAGMENT).write_text((ROOT / FRAGMENT).read_text())
+        self.session.wait_for_line("no error", since)
+        self.assert_as_at_the_start()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,127 @@
+"""A chapter's window to test: a copy of the course's shaders, a scene of one's own, and the picture at the start."""
+import os
+import re
+import shutil
+import struct
+import tempfile
+import time
+import unittest
+import zlib
+from pathlib import Path
+
+from window_session import BUILD, ROOT, Session, XServer
+
+CHAPTER = BUILD / "chapters" / "01_obj"
+WIDTH, HEIGHT, PANEL = 360, 720, 340
+
+
+def read_png(path: Path) -> tuple[int, int, bytes]:
+    """Width, height and RGB of an 8-bit RGB or RGBA picture."""
+    data, at, packed = path.read_bytes(), 8, b""
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            width, height, _, color = struct.unpack(">IIBB", body[:10])
+        if kind == b"IDAT":
+            packed += body
+        at += 12 + length
+    channels = {2: 3, 6: 4}[color]
+    raw, stride, before, rgb = zlib.decompress(packed), width * channels, bytearray(width * channels), bytearray()
+    for y in range(height):
+        method, line = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        for i in range(stride):
+            a = line[i - channels] if i >= channels else 0
+            b, c = before[i], before[i - channels] if i >= channels else 0
+            nearest = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+            line[i] = line[i] + (0, a, b, (a + b) // 2, nearest)[method] & 255
+        before = line
+        rgb += bytes(v for i, v in enumerate(line) if i % channels < 3)
+    return width, height, bytes(rgb)
+
+
+def copy_of_course(folder: Path) -> Path:
+    """Shaders to edit; everything else is only linked."""
+    root = folder / "course"
+    root.mkdir()
+    shutil.copytree(ROOT / "shaders", root / "shaders")
+    for name in ("assets", "chapters", "tests", "docs"):
+        if (ROOT / name).exists():
+            (root / name).symlink_to(ROOT / name)
+    return root
+
+
+def own_scene(folder: Path) -> Path:
+    scene = folder / "my_scene.json"
+    scene.write_text((ROOT / "assets" / "scenes" / "bunny.json").read_text())
+    return scene
+
+
+class PictureTest(unittest.TestCase):
+    """Pictures are megabytes: a message says where they differ, not how."""
+
+    def assert_same(self, picture: bytes, expected: bytes, why: str = ""):
+        if picture == expected:
+            return
+        self.assertEqual(len(picture), len(expected), why)
+        places = [i // 3 for i in range(0, len(picture), 3) if picture[i:i + 3] != expected[i:i + 3]]
+        self.fail(f"{len(places)} pixels differ, from ({places[0] % WIDTH}, {places[0] // WIDTH}) to "
+                  f"({places[-1] % WIDTH}, {places[-1] // WIDTH}) {why}")
+
+    def assert_other(self, picture: bytes, expected: bytes):
+        self.assertTrue(picture != expected, "the picture is the same")
+
+
+class WindowTest(PictureTest):
+    """One window, used by one test after the other; each leaves it as it found it."""
+
+    environment: dict[str, str] = {}
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp(prefix="lightwalk_window_"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.course = copy_of_course(cls.folder)
+        cls.scene = own_scene(cls.folder)
+        cls.server = XServer()
+        cls.addClassCleanup(cls.server.close)
+        cls.session = Session(cls.server, CHAPTER,
+                              ["--validate", "on", "--size", f"{WIDTH}x{HEIGHT}", "--scene", str(cls.scene)],
+                              cls.folder, LIGHTWALK_ROOT=str(cls.course), **cls.environment)
+        cls.start = cls.picture()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.session.key("Escape")
+        code = cls.session.end()
+        said = [line for line in cls.session.errors if not re.match(r"error: (shaders/|pass 'encode_srgb')", line)
+                and "my_scene.json" not in line and not line.startswith("    ")]
+        assert code == 0 and not said, f"exit code {code}, it said {said}"
+
+    @classmethod
+    def picture(cls) -> bytes:
+        return cls.session.settled(0, 0, WIDTH, HEIGHT)
+
+    def screenshot(self) -> Path:
+        since = self.session.said()
+        self.session.key("F12")
+        return Path(self.session.wait_for_line(r"screenshot (.*)", since)[1])
+
+    def assert_as_at_the_start(self):
+        """Soon: a message over the picture goes away by itself."""
+        until = time.monotonic() + 15
+        while self.session.pixels(0, 0, WIDTH, HEIGHT) != self.start and time.monotonic() < until:
+            time.sleep(0.1)
+        self.assert_same(self.session.pixels(0, 0, WIDTH, HEIGHT), self.start)
+
+    def assert_last_good_picture_stays(self):
+        """Between the message at the top and the error at the bottom."""
+        rows = slice(3 * WIDTH * 60, 3 * WIDTH * (HEIGHT // 2))
+        self.assert_same(self.picture()[rows], self.start[rows], "the last good picture did not stay")
+
+    def assert_rests(self):
+        stat = Path(f"/proc/{self.session.process.pid}/stat")
+        before = sum(map(int, stat.read_text().split()[13:15]))
+        time.sleep(1.0)
+        used = sum(map(int, stat.read_text().split()[13:15])) - before
+        self.assertLess(used / os.sysconf("SC_CLK_TCK"), 0.2, "seconds of work in a second in which nothing changes")
