@@ -1,0 +1,42 @@
+// A bounding-volume hierarchy over the triangles of a scene: what rays go through instead of asking every triangle.
+#pragma once
+#include <vector>
+
+#include "05_shadow_maps/bvh_data.h"
+
+namespace lightwalk {
+
+// [bvh]
+/// Built top down: of 16 bins along each axis, the border with the least surface-area cost (I. Wald, "On fast
+/// Construction of SAH-based Bounding Volume Hierarchies", RT 2007). Where no border helps, or the branch would grow
+/// deeper than BVH_STACK, half of the triangles go to either side: so the depth has a bound whatever the input.
+class Bvh {
+  public:
+    /// There may be none; those of no area are kept and never hit. Throws InputError for a corner that is not a number,
+    /// or is farther than `farthest_m` from the origin.
+    explicit Bvh(std::vector<RayTriangle> triangles = {});
+
+    /// The same triangles elsewhere, in the constructor's order: boxes follow, the tree and what is cut out stay. What
+    /// moves far from its neighbours makes rays slower, and never wrong. Throws InputError, as the constructor; then
+    /// nothing has changed.
+    void refit(const std::vector<RayTriangle>& moved);
+
+    /// The root first, and parents before their children; at least one.
+    const std::vector<BvhNode>& nodes() const { return nodes_; }
+    /// As leaves count them; one of no area where there is none.
+    const std::vector<RayTriangle>& triangles() const { return triangles_; }
+    /// Of the deepest leaf; the root's is 0. At most BVH_STACK.
+    uint32_t depth() const { return depth_; }
+
+    static constexpr float farthest_m = 1e12f;
+
+  private:
+    void set_boxes();
+    std::vector<BvhNode> nodes_;
+    std::vector<RayTriangle> triangles_;
+    std::vector<uint32_t> order_;  ///< for each of triangles_ its place in the constructor's list
+    uint32_t depth_ = 0;
+};
+// [/bvh]
+
+}  // namespace lightwalk

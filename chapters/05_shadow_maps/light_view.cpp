@@ -1,0 +1,150 @@
+#include "05_shadow_maps/light_view.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "05_shadow_maps/exercises.h"
+
+namespace lightwalk {
+namespace {
+
+glm::vec3 any_across(glm::vec3 direction) {
+    return std::abs(direction.y) < 0.99f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, 1.0f);
+}
+
+// World to the light's own space: it looks along -z.
+glm::mat4 look_along(glm::vec3 eye, glm::vec3 direction, glm::vec3 up) { return glm::lookAt(eye, eye + direction, up); }
+
+// [projections]
+// Depth 1 at `near`, 0 at `far`; y down.
+glm::mat4 perspective(float tan_half, float near, float far) {
+    glm::mat4 m(0.0f);
+    m[0][0] = 1.0f / tan_half, m[1][1] = -1.0f / tan_half;
+    m[2][2] = near / (far - near), m[3][2] = far * near / (far - near);
+    m[2][3] = -1.0f;
+    return m;
+}
+
+glm::mat4 parallel(float half_width, float near, float far) {
+    glm::mat4 m(1.0f);
+    m[0][0] = 1.0f / half_width, m[1][1] = -1.0f / half_width;
+    m[2][2] = 1.0f / (far - near), m[3][2] = far / (far - near);
+    return m;
+}
+// [/projections]
+
+LightView finish(LightView v) {
+    v.data.to_clip = v.view.view_projection;
+    v.data.plane_to_clip = glm::transpose(glm::inverse(v.view.view_projection));
+    v.data.layer = NO_LAYER;
+    return v;
+}
+
+LightView perspective_view(glm::vec3 eye, glm::vec3 direction, glm::vec3 up, float tan_half, float far,
+                           const LightViewOptions& options) {
+    // The margin is around the view, so that a filter at its edge finds depths of its own.
+    const float wide = tan_half / (1.0f - 2.0f * MAP_MARGIN), near = std::min(options.near_m, 0.5f * far);
+    const glm::mat4 look = look_along(eye, direction, up);
+    LightView v{.view = {perspective(wide, near, far) * look, eye},
+                .casters = perspective(wide, 1e-3f * near, far) * look,  // what is before the near plane casts, too
+                .data = {}};
+    v.data.near = near, v.data.far = far;
+    v.data.to_distance = {1.0f / far, 1.0f / near - 1.0f / far};
+    v.data.perspective = 1;
+    v.data.texel = 2.0f * wide / static_cast<float>(options.resolution);
+    return finish(v);
+}
+
+std::vector<LightView> point_views(const Light& light, float far, const LightViewOptions& options) {
+    std::vector<LightView> views;
+    for (int face = 0; face < 6; ++face) {
+        glm::vec3 direction(0.0f), up(0.0f, 1.0f, 0.0f);
+        direction[face / 2] = face % 2 ? -1.0f : 1.0f;
+        if (face / 2 == 1) up = {0.0f, 0.0f, 1.0f};
+        views.push_back(perspective_view(light.position, direction, up, 1.0f, far, options));
+    }
+    return views;
+}
+
+struct Ball {
+    glm::vec3 center{0.0f};
+    float radius = 0;
+};
+
+Ball ball_around(const Bounds& box) { return {box.center(), 0.5f * glm::length(box.extent())}; }
+
+// [cascade_ball]
+// Around what the camera sees between two depths. A ball has the same size however the camera turns.
+Ball ball_around_slice(const Camera& camera, float near, float far) {
+    const glm::vec3 forward = glm::normalize(camera.target - camera.position);
+    // A picture at most twice as wide as high: cascades shall not depend on the window.
+    const float tan_half = std::tan(0.5f * camera.fov_y_rad), slope_squared = 5.0f * tan_half * tan_half;
+    // Its middle is as far from the corners of one end as from those of the other, or is the far end's own.
+    const float middle = std::min(0.5f * (near + far) * (1.0f + slope_squared), far);
+    const float along = far - middle, across_squared = slope_squared * far * far;
+    return {camera.position + middle * forward, std::sqrt(along * along + across_squared)};
+}
+// [/cascade_ball]
+
+// [snap]
+// A view of all that a ball holds, from far enough away that nothing of the scene is behind the light. `snap`: its
+// middle moves by whole texels, in the light's own axes, so that the edges of texels stay where they are in the world.
+LightView parallel_view(glm::vec3 direction, Ball ball, const Bounds& scene, const LightViewOptions& options) {
+    const float half_width = ball.radius / (1.0f - 2.0f * MAP_MARGIN);
+    const float texel = 2.0f * half_width / static_cast<float>(options.resolution);
+    const glm::mat4 turn = look_along(glm::vec3(0.0f), direction, any_across(direction));
+    glm::vec3 middle(turn * glm::vec4(ball.center, 1.0f));
+    if (options.snap) middle = glm::vec3(glm::floor(glm::vec2(middle) / texel) * texel, middle.z);
+    float near = 1e30f, far = -1e30f;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 pick(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
+        const float depth = -(turn * glm::vec4(glm::mix(scene.lower, scene.upper, pick), 1.0f)).z;
+        near = std::min(near, depth), far = std::max(far, depth);
+    }
+    const float gap = std::max(1e-3f * (far - near), 1e-3f);
+    near -= gap, far += gap;
+    const glm::mat4 move = glm::translate(glm::mat4(1.0f), {-middle.x, -middle.y, 0.0f});
+    LightView v{.view = {parallel(half_width, near, far) * move * turn, -near * direction}, .casters{}, .data = {}};
+    v.casters = v.view.view_projection;
+    v.data.near = near, v.data.far = far;
+    v.data.to_distance = {far, near - far};
+    v.data.texel = texel;
+    return finish(v);
+}
+// [/snap]
+
+std::vector<LightView> cascades(const Light& light, const Bounds& scene, const Camera& camera,
+                                const LightViewOptions& options) {
+    const Ball all = ball_around(scene);
+    const float far = std::min(camera.far_m, std::max(options.distance_m, 1.01f * camera.near_m));
+    std::vector<LightView> views;
+    float from = camera.near_m;
+    for (int i = 0; i < options.cascades; ++i) {
+        const float to = cascade_split(camera.near_m, far, i + 1, options.cascades, options.split);
+        Ball ball = ball_around_slice(camera, from, to);
+        from = to;
+        // A scene that is smaller than its slice needs no more than itself.
+        const bool whole = ball.radius >= all.radius;
+        if (whole) ball = all;
+        views.push_back(parallel_view(glm::normalize(light.direction), ball, scene, options));
+        if (whole) break;
+    }
+    return views;
+}
+
+}  // namespace
+
+float farthest_corner(const Bounds& box, glm::vec3 from) {
+    return glm::length(glm::max(glm::abs(from - box.lower), glm::abs(from - box.upper)));
+}
+
+std::vector<LightView> light_views(const Light& light, float reach_m, const Bounds& scene, const Camera& camera,
+                                   const LightViewOptions& options) {
+    if (light.kind == Light::Kind::directional) return cascades(light, scene, camera, options);
+    const float far = std::max(std::min(reach_m, farthest_corner(scene, light.position)), 1e-3f);
+    if (light.kind == Light::Kind::point || light.outer_rad > widest_view_rad) return point_views(light, far, options);
+    return {perspective_view(light.position, light.direction, any_across(light.direction),
+                             std::tan(std::max(light.outer_rad, 1e-2f)), far, options)};
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,40 @@
+// From where a light sees the scene.
+#pragma once
+#include "05_shadow_maps/shadow_data.h"
+#include "common/scene/camera.h"
+#include "common/scene/light.h"
+#include "common/scene/mesh.h"
+#include "common/scene/view.h"
+
+namespace lightwalk {
+
+/// A light's view, and the shader's part of it, whose layer is still to be given.
+struct LightView {
+    View view;
+    glm::mat4 casters;  ///< world to a clip space that holds whatever casts a shadow into the view
+    ShadowView data;
+};
+
+/// What the views of a frame have in common.
+struct LightViewOptions {
+    int resolution = 1024;     ///< texels of a map's side
+    float near_m = 0.05f;      ///< of a point's or a spot's view
+    int cascades = 3;          ///< of a directional light, 1 to 4
+    float split = 0.5f;        ///< cascade_split()'s lambda
+    float distance_m = 30.0f;  ///< from the eye to which cascades reach
+    bool snap = true;          ///< a cascade moves by whole texels
+};
+
+/// How far the farthest corner of the box is from a point, in metres.
+float farthest_corner(const Bounds& box, glm::vec3 from);
+
+/// A spot wider than this (half angle) is seen in six views, as a point light is.
+constexpr float widest_view_rad = 1.1f;
+
+/// The views of a light that reaches `reach_m` (point and spot) over a scene within `scene` (world space, not empty).
+/// Of a directional light a view for each cascade of what the camera sees, the nearest first; a cascade that would hold
+/// the whole scene is the last.
+std::vector<LightView> light_views(const Light& light, float reach_m, const Bounds& scene, const Camera& camera,
+                                   const LightViewOptions& options);
+
+}  // namespace lightwalk

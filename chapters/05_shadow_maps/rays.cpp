@@ -1,0 +1,128 @@
+#include "05_shadow_maps/rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "04_surface_maps/maps.h"
+
+namespace lightwalk {
+namespace {
+
+template <class Visit>
+void for_each_triangle(const DrawItem& item, const Visit& visit) {
+    const Mesh& mesh = item.model->model.meshes[item.mesh];
+    const Part& part = mesh.parts[item.part];
+    for (uint32_t i = part.first_index; i + 2 < part.first_index + part.index_count; i += 3)
+        visit(mesh.vertices[mesh.indices[i]], mesh.vertices[mesh.indices[i + 1]], mesh.vertices[mesh.indices[i + 2]]);
+}
+
+// The scene's textures that cut holes, as numbers, each once. The first mask is one texel of 255: nothing is cut.
+class Masks {
+  public:
+    std::vector<RayMask> masks{{0, 1, 1}};
+    std::vector<uint32_t> texels{0xff};
+
+    explicit Masks(Gpu& gpu) : gpu_(gpu) {}
+    uint32_t of(const std::shared_ptr<Image>& image, int channel) {
+        if (!image) return 0;
+        const auto [place, added] = known_.try_emplace({image.get(), channel}, 0);
+        if (added) place->second = add(read_level(gpu_, *image), channel);
+        return place->second;
+    }
+
+  private:
+    uint32_t add(const Level& level, int channel) {
+        const bool whole = std::all_of(level.texels.begin(), level.texels.end(),
+                                       [&](const glm::vec4& texel) { return texel[channel] >= 1.0f; });
+        if (whole) return 0;
+        masks.push_back({static_cast<uint32_t>(texels.size()), level.size.x, level.size.y});
+        for (size_t i = 0; i < level.texels.size(); ++i) {
+            if (i % 4 == 0) texels.push_back(0);
+            texels.back() |= static_cast<uint32_t>(std::lround(level.texels[i][channel] * 255.0f)) << 8 * (i % 4);
+        }
+        return static_cast<uint32_t>(masks.size() - 1);
+    }
+    Gpu& gpu_;
+    std::map<std::pair<const Image*, int>, uint32_t> known_;
+};
+
+}  // namespace
+
+std::vector<RayTriangle> ray_triangles(const Scene& scene) {
+    std::vector<RayTriangle> triangles;
+    for (const DrawItem& item : scene.items)
+        if (!item.transparent)
+            for_each_triangle(item, [&](const Vertex& a, const Vertex& b, const Vertex& c) {
+                const auto placed = [&](const Vertex& v) {
+                    return glm::vec3(item.transform * glm::vec4(v.position, 1.0f));
+                };
+                triangles.push_back({placed(a), placed(b), placed(c), NO_CUTOUT});
+            });
+    return triangles;
+}
+
+void Rays::prepare(Gpu& gpu, const Scene& scene, float cutoff) {
+    std::vector<RayTriangle> triangles = ray_triangles(scene);
+    Masks masks(gpu);
+    std::vector<RayCutout> with_holes;
+    size_t next = 0;
+    for (const DrawItem& item : scene.items) {
+        if (item.transparent) continue;
+        const uint32_t color = masks.of(item.maps[MapSlot::diffuse], 3);
+        const uint32_t opacity = masks.of(item.maps[MapSlot::opacity], 0);
+        for_each_triangle(item, [&](const Vertex& a, const Vertex& b, const Vertex& c) {
+            RayTriangle& triangle = triangles.at(next++);
+            if (color == 0 && opacity == 0) return;
+            triangle.cutout = static_cast<uint32_t>(with_holes.size());
+            with_holes.push_back({a.uv, b.uv, c.uv, color, opacity});
+        });
+    }
+    bvh_ = Bvh(std::move(triangles));
+    placed_ = scene.placed;
+    state_.cutoff = cutoff;
+    set_offset();
+    nodes_ = gpu.upload("ray nodes", bvh_.nodes());
+    triangles_ = gpu.upload("ray triangles", bvh_.triangles());
+    has_cutouts_ = !with_holes.empty();
+    if (!has_cutouts_) with_holes.emplace_back();
+    cutouts_ = gpu.upload("ray cutouts", with_holes);
+    masks_ = gpu.upload("ray masks", masks.masks);
+    texels_ = gpu.upload("ray mask texels", masks.texels);
+}
+
+void Rays::record(Frame& frame, const Scene& scene) {
+    state_.first_sample = static_cast<uint32_t>(frame.samples.index) * static_cast<uint32_t>(truth_samples);
+    if (scene.placed == placed_) return;
+    bvh_.refit(ray_triangles(scene));
+    placed_ = scene.placed;
+    set_offset();
+    frame.upload("ray nodes", nodes_, bvh_.nodes());
+    frame.upload("ray triangles", triangles_, bvh_.triangles());
+}
+
+// What no triangle has is compiled out, whatever the knob says.
+Macros Rays::macros() const {
+    Macros all = Module::macros();
+    if (!has_cutouts_) all.set(cutouts.macro(), "0");
+    return all;
+}
+
+void Rays::bind(Pass& pass) const {
+    pass.offer("rays_nodes", nodes_);
+    pass.offer("rays_triangles", triangles_);
+    pass.offer("rays_cutouts", cutouts_);
+    pass.offer("rays_masks", masks_);
+    pass.offer("rays_texels", texels_);
+    pass.offer("rays_state", state_);
+}
+
+void Rays::set_offset() {
+    const BvhNode& all = bvh_.nodes().front();
+    float farthest = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        farthest = std::max({farthest, std::fabs(all.lower[axis]), std::fabs(all.upper[axis])});
+    state_.offset_m = farthest * offset_share;
+}
+
+}  // namespace lightwalk

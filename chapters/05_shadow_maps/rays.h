@@ -1,0 +1,56 @@
+// Rays through a scene as a module: what the truth of shadows is made of, and of whatever else asks what a point sees.
+#pragma once
+#include "05_shadow_maps/bvh.h"
+#include "common/app/module.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+// [rays]
+/// Gives shaders any_hit() and closest_hit() of 05_shadow_maps/bvh.glsl and lamp_visibility() of
+/// 05_shadow_maps/rays.glsl. prepare() when a scene was loaded and its maps are made; record() in each frame; then
+/// passes may state it in `.with`. Everything opaque stops a ray, from both sides, but for what is cut out of it.
+struct Rays : Module {
+    Rays(Module& owner, std::string name) : Module(owner, std::move(name), "rays") {}
+
+    Knob<int> truth_samples{*this,
+                            "truth_samples",
+                            16,
+                            {1, 64},
+                            "rays of a picture from each pixel to a lamp that has a size; more by --samples"};
+
+    Knob<bool> cutouts{*this, "cutouts", true, "rays go through what textures cut out; off: everything is whole"};
+
+    /// Builds the hierarchy and uploads it. `cutoff`: what has less alpha is not there. Throws InputError where a
+    /// vertex is no place.
+    void prepare(Gpu& gpu, const Scene& scene, float cutoff = 0.5f);
+
+    /// Where the scene has moved since, the boxes follow.
+    void record(Frame& frame, const Scene& scene);
+
+    Macros macros() const override;
+    std::vector<Resource> reads() const override { return {nodes_, triangles_}; }
+    void bind(Pass& pass) const override;
+
+    const Bvh& bvh() const { return bvh_; }
+    /// How far from a surface its rays begin, in metres: what lies closer casts no shadow on it.
+    float offset_m() const { return state_.offset_m; }
+    // [/rays]
+
+    /// What of the scene's farthest coordinate the offset is. Positions come from the rasteriser, which interpolates
+    /// between vertices that may be as far: test_ray_offset.cpp measures what is needed, and this is four times that.
+    static constexpr float offset_share = 0x1p-17f;
+
+  private:
+    void set_offset();
+    Bvh bvh_;
+    RayState state_{};
+    uint64_t placed_ = 0;
+    bool has_cutouts_ = true;
+    Buffer nodes_, triangles_, cutouts_, masks_, texels_;
+};
+
+/// The triangles of a scene's opaque items in world space, in the items' order, nothing cut out of them.
+std::vector<RayTriangle> ray_triangles(const Scene& scene);
+
+}  // namespace lightwalk

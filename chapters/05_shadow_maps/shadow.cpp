@@ -1,0 +1,129 @@
+#include "05_shadow_maps/shadow.h"
+
+#include <cmath>
+#include <utility>
+
+#include "common/base/exercise.h"
+
+namespace lightwalk {
+
+Shadow::Shadow(Module& owner, std::string name) : Module(owner, std::move(name), "shadow") {}
+
+// [find_views]
+// The views of all lights, those without casters without a layer.
+std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const Lights& lights, const Camera& camera) {
+    const LightViewOptions options{resolution, near_m, cascades, split, distance_m, snap};
+    std::vector<Wanted> wanted;
+    shadow_lights_.clear();
+    for (const Light& light : lights.buffer().lights()) {
+        ShadowLight& shadow = shadow_lights_.emplace_back();
+        shadow = {.position = light.position, .first_view = static_cast<uint32_t>(wanted.size())};
+        if (!light.shadow || method.is("none") || scene.bounds.empty()) continue;
+        bool any = false;
+        for (const LightView& view : light_views(light, lights.reach_m(light), scene.bounds, camera, options)) {
+            DrawList casters = scene.opaque().inside(view.casters);
+            Drawn key{view.view.view_projection, {}};
+            for (const uint32_t i : casters.items()) key.casters.emplace_back(i, scene.items[i].transform);
+            any |= casters.size() > 0;
+            wanted.push_back({view, std::move(casters), std::move(key)});
+        }
+        if (!any) wanted.erase(wanted.begin() + shadow.first_view, wanted.end());
+        shadow.views = static_cast<uint32_t>(wanted.size()) - shadow.first_view;
+        const bool parallel = light.kind == Light::Kind::directional;
+        shadow.kind = parallel ? LIGHT_DIRECTIONAL : shadow.views == 6 ? LIGHT_POINT : LIGHT_SPOT;
+        shadow.size = parallel ? 2.0f * std::tan(0.5f * light.size_rad) : light.size_m;
+    }
+    uint32_t layer = 0;
+    for (Wanted& w : wanted)
+        if (w.casters.size() > 0) w.view.data.layer = layer++;
+    return wanted;
+}
+// [/find_views]
+
+// Layers are made when they are first needed, all of them anew where the size has changed.
+void Shadow::reserve(Frame& frame, uint32_t layers) {
+    const uint32_t most = frame.gpu.device.properties.limits.maxImageArrayLayers;
+    if (layers > most) throw InputError("{} maps of depth from lights, this device has at most {}", layers, most);
+    const Image::Desc wanted{.name = path() + ".map",
+                             .format = VK_FORMAT_D32_SFLOAT,
+                             .size = glm::uvec2(static_cast<uint32_t>(resolution.value)),
+                             .layers = std::max({layers, map_ ? map_.desc.layers : 0u, 1u})};
+    if (!map_ || map_.desc != wanted) {
+        map_ = Image(frame.gpu.device, wanted);
+        drawn_.assign(wanted.layers, {});
+        frame.raster("clear_shadows", {.depth = clear(map_.as_array(), 0.0f), .layers = wanted.layers}, [](Raster&) {});
+    }
+    if (!has_moments()) return;
+    if (moments_.reserve(frame.gpu, map_,
+                         format.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT))
+        forget();
+}
+
+// [draw_view]
+void Shadow::draw_view(Frame& frame, const Wanted& wanted, const Casters& casters) {
+    const auto eye = frame.globals["view"];
+    look_from(wanted.view.view, frame);
+    frame.raster("shadow_map", {.depth = clear(map_.layer(wanted.view.data.layer), 0.0f), .with = casters.with},
+                 [&](Raster& pass) {
+                     if (casters.draw)
+                         casters.draw(pass, wanted.casters);
+                     else
+                         pass.use(solid).draw(wanted.casters);
+                 });
+    frame.globals["view"] = eye;
+}
+// [/draw_view]
+
+// What moments depend on beside the depths.
+std::string Shadow::moments_key() const {
+    std::string key;
+    if (!has_moments()) return key;
+    for (const KnobBase* knob :
+         std::initializer_list<const KnobBase*>{&method, &format, &blur, &blur_by, &exponent, &exponent_negative})
+        key += knob->text() + " ";
+    return key;
+}
+
+// [record]
+void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, const Camera& camera,
+                    const Casters& casters) {
+    if (std::exchange(toggles_, Exercises::version()) != Exercises::version()) forget();
+    eye_ = {camera.position, 2.0f * std::tan(0.5f * camera.fov_y_rad) / static_cast<float>(frame.crop.whole.y)};
+    const std::vector<Wanted> wanted = find_views(scene, lights, camera);
+    std::vector<ShadowView> data;
+    views = drawn_views = 0;
+    for (const Wanted& w : wanted) data.push_back(w.view.data), views += w.view.data.layer != NO_LAYER;
+    reserve(frame, static_cast<uint32_t>(views));
+    frame.upload("shadow_lights", lights_, shadow_lights_);
+    frame.upload("shadow_views", views_, data);
+    if (std::exchange(blurred_, moments_key()) != moments_key()) forget();
+    for (uint32_t i = 0; i < wanted.size(); ++i) {
+        const Wanted& w = wanted[i];
+        const uint32_t layer = w.view.data.layer;
+        if (layer == NO_LAYER || (keep && drawn_[layer] == w.key)) continue;
+        draw_view(frame, w, casters);
+        if (has_moments())
+            moments_.record(frame, map_.layer(layer), views_, i, blur_of(blur, exponent, exponent_negative), macros());
+        drawn_[layer] = w.key;
+        ++drawn_views;
+    }
+}
+// [/record]
+
+std::vector<Resource> Shadow::reads() const {
+    std::vector<Resource> reads{map_, lights_, views_};
+    if (has_moments()) reads.push_back(moments_.moments);
+    return reads;
+}
+
+void Shadow::bind(Pass& pass) const {
+    constexpr Sampler of_depth{.filter = Filter::nearest, .mip_filter = Filter::nearest, .wrap = Wrap::border};
+    pass.offer("shadow_lights", lights_);
+    pass.offer("shadow_views", views_);
+    pass.offer("shadow_eye", eye_);
+    pass.offer("shadow_map", map_.as_array(), of_depth);
+    // A method without moments names them all the same, and reads none.
+    pass.offer("shadow_moments", has_moments() ? moments_.moments.as_array() : map_.as_array(), linear_clamp);
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,49 @@
+#include "05_shadow_maps/sphere_shadow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace lightwalk {
+namespace {
+
+const DrawItem* item_of(const Scene& scene, const char* object) {
+    const auto shows = [&](const DrawItem& item) { return scene.file.objects[item.object].name == object; };
+    const auto found = std::find_if(scene.items.begin(), scene.items.end(), shows);
+    return found == scene.items.end() ? nullptr : &*found;
+}
+
+// Nearest and farthest vertex from the origin of the mesh, in metres of the world.
+std::pair<float, float> radii(const DrawItem& item) {
+    float nearest = INFINITY, farthest = 0;
+    for (const Vertex& vertex : item.model->model.meshes[item.mesh].vertices) {
+        const float r = glm::length(glm::mat3(item.transform) * vertex.position);
+        nearest = std::min(nearest, r), farthest = std::max(farthest, r);
+    }
+    return {nearest, farthest};
+}
+
+}  // namespace
+
+void SphereShadow::update(const Scene& scene) {
+    planet = {};
+    ring = nullptr;
+    if (const DrawItem* sphere = item_of(scene, "planet")) {
+        planet.center = glm::vec3(sphere->transform[3]);
+        planet.radius = radii(*sphere).second;
+        ring = &scene.texture(*sphere, MapSlot::diffuse);  // bound, and not read where there is no ring
+    }
+    if (const DrawItem* disc = item_of(scene, "ring")) {
+        planet.center = glm::vec3(disc->transform[3]);
+        planet.normal = glm::normalize(glm::vec3(disc->transform[1]));
+        std::tie(planet.inner, planet.outer) = radii(*disc);
+        ring = &scene.texture(*disc, MapSlot::diffuse);
+    }
+}
+
+void SphereShadow::bind(Pass& pass) const {
+    pass.offer("sphere_shadow_planet", planet);
+    if (ring) pass.offer("sphere_shadow_ring", *ring, linear_clamp);
+}
+
+}  // namespace lightwalk

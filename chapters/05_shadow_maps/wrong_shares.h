@@ -1,0 +1,13 @@
+// How much of a picture has a wrong shadow, and in which way.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+
+#include "common/gpu/gpu.h"
+
+namespace lightwalk {
+
+/// Adds the percentages of pixels with acne, peter_panning, leak and edge (shadow_error.h) among those that show a
+/// surface, from a picture whose alpha is 1 and the kind of wrong, or 0 for the background. RGBA16F.
+void wrong_shares(Gpu& gpu, const Image& picture, nlohmann::json& error);
+
+}  // namespace lightwalk

@@ -1,0 +1,47 @@
+// A bounding-volume hierarchy over triangles, and what is cut out of them, as shaders read it.
+#pragma once
+#include "common/shared.h"
+
+BEGIN_SHARED
+
+// How many nodes a ray puts aside at most: no leaf lies deeper.
+const uint BVH_STACK = 40u;
+const uint BVH_LEAF = 4u;  // triangles that a leaf has at most
+
+// [node]
+// A box in world space. Its two children stand side by side; a leaf has triangles instead.
+struct BvhNode {
+    vec3 lower;  // metres
+    uint first;  // of its children in the nodes, or of its triangles
+    vec3 upper;
+    uint count;  // of a leaf's triangles; 0: it has children
+};
+// [/node]
+
+const uint NO_CUTOUT = 0xffffffffu;
+
+struct RayTriangle {
+    vec3 a, b, c;  // metres, world space
+    uint cutout;   // its place in the cutouts; NO_CUTOUT: nothing is cut out of it
+};
+
+// A triangle with holes: texture coordinates (v = 0 is the bottom row) and two masks whose product is its alpha.
+struct RayCutout {
+    vec2 a, b, c;
+    uint color_mask, opacity_mask;
+};
+
+// A texture's alpha, 0 to 255, four texels in a word, rows from the top.
+struct RayMask {
+    uint first;  // word
+    uint width, height;
+};
+
+// What rays go by in one frame.
+struct RayState {
+    float offset_m;     // along the normal, from a surface to where its rays begin
+    float cutoff;       // what has less alpha is not there
+    uint first_sample;  // of this frame in the sequence
+};
+
+END_SHARED

@@ -1,0 +1,50 @@
+// Points that fill a square or a disc evenly, however many of them are taken, another set for every seed.
+
+// Three words mixed into one: M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", JCGT
+// 9(3), 2020, pcg3d.
+uint seed_of(uvec2 pixel, uint seed) {
+    uvec3 v = uvec3(pixel, seed) * 1664525u + 1013904223u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    return v.x;
+}
+
+// [scramble]
+// Owen's scrambling by a hash: whether a binary digit is turned depends on all digits before it, and on nothing after
+// (S. Laine and T. Karras, 2011, with the constants of B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4),
+// 2020). It leaves the points as evenly spread as they were, and makes their mean right for every seed's.
+uint scramble(uint digits, uint seed) {
+    uint x = bitfieldReverse(digits) + seed;
+    x ^= x * 0x6c50b47cu;
+    x ^= x * 0xb82f1e52u;
+    x ^= x * 0xc7afe638u;
+    x ^= x * 0x8d22f6e6u;
+    return bitfieldReverse(x);
+}
+// [/scramble]
+
+// [sobol]
+// The first two dimensions of I. M. Sobol's sequence (1967): any 2^k points that follow each other from a multiple of 2^k
+// on stand one in each of 2^k equal boxes, whichever way the square is cut into them. 0 <= x, y < 1. The second one's
+// matrix is Pascal's triangle modulo 2, whose number (j, i) is odd where all bits of i are in j (E. Lucas, 1878): so the
+// sum over j takes five steps, one for each bit of a digit's place, instead of a loop.
+vec2 sobol_point(uint index, uint seed) {
+    uint sum = index;
+    sum ^= sum >> 1u & 0x55555555u;
+    sum ^= sum >> 2u & 0x33333333u;
+    sum ^= sum >> 4u & 0x0f0f0f0fu;
+    sum ^= sum >> 8u & 0x00ff00ffu;
+    sum ^= sum >> 16u & 0x0000ffffu;
+    uvec2 digits = bitfieldReverse(uvec2(index, sum));
+    return vec2(scramble(digits.x, seed) >> 8u, scramble(digits.y, seed_of(uvec2(seed), 1u)) >> 8u) / 16777216.0;
+}
+// [/sobol]
+
+// Of radius 1; equal areas stay equal.
+vec2 on_disc(vec2 point) {
+    float angle = 6.2831853 * point.y;
+    return sqrt(point.x) * vec2(cos(angle), sin(angle));
+}

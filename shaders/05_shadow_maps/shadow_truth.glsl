@@ -1,0 +1,34 @@
+// The truth around a point, by rays, for shadow_error().
+#include "05_shadow_maps/shadow_error.h"
+#include "05_shadow_maps/visibility_by_rays.glsl"
+
+// [shadow_truth]
+const uint rays_around = 16u;
+
+// `radius_m` is how far from the point, seen along the light, a filter may read: half the width of its kernel on the map,
+// and a texel. The point's surroundings are in the plane of the surface, so that a slope is not taken for a neighbour's
+// shadow; a filter reaches the farther on it the more it is tilted.
+ShadowTruth shadow_truth(ShadowLight light, vec3 position, vec3 facing, vec3 to_light, float radius_m) {
+    ShadowTruth truth;
+    truth.visibility = visibility_by_rays(light, position, facing, to_light);
+    truth.least = truth.visibility;
+    truth.most = truth.visibility;
+    vec3 x, y, origin = above(position, facing);
+    basis_of(to_light, x, y);
+    float tilt = max(dot(facing, to_light), 1e-3);
+    for (uint i = 0u; i < rays_around; ++i) {
+        vec2 at = radius_m * on_disc(sobol_point(i, rays_seed + 1u));
+        vec3 across = at.x * x + at.y * y;
+        vec3 neighbour = origin + across - to_light * (dot(across, facing) / tilt);
+        Lamp lamp = lamp_of(light, neighbour, to_light);
+        float visible = any_hit(Ray(neighbour, 0.0, lamp.to_middle, lamp.most)) ? 0.0 : 1.0;
+        truth.least = min(truth.least, visible);
+        truth.most = max(truth.most, visible);
+    }
+    RayHit hit;
+    Lamp lamp = lamp_of(light, origin, to_light);
+    bool blocked = closest_hit(Ray(origin, 0.0, lamp.to_middle, lamp.most), hit);
+    truth.blocker_m = blocked ? hit.t * length(lamp.to_middle) : -1.0;
+    return truth;
+}
+// [/shadow_truth]

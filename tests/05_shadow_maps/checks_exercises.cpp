@@ -1,0 +1,292 @@
+// What ./course check runs for chapter 05: values against double precision, then properties.
+#include "05_shadow_maps/exercises.h"
+#include "05_shadow_maps/truth.h"
+#include "common/check/check.h"
+
+using namespace lightwalk;
+
+namespace {
+
+// Depth 1 at `near`, 0 at `far`, y down, looking along `forward`.
+glm::mat4 lamp(glm::vec3 eye, glm::vec3 forward, float slope, float near, float far) {
+    const glm::vec3 up = std::fabs(forward.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    const glm::vec3 right = glm::normalize(glm::cross(forward, up)), down = glm::cross(forward, right);
+    const glm::vec4 rows[] = {glm::vec4(right, -glm::dot(right, eye)) / slope,
+                              glm::vec4(down, -glm::dot(down, eye)) / slope,
+                              glm::vec4(-forward, glm::dot(forward, eye)) * (near / (far - near)),
+                              glm::vec4(forward, -glm::dot(forward, eye))};
+    glm::mat4 m = glm::transpose(glm::mat4(rows[0], rows[1], rows[2], rows[3]));
+    m[3][2] += far * near / (far - near);
+    return m;
+}
+
+glm::mat4 sun(glm::vec3 forward, float half_width, float far) {
+    glm::mat4 m = lamp(glm::vec3(0.0f), forward, half_width, 1, 2);
+    for (int column = 0; column < 4; ++column) {
+        m[column][2] = -m[column][3] / far + (column == 3 ? 1.0f : 0.0f);
+        m[column][3] = column == 3 ? 1.0f : 0.0f;
+    }
+    return m;
+}
+
+glm::dmat4 matrix(std::span<const double> in) {
+    glm::dmat4 m;
+    for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = in[size_t(i)];
+    return m;
+}
+
+}  // namespace
+
+CHECK_EXERCISE("05.light_clip_position", "multiply, look at w, divide by it, and bring -1 to 1 to 0 to 1") {
+    Probe probe{.include = "05_shadow_maps/light_clip_position.glsl",
+                .signature = "vec3 light_clip_position(mat4 to_clip, vec3 position)",
+                .truth =
+                    [](std::span<const double> in) {
+                        Row row;
+                        append(row, truth::light_clip_position(matrix(in), {in[16], in[17], in[18]}));
+                        return row;
+                    },
+                .bound = {.absolute = 2e-3, .relative = 1e-4},
+                .words = [](const std::string& name, std::span<const double>) -> std::string {
+                    return name == "to_clip" ? "a light's matrix" : "";
+                },
+                .hint = [](auto in, auto got) -> std::string {
+                    const glm::dvec4 clip = matrix(in) * glm::dvec4(in[16], in[17], in[18], 1);
+                    const glm::dvec3 right = truth::light_clip_position(matrix(in), {in[16], in[17], in[18]});
+                    if (clip.w <= 0)
+                        return "the point is behind the light, w is " + number_text(clip.w) +
+                               ": the result is vec3(-1)";
+                    if (std::fabs(right.y - 0.5) > 0.01 && std::fabs(got[1] - (1 - right.y)) < 1e-3 &&
+                        std::fabs(got[0] - right.x) < 1e-3)
+                        return "v is upside down: in clip space y points down already, as v does";
+                    if (std::fabs(got[2] - (0.5 + 0.5 * right.z)) < 1e-3 && std::fabs(got[0] - right.x) < 1e-3)
+                        return "depth goes from 0 to 1 already: only x and y come from -1 to 1";
+                    if (std::fabs(got[2] - right.z) > 1e-3 && std::fabs(got[2] - clip.z) < 1e-3)
+                        return "depth, too, is divided by w";
+                    return "";
+                }};
+    Random random;
+    const auto add = [&](const glm::mat4& m, glm::vec3 position) {
+        const float w = (m * glm::vec4(position, 1.0f)).w;
+        if (w != 0.0f && std::fabs(w) < 0.05f) return;  // whose side rounding decides
+        Row row;
+        for (int column = 0; column < 4; ++column) append(row, m[column]);
+        append(row, position);
+        probe.inputs.push_back(row);
+    };
+    const glm::mat4 ahead = lamp(glm::vec3(0.0f), {0, 0, -1}, 1, 0.125f, 16);
+    for (const glm::vec3 p : {glm::vec3(0, 0, -1), glm::vec3(0.5f, 0, -1), glm::vec3(0, 0.5f, -1), glm::vec3(0, 0, 1),
+                              glm::vec3(0.25f, 0.25f, 2), glm::vec3(1, 1, 0), glm::vec3(0.0f)})
+        add(ahead, p);
+    for (int i = 0; i < 1000; ++i) {
+        const glm::vec3 eye(random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4));
+        add(lamp(eye, random.direction(), static_cast<float>(random.uniform(0.2, 2)), 0.1f, 20),
+            {random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4)});
+        add(sun(random.direction(), 8, 20), {random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4)});
+    }
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("05.compare_depth", "greater depth is nearer to the light; what the map does not hold is lit") {
+    Probe probe{.include = "05_shadow_maps/compare_depth.glsl",
+                .signature = "float compare_depth(vec3 place, float stored)",
+                .inputs = {{0.5, 0.5, 0.4, 0.6},
+                           {0.5, 0.5, 0.6, 0.4},
+                           {0.5, 0.5, 0.5, 0.5},
+                           {0.5, 0.5, 0.3, 0},
+                           {0.5, 0.5, 0, 0},
+                           {-1, -1, -1, 0.5},
+                           {1.2, 0.5, 0.1, 0.9},
+                           {0.5, -0.1, 0.1, 0.9},
+                           {0.5, 1.1, 0.1, 0.9},
+                           {-0.1, 0.5, 0.1, 0.9}},
+                .truth =
+                    [](std::span<const double> in) {
+                        return Row{truth::compare_depth({in[0], in[1], in[2]}, in[3])};
+                    },
+                .bound = {.absolute = 1e-6},
+                .hint = [](auto in, auto) -> std::string {
+                    if (in[0] < 0 || in[0] > 1 || in[1] < 0 || in[1] > 1)
+                        return "the point is outside the map, which knows nothing of it: it is lit";
+                    if (in[2] == in[3]) return "a depth equal to the stored one is the surface itself: it is lit";
+                    return "depth is reversed: the nearer to the light, the greater";
+                }};
+    Random random;
+    for (int i = 0; i < 500; ++i)
+        probe.inputs.push_back(
+            {random.uniform(-0.5, 1.5), random.uniform(-0.5, 1.5), random.uniform(0, 1), random.uniform(0, 1)});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("05.slope_bias", "along the diagonal a texel's middle is sqrt(2) times `reach` texels away; times tan") {
+    Probe probe{.include = "05_shadow_maps/slope_bias.glsl",
+                .signature = "float slope_bias(float cosine, float texel, float reach)",
+                .inputs = {{1, 0.01, 0.5},
+                           {0.7071068, 0.01, 0.5},
+                           {0.5, 0.01, 0.5},
+                           {0.5, 0.01, 3},
+                           {0, 0.01, 0.5},
+                           {0.01, 0.02, 0.5},
+                           {0.025, 0.02, 1}},
+                .truth = [](std::span<const double> in) { return Row{truth::slope_bias(in[0], in[1], in[2])}; },
+                .bound = {.absolute = 1e-6, .relative = 3e-3},
+                .hint = [](auto in, auto got) -> std::string {
+                    const double right = truth::slope_bias(in[0], in[1], in[2]);
+                    if (in[0] < 0.025) return "below a cosine of 0.025 the bias grows no more";
+                    if (std::fabs(got[0] * std::sqrt(2.0) - right) < 1e-2 * right)
+                        return "that is along u or along v alone: along the diagonal it is sqrt(2) times as far";
+                    const double tangent = std::tan(std::acos(in[0])), sine = std::sqrt(1 - in[0] * in[0]);
+                    if (tangent > 0 && std::fabs(got[0] - right / tangent * sine) < 1e-2 * right)
+                        return "the sine says how far along the normal; towards the light it is the tangent";
+                    return "";
+                }};
+    Random random;
+    for (int i = 0; i < 1000; ++i)
+        probe.inputs.push_back({random.uniform(0, 0.999), random.logarithmic(1e-3, 0.5), random.uniform(0.5, 8)});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("05.pcf", "begin at floor(uv * texels - kernel / 2); go on by two texels; weigh the outer ones") {
+    for (const int field : {1, 3, 2}) {
+        Probe probe{.include = "05_shadow_maps/pcf_counted.glsl",
+                    .signature = "vec3 pcf_counted(vec2 uv, float depth, vec2 slope, int kernel)",
+                    .truth =
+                        [field](std::span<const double> in) {
+                            const int kernel = static_cast<int>(in[5]);
+                            return Row{truth::pcf(field, {in[0], in[1]}, in[2], {in[3], in[4]}, kernel),
+                                       double((kernel + 1) * (kernel + 1)), 0};
+                        },
+                    .bound = {.absolute = 2e-3},
+                    .macros = {{"FIELD", std::to_string(field)}},
+                    .words = [](const std::string& name, std::span<const double> v) -> std::string {
+                        if (!name.empty() || v.size() != 3) return "";
+                        return number_text(v[0]) + " from " + number_text(v[1]) + " gathered and " + number_text(v[2]) +
+                               " single texels";
+                    },
+                    .hint = [field](auto in, auto got) -> std::string {
+                        const int kernel = static_cast<int>(in[5]);
+                        if (std::fabs(got[0] - truth::pcf(field, {in[0], in[1]}, in[2], {in[3], in[4]}, kernel)) < 2e-3)
+                            return "the result is right; but gather each texel once, and read none singly";
+                        if (field == 2) return "the map holds the very plane of the surface: compare plane_depths()";
+                        if (kernel == 1)
+                            return "with a kernel of 1 four texels count, each by the part that is covered";
+                        return field == 1 ? "the map is near for u below 0.5: that part is in shadow" : "";
+                    }};
+        Random random;
+        for (const int kernel : {1, 3, 5, 9})
+            for (int i = 0; i < 60; ++i) {
+                // Away from the edges of texels, where rounding decides which of them the square touches.
+                const auto place = [&] { return (20 + i % 24 + random.uniform(0.05, 0.95)) / 64; };
+                const double u = static_cast<float>(place()), v = static_cast<float>(place());
+                if (field == 2)
+                    probe.inputs.push_back({u, v, static_cast<float>(0.5 + 0.3 * (u - 0.5) - 0.2 * (v - 0.5) + 1e-4),
+                                            static_cast<float>(0.3), static_cast<float>(-0.2), double(kernel)});
+                else
+                    probe.inputs.push_back({u, v, 0.5, 0, 0, double(kernel)});
+            }
+        const Table results = check.probe(probe);
+        check.property(probe, results, "but it must be between 0 and 1",
+                       [](auto, auto out) { return out[0] >= 0 && out[0] <= 1 + 1e-6; });
+    }
+}
+
+CHECK_EXERCISE("05.chebyshev", "what is not behind the mean is lit; a variance below `least` counts as `least`") {
+    Probe probe{.include = "05_shadow_maps/chebyshev.glsl",
+                .signature = "float chebyshev(vec2 moments, float depth, float least)",
+                .inputs = {{0.5, 0.25, 0.5, 1e-4},
+                           {0.5, 0.25, 0.4, 1e-4},
+                           {0.5, 0.25, 0.6, 1e-4},
+                           {0.5, 0.2499, 0.6, 1e-4},
+                           {0.5, 0.5, 1, 1e-4},
+                           {0.45, 0.405, 1, 1e-4},
+                           {0, 0, 1, 1e-3}},
+                .truth =
+                    [](std::span<const double> in) {
+                        return Row{truth::chebyshev({in[0], in[1]}, in[2], in[3])};
+                    },
+                .bound = {.absolute = 1e-5, .relative = 3e-3},
+                .hint = [](auto in, auto) -> std::string {
+                    if (in[2] <= in[0]) return "it is not behind the mean: all of it is lit";
+                    if (in[1] - in[0] * in[0] < in[3]) return "the variance is below `least`, or negative by rounding";
+                    return "";
+                }};
+    Random random;
+    for (int i = 0; i < 1000; ++i) {
+        const double mean = random.uniform(0, 1);
+        probe.inputs.push_back({mean, static_cast<float>(mean * mean + random.uniform(-0.01, 0.25)),
+                                random.uniform(0, 1), random.logarithmic(1e-4, 1e-2)});
+    }
+    const Table results = check.probe(probe);
+    check.property(probe, results, "but it must be above 0 and at most 1",
+                   [](auto, auto out) { return out[0] > 0 && out[0] <= 1; });
+}
+
+CHECK_EXERCISE("05.penumbra_width", "the lamp's width, by similar triangles: gap to blocker") {
+    Probe probe{
+        .include = "05_shadow_maps/penumbra_width.glsl",
+        .signature = "float penumbra_width(float receiver, float blocker, float size, bool parallel)",
+        .inputs = {{2, 1, 0.1, 0},
+                   {3, 1, 0.1, 0},
+                   {3, 2, 0.1, 0},
+                   {2, 1, 0, 0},
+                   {1, 2, 0.1, 0},
+                   {1, 1, 0.1, 0},
+                   {2, 0, 0.1, 0},
+                   {2, -1, 0.1, 0},
+                   {2, 1, 0.1, 1},
+                   {2, 0, 0.1, 1},
+                   {1, 2, 0.1, 1},
+                   {5, 4, 0.01, 1},
+                   {0, 0, 0.1, 0}},
+        .truth = [](std::span<const double> in) { return Row{truth::penumbra_width(in[0], in[1], in[2], in[3] != 0)}; },
+        .bound = {.absolute = 1e-6, .relative = 1e-4},
+        .hint = [](auto in, auto got) -> std::string {
+            if (in[0] <= in[1]) return "the blocker is not nearer than the receiver: no half shadow, 0";
+            if (in[3] != 0) return "the rays of a sun's edges keep their angle: size times the gap";
+            if (in[1] <= 1e-3) return "a blocker at the lamp itself counts as 1 mm away: no division by 0";
+            if (std::fabs(got[0] - in[2] * (in[0] - in[1]) / in[0]) < 1e-4 * got[0])
+                return "divided by the blocker's distance, not by the receiver's";
+            return "";
+        }};
+    Random random;
+    for (int i = 0; i < 500; ++i) {
+        const double blocker = random.logarithmic(0.01, 10);
+        probe.inputs.push_back({random.logarithmic(0.01, 20), blocker, random.uniform(0, 1), double(i % 2)});
+    }
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("05.cascade_split", "one mean of two lists: equal steps, and equal factors") {
+    const auto call = [&](float near_m, float far_m, int i, int count, float lambda) {
+        const std::string text = "cascade_split(" + number_text(double(near_m)) + ", " + number_text(double(far_m)) +
+                                 ", " + std::to_string(i) + ", " + std::to_string(count) + ", " +
+                                 number_text(double(lambda)) + ")";
+        check.call(
+            text,
+            [&]() -> std::string {
+                const double got = double(cascade_split(near_m, far_m, i, count, lambda));
+                const bool end = i == 0 || i == count;
+                const double right = i == 0       ? double(near_m)
+                                     : i == count ? double(far_m)
+                                                  : truth::cascade_split(near_m, far_m, i, count, lambda);
+                const double allowed = end ? 0 : 1e-4 * right;
+                if (std::fabs(got - right) <= allowed) return "";
+                return text + " gave " + number_text(got) + ", expected " + (end ? "exactly " : "") +
+                       number_text(right);
+            },
+            i == 0 || i == count ? "the ends are near_m and far_m to the last bit: else there is a gap between cascades"
+            : lambda == 0        ? "with lambda = 0 all are equally deep"
+            : lambda == 1        ? "with lambda = 1 each ends by one factor farther away than the one before"
+                                 : "");
+    };
+    for (const float lambda : {0.0f, 1.0f, 0.5f, 0.25f})
+        for (int count = 1; count <= 4; ++count)
+            for (int i = 0; i <= count; ++i) call(0.1f, 100.0f, i, count, lambda), call(0.07f, 50.3f, i, count, lambda);
+    Random random;
+    for (int n = 0; n < 300; ++n) {
+        const float near_m = static_cast<float>(random.logarithmic(0.01, 1));
+        const float far_m = near_m * static_cast<float>(random.logarithmic(1.5, 1e5));
+        const int count = 1 + n % 4;
+        for (int i = 0; i <= count; ++i) call(near_m, far_m, i, count, static_cast<float>(random.uniform(0, 1)));
+    }
+}

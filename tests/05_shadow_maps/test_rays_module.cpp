@@ -1,0 +1,126 @@
+// The module Rays over scenes: it follows what moves, and rays go through holes.
+#include <algorithm>
+#include <cmath>
+
+#include "04_surface_maps/cutout_levels.h"
+#include "04_surface_maps/maps.h"
+#include "05_shadow_maps/rays.h"
+#include "catch.h"
+#include "common/base/error.h"
+#include "common/scene_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+struct NoChapter : Module {};
+
+// Alpha as a sampler reads it: bilinear, repeating, v = 0 in the bottom row.
+double alpha_at(const Level& level, double u, double v) {
+    const glm::ivec2 size(level.size);
+    const double x = u * size.x - 0.5, y = (1 - v) * size.y - 0.5;
+    double sum = 0;
+    for (const int j : {0, 1})
+        for (const int i : {0, 1}) {
+            const int column = (int(std::floor(x)) + i + size.x) % size.x,
+                      row = (int(std::floor(y)) + j + size.y) % size.y;
+            const double weight = (1 - std::fabs(x - std::floor(x) - i)) * (1 - std::fabs(y - std::floor(y) - j));
+            sum += weight * double(level.texels[static_cast<size_t>(row * size.x + column)].a);
+        }
+    return sum;
+}
+
+struct RayScene : TestScene {
+    NoChapter chapter;
+    Rays rays{chapter, "rays"};
+    Pipeline pipeline = compute({.shader = "downwards", .source = R"(
+#include "05_shadow_maps/bvh.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(scalar) writeonly buffer ResultBuffer { uint blocked[]; };
+const uint side = 256u;
+void main() {
+    uvec2 at = gl_GlobalInvocationID.xy;
+    vec2 place = (vec2(at) + 0.5) / float(side) * 2.0 - 1.0;
+    blocked[at.y * side + at.x] = uint(any_hit(Ray(vec3(place, 9.0), 0.0, vec3(0.0, 0.0, -1.0), 1e13)));
+}
+)"});
+    explicit RayScene(std::vector<SceneObject> objects) : TestScene(std::move(objects)) { rays.prepare(gpu, scene); }
+
+    /// Whether each of 256×256 points of the square from -1 to 1 in x and y is blocked, seen along -z, row by row from
+    /// y = -1.
+    std::vector<bool> blocked_points() {
+        Frame frame(gpu);
+        frame.begin({4, 4}, 0);
+        rays.record(frame, scene);
+        const Buffer out(gpu.device, {.name = "blocked", .bytes = 4 * 256 * 256});
+        frame.compute("look", {.writes = {out}, .with = {rays}}, [&](Compute& pass) {
+            pass.use(pipeline).set("blocked", out).dispatch_threads({256, 256});
+        });
+        frame.end();
+        std::vector<bool> points;
+        const auto bytes = gpu.read_back(out);
+        for (size_t i = 0; i < bytes.size(); i += 4) points.push_back(bytes[i] != std::byte(0));
+        return points;
+    }
+
+    double blocked() {
+        const auto points = blocked_points();
+        return double(std::count(points.begin(), points.end(), true)) / double(points.size());
+    }
+};
+
+}  // namespace
+
+TEST_CASE("rays meet what is placed where it is now, mirrored and from either side") {
+    SceneObject mover = object_at(quad_file, {-0.5, 0, 0}, {0.5f, 1.0f, 1.0f});
+    mover.motion.path = {{.time_s = 0, .position = {-0.5, 0, 0}, .scale = mover.scale},
+                         {.time_s = 1, .position = {1.0, 0, 0}, .scale = mover.scale}};
+    SceneObject mirrored = object_at(quad_file, {0.5, 0.75, 1}, {-0.5f, 0.25f, 1.0f});
+    SceneObject glass = object_at(quad_file, {0, 0, 2});
+    glass.material.opacity = 0.5f;
+    glass.material.maps["diffuse"] = "textures/grass_cutout.png";
+    RayScene test({mover, mirrored, glass});
+    CHECK(test.rays.bvh().triangles().size() == 4);  // what is seen through casts no shadow
+    CHECK(test.blocked() == Approx(0.5 + 0.125).margin(0.01));
+    animate(test.scene, 1);
+    CHECK(test.blocked() == Approx(0.25 + 0.125 - 0.0625).margin(0.01));
+    animate(test.scene, 0);
+    CHECK(test.blocked() == Approx(0.5 + 0.125).margin(0.01));
+    const uint64_t before = test.gpu.uploaded_bytes;
+    test.blocked();
+    CHECK(test.gpu.uploaded_bytes == before);
+}
+
+TEST_CASE("an empty scene stops no ray") {
+    RayScene test({});
+    CHECK(test.blocked() == 0);
+    CHECK(test.rays.offset_m() >= 0);
+}
+
+TEST_CASE("rays go through what a texture cuts out, and not where the knob says that all is whole") {
+    SceneObject leaf = object_at(quad_file, {0, 0, 0});
+    leaf.material.maps["diffuse"] = "textures/grass_cutout.png";
+    RayScene test({leaf});
+    const Level level = read_level(test.gpu, test.scene.texture(test.scene.items[0], MapSlot::diffuse));
+    const double share = coverage(level, 0.5f);
+    CHECK(share > 0.05);
+    CHECK(share < 0.95);
+    CHECK(test.blocked() == Approx(share).margin(0.01));
+    // Each point, where rounding does not decide. The quad's texture coordinates are its places.
+    const auto points = test.blocked_points();
+    size_t wrong = 0, sure = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+        const double u = (double(i % 256) + 0.5) / 128 - 1, v = (double(i / 256) + 0.5) / 128 - 1;
+        const double alpha = alpha_at(level, u - std::floor(u), v - std::floor(v));
+        if (std::fabs(alpha - 0.5) < 0.02) continue;
+        ++sure;
+        wrong += points[i] != (alpha > 0.5);
+    }
+    CHECK(sure > 50000);
+    CHECK(wrong == 0);
+    test.rays.cutouts.set("off");
+    CHECK(test.blocked() == 1);
+    test.rays.cutouts.set("on");
+    test.rays.prepare(test.gpu, test.scene, 0.0f);  // nothing has less alpha than that
+    CHECK(test.blocked() == 1);
+}
