@@ -1,0 +1,40 @@
+// Lights what a G-buffer holds, each light where it may reach.
+#pragma once
+#include "06_deferred/gbuffer.h"
+#include "06_deferred/light_volumes.h"
+
+namespace lightwalk {
+
+class DeferredLights {
+  public:
+    /// From the G-buffer and frame.depth into frame.hdr, every pixel. `with` are modules that lighting needs besides:
+    /// the lights, the G-buffer, and what casts shadows.
+    void record(Frame& frame, const Scene& scene, const Camera& camera, const GBuffer& gbuffer, const Lights& lights,
+                const std::vector<With>& with);
+
+    /// gbuffer.show in place of the picture.
+    void show(Frame& frame, const GBuffer& gbuffer);
+
+    size_t volumes() const { return volumes_.count(); }
+
+  private:
+    LightVolumes volumes_;
+    LightGrid tiles_;  ///< for its view: how a tile's workgroup knows what the tile is
+    const Macros all_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}};
+    Pipeline full_screen_ = compute({.shader = "06_deferred/full_screen.comp", .macros = all_});
+    Pipeline tiled_ = compute({.shader = "06_deferred/tiled.comp", .macros = all_});
+    // [volume]
+    // The back faces, where they are behind the surface: also with the eye inside, where there are no front faces.
+    Pipeline volume_ = graphics({.vertex = "06_deferred/volume.vert",
+                                 .fragment = "06_deferred/volume.frag",
+                                 .cull = VK_CULL_MODE_FRONT_BIT,
+                                 .depth_write = false,
+                                 .depth_compare = Compare::less_or_equal,
+                                 .depth_clamp = true,
+                                 .blend = Blend::add,
+                                 .macros = all_});
+    // [/volume]
+    Pipeline show_ = compute({.shader = "06_deferred/show.comp"});
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,64 @@
+#include "06_deferred/gbuffer.h"
+
+#include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace lightwalk {
+
+glm::mat4 clip_to_offset(const glm::mat4& view_projection, glm::vec3 eye) {
+    // In double precision: the far plane is ten thousand times as far as the near one.
+    return glm::mat4(glm::inverse(glm::translate(glm::dmat4(view_projection), glm::dvec3(eye))));
+}
+
+// [textures]
+std::vector<GBuffer::Texture> GBuffer::textures() const {
+    constexpr VkFormat halves = VK_FORMAT_R16G16B16A16_SFLOAT, word = VK_FORMAT_R32_UINT;
+    if (is_forward()) return {};
+    if (method.is("packed") || method.is("tiled")) return {{"normals", word}, {"diffuse", word}, {"specular", word}};
+    std::vector<Texture> all{{"normal", halves}, {"diffuse", halves}, {"specular", halves}};
+    if (method.is("fat")) all.push_back({"position", VK_FORMAT_R32G32B32A32_SFLOAT});
+    return all;
+}
+// [/textures]
+
+void GBuffer::begin(Frame& frame) {
+    written_ = false;
+    CameraView view{};
+    std::memcpy(&view, frame.globals.at("view").data(), sizeof(view));
+    clip_to_offset_ = clip_to_offset(view.view_projection, view.eye);
+    images_.clear();
+    for (const Texture& t : textures()) {
+        Image& image = kept_[t.name];
+        if (image.desc.format != t.format || image.desc.size != frame.size)
+            image = Image(frame.gpu.device, {.name = "gbuffer " + t.name, .format = t.format, .size = frame.size});
+        images_.emplace_back("gbuffer_" + t.name, &image);
+    }
+}
+
+std::vector<Attachment> GBuffer::targets() const {
+    std::vector<Attachment> all;
+    for (const auto& [name, image] : images_) all.push_back(discard(*image));
+    return all;
+}
+
+uint32_t GBuffer::bytes_per_pixel() const {
+    uint32_t bytes = 0;
+    for (const Texture& t : textures()) bytes += texel_bytes(t.format);
+    return bytes;
+}
+
+std::vector<Resource> GBuffer::reads() const {
+    std::vector<Resource> all;
+    if (written_)
+        for (const auto& [name, image] : images_) all.emplace_back(*image);
+    return all;
+}
+
+void GBuffer::bind(Pass& pass) const {
+    pass.offer("clip_to_offset", clip_to_offset_);
+    if (!written_) return;
+    pass.offer("gbuffer_depth", pass.frame.depth, nearest_clamp);
+    for (const auto& [name, image] : images_) pass.offer(name, *image, nearest_clamp);
+}
+
+}  // namespace lightwalk

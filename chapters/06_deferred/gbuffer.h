@@ -1,0 +1,70 @@
+// The G-buffer as a module: what each pixel shows, written once and lit later.
+#pragma once
+#include <map>
+
+#include "common/app/module.h"
+#include "common/gpu/frame.h"
+#include "common/scene/view.h"
+
+namespace lightwalk {
+
+// [gbuffer]
+/// Gives shaders read_pixel() of 06_deferred/read_gbuffer.glsl. In each frame: begin(), a pass that draws into
+/// targets() and states the module in `.with`, then written(); then passes that read it state it, too, and frame.depth.
+struct GBuffer : Module {
+    GBuffer(Module& owner, std::string name) : Module(owner, std::move(name), "gbuffer") {}
+
+    Choice method{
+        *this,
+        "method",
+        {"forward", "fat", "depth", "packed", "tiled"},
+        "packed",
+        "forward: none; fat: 40 bytes a pixel; depth: 24, without position; packed: 12; tiled: packed, and lit "
+        "by tiles"};
+    Choice normal_bits{*this,
+                       "normal_bits",
+                       {"8", "12", "16"},
+                       "16",
+                       "for x and for y of a packed normal; the mesh's gets what is left of 32 in all"};
+    Knob<bool> volumes{*this, "volumes", true, "lights are drawn as spheres and cones; off: all lights for all pixels"};
+    // [/gbuffer]
+    Choice show{*this,
+                "show",
+                {"picture", "normal", "facing", "diffuse", "specular", "gloss", "occlusion", "position", "depth",
+                 "lights", "loss"},
+                "picture",
+                "what the G-buffer holds, decoded; 127 lights are white; loss: degrees of normals in red, millimetres "
+                "of positions in green"};
+
+    /// Images of this frame's size for the method in use. The frame's `view` has been set (look_from).
+    void begin(Frame& frame);
+
+    /// To draw into. Nothing is cleared: where depth is 0 nobody reads them.
+    std::vector<Attachment> targets() const;
+    void written() { written_ = true; }
+
+    /// Beside depth; 0 for forward.
+    uint32_t bytes_per_pixel() const;
+
+    bool is_forward() const { return method.is("forward"); }
+    bool shows_loss() const { return show.is("loss"); }
+
+    std::vector<Resource> reads() const override;
+    void bind(Pass& pass) const override;
+
+  private:
+    struct Texture {
+        std::string name;  ///< in shaders: gbuffer_<name>
+        VkFormat format;
+    };
+    std::vector<Texture> textures() const;
+    std::map<std::string, Image> kept_;                         ///< of the last frames
+    std::vector<std::pair<std::string, const Image*>> images_;  ///< of this one, by their names in shaders
+    glm::mat4 clip_to_offset_{1.0f};
+    bool written_ = false;
+};
+
+/// From clip space to vectors from the eye: the inverse of the view's matrix, with the eye as the origin.
+glm::mat4 clip_to_offset(const glm::mat4& view_projection, glm::vec3 eye);
+
+}  // namespace lightwalk

@@ -1,0 +1,100 @@
+#include "06_deferred/light_volumes.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lightwalk {
+namespace {
+
+constexpr uint32_t sides = 16;
+constexpr float slack = 1.005f;  // rounding must not cut into what is lit
+
+glm::vec2 on_circle(uint32_t i, uint32_t count) {
+    const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(count);
+    return {std::cos(angle), std::sin(angle)};
+}
+
+std::vector<glm::vec3> sphere_mesh() {
+    constexpr uint32_t rows = sides / 2;
+    const auto at = [&](uint32_t row, uint32_t column) {
+        const glm::vec2 polar = on_circle(row, 2 * rows), around = on_circle(column % sides, sides);
+        return glm::vec3(polar.y * around, polar.x);
+    };
+    std::vector<glm::vec3> corners;
+    for (uint32_t row = 0; row < rows; ++row)
+        for (uint32_t column = 0; column < sides; ++column) {
+            const glm::vec3 a = at(row, column), b = at(row + 1, column), c = at(row + 1, column + 1),
+                            d = at(row, column + 1);
+            if (row + 1 < rows) corners.insert(corners.end(), {a, b, c});
+            if (row > 0) corners.insert(corners.end(), {a, c, d});
+        }
+    // Its corners are on the sphere, its faces inside: widened until the nearest face touches.
+    float nearest = 1.0f;
+    for (size_t i = 0; i < corners.size(); i += 3)
+        nearest = std::min(
+            nearest,
+            glm::dot(corners[i], glm::normalize(glm::cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]))));
+    for (glm::vec3& corner : corners) corner *= slack / nearest;
+    return corners;
+}
+
+std::vector<glm::vec3> cone_mesh() {
+    const float wide = slack / std::cos(std::numbers::pi_v<float> / sides);
+    const glm::vec3 apex(0.0f, 0.0f, 1.0f - slack), base(0.0f, 0.0f, slack);
+    std::vector<glm::vec3> corners;
+    for (uint32_t i = 0; i < sides; ++i) {
+        const glm::vec3 a(wide * on_circle(i, sides), slack), b(wide * on_circle((i + 1) % sides, sides), slack);
+        corners.insert(corners.end(), {apex, b, a, base, a, b});
+    }
+    return corners;
+}
+
+}  // namespace
+
+std::vector<glm::vec3> volume_mesh(LightVolume::Shape shape) {
+    return shape == LightVolume::Shape::sphere ? sphere_mesh() : cone_mesh();
+}
+
+// [update]
+void LightVolumes::update(Gpu& gpu, const Lights& lights) {
+    const std::string key = fmt::format("{} {} {} {}", lights.buffer().rebuilds, lights.falloff.text(),
+                                        lights.threshold.text(), Exercises::uses_solution("06.light_volume_bounds"));
+    if (key == made_for_) return;
+    made_for_ = key;
+    std::vector<LightVolumeData> spheres, cones;
+    std::vector<uint32_t> everywhere{0};
+    const auto bounds = light_volume_bounds.function();
+    for (uint32_t i = 0; i < lights.buffer().lights().size(); ++i) {
+        const Light& light = lights.buffer().lights()[i];
+        if (light.kind == Light::Kind::directional) {
+            everywhere.push_back(i);
+            continue;
+        }
+        const LightVolume volume = bounds(light, lights.reach_m(light));
+        (volume.shape == LightVolume::Shape::sphere ? spheres : cones).push_back({volume.to_world, i});
+    }
+    spheres_ = static_cast<uint32_t>(spheres.size());
+    cones_ = static_cast<uint32_t>(cones.size());
+    spheres.insert(spheres.end(), cones.begin(), cones.end());
+    volumes_ = gpu.upload("light volumes", spheres);
+    everywhere[0] = static_cast<uint32_t>(everywhere.size() - 1);
+    without = gpu.upload("lights without volume", everywhere);
+    if (sphere_) return;
+    const auto sphere = volume_mesh(LightVolume::Shape::sphere), cone = volume_mesh(LightVolume::Shape::cone);
+    sphere_corners_ = static_cast<uint32_t>(sphere.size());
+    cone_corners_ = static_cast<uint32_t>(cone.size());
+    sphere_ = gpu.upload("sphere", sphere);
+    cone_ = gpu.upload("cone", cone);
+}
+// [/update]
+
+void LightVolumes::draw(Raster& pass) const {
+    pass.set("volumes", volumes_);
+    if (spheres_) pass.set("corners", sphere_).draw(sphere_corners_, spheres_);
+    if (cones_) pass.set("corners", cone_).draw(cone_corners_, cones_, spheres_);
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,50 @@
+// Pictures of other cameras, on objects of the scene.
+#pragma once
+#include "common/app/target.h"
+#include "common/scene/scene.h"
+#include "common/scene/view.h"
+
+namespace lightwalk {
+
+// [screens]
+/// An object called "screen NAME" shows what "camera NAME" sees: another object, which need not have a model, and which
+/// looks along its -z. The picture takes the place of the screen's colour and emissive textures. In each frame:
+/// record(); then passes that draw screens state the module in `.with`.
+struct Screens : Module {
+    Screens(Module& owner, std::string name) : Module(owner, std::move(name), "screens") {}
+
+    Knob<int> width{*this, "width", 480, {16, 4096}, "of a screen's picture; its height is 9/16 of that", "pixels"};
+    Knob<float> fov_deg{*this, "fov_deg", 50.0f, {1.0f, 170.0f}, "of a screen's camera, from top to bottom", "degrees"};
+
+    /// What draws a screen's picture in a pass that has its camera's `view`.
+    using Draw = std::function<void(Raster& pass)>;
+
+    /// Finds the scene's screens, when it was loaded or `width` has changed. Throws InputError where one has no camera.
+    void prepare(Gpu& gpu, const Scene& scene);
+
+    /// What each screen's camera sees. Screens in these pictures show what they showed a frame ago, or black: a picture
+    /// cannot be read while it is drawn.
+    void record(Frame& frame, Scene& scene, std::vector<With> with, const Draw& draw);
+    // [/screens]
+
+    /// The scene's batches; each screen is one of its own, however alike they are.
+    std::vector<Batch> batches(const Scene& scene) const;
+
+    std::vector<Resource> reads() const override;
+    size_t count() const { return screens_.size(); }
+
+  private:
+    struct Screen {
+        Screen(Module& owner, const std::string& name, glm::uvec2 size);
+        History picture;
+        Target depth;
+        size_t camera = 0, object = 0;  ///< of SceneFile::objects
+        const Image* shown = nullptr;
+    };
+    void show(Scene& scene, bool before);
+    bool is_screen(const DrawItem& item) const;
+    std::vector<std::unique_ptr<Screen>> screens_;
+    Image black_;
+};
+
+}  // namespace lightwalk

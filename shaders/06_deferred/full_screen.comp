@@ -1,0 +1,35 @@
+// Lights every pixel by every light; with light volumes, by those that have no volume.
+#include "06_deferred/read_gbuffer.glsl"
+#include "06_deferred/reflected.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba16f) writeonly uniform image2D hdr;
+layout(scalar) uniform AmbientBlock { vec3 ambient; };
+layout(scalar) uniform BackgroundBlock { vec3 background; };
+#if GBUFFER_VOLUMES
+layout(scalar) readonly buffer WithoutBuffer {
+    uint count;
+    uint lights[];
+} without_volume;
+#endif
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(at, imageSize(hdr)))) return;
+    float depth = depth_of(at);
+    if (depth == 0.0) {
+        imageStore(hdr, at, vec4(background, 0.0));
+        return;
+    }
+    Pixel p = read_pixel(at, depth);
+    Surface surface = surface_of(p, view.eye);
+#if GBUFFER_VOLUMES
+    Lit lit = Lit(vec3(0.0), vec3(0.0), 0u);
+    for (uint i = 0u; i < without_volume.count; ++i)
+        add_light(lit, without_volume.lights[i], surface, p.facing, p.position);
+#else
+    Lit lit = light_surface(surface, p.facing, p.position, 0u, vec4(at, depth, 1.0));
+#endif
+    vec3 radiance = ambient_radiance(p.material, ambient) + reflected(p, lit);
+    imageStore(hdr, at, vec4(min(radiance, most_radiance), lit.lights));
+}

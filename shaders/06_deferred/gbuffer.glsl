@@ -1,0 +1,91 @@
+// How the G-buffer of each method holds a pixel: what the module GBuffer gives to shaders.
+#include "06_deferred/pixel.glsl"
+#include "06_deferred/pack_material.glsl"
+#include "06_deferred/normals.glsl"
+
+#define GBUFFER_IS_PACKED (GBUFFER_METHOD == GBUFFER_METHOD_PACKED || GBUFFER_METHOD == GBUFFER_METHOD_TILED)
+
+// [normal_bits]
+// 32 bits are for the normal and for that of the mesh: what the one does not take the other may have.
+#if GBUFFER_NORMAL_BITS == GBUFFER_NORMAL_BITS_8
+const int normal_bits = 8, facing_bits = 8;
+#elif GBUFFER_NORMAL_BITS == GBUFFER_NORMAL_BITS_12
+const int normal_bits = 12, facing_bits = 4;
+#else
+const int normal_bits = 16;
+#define GBUFFER_ONE_NORMAL  // which stands for that of the mesh, too
+#endif
+// [/normal_bits]
+
+#if GBUFFER_IS_PACKED
+// [packed]
+struct Stored {
+    uint normals, diffuse, specular;  // 12 bytes
+};
+
+Stored store(Pixel p) {
+    uint normals = quantise(encode_normal(p.normal), normal_bits);
+#ifndef GBUFFER_ONE_NORMAL
+    normals |= quantise(encode_normal(p.facing), facing_bits) << 2 * normal_bits;
+#endif
+    uvec2 material = pack_material(p.material);
+    return Stored(normals, material.x, material.y);
+}
+
+Pixel restore(Stored s) {
+    Pixel p;
+    p.normal = p.facing = decode_normal(dequantise(s.normals, normal_bits));
+#ifndef GBUFFER_ONE_NORMAL
+    p.facing = decode_normal(dequantise(s.normals >> 2 * normal_bits, facing_bits));
+#endif
+    vec4 diffuse = unpackUnorm4x8(s.diffuse), specular = unpackUnorm4x8(s.specular & 0xffffffu);
+    float shininess = exp2(diffuse.a * log2(1.0 + most_shininess)) - 1.0;
+    p.material.mixed = MixedMaterial(diffuse.rgb * diffuse.rgb, specular.rgb * specular.rgb, shininess);
+    p.material.occlusion = float(s.specular >> 24 & 127u) / 127.0;
+    p.material.ambient_specular = float(s.specular >> 31);
+    return p;
+}
+// [/packed]
+#else
+// [fat]
+struct Stored {
+    vec4 normal, diffuse, specular;  // halves: 24 bytes
+    vec4 position;                   // floats: 16 bytes; of the method fat alone
+};
+
+// A half has room for 5 + 5 bits of the mesh's normal, a float for 12 + 12.
+const int half_bits = 5, float_bits = 12;
+
+Stored store(Pixel p) {
+    PixelMaterial m = p.material;
+    Stored s;
+    s.specular = vec4(m.mixed.specular, m.mixed.shininess);
+#if GBUFFER_METHOD == GBUFFER_METHOD_FAT
+    s.normal = vec4(p.normal, m.occlusion);
+    s.diffuse = vec4(m.mixed.diffuse, m.ambient_specular);
+    s.position = vec4(p.position, quantise(encode_normal(p.facing), float_bits));
+#else
+    s.normal = vec4(p.normal, quantise(encode_normal(p.facing), half_bits));
+    s.diffuse = vec4(m.mixed.diffuse, m.occlusion + 2.0 * m.ambient_specular);
+#endif
+    return s;
+}
+
+Pixel restore(Stored s) {
+    Pixel p;
+    p.normal = normalize(s.normal.xyz);
+    p.material.mixed = MixedMaterial(s.diffuse.rgb, s.specular.rgb, s.specular.a);
+#if GBUFFER_METHOD == GBUFFER_METHOD_FAT
+    p.position = s.position.xyz;
+    p.facing = decode_normal(dequantise(uint(s.position.a), float_bits));
+    p.material.occlusion = s.normal.a;
+    p.material.ambient_specular = s.diffuse.a;
+#else
+    p.facing = decode_normal(dequantise(uint(s.normal.a), half_bits));
+    p.material.ambient_specular = float(s.diffuse.a >= 2.0);
+    p.material.occlusion = s.diffuse.a - 2.0 * p.material.ambient_specular;
+#endif
+    return p;
+}
+// [/fat]
+#endif

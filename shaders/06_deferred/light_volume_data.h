@@ -1,0 +1,12 @@
+// What is drawn for a light: a unit sphere, or a unit cone, moved to where it reaches.
+#pragma once
+#include "common/shared.h"
+
+BEGIN_SHARED
+
+struct LightVolumeData {
+    mat4 to_world;
+    uint light;  // of the lights' buffer
+};
+
+END_SHARED

@@ -1,0 +1,39 @@
+// What the G-buffer of the method in use loses of a surface, where it is drawn: it is stored and taken back at once.
+#include "06_deferred/mapped_pixel.glsl"
+#include "06_deferred/gbuffer.glsl"
+#include "06_deferred/position_from_depth.glsl"
+
+layout(location = 0) out vec4 color;
+
+layout(scalar) uniform ViewBlock { CameraView view; };
+layout(scalar) uniform ClipBlock { mat4 clip_to_offset; };
+
+#if !GBUFFER_IS_PACKED
+vec4 half_of(vec4 v) { return vec4(unpackHalf2x16(packHalf2x16(v.xy)), unpackHalf2x16(packHalf2x16(v.zw))); }
+#endif
+
+// [kept]
+Pixel kept(Pixel p) {
+    Stored s = store(p);
+#if !GBUFFER_IS_PACKED
+    s.normal = half_of(s.normal);
+#endif
+    Pixel back = restore(s);
+#if GBUFFER_METHOD != GBUFFER_METHOD_FAT
+    back.position = view.eye + position_from_depth(uvec2(gl_FragCoord.xy), gl_FragCoord.z, view.size, clip_to_offset);
+#endif
+    return back;
+}
+// [/kept]
+
+void main() {
+    MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
+    if (is_cut_out(m.alpha, maps.cutoff)) discard;
+    Pixel p = pixel_of(m), back = kept(p);
+    // Half the chord is the sine of half the angle: acos() of a dot product knows no small angles. And millimetres.
+    vec2 lost = vec2(degrees(2.0 * asin(min(0.5 * distance(back.normal, p.normal), 1.0))), 1e3 * distance(back.position, p.position));
+#if GBUFFER_METHOD == GBUFFER_METHOD_FORWARD
+    lost = vec2(0.0);
+#endif
+    color = vec4(lost, 0.0, 1.0);
+}

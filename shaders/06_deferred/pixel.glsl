@@ -1,0 +1,21 @@
+// What a pixel shows, as far as lighting needs to know.
+#include "04_surface_maps/mixed_material.glsl"
+
+// [pixel]
+struct PixelMaterial {
+    MixedMaterial mixed;
+    float occlusion;         // of ambient light, 0 to 1
+    float ambient_specular;  // 1 where ambient light is reflected by the specular colour, too; else 0
+};
+
+struct Pixel {
+    vec3 normal;    // unit length, world space, with its bumps
+    vec3 facing;    // unit length, world space: the normal of the mesh
+    vec3 position;  // metres, world space
+    PixelMaterial material;
+};
+// [/pixel]
+
+vec3 ambient_radiance(PixelMaterial m, vec3 ambient) {
+    return (m.mixed.diffuse + m.ambient_specular * m.mixed.specular) * ambient * m.occlusion;
+}

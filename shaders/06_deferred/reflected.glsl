@@ -1,0 +1,12 @@
+// From a pixel to what chapter 03's lights ask of it, and from their sum to what leaves it.
+#include "03_attenuation/lighting.glsl"
+#include "05_shadow_maps/shadow.glsl"
+#include "06_deferred/pixel.glsl"
+
+Surface surface_of(Pixel p, vec3 eye) { return Surface(p.normal, normalize(eye - p.position), p.material.mixed.shininess); }
+
+vec3 reflected(Pixel p, Lit lit) {
+    return p.material.mixed.diffuse * lit.diffuse + p.material.mixed.specular * lit.specular;
+}
+
+const float most_radiance = 65504.0;  // that a target of halves holds

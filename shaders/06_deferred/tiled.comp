@@ -1,0 +1,38 @@
+// Lights a tile of 16 x 16 pixels in one workgroup: how deep is it, which lights reach it, what do they give?
+layout(local_size_x = 16, local_size_y = 16) in;  // before anybody asks for gl_WorkGroupSize
+
+#include "06_deferred/read_gbuffer.glsl"
+#include "06_deferred/reflected.glsl"
+#include "06_deferred/accumulate_lights.glsl"
+
+layout(rgba16f) writeonly uniform image2D hdr;
+layout(scalar) uniform AmbientBlock { vec3 ambient; };
+layout(scalar) uniform BackgroundBlock { vec3 background; };
+
+shared uint farthest, nearest;  // bits of floats above 0, which are in the order of the floats
+
+// [main]
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    bool inside = all(lessThan(at, imageSize(hdr)));
+    float depth = inside ? depth_of(at) : 0.0;
+    if (gl_LocalInvocationIndex == 0u) {
+        farthest = floatBitsToUint(1.0);
+        nearest = 0u;
+    }
+    barrier();
+    if (depth > 0.0) {
+        atomicMin(farthest, floatBitsToUint(depth));
+        atomicMax(nearest, floatBitsToUint(depth));
+    }
+    barrier();
+    vec4 color = vec4(background, 0.0);
+    if (nearest != 0u) {  // for all of the group, or for none
+        Cell cell = cell_between(gl_WorkGroupID.xy, view_depth(uintBitsToFloat(nearest)), view_depth(uintBitsToFloat(farthest)));
+        Pixel p = read_pixel(min(at, imageSize(hdr) - 1), max(depth, uintBitsToFloat(farthest)));
+        Lit lit = accumulate_lights(surface_of(p, view.eye), p.facing, p.position, cell, depth > 0.0);
+        if (depth > 0.0) color = vec4(min(ambient_radiance(p.material, ambient) + reflected(p, lit), most_radiance), lit.lights);
+    }
+    if (inside) imageStore(hdr, at, color);
+}
+// [/main]

@@ -1,0 +1,184 @@
+"""Pictures of chapter 06 that must agree with others, or differ by a known amount."""
+import json
+import pathlib
+import subprocess
+import sys
+import unittest
+
+from PIL import Image
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
+from pictures import BUILD, ROOT, ChapterPictures  # noqa: E402
+
+SCENES = ROOT / "assets" / "scenes"
+FLOOR = {"model": "models/plane.obj", "scale": 12,
+         "material": {"diffuse": [0.6, 0.6, 0.6], "specular": [0.2, 0.2, 0.2], "shininess": 40}}
+
+
+class PicturesTest(ChapterPictures):
+    chapter = "06_deferred"
+
+    def draw(self, scene, *options, size="160x90", name="picture") -> pathlib.Path:
+        """A picture of a scene file or of a scene as JSON."""
+        if isinstance(scene, dict):
+            file = self.folder / "scene.json"
+            file.write_text(json.dumps(scene))
+        else:
+            file = SCENES / f"{scene}.json"
+        picture = self.folder / f"{name}.png"
+        self.run_program("--scene", file, *options, "--size", size, "--screenshot", picture)
+        return picture
+
+    def steps(self, expected, actual) -> tuple[int, int]:
+        """The largest difference of a channel in steps of 1/255, and how many pixels differ by more than one."""
+        a, b = (Image.open(p).convert("RGB").tobytes() for p in (expected, actual))
+        far = [abs(x - y) for x, y in zip(a, b)]
+        return max(far), len({i // 3 for i, d in enumerate(far) if d > 1})
+
+    def flip(self, expected, actual) -> float:
+        done = subprocess.run([BUILD / "compare", expected, actual, "--json"], capture_output=True, text=True, check=True)
+        return json.loads(done.stdout)["flip"]["mean"]
+
+    def lamps(self, **camera) -> dict:
+        return {"camera": {"position": [0, 1.2, 4], "target": [0, 0.4, 0], "near_m": 0.1, "far_m": 40} | camera,
+                "background": [0.01, 0.02, 0.05], "ambient": [0.02, 0.02, 0.02],
+                "objects": [FLOOR, {"model": "models/sphere.obj", "position": [0, 0.5, 0],
+                                    "material": {"diffuse": [0.7, 0.5, 0.3], "specular": [0.3, 0.3, 0.3]}}],
+                "lights": [{"type": "directional", "direction": [0.3, -1, -0.3], "intensity": 0.1},
+                           {"type": "point", "position": [0.9, 0.9, 0.6], "range_m": 3, "color": [1, 0.5, 0.2]},
+                           {"type": "point", "position": [0, 1.0, 3.4], "range_m": 6, "color": [0.2, 0.6, 1]},
+                           {"type": "spot", "position": [-1.2, 2, 1], "direction": [1, -1.4, -0.8], "range_m": 5,
+                            "intensity": 4, "outer_deg": 25},
+                           {"type": "spot", "position": [1.5, 0.4, 0], "direction": [-1, 0, 0], "range_m": 4, "outer_deg": 80}]}
+
+    # --- methods
+
+    def test_every_method_shows_what_forward_shows(self):
+        """Within what its bits lose: fat one step, packed colours of 8 bits two."""
+        for name, scene in (("lamps", self.lamps()), ("courtyard", "hundred_lamps")):
+            truth = self.draw(scene, "--method", "forward", "--lights.method", "every_light", name="truth")
+            for method, most in (("fat", 0.004), ("depth", 0.006), ("packed", 0.012), ("tiled", 0.012)):
+                with self.subTest(scene=name, method=method):
+                    picture = self.draw(scene, "--method", method, "--volumes", "off",
+                                        "--normal_bits", "8")  # with the mesh's normal, which 16 leave no room for
+                    self.assertLess(self.flip(truth, picture), most)
+
+    def test_volumes_light_what_full_screen_lights_light(self):
+        """The camera in a volume, at its surface, in all of them; lights that reach beyond the far plane; lights that
+        reach nothing. Adding in halves, light by light, may round by a step."""
+        inside = self.lamps()
+        touching = self.lamps(position=[0, 1.0, 0.4])   # 3 m from the second lamp, which reaches ...
+        touching["lights"][2] |= {"position": [0, 1.0, 3.4], "range_m": 3}
+        beyond = self.lamps(far_m=6)
+        beyond["lights"] += [{"type": "point", "position": [0, 2, -5], "range_m": 60, "intensity": 2}]
+        nothing = self.lamps()
+        nothing["lights"] += [{"type": "point", "position": [0, 50, 0], "range_m": 3},
+                              {"type": "point", "position": [0, 0.5, 0.6], "range_m": 0},
+                              {"type": "spot", "position": [0, 3, 0], "direction": [0, -1, 0], "inner_deg": 0, "outer_deg": 0}]
+        wide = self.lamps()
+        for degrees in (60, 65, 89, 90, 91, 180):
+            wide["lights"].append({"type": "spot", "position": [0.4, 0.8, 0.9], "direction": [0, -1, 0.2], "range_m": 2,
+                                   "intensity": 0.3, "inner_deg": 10, "outer_deg": degrees})
+        none = self.lamps() | {"lights": []}
+        for name, scene in (("inside", inside), ("touching", touching), ("beyond", beyond), ("nothing", nothing),
+                            ("wide", wide), ("none", none)):
+            with self.subTest(scene=name):
+                all_pixels = self.draw(scene, "--volumes", "off", name="all")
+                most, pixels = self.steps(all_pixels, self.draw(scene, "--volumes", "on"))
+                self.assertLessEqual(most, 2)
+                self.assertLessEqual(pixels, 20)
+                most, pixels = self.steps(all_pixels, self.draw(scene, "--method", "tiled"))
+                self.assertLessEqual(most, 1)
+
+    def test_many_lights_tile_by_tile_are_as_all_of_them(self):
+        """More than one group of 1,024, and an edge of the picture that cuts tiles."""
+        options = ["--scene", SCENES / "night.json", "--lights", "1300", "--size", "157x83", "--shadow.method", "none"]
+        pictures = [self.folder / f"{name}.png" for name in ("all", "tiles")]
+        self.run_program(*options, "--volumes", "off", "--screenshot", pictures[0])
+        self.run_program(*options, "--method", "tiled", "--screenshot", pictures[1])
+        self.assertEqual(self.steps(*pictures)[0], 0)
+
+    def test_half_of_the_picture_has_no_surface(self):
+        """The background is the background, in every method, and nothing reads what nobody wrote."""
+        scene = self.lamps(position=[0, 0.3, 4], target=[0, 0.5, 0])
+        for method in ("forward", "fat", "depth", "packed", "tiled"):
+            with self.subTest(method=method):
+                image = Image.open(self.draw(scene, "--method", method)).convert("RGB")
+                self.assertEqual({image.getpixel((x, 2)) for x in range(0, 160, 7)}, {(25, 39, 63)})
+        empty = {"camera": scene["camera"], "objects": [FLOOR | {"position": [0, 0, 400]}], "lights": scene["lights"]}
+        for method in ("packed", "tiled"):
+            self.draw(empty, "--method", method)
+
+    # --- culling
+
+    def test_a_geometry_shader_culls_what_the_device_culls(self):
+        """The same pixels: a floor that begins behind the eye, mirrored instances, triangles without area."""
+        scene = self.lamps(position=[0, 0.4, 1.2])
+        scene["objects"] += [
+            {"model": "models/suzanne.obj", "position": [-1.2, 0.6, -0.4], "scale": [-1, 1, 1]},
+            {"model": "models/suzanne.obj", "position": [1.2, 0.6, -0.4], "scale": [1, 1, 1]},
+            {"model": "models/teapot.obj", "position": [0, 0.5, -1.5], "scale": [1, 1, -1]}]
+        fixed = self.draw(scene, "--cull", "fixed", name="fixed")
+        self.assertLessEqual(self.steps(fixed, self.draw(scene, "--cull", "geometry"))[0], 1)
+        # What glows is drawn once more without that shader, and must find itself in the depth buffer.
+        yard = self.draw("hundred_lamps", "--cull", "fixed", name="yard")
+        self.assertLessEqual(self.steps(yard, self.draw("hundred_lamps", "--cull", "geometry"))[1], 3)
+        # An open mesh shows its inside where nothing is culled: culling does something.
+        inside = scene | {"objects": [{"model": "models/column.obj", "position": [0, 0.4, 1.2], "scale": 3}]}
+        fixed = self.draw(inside, "--cull", "fixed", name="fixed")
+        self.assertLessEqual(self.steps(fixed, self.draw(inside, "--cull", "geometry"))[0], 1)
+        self.assertGreater(self.steps(fixed, self.draw(inside, "--cull", "none"))[1], 1000)
+
+    # --- materials
+
+    def test_roughness_0_and_specular_above_1_do_not_run_over(self):
+        """Packed as whole bytes: neighbours stay what they are."""
+        scene = self.lamps()
+        scene["objects"][1]["material"] = {"diffuse": [0.2, 0.9, 0.1], "roughness": 0, "metalness": 0.5}
+        truth = self.draw(scene, "--method", "forward", name="truth")
+        self.assertLess(self.flip(truth, self.draw(scene, "--method", "packed", "--volumes", "off")), 0.012)
+        scene["objects"][1]["material"] = {"diffuse": [0.5, 0.5, 0.5], "specular": [1, 1, 1], "shininess": 100000}
+        for show in ("diffuse", "specular", "gloss"):
+            colors = Image.open(self.draw(scene, "--show", show)).convert("RGB").getpixel((80, 50))
+            fat = Image.open(self.draw(scene, "--show", show, "--method", "fat")).convert("RGB").getpixel((80, 50))
+            if show != "gloss":
+                self.assertLessEqual(max(abs(a - b) for a, b in zip(colors, fat)), 1, show)
+            else:
+                self.assertEqual(colors, (255, 255, 255))
+
+    # --- screens
+
+    def test_screens_that_see_each_other_do_not_blow_up(self):
+        """Two white screens face to face under a strong light: brighter from frame to frame, and no further than white."""
+        def screen(name, z, turn):
+            return [{"name": f"screen {name}", "model": "models/plane.obj", "position": [0, 1, z], "rotation_deg": [90, turn, 0],
+                     "scale": [3.2, 1, 1.8], "material": {"diffuse": [1, 1, 1], "emissive": [4, 4, 4]}},
+                    {"name": f"camera {name}", "position": [0, 1, z * 0.95], "rotation_deg": [0, turn + 180, 0]}]
+        scene = self.lamps(position=[2.5, 1.5, 1.5], target=[0, 0.9, -1])
+        scene["objects"] = [FLOOR, *screen("a", -2, 0), *screen("b", 2, 180)]
+        scene["lights"] += [{"type": "point", "position": [0, 2, 0], "range_m": 8, "intensity": 20}]
+        pictures = [self.draw(scene, "--frames", n, name=f"after {n}") for n in (1, 2, 40, 41)]
+        self.assertGreater(self.steps(*pictures[:2])[1], 100)  # a frame later there is more to see
+        self.assertLessEqual(self.steps(*pictures[2:])[0], 1)  # and in the end it stands still
+
+    def test_a_screen_without_a_camera_is_one_clear_line(self):
+        scene = self.lamps()
+        scene["objects"].append({"name": "screen a", "model": "models/plane.obj"})
+        file = self.folder / "scene.json"
+        file.write_text(json.dumps(scene))
+        done = subprocess.run([self.program, "--scene", file, "--screenshot", self.folder / "no.png"], capture_output=True,
+                              text=True, cwd=ROOT)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there is no object 'camera a'", done.stderr)
+        self.assertFalse((self.folder / "no.png").exists())
+
+    def test_what_is_decoded_is_what_was_written(self):
+        """Twelve bytes show what forty show, within two steps."""
+        for show, most in (("diffuse", 2), ("normal", 2), ("occlusion", 2)):
+            with self.subTest(show=show):
+                fat = self.draw("hundred_lamps", "--show", show, "--method", "fat", name="fat")
+                self.assertLessEqual(self.steps(fat, self.draw("hundred_lamps", "--show", show, "--normal_bits", "16"))[0], most)
+
+
+if __name__ == "__main__":
+    unittest.main()
