@@ -1,0 +1,13 @@
+// The C++ exercise of this chapter. The name calls the student's version or the reference, as the toggle says.
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "common/base/exercise.h"
+
+namespace lightwalk {
+
+/// exercise/level_sizes.cpp says what it must do.
+EXERCISE("07.level_sizes", std::vector<glm::uvec2>, level_sizes, glm::uvec2 size);
+
+}  // namespace lightwalk

@@ -1,0 +1,83 @@
+#include "07_mipmaps/levelled_maps.h"
+
+#include <map>
+
+#include "07_mipmaps/exercises.h"
+
+namespace lightwalk {
+namespace {
+
+// As 8-bit RGBA; of what is not, nothing is known.
+bool has_holes(const Image& image, const std::vector<std::byte>& texels) {
+    if (texel_bytes(image.desc.format) != 4) return false;
+    for (size_t i = 3; i < texels.size(); i += 4)
+        if (texels[i] != std::byte(255)) return true;
+    return false;
+}
+
+// [content]
+Content content_of_slot(MapSlot slot, bool holes) {
+    switch (slot) {
+        case MapSlot::diffuse:
+            return holes ? Content::cutout : Content::srgb;
+        case MapSlot::emissive:
+            return Content::srgb;
+        case MapSlot::normal:
+        case MapSlot::detail_normal:
+            return Content::normal;
+        case MapSlot::orm:
+            return Content::roughness;
+        default:
+            return Content::linear;
+    }
+}
+// [/content]
+
+}  // namespace
+
+void LevelledMaps::prepare(Gpu& gpu, const Scene& scene) {
+    entries_.clear();
+    uses_.clear();
+    std::map<std::pair<const Image*, size_t>, std::shared_ptr<Entry>> made;
+    for (uint32_t i = 0; i < scene.items.size(); ++i)
+        for (size_t slot = 0; slot < map_slot_count; ++slot) {
+            const std::shared_ptr<Image>& image = scene.items[i].maps[slot];
+            if (!image) continue;
+            std::shared_ptr<Entry>& entry = made[{image.get(), slot}];
+            if (!entry) {
+                std::vector<std::byte> texels = gpu.read_back(image->mip(0));
+                const Content content = content_of_slot(MapSlot(slot), has_holes(*image, texels));
+                if (content == Content::normal && texel_bytes(image->desc.format) == 4)
+                    for (size_t t = 3; t < texels.size(); t += 4) texels[t] = std::byte(0);  // nothing lacks in length
+                Image::Desc desc = image->desc;
+                desc.mips = 1;
+                Image plain(gpu.device, desc);
+                desc.mips = static_cast<uint32_t>(level_sizes(desc.size).size());
+                entry = std::make_shared<Entry>(Entry{desc.name + ", " + map_slots()[slot].name, content,
+                                                      std::move(plain), Image(gpu.device, desc)});
+                gpu.upload(entry->plain, texels);
+                std::vector<std::vector<std::byte>> levels{texels};  // the others black, until they are made
+                for (uint32_t m = 1; m < desc.mips; ++m) levels.emplace_back(byte_count(entry->levels.mip(m)));
+                gpu.upload(entry->levels, levels);
+                entries_.push_back(entry);
+            }
+            uses_.push_back({i, slot, entry});
+        }
+}
+
+void LevelledMaps::record(Frame& frame, MipChain& chain, float cutoff) {
+    for (const auto& entry : entries_) chain.record(frame, entry->levels.all_mips(), entry->content, cutoff);
+}
+
+void LevelledMaps::use(Scene& scene, bool levels) const {
+    for (const Use& use : uses_)
+        scene.items[use.item].maps[use.slot] = {use.entry, levels ? &use.entry->levels : &use.entry->plain};
+}
+
+std::vector<Resource> LevelledMaps::reads() const {
+    std::vector<Resource> reads;
+    for (const auto& entry : entries_) reads.emplace_back(entry->levels);
+    return reads;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,40 @@
+// The textures of a scene with levels made anew in every frame, as a program's whose textures change.
+#pragma once
+#include "07_mipmaps/mip_chain.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+class LevelledMaps {
+  public:
+    struct Entry {
+        std::string name;
+        Content content;
+        Image plain, levels;  ///< its first level alone, and with room for all
+    };
+
+    /// Copies the scene's textures; each slot's content is what its numbers stand for. Waits.
+    void prepare(Gpu& gpu, const Scene& scene);
+
+    /// Records the levels of every texture.
+    void record(Frame& frame, MipChain& chain, float cutoff);
+
+    /// Makes the scene draw with levels, or with the first alone; until the next call.
+    void use(Scene& scene, bool levels) const;
+
+    /// What a pass has to state that draws the scene.
+    std::vector<Resource> reads() const;
+
+    const std::vector<std::shared_ptr<Entry>>& entries() const { return entries_; }
+
+  private:
+    struct Use {
+        uint32_t item;
+        size_t slot;
+        std::shared_ptr<Entry> entry;
+    };
+    std::vector<std::shared_ptr<Entry>> entries_;
+    std::vector<Use> uses_;
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,113 @@
+// Chapter 07: the smaller levels of textures: how they are made, and what is seen of it.
+#include <nlohmann/json.hpp>
+
+#include "01_obj/model_chapter.h"
+#include "03_attenuation/lights.h"
+#include "04_surface_maps/maps.h"
+#include "04_surface_maps/tangents.h"
+#include "07_mipmaps/flicker.h"
+#include "07_mipmaps/level_view.h"
+#include "07_mipmaps/mip_bench.h"
+#include "common/app/target.h"
+#include "common/window/run.h"
+
+using namespace lightwalk;
+
+struct Mipmaps : ModelChapter {
+    MipChain mips{*this, "mips"};
+    LevelView viewer{*this, "viewer"};
+    Maps maps{*this, "maps"};  // chapter 04's surfaces, with levels made here
+    Lights lights{*this, "lights"};
+    Choice show{
+        *this, "show", {"scene", "split", "level"}, "scene", "split: left half without levels; level: of a texture"};
+    Knob<float> walk_m_s{*this, "walk_m_s", 0.0f, {-10.0f, 10.0f}, "how fast the eye walks on", "m/s"};
+
+    Knob<bool> remake{*this, "remake", true, "levels are made in every frame; off: they stay as they are"};
+
+    Pipeline surface = graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "07_mipmaps/surface.frag"});
+    Pipeline displaced = graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "07_mipmaps/surface.frag"});
+    Pipeline halves = compute({.shader = "07_mipmaps/halves.comp"});
+    Target left{*this, {.name = "without levels"}};
+    LevelledMaps textures;
+    Flicker flicker;
+
+    Mipmaps() {
+        mips.method.alone = true;  // --method is about levels here
+        maps.method.change_default("normal");
+        lights.method.change_default("every_light");
+        commands = {{"mip-bench", "FILE", "time every method from 64x64 to 8192x8192 texels, as a study",
+                     [](const std::string& file, bool) { return run_mip_bench(file); }}};
+    }
+    std::string default_scene() const override { return "scenes/tiled_hall.json"; }
+    bool reload_on_toggle() const override { return true; }
+    bool animated() const override { return walk_m_s != 0 || maps.animated() || scene.moves(); }
+    std::vector<std::string> status() const override {
+        return show.is("level") ? std::vector{viewer.text()} : std::vector<std::string>{};
+    }
+
+    void prepare(Gpu& gpu) override {
+        add_tangents(gpu, scene);
+        textures.prepare(gpu, scene);
+        flicker.forget();
+    }
+
+    void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
+        error["flicker"] = flicker.measure(*this, gpu, size, {mips.method, walk_m_s, remake});
+    }
+
+    // The eye so far on along the ground; one that looks straight down stays.
+    Camera walked(float metres) const {
+        Camera eye = camera;
+        const glm::vec3 ahead = (eye.target - eye.position) * glm::vec3(1, 0, 1);
+        if (const float length = glm::length(ahead); length > 0) {
+            eye.position += metres / length * ahead;
+            eye.target += metres / length * ahead;
+        }
+        return eye;
+    }
+
+    // The scene with chapter 04's surfaces, into `target`.
+    void draw(Frame& frame, const Image& target, bool levels) {
+        textures.use(scene, levels);
+        frame.raster("shade",
+                     {.color = {clear(target, glm::vec4(scene.file.background, 1.0f))},
+                      .depth = frame.depth,
+                      .reads = textures.reads(),
+                      .with = {maps, lights}},
+                     [&](Raster& pass) { maps.draw(pass, scene, surface, displaced); });
+    }
+
+    // The left half anew, without levels.
+    void split(Frame& frame) {
+        draw(frame, left, false);
+        frame.compute("halves", {.reads = {left, frame.hdr}, .writes = {frame.hdr}}, [&](Compute& pass) {
+            pass.use(halves).set("left", left).set("result", frame.hdr).dispatch_threads(frame.size);
+        });
+    }
+
+    // [frame]
+    void frame(Frame& frame) override {
+        const Camera there = camera;
+        camera = walked(walk_m_s * frame.time_s);
+        set_view(frame);
+        lights.update(frame, scene, scene.file.lights);
+        lights.record(frame, scene, camera);
+        camera = there;
+
+        // 1. The levels of every texture.
+        if (remake) textures.record(frame, mips, maps.cutoff);
+
+        // 2. What is seen of them.
+        if (show.is("level") && !textures.entries().empty())
+            viewer.record(frame, textures, mips);
+        else
+            draw(frame, frame.hdr, !mips.method.is("none"));
+        if (show.is("split")) split(frame);
+
+        // 3. Linear light to the codes a screen expects.
+        encode_srgb(frame);
+    }
+    // [/frame]
+};
+
+CHAPTER(Mipmaps)

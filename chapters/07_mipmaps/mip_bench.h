@@ -1,0 +1,14 @@
+// How fast levels are made, and how exact they are, for images of all sizes.
+#pragma once
+#include <string>
+
+namespace lightwalk {
+
+/// Writes a study (docs/study_format.md) to `file`: noise in RGBA16F from 64×64 to 8192×8192 texels, as far as the
+/// device's memory goes, and a photograph, a checker and sizes that are no powers of two in their own formats. Each
+/// method's time, the rate of the bytes that must be read and written (level 0 once, the others once), and the error of
+/// its levels. `copy` is the device's own copy of as many bytes: nothing can be faster. $LIGHTWALK_DEVICE names a
+/// device, $LIGHTWALK_MOST_TEXELS the longest side that is tried. Returns the exit code. Throws InputError.
+int run_mip_bench(const std::string& file);
+
+}  // namespace lightwalk

@@ -1,0 +1,65 @@
+// The smaller levels of an image, made on the device: what later chapters use for anything with levels.
+#pragma once
+#include "07_mipmaps/coverage.h"
+#include "common/app/module.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+/// What an image's numbers stand for, and so what their mean is taken of.
+enum class Content {
+    each,    ///< not said: by the image's format, srgb or linear
+    linear,  ///< numbers as they are: light, heights, moments
+    srgb,    ///< sRGB codes: light; alpha as it is
+    normal,  ///< a normal map: vectors; alpha is the root of what their mean's length lacks to 1, 0 in the first level
+    cutout,  ///< sRGB codes weighted by alpha; with alpha as much of a level is cut out as of the first
+    roughness,  ///< occlusion, roughness, metalness: of roughness the fourth power
+};
+
+/// Fills the levels of an image from its first: in a frame, where the first has been written,
+///
+///     chain.record(frame, bloom.all_mips());
+///
+/// and later passes may read them all. RGBA8 (sRGB or not), RGBA16F, RG16, RG16F, R32F and any other format that the
+/// device writes from shaders; 2-D images, arrays, cubes, single faces; any size. A module may record many images in
+/// one frame.
+struct MipChain : Module {
+    MipChain(Module& owner, std::string name) : Module(owner, std::move(name), "mips") {}
+
+    Choice method{
+        *this,
+        "method",
+        {"none", "blit", "box", "single_pass", "polyphase", "kaiser"},
+        "single_pass",
+        "how levels are made: the driver's blits; 2x2 means by a dispatch a level, or all in one; exact for odd "
+        "sizes; a wider filter"};
+    Choice content{*this,
+                   "content",
+                   {"each", "linear", "srgb", "normal", "cutout", "roughness"},
+                   "each",
+                   "what is averaged: of each image what it needs, or of all the same"};
+
+    Knob<bool> bilinear{*this, "bilinear", false, "single_pass takes the mean of four numbers by one linear lookup"};
+
+    /// Records the view's levels from its second on. The view has all mips that are to be filled. With method `none`,
+    /// or one level, nothing is recorded. `cutoff` is that of a cutout: what has less alpha is not drawn. Throws
+    /// Failure where the device cannot write the format.
+    void record(Frame& frame, const ImageView& image, Content what = Content::each, float cutoff = 0.5f);
+
+    /// What record() averages of an image for which `what` was said.
+    Content content_of(const ImageView& image, Content what) const;
+
+  private:
+    void record_blits(Frame& frame, const ImageView& image);
+    void record_levels(Frame& frame, const ImageView& image, const Macros& variant);
+    void record_single_pass(Frame& frame, const ImageView& image, const Macros& variant);
+    Pipeline box_ = compute({.shader = "07_mipmaps/box.comp"});
+    Pipeline polyphase_ = compute({.shader = "07_mipmaps/polyphase.comp"});
+    Pipeline kaiser_ = compute({.shader = "07_mipmaps/kaiser.comp"});
+    Pipeline single_pass_ = compute({.shader = "07_mipmaps/single_pass.comp"});
+    Pipeline clear_ = compute({.shader = "07_mipmaps/clear_words.comp"});
+    Buffer tiles_, finished_;  ///< of the single pass
+    Coverage coverage_;
+};
+
+}  // namespace lightwalk

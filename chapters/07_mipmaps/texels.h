@@ -1,0 +1,21 @@
+// Levels of an image on the host, as numbers: for measuring and for looking at them.
+#pragma once
+#include "07_mipmaps/truth.h"
+#include "common/gpu/gpu.h"
+
+namespace lightwalk {
+
+/// The view's first mip and layer as it is stored: codes from 0 to 1, halves or floats; what a format lacks is 0, alpha
+/// 1. RGBA8, RGBA16F, RGBA16, RG16, RG16F, R16, R32F and RGBA32F. Waits. Throws Failure for another format.
+truth::Texels read_texels(Gpu& gpu, const ImageView& view);
+
+/// The same numbers as bytes of that format, rounded to nearest.
+std::vector<std::byte> to_bytes(const truth::Texels& texels, VkFormat format);
+
+/// Each texel by truth::decode.
+truth::Texels decoded(truth::Texels texels, Content content);
+
+/// Of each level of the view from the second on, how far it is from the exact mean of the first (truth::rmse).
+std::vector<double> level_errors(Gpu& gpu, const ImageView& image, Content content);
+
+}  // namespace lightwalk

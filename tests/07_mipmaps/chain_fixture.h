@@ -1,0 +1,58 @@
+// What tests of levels share: an image from numbers, its levels by a method.
+#pragma once
+#include "../common/gpu_fixture.h"
+#include "07_mipmaps/texels.h"
+
+namespace lightwalk {
+
+struct OnChain {
+    struct Owner : Module {
+    } owner;
+    MipChain chain{owner, "mips"};
+    Gpu& gpu = validated_device();
+    ~OnChain() { CHECK_NOTHROW(gpu.device.check_validation()); }
+
+    /// `layers` images in one, each from value(layer, x, y).
+    template <class Value>
+    Image image(glm::uvec2 size, VkFormat format, const Value& value, uint32_t layers = 1, bool cube = false) {
+        Image made(gpu.device, {.name = "test",
+                                .format = format,
+                                .size = size,
+                                .mips = full_mip_count(size),
+                                .layers = layers,
+                                .cube = cube});
+        std::vector<std::byte> all;
+        for (uint32_t layer = 0; layer < layers; ++layer) {
+            truth::Texels texels{size, {}};
+            for (uint32_t y = 0; y < size.y; ++y)
+                for (uint32_t x = 0; x < size.x; ++x) texels.values.push_back(value(layer, x, y));
+            const auto bytes = to_bytes(texels, format);
+            all.insert(all.end(), bytes.begin(), bytes.end());
+        }
+        Frame frame(gpu);
+        frame.begin({4, 4}, 0);
+        frame.upload("first level", ImageView(made).mip(0), all);
+        frame.end();
+        return made;
+    }
+
+    void fill(const ImageView& image, const std::string& method, Content content = Content::each, float cutoff = 0.5f) {
+        chain.method.set(method);
+        Frame frame(gpu);
+        frame.begin({4, 4}, 0);
+        chain.record(frame, image, content, cutoff);
+        frame.end();
+    }
+
+    truth::Texels level(const ImageView& image, uint32_t m) { return read_texels(gpu, image.mip(m)); }
+    glm::dvec4 last(const ImageView& image) { return level(image, image.mips - 1).values[0]; }
+
+    /// Of each level, from the second on.
+    std::vector<double> errors(const ImageView& image, Content content = Content::linear) {
+        return level_errors(gpu, image, content);
+    }
+};
+
+inline const std::vector<std::string> filters{"blit", "box", "single_pass", "polyphase", "kaiser"};
+
+}  // namespace lightwalk

@@ -1,0 +1,77 @@
+"""Pictures of chapter 07 that must agree with others, or differ by a known amount; how much they flicker; its bench."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+from PIL import Image
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
+from pictures import ROOT, ChapterPictures  # noqa: E402
+
+SCENES = ROOT / "assets" / "scenes"
+
+
+class PicturesTest(ChapterPictures):
+    chapter = "07_mipmaps"
+
+    def draw(self, scene, *options, size="160x90", name="picture") -> pathlib.Path:
+        picture = self.folder / f"{name}.png"
+        self.run_program("--scene", SCENES / f"{scene}.json", *options, "--size", size, "--screenshot", picture)
+        return picture
+
+    def test_levels_take_most_of_the_flicker_away(self):
+        asked = {"title": "flicker", "error_metric": "flicker", "stage": "all", "size": [128, 72], "rounds": 1,
+                 "truth": {"set": {"method": "none", "samples": 16}, "exact": True},
+                 "metrics": {"flicker": "flicker"}, "scenes": ["assets/scenes/checker_plain.json"],
+                 "curves": [{"method": "none"}, {"method": "box"}, {"method": "single_pass"}, {"method": "kaiser"}]}
+        file, out = self.folder / "asked.json", self.folder / "found.json"
+        file.write_text(json.dumps(asked))
+        self.run_program("--study", out, silent=False, LIGHTWALK_STUDY_FILE=str(file))
+        flicker = {point["method"]: point["error"]["flicker"] for point in json.loads(out.read_text())["points"]}
+        for method in ("box", "single_pass", "kaiser"):
+            self.assertLess(flicker[method], 0.75 * flicker["none"], flicker)
+
+    def test_a_far_floor_is_as_bright_as_its_light_and_darker_where_codes_are_averaged(self):
+        """Squares of codes 20 and 235: half of the light of both, and not their mean."""
+        def floor(*options):
+            picture = Image.open(self.draw("checker_plain", "--set", "lights.method=every_light", *options, size="160x90"))
+            box = picture.convert("L").crop((100, 37, 160, 40))
+            return sum(box.tobytes()) / (box.size[0] * box.size[1])
+
+        right, codes = floor("--method", "polyphase"), floor("--method", "polyphase", "--mips.content", "linear")
+        self.assertGreater(right, codes + 25)
+
+    def test_without_textures_every_method_draws_the_same(self):
+        scene = ROOT / "tests" / "07_mipmaps" / "scenes" / "no_textures.json"
+        pictures = set()
+        for method in ("none", "blit", "single_pass"):
+            picture = self.folder / "bare.png"
+            self.run_program("--scene", scene, "--method", method, "--size", "80x45", "--screenshot", picture)
+            pictures.add(picture.read_bytes())
+        self.assertEqual(len(pictures), 1)
+        self.run_program("--scene", scene, "--show", "level", "--size", "80x45", "--screenshot", self.folder / "level.png")
+
+    def test_the_bench_writes_a_study(self):
+        out = self.folder / "bench.json"
+        self.run_program("--mip-bench", out, silent=False, LIGHTWALK_MOST_TEXELS="64", LIGHTWALK_STUDY_ROUNDS="1")
+        points = {(point["scene"], point["method"]): point["error"] for point in json.loads(out.read_text())["points"]
+                  if "level" not in point["knobs"]}
+        odd = "city lights, 1366x683, sRGB"
+        self.assertLess(points[odd, "polyphase"]["level_rmse"], 0.5 * points[odd, "single_pass"]["level_rmse"])
+        even = "noise, 1024x1024, RGBA16F"
+        self.assertLess(points[even, "single_pass"]["level_rmse"], points[even, "box"]["level_rmse"])
+        self.assertLess(points["normals, 512x512, RGBA8", "box"]["level_rmse"],
+                        0.1 * points["normals, 512x512, RGBA8", "blit"]["level_rmse"])
+
+    def test_a_bad_request_is_one_line(self):
+        done = subprocess.run([self.program, "--mip-bench", self.folder / "x.json"], capture_output=True, text=True,
+                              env=os.environ | {"LIGHTWALK_STUDY_ROUNDS": "none"})
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
+        self.assertFalse((self.folder / "x.json").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

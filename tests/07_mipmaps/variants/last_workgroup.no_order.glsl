@@ -1,0 +1,11 @@
+// wrong: without a memoryBarrierBuffer() before
+layout(scalar) coherent buffer FinishedBuffer { uint finished[]; };
+
+shared bool is_last;
+
+bool is_last_workgroup(int layer, uint workgroups) {
+    if (gl_LocalInvocationIndex == 0) is_last = atomicAdd(finished[layer], 1u) == workgroups - 1u;
+    barrier();
+    memoryBarrierBuffer();
+    return is_last;
+}

@@ -1,0 +1,11 @@
+// wrong: normal_to_linear(code = (0.5, 0.5, 1, 1))
+vec3 srgb_to_linear(vec3 code) {
+    return mix(code / 12.92, pow((code + 0.055) / 1.055, vec3(2.4)), greaterThan(code, vec3(0.04045)));
+}
+
+vec3 normal_to_linear(vec4 code) {
+    vec3 n = 2.0 * code.rgb - 1.0;
+    return dot(n, n) > 1e-12 ? normalize(n) : vec3(0.0, 0.0, 1.0);
+}
+
+float roughness_to_linear(float r) { return r * r * r * r; }
