@@ -1,0 +1,111 @@
+#include "08_bloom/bloom.h"
+
+#include <fmt/core.h>
+
+#include "08_bloom/step_parameters.h"
+
+namespace lightwalk {
+namespace {
+
+constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT, float4 = VK_FORMAT_R32G32B32A32_SFLOAT;
+
+Sampler sampler_for(const Choice& border, bool linear) {
+    const Filter filter = linear ? Filter::linear : Filter::nearest;
+    const Wrap wrap = border.is("clamp") ? Wrap::clamp : border.is("mirror") ? Wrap::mirror : Wrap::border;
+    return {.filter = filter, .mip_filter = Filter::nearest, .wrap = wrap};
+}
+
+}  // namespace
+
+BlurWish Bloom::wish(glm::uvec2 size) const {
+    return {.method = method.text(),
+            .sigma_px = static_cast<double>(sigma_px.value),
+            .truncation = static_cast<double>(truncation.value),
+            .sum = shape.is("sum"),
+            .size = size,
+            .karis = karis};
+}
+
+// The plan, its images, and what of it the device must know.
+void Bloom::prepare(Frame& frame, glm::uvec2 size) {
+    plan_ = plan_blur(wish(size));
+    images_.resize(plan_.sizes.size());
+    for (size_t i = 0; i < images_.size(); ++i) {
+        const bool full = plan_.full_floats && i > 0;
+        const Image::Desc desc{.name = fmt::format("{} {}", path(), i == 0 ? "cut out" : fmt::format("{}", i)),
+                               .format = full ? float4 : half4,
+                               .size = plan_.sizes[i]};
+        if (!images_[i] || images_[i].desc != desc) images_[i] = Image(frame.gpu.device, desc);
+    }
+    std::vector<glm::uvec3> groups;
+    for (const Step& step : plan_.steps) groups.push_back(groups_of(step, plan_));
+    if (groups != groups_made_ || !wanted_) {
+        wanted_ = frame.gpu.upload("bloom workgroups", groups);
+        dispatch_ = Buffer(frame.gpu.device, {.name = "bloom dispatches", .bytes = 12 * (groups.size() + 1)});
+        groups_made_ = groups;
+    }
+    std::vector<glm::vec2> taps = plan_.taps;
+    if (taps.empty()) taps.emplace_back(0.0f);  // a buffer has something in it
+    if (taps != taps_made_ || !taps_) taps_ = frame.gpu.upload("bloom taps", taps), taps_made_ = taps;
+}
+
+// [record]
+void Bloom::record(Frame& frame, const Image& hdr) {
+    if (method.is("none")) return;
+    prepare(frame, hdr.desc.size);
+
+    // 1. What is bright; and from whether there is any, how many workgroups each step of the blur gets: all, or none.
+    frame.compute("bloom cut", {.reads = {hdr, dispatch_}, .writes = {cut_out(), dispatch_}, .with = {*this}},
+                  [&](Compute& pass) {
+                      pass.use(begin_).set("dispatches", dispatch_).dispatch({1, 1, 1}).wait();
+                      pass.use(bright_).set("dispatches", dispatch_).set("hdr", hdr, nearest_clamp);
+                      pass.set("result", cut_out()).dispatch_threads(hdr.desc.size).wait();
+                      pass.use(decide_).set("dispatches", dispatch_).set("wanted", wanted_);
+                      pass.dispatch_threads(glm::uvec2(static_cast<uint32_t>(3 * plan_.steps.size()), 1));
+                  });
+
+    // 2. The blur.
+    record_blur(frame);
+
+    // 3. Back into the picture.
+    frame.compute("bloom combine", {.reads = {hdr, spread(), dispatch_}, .writes = {hdr}, .with = {*this}},
+                  [&](Compute& pass) {
+                      pass.use(combine_).set("dispatches", dispatch_).set("spread", spread(), nearest_clamp);
+                      pass.set("hdr", hdr).dispatch_threads(hdr.desc.size);
+                  });
+}
+// [/record]
+
+// [blur]
+void Bloom::record_blur(Frame& frame) {
+    ComputeAccess access{.reads = {dispatch_}, .with = {*this}};
+    for (const Image& image : images_) access.reads.push_back(image), access.writes.push_back(image);
+    frame.compute("bloom blur", access, [&](Compute& pass) {
+        for (size_t i = 0; i < plan_.steps.size(); ++i) {
+            const Step& step = plan_.steps[i];
+            if (i > 0) pass.wait();  // for the step before
+            const Pipeline* const pipelines[] = {plan_.full_floats ? &full_line_ : &line_,
+                                                 &shared_,
+                                                 &window_,
+                                                 step.karis ? &karis_down_ : &down_,
+                                                 &up_,
+                                                 &kawase_down_,
+                                                 &kawase_up_,
+                                                 &copy_};
+            pass.use(*pipelines[static_cast<size_t>(step.kind)]);
+            if (pass.wants("taps")) pass.set("taps", taps_);
+            pass.set("from", images_[static_cast<size_t>(step.from)], sampler_for(border, step.linear));
+            pass.set("into", images_[static_cast<size_t>(step.into)]);
+            pass.set("step_now", StepParameters{.direction = step.direction,
+                                                .first_tap = static_cast<int>(step.first_tap),
+                                                .taps = static_cast<int>(step.taps),
+                                                .spread = step.spread,
+                                                .weight = step.weight,
+                                                .keep = step.keep});
+            pass.dispatch_indirect(dispatch_, 12 * i);
+        }
+    });
+}
+// [/blur]
+
+}  // namespace lightwalk

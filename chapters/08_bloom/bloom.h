@@ -1,0 +1,75 @@
+// Light that spreads from what is bright, as a module for any picture in linear light.
+#pragma once
+#include "08_bloom/plan.h"
+#include "common/app/module.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+// [bloom]
+/// In a frame, where the picture is drawn and before tones are mapped:
+///
+///     bloom.record(frame, frame.hdr);
+///
+/// adds to the RGBA16F image, of any size, the light of its bright parts, spread by a Gaussian or a sum of Gaussians.
+/// What is NaN in it becomes 0, what is infinite 65504. Alpha stays. A picture of which nothing is cut out dispatches
+/// no blur at all. Once per frame and module.
+struct Bloom : Module {
+    Bloom(Module& owner, std::string name) : Module(owner, std::move(name), "bloom") {}
+    // [/bloom]
+
+    Choice method{*this,
+                  "method",
+                  {"none", "copy", "pyramid", "dual_kawase", "three_pass_7tap", "shared", "paired", "separable",
+                   "pingpong", "window", "exact"},
+                  "pyramid",
+                  "how the blur is computed; copy blurs nothing: it reads and writes each level of a pyramid once"};
+    Knob<float> sigma_px{*this, "sigma_px", 24.0f, {0.0f, 200.0f}, "standard deviation of the widest Gaussian", "px"};
+    Choice shape{*this, "shape", {"gaussian", "sum"}, "sum", "one Gaussian, or a sum of narrow and wide ones"};
+    Choice cut{*this, "cut", {"none", "hard", "soft"}, "soft", "what of the picture is spread: all, or what is bright"};
+    Knob<float> threshold{*this, "threshold", 1.0f, {0.0f, 1000.0f}, "the luminance above which light is spread"};
+    Knob<float> knee{*this, "knee", 0.5f, {0.0f, 1.0f}, "half the width of a soft cut, as a share of the threshold"};
+    Choice compose{*this, "compose", {"add", "mix"}, "add", "mix takes away what is spread, for cut none"};
+    Knob<float> strength{*this, "strength", 0.6f, {0.0f, 10.0f}, "how much of the spread light is added; mix: 0 to 1"};
+    Choice border{*this, "border", {"clamp", "mirror", "black"}, "mirror", "what lies outside of the picture"};
+    Knob<float> truncation{*this, "truncation", 3.0f, {1.0f, 4.0f}, "at how many sigma the weights of lines end"};
+    Knob<bool> karis{*this, "karis", false, "the pyramid weighs bright pixels less: less flicker, and less light"};
+
+    void record(Frame& frame, const Image& hdr);
+
+    /// Of the frame recorded last, for whoever looks: what was cut out, what it was spread to, an image between.
+    const Image& cut_out() const { return images_.at(0); }
+    const Image& spread() const { return images_.at(1); }
+    const Image& level(size_t i) const { return images_.at(std::min(i, images_.size() - 1)); }
+
+    const Plan& plan() const { return plan_; }
+    BlurWish wish(glm::uvec2 size) const;
+
+  private:
+    void prepare(Frame& frame, glm::uvec2 size);
+    void record_blur(Frame& frame);
+
+    Plan plan_;
+    std::vector<Image> images_;  ///< as in the plan
+    std::vector<glm::uvec3> groups_made_;
+    std::vector<glm::vec2> taps_made_;
+    Buffer taps_;      ///< of the plan
+    Buffer wanted_;    ///< workgroups of each step, were there something to spread
+    Buffer dispatch_;  ///< those, or zeros; after them how many texels were cut out, or at least 1
+    Pipeline begin_ = compute({.shader = "08_bloom/begin.comp"});
+    Pipeline bright_ = compute({.shader = "08_bloom/bright.comp"});
+    Pipeline decide_ = compute({.shader = "08_bloom/decide.comp"});
+    Pipeline line_ = compute({.shader = "08_bloom/line.comp"});
+    Pipeline full_line_ = compute({.shader = "08_bloom/line.comp", .macros = {{"FULL_FLOATS", "1"}}});
+    Pipeline shared_ = compute({.shader = "08_bloom/shared.comp"});
+    Pipeline window_ = compute({.shader = "08_bloom/window.comp"});
+    Pipeline down_ = compute({.shader = "08_bloom/down.comp"});
+    Pipeline karis_down_ = compute({.shader = "08_bloom/karis_down.comp"});
+    Pipeline up_ = compute({.shader = "08_bloom/up.comp"});
+    Pipeline kawase_down_ = compute({.shader = "08_bloom/kawase_down.comp"});
+    Pipeline kawase_up_ = compute({.shader = "08_bloom/kawase_up.comp"});
+    Pipeline copy_ = compute({.shader = "08_bloom/copy.comp"});
+    Pipeline combine_ = compute({.shader = "08_bloom/combine.comp"});
+};
+
+}  // namespace lightwalk

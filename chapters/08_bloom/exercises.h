@@ -1,0 +1,16 @@
+// The C++ exercises of this chapter. Each name calls the student's version or the reference, as the toggle says.
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "common/base/exercise.h"
+
+namespace lightwalk {
+
+/// exercise/gaussian_weights.cpp says what it must do.
+EXERCISE("08.gaussian_weights", std::vector<float>, gaussian_weights, float sigma_px, float truncation);
+
+/// exercise/pair_taps.cpp says what it must do.
+EXERCISE("08.pair_taps", std::vector<glm::vec2>, pair_taps, const std::vector<float>& weights);
+
+}  // namespace lightwalk

@@ -1,0 +1,58 @@
+// What a blur consists of: its steps, the images between them, and the Gaussians that it stands for. No device needed.
+#pragma once
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace lightwalk {
+
+/// What a blur is asked for.
+struct BlurWish {
+    std::string method;     ///< of Bloom::method, but for "none"
+    double sigma_px = 16;   ///< 0 to 200
+    double truncation = 3;  ///< at how many sigma the weights of line methods end
+    bool sum = false;       ///< several Gaussians, each with the same energy, in place of one
+    glm::uvec2 size{1};     ///< pixels
+    bool karis = false;     ///< the pyramid's first level weighs each read by 1 / (1 + luminance)
+};
+
+// [step]
+/// One dispatch. Images are by number: 0 is what was cut out of the picture, 1 the result.
+struct Step {
+    enum class Kind { line, shared, window, down, up, kawase_down, kawase_up, copy };
+    Kind kind = Kind::line;
+    int from = 0, into = 1;
+    glm::ivec2 direction{1, 0};        ///< of lines
+    uint32_t first_tap = 0, taps = 0;  ///< of Plan::taps
+    bool linear = true;                ///< reads between texels
+    float spread = 1;                  ///< Kawase's offset
+    float weight = 1, keep = 0;        ///< the image becomes weight * what was found + keep * what it held
+    bool karis = false;
+};
+// [/step]
+
+struct Plan {
+    std::vector<Step> steps;
+    std::vector<glm::vec2> taps;    ///< (offset in texels, weight), one side, the middle first
+    std::vector<glm::uvec2> sizes;  ///< of the images
+    std::vector<double> sigmas_px;  ///< the Gaussians that it stands for, all of the same weight
+    bool full_floats = false;       ///< 32 bits in every image: the truth
+};
+
+/// Throws InputError for a method that is not known, and for a window of more than 129 × 129 texels.
+Plan plan_blur(const BlurWish& wish);
+
+/// The workgroups of a step.
+glm::uvec3 groups_of(const Step& step, const Plan& plan);
+
+/// Variance in square texels, per axis, of a filter's taps read linearly around a point that lies `phase` of a texel
+/// beyond a texel's middle. Variances add up along a chain of filters.
+double tap_variance(const std::vector<glm::dvec2>& offsets_and_weights, double phase);
+
+/// The variance in square pixels of the 13-tap and tent pyramid of so many levels: 1.5 (4^levels - 1).
+double pyramid_variance(int levels);
+
+/// That of the dual Kawase filter with its taps spread by `offset`, about 0.6 to 1.75.
+double kawase_variance(int levels, double offset);
+
+}  // namespace lightwalk

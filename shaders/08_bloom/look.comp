@@ -1,0 +1,14 @@
+// An image of any size, stretched over the picture.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+uniform sampler2D image;
+layout(scalar) uniform GainBlock { float gain; };
+layout(rgba16f) writeonly uniform image2D result;
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(result);
+    if (any(greaterThanEqual(pixel, size))) return;
+    vec2 uv = (vec2(pixel) + 0.5) / vec2(size);
+    vec3 shown = gain * texelFetch(image, ivec2(uv * vec2(textureSize(image, 0))), 0).rgb;
+    imageStore(result, pixel, vec4(min(shown, 65504.0), 1.0));
+}

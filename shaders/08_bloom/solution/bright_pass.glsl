@@ -1,0 +1,10 @@
+// Solution of 08.bright_pass.
+#include "08_bloom/finite_light.glsl"
+#include "08_bloom/luminance.glsl"
+#include "08_bloom/soft_knee.glsl"
+
+vec3 bright_pass(vec3 radiance, float threshold, float knee) {
+    vec3 light = finite_light(radiance);
+    float l = luminance(light);
+    return l > 0.0 ? light * (soft_knee(l, threshold, knee) / l) : vec3(0.0);
+}

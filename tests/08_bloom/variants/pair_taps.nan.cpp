@@ -1,0 +1,19 @@
+// wrong: nan
+#include <cmath>
+
+#include "08_bloom/exercises.h"
+
+namespace lightwalk::exercise {
+
+std::vector<glm::vec2> pair_taps(const std::vector<float>& weights) {
+    std::vector<glm::vec2> taps{{0.0f, weights[0]}};
+    size_t k = 1;
+    for (; k + 1 < weights.size(); k += 2) {
+        const float a = weights[k], b = weights[k + 1];
+        taps.push_back({k + b / (a + b), a + b});
+    }
+    if (k < weights.size()) taps.push_back({(float)k, weights[k]});
+    return taps;
+}
+
+}  // namespace lightwalk::exercise
