@@ -28,6 +28,11 @@ join() {
         -define png:compression-level=9 "docs/images/$file.png"
 }
 
+# keep FILE NAME: alone, for a slider.
+keep() {
+    convert "$work/$2.png" -depth 8 -strip -define png:compression-level=9 "docs/images/$1.png"
+}
+
 for one in polygons.triangulate family.transform family.view_projection; do
     draw 01_obj "${one#*.}" --shot "${one%.*}" --use "solution,01.${one#*.}=exercise" --size 400x225
 done
@@ -35,9 +40,10 @@ join 01_starters 3x1 triangulate transform view_projection
 
 for method in gouraud blinn_phong_normalised; do
     draw 02_lambert_phong "$method" --shot teapot --method "$method"
-    mogrify -crop 280x230+400+140 +repage "$work/$method.png"
+    mogrify -crop 280x230+370+120 +repage "$work/$method.png"
 done
-join 02_gouraud 2x1 gouraud blinn_phong_normalised
+keep 02_gouraud gouraud
+keep 02_per_pixel blinn_phong_normalised
 
 for method in blinn_phong blinn_phong_normalised; do
     for n in 10 80 640; do
@@ -78,8 +84,9 @@ join 04_methods 3x2 tiles.normal tiles.offset tiles.steep tiles.occlusion tiles.
 
 draw 04_surface_maps outline.loaded --shot column --mesh loaded --steps 64
 draw 04_surface_maps outline.displaced --shot column
-mogrify -crop 400x300+280+100 +repage "$work/outline.loaded.png" "$work/outline.displaced.png"
-join 04_outline 2x1 outline.loaded outline.displaced
+mogrify -crop 400x300+170+60 +repage "$work/outline.loaded.png" "$work/outline.displaced.png"
+keep 04_outline_parallax outline.loaded
+keep 04_outline_displaced outline.displaced
 
 draw 04_surface_maps floor.renormalised --shot brushed --size 480x270 --filter renormalised --samples 1
 draw 04_surface_maps floor.toksvig --shot brushed --size 480x270 --filter toksvig --samples 1
@@ -92,7 +99,18 @@ for steps in 8 32 128; do
 done
 join 04_hit_error 3x1 error.8 error.32 error.128
 
-draw 04_surface_maps slope.flat --shot normal --size 480x270 --method flat
-draw 04_surface_maps slope.normal --shot normal --size 480x270
-draw 04_surface_maps slope.occlusion --shot wall --size 480x270
-join 04_wall 3x1 slope.flat slope.normal slope.occlusion
+draw 04_surface_maps slope.normal --shot normal --size 720x405
+draw 04_surface_maps slope.occlusion --shot wall --size 720x405
+keep 04_wall_normal slope.normal
+keep 04_wall_parallax slope.occlusion
+
+for method in none pyramid; do
+    draw 08_bloom "neon.$method" --shot neon --method $method --size 480x270
+done
+join 08_neon 2x1 neon.none neon.pyramid
+
+for method in separable three_pass_7tap dual_kawase pyramid; do
+    draw 08_bloom "spot.$method" --source spot --show spread --cut none --shape gaussian --gain 20 --sigma_px 12 \
+        --method $method --size 160x160 --samples 1
+done
+join 08_spots 4x1 spot.separable spot.three_pass_7tap spot.dual_kawase spot.pyramid

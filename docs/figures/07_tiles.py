@@ -1,0 +1,39 @@
+"""The single pass: tiles of 64x64 texels, what each workgroup makes of one, and who makes the rest.
+
+python3 docs/figures/07_tiles.py writes docs/images/07_tiles.svg.
+"""
+
+from drawing import BLUE, GREEN, GREY, INK, ORANGE, PALE_BLUE, PALE_GREEN, PALE_ORANGE, RED, SMALL, Drawing
+
+
+def draw() -> Drawing:
+    drawing = Drawing(900, 470, "Each workgroup reads a tile of 64 by 64 texels and makes six levels of it; each counts when "
+                                "it has finished, and the one that finds all others counted makes the last six levels")
+    p = drawing.panel((40, 90), 40)
+    for x in range(4):
+        for y in range(4):
+            mine = (x, y) == (1, 2)
+            p.box((1.6 * x, 1.6 * y), (1.6 * (x + 1), 1.6 * (y + 1)), INK, 2, fill=PALE_BLUE if mine else None)
+    p.text((3.2, 7.1), "level 0, in tiles of 64×64", INK, SMALL)
+    p.arrow((3.2, 4.0), (7.4, 4.0), BLUE)
+    side, x = 2.4, 7.6
+    for i, (name, fill) in enumerate((("1", PALE_BLUE), ("2", PALE_BLUE), ("3", PALE_GREEN), ("4", PALE_GREEN),
+                                      ("5", PALE_GREEN), ("6", PALE_GREEN))):
+        size = max(side / 2**i, 0.16)
+        p.box((x, 4.0 - size / 2), (x + size, 4.0 + size / 2), INK, 2, fill=fill)
+        p.text((x + size / 2, 4.0 - size / 2), name, GREY, SMALL, offset=(0, -16))
+        x += size + 0.42
+    p.text((8.8, 6.0), "in registers", BLUE, SMALL)
+    p.text((12.6, 6.0), "in shared memory", GREEN, SMALL)
+    p.arrow((x, 4.0), (x + 1.3, 4.0), ORANGE)
+    p.box((x + 1.5, 2.4), (x + 4.7, 5.6), ORANGE, 2, fill=PALE_ORANGE)
+    p.text((x + 3.1, 4.45), "16 means\nin a buffer", ORANGE, SMALL, rim=False)
+    p.text((x + 3.1, 3.0), "finished: 15", RED, SMALL, rim=False)
+    p.text((13.6, 0.6), "The workgroup that finds 15 of 16 counted is the last one:\nit takes the buffer for a tile and makes "
+                        "levels 7 to 12.", INK, SMALL)
+    p.text((3.2, -0.8), "16 workgroups", GREY, SMALL)
+    return drawing
+
+
+if __name__ == "__main__":
+    draw().write(__file__)
