@@ -102,6 +102,11 @@ class WindowTest(PictureTest):
     def picture(cls) -> bytes:
         return cls.session.settled(0, 0, WIDTH, HEIGHT)
 
+    def picture_after(self, before: bytes) -> bytes:
+        """The next picture, at rest: on a busy machine a key takes a while to show."""
+        self.session.wait(lambda: self.session.pixels(0, 0, WIDTH, HEIGHT) != before, "another picture")
+        return self.picture()
+
     def screenshot(self) -> Path:
         since = self.session.said()
         self.session.key("F12")
