@@ -24,7 +24,7 @@ struct GBuffer : Module {
     Choice normal_bits{*this,
                        "normal_bits",
                        {"8", "12", "16"},
-                       "16",
+                       "8",
                        "for x and for y of a packed normal; the mesh's gets what is left of 32 in all"};
     Knob<bool> volumes{*this, "volumes", true, "lights are drawn as spheres and cones; off: all lights for all pixels"};
     // [/gbuffer]

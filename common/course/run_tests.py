@@ -19,11 +19,14 @@ HELP = """Builds everything, runs every test and writes build/report/index.html.
   ./course test --sanitize       all, then again under the address and undefined-behaviour sanitizers, but for windows
   ./course test -L window        other options go to ctest
 
-With CI=true in the environment the unit tests and those of bad input run under the sanitizers too. The last line counts all tests run."""
+With CI=true in the environment the framework's unit tests and those of bad input run under the sanitizers too. The last line counts
+all tests run."""
 PASSES_OPTIONS = True
-# Which tests run again under the sanitizers. Studies draw the same pictures as shots, many times; a CI has not the time
-# for more than what calls functions and what reads broken files.
-SANITIZED = {"all": ["-LE", "window|text|study"], "unit": ["-R", r"^unit\.|bad_input"]}
+# Which tests run again under the sanitizers, and what they need to be built. Studies draw the same pictures as shots, many
+# times; a CI has not the time for more than the framework's functions and what reads foreign files.
+SANITIZED = {"all": (["-LE", "window|text|study"], []),
+             "foreign": (["-R", r"^unit\.(common|01_obj)$|bad_"],
+                         ["test_common", "test_01_obj", "01_obj", "02_lambert_phong", "04_surface_maps", "compare"])}
 
 
 def add_arguments(parser):
@@ -44,11 +47,12 @@ def run(arguments, rest) -> int:
     results.mkdir(parents=True, exist_ok=True)
     build()
     runs = [run_ctest(BUILD, results / "tests.xml", selection)]
-    again = "all" if arguments.sanitize else "unit" if os.environ.get("CI") == "true" and not selection else None
+    again = "all" if arguments.sanitize else "foreign" if os.environ.get("CI") == "true" and not selection else None
     if again:
         say("\nunder the sanitizers:")
-        folder = build(preset="sanitizer")
-        runs.append(run_ctest(folder, results / "sanitizer.xml", SANITIZED[again] + selection))
+        chosen, targets = SANITIZED[again]
+        folder = build(targets, preset="sanitizer")
+        runs.append(run_ctest(folder, results / "sanitizer.xml", chosen + selection))
     report = BUILD / "report" / "index.html"
     write_report(results, report)
     total, failed = (sum(counts) for counts in zip(*runs))

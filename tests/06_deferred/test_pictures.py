@@ -59,8 +59,7 @@ class PicturesTest(ChapterPictures):
             truth = self.draw(scene, "--method", "forward", "--lights.method", "every_light", name="truth")
             for method, most in (("fat", 0.004), ("depth", 0.006), ("packed", 0.012), ("tiled", 0.012)):
                 with self.subTest(scene=name, method=method):
-                    picture = self.draw(scene, "--method", method, "--volumes", "off",
-                                        "--normal_bits", "8")  # with the mesh's normal, which 16 leave no room for
+                    picture = self.draw(scene, "--method", method, "--volumes", "off")
                     self.assertLess(self.flip(truth, picture), most)
 
     def test_volumes_light_what_full_screen_lights_light(self):
