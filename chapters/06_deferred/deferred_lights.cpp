@@ -7,7 +7,7 @@ void DeferredLights::record(Frame& frame, const Scene& scene, const Camera& came
                             const Lights& lights, const std::vector<With>& with) {
     const bool tiled = gbuffer.method.is("tiled"), volumes = gbuffer.volumes && !tiled;
     std::vector<Resource> reads{frame.depth};
-    if (volumes) volumes_.update(frame.gpu, lights);
+    if (volumes) volumes_.update(frame, lights);
     if (tiled) {
         tiles_.set_view(frame, camera, scene.bounds, LightGrid::Cells::tiles, 1, 0,
                         lights.falloff.is("inverse_square") ? lights.threshold : 0.0f);

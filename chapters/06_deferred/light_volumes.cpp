@@ -59,7 +59,7 @@ std::vector<glm::vec3> volume_mesh(LightVolume::Shape shape) {
 }
 
 // [update]
-void LightVolumes::update(Gpu& gpu, const Lights& lights) {
+void LightVolumes::update(Frame& frame, const Lights& lights) {
     const std::string key = fmt::format("{} {} {} {}", lights.buffer().rebuilds, lights.falloff.text(),
                                         lights.threshold.text(), Exercises::uses_solution("06.light_volume_bounds"));
     if (key == made_for_) return;
@@ -79,15 +79,15 @@ void LightVolumes::update(Gpu& gpu, const Lights& lights) {
     spheres_ = static_cast<uint32_t>(spheres.size());
     cones_ = static_cast<uint32_t>(cones.size());
     spheres.insert(spheres.end(), cones.begin(), cones.end());
-    volumes_ = gpu.upload("light volumes", spheres);
+    frame.upload("light volumes", volumes_, spheres);
     everywhere[0] = static_cast<uint32_t>(everywhere.size() - 1);
-    without = gpu.upload("lights without volume", everywhere);
+    frame.upload("lights without volume", without, everywhere);
     if (sphere_) return;
     const auto sphere = volume_mesh(LightVolume::Shape::sphere), cone = volume_mesh(LightVolume::Shape::cone);
     sphere_corners_ = static_cast<uint32_t>(sphere.size());
     cone_corners_ = static_cast<uint32_t>(cone.size());
-    sphere_ = gpu.upload("sphere", sphere);
-    cone_ = gpu.upload("cone", cone);
+    frame.upload("sphere", sphere_, sphere);
+    frame.upload("cone", cone_, cone);
 }
 // [/update]
 

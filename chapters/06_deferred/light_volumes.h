@@ -12,8 +12,8 @@ std::vector<glm::vec3> volume_mesh(LightVolume::Shape shape);
 // [light_volumes]
 class LightVolumes {
   public:
-    /// Where the lights, how far they reach, or the exercise's toggle have changed. Nothing may be in flight.
-    void update(Gpu& gpu, const Lights& lights);
+    /// Transfers of this frame where the lights, how far they reach, or the exercise's toggle have changed.
+    void update(Frame& frame, const Lights& lights);
 
     /// Draws each light's volume: the pipeline in use reads `corners` and `volumes`.
     void draw(Raster& pass) const;
