@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "common/app/gpu_load.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
 #include "common/base/error.h"
@@ -78,11 +79,13 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     load_scene(chapter, gpu, options.scene.empty() ? chapter.default_scene() : options.scene, loading);
     Frame frame(gpu);
     // The first frame of a timing run compiles and warms up, and is not counted.
+    GpuLoad load(gpu);
     const int warm_up = options.timings.empty() ? 0 : 1;
     std::vector<std::vector<PassTime>> times;
     std::vector<double> recording_ms;
     for (int i = 0; i < options.frames + warm_up; ++i) {
         const int counted = std::max(i - warm_up, 0);
+        if (!options.timings.empty()) load.run();
         render(chapter, frame, {options.size, options.time_s + static_cast<float>(counted) / 60.0f, options.seed, {}});
         if (i < warm_up) continue;
         times.push_back(frame.times);

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "common/app/gpu_load.h"
 #include "common/app/headless.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
@@ -142,12 +143,15 @@ class SceneStudy {
         // A GPU that was idle while errors were computed runs at a low clock at first, for more than a round of fast
         // frames.
         const auto warm = std::chrono::steady_clock::now() + std::chrono::milliseconds(rounds > 1 ? 1500 : 0);
+        GpuLoad load(frame_.gpu);
         do {
+            load.run();
             for (const StudyPoint& point : points) draw(point);
         } while (std::chrono::steady_clock::now() < warm);
         for (int round = 0; round < rounds; ++round) {
             show_progress(scene_.label + ": times", static_cast<size_t>(round), static_cast<size_t>(rounds));
             for (size_t i = 0; i < points.size(); ++i) {
+                load.run();
                 draw(points[i]);
                 for (const PassTime& pass : frame_.times) samples[i][pass.name].push_back(pass.gpu_ms);
                 totals[i].push_back(gpu_ms(frame_));
