@@ -78,6 +78,7 @@ class Bench {
                 measured.push_back(method);
         std::map<std::string, std::vector<double>> times;
         std::map<std::string, std::vector<double>> errors;
+        load_.run(std::chrono::milliseconds(1500));
         for (int round = -1; round < rounds_; ++round)
             for (const std::string& method : measured) {
                 load_.run();

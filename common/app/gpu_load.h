@@ -1,4 +1,6 @@
 #pragma once
+#include <chrono>
+
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -10,8 +12,9 @@ class GpuLoad {
   public:
     explicit GpuLoad(Gpu& gpu) : frame_(gpu) {}
 
-    /// A frame of its own, which keeps the device busy for 2 to 4 ms. Nothing at all on a software device. Waits.
-    void run();
+    /// Keeps the device busy for so long, in frames of its own, and waits. Nothing at all on a software device. 3 ms before
+    /// each of an H200's short frames were not enough for its clock.
+    void run(std::chrono::milliseconds duration = std::chrono::milliseconds(30));
 
   private:
     Frame frame_;

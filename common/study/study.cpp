@@ -142,12 +142,9 @@ class SceneStudy {
         std::vector<std::vector<double>> totals(points.size());
         // A GPU that was idle while errors were computed runs at a low clock at first, for more than a round of fast
         // frames.
-        const auto warm = std::chrono::steady_clock::now() + std::chrono::milliseconds(rounds > 1 ? 1500 : 0);
         GpuLoad load(frame_.gpu);
-        do {
-            load.run();
-            for (const StudyPoint& point : points) draw(point);
-        } while (std::chrono::steady_clock::now() < warm);
+        load.run(std::chrono::milliseconds(rounds > 1 ? 1500 : 0));
+        for (const StudyPoint& point : points) draw(point);
         for (int round = 0; round < rounds; ++round) {
             show_progress(scene_.label + ": times", static_cast<size_t>(round), static_cast<size_t>(rounds));
             for (size_t i = 0; i < points.size(); ++i) {
