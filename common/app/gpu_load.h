@@ -6,14 +6,14 @@
 namespace lightwalk {
 
 /// Work for a GPU whose clock falls when it has little to do. Frames of half a millisecond with the processor's work
-/// between them are measured at half the clock of frames of ten: an H200 took 0.46 ms for the levels of 4096² texels and
-/// 0.31 ms for those of 8192², each beside what else was measured in turn.
+/// between them are measured at half the clock of frames of ten: an H200 took 0.46 ms for the levels of 4096² texels
+/// and 0.31 ms for those of 8192², each beside what else was measured in turn.
 class GpuLoad {
   public:
     explicit GpuLoad(Gpu& gpu) : frame_(gpu) {}
 
-    /// Keeps the device busy for so long, in frames of its own, and waits. Nothing at all on a software device. 3 ms before
-    /// each of an H200's short frames were not enough for its clock.
+    /// Keeps the device busy for so long, in frames of its own, and waits. Nothing at all on a software device. 3 ms
+    /// before each of an H200's short frames were not enough for its clock.
     void run(std::chrono::milliseconds duration = std::chrono::milliseconds(30));
 
   private:
