@@ -94,6 +94,12 @@ bool file_exists(const fs::path& path) {
     return fs::exists(path, error);
 }
 
+bool lies_below(const fs::path& path, const fs::path& folder) {
+    std::error_code error;
+    const fs::path inside = fs::weakly_canonical(path, error).lexically_relative(fs::weakly_canonical(folder, error));
+    return !inside.empty() && *inside.begin() != "..";
+}
+
 namespace {
 
 // Where a write to `path` goes, and what is there already.

@@ -34,6 +34,9 @@ std::string read_file(const std::filesystem::path& path, size_t most = most_file
 /// True where a file or folder is there; false also where its name is one that no file can have.
 bool file_exists(const std::filesystem::path& path);
 
+/// True where the path, its links followed, is below the folder.
+bool lies_below(const std::filesystem::path& path, const std::filesystem::path& folder);
+
 /// Writes beside `path` and renames, so that a reader sees the old file or the whole new one, whenever the program
 /// ends. Links are followed; what is there keeps its permissions, and must be a regular file that may be written.
 /// Throws InputError where it cannot be written.

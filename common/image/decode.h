@@ -1,4 +1,5 @@
-// Pictures that others wrote (PNG, JPEG, BMP, TGA, PSD, GIF), read by stb_image in a guarded process.
+// Pictures that others wrote (PNG, JPEG, BMP, TGA, PSD, GIF), read by stb_image, in a guarded process unless they lie
+// in the course's own folder.
 #pragma once
 #include <filesystem>
 #include <span>
