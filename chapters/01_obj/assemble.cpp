@@ -1,6 +1,7 @@
 #include "01_obj/assemble.h"
 
 #include <cstring>
+#include <ctime>
 #include <map>
 
 #include "01_obj/exercises.h"
@@ -46,13 +47,22 @@ bool resolve(uint32_t& index, size_t base, size_t count) {
 }
 // [/resolve]
 
-bool resolve(Corner& corner, const Base& base, const ObjData& data) {
-    return resolve(corner.position, base.positions, data.positions.size() / 3) &&
-           (corner.uv == none || resolve(corner.uv, base.uvs, data.uvs.size() / 2)) &&
-           (corner.normal == none || resolve(corner.normal, base.normals, data.normals.size() / 3));
+// A uv or a normal past the end is left out.
+bool resolve_optional(uint32_t& index, size_t base, size_t count, bool& absent) {
+    if (index == none || resolve(index, base, count)) return true;
+    if (index > static_cast<uint32_t>(largest_index)) return false;
+    absent = true;
+    index = none;
+    return true;
 }
 
-bool cut_piece(const Piece& piece, const Base& base, Triangulate cut, ObjData& data) {
+bool resolve(Corner& corner, const Base& base, const ObjData& data, bool& absent) {
+    return resolve(corner.position, base.positions, data.positions.size() / 3) &&
+           resolve_optional(corner.uv, base.uvs, data.uvs.size() / 2, absent) &&
+           resolve_optional(corner.normal, base.normals, data.normals.size() / 3, absent);
+}
+
+bool cut_piece(const Piece& piece, const Base& base, Triangulate cut, CuttingTime& time, ObjData& data, bool& absent) {
     const Corner* from = piece.from->corners.data() + piece.begin.corners;
     Corner* out = data.corners.data() + 3 * base.triangles;
     std::vector<Corner> large;
@@ -63,7 +73,7 @@ bool cut_piece(const Piece& piece, const Base& base, Triangulate cut, ObjData& d
         if (count > 4) large.resize(count), polygon = large.data();
         for (size_t k = 0; k < count; ++k) {
             polygon[k] = from[k];
-            if (!resolve(polygon[k], base, data)) return false;
+            if (!resolve(polygon[k], base, data, absent)) return false;
         }
         const auto at = [&](size_t k) { return data.positions.data() + 3 * size_t{polygon[k].position}; };
         if (count == 3) {
@@ -72,7 +82,7 @@ bool cut_piece(const Piece& piece, const Base& base, Triangulate cut, ObjData& d
             out[0] = polygon[0], out[1] = polygon[1], out[2] = polygon[2];
             out[3] = polygon[0], out[4] = polygon[2], out[5] = polygon[3];
         } else {
-            cut_polygon(cut, polygon, count, data.positions, out);
+            time.count(count, [&] { cut_polygon(cut, polygon, count, data.positions, out); });
         }
         from += count, out += 3 * (count - 2);
     }
@@ -157,7 +167,19 @@ void cut_polygon(Triangulate cut, const Corner* polygon, size_t count, const Arr
         }
 }
 
-bool assemble(std::span<const Piece> pieces, unsigned threads, ObjData& data) {
+double CuttingTime::now_s() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+void CuttingTime::add(double seconds, size_t corners) {
+    if ((taken_s_ += seconds) > most_s_)
+        throw InputError("{}: cutting its polygons into triangles takes more than {} s; one has {} corners", file_,
+                         most_s_, corners);
+}
+
+bool assemble(std::span<const Piece> pieces, unsigned threads, const std::string& name, ObjData& data, bool& absent) {
     // [bases]
     std::vector<Base> bases(pieces.size() + 1);
     for (size_t i = 0; i < pieces.size(); ++i) {
@@ -184,10 +206,14 @@ bool assemble(std::span<const Piece> pieces, unsigned threads, ObjData& data) {
         copy_floats(p.from->normals, p.begin.normals, p.end.normals, data.normals, 3 * bases[i].normals);
     });
     const Triangulate cut = triangulate.function();  // the toggle is not for several threads
-    std::atomic<bool> in_range = true;
+    std::atomic<bool> in_range = true, any_absent = false;
+    CuttingTime time(name);
     on_threads(threads, pieces.size(), [&](unsigned, size_t i) {
-        if (in_range && !cut_piece(pieces[i], bases[i], cut, data)) in_range = false;
+        bool here = false;
+        if (in_range && !cut_piece(pieces[i], bases[i], cut, time, data, here)) in_range = false;
+        if (here) any_absent = true;
     });
+    absent = any_absent;
     if (in_range) collect_runs(pieces, bases, data);
     return in_range;
 }

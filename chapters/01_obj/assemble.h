@@ -1,5 +1,6 @@
 // What a reader of OBJ text collects, and how collected pieces become one ObjData.
 #pragma once
+#include <atomic>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,9 +44,33 @@ inline uint32_t relative_index(int64_t from_piece_start) {
 }
 
 /// Joins the pieces, in their order, on up to `threads` threads: names, absolute indices, triangles. Returns false
-/// where an index is out of range. Triangles and convex quadrilaterals are cut here, other polygons by the exercise
-/// triangulate.
-bool assemble(std::span<const Piece> pieces, unsigned threads, ObjData& data);
+/// where an index is out of range. A uv or a normal beyond the last one becomes `none`, and `absent` true. Triangles
+/// and convex quadrilaterals are cut here, other polygons by the exercise triangulate. Throws InputError where cutting
+/// takes more than CuttingTime allows; `name` stands for the file in messages.
+bool assemble(std::span<const Piece> pieces, unsigned threads, const std::string& name, ObjData& data, bool& absent);
+
+/// What cutting a file's larger polygons may take in all. Spirals have few ears, and a student's version need not stop
+/// looking for them.
+class CuttingTime {
+  public:
+    explicit CuttingTime(const std::string& file, double most_s = 5) : file_(file), most_s_(most_s) {}
+
+    /// Counts the time that cut() takes for a polygon of so many corners. Throws InputError beyond `most_s`.
+    template <class Cut>
+    void count(size_t corners, const Cut& cut) {
+        if (corners < 64) return cut();  // looking at the clock would take longer
+        const double before = now_s();
+        cut();
+        add(now_s() - before, corners);
+    }
+
+  private:
+    static double now_s();
+    void add(double seconds, size_t corners);
+    const std::string& file_;
+    const double most_s_;
+    std::atomic<double> taken_s_ = 0;
+};
 
 /// Appends a run, unless it changes no name, and in place of one that starts at the same triangle.
 void add_run(std::vector<Run>& runs, const Run& run);

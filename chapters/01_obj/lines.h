@@ -90,6 +90,12 @@ class Statements {
     size_t line_ = 0, next_line_ = 1;
 };
 
+/// Throws InputError where a text's lines end in carriage returns alone, as on a Mac before 2001: it would be one line.
+inline void check_line_ends(std::string_view text, const std::string& name) {
+    if (text.find('\n') == text.npos && trim(text).find('\r') != text.npos)
+        throw InputError("{}:1: its lines end in CR alone, expected LF or CR LF", name);
+}
+
 [[noreturn]] inline void fail_at(const std::string& file, size_t line, const std::string& reason) {
     throw InputError("{}:{}: {}", file, line, reason);
 }

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -11,6 +10,7 @@
 #include "01_obj/load_bench.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/text.h"
 
 namespace lightwalk {
 namespace {
@@ -41,7 +41,7 @@ void LoaderSubject::measure(const json& study, json& result) {
     for (const json& file : study.at("scenes")) {
         const auto path = course_root() / file.get<std::string>();
         if (!std::filesystem::exists(path)) {
-            std::fprintf(stderr, "warning: no %s; left out\n", path.c_str());
+            warn("no {}; left out", path.string());
             continue;
         }
         const int rounds = study.value("rounds", 5);

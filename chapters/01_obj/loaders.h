@@ -12,6 +12,8 @@ ObjData parse_textbook(std::string_view text, const std::string& name);
 ObjData parse_scan(std::string_view text, const std::string& name);
 /// `text` must be followed by at least 64 readable zero bytes.
 ObjData parse_parallel(std::string_view text, const std::string& name, ParseOptions options);
+/// parse_tinyobjloader() or parse_assimp() in a guarded process, and what it read checked.
+ObjData parse_guarded(std::string_view text, const std::string& name, Loader loader);
 /// Without objects and groups, which it does not tell apart; splits a quadrilateral along its shorter diagonal.
 ObjData parse_tinyobjloader(std::string_view text, const std::string& name);
 /// Positions, uvs and normals are those of Assimp's joined vertices, so that the three indices of a corner are equal.

@@ -4,22 +4,28 @@
 #include <filesystem>
 #include <string_view>
 
+#include "common/base/files.h"
+
 namespace lightwalk {
 
-/// A whole file, read-only in memory, followed by at least 64 zero bytes, so that a parser may look ahead without
-/// asking where the end is. The file must not become shorter while it is mapped. Throws InputError (missing,
-/// unreadable, not a file).
+/// A whole regular file, read-only in memory, followed by at least 64 zero bytes, so that a parser may look ahead
+/// without asking where the end is. Where another program makes the file shorter meanwhile, what is gone reads as zeros
+/// (without care it would end this one with SIGBUS), and check() says so. Throws InputError as InputFile does.
 class MappedFile {
   public:
     explicit MappedFile(const std::filesystem::path& path);
     ~MappedFile();
     MappedFile(const MappedFile&) = delete;
-    MappedFile& operator=(const MappedFile&) = delete;
     std::string_view text() const { return {static_cast<const char*>(memory_), size_}; }
 
+    /// To be called when all is read. Throws InputError where the file is not the one that was opened any more.
+    void check() const;
+
   private:
+    std::filesystem::path path_;
+    InputFile file_;
     void* memory_ = nullptr;
-    size_t size_ = 0, reserved_ = 0;
+    size_t size_ = 0, reserved_ = 0, place_ = 0;
 };
 
 }  // namespace lightwalk

@@ -1,14 +1,15 @@
 #include "01_obj/mtl.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <optional>
 
 #include "01_obj/float_parse.h"
 #include "01_obj/lines.h"
 #include "common/base/files.h"
+#include "common/base/text.h"
 #include "common/scene/asset_path.h"
+#include "common/scene/model_bytes.h"
 
 namespace lightwalk {
 namespace {
@@ -186,12 +187,14 @@ std::vector<fs::path> library_files(const std::string& written, const fs::path& 
 std::vector<Material> parse_mtl(std::string_view text, const std::string& name, const fs::path& folder) {
     if (text.substr(0, 4096).find('\0') != text.npos)
         throw InputError("{}:1: the file is binary, expected MTL text", name);
+    check_line_ends(text, name);
     std::vector<Material> materials;
     Reader reader{materials, folder};
     Statements statements(without_mark(text));
     for (std::string_view statement; statements.next(statement);) try {
             reader.statement(statement);
         } catch (const InputError& error) { fail_at(name, statements.line(), error.what()); }
+    for (Material& material : materials) limit_numbers(material, name);
     return materials;
 }
 
@@ -206,7 +209,7 @@ std::vector<Material> find_materials(const std::vector<std::string>& names, cons
         for (const fs::path& file : library_files(written, folder)) {
             std::error_code ignored;
             if (!fs::is_regular_file(file, ignored)) {
-                std::fprintf(stderr, "warning: %s: no such material file; its materials are plain\n", file.c_str());
+                warn("{}: no such material file; its materials are plain", file.string());
                 continue;
             }
             for (Material& material : load_mtl(file)) known.try_emplace(material.name, std::move(material));
@@ -214,8 +217,7 @@ std::vector<Material> find_materials(const std::vector<std::string>& names, cons
     std::vector<Material> found;
     for (const std::string& name : names) {
         const auto it = known.find(name);
-        if (it == known.end() && !known.empty())
-            std::fprintf(stderr, "warning: no material '%s' in the material files; it is plain\n", name.c_str());
+        if (it == known.end() && !known.empty()) warn("no material '{}' in the material files; it is plain", name);
         Material& material = found.emplace_back();
         if (it != known.end()) material = it->second;
         material.name = name;

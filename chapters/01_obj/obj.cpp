@@ -25,10 +25,8 @@ ObjData parse(std::string_view text, const std::string& name, Loader loader, con
             data = parse_textbook(text, name);
             break;
         case Loader::tinyobjloader:
-            data = parse_tinyobjloader(text, name);
-            break;
         case Loader::assimp:
-            data = parse_assimp(text, name);
+            data = parse_guarded(text, name, loader);
             break;
         case Loader::scan:
             data = parse_scan(text, name);
@@ -63,7 +61,14 @@ bool is_obj(const fs::path& path) {
 
 ObjData parse_obj(const fs::path& path, Loader loader) {
     const MappedFile file(path);
-    return parse(file.text(), path.string(), loader, {});
+    try {
+        ObjData data = parse(file.text(), path.string(), loader, {});
+        file.check();
+        return data;
+    } catch (const InputError&) {
+        file.check();  // the better reason
+        throw;
+    }
 }
 
 ObjData parse_obj_text(std::string_view text, const std::string& name, Loader loader, ParseOptions options) {

@@ -56,8 +56,13 @@ struct ObjData {
     size_t triangles() const { return corners.size() / 3; }
 };
 
+/// A face has at most so many corners, for how long a polygon takes to cut grows faster than it does.
+inline constexpr size_t most_corners = 100000;
+
 /// Reads the file. All floats are the decimal text correctly rounded (assimp and tinyobjloader do not promise that).
-/// Throws InputError, with file, line and reason, for whatever is not an OBJ file that holds at least one face.
+/// A uv or normal that a face names and the file does not have is left out, with a warning. Throws InputError, with
+/// file, line and reason, for whatever is not an OBJ file that holds at least one face. tinyobjloader and assimp run in
+/// a guarded process (common/base/guarded.h).
 ObjData parse_obj(const std::filesystem::path& path, Loader loader = Loader::parallel);
 
 /// For tests: `chunk_bytes` and `threads` (0: one for each core) do not change what Loader::parallel returns.

@@ -50,7 +50,7 @@ const char* read_corners(const char* at, Collected& into) {
         if (has_normal && (*at != '/' || !(at = fast_index(at + 1, c.normal)))) return nullptr;
         corner[count] = {c.position - 1, has_uv ? c.uv - 1 : none, has_normal ? c.normal - 1 : none};
     }
-    if (count < 3 || !(at = end_of_line(at))) return nullptr;
+    if (count < 3 || count > most_corners || !(at = end_of_line(at))) return nullptr;
     into.corners.added(count);
     into.sizes.push_back(static_cast<uint32_t>(count));
     return at;
@@ -142,7 +142,9 @@ ObjData parse_parallel(std::string_view text, const std::string& name, ParseOpti
         });
         // [/threads]
     } catch (const InputError&) { throw_first_error(text, name); }
-    if (!assemble(pieces, threads, data)) throw_first_error(text, name);
+    bool absent = false;
+    if (!assemble(pieces, threads, name, data, absent)) throw_first_error(text, name);
+    if (absent) warn_of_absent(text, name);
     return data;
 }
 

@@ -5,6 +5,7 @@
 #include "01_obj/float_parse.h"
 #include "01_obj/lines.h"
 #include "01_obj/loaders.h"
+#include "common/base/text.h"
 
 namespace lightwalk {
 namespace {
@@ -53,6 +54,17 @@ uint32_t Scanner::index(std::string_view& word, size_t so_far, size_t total, con
     return number > 0 ? static_cast<uint32_t>(from_start) : relative_index(from_start);
 }
 
+// A position that is not there leaves no face. A uv or a normal is a pity, and other programs read such files.
+uint32_t Scanner::optional_index(std::string_view& word, size_t so_far, size_t total, const char* what) {
+    if (!total_) return index(word, so_far, total, what);
+    int64_t number = 0;
+    std::from_chars(word.data(), word.data() + word.size(), number);
+    if (number <= static_cast<int64_t>(total) || number > largest_index) return index(word, so_far, total, what);
+    word.remove_prefix(std::min(word.find_first_not_of("0123456789"), word.size()));
+    ++absent_;
+    return none;
+}
+
 void Scanner::face(std::string_view rest) {
     const size_t positions = (out_.positions.size() - start_.positions) / 3;
     const size_t uvs = (out_.uvs.size() - start_.uvs) / 2, normals = (out_.normals.size() - start_.normals) / 3;
@@ -64,10 +76,10 @@ void Scanner::face(std::string_view rest) {
         corner.position = index(word, positions, total.positions, "position");
         if (word.starts_with('/')) {
             word.remove_prefix(1);
-            if (!word.starts_with('/')) corner.uv = index(word, uvs, total.uvs, "uv");
+            if (!word.starts_with('/')) corner.uv = optional_index(word, uvs, total.uvs, "uv");
             if (word.starts_with('/')) {
                 word.remove_prefix(1);
-                corner.normal = index(word, normals, total.normals, "normal");
+                corner.normal = optional_index(word, normals, total.normals, "normal");
             }
         }
         if (!word.empty()) throw InputError("{} is not a corner; write v, v/vt, v//vn or v/vt/vn", shown(whole));
@@ -75,6 +87,7 @@ void Scanner::face(std::string_view rest) {
     }
     const size_t count = out_.corners.size() - first;
     if (count < 3) throw InputError("a face with {} corner{}, expected 3 or more", count, plural(count));
+    if (count > most_corners) throw InputError("a face with {} corners, at most {} are cut", count, most_corners);
     out_.sizes.push_back(static_cast<uint32_t>(count));
 }
 
@@ -122,6 +135,7 @@ void check_is_text(std::string_view text, const std::string& name) {
     if (trim(text).empty()) throw InputError("{}:1: the file is empty, expected OBJ text", name);
     if (text.substr(0, 4096).find('\0') != text.npos)
         throw InputError("{}:1: the file is binary, expected OBJ text", name);
+    check_line_ends(text, name);
 }
 
 Counts count_elements(std::string_view text) {
@@ -134,15 +148,39 @@ Counts count_elements(std::string_view text) {
     return counts;
 }
 
-void throw_first_error(std::string_view text, const std::string& name) {
+namespace {
+
+// Calls after(scanner, line) for each statement of a text that is scanned with every index checked.
+template <class After>
+void scan_again(std::string_view text, const std::string& name, const After& after) {
     const Counts total = count_elements(text);
     Collected collected;
     Scanner scanner(collected, &total);
     Statements statements(text);
     for (std::string_view statement; statements.next(statement);) try {
             scanner.statement(statement);
+            after(scanner, statements.line());
         } catch (const InputError& error) { fail_at(name, statements.line(), error.what()); }
+}
+
+}  // namespace
+
+void throw_first_error(std::string_view text, const std::string& name) {
+    scan_again(text, name, [](const Scanner&, size_t) {});
     throw InputError("{}: more than {} elements or triangles", name, largest_index);
+}
+
+void warn_of_absent(std::string_view text, const std::string& name) {
+    size_t first = 0, count = 0;
+    scan_again(text, name, [&](const Scanner& scanner, size_t line) {
+        if (count == 0 && scanner.absent() > 0) first = line;
+        count = scanner.absent();
+    });
+    if (count > 0)
+        warn_once(
+            fmt::format("{}:{}: names a uv or a normal that the file does not have ({} in the file); left out, "
+                        "normals are computed",
+                        name, first, count));
 }
 
 ObjData parse_scan(std::string_view text, const std::string& name) {
@@ -154,7 +192,9 @@ ObjData parse_scan(std::string_view text, const std::string& name) {
         for (std::string_view statement; statements.next(statement);) scanner.statement(statement);
     } catch (const InputError&) { throw_first_error(text, name); }
     const Piece piece = scanner.piece();
-    if (!assemble({&piece, 1}, 1, data)) throw_first_error(text, name);
+    bool absent = false;
+    if (!assemble({&piece, 1}, 1, name, data, absent)) throw_first_error(text, name);
+    if (absent) warn_of_absent(text, name);
     return data;
 }
 

@@ -20,14 +20,19 @@ class Scanner {
     /// What has been read since the constructor.
     Piece piece();
 
+    /// How many corners of the faces so far named a uv or a normal that the file does not have. Counted with `total`.
+    size_t absent() const { return absent_; }
+
   private:
     void face(std::string_view rest);
     uint32_t index(std::string_view& word, size_t so_far, size_t total, const char* what);
+    uint32_t optional_index(std::string_view& word, size_t so_far, size_t total, const char* what);
 
     Collected& out_;
     Piece::Mark start_;
     const Counts* total_;
     std::vector<NameLine> names_;
+    size_t absent_ = 0;
 };
 
 /// Reads `count` numbers at least and `most` at most; returns how many. Throws InputError with the reason alone.
@@ -45,5 +50,8 @@ Counts count_elements(std::string_view text);
 
 /// Reads the text again, slowly and checking every index, and throws the first error with its line.
 [[noreturn]] void throw_first_error(std::string_view text, const std::string& name);
+
+/// Reads the text again, and warns, once, of the corners that name a uv or a normal which is not there.
+void warn_of_absent(std::string_view text, const std::string& name);
 
 }  // namespace lightwalk

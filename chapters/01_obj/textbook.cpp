@@ -91,7 +91,9 @@ class Reader {
             for (const float x : numbers(line, 3, 3)) data_.normals.push_back(x);
             ++so_far_.normals;
         } else if (keyword == "f" || keyword == "fo") {
-            faces_.push_back({checked(parse_face(line, so_far_, total_)), names_});
+            // A uv or a normal may be one that the file does not have: checked() leaves it out.
+            const Counts named{total_.positions, largest_index, largest_index};
+            faces_.push_back({checked(parse_face(line, so_far_, named)), names_});
         } else if (keyword == "o") {
             names_.object = object_numbers_(data_.objects, rest);
         } else if (keyword == "g") {
@@ -105,7 +107,10 @@ class Reader {
         }
     }
 
-    ObjData finish() {
+    bool absent() const { return absent_; }
+
+    ObjData finish(const std::string& name) {
+        CuttingTime time(name);
         data_.runs = {Run()};
         for (Face& face : faces_) {
             face.names.first_triangle = static_cast<uint32_t>(data_.triangles());
@@ -115,7 +120,9 @@ class Reader {
             if (count == 3)
                 std::copy_n(face.corners.data(), 3, out);
             else
-                cut_polygon(triangulate.function(), face.corners.data(), count, data_.positions, out);
+                time.count(count, [&] {
+                    cut_polygon(triangulate.function(), face.corners.data(), count, data_.positions, out);
+                });
             data_.corners.added(3 * (count - 2));
         }
         return std::move(data_);
@@ -123,12 +130,20 @@ class Reader {
 
   private:
     // A student's parse_face may return anything; what it returns is used as an index.
-    std::vector<Corner> checked(std::vector<Corner> corners) const {
-        const auto in_range = [](uint32_t index, size_t count) { return index == none || index < count; };
-        for (const Corner& c : corners)
-            if (c.position >= total_.positions || !in_range(c.uv, total_.uvs) || !in_range(c.normal, total_.normals))
-                throw InputError("parse_face gave an index that is out of range");
+    std::vector<Corner> checked(std::vector<Corner> corners) {
+        const auto leave_out = [this](uint32_t& index, size_t count) {
+            if (index == none || index < count) return;
+            index = none;
+            absent_ = true;
+        };
+        for (Corner& c : corners) {
+            if (c.position >= total_.positions) throw InputError("parse_face gave an index that is out of range");
+            leave_out(c.uv, total_.uvs);
+            leave_out(c.normal, total_.normals);
+        }
         if (corners.size() < 3) throw InputError("parse_face gave fewer than 3 corners");
+        if (corners.size() > most_corners)
+            throw InputError("a face with {} corners, at most {} are cut", corners.size(), most_corners);
         return corners;
     }
 
@@ -137,6 +152,7 @@ class Reader {
     Numbering object_numbers_, group_numbers_, material_numbers_;
     std::vector<Face> faces_;
     Run names_;
+    bool absent_ = false;
 };
 
 }  // namespace
@@ -149,7 +165,8 @@ ObjData parse_textbook(std::string_view text, const std::string& name) {
             statement = trim(statement);
             if (!statement.empty()) reader.statement(statement);
         } catch (const InputError& error) { fail_at(name, line, error.what()); }
-    return reader.finish();
+    if (reader.absent()) warn_of_absent(text, name);
+    return reader.finish(name);
 }
 
 }  // namespace lightwalk

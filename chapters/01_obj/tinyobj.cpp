@@ -12,9 +12,9 @@ namespace {
 
 // It neither fails on an index out of range nor corrects it.
 uint32_t checked(int index, size_t count, bool required, const std::string& name) {
-    if (index < 0 && !required) return none;
-    if (index < 0 || static_cast<size_t>(index) >= count)
-        throw InputError("{}: tinyobjloader: index {} is out of range, there are {}", name, index + 1, count);
+    const bool there = index >= 0 && static_cast<size_t>(index) < count;
+    if (!there && !required) return none;
+    if (!there) throw InputError("{}: tinyobjloader: index {} is out of range, there are {}", name, index + 1, count);
     return static_cast<uint32_t>(index);
 }
 

@@ -1,6 +1,7 @@
 // From index triples to the one index per vertex that a GPU wants.
 #include <algorithm>
 #include <glm/glm.hpp>
+#include <unordered_map>
 #include <utility>
 
 #include "01_obj/obj.h"
@@ -18,19 +19,26 @@ glm::vec3 unit(const glm::dvec3& v) {
 }
 
 // Finds the vertex made for an index triple before. The index of the position is its own hash, without collisions; a
-// chain behind it holds the few vertices that share the position and differ in uv or normal.
+// chain behind it holds the few vertices that share the position and differ in uv or normal. Where they are not few,
+// the rest is in a hash table, so that no file takes a time that grows with its square.
 class VertexTable {
   public:
     explicit VertexTable(size_t positions) : first_(positions, none) {}
-    void next_mesh() { mesh_start_ = static_cast<uint32_t>(entries_.size()); }
+    void next_mesh() {
+        mesh_start_ = static_cast<uint32_t>(entries_.size());
+        crowd_.clear();
+    }
 
     // [find]
     /// The vertex's number in the mesh; a new one where `is_new`.
     uint32_t find(const Corner& corner, bool& is_new) {
+        int length = 0;
         // Entries of earlier meshes lie behind all of this mesh's.
-        for (uint32_t i = first_[corner.position]; i != none && i >= mesh_start_; i = entries_[i].next)
+        for (uint32_t i = first_[corner.position]; i != none && i >= mesh_start_; i = entries_[i].next) {
             if (entries_[i].uv == corner.uv && entries_[i].normal == corner.normal)
                 return is_new = false, i - mesh_start_;
+            if (++length == longest_chain) return find_in_crowd(corner, is_new);
+        }
         const uint32_t i = static_cast<uint32_t>(entries_.size());
         entries_.push_back({corner.uv, corner.normal, first_[corner.position]});
         first_[corner.position] = i;
@@ -39,11 +47,26 @@ class VertexTable {
     // [/find]
 
   private:
+    static constexpr int longest_chain = 16;
     struct Entry {
         uint32_t uv, normal, next;
     };
+    struct Hash {
+        size_t operator()(const Corner& c) const {
+            return ((size_t{c.position} * 0x9E3779B97F4A7C15u ^ c.uv) * 0x9E3779B97F4A7C15u ^ c.normal) *
+                       0x9E3779B97F4A7C15u >>
+                   16;
+        }
+    };
+    uint32_t find_in_crowd(const Corner& corner, bool& is_new) {
+        const auto [place, added] = crowd_.try_emplace(corner, static_cast<uint32_t>(entries_.size()));
+        if (added) entries_.push_back({corner.uv, corner.normal, none});
+        is_new = added;
+        return place->second - mesh_start_;
+    }
     std::vector<uint32_t> first_;
     std::vector<Entry> entries_;
+    std::unordered_map<Corner, uint32_t, Hash> crowd_;
     uint32_t mesh_start_ = 0;
 };
 

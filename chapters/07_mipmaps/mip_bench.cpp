@@ -7,6 +7,7 @@
 #include "common/app/gpu_load.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/text.h"
 #include "common/image/image.h"
 #include "common/measure/statistics.h"
 #include "common/scene/asset_path.h"
@@ -196,7 +197,7 @@ int run_mip_bench(const std::string& file) {
             bench.measure(label, {{"side", side}}, noise({side, side}), half4, Content::linear);
             sides.push_back(label);
         } catch (const Failure& e) {
-            std::fprintf(stderr, "warning: %s: %s; left out\n", label.c_str(), e.what());
+            warn("{}: {}; left out", label, e.what());
             result["scenes"].erase(label);
         }
     }
@@ -216,7 +217,7 @@ int run_mip_bench(const std::string& file) {
                          {"x_scale", "linear"},
                          {"methods", makers},
                          {"scenes", {"city lights, 1366x683, sRGB, level by level"}}}};
-    write_file(file, result.dump(1) + "\n");
+    write_file(file, result.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
     show_progress("written to " + file + "\n", 1, 1);
     return 0;
 }

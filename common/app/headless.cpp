@@ -91,10 +91,13 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
         times.push_back(frame.times);
         recording_ms.push_back(frame.recording_ms);
     }
+    // First: a picture that is wrong does not take the place of one that was right.
+    report_non_finite(gpu, frame.linear());
     if (!options.screenshot.empty()) write_png(options.screenshot, read_picture(gpu, frame.output));
     if (!options.timings.empty())
-        write_file(options.timings, timings_json(gpu, options, chapter, times, recording_ms).dump(1) + "\n");
-    report_non_finite(gpu, frame.linear());
+        write_file(options.timings, timings_json(gpu, options, chapter, times, recording_ms)
+                                            .dump(1, ' ', false, json::error_handler_t::replace) +
+                                        "\n");
     gpu.device.check_validation();
     return 0;
 }

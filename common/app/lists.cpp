@@ -65,7 +65,7 @@ int print_list(const Options& options, Chapter& chapter) {
                       : options.list == "exercises" ? exercises_json(chapter)
                                                     : devices_json();
     if (options.json)
-        std::printf("%s\n", list.dump(1).c_str());
+        std::printf("%s\n", list.dump(1, ' ', false, json::error_handler_t::replace).c_str());
     else
         print_table(list);
     return 0;

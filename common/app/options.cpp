@@ -7,6 +7,7 @@
 #include "common/app/shots.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
+#include "common/image/image.h"
 
 namespace lightwalk {
 namespace {
@@ -20,6 +21,8 @@ glm::uvec2 parse_size(const std::string& text) {
     if (!cross || height.ec != std::errc() || height.ptr != end || size.x < 1 || size.y < 1 || size.x > 16384 ||
         size.y > 16384)
         throw InputError("--size {}: expected WIDTHxHEIGHT, each from 1 to 16384, such as 960x540", text);
+    if (int64_t{size.x} * size.y > max_image_pixels)
+        throw InputError("--size {}: too large, a picture has at most {} Mi pixels", text, max_image_pixels >> 20);
     return size;
 }
 

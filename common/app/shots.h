@@ -19,4 +19,7 @@ struct Shot {
 /// Throws InputError where the file is damaged; none where there is no file.
 std::vector<Shot> read_shots(const std::string& chapter);
 
+/// The same from a text; `file` stands for it in messages.
+std::vector<Shot> parse_shots(const std::string& text, const std::string& file);
+
 }  // namespace lightwalk

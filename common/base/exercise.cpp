@@ -1,12 +1,12 @@
 #include "common/base/exercise.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/text.h"
 
 namespace lightwalk {
 namespace {
@@ -123,7 +123,7 @@ void Exercises::stand_in(std::string_view id) {
     State& state = find(id);
     const std::string what = std::string(id) + " does not compile";
     if (!state.has_solution) throw InputError(what + ": ./course check " + std::string(id) + " says why");
-    if (!state.told) std::fprintf(stderr, "warning: %s; the reference stands in for it\n", what.c_str());
+    if (!state.told) warn("{}; the reference stands in for it", what);
     state.told = true;
 }
 

@@ -1,73 +1,179 @@
 #include "common/base/files.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 
 #include "common/base/error.h"
 
 namespace lightwalk {
 namespace fs = std::filesystem;
+namespace {
+
+bool is_course(const fs::path& folder) {
+    std::error_code error;
+    return fs::is_directory(folder / "shaders" / "common", error);
+}
+
+// Empty for a regular file.
+const char* kind_of(mode_t mode) {
+    return S_ISREG(mode)                    ? ""
+           : S_ISDIR(mode)                  ? "a folder"
+           : S_ISFIFO(mode)                 ? "a pipe"
+           : S_ISSOCK(mode)                 ? "a socket"
+           : S_ISCHR(mode) || S_ISBLK(mode) ? "a device"
+                                            : "something else";
+}
+
+void require_regular(const fs::path& path, const struct stat& status) {
+    if (const std::string kind = kind_of(status.st_mode); !kind.empty())
+        throw InputError("{}: is {}, expected a file", path.string(), kind);
+}
+
+[[noreturn]] void fail_to_write(const fs::path& path, const std::string& why) {
+    throw InputError("{}: cannot be written: {}", path.string(), why);
+}
+
+}  // namespace
 
 const fs::path& course_root() {
     static const fs::path root = [] {
-        if (const char* given = std::getenv("LIGHTWALK_ROOT")) return fs::path(given);
+        if (const char* given = std::getenv("LIGHTWALK_ROOT")) {
+            if (is_course(given)) return fs::path(given);
+            throw InputError("LIGHTWALK_ROOT={}: is not the course's folder, which holds shaders/common", given);
+        }
         for (fs::path at = fs::read_symlink("/proc/self/exe"); at.has_relative_path(); at = at.parent_path())
-            if (fs::is_directory(at / "shaders" / "common")) return at;
+            if (is_course(at)) return at;
         throw Failure("no course found above the executable: set LIGHTWALK_ROOT to the folder that holds shaders/");
     }();
     return root;
 }
 
-std::string read_file(const fs::path& path) {
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored)) throw InputError("{}: is a folder, expected a file", path.string());
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw InputError("{}: cannot be opened: {}", path.string(), std::strerror(errno));
-    std::string bytes;
-    if (const auto size = fs::file_size(path, ignored); !ignored) bytes.reserve(size);
-    bytes.assign(std::istreambuf_iterator<char>(in), {});
-    return bytes;
+InputFile::InputFile(const fs::path& path) {
+    // Looked at before it is opened, for opening alone makes some devices act; and after, for it may be another by
+    // then.
+    struct stat status;
+    const auto fail = [&] { throw InputError("{}: cannot be opened: {}", path.string(), std::strerror(errno)); };
+    if (stat(path.c_str(), &status) != 0) fail();
+    require_regular(path, status);
+    descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0 || fstat(descriptor, &status) != 0) fail();
+    if (!S_ISREG(status.st_mode)) {
+        close(descriptor);
+        require_regular(path, status);
+    }
+    bytes = static_cast<size_t>(status.st_size);
+}
+
+InputFile::~InputFile() {
+    if (descriptor >= 0) close(descriptor);
+}
+
+std::string read_file(const fs::path& path, size_t most) {
+    const InputFile file(path);
+    if (file.bytes > most)
+        throw InputError("{}: is larger than {} MiB, which is the most that is read", path.string(), most >> 20);
+    std::string text(file.bytes, '\0');
+    size_t so_far = 0;
+    while (so_far < text.size()) {
+        const ssize_t count = read(file.descriptor, text.data() + so_far, text.size() - so_far);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) throw InputError("{}: cannot be read: {}", path.string(), std::strerror(errno));
+        if (count == 0) throw InputError("{}: became shorter while it was read", path.string());
+        so_far += static_cast<size_t>(count);
+    }
+    return text;
+}
+
+bool file_exists(const fs::path& path) {
+    std::error_code error;
+    return fs::exists(path, error);
+}
+
+bool lies_below(const fs::path& path, const fs::path& folder) {
+    std::error_code error;
+    const fs::path inside = fs::weakly_canonical(path, error).lexically_relative(fs::weakly_canonical(folder, error));
+    return !inside.empty() && *inside.begin() != "..";
 }
 
 namespace {
 
-fs::path temporary_beside(const fs::path& path) { return fmt::format("{}.part{}", path.string(), getpid()); }
+// Where a write to `path` goes, and what is there already.
+struct Place {
+    fs::path path;
+    bool exists = false;
+    mode_t permissions = 0666;
+};
+
+Place place_of(const fs::path& path) {
+    Place place{path};
+    struct stat status;
+    if (stat(path.c_str(), &status) == 0) {
+        if (const std::string kind = kind_of(status.st_mode); !kind.empty()) fail_to_write(path, "is " + kind);
+        if (access(path.c_str(), W_OK) != 0) fail_to_write(path, std::strerror(errno));
+        place.exists = true, place.permissions = status.st_mode & 07777;
+    } else if (errno != ENOENT) {
+        fail_to_write(path, std::strerror(errno));
+    }
+    std::error_code error;
+    while (fs::is_symlink(place.path, error)) {  // of a finite chain: stat() has been to its end
+        const fs::path next = fs::read_symlink(place.path, error);
+        place.path = next.is_absolute() ? next : place.path.parent_path() / next;
+    }
+    return place;
+}
+
+// A file of another name in the same folder, which is renamed or is gone when this ends.
+class Part {
+  public:
+    Part(const fs::path& path, const Place& place)
+        : path_(path), name_(fmt::format("{}.part{}", place.path.string(), getpid())) {
+        descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+        if (descriptor_ < 0) fail_to_write(path, std::strerror(errno));
+        if (place.exists) fchmod(descriptor_, place.permissions);  // as far as the file system knows of them
+    }
+    ~Part() {
+        if (descriptor_ >= 0) close(descriptor_);
+        if (!renamed_) unlink(name_.c_str());
+    }
+    Part(const Part&) = delete;
+
+    void write_all(std::string_view bytes) {
+        while (!bytes.empty()) {
+            const ssize_t count = write(descriptor_, bytes.data(), bytes.size());
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) fail();
+            bytes.remove_prefix(static_cast<size_t>(count));
+        }
+    }
+    void rename_to(const fs::path& target) {
+        if (const int open_one = std::exchange(descriptor_, -1); close(open_one) != 0) fail();
+        if (rename(name_.c_str(), target.c_str()) != 0) fail();
+        renamed_ = true;
+    }
+
+  private:
+    [[noreturn]] void fail() { fail_to_write(path_, std::strerror(errno)); }
+    const fs::path& path_;
+    const std::string name_;
+    int descriptor_ = -1;
+    bool renamed_ = false;
+};
 
 }  // namespace
 
 void write_file(const fs::path& path, std::string_view bytes) {
-    const fs::path part = temporary_beside(path);
-    std::error_code error;
-    {
-        std::ofstream out(part, std::ios::binary | std::ios::trunc);
-        if (!out) throw InputError("{}: cannot be written: {}", path.string(), std::strerror(errno));
-        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        if (!out.flush()) {
-            out.close();
-            fs::remove(part, error);
-            throw InputError("{}: cannot be written: {}", path.string(), std::strerror(errno));
-        }
-    }
-    fs::rename(part, path, error);
-    if (error) {
-        const std::string why = error.message();
-        fs::remove(part, error);
-        throw InputError("{}: cannot be written: {}", path.string(), why);
-    }
+    const Place place = place_of(path);
+    Part part(path, place);
+    part.write_all(bytes);
+    part.rename_to(place.path);
 }
 
-void check_writable(const fs::path& path) {
-    std::error_code error;
-    if (fs::is_directory(path, error)) throw InputError("{}: cannot be written: is a folder", path.string());
-    const fs::path part = temporary_beside(path);
-    if (!std::ofstream(part, std::ios::binary))
-        throw InputError("{}: cannot be written: {}", path.string(), std::strerror(errno));
-    fs::remove(part, error);
-}
+void check_writable(const fs::path& path) { Part(path, place_of(path)); }
 
 uint64_t hash_bytes(std::string_view bytes, uint64_t seed) {
     for (const char c : bytes) seed = (seed ^ static_cast<unsigned char>(c)) * 1099511628211ull;

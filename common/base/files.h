@@ -9,17 +9,40 @@
 namespace lightwalk {
 
 /// The tree's root: $LIGHTWALK_ROOT, else the nearest folder above the executable that holds shaders/common.
-/// Throws Failure where there is none.
+/// Throws Failure where there is none, InputError where the variable names something else.
 const std::filesystem::path& course_root();
 
-/// A file's bytes. Throws InputError (missing, a folder, unreadable).
-std::string read_file(const std::filesystem::path& path);
+/// A regular file, open for reading and closed at the end. Anything else is refused before it is opened: a pipe would
+/// be waited for, a device need not end. Throws InputError (missing, unreadable, a folder, a pipe, a device).
+class InputFile {
+  public:
+    explicit InputFile(const std::filesystem::path& path);
+    ~InputFile();
+    InputFile(const InputFile&) = delete;
 
-/// Writes beside `path` and renames, so that a reader sees the old file or the whole new one.
-/// Throws InputError where the folder cannot be written.
+    int descriptor = -1;
+    size_t bytes = 0;  ///< when it was opened
+};
+
+/// What read_file() reads at most, unless told.
+constexpr size_t most_file_bytes = size_t{1} << 31;
+
+/// A regular file's bytes. Throws InputError as InputFile does, where the file is larger than `most`, and where it
+/// becomes shorter while it is read.
+std::string read_file(const std::filesystem::path& path, size_t most = most_file_bytes);
+
+/// True where a file or folder is there; false also where its name is one that no file can have.
+bool file_exists(const std::filesystem::path& path);
+
+/// True where the path, its links followed, is below the folder.
+bool lies_below(const std::filesystem::path& path, const std::filesystem::path& folder);
+
+/// Writes beside `path` and renames, so that a reader sees the old file or the whole new one, whenever the program
+/// ends. Links are followed; what is there keeps its permissions, and must be a regular file that may be written.
+/// Throws InputError where it cannot be written.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// Throws InputError unless a file could be written at `path`; leaves nothing behind. Lets a long run fail at once.
+/// Throws InputError unless write_file() could write `path`; leaves nothing behind. Lets a long run fail at once.
 void check_writable(const std::filesystem::path& path);
 
 /// FNV-1a, 64 bits: for cache keys and checksums, not against an adversary.

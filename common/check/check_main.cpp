@@ -6,6 +6,7 @@
 
 #include "common/base/error.h"
 #include "common/base/exercise.h"
+#include "common/base/text.h"
 #include "common/check/check.h"
 #include "common/check/guard.h"
 #include "common/gpu/gpu.h"
@@ -61,11 +62,5 @@ static int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     try {
         return run(argc, argv);
-    } catch (const InputError& e) {
-        std::fprintf(stderr, "error: %s\n", e.what());
-        return 2;
-    } catch (const std::exception& e) {
-        std::fprintf(stderr, "error: %s\n", e.what());
-        return 1;
-    }
+    } catch (const std::exception& e) { return report_exception(e); }
 }

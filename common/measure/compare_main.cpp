@@ -10,6 +10,7 @@
 
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/text.h"
 #include "common/measure/flip.h"
 #include "common/measure/metrics.h"
 
@@ -152,7 +153,7 @@ int run(int argc, char** argv) {
     const Comparison comparison = compare(options);
     if (!options.heatmap.empty()) write_png(options.heatmap, heat_map(comparison.map));
     if (options.json)
-        std::cout << as_json(options, comparison).dump(2) << "\n";
+        std::cout << as_json(options, comparison).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
     else
         print(comparison);
     std::fflush(stdout);
@@ -165,11 +166,5 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     try {
         return lightwalk::run(argc, argv);
-    } catch (const lightwalk::InputError& error) {
-        std::cerr << "compare: " << error.what() << "\n";
-        return 2;
-    } catch (const std::exception& error) {
-        std::cerr << "compare: " << error.what() << "\n";
-        return 1;
-    }
+    } catch (const std::exception& error) { return lightwalk::report_exception(error, "compare"); }
 }

@@ -1,6 +1,7 @@
 #include "common/scene/image_pool.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/packing.hpp>
 
 #include "common/base/error.h"
@@ -22,9 +23,13 @@ Texels linear_texels(const std::filesystem::path& file) {
     const ImageRgb image = read_image_linear(file);
     std::vector<uint16_t> halves;
     halves.reserve(4 * image.pixels.size());
+    size_t not_numbers = 0;
     for (const glm::vec3& p : image.pixels)
-        for (const float value : {p.r, p.g, p.b, 1.0f})
+        for (const float value : {p.r, p.g, p.b, 1.0f}) {
             halves.push_back(glm::packHalf1x16(std::clamp(value, -65504.0f, 65504.0f)));
+            not_numbers += std::isnan(value);
+        }
+    if (not_numbers > 0) throw InputError("{}: {} of its values are NaN, expected numbers", file.string(), not_numbers);
     const auto bytes = std::as_bytes(std::span(halves));
     return {{image.width, image.height}, VK_FORMAT_R16G16B16A16_SFLOAT, 3, {bytes.begin(), bytes.end()}};
 }

@@ -1,5 +1,6 @@
 #include "common/scene/import.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/GltfMaterial.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -9,12 +10,16 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cctype>
-#include <cstdio>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
 #include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/base/guarded.h"
+#include "common/base/text.h"
 #include "common/scene/asset_path.h"
+#include "common/scene/model_bytes.h"
 
 namespace lightwalk {
 namespace {
@@ -74,8 +79,8 @@ TextureMap texture(const aiMaterial& material, aiTextureType type, const aiScene
     aiString file;
     if (material.GetTexture(type, 0, &file) != AI_SUCCESS || file.length == 0) return {};
     if (scene.GetEmbeddedTexture(file.C_Str())) {
-        std::fprintf(stderr, "warning: %s: texture '%s' lies inside the model file, which is not supported; left out\n",
-                     path.c_str(), file.C_Str());
+        warn("{}: texture '{}' lies inside the model file, which is not supported; left out", path.string(),
+             file.C_Str());
         return {};
     }
     const bool is_uri = path.extension() == ".gltf" || path.extension() == ".glb" || path.extension() == ".dae";
@@ -121,14 +126,19 @@ Material to_material(const aiMaterial& from, const aiScene& scene, const fs::pat
     return to;
 }
 
-Mesh to_mesh(const aiMesh& from) {
+bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+Mesh to_mesh(const aiMesh& from, const std::string& file) {
     Mesh to;
     to.name = from.mName.C_Str();
     for (unsigned i = 0; i < from.mNumVertices; ++i) {
         Vertex vertex{to_glm(from.mVertices[i]), glm::vec3(0.0f), glm::vec2(0.0f)};
         if (from.HasNormals()) vertex.normal = to_glm(from.mNormals[i]);
-        if (const float length = glm::length(vertex.normal); length > 0.0f) vertex.normal /= length;
-        if (from.HasTextureCoords(0)) vertex.uv = glm::vec2(to_glm(from.mTextureCoords[0][i]));
+        const float length = glm::length(vertex.normal);
+        vertex.normal = length > 0.0f && std::isfinite(length) ? vertex.normal / length : glm::vec3(0.0f);
+        if (from.HasTextureCoords(0) && is_finite(to_glm(from.mTextureCoords[0][i])))
+            vertex.uv = glm::vec2(to_glm(from.mTextureCoords[0][i]));
+        if (!is_finite(vertex.position)) throw InputError("{}: mesh '{}': position {} is not finite", file, to.name, i);
         to.bounds.add(vertex.position);
         to.vertices.push_back(vertex);
     }
@@ -202,6 +212,45 @@ std::string first_line(std::string text) {
     return text.empty() ? "cannot be read" : text;
 }
 
+// A model file names others, which may be pipes or devices as well as it may itself.
+struct RegularFiles : Assimp::DefaultIOSystem {
+    bool Exists(const char* file) const override {
+        std::error_code error;
+        return fs::is_regular_file(file, error);
+    }
+    Assimp::IOStream* Open(const char* file, const char* mode) override {
+        return Exists(file) && mode[0] == 'r' ? DefaultIOSystem::Open(file, mode) : nullptr;
+    }
+};
+
+Model import_here(const fs::path& path) {
+    const std::string name = path.string();
+    Assimp::Importer importer;
+    importer.SetIOHandler(new RegularFiles);  // the importer deletes it
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+    const aiScene* scene = nullptr;
+    try {
+        scene = importer.ReadFile(name, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
+                                            aiProcess_SortByPType | aiProcess_ValidateDataStructure);
+    } catch (const std::bad_alloc&) { throw; } catch (const std::exception& failed) {
+        throw InputError("{}: {}", name, first_line(failed.what()));
+    }
+    if (!scene) throw InputError("{}: {}", name, first_line(importer.GetErrorString()));
+    if (scene->mNumMeshes == 0) throw InputError("{}: no triangle in the file", name);
+
+    Model model;
+    for (unsigned i = 0; i < scene->mNumMaterials; ++i) {
+        model.materials.push_back(to_material(*scene->mMaterials[i], *scene, path));
+        limit_numbers(model.materials.back(), name);
+    }
+    if (model.materials.empty()) model.materials.emplace_back();
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i) model.meshes.push_back(to_mesh(*scene->mMeshes[i], name));
+    model.nodes = to_nodes(*scene->mRootNode);
+    add_motions(*scene, model);
+    return model;
+}
+
 }  // namespace
 
 Model import_model(const fs::path& path) {
@@ -209,36 +258,17 @@ Model import_model(const fs::path& path) {
     std::string extension = path.extension();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    std::error_code error;
-    if (!fs::exists(path, error)) throw InputError("{}: cannot be opened: no such file", name);
-    if (!fs::is_regular_file(path, error)) throw InputError("{}: is not a file", name);
+    const size_t bytes = InputFile(path).bytes;
     if (std::find(formats.begin(), formats.end(), extension) == formats.end()) {
         std::string known;
         for (const std::string_view format : formats) known += (known.empty() ? "" : ", ") + std::string(format);
         throw InputError("{}: unknown model format '{}'; there are: {}", name, extension, known);
     }
-    const uintmax_t bytes = fs::file_size(path, error);
-    if (error || bytes == 0) throw InputError("{}: the file is empty", name);
+    if (bytes == 0) throw InputError("{}: the file is empty", name);
     check_counts(path, extension, bytes);
-
-    Assimp::Importer importer;
-    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-    const aiScene* scene = nullptr;
-    try {
-        scene = importer.ReadFile(name, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
-                                            aiProcess_SortByPType | aiProcess_ValidateDataStructure);
-    } catch (const std::exception& failed) { throw InputError("{}: {}", name, first_line(failed.what())); }
-    if (!scene) throw InputError("{}: {}", name, first_line(importer.GetErrorString()));
-    if (scene->mNumMeshes == 0) throw InputError("{}: no triangle in the file", name);
-
     Model model;
-    for (unsigned i = 0; i < scene->mNumMaterials; ++i)
-        model.materials.push_back(to_material(*scene->mMaterials[i], *scene, path));
-    if (model.materials.empty()) model.materials.emplace_back();
-    for (unsigned i = 0; i < scene->mNumMeshes; ++i) model.meshes.push_back(to_mesh(*scene->mMeshes[i]));
-    model.nodes = to_nodes(*scene->mRootNode);
-    add_motions(*scene, model);
+    read_bytes(run_guarded(name, "Assimp", limits_for(bytes), [&] { return to_bytes(import_here(path)); }), name,
+               model);
     return model;
 }
 

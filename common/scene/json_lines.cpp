@@ -38,21 +38,25 @@ class LineReader : public json::json_sax_t {
     LineReader(const std::string& text, JsonWithLines& result, const int& line)
         : text_(text), result_(result), line_(line) {}
 
-    bool null() override { return value(); }
-    bool boolean(bool) override { return value(); }
-    bool number_integer(json::number_integer_t) override { return value(); }
-    bool number_unsigned(json::number_unsigned_t) override { return value(); }
-    bool number_float(json::number_float_t, const json::string_t&) override { return value(); }
-    bool string(json::string_t&) override { return value(); }
-    bool binary(json::binary_t&) override { return value(); }
+    bool null() override { return next(); }
+    bool boolean(bool) override { return next(); }
+    bool number_integer(json::number_integer_t) override { return next(); }
+    bool number_unsigned(json::number_unsigned_t) override { return next(); }
+    bool number_float(json::number_float_t, const json::string_t&) override { return next(); }
+    bool string(json::string_t&) override {
+        note();
+        return next();
+    }
+    bool binary(json::binary_t&) override { return next(); }
     bool start_object(std::size_t) override { return open(false); }
     bool start_array(std::size_t) override { return open(true); }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
     bool key(json::string_t& name) override {
-        levels_.back().key = name;
-        if (!result_.lines.emplace(pointer(), line_).second)
-            throw InputError("{}:{}: key '{}' stands twice", result_.file, line_, name);
+        Level& level = levels_.back();
+        pointer_.resize(level.end);
+        pointer_ += "/" + pointer_step(name);
+        if (!add_line()) throw InputError("{}:{}: key '{}' stands twice", result_.file, line_, name);
         return true;
     }
     bool parse_error(std::size_t position, const std::string&, const json::exception& e) override {
@@ -68,40 +72,53 @@ class LineReader : public json::json_sax_t {
     struct Level {
         bool array;
         size_t index;
-        std::string key;
+        size_t end;  ///< of the level's own pointer
     };
-    std::string pointer() const {
-        std::string result;
-        for (const Level& level : levels_) result += "/" + (level.array ? std::to_string(level.index) : level.key);
-        return result;
+    static constexpr size_t most_pointer_bytes = size_t{256} << 20;
+
+    bool add_line() {
+        pointer_bytes_ += pointer_.size() + sizeof(std::pair<std::string, int>);
+        if (pointer_bytes_ > most_pointer_bytes)
+            throw InputError("{}:{}: too large: the names of its values take more than {} MiB", result_.file, line_,
+                             most_pointer_bytes >> 20);
+        return result_.lines.emplace(pointer_, line_).second;
     }
+    // A value in a list; one in an object has its key's line.
     void note() {
-        if (levels_.empty() || levels_.back().array) result_.lines.emplace(pointer(), line_);
+        if (levels_.empty()) add_line();
+        if (levels_.empty() || !levels_.back().array) return;
+        pointer_.resize(levels_.back().end);
+        pointer_ += "/" + std::to_string(levels_.back().index);
+        add_line();
     }
-    void next() {
+    bool next() {
         if (!levels_.empty() && levels_.back().array) ++levels_.back().index;
-    }
-    bool value() {
-        note();
-        next();
         return true;
     }
     bool open(bool array) {
         note();
-        if (levels_.size() > 64) throw InputError("{}:{}: nested too deep", result_.file, line_);
-        levels_.push_back({array, 0, ""});
+        if (levels_.size() > 64) throw InputError("{}:{}: nested too deep, at most 64 levels", result_.file, line_);
+        levels_.push_back({array, 0, pointer_.size()});
         return true;
     }
     bool close() {
         levels_.pop_back();
-        next();
-        return true;
+        pointer_.resize(levels_.empty() ? 0 : levels_.back().end);
+        return next();
     }
     const std::string& text_;
     JsonWithLines& result_;
     const int& line_;
     std::vector<Level> levels_;
+    std::string pointer_;  ///< of the value that is read
+    size_t pointer_bytes_ = 0;
 };
+
+std::string unescaped(std::string step) {
+    for (const auto& [from, to] : {std::pair("~1", "/"), std::pair("~0", "~")})
+        for (size_t at = 0; (at = step.find(from, at)) != step.npos; ++at) step.replace(at, 2, to);
+    return step;
+}
 
 }  // namespace
 
@@ -110,10 +127,16 @@ std::string JsonWithLines::where(const std::string& pointer) const {
         const auto it = lines.find(at);
         if (it != lines.end() || at.empty()) {
             const int line = it != lines.end() ? it->second : 1;
-            const std::string key = pointer.substr(pointer.rfind('/') + 1);
+            const std::string key = unescaped(pointer.substr(pointer.rfind('/') + 1));
             return fmt::format("{}:{}:{}", file, line, key.empty() ? "" : " key '" + key + "'");
         }
     }
+}
+
+std::string pointer_step(std::string_view key) {
+    std::string step;
+    for (const char c : key) step += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+    return step;
 }
 
 JsonWithLines parse_json(const std::string& text, const std::string& file) {

@@ -1,8 +1,7 @@
 #include "common/scene/material_maps.h"
 
-#include <cstdio>
-
 #include "common/base/error.h"
+#include "common/base/text.h"
 #include "common/structs.h"
 
 namespace lightwalk {
@@ -62,7 +61,7 @@ MaterialMaps load_maps(ImagePool& images, const Material& own, const MaterialOve
             maps[i] = load_map(images, (own.*slot.from).file, slot);
         } catch (const InputError& e) {
             if (warned.insert(own.name + "\n" + e.what()).second)
-                std::fprintf(stderr, "warning: material '%s': %s; drawn without it\n", own.name.c_str(), e.what());
+                warn("material '{}': {}; drawn without it", own.name, e.what());
         }
     }
     for (const auto& [name, texture] : with.maps) {

@@ -59,19 +59,23 @@ Bounds model_bounds(const Model& model) {
 }
 
 void fill_missing_normals(Mesh& mesh) {
-    for (const Vertex& v : mesh.vertices)
-        if (v.normal != glm::vec3(0.0f)) return;
+    std::vector<uint32_t> missing;
+    for (uint32_t i = 0; i < mesh.vertices.size(); ++i)
+        if (mesh.vertices[i].normal == glm::vec3(0.0f)) missing.push_back(i);
+    if (missing.empty()) return;
+    std::vector<glm::vec3> sums(mesh.vertices.size(), glm::vec3(0.0f));
     for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        Vertex& a = mesh.vertices[mesh.indices[i]];
-        Vertex& b = mesh.vertices[mesh.indices[i + 1]];
-        Vertex& c = mesh.vertices[mesh.indices[i + 2]];
+        const uint32_t* corner = &mesh.indices[i];
+        const glm::vec3 a = mesh.vertices[corner[0]].position;
         // The cross product's length is twice the area, which is the weight.
-        const glm::vec3 weighted = glm::cross(b.position - a.position, c.position - a.position);
-        a.normal += weighted, b.normal += weighted, c.normal += weighted;
+        const glm::vec3 weighted =
+            glm::cross(mesh.vertices[corner[1]].position - a, mesh.vertices[corner[2]].position - a);
+        for (int k = 0; k < 3; ++k) sums[corner[k]] += weighted;
     }
-    for (Vertex& v : mesh.vertices) {
-        const float length = glm::length(v.normal);
-        v.normal = length > 0.0f ? v.normal / length : glm::vec3(0.0f, 1.0f, 0.0f);
+    for (const uint32_t i : missing) {
+        const float length = glm::length(sums[i]);
+        mesh.vertices[i].normal =
+            length > 0.0f && std::isfinite(length) ? sums[i] / length : glm::vec3(0.0f, 1.0f, 0.0f);
     }
 }
 

@@ -74,7 +74,7 @@ std::vector<glm::mat4> world_transforms(const Model& model, float time_s);
 /// The box around every vertex that a node places.
 Bounds model_bounds(const Model& model);
 
-/// Area-weighted vertex normals where a mesh has none (all zero); leaves others alone. Degenerate: (0, 1, 0).
+/// Area-weighted vertex normals for the vertices that have none (zero); leaves others alone. Degenerate: (0, 1, 0).
 void fill_missing_normals(Mesh& mesh);
 
 }  // namespace lightwalk

@@ -9,59 +9,88 @@ namespace lightwalk {
 namespace fs = std::filesystem;
 namespace {
 
-// Parents first, so that transforms can be multiplied in order.
+constexpr size_t deepest_include = 32, most_includes = 256, most_scene_bytes = size_t{64} << 20;
+
+// Parents first, so that transforms can be multiplied in order: those whose parent stands before them in the file's
+// order, then, in as many rounds as it takes, those whose parent came in the round before.
 void sort_by_parent(const JsonWithLines& source, std::vector<SceneObject>& objects) {
-    std::vector<SceneObject> sorted;
-    std::set<std::string> placed, all;
-    for (const SceneObject& o : objects)
-        if (!o.name.empty() && !all.insert(o.name).second)
-            throw InputError("{}: two objects are named '{}'", source.where("/objects"), o.name);
-    for (const SceneObject& o : objects)
-        if (!o.parent.empty() && !all.count(o.parent))
-            throw InputError("{}: parent '{}' is no object's name", source.where("/objects"), o.parent);
-    while (sorted.size() < objects.size()) {
-        const size_t before = sorted.size();
-        for (SceneObject& o : objects) {
-            if (o.parent == "\n" || (!o.parent.empty() && !placed.count(o.parent))) continue;
-            if (!o.name.empty()) placed.insert(o.name);
-            sorted.push_back(o);
-            o.parent = "\n";  // taken
-        }
-        if (sorted.size() > before) continue;
-        std::string names;
-        for (const SceneObject& o : objects)
-            if (o.parent != "\n") names += (names.empty() ? "" : ", ") + o.name;
-        throw InputError("{}: a cycle of parents among {}", source.where("/objects"), names);
+    constexpr size_t none = SIZE_MAX, unknown = SIZE_MAX, waiting = SIZE_MAX - 1;
+    std::map<std::string_view, size_t> places;
+    for (size_t i = 0; i < objects.size(); ++i)
+        if (!objects[i].name.empty() && !places.emplace(objects[i].name, i).second)
+            throw InputError("{}: two objects are named '{}'", source.where("/objects"), objects[i].name);
+    std::vector<size_t> parent(objects.size(), none), round(objects.size(), unknown), order(objects.size());
+    for (size_t i = 0; i < objects.size(); ++i) {
+        order[i] = i;
+        if (objects[i].parent.empty()) continue;
+        const auto place = places.find(objects[i].parent);
+        if (place == places.end())
+            throw InputError("{}: parent '{}' is no object's name", source.where("/objects"), objects[i].parent);
+        parent[i] = place->second;
     }
+    for (size_t i = 0; i < objects.size(); ++i) {
+        // Up to one whose round is known or that has no parent, then back down.
+        std::vector<size_t> chain;
+        size_t at = i;
+        for (; round[at] == unknown && parent[at] != none; at = parent[at]) {
+            round[at] = waiting;
+            chain.push_back(at);
+        }
+        if (round[at] == waiting) {
+            std::string names;
+            for (const size_t one : chain) names += (names.empty() ? "" : ", ") + objects[one].name;
+            throw InputError("{}: a cycle of parents among {}", source.where("/objects"), names);
+        }
+        if (round[at] == unknown) round[at] = 0;
+        for (; !chain.empty(); at = chain.back(), chain.pop_back())
+            round[chain.back()] = round[at] + (at > chain.back() ? 1 : 0);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return round[a] < round[b]; });
+    std::vector<SceneObject> sorted;
+    for (const size_t i : order) sorted.push_back(std::move(objects[i]));
     objects = std::move(sorted);
 }
 
-void read(const std::string& text, const fs::path& path, std::vector<fs::path>& open_files, SceneFile& scene);
+// The files that are being read, from the outermost on, and how many there were in all.
+struct Includes {
+    std::vector<fs::path> open;
+    size_t count = 0;
 
-void read_included(const fs::path& path, std::vector<fs::path>& open_files, SceneFile& scene) {
+    std::string chain() const {
+        std::string text;
+        for (const fs::path& file : open) text += file.filename().string() + " includes ";
+        return text;
+    }
+};
+
+void read(const std::string& text, const fs::path& path, Includes& includes, SceneFile& scene);
+
+void read_included(const fs::path& path, Includes& includes, SceneFile& scene) {
     const fs::path real = fs::weakly_canonical(path);
-    std::string chain;
-    for (const fs::path& open : open_files) chain += open.filename().string() + " includes ";
-    if (std::find(open_files.begin(), open_files.end(), real) != open_files.end())
-        throw InputError("{}: a cycle of includes: {}{}", path.string(), chain, real.filename().string());
-    open_files.push_back(real);
-    read(read_file(path), path, open_files, scene);
-    open_files.pop_back();
+    const std::string chain = includes.chain() + real.filename().string();
+    if (std::find(includes.open.begin(), includes.open.end(), real) != includes.open.end())
+        throw InputError("{}: a cycle of includes: {}", path.string(), chain);
+    if (includes.open.size() > deepest_include)
+        throw InputError("{}: includes are nested more than {} deep: {}", path.string(), deepest_include, chain);
+    if (includes.count++ > most_includes)
+        throw InputError("{}: more than {} includes in all: {}", path.string(), most_includes, chain);
+    includes.open.push_back(real);
+    read(read_file(path, most_scene_bytes), path, includes, scene);
+    includes.open.pop_back();
 }
 
 // Adds what the file says to `scene`: objects and lights stand after those already there, other keys replace.
-void read(const std::string& text, const fs::path& path, std::vector<fs::path>& open_files, SceneFile& scene) {
+void read(const std::string& text, const fs::path& path, Includes& includes, SceneFile& scene) {
     const JsonWithLines source = parse_json(text, path.string());
     KeyReader r(source, source.root, "");
-    if (const json* includes = r.find("include")) {
-        if (!includes->is_array()) r.refuse("include", "must be a list of file names");
-        for (size_t i = 0; i < includes->size(); ++i) {
+    if (const json* list = r.find("include")) {
+        if (!list->is_array()) r.refuse("include", "must be a list of file names");
+        for (size_t i = 0; i < list->size(); ++i) {
             const std::string pointer = fmt::format("/include/{}", i);
-            if (!(*includes)[i].is_string())
-                throw InputError("{} must be a file name in quotes", source.where(pointer));
-            const fs::path included = path.parent_path() / (*includes)[i].get<std::string>();
-            if (!fs::exists(included)) throw InputError("{}: no file {}", source.where(pointer), included.string());
-            read_included(included, open_files, scene);
+            if (!(*list)[i].is_string()) throw InputError("{} must be a file name in quotes", source.where(pointer));
+            const fs::path included = path.parent_path() / (*list)[i].get<std::string>();
+            if (!file_exists(included)) throw InputError("{}: no file {}", source.where(pointer), included.string());
+            read_included(included, includes, scene);
         }
     }
     scene.file = path;
@@ -88,23 +117,27 @@ void read(const std::string& text, const fs::path& path, std::vector<fs::path>& 
 }  // namespace
 
 SceneFile read_scene(const fs::path& path) {
-    std::vector<fs::path> open_files;
+    Includes includes;
     SceneFile scene;
-    read_included(path, open_files, scene);
+    read_included(path, includes, scene);
     return scene;
 }
 
 SceneFile parse_scene(const std::string& text, const fs::path& path) {
-    std::vector<fs::path> open_files;
+    Includes includes;
     SceneFile scene;
-    read(text, path, open_files, scene);
+    read(text, path, includes, scene);
     return scene;
 }
 
 fs::path find_asset(const fs::path& path) {
-    for (const fs::path& candidate : {path, course_root() / "assets" / path, course_root() / path})
-        if (fs::exists(candidate)) return candidate;
-    throw InputError("no file {}, neither here nor below assets/", path.string());
+    std::string why = "neither here nor below assets/";
+    for (const fs::path& candidate : {path, course_root() / "assets" / path, course_root() / path}) {
+        std::error_code error;
+        if (fs::exists(candidate, error)) return candidate;
+        if (error) why = error.message();
+    }
+    throw InputError("no file {}, {}", path.string(), why);
 }
 
 // [local_transform]

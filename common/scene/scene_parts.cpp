@@ -60,7 +60,7 @@ MaterialOverride read_material(const JsonWithLines& source, KeyReader r) {
     if (const json* maps = r.find("maps")) {
         if (!maps->is_object()) r.refuse("maps", "must be an object { slot: file }");
         for (const auto& [slot, file] : maps->items()) {
-            const std::string pointer = r.at("maps") + "/" + slot;
+            const std::string pointer = r.at("maps") + "/" + pointer_step(slot);
             if (!file.is_string()) throw InputError("{} must be a file name in quotes", source.where(pointer));
             material.maps[slot] = asset(source, pointer, file.get<std::string>());
         }

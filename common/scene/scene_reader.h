@@ -62,7 +62,7 @@ class KeyReader {
         const auto it = object_.find(key);
         return it == object_.end() ? nullptr : &*it;
     }
-    std::string at(const std::string& key) const { return pointer_ + "/" + key; }
+    std::string at(const std::string& key) const { return pointer_ + "/" + pointer_step(key); }
     [[noreturn]] void refuse(const std::string& key, const std::string& why) const {
         throw InputError("{} {}", source_.where(at(key)), why);
     }

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/scene/json_lines.h"
 #include "common/scene/scene_file.h"
@@ -80,6 +81,17 @@ json knobs_json(const SceneFile& scene) {
     return j;
 }
 
+void write(const json& j, const std::filesystem::path& path) {
+    std::string text;
+    try {
+        text = j.dump(1, '\t');
+    } catch (const json::type_error&) {
+        throw InputError("{}: cannot be written: a name in the scene is not UTF-8, and JSON holds nothing else",
+                         path.string());
+    }
+    write_file(path, text + "\n");
+}
+
 }  // namespace
 
 void write_scene(const SceneFile& scene, const std::filesystem::path& path) {
@@ -95,7 +107,7 @@ void write_scene(const SceneFile& scene, const std::filesystem::path& path) {
     j["lights"] = json::array();
     for (const Light& light : scene.lights) j["lights"].push_back(light_json(light));
     j["knobs"] = knobs_json(scene);
-    write_file(path, j.dump(1, '\t') + "\n");
+    write(j, path);
 }
 
 void update_scene(const SceneFile& scene, const std::filesystem::path& path) {
@@ -104,7 +116,7 @@ void update_scene(const SceneFile& scene, const std::filesystem::path& path) {
     json j = json::parse(text);
     j["camera"] = camera_json(scene.camera);
     j["knobs"] = knobs_json(scene);
-    write_file(path, j.dump(1, '\t') + "\n");
+    write(j, path);
 }
 
 }  // namespace lightwalk

@@ -52,7 +52,8 @@ void print_text(const json& said, const std::string& method_knob) {
 
 void explain(const Options& options, const Chapter& chapter, const json& said) {
     if (!options.explain) return;
-    options.json ? void(std::printf("%s\n", said.dump(1).c_str())) : print_text(said, chapter.method_knob);
+    options.json ? void(std::printf("%s\n", said.dump(1, ' ', false, json::error_handler_t::replace).c_str()))
+                 : print_text(said, chapter.method_knob);
     std::fflush(stdout);
 }
 

@@ -232,7 +232,7 @@ json measure_study(const std::string& text, const std::string& file, const Optio
     for (const StudyScene& scene : plan.scenes) {
         if (done["scenes"].contains(scene.label)) continue;
         done["scenes"][scene.label] = SceneStudy(plan, options, chapter, frame, scene).run();
-        write_file(partial, done.dump());
+        write_file(partial, done.dump(-1, ' ', false, json::error_handler_t::replace));
     }
     json result = {{"chapter", chapter.name},
                    {"title", plan.title},
@@ -272,7 +272,7 @@ void run_subject_study(const Options& options, Chapter& chapter, const std::file
     result["title"] = study.at("title");
     result["command"] = "./course study " + chapter.name.substr(0, 2);
     if (study.contains("charts")) result["charts"] = study["charts"];
-    write_file(options.study, result.dump(1) + "\n");
+    write_file(options.study, result.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace
@@ -287,7 +287,7 @@ int run_study(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gp
     }
     gpu = make_gpu(options);
     const json result = measure_study(read_file(file), file.string(), options, chapter, *gpu);
-    write_file(options.study, result.dump(1) + "\n");
+    write_file(options.study, result.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
     std::filesystem::remove(options.study + ".partial");
     show_progress("written to " + options.study + "\n", 1, 1);
     gpu->device.check_validation();

@@ -3,8 +3,11 @@
 #define GLFW_INCLUDE_NONE
 #define GLFW_INCLUDE_VULKAN
 #include <GLFW/glfw3.h>
+#include <dlfcn.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 #include "common/base/error.h"
@@ -41,6 +44,22 @@ void on_cursor(GLFWwindow* window, double x, double y) {
     note(window, [&](Input& input) { input.cursor = {x, y}; });
 }
 
+// Xlib calls it when the X server is gone, and ends the program after it in any case.
+int on_lost_display(void*) {
+    std::fputs("error: the display went away\n", stderr);
+    std::_Exit(1);
+}
+
+// It is GLFW that has loaded Xlib, where there is an X server.
+void watch_x_server() {
+    using Handler = int (*)(void*);
+    void* const xlib = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
+    if (!xlib) return;
+    if (void* const set = dlsym(xlib, "XSetIOErrorHandler"))
+        reinterpret_cast<Handler (*)(Handler)>(set)(on_lost_display);
+    dlclose(xlib);
+}
+
 }  // namespace
 
 Display::Display(const std::string& title, glm::ivec2 wanted, const std::string& without) {
@@ -49,6 +68,7 @@ Display::Display(const std::string& title, glm::ivec2 wanted, const std::string&
         glfwGetError(&why);
         throw InputError("no display" + (why ? " (" + std::string(why) + ")" : std::string()) + "; " + without);
     }
+    watch_x_server();
     if (!glfwVulkanSupported()) {
         glfwTerminate();
         throw InputError("this display cannot show Vulkan's pictures; " + without);

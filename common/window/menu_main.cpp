@@ -7,6 +7,7 @@
 #include "common/app/shots.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/text.h"
 #include "common/gpu/frame.h"
 #include "common/image/image.h"
 #include "common/window/blit.h"
@@ -267,11 +268,5 @@ int run_menu(const std::vector<std::string>& options) {
 int main(int argc, char** argv) {
     try {
         return lightwalk::run_menu({argv + 1, argv + argc});
-    } catch (const lightwalk::InputError& e) {
-        std::fprintf(stderr, "error: %s\n", e.what());
-        return 2;
-    } catch (const std::exception& e) {
-        std::fprintf(stderr, "error: %s\n", e.what());
-        return 1;
-    }
+    } catch (const std::exception& e) { return lightwalk::report_exception(e); }
 }

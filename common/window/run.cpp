@@ -1,11 +1,9 @@
 #include "common/window/run.h"
 
-#include <cstdio>
-
 #include "common/app/compile_shaders.h"
 #include "common/app/headless.h"
 #include "common/app/lists.h"
-#include "common/base/error.h"
+#include "common/base/text.h"
 #include "common/study/study.h"
 #include "common/window/window.h"
 
@@ -25,13 +23,7 @@ int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make
         const Loading loading = automatic_choice(*options, *chapter);
         if (options->headless()) return run_headless(*options, *chapter, gpu, loading);
         return run_window(*options, *chapter, gpu, make, loading);
-    } catch (const InputError& e) {
-        std::fprintf(stderr, "error: %s\n", e.what());
-        return 2;
-    } catch (const std::exception& e) {
-        std::fprintf(stderr, "error: %s\n", e.what());
-        return 1;
-    }
+    } catch (const std::exception& e) { return report_exception(e); }
 }
 
 }  // namespace lightwalk

@@ -32,12 +32,6 @@ fs::path unused(const std::string& stem, const std::string& extension) {
     return path;
 }
 
-bool lies_below(const fs::path& path, const fs::path& folder) {
-    std::error_code error;
-    const fs::path inside = fs::weakly_canonical(path, error).lexically_relative(fs::weakly_canonical(folder, error));
-    return !inside.empty() && *inside.begin() != "..";
-}
-
 }  // namespace
 
 void Window::handle_keys(const Input& input, Requests& requests) {

@@ -1,3 +1,5 @@
+#include <ctime>
+
 #include "01_obj/obj.h"
 #include "catch.h"
 
@@ -63,4 +65,24 @@ TEST_CASE("weld: a mesh and a node for each object, a part for each material") {
     for (const Mesh& mesh : model.meshes)
         for (const uint32_t index : mesh.indices) CHECK(index < mesh.vertices.size());
     CHECK(model.materials.size() == 3);  // x, y, and one for faces without
+}
+
+TEST_CASE("weld: one position with very many uvs takes no longer than as many positions") {
+    constexpr uint32_t count = 200000;
+    std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (uint32_t i = 0; i < count; ++i) text += fmt::format("vt {} 0\n", i);
+    for (uint32_t twice = 0; twice < 2; ++twice)
+        for (uint32_t i = 1; i <= count; ++i) text += fmt::format("f 1/{} 2/1 3/1\n", i);
+    const ObjData data = parse_obj_text(text, "test.obj", Loader::parallel);
+    const std::clock_t start = std::clock();
+    const Model model = weld(data, {}, "test");
+    CHECK(double(std::clock() - start) / CLOCKS_PER_SEC < 5);  // 0.1 s; without the hash map a minute
+    REQUIRE(model.meshes.size() == 1);
+    const Mesh& mesh = model.meshes[0];
+    CHECK(mesh.vertices.size() == count + 2);
+    for (uint32_t i = 0; i < count; ++i) {  // the second time finds what the first has made
+        if (mesh.indices[3 * i] == mesh.indices[3 * (count + i)] && mesh.vertices[mesh.indices[3 * i]].uv.x == float(i))
+            continue;
+        FAIL("uv " << i);
+    }
 }

@@ -80,6 +80,9 @@ class Options(BadInput):
         for name in CHAPTERS:
             self.draw(name, says="driver.*install", **nothing)
         self.draw("02", "--validate", "on", says="driver.*install", **nothing)
+        broken = str(self.write("driver.json", json.dumps({"file_format_version": "1.0.0", "ICD": {
+            "library_path": "/nonexistent.so", "api_version": "1.3.0"}})))
+        self.draw("02", says="driver.*install", VK_DRIVER_FILES=broken, VK_ICD_FILENAMES=broken)
         self.refuse(CHAPTERS["02"], "--list", "devices", says="driver.*install", **nothing)
 
     # --- shaders

@@ -217,9 +217,56 @@ TEST_CASE("What is not a whole image is refused in one line that names the file"
     refused("cut.jpg", std::string("\xFF\xD8\xFF\xE0\0\x10JFIF\0\x01\x01\0\0\x01\0\x01\0\0", 20), "broken header");
 }
 
+TEST_CASE("BMP, TGA and PSD are read, and refused where they are cut off") {
+    const Scratch scratch;
+    const auto append = [](void* to, void* data, int size) {
+        static_cast<std::string*>(to)->append(static_cast<const char*>(data), size_t(size));
+    };
+    const Image8 image = pattern(31, 20);
+    std::string bmp, tga, psd("8BPS\0\1\0\0\0\0\0\0\0\3\0\0\0\x14\0\0\0\x1f\0\x08\0\3\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 40);
+    stbi_write_bmp_to_func(append, &bmp, image.width, image.height, 4, image.pixels.data());
+    stbi_write_tga_to_func(append, &tga, image.width, image.height, 4, image.pixels.data());
+    for (int c = 0; c < 3; ++c)
+        for (const glm::u8vec4& p : image.pixels) psd += static_cast<char>(p[c]);
+    const std::pair<const char*, std::string> files[] = {{"a.bmp", bmp}, {"a.tga", tga}, {"a.psd", psd}};
+    for (const auto& [name, bytes] : files) {
+        CAPTURE(name);
+        write_file(scratch / name, bytes);
+        const Image8 back = read_image8(scratch / name);
+        REQUIRE((back.width == image.width && back.height == image.height));
+        bool same = true;
+        for (size_t i = 0; i < image.pixels.size(); ++i)
+            same = same && glm::u8vec3(back.pixels[i]) == glm::u8vec3(image.pixels[i]);
+        CHECK(same);
+        for (const size_t length : {bytes.size() - 1, bytes.size() - 300, bytes.size() / 2}) {
+            CAPTURE(length);
+            write_file(scratch / name, std::string_view(bytes).substr(0, length));
+            CHECK(message_of(scratch / name).find("cut off") != std::string::npos);
+        }
+    }
+}
+
 TEST_CASE("A PNG that cannot be written leaves nothing behind") {
     const Scratch scratch;
     CHECK_THROWS_AS(write_png(scratch / "no/such/folder.png", pattern(4, 4)), InputError);
     CHECK_THROWS_AS(write_png(scratch / "empty.png", Image8()), InputError);
     CHECK(fs::is_empty(scratch.folder));
+}
+
+TEST_CASE("corpus: every picture is read or refused") {
+    const Scratch scratch;
+    size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(course_root() / "tests/common/corpus/image")) {
+        CAPTURE(entry.path());
+        const std::string bytes = read_file(entry.path());  // the first byte chose the reader, for the fuzzer
+        const char* const names[] = {"a.png", "a.pfm", "a.hdr"};
+        const fs::path path = scratch / names[std::min<size_t>(static_cast<size_t>(bytes.at(0)), 2)];
+        write_file(path, bytes.substr(1));
+        try {
+            const ImageRgb image = read_image_linear(path);
+            CHECK(image.width > 0);
+        } catch (const InputError& error) { CHECK(std::string(error.what()).starts_with(path.string())); }
+        ++files;
+    }
+    CHECK(files >= 10);
 }

@@ -1,4 +1,7 @@
 // Other formats through Assimp: transforms in the right order, and bad files refused.
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include "catch.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
@@ -69,6 +72,42 @@ TEST_CASE("import: materials and texture paths") {
 TEST_CASE("import: other formats") {
     CHECK(import_model(data("square.ply")).meshes[0].indices.size() == 6);
     CHECK(import_model(data("triangle.stl")).meshes[0].indices.size() == 3);
+}
+
+TEST_CASE("import: files on which Assimp 5.2.5 dies cost no more than an error") {
+    for (const char* name : {"assimp_aborts.ply", "assimp_crashes.ply"}) {
+        CAPTURE(name);
+        try {
+            import_model(data(name));  // a later Assimp may read them
+        } catch (const InputError& error) { CHECK(std::string(error.what()).starts_with(data(name).string())); }
+    }
+}
+
+TEST_CASE("import: a buffer that is a pipe, a tree that is too deep, a position that is no number") {
+    const fs::path folder = fs::temp_directory_path() / fmt::format("lightwalk_import_{}", getpid());
+    fs::create_directories(folder);
+    const auto message = [&](const char* name, const std::string& text) {
+        write_file(folder / name, text);
+        try {
+            import_model(folder / name);
+        } catch (const InputError& error) { return std::string(error.what()); }
+        return std::string("no error");
+    };
+    REQUIRE(mkfifo((folder / "pipe.bin").c_str(), 0600) == 0);
+    CHECK(message("pipe.gltf", R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "pipe.bin", "byteLength": 36}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "nodes": [{"mesh": 0}],
+        "scenes": [{"nodes": [0]}], "scene": 0})")
+              .starts_with((folder / "pipe.gltf").string()));
+    std::string deep = "<COLLADA version=\"1.4.1\"><asset/><library_visual_scenes><visual_scene id=\"s\">";
+    for (int i = 0; i < 200000; ++i) deep += "<node>";
+    CHECK(message("deep.dae", deep).starts_with((folder / "deep.dae").string()));
+    const std::string ply = read_file(data("square.ply"));
+    const size_t first = ply.find("end_header\n") + 11;
+    CHECK(message("nan.ply", ply.substr(0, first) + "nan" + ply.substr(ply.find(' ', first))).find("nan.ply: ") !=
+          std::string::npos);
+    fs::remove_all(folder);
 }
 
 TEST_CASE("import: bad files are refused in one line") {

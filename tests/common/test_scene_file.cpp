@@ -1,4 +1,6 @@
 // Scene files: what is read, and the line and key that each mistake is reported with.
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -204,4 +206,50 @@ TEST_CASE("rotations go about x, then y, then z") {
     object.rotation_deg = {90, 90, 0};
     const glm::vec3 turned = glm::vec3(local_transform(object) * glm::vec4(0, 1, 0, 0));
     CHECK(glm::length(turned - glm::vec3(1, 0, 0)) < 1e-6f);  // y to z about x, z to x about y
+}
+
+TEST_CASE("limits: nested lists, nested includes, includes without number, long chains of parents") {
+    const auto message = [](const std::string& text) {
+        try {
+            parse_scene(text, "/nonexistent/test.json");
+        } catch (const InputError& e) { return std::string(e.what()); }
+        return std::string("no error");
+    };
+    CHECK(message("{\"objects\": " + std::string(100000, '[')).find("nested too deep") != std::string::npos);
+    // A key of 1 MB around a million values: their pointers would take 1 TB.
+    std::string bomb = "{\"" + std::string(1000000, 'k') + "\": [";
+    for (int i = 0; i < 1000000; ++i) bomb += "{},";
+    CHECK(message(bomb + "{}]}").find("too large") != std::string::npos);
+    // A / in a key is no level of its own, and a key that is wrong is shown as it stands.
+    CHECK(message("{\"knobs\": {\"a/b\": 1, \"a\": 2}, \"knobs/a\": 1}").find("'knobs/a' is unknown") !=
+          std::string::npos);
+    CHECK(message("{\"a~1b\": 1, \"a/b\": 1}").find("twice") == std::string::npos);
+
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / fmt::format("lightwalk_includes_{}", getpid());
+    std::filesystem::create_directories(folder);
+    const auto refused = [&](const char* name) {
+        try {
+            read_scene(folder / name);
+        } catch (const InputError& e) { return std::string(e.what()); }
+        return std::string("no error");
+    };
+    for (int i = 0; i < 100; ++i)
+        write_file(folder / fmt::format("deep{}.json", i), fmt::format("{{\"include\": [\"deep{}.json\"]}}", i + 1));
+    CHECK(refused("deep0.json").find("more than 32 deep: deep0.json includes deep1.json includes") !=
+          std::string::npos);
+    for (int i = 0; i < 30; ++i)
+        write_file(folder / fmt::format("twice{}.json", i),
+                   fmt::format("{{\"include\": [\"twice{0}.json\", \"twice{0}.json\"]}}", i + 1));
+    write_file(folder / "twice30.json", "{}");
+    CHECK(refused("twice0.json").find("more than 256 includes in all") != std::string::npos);
+    CHECK(refused("twice25.json") == "no error");
+    std::filesystem::remove_all(folder);
+
+    std::string chain = "{\"objects\": [";
+    for (int i = 0; i < 20000; ++i) chain += fmt::format("{{\"name\": \"{}\", \"parent\": \"{}\"}},", i, i + 1);
+    const SceneFile scene = parse_scene(chain + "{\"name\": \"20000\"}]}", "/nonexistent/test.json");
+    REQUIRE(scene.objects.size() == 20001);
+    CHECK(scene.objects.front().name == "20000");
+    CHECK(scene.objects.back().name == "0");
 }

@@ -2,11 +2,14 @@
 #include "catch.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
+#include "common/app/shots.h"
 #include "common/app/target.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/check/check.h"
+#include "common/scene/json_lines.h"
 #include "common/study/study.h"
+#include "common/study/study_plan.h"
 
 using namespace lightwalk;
 using nlohmann::json;
@@ -318,4 +321,20 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
     study.erase("truth");
     CHECK_THAT(refusal(), Catch::Matchers::Contains(R"(has no "truth")"));
     CHECK(chapter.light == 0.25f);  // trying values leaves none behind
+}
+
+TEST_CASE("corpus: every study and every list of shots is read or refused") {
+    size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(course_root() / "tests/common/corpus/json")) {
+        CAPTURE(entry.path());
+        const std::string bytes = read_file(entry.path()), text = bytes.substr(1);
+        try {
+            if (bytes.at(0) == 1)
+                read_study(parse_json(text, "test.json"), {});
+            else
+                parse_shots(text, "test.json");
+        } catch (const InputError& error) { CHECK(std::string(error.what()).starts_with("test.json")); }
+        ++files;
+    }
+    CHECK(files >= 4);
 }

@@ -1,0 +1,33 @@
+// What is said to a person: text from files and options, made fit for a terminal.
+#pragma once
+#include <fmt/core.h>
+
+#include <exception>
+#include <string>
+#include <string_view>
+
+namespace lightwalk {
+
+/// The text with every control character, and every byte that is not part of UTF-8, as \xNN: a name from outside can
+/// then neither end a line of a message nor move the cursor. With `lines` line breaks and tabs stay.
+std::string printable(std::string_view text, bool lines = false);
+
+/// "warning: TEXT" on stderr, one line. Within run_guarded() it is said by the process that waits.
+void warn(std::string_view text);
+template <class... Values>
+requires(sizeof...(Values) > 0) void warn(fmt::format_string<Values...> format, Values&&... values) {
+    warn(std::string_view(fmt::format(format, std::forward<Values>(values)...)));
+}
+
+/// The same, but each text once in a program's life: for what is read many times over.
+void warn_once(const std::string& text);
+
+/// What a main() does with an exception: "PREFIX: WHY" on stderr, and the exit code, 2 for bad input (one line) and 1
+/// for what failed although the input was fine. A name that the system refuses (too long, links in a circle) is bad
+/// input.
+int report_exception(const std::exception& exception, const char* prefix = "error");
+
+/// Where warnings go instead of stderr while this points somewhere: a line each. For run_guarded().
+std::string*& collected_warnings();
+
+}  // namespace lightwalk

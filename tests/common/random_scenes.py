@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Scenes that nobody thought of: random_scenes.py [COUNT [SEED]]
+
+Draws COUNT (50) random scenes, each with every chapter, under core and synchronisation validation, and with random
+values of the chapter's knobs. Whatever a program says is a finding: it is printed with the command that shows it again,
+and its scene is kept in build/random_scenes. The same seed makes the same scenes. Exit code 1 where there is one.
+"""
+import json
+import os
+import random
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
+CHAPTERS = sorted(path for path in (BUILD / "chapters").glob("[0-9][0-9]_*") if path.is_file() and not path.suffix)
+MODELS = ["cube.obj", "sphere.obj", "ring.obj", "plane.obj", "ground.obj", "bunny_low.obj", "suzanne_family.glb",
+          "smart_car.obj", "cornell_box.obj", "column.obj"]
+SIZE = "72x40"
+TIMEOUT_S = 300
+
+
+def vector(rng, lower, upper):
+    return [round(rng.uniform(lower, upper), 3) for _ in range(3)]
+
+
+def random_material(rng) -> dict:
+    material = {}
+    if rng.random() < 0.5:
+        material["diffuse"] = vector(rng, 0, 1)
+    if rng.random() < 0.3:
+        material |= {"specular": vector(rng, 0, 1), "shininess": rng.choice([0, 1, 8, 200, 100000])}
+    if rng.random() < 0.2:
+        material |= {"opacity": rng.choice([0, 0.3, 1]), "blend": rng.random() < 0.5}
+    if rng.random() < 0.2:
+        material["emissive"] = vector(rng, 0, 20)
+    if rng.random() < 0.3:
+        material |= {"roughness": rng.choice([0, 0.5, 1]), "metalness": rng.choice([0, 1])}
+    if rng.random() < 0.4:
+        material["maps"] = dict(rng.sample([
+            ("diffuse", "textures/metal_albedo.jpg"), ("normal", "textures/metal_normal.png"),
+            ("orm", "textures/metal_orm.png"), ("height", "textures/lava_height.png"),
+            ("opacity", "textures/squares.png"), ("emissive", "textures/saturn_ring.png")], rng.randint(1, 4)))
+    return material
+
+
+def random_object(rng, number) -> dict:
+    thing = {"name": f"object {number}", "model": "models/" + rng.choice(MODELS), "position": vector(rng, -3, 3),
+             "rotation_deg": vector(rng, -180, 180), "material": random_material(rng),
+             "scale": rng.choice([1, 0.01, 20, -1, [1, -1, 1], [0.2, 1, 5]])}
+    if number and rng.random() < 0.3:
+        thing["parent"] = f"object {rng.randrange(number)}"
+    if rng.random() < 0.1:
+        del thing["model"]
+    if rng.random() < 0.2:
+        thing["motion"] = {"spin_deg_per_s": rng.uniform(-90, 90)}
+    return thing
+
+
+def random_light(rng) -> dict:
+    kind = rng.choice(["directional", "point", "spot"])
+    light = {"type": kind, "color": vector(rng, 0, 1), "intensity": rng.choice([0, 0.5, 3, 1000])}
+    if rng.random() < 0.5:
+        light["shadow"] = True
+    if kind != "point":
+        light["direction"] = rng.choice([[0, -1, 0], [0, 1, 0], [1, 0, 0]] + [vector(rng, 0.1, 1)])
+    if kind != "directional":
+        light |= {"position": vector(rng, -4, 4), "range_m": rng.choice([0, 0.1, 5, 1000])}
+    if kind == "spot":
+        inner = rng.choice([0, 20, 90])
+        light |= {"inner_deg": inner, "outer_deg": inner + rng.choice([0, 15, 60])}
+    return light
+
+
+def random_scene(seed) -> dict:
+    rng = random.Random(seed)
+    return {"camera": {"position": vector(rng, -6, 6), "target": vector(rng, -0.5, 0.5), "fov_deg": rng.choice([1, 45, 120]),
+                       "near_m": rng.choice([0.001, 0.05, 2]), "far_m": rng.choice([10, 1000, 1e7])},
+            "ambient": vector(rng, 0, 0.2), "background": vector(rng, 0, 0.2),
+            "objects": [random_object(rng, i) for i in range(rng.choice([0, 1, 3, 8]))],
+            "lights": [random_light(rng) for _ in range(rng.choice([0, 1, 2, 5, 40]))]}
+
+
+def random_knobs(program, rng) -> list:
+    """A few of the chapter's knobs at random values, and its method."""
+    said = subprocess.run([program, "--list", "knobs", "--json"], capture_output=True, check=True, timeout=TIMEOUT_S)
+    options = []
+    for knob in json.loads(said.stdout):
+        if rng.random() > 0.25 or knob["name"] in ("samples", "loader"):
+            continue
+        if knob["type"] == "choice":
+            options += ["--set", f"{knob['name']}={rng.choice(knob['options'])}"]
+        elif knob["type"] == "switch":
+            options += ["--set", f"{knob['name']}={rng.choice(['on', 'off'])}"]
+        elif knob["type"] == "number":
+            options += ["--set", f"{knob['name']}={knob['range'][0]}"]
+    return options
+
+
+def draw(program, seed, folder) -> tuple:
+    """The command that draws that scene with that chapter, and what is wrong: nothing where all is well."""
+    rng = random.Random(f"{program.name} {seed}")
+    scene = Path(folder) / f"scene_{seed}.json"
+    scene.write_text(json.dumps(random_scene(seed), indent=1))
+    command = [str(program), "--scene", str(scene), "--size", SIZE, "--validate", "on", "--frames", "2", "--time",
+               str(rng.choice([0, 1.5])), "--screenshot", str(Path(folder) / "picture.png"), *random_knobs(program, rng)]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=TIMEOUT_S)
+    except subprocess.TimeoutExpired:
+        return command, "it did not end"
+    said = "".join(line for line in done.stderr.splitlines(True) if not line.startswith("warning: "))
+    return command, "" if done.returncode == 0 and not said else f"exit code {done.returncode}: {said[:2000]}"
+
+
+def main():
+    count, first = (int(word) for word in (sys.argv[1:] + ["50", "1"][len(sys.argv) - 1:])[:2])
+    kept, findings = BUILD / "random_scenes", 0
+    kept.mkdir(parents=True, exist_ok=True)
+    for seed in range(first, first + count):
+        for program in CHAPTERS:
+            with tempfile.TemporaryDirectory() as folder:
+                command, wrong = draw(program, seed, folder)
+                if wrong:
+                    findings += 1
+                    (kept / f"scene_{seed}.json").write_text(json.dumps(random_scene(seed), indent=1))
+                    print(" ".join(command).replace(folder, str(kept)), wrong, sep="\n", flush=True)
+    print(f"{count} scenes with {len(CHAPTERS)} chapters: {findings} findings")
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

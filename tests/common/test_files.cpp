@@ -1,0 +1,209 @@
+// Files that are none, writes that are cut short at any moment, and what is said of names that are not fit to print.
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+
+#include "catch.h"
+#include "common/base/bytes.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/base/guarded.h"
+#include "common/base/text.h"
+
+using namespace lightwalk;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / fmt::format("lightwalk_files_{}", getpid());
+    Folder() { fs::create_directories(path); }
+    ~Folder() {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+    fs::path operator/(const char* name) const { return path / name; }
+    size_t count() const { return static_cast<size_t>(std::distance(fs::directory_iterator(path), {})); }
+};
+
+std::string message(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const InputError& e) { return e.what(); }
+    return "no error";
+}
+
+bool has(const std::string& text, std::string_view part) { return text.find(part) != text.npos; }
+
+// What a child does before it is killed, or ends; its exit status.
+int in_child(const std::function<void()>& work, useconds_t killed_after_us = 0) {
+    const pid_t child = fork();
+    if (child == 0) {
+        work();
+        _exit(0);
+    }
+    if (killed_after_us > 0) {
+        usleep(killed_after_us);
+        kill(child, SIGKILL);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return status;
+}
+
+}  // namespace
+
+TEST_CASE("files: only regular ones are read, and at once refused otherwise") {
+    const Folder folder;
+    REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    CHECK(has(message([&] { read_file(folder / "pipe"); }), "is a pipe, expected a file"));
+    CHECK(has(message([] { read_file("/dev/zero"); }), "is a device"));
+    CHECK(has(message([&] { read_file(folder.path); }), "is a folder"));
+    CHECK(has(message([&] { read_file(folder / std::string(300, 'x').c_str()); }), "cannot be opened"));
+    fs::create_symlink("around", folder / "around");
+    CHECK(has(message([&] { read_file(folder / "around"); }), "cannot be opened"));
+    fs::create_symlink(folder / "pipe", folder / "link");
+    CHECK(has(message([&] { read_file(folder / "link"); }), "is a pipe"));
+    write_file(folder / "text", "0123456789");
+    CHECK(read_file(folder / "text") == "0123456789");
+    CHECK(has(message([&] { read_file(folder / "text", 9); }), "larger than"));
+}
+
+TEST_CASE("files: a write keeps what is no file, follows links and keeps permissions") {
+    const Folder folder;
+    REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    // A device of our own: who runs this as root could destroy the system's, should it fail.
+    const bool device = mknod((folder / "device").c_str(), S_IFCHR | 0600, makedev(1, 3)) == 0;
+    for (const fs::path& place :
+         {folder / "pipe", folder / (device ? "device" : "pipe"), folder.path, folder / "none/file"}) {
+        CAPTURE(place);
+        CHECK(has(message([&] { write_file(place, "new"); }), "cannot be written"));
+        CHECK(has(message([&] { check_writable(place); }), "cannot be written"));
+    }
+    CHECK(fs::is_fifo(folder / "pipe"));
+    CHECK(fs::is_character_file(folder / "device") == device);
+    fs::create_directory(folder / "inner");
+    write_file(folder / "inner/target", "old");
+    fs::permissions(folder / "inner/target", fs::perms(0640));
+    fs::create_symlink("inner/target", folder / "link");
+    fs::create_symlink("link", folder / "link to a link");
+    write_file(folder / "link to a link", "new");
+    CHECK(fs::is_symlink(folder / "link to a link"));
+    CHECK(fs::is_symlink(folder / "link"));
+    CHECK(read_file(folder / "inner/target") == "new");
+    CHECK(fs::status(folder / "inner/target").permissions() == fs::perms(0640));
+    fs::create_symlink("inner/nobody yet", folder / "dangling");
+    write_file(folder / "dangling", "here");
+    CHECK(read_file(folder / "inner/nobody yet") == "here");
+    check_writable(folder / "another");
+    CHECK_FALSE(fs::exists(folder / "another"));
+}
+
+TEST_CASE("files: whenever a write is killed, the old file or the new one is there") {
+    const Folder folder;
+    const fs::path file = folder / "file";
+    const std::string first(3000000, 'a'), second(3000000, 'b');
+    write_file(file, first);
+    bool whole = true;
+    for (useconds_t i = 0; i < 60; ++i) {
+        in_child(
+            [&] {
+                for (;;) write_file(file, second), write_file(file, first);
+            },
+            300 + 177 * i);
+        const std::string now = read_file(file);
+        whole = whole && (now == first || now == second);
+    }
+    CHECK(whole);
+    // A disk that is full: no more than 1 MB can be written.
+    const int status = in_child([&] {
+        signal(SIGXFSZ, SIG_IGN);
+        const rlimit little{1000000, 1000000};
+        setrlimit(RLIMIT_FSIZE, &little);
+        const size_t before = folder.count();
+        const std::string said = message([&] { write_file(file, std::string(3000000, 'c')); });
+        _exit(has(said, "cannot be written: File too large") && folder.count() == before ? 7 : 8);
+    });
+    CHECK(WEXITSTATUS(status) == 7);
+    CHECK(read_file(file) != std::string(3000000, 'c'));
+}
+
+TEST_CASE("messages: a name can neither end a line nor move the cursor") {
+    CHECK(printable("a\nb\x1b[2Jc\td\x7f") == "a\\x0ab\\x1b[2Jc\\x09d\\x7f");
+    CHECK(printable("a\nb\tc\r", true) == "a\nb\tc\\x0d");
+    CHECK(printable("Grün 木 😀") == "Grün 木 😀");
+    CHECK(printable("\xff\xc0\x80\xed\xa0\x80z\xc3") == "\\xff\\xc0\\x80\\xed\\xa0\\x80z\\xc3");
+    CHECK(printable("\xc2\x9b") == "\\xc2\\x9b");  // the control character CSI
+    CHECK(printable(std::string(1, '\0')) == "\\x00");
+}
+
+TEST_CASE("guarded: what a reader does wrong stays in its process") {
+    const GuardLimits limits{.cpu_s = 1, .memory = size_t{300} << 20};
+    const auto run = [&](const std::function<std::string()>& work) {
+        return run_guarded("FILE", "READER", limits, work);
+    };
+    CHECK(run([] { return std::string(5000000, 'x'); }) == std::string(5000000, 'x'));
+    CHECK(run([] { return std::string(); }).empty());
+    CHECK(message([&] { run([]() -> std::string { throw InputError("FILE:3: no"); }); }) == "FILE:3: no");
+    CHECK_THROWS_AS(run([]() -> std::string { throw std::runtime_error("no"); }), Failure);
+    CHECK(run([&] { return run([] { return std::string("inner"); }); }) == "inner");
+    static int touched = 0;
+    CHECK(run([] { return std::to_string(++touched); }) == "1");
+    CHECK(touched == 0);
+#ifndef __SANITIZE_ADDRESS__
+    const auto refused = [&](const std::function<std::string()>& work, std::string_view why) {
+        const std::string said = message([&] { run(work); });
+        INFO(said);
+        CHECK(has(said, "FILE: READER "));
+        CHECK(has(said, why));
+    };
+    refused([]() -> std::string { std::abort(); }, "crashed on it (Aborted)");
+    refused(
+        []() -> std::string {
+            raise(SIGSEGV);
+            return {};
+        },
+        "crashed on it (Segmentation fault)");
+    refused([]() -> std::string { _exit(0); }, "ended on it without an answer");
+    refused(
+        []() -> std::string {
+            for (std::atomic<int> i = 0;; ++i) {}
+        },
+        "takes more than 1 s");
+    refused([] { return std::string(size_t{400} << 20, 'x'); }, "needs more than 300 MiB");
+    const Folder folder;
+    const std::string file = folder / "never";
+    refused(
+        [&]() -> std::string {
+            std::ofstream(file) << "x" << std::flush;
+            return {};
+        },
+        "crashed on it (File size limit exceeded)");
+#endif
+}
+
+TEST_CASE("bytes: what is written is read back, and what is cut off is noticed") {
+    ByteWriter writer;
+    const std::vector<std::string> names{"a", "", std::string("b\0c", 3)};
+    writer(7, std::string("text"), names, std::vector<float>{1, 2}, fs::path("x/y"));
+    int number = 0;
+    std::string text;
+    std::vector<std::string> read_names;
+    std::vector<float> floats;
+    fs::path path;
+    ByteReader{writer.bytes}(number, text, read_names, floats, path);
+    CHECK(
+        (number == 7 && text == "text" && read_names == names && floats == std::vector<float>{1, 2} && path == "x/y"));
+    for (size_t length = 0; length < writer.bytes.size(); ++length) {
+        ByteReader cut(std::string_view(writer.bytes).substr(0, length));
+        CHECK_THROWS_AS(cut(number, text, read_names, floats, path), Failure);
+    }
+}
