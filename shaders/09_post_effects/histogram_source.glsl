@@ -9,5 +9,7 @@ void add_to_picture(uint bin, uint n) {
     if (bin >= 256u) return;
     atomicAdd(picture_bins[256u + bin], 1u);
 #endif
+#ifndef NO_PICTURE
     atomicAdd(picture_bins[bin], n);
+#endif
 }

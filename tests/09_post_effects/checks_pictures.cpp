@@ -232,6 +232,7 @@ CHECK_EXERCISE("09.histogram_bin", "log2(luminance) + 12 are the stops; then: cl
                         return Row{1 + std::min(std::floor(truth::histogram_position(in[0])), 254.0)};
                     },
                 .bound = {.absolute = 0.5},
+                .macros = {{"NO_PICTURE", "1"}},
                 .hint = [](auto in, auto) -> std::string {
                     if (!(in[0] >= 1.0 / 4096))
                         return "0, less than 0 and NaN are bin 0; a comparison with NaN is false";
