@@ -23,7 +23,7 @@ struct DepthOfField : Module {
                   "off",
                   "off: a pinhole; a blurred half of the picture; discs gathered in front and behind; the lens itself"};
     Knob<float> focus_m{*this, "focus_m", 3.0f, {0.01f, 10000.0f}, "distance of what is sharp", "m"};
-    Knob<float> f_number{*this, "f_number", 2.8f, {0.05f, 64.0f}, "focal length over the width of the lens"};
+    Knob<float> f_number{*this, "f_number", 2.8f, {0.01f, 64.0f}, "focal length over the width of the lens"};
     Knob<float> sensor_mm{*this, "sensor_mm", 24.0f, {1.0f, 1000.0f}, "height of the sensor", "mm"};
     Knob<float> most{*this, "most", 0.1f, {0.0f, 0.5f}, "no disc is wider than this share of the picture's height"};
     Knob<int> taps{*this, "taps", 64, {8, 1024}, "of gather: places read in each disc"};

@@ -14,11 +14,7 @@ struct PostEffects : ModelChapter {
     Bloom bloom{*this, "bloom"};
     Post post{*this, "post"};
     DeferredScene deferred{*this, "deferred"};
-    Choice source{*this,
-                  "source",
-                  {"scene", "chart", "gradient"},
-                  "scene",
-                  "the scene; 15 stops in every hue; or a gradient of 4 codes over the picture's width"};
+    Choice source{*this, "source", {"scene", "chart"}, "scene", "the scene, or light over 15 stops in every hue"};
     Knob<bool> reference{*this, "reference", false, "tones are mapped by aces, whatever post.tone says"};
     Knob<int> effects{*this, "effects", -1, {-1, 16}, "so many of them are on; -1: those that are switched on"};
     Pipeline chart = compute({.shader = "09_post_effects/chart.comp"});
@@ -46,7 +42,7 @@ struct PostEffects : ModelChapter {
         // 1. A picture in linear light: chapter 04's surfaces through chapter 06's G-buffer, with chapter 05's shadows;
         // and
         //    what is out of focus in it.
-        if (!source.is("scene"))
+        if (source.is("chart"))
             draw_chart(frame);
         else
             dof.record(frame, camera, [&](Frame& one, const Camera& eye) { deferred.record(one, scene, eye); });

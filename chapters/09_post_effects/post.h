@@ -90,7 +90,8 @@ struct Post : Module {
                   "dither",
                   {"off", "bayer_4", "bayer_8", "blue_noise"},
                   "off",
-                  "how what lies between two 8-bit codes is spread over the two"};
+                  "how what lies between two codes is spread over the two"};
+    Knob<int> codes{*this, "codes", 256, {2, 256}, "of dither: how many codes a channel has"};
 
     void record(Frame& frame, const Image& picture);
 

@@ -1,7 +1,4 @@
-// What is easier judged than a scene: light from 7 stops below middle grey to 8 above, from left to right, grey and below it
-// every hue; or a gradient from code 40 to 44, in less light than a code apart.
-#include "09_post_effects/codes.glsl"
-
+// Light from 7 stops below middle grey to 8 above, from left to right: grey, and below it every hue.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f) writeonly uniform image2D result;
 
@@ -9,12 +6,8 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(result);
     if (any(greaterThanEqual(pixel, size))) return;
     vec2 uv = (vec2(pixel) + 0.5) / vec2(size);
-#if SOURCE == SOURCE_GRADIENT
-    vec3 light = decode_srgb((vec3(40.0, 44.0, 56.0) + 4.0 * uv.x + 2.0 * uv.y) / 255.0);
-#else
     float hue = max(uv.y - 0.2, 0.0) / 0.8;
     vec3 pure = clamp(abs(fract(hue + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
     vec3 light = 0.18 * exp2(15.0 * uv.x - 7.0) * (uv.y < 0.2 ? vec3(1.0) : mix(vec3(0.02), vec3(1.0), pure));
-#endif
     imageStore(result, pixel, vec4(light, 1.0));
 }

@@ -15,5 +15,6 @@ layout(scalar) uniform PostBlock {
     vec3 aberration_shift;
     float aberration_rows;
     float sharpen_by;
+    int codes;
 } post;
 layout(scalar) uniform PostNowBlock { PostNow post_now; };

@@ -104,7 +104,8 @@ vec3 all_stages(vec3 c, ivec2 pixel, vec2 uv) {
     c = stored(with_grain(c, pixel));
 #endif
 #if POST_DITHER != POST_DITHER_OFF
-    c = stored(decode_srgb(floor(255.0 * encode_srgb(c) + threshold(pixel)) / 255.0));
+    float last = float(post.codes - 1);
+    c = stored(decode_srgb(floor(last * encode_srgb(c) + threshold(pixel)) / last));
 #endif
     return c;
 }
