@@ -23,7 +23,11 @@ struct DeferredScene : Module {
   private:
     Shadow::Casters casters(const Scene& scene) const;
     SurfacePipelines write_{{.fragment = "06_deferred/write.frag"}};
-    SurfacePipelines glow_{{.fragment = "06_deferred/glow.frag", .depth_write = false, .blend = Blend::add}};
+    // A little nearer: with other outputs a device may compute the last bit of depth otherwise.
+    SurfacePipelines glow_{{.fragment = "06_deferred/glow.frag",
+                            .depth_write = false,
+                            .depth_bias = {.constant = 16},
+                            .blend = Blend::add}};
     Pipeline caster_ = graphics({.vertex = "04_surface_maps/surface.vert",
                                  .fragment = "04_surface_maps/depth.frag",
                                  .cull = VK_CULL_MODE_NONE,
