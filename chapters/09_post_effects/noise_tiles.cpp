@@ -89,18 +89,20 @@ std::vector<float> film_clumps(int side) {
     Numbers random{2};
     std::vector<double> white(size_t(side * side));
     for (double& one : white) one = 2 * random.next() - 1;
+    double weights[7][7];
+    for (int j = 0; j < 7; ++j)
+        for (int i = 0; i < 7; ++i) weights[j][i] = std::exp(-0.5 * ((i - 3) * (i - 3) + (j - 3) * (j - 3)));
     std::vector<float> clumps;
     double mean = 0, square = 0;
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) {
-            double sum = 0;
-            for (int j = -3; j <= 3; ++j)
-                for (int i = -3; i <= 3; ++i)
-                    sum += white[size_t((y + j + side) % side * side + (x + i + side) % side)] *
-                           std::exp(-0.5 * (i * i + j * j));
-            clumps.push_back(float(sum));
-            mean += sum, square += sum * sum;
-        }
+    for (int at = 0; at < side * side; ++at) {
+        double sum = 0;
+        for (int j = 0; j < 7; ++j)
+            for (int i = 0; i < 7; ++i)
+                sum += weights[j][i] *
+                       white[size_t((at / side + j + side - 3) % side * side + (at % side + i + side - 3) % side)];
+        clumps.push_back(float(sum));
+        mean += sum, square += sum * sum;
+    }
     mean /= double(clumps.size()), square /= double(clumps.size());
     const double scale = std::sqrt(1.0 / 3.0 / (square - mean * mean));
     for (float& one : clumps) one = float((double(one) - mean) * scale);

@@ -73,7 +73,7 @@ void Post::prepare(Frame& frame, glm::uvec2 size, size_t images) {
         if (!image || image.desc != desc) image = Image(frame.gpu.device, desc);
     }
     if (dither.is("blue_noise") && !blue_noise_) blue_noise_ = upload_tile(frame.gpu, "blue noise", blue_noise(64));
-    if (grain.is("texture") && !grain_tile_) grain_tile_ = upload_tile(frame.gpu, "grain", film_clumps(128));
+    if (grain.is("texture") && !grain_tile_) grain_tile_ = upload_tile(frame.gpu, "grain", film_clumps(256));
 }
 
 std::vector<Resource> Post::reads() const {
