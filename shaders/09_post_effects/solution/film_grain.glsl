@@ -1,12 +1,4 @@
-// Solution of 09.film_grain. M. Jarzynski and M. Olano, "Hash functions for GPU rendering", JCGT 9(3), 2020: pcg3d.
-float film_grain(uvec2 pixel, uint frame) {
-    uvec3 v = uvec3(pixel, frame) * 1664525u + 1013904223u;
-    v.x += v.y * v.z;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    v ^= v >> 16u;
-    v.x += v.y * v.z;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    return float(v.x >> 8u) * (2.0 / 16777216.0) - 1.0;
-}
+// Solution of 09.film_grain, by chapter 05's hash of three words.
+#include "05_shadow_maps/sampling.glsl"
+
+float film_grain(uvec2 pixel, uint frame) { return float(seed_of(pixel, frame) >> 8u) * (2.0 / 16777216.0) - 1.0; }
