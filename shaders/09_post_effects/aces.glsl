@@ -12,30 +12,49 @@ const vec3 ap1_luminance = vec3(0.27222872, 0.67408177, 0.05368952);
 
 float log10(float x) { return log2(x) * 0.301029996; }
 
-// A uniform quadratic B-spline through a table of coefficients, at 0 to 1 over its knots.
-#define SPLINE_THROUGH(table, knots, share)                                     \
-    float at = float(knots - 1) * share;                                        \
-    int j = clamp(int(at), 0, knots - 2);                                       \
-    float t = at - float(j), a = table[j], b = table[j + 1], c = table[j + 2]; \
-    return (0.5 * a - b + 0.5 * c) * t * t + (b - a) * t + 0.5 * (a + b);
+// A uniform quadratic B-spline with these three coefficients on a span, at 0 to 1. The spans of a curve are chosen and not
+// looked up: an array that is indexed lies in memory.
+float on_span(vec3 c, float t) { return (0.5 * c.x - c.y + 0.5 * c.z) * t * t + (c.y - c.x) * t + 0.5 * (c.x + c.y); }
 
 float rrt_low(float share) {
-    const float table[6] = float[](-4.0, -4.0, -3.1573765773, -0.4852499958, 1.8477324706, 1.8477324706);
-    SPLINE_THROUGH(table, 4, share)
+    float at = 3.0 * share;
+    int j = clamp(int(at), 0, 2);
+    vec3 c = j == 0 ? vec3(-4.0, -4.0, -3.1573765773)
+             : j == 1 ? vec3(-4.0, -3.1573765773, -0.4852499958)
+             : vec3(-3.1573765773, -0.4852499958, 1.8477324706);
+    return on_span(c, at - float(j));
 }
 float rrt_high(float share) {
-    const float table[6] = float[](-0.7185482425, 2.0810307172, 3.6681241237, 4.0, 4.0, 4.0);
-    SPLINE_THROUGH(table, 4, share)
+    float at = 3.0 * share;
+    int j = clamp(int(at), 0, 2);
+    vec3 c = j == 0 ? vec3(-0.7185482425, 2.0810307172, 3.6681241237)
+             : j == 1 ? vec3(2.0810307172, 3.6681241237, 4.0)
+             : vec3(3.6681241237, 4.0, 4.0);
+    return on_span(c, at - float(j));
 }
 float odt_low(float share) {
-    const float table[10] = float[](-1.6989700043, -1.6989700043, -1.4779, -1.2291, -0.8648, -0.4480, 0.00518, 0.4511080334,
-                                    0.9113744414, 0.9113744414);
-    SPLINE_THROUGH(table, 8, share)
+    float at = 7.0 * share;
+    int j = clamp(int(at), 0, 6);
+    vec3 c = j == 0 ? vec3(-1.6989700043, -1.6989700043, -1.4779)
+             : j == 1 ? vec3(-1.6989700043, -1.4779, -1.2291)
+             : j == 2 ? vec3(-1.4779, -1.2291, -0.8648)
+             : j == 3 ? vec3(-1.2291, -0.8648, -0.4480)
+             : j == 4 ? vec3(-0.8648, -0.4480, 0.00518)
+             : j == 5 ? vec3(-0.4480, 0.00518, 0.4511080334)
+             : vec3(0.00518, 0.4511080334, 0.9113744414);
+    return on_span(c, at - float(j));
 }
 float odt_high(float share) {
-    const float table[10] = float[](0.5154386965, 0.8470437783, 1.1358, 1.3802, 1.5197, 1.5985, 1.6467, 1.6746091357,
-                                    1.6878733390, 1.6878733390);
-    SPLINE_THROUGH(table, 8, share)
+    float at = 7.0 * share;
+    int j = clamp(int(at), 0, 6);
+    vec3 c = j == 0 ? vec3(0.5154386965, 0.8470437783, 1.1358)
+             : j == 1 ? vec3(0.8470437783, 1.1358, 1.3802)
+             : j == 2 ? vec3(1.1358, 1.3802, 1.5197)
+             : j == 3 ? vec3(1.3802, 1.5197, 1.5985)
+             : j == 4 ? vec3(1.5197, 1.5985, 1.6467)
+             : j == 5 ? vec3(1.5985, 1.6467, 1.6746091357)
+             : vec3(1.6467, 1.6746091357, 1.6878733390);
+    return on_span(c, at - float(j));
 }
 
 // Logarithms of light to logarithms of light. The film: from 15 stops below middle grey to 18 above.
