@@ -96,7 +96,7 @@ void tooltip(const KnobBase& knob) {
 
 }  // namespace
 
-bool knob_widget(KnobBase& knob) {
+bool knob_widget(KnobBase& knob, const std::string& beside) {
     const float label_width = ImGui::GetFontSize() * 6.6f;
     std::string label = knob.name;
     for (char& c : label)
@@ -106,10 +106,15 @@ bool knob_widget(KnobBase& knob) {
     ImGui::TextUnformatted(label.c_str());
     bool hovered = ImGui::IsItemHovered();
     ImGui::SameLine(label_width);
-    ImGui::SetNextItemWidth(-1.0f);
+    const float room = ImGui::CalcTextSize(beside.c_str()).x;
+    ImGui::SetNextItemWidth(beside.empty() ? -1.0f : -room - ImGui::GetStyle().ItemSpacing.x);
     bool changed = widget(knob, "##value");
     log_place("knob." + knob.name);
     hovered = hovered || ImGui::IsItemHovered();
+    if (!beside.empty()) {
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - room);
+        ImGui::TextColored(quiet_color, "%s", beside.c_str());
+    }
     if (hovered && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) tooltip(knob);
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
         const std::string before = knob.text();

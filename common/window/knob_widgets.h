@@ -4,7 +4,8 @@
 
 namespace lightwalk {
 
-/// True where the person has changed it. Its help is the tooltip; a right click sets the default again.
-bool knob_widget(KnobBase& knob);
+/// True where the person has changed it. `beside` stands at the end of its row. Its help is the tooltip; a right click
+/// sets the default again.
+bool knob_widget(KnobBase& knob, const std::string& beside = "");
 
 }  // namespace lightwalk

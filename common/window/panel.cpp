@@ -1,5 +1,7 @@
 #include "common/window/panel.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "common/window/event_log.h"
@@ -59,9 +61,15 @@ Requests Panel::draw(PanelState& state, float scale) {
     return requests;
 }
 
+// Beside a knob what the pass costs that is called like it.
 void Panel::knobs(PanelState& state, Requests& requests) {
+    const auto cost = [&](const KnobBase& knob) {
+        for (const PassTime& time : smooth_)
+            if (time.name == knob.path()) return fmt::format("{:.2f} ms", time.gpu_ms);
+        return std::string();
+    };
     for (KnobBase* knob : state.chapter.all_knobs())
-        if (knob_widget(*knob)) {
+        if (knob_widget(*knob, cost(*knob))) {
             requests.changed = true;
             log_event("knob " + knob->name + " " + knob->text());
         }

@@ -24,6 +24,7 @@ class Window {
   private:
     void handle_keys(const Input& input, Requests& requests);
     void move_camera(const Input& input, double seconds);
+    void follow_mouse(glm::vec2 place);
     void obey(const Requests& requests);
     void reload();
     void toggle_all(bool earlier_too);

@@ -82,6 +82,8 @@ void Window::move_camera(const Input& input, double seconds) {
     const float pixels_per_unit = static_cast<float>(display_.framebuffer_size().x) / float(display_.size().x);
     const bool over_picture = input.cursor.x * pixels_per_unit < static_cast<float>(picture_size().x);
     if (held && !dragging_ && over_picture && !io.WantCaptureMouse) dragging_ = true;
+    if (!held && over_picture && !io.WantCaptureMouse)
+        follow_mouse(input.cursor * pixels_per_unit / glm::vec2(picture_size()));
     if (dragging_ && glm::length(input.moved) > 0.0f) {
         const glm::vec2 turn = -radians_per_pixel * input.moved;
         const float height = static_cast<float>(display_.size().y);
@@ -102,6 +104,15 @@ void Window::move_camera(const Input& input, double seconds) {
     const float speed = CameraControl::fly_speed(chapter_.scene.bounds) * (input.shift ? 5.0f : 1.0f);
     CameraControl::fly(camera, direction * (speed * static_cast<float>(seconds)));
     active_until_ = std::max(active_until_, now() + 0.1);
+}
+
+// Where something in the picture follows the mouse, the chapter has knobs of these names: 0 to 1 from the upper left
+// corner.
+void Window::follow_mouse(glm::vec2 place) {
+    for (KnobBase* knob : chapter_.all_knobs())
+        if (auto* number = dynamic_cast<Knob<float>*>(knob);
+            number && (knob->name == "mouse_x" || knob->name == "mouse_y"))
+            number->value = std::clamp(knob->name == "mouse_x" ? place.x : place.y, 0.0f, 1.0f);
 }
 
 void Window::toggle_all(bool earlier_too) {

@@ -114,3 +114,15 @@ for method in separable three_pass_7tap dual_kawase pyramid; do
         --method $method --size 160x160 --samples 1
 done
 join 08_spots 4x1 spot.separable spot.three_pass_7tap spot.dual_kawase spot.pyramid
+
+for method in off gaussian gather lens; do
+    draw 09_post_effects "lens.$method" --shot evening --dof.method $method --dof.views 256 --dof.taps 256 --size 480x270 \
+        --samples $([ $method = lens ] && echo 1 || echo 4)
+done
+join 09_lens 2x2 lens.off lens.gaussian lens.gather lens.lens
+
+for tone in clamp hill agx neutral; do
+    draw 09_post_effects "tone.$tone" --scene assets/scenes/forge.json --post.tone $tone --post.match on --size 480x270 \
+        --post.exposure fixed --post.stops 2
+done
+join 09_tones 2x2 tone.clamp tone.hill tone.agx tone.neutral

@@ -1,0 +1,37 @@
+// How bright a picture is to be shown, found on the device from a histogram of its luminance.
+#pragma once
+#include "common/app/target.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+// [auto_exposure]
+/// record(), before anybody reads stops(): a 1×1 image of four floats, the exposure in stops, what the picture asks
+/// for, and how many pixels are not black. From one frame to the next, time passing, the exposure goes the share 1 -
+/// e^(-dt / adapt_s) of the way; in the first frame, and where no time has passed, all of it.
+struct AutoExposure : Module {
+    AutoExposure(Module& owner, std::string name) : Module(owner, std::move(name), "auto_exposure") {}
+
+    Knob<float> key{*this, "key", 0.18f, {0.01f, 1.0f}, "what the picture's middle becomes, in linear light"};
+    Knob<float> darkest{*this, "darkest", 0.4f, {0.0f, 1.0f}, "the share of pixels that is too dark to count"};
+    Knob<float> brightest{*this, "brightest", 0.05f, {0.0f, 1.0f}, "the share of pixels that is too bright to count"};
+    Knob<float> adapt_s{*this, "adapt_s", 0.5f, {0.0f, 60.0f}, "after so long 63% of a change has been followed", "s"};
+    Knob<float> least_stops{*this, "least_stops", -8.0f, {-16.0f, 16.0f}, "the least exposure", "stops"};
+    Knob<float> most_stops{*this, "most_stops", 8.0f, {-16.0f, 16.0f}, "the most exposure", "stops"};
+
+    void record(Frame& frame, const Image& hdr);
+    const Image& stops() const { return *shown_; }
+    const Buffer& bins() const { return bins_; }
+    // [/auto_exposure]
+
+  private:
+    History stops_{*this, {.name = "stops", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = {1, 1}}};
+    const Image* shown_ = nullptr;
+    float last_s_ = 0;
+    Buffer bins_;
+    Pipeline clear_ = compute({.shader = "09_post_effects/clear_bins.comp"});
+    Pipeline count_ = compute({.shader = "09_post_effects/histogram.comp"});
+    Pipeline adapt_ = compute({.shader = "09_post_effects/adapt.comp"});
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,62 @@
+// Chapter 09: from light to the screen: a lens, an exposure, a tone curve, and what one does to a picture after that.
+#include "01_obj/model_chapter.h"
+#include "08_bloom/bloom.h"
+#include "09_post_effects/deferred_scene.h"
+#include "09_post_effects/depth_of_field.h"
+#include "09_post_effects/effect_count.h"
+#include "09_post_effects/post.h"
+#include "common/window/run.h"
+
+using namespace lightwalk;
+
+struct PostEffects : ModelChapter {
+    DepthOfField dof{*this, "dof"};
+    Bloom bloom{*this, "bloom"};
+    Post post{*this, "post"};
+    DeferredScene deferred{*this, "deferred"};
+    Choice source{*this, "source", {"scene", "chart"}, "scene", "the scene, or light over 15 stops in every hue"};
+    Knob<bool> reference{*this, "reference", false, "tones are mapped by aces, whatever post.tone says"};
+    Knob<int> effects{*this, "effects", -1, {-1, 16}, "so many of them are on; -1: those that are switched on"};
+    Pipeline chart = compute({.shader = "09_post_effects/chart.comp"});
+
+    PostEffects() {
+        dof.method.alone = true;  // --method is about depth of field here: the others are fast and exact
+        bloom.method.change_default("none");
+    }
+    std::string default_scene() const override { return "scenes/still_life.json"; }
+    bool reload_on_toggle() const override { return true; }
+    std::string load_key() const override { return deferred.maps.load_key(); }
+    bool animated() const override { return deferred.maps.animated() || scene.moves() || post.animated(); }
+    void prepare(Gpu& gpu) override { deferred.prepare(gpu, scene); }
+
+    void draw_chart(Frame& frame) {
+        frame.compute("chart", {.writes = {frame.hdr}},
+                      [&](Compute& pass) { pass.use(chart).set("result", frame.hdr).dispatch_threads(frame.size); });
+    }
+
+    // [frame]
+    void frame(Frame& frame) override {
+        const KnobsForFrame kept(post, reference, effects);
+        set_view(frame);
+
+        // 1. A picture in linear light: chapter 04's surfaces through chapter 06's G-buffer, with chapter 05's shadows;
+        // and
+        //    what is out of focus in it.
+        if (source.is("chart"))
+            draw_chart(frame);
+        else
+            dof.record(frame, camera, [&](Frame& one, const Camera& eye) { deferred.record(one, scene, eye); });
+
+        // 2. Chapter 08's light that strays.
+        bloom.record(frame, frame.hdr);
+
+        // 3. What is shown of it.
+        post.record(frame, frame.hdr);
+
+        // 4. Linear light to the codes a screen expects.
+        encode_srgb(frame);
+    }
+    // [/frame]
+};
+
+CHAPTER(PostEffects)

@@ -1,0 +1,20 @@
+// Tiles of noise that repeat without a seam.
+#pragma once
+#include <vector>
+
+#include "common/gpu/gpu.h"
+
+namespace lightwalk {
+
+/// side × side thresholds (0.5 + rank) / side², each once, so that those below any of them are spread as evenly as can
+/// be: R. A. Ulichney, "The void-and-cluster method for dither array generation", 1993. side is 4 to 128. The same on
+/// every machine.
+std::vector<float> blue_noise(int side);
+
+/// side × side numbers of mean 0 and variance 1/3, as white grain has, in clumps of about three pixels, as silver has.
+std::vector<float> film_clumps(int side);
+
+/// As a square image of single floats.
+Image upload_tile(Gpu& gpu, const std::string& name, const std::vector<float>& tile);
+
+}  // namespace lightwalk

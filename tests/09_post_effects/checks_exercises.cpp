@@ -1,0 +1,263 @@
+// What ./course check runs for chapter 09's functions of one pixel: values against double precision, then properties.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "09_post_effects/tone_truth.h"
+#include "09_post_effects/truth.h"
+#include "common/check/check.h"
+
+using namespace lightwalk;
+
+namespace {
+
+glm::dvec3 three(std::span<const double> in) { return {in[0], in[1], in[2]}; }
+
+Row row_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+Row color(Random& random, double most) {
+    return {random.uniform(0, most), random.uniform(0, most), random.uniform(0, most)};
+}
+
+}  // namespace
+
+CHECK_EXERCISE("09.exposure_gamma", "exp2() for the stops; and which gammas have a power at all?") {
+    Random random;
+    Probe exposed{
+        .include = "09_post_effects/exposure_gamma.glsl",
+        .signature = "vec3 expose(vec3 radiance, float stops)",
+        .inputs = {{1, 2, 3, 0}, {1, 2, 3, 1}, {1, 2, 3, -1}, {0, 0, 0, 16}, {0.5, 0.25, 4, -16}, {1, 1, 1, 16}},
+        .truth = [](std::span<const double> in) { return row_of(std::exp2(in[3]) * three(in)); },
+        .bound = {.absolute = 1e-9, .relative = 2e-5},
+        .hint = [](auto, auto) { return "a stop is a factor of two, not a sum and not a power of e"; }};
+    for (int i = 0; i < 200; ++i) {
+        exposed.inputs.push_back(color(random, 8));
+        exposed.inputs.back().push_back(random.uniform(-8, 8));
+    }
+    check.probe(exposed);
+
+    Probe curved{.include = "09_post_effects/exposure_gamma.glsl",
+                 .signature = "vec3 apply_gamma(vec3 color, float gamma)",
+                 .inputs = {{0, 0.5, 1, 1},
+                            {0, 0.5, 1, 2.2},
+                            {0, 0.5, 1, 0.5},
+                            {0.25, 0.5, 4, 0},
+                            {0, 0.5, 1, -1},
+                            {-0.1, 0.5, 1, 2},
+                            {0, 0, 0, 8},
+                            {0.2, 0.5, 2, -0.001}},
+                 .truth = [](std::span<const double> in) { return row_of(truth::apply_gamma(three(in), in[3])); },
+                 .bound = {.absolute = 2e-5, .relative = 1e-4},
+                 .hint = [](auto in, auto) -> std::string {
+                     if (in[3] <= 0) return "a gamma of 0 or less: the colour as it came";
+                     for (int c = 0; c < 3; ++c)
+                         if (in[size_t(c)] < 0)
+                             return "a power of what is below 0 is not defined: such light counts as 0";
+                     return "a gamma above 1 brightens: the power is 1 / gamma";
+                 }};
+    for (int i = 0; i < 300; ++i) {
+        curved.inputs.push_back(color(random, 2));
+        curved.inputs.back().push_back(random.uniform(0.2, 4));
+    }
+    check.probe(curved);
+}
+
+CHECK_EXERCISE("09.contrast_saturation", "a power around middle grey; a straight line through the colour's own grey") {
+    Random random;
+    Probe power{.include = "09_post_effects/contrast_saturation.glsl",
+                .signature = "vec3 contrast(vec3 color, float amount)",
+                .inputs = {{0.18, 0.09, 0.36, 2},
+                           {0.18, 0.09, 0.36, 1},
+                           {0, 0.18, 1, 0},
+                           {0, 0, 0, 0},
+                           {0, 0.5, 1, 3},
+                           {-0.2, 0.5, 1, 1.5},
+                           {0.01, 0.1, 4, 0.5}},
+                .truth = [](std::span<const double> in) { return row_of(truth::contrast(three(in), in[3])); },
+                .bound = {.absolute = 1e-5, .relative = 2e-4},
+                .hint = [](auto in, auto) -> std::string {
+                    if (in[3] == 0) return "pow(0, 0) is not defined, and here it is asked for: what shall it be?";
+                    for (int c = 0; c < 3; ++c)
+                        if (in[size_t(c)] < 0)
+                            return "a power of what is below 0 is not defined: such light counts as 0";
+                    return "0.18 must stay 0.18 whatever the amount";
+                }};
+    Probe line{
+        .include = "09_post_effects/contrast_saturation.glsl",
+        .signature = "vec3 saturate_color(vec3 color, float amount)",
+        .inputs = {{1, 0.5, 0.25, 1}, {1, 0.5, 0.25, 0}, {1, 0, 0, 4}, {0, 0, 1, 2}, {0, 0, 0, 4}, {3, 3, 3, 2}},
+        .truth = [](std::span<const double> in) { return row_of(truth::saturate_color(three(in), in[3])); },
+        .bound = {.absolute = 2e-6, .relative = 2e-5},
+        .hint = [](auto, auto out) -> std::string {
+            for (const double c : out)
+                if (c < 0) return "there is no light below 0";
+            return "mix() from the grey of the colour's luminance to the colour; amounts above 1 go on beyond it";
+        }};
+    for (int i = 0; i < 200; ++i) {
+        Row row = color(random, 3);
+        row.push_back(random.uniform(0.05, 4));
+        power.inputs.push_back(row), line.inputs.push_back(row);
+    }
+    check.probe(power);
+    check.probe(line);
+}
+
+CHECK_EXERCISE("09.vignette", "the distance in pixels: widths times the aspect, before the length is taken") {
+    Random random;
+    Probe probe{.include = "09_post_effects/vignette.glsl",
+                .signature = "float vignette(vec2 uv, float aspect, float strength, float power)",
+                .inputs = {{0.5, 0.5, 1.78, 0.5, 2},
+                           {0.5, 0.5, 1.78, 0.5, 0},
+                           {0.2, 0.3, 1.78, 0.5, 0},
+                           {0, 0, 1.78, 0.5, 2},
+                           {1, 1, 0.5, 1, 1},
+                           {1, 0.5, 2, 1, 1},
+                           {0.5, 1, 2, 1, 1},
+                           {0.5, 0.5, 1, 1, 0.1}},
+                .truth =
+                    [](std::span<const double> in) {
+                        return Row{truth::vignette({in[0], in[1]}, in[2], in[3], in[4])};
+                    },
+                .bound = {.absolute = 2e-5},
+                .hint = [](auto in, auto) -> std::string {
+                    if (in[4] == 0) return "at a power of 0 all pixels are alike; and pow(0, 0) is not defined";
+                    if (in[0] == 0.5 && in[1] == 0.5)
+                        return "the middle has no direction to normalise: a length is enough";
+                    return "";
+                }};
+    for (int i = 0; i < 300; ++i)
+        probe.inputs.push_back({random.uniform(0, 1), random.uniform(0, 1), random.uniform(0.3, 3),
+                                random.uniform(0, 1), random.uniform(0.2, 8)});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("09.chromatic_aberration", "r squared is a dot product over that of a corner; then one division") {
+    Random random;
+    Probe probe{
+        .include = "09_post_effects/chromatic_aberration.glsl",
+        .signature = "vec2 aberrated(vec2 uv, float shift)",
+        .inputs =
+            {{0.5, 0.5, 0.1}, {0.5, 0.5, -0.1}, {0, 0, 0.1}, {1, 1, 0.2}, {1, 0, -0.2}, {0.3, 0.8, 0}, {0, 0.5, 0.2}},
+        .truth =
+            [](std::span<const double> in) {
+                const glm::dvec2 at = truth::aberrated({in[0], in[1]}, in[2]);
+                return Row{at.x, at.y};
+            },
+        .bound = {.absolute = 1e-6},
+        .hint = [](auto in, auto) -> std::string {
+            if (in[0] == 0.5 && in[1] == 0.5) return "the middle stays; it has no direction, and needs none";
+            return in[2] > 0 ? "above 0 the whole is divided by what a corner was multiplied with" : "";
+        }};
+    for (int i = 0; i < 300; ++i)
+        probe.inputs.push_back({random.uniform(0, 1), random.uniform(0, 1), random.uniform(-0.2, 0.2)});
+    const Table results = check.probe(probe);
+    check.property(probe, results, "which lies outside of the picture", [](auto, auto at) {
+        return at[0] >= -1e-6 && at[1] >= -1e-6 && at[0] <= 1 + 1e-6 && at[1] <= 1 + 1e-6;
+    });
+}
+
+CHECK_EXERCISE("09.bayer_dither", "the lowest bits of x and y weigh most: neighbours must differ most") {
+    for (int bits = 1; bits <= 4; ++bits) {
+        const int side = 1 << bits, all = side * side;
+        Probe probe{.include = "09_post_effects/bayer_dither.glsl",
+                    .signature = "float bayer(uvec2 pixel, int bits)",
+                    .truth = [](std::span<const double>) { return Row{0.5}; },
+                    .bound = {.absolute = 0.5}};
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                probe.inputs.push_back({double(x + 64 * side), double(y + 32 * side), double(bits)});
+        const Table results = check.probe(probe);
+        if (results.empty()) return;
+        std::vector<int> ranks(size_t(all), -1);
+        std::vector<char> taken(size_t(all), 0);
+        for (int i = 0; i < all; ++i) {
+            const double rank = results[size_t(i)][0] * all - 0.5;
+            const auto whole = std::lround(rank);
+            const bool right =
+                std::fabs(rank - double(whole)) < 1e-3 && whole >= 0 && whole < all && !taken[size_t(whole)];
+            check.expect(
+                right,
+                fmt::format("bayer(pixel = ({}, {}), bits = {}) gave {:.6f}, expected (0.5 + i) / {} with another i "
+                            "for each pixel of the square",
+                            i % side, i / side, bits, results[size_t(i)][0], all),
+                "each threshold once: then their mean is a half, and no shade is lost");
+            if (!right) return;
+            taken[size_t(whole)] = 1, ranks[size_t(i)] = int(whole);
+        }
+        for (int k = 1; k < bits; ++k) {
+            const int small = side >> k;
+            std::vector<int> most(size_t(1) << (2 * k), 0);
+            for (int i = 0; i < all; ++i)
+                if (ranks[size_t(i)] >= all - (1 << (2 * k)))
+                    ++most[size_t((i / side / small) << k | (i % side / small))];
+            const bool even = std::all_of(most.begin(), most.end(), [](int n) { return n == 1; });
+            check.expect(
+                even,
+                fmt::format("bayer(.., bits = {}): the {} largest thresholds do not lie in {} different squares of "
+                            "{} by {} pixels",
+                            bits, 1 << (2 * k), 1 << (2 * k), small, small),
+                "which bits of x and y come first? Pixels beside each other differ in the lowest");
+            if (!even) return;
+        }
+    }
+}
+
+CHECK_EXERCISE("09.circle_of_confusion", "(z - f) / z is 1 - f / z, which an infinite z does not break") {
+    Random random;
+    const double infinity = std::numeric_limits<double>::infinity();
+    Probe probe{.include = "09_post_effects/circle_of_confusion.glsl",
+                .signature =
+                    "float circle_of_confusion(float z, float focus_m, float focal_m, float f_number, float sensor_m, "
+                    "float height_px, float most_px)",
+                .inputs = {{2, 2, 0.05, 2, 0.024, 1080, 100},
+                           {infinity, 2, 0.05, 2, 0.024, 1080, 100},
+                           {infinity, 0.05, 0.05, 2, 0.024, 1080, 100},
+                           {0.04, 0.05, 0.05, 2, 0.024, 1080, 100},
+                           {1, 0.01, 0.05, 2, 0.024, 1080, 100},
+                           {0.5, 2, 0.05, 2, 0.024, 1080, 1000},
+                           {8, 2, 0.05, 2, 0.024, 1080, 0},
+                           {1e-3, 2, 0.05, 1.4, 0.024, 2160, 300}},
+                .truth =
+                    [](std::span<const double> in) {
+                        return Row{truth::circle_of_confusion(in[0], in[1], in[2], in[3], in[4], in[5], in[6])};
+                    },
+                .bound = {.absolute = 2e-3, .relative = 2e-4},
+                .hint = [infinity](auto in, auto) -> std::string {
+                    if (in[0] == infinity) return "infinity over infinity is NaN: divide before you subtract";
+                    if (in[1] < 1.01 * in[2]) return "a focus below 1.01 F counts as 1.01 F, wherever f stands";
+                    return in[0] < in[1] ? "what is nearer than the focus is below 0"
+                                         : "metres to pixels: / sensor_m * height_px";
+                }};
+    for (int i = 0; i < 300; ++i)
+        probe.inputs.push_back({random.logarithmic(0.1, 1000), random.logarithmic(0.1, 100), random.uniform(0.01, 0.2),
+                                random.uniform(0.7, 22), random.uniform(0.01, 0.05), random.uniform(100, 4320),
+                                random.uniform(1, 1000)});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("09.tone_curve", "three lines; and then a clamp at both ends") {
+    Random random;
+    Probe probe{.include = "09_post_effects/tone_curve.glsl",
+                .signature = "vec3 tone_curve(vec3 radiance)",
+                .inputs = {{0, 0, 0},
+                           {0.18, 0.18, 0.18},
+                           {1, 1, 1},
+                           {65504, 65504, 65504},
+                           {50, 0, 0},
+                           {0, 50, 0},
+                           {0, 0, 50},
+                           {1e-4, 0, 1e-4}},
+                .truth = [](std::span<const double> in) { return row_of(truth::hill(three(in))); },
+                .bound = {.absolute = 2e-5},
+                .hint = [](auto, auto out) -> std::string {
+                    for (const double c : out)
+                        if (c < 0) return "the curve is a little below 0 for black, and a power of that is NaN: clamp";
+                    for (const double c : out)
+                        if (c > 1) return "what is brighter than the screen's white: clamp";
+                    return "input matrix, curve channel by channel, output matrix, in this order";
+                }};
+    for (int i = 0; i < 300; ++i)
+        probe.inputs.push_back(
+            {random.logarithmic(1e-4, 100), random.logarithmic(1e-4, 100), random.logarithmic(1e-4, 100)});
+    check.probe(probe);
+}

@@ -1,0 +1,266 @@
+// What ./course check runs for chapter 09's functions that look at more than a pixel: noise, kernels, a whole
+// workgroup.
+#include <fmt/core.h>
+
+#include <cmath>
+#include <set>
+
+#include "09_post_effects/truth.h"
+#include "common/check/check.h"
+#include "common/gpu/frame.h"
+
+using namespace lightwalk;
+
+namespace {
+
+// How much of one row of numbers is known from another: 0 for noise, 1 for the same.
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0, squares_a = 0, squares_b = 0;
+    for (size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i], squares_a += a[i] * a[i], squares_b += b[i] * b[i];
+    return squares_a * squares_b > 0 ? sum / std::sqrt(squares_a * squares_b) : 1;
+}
+
+}  // namespace
+
+CHECK_EXERCISE("09.film_grain", "a hash of three whole numbers: multiply, exclusive or with itself shifted, again") {
+    constexpr int side = 48;
+    constexpr size_t all = side * side;
+    // 2,304 numbers: a mean of 0 has a standard error of 0.012, a correlation one of 0.021. Five of them are a proof.
+    for (const double frame : {0.0, 5.0, 24e6, 4.2e9}) {
+        const std::string when = fmt::format("frame {:.0f}", frame);
+        const auto look = [&](double x0, double y0, double at) {
+            Probe probe{.include = "09_post_effects/film_grain.glsl",
+                        .signature = "float film_grain(uvec2 pixel, uint frame)",
+                        .truth = [](std::span<const double>) { return Row{0}; },
+                        .bound = {.absolute = 1.0}};
+            for (int y = 0; y < side; ++y)
+                for (int x = 0; x < side; ++x) probe.inputs.push_back({x0 + x, y0 + y, at});
+            std::vector<double> numbers;
+            for (const Row& row : check.probe(probe)) numbers.push_back(row[0]);
+            return numbers;
+        };
+        const std::vector<double> here = look(700, 300, frame);
+        if (here.empty()) return;
+        double mean = 0, square = 0;
+        for (const double n : here) mean += n / all, square += n * n / all;
+        check.expect(std::fabs(mean) < 0.06,
+                     fmt::format("{}: the mean over 48 by 48 pixels is {:.3f}, expected 0", when, mean),
+                     "from -1 to 1: twice the number from 0 to 1, minus 1");
+        check.expect(std::fabs(square - 1.0 / 3.0) < 0.035,
+                     fmt::format("{}: the mean square is {:.3f}, expected 0.333", when, square),
+                     "evenly from -1 to 1: all numbers are as frequent");
+        const size_t different = std::set<double>(here.begin(), here.end()).size();
+        check.expect(different > all * 97 / 100,
+                     fmt::format("{}: of {} numbers only {} are different", when, all, different),
+                     "a large time leaves no digits to a sum or a sine: mix whole numbers");
+        const std::tuple<double, double, double, const char*> others[] = {
+            {701, 300, frame, "the pixel to the right"},       {700, 301, frame, "the pixel below"},
+            {701, 301, frame, "the pixel below on the right"}, {700, 300, frame + 1, "the next frame"},
+            {300, 700, frame, "the pixel mirrored"},           {701, 299, frame, "the pixel above on the right"}};
+        for (const auto& [x, y, at, name] : others) {
+            std::vector<double> other = look(x, y, at);
+            if (x < 600)  // rows become columns
+                for (size_t row = 0; row < side; ++row)
+                    for (size_t i = 0; i < row; ++i) std::swap(other[row * side + i], other[i * side + row]);
+            const double alike = correlation(here, other);
+            check.expect(std::fabs(alike) < 0.11,
+                         fmt::format("{}: {} has a correlation of {:.2f}, expected 0", when, name, alike),
+                         "each of x, y and frame must go through the mixing");
+        }
+        for (const bool rows : {true, false}) {
+            double worst = 0;
+            for (int line = 0; line < side; ++line) {
+                double sum = 0;
+                for (int i = 0; i < side; ++i) sum += here[size_t(rows ? line * side + i : i * side + line)] / side;
+                worst = std::max(worst, std::fabs(sum));
+            }
+            check.expect(worst < 0.4, fmt::format("{}: a {} has a mean of {:.2f}, expected 0", when,
+                                                  rows ? "row" : "column", worst));
+        }
+        if (check.failed > 0) return;
+    }
+}
+
+CHECK_EXERCISE("09.radial_blur", "taps of them have taps - 1 gaps; the first is the pixel itself") {
+    Random random;
+    Probe probe{.include = "09_post_effects/radial_blur.glsl",
+                .signature = "vec3 radial_blur(vec2 uv, vec2 centre, float strength, int taps)",
+                .inputs = {{0.2, 0.3, 0.5, 0.5, 0.5, 1},
+                           {0.2, 0.3, 0.5, 0.5, 0, 4},
+                           {0.5, 0.5, 0.5, 0.5, 1, 4},
+                           {0, 0, 1, 1, 1, 2},
+                           {0, 0, 1, 1, 1, 64},
+                           {0.9, 0.1, 0.1, 0.6, 0.25, 4}},
+                .truth =
+                    [](std::span<const double> in) {
+                        const int taps = int(in[5]);
+                        glm::dvec3 sum(0);
+                        for (int i = 0; i < taps; ++i) {
+                            const glm::dvec2 uv(in[0], in[1]), centre(in[2], in[3]);
+                            const glm::dvec2 at = uv + (taps > 1 ? in[4] * i / (taps - 1) : 0) * (centre - uv);
+                            sum += glm::dvec3(at, at.x * at.x + at.y) / double(taps);
+                        }
+                        return Row{sum.x, sum.y, sum.z};
+                    },
+                .bound = {.absolute = 5e-6, .relative = 1e-5},
+                .macros = {{"KNOWN_PICTURE", "1"}},
+                .hint = [](auto in, auto) -> std::string {
+                    if (in[5] == 1) return "with one tap there is no gap to divide the way by";
+                    return "taps - 1 gaps, and the last tap at the whole strength; the mean of all of them";
+                }};
+    for (int i = 0; i < 200; ++i)
+        probe.inputs.push_back({random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1),
+                                random.uniform(0, 1), double(1 + i % 20)});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("09.sharpen", "two loops of three; neighbours are clamped into the picture before they are read") {
+    Random random;
+    const Row identity{0, 0, 0, 0, 1, 0, 0, 0, 0}, emboss{-2, -1, 0, -1, 1, 1, 0, 1, 2},
+        edges{-1, -1, -1, -1, 8, -1, -1, -1, -1};
+    Probe probe{.include = "09_post_effects/sharpen.glsl",
+                .signature = "vec3 sharpen(ivec2 pixel, mat3 kernel)",
+                .truth =
+                    [](std::span<const double> in) {
+                        glm::dvec3 sum(0);
+                        for (int row = 0; row < 3; ++row)
+                            for (int column = 0; column < 3; ++column) {
+                                const int x = std::clamp(int(in[0]) + column - 1, 0, 4),
+                                          y = std::clamp(int(in[1]) + row - 1, 0, 3);
+                                sum += in[size_t(2 + 3 * row + column)] *
+                                       glm::dvec3(1 + x + 10 * y, x * x, x == 2 && y == 1 ? 1 : 0);
+                            }
+                        sum = glm::max(sum, glm::dvec3(0));
+                        return Row{sum.x, sum.y, sum.z};
+                    },
+                .bound = {.absolute = 2e-4, .relative = 2e-5},
+                .macros = {{"KNOWN_PICTURE", "1"}},
+                .hint = [](auto in, auto out) -> std::string {
+                    for (const double c : out) {
+                        if (c < 0) return "there is no light below 0";
+                        if (std::fabs(c) > 1e4)
+                            return "a pixel outside of the picture was read: clamp it to the border";
+                    }
+                    const bool border = in[0] == 0 || in[1] == 0 || in[0] == 4 || in[1] == 3;
+                    return border ? "at the border the nearest pixel inside stands for each that is missing"
+                                  : "kernel[row][column]: the row is y, from above";
+                }};
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 5; ++x)
+            for (const Row& kernel : {identity, emboss, edges}) {
+                Row row{double(x), double(y)};
+                row.insert(row.end(), kernel.begin(), kernel.end());
+                probe.inputs.push_back(row);
+            }
+    for (int i = 0; i < 100; ++i) {
+        Row row{double(i % 5), double(i / 5 % 4)};
+        for (int k = 0; k < 9; ++k) row.push_back(random.uniform(-1, 2));
+        probe.inputs.push_back(row);
+    }
+    check.probe(probe);
+}
+
+namespace {
+
+// Four workgroups whose threads come in another order each, and whose shared memory is full of something else.
+constexpr const char* harness = R"(
+layout(local_size_x = 256) in;
+#include "09_post_effects/histogram_bin.glsl"
+layout(scalar) readonly buffer GivenBuffer { uint given[]; };
+void main() {
+    own_bins[gl_LocalInvocationIndex] = 1000u + gl_LocalInvocationIndex;
+    barrier();
+    uint word = given[gl_GlobalInvocationID.x];
+    count_together(word & 255u, word < 256u);
+}
+)";
+
+void count(Check& check, const std::string& what, const std::vector<uint32_t>& given, uint32_t most_groups) {
+    Gpu& gpu = check_device();
+    const Pipeline pipeline =
+        compute({.shader = "check of histogram_bin", .macros = {{"COUNTED", "1"}}, .source = harness});
+    const Buffer words = gpu.upload("given", given), bins = gpu.upload("bins", std::vector<uint32_t>(512, 0));
+    Frame frame(gpu);
+    frame.begin({4, 4}, 0);
+    frame.compute("count", {.reads = {words, bins}, .writes = {bins}}, [&](Compute& pass) {
+        pass.use(pipeline).set("given", words).set("picture_bins", bins).dispatch({most_groups, 1, 1});
+    });
+    frame.end();
+    const auto bytes = gpu.read_back(bins);
+    std::vector<uint32_t> found(512), expected(512, 0);
+    std::memcpy(found.data(), bytes.data(), 2048);
+    for (uint32_t group = 0; group < most_groups; ++group) {
+        std::set<uint32_t> seen;
+        for (uint32_t i = 0; i < 256; ++i)
+            if (const uint32_t word = given[256 * group + i]; word < 256) ++expected[word], seen.insert(word);
+        for (const uint32_t bin : seen) ++expected[256 + bin];
+    }
+    for (uint32_t bin = 0; bin < 256; ++bin) {
+        check.expect(
+            found[bin] == expected[bin],
+            fmt::format("count_together, {}: bin {} of the picture has {} pixels, expected {}", what, bin, found[bin],
+                        expected[bin]),
+            "own_bins to 0, barrier(), atomicAdd to one's own bin, barrier(), then each thread takes one bin along");
+        check.expect(found[256 + bin] <= expected[256 + bin],
+                     fmt::format("count_together, {}: bin {} was added to {} times, at most {} are needed", what, bin,
+                                 found[256 + bin], expected[256 + bin]),
+                     "a workgroup adds to a bin once, and only where it counted something");
+        if (check.failed > 0) return;
+    }
+}
+
+}  // namespace
+
+CHECK_EXERCISE("09.histogram_bin", "log2(luminance) + 12 are the stops; then: clear, wait, count, wait, add") {
+    Random random;
+    const double infinity = std::numeric_limits<double>::infinity();
+    // Within a hundredth of a bin of a border either is right: logarithms on devices are.
+    Probe probe{.include = "09_post_effects/histogram_bin.glsl",
+                .signature = "uint histogram_bin(float luminance)",
+                .inputs = {{0},
+                           {-1},
+                           {std::nan("")},
+                           {1e-10},
+                           {0.000243},
+                           {0.18},
+                           {1},
+                           {4095},
+                           {4096.5},
+                           {65504},
+                           {infinity},
+                           {-infinity},
+                           {1.0 / 4000}},
+                .truth =
+                    [](std::span<const double> in) {
+                        if (!(in[0] >= 1.0 / 4096)) return Row{0};
+                        return Row{1 + std::min(std::floor(truth::histogram_position(in[0])), 254.0)};
+                    },
+                .bound = {.absolute = 0.5},
+                .macros = {{"NO_PICTURE", "1"}},
+                .hint = [](auto in, auto) -> std::string {
+                    if (!(in[0] >= 1.0 / 4096))
+                        return "0, less than 0 and NaN are bin 0; a comparison with NaN is false";
+                    if (in[0] > 4096)
+                        return "what is brighter than the last bin is in the last bin; infinity as a whole number is "
+                               "not defined";
+                    return "255 bins for 24 stops, beginning with bin 1";
+                }};
+    while (probe.inputs.size() < 500) {
+        const double l = random.logarithmic(1.0 / 8192, 8192);
+        const double at = truth::histogram_position(l);
+        if (std::fabs(at - std::round(at)) > 0.01) probe.inputs.push_back({l});
+    }
+    check.probe(probe);
+    if (check.failed > 0) return;
+
+    std::vector<uint32_t> same(1024, 77), each, some, mixed;
+    for (uint32_t i = 0; i < 1024; ++i) {
+        each.push_back(255 - i % 256);
+        some.push_back(i % 3 == 0 ? 999 : i % 5);
+        mixed.push_back(i * 2654435761u >> 24);
+    }
+    count(check, "all pixels in one bin", same, 4);
+    if (check.failed == 0) count(check, "each pixel in a bin of its own", each, 4);
+    if (check.failed == 0) count(check, "a third of the threads without a pixel", some, 4);
+    if (check.failed == 0) count(check, "bins at random", mixed, 4);
+}

@@ -1,0 +1,41 @@
+#!/usr/bin/env python3
+"""The mouse in chapter 09's window: the radial blur's centre is where it is. Under Xvfb."""
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
+from window_session import BUILD, Session, XServer  # noqa: E402
+
+WIDTH, HEIGHT = 320, 400
+
+
+class Mouse(unittest.TestCase):
+    def test_radial_blur_follows_the_mouse(self):
+        folder = tempfile.TemporaryDirectory(prefix="lightwalk_mouse_")
+        self.addCleanup(folder.cleanup)
+        server = XServer()
+        self.addCleanup(server.close)
+        session = Session(server, BUILD / "chapters" / "09_post_effects",
+                          ["--validate", "on", "--size", f"{WIDTH}x{HEIGHT}", "--source", "chart", "--post.radial_blur", "on",
+                           "--post.blur_by", "0.8", "--post.blur_taps", "16"], Path(folder.name))
+        session.park()
+        aside = session.settled(0, 0, WIDTH, HEIGHT)
+
+        def with_mouse_at(x: int, y: int) -> bytes:
+            session.xdotool("mousemove", "--window", session.window, str(x), str(y))
+            session.settled(0, 0, WIDTH, HEIGHT)
+            session.park()  # the pointer is part of the screen
+            return session.settled(0, 0, WIDTH, HEIGHT)
+
+        left, right = with_mouse_at(40, 200), with_mouse_at(280, 200)
+        self.assertTrue(left != aside, "the picture does not follow the mouse")
+        self.assertTrue(left != right, "it is the same wherever the mouse is")
+        self.assertTrue(with_mouse_at(40, 200) == left, "the same place gives another picture")
+        session.key("Escape")
+        self.assertEqual(session.end(), 0, session.errors)
+
+
+if __name__ == "__main__":
+    unittest.main()

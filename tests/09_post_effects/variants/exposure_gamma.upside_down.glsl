@@ -1,0 +1,3 @@
+// wrong: apply_gamma(
+vec3 expose(vec3 radiance, float stops) { return radiance * exp2(stops); }
+vec3 apply_gamma(vec3 color, float gamma) { return gamma <= 0.0 ? color : pow(max(color, 0.0), vec3(gamma)); }
