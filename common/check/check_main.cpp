@@ -20,6 +20,8 @@ static void print(const ExerciseCheck& exercise, const Check& check) {
         line["hint"] = check.hint.empty() ? exercise.hint : check.hint;
     }
     if (!check.note.empty()) line["note"] = check.note;
+    // The grader's, which says that this line is of this program.
+    if (const char* nonce = std::getenv("LIGHTWALK_NONCE")) line["nonce"] = nonce;
     std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     std::fflush(stdout);
 }

@@ -64,4 +64,6 @@ void guard_call(std::string what) {
     if (!sanitized) alarm(current.empty() ? 0 : call_limit_s);
 }
 
+const std::string& guarded() { return current; }
+
 }  // namespace lightwalk

@@ -14,4 +14,7 @@ void guard_calls(std::function<void(const std::string& message)> report);
 /// What is called next, as it is told: "parse_face("f 1 2")". Starts the clock; "" stops it.
 void guard_call(std::string what);
 
+/// What is being called; "" where nothing is.
+const std::string& guarded();
+
 }  // namespace lightwalk

@@ -2,7 +2,7 @@
 
 #include "01_obj/truth.h"
 #include "checks.h"
-#include "comma_locale.h"
+#include "common/check/comma_locale.h"
 #include "common/base/error.h"
 
 namespace lightwalk {

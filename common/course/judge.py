@@ -1,0 +1,281 @@
+"""Judges one exercise of a submission: compiles it and runs it in a sandbox, and compares outside.
+
+A student's C++ becomes a process of its own, serve_NN (common/check/serve.h), in a sandbox that holds neither a check nor
+a reference nor the truth. judge_NN, this chapter's checks, asks it for one value after the other and decides; each
+question has a number that the answer must repeat. A student's GLSL is data that judge_NN compiles and runs, in a sandbox
+from which that exercise's reference is missing. The random inputs of the checks are shifted by a seed that is drawn for
+the class, and judge_NN's own line is known by a word that is drawn for the run.
+"""
+
+import contextlib
+import hashlib
+import json
+import os
+import re
+import secrets
+import shlex
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+import sandbox
+from build import build
+from handout import COMPILED, LEFT_OUT, starters
+from macros import foreign_macro
+from sandbox import Limits, Mounts
+from submission import printable
+from tree import BUILD, ROOT, Failure, exercises, files, write_atomically
+
+GIB = 1 << 30
+JUDGE_S = 40  # of a whole check; a call that does not return is found after 5 s
+COMPILER = Limits(3 * GIB, 30, processes=True)
+WORDS_MOST = 600
+
+
+class Judge:
+    """What is the same for all students. Raises Failure where nothing can be contained here."""
+
+    def __init__(self, wanted: dict[str, str]):
+        self.wanted = wanted  # chapter by exercise
+        self.chapters = sorted(set(wanted.values()))
+        sandbox.require()
+        build([f"{side}_{chapter}" for side in ("judge", "serve") for chapter in self.chapters])
+        self.folder = BUILD / "grade"
+        self.paths = {name: path for chapter in self.chapters for name, path in exercises(chapter).items()}
+        self.names = {str(path.relative_to(ROOT)): name for name, path in self.paths.items()}
+        committed = starters([path.relative_to(ROOT) for path in self.paths.values()])
+        self.starters = {name: committed.get(path.relative_to(ROOT), path.read_bytes())
+                         for name, path in self.paths.items()}
+        commands = json.loads((BUILD / "compile_commands.json").read_text())
+        self.commands = {entry["file"]: shlex.split(entry["command"]) for entry in commands}
+        self.seed = self.draw_seed()
+        self.versions = {chapter: self.version(chapter) for chapter in self.chapters}
+        self.kept = contextlib.ExitStack()
+        self.running = set()
+
+    def __enter__(self):
+        self.tree = Path(self.kept.enter_context(tempfile.TemporaryDirectory(prefix="lightwalk.grade.")))
+        copy_without_answers(self.tree, self.starters, self.paths)
+        self.libraries = {chapter: self.library(chapter) for chapter in self.chapters
+                          if (BUILD / f"libchapter_{chapter}.a").exists()}
+        return self
+
+    def __exit__(self, *_):
+        self.kept.close()
+
+    def stop(self):
+        """Ends what runs in sandboxes now."""
+        for one in list(self.running):
+            one.close()
+
+    @contextlib.contextmanager
+    def started(self, *arguments, **options):
+        running = sandbox.Running(*arguments, **options)
+        self.running.add(running)
+        try:
+            yield running
+        finally:
+            self.running.discard(running)
+            running.close()
+
+    def draw_seed(self) -> int:
+        """Drawn once for a class: with another one results would be another's."""
+        path = self.folder / "seed"
+        if not path.exists():
+            write_atomically(path, f"{1 + secrets.randbelow(1 << 31)}\n")
+            path.chmod(0o600)
+        return int(path.read_text())
+
+    def version(self, chapter: str) -> str:
+        """Changes with whatever a verdict of this chapter depends on, but for the submission."""
+        paths = [self.folder / f"judge_{chapter}", BUILD / "liblightwalk.so", *Path(__file__).parent.glob("*.py"),
+                 *sorted((ROOT / "shaders").rglob("*.*")), *sorted(objects(f"serve_{chapter}"))]
+        stats = [(str(path), path.stat().st_size, path.stat().st_mtime_ns) for path in paths]
+        return hashlib.sha256(repr((stats, self.seed)).encode()).hexdigest()
+
+    def library(self, chapter: str) -> Path:
+        """What of a chapter and the earlier ones is handed out as source: neither references nor the truth."""
+        path = self.tree / f"lib{chapter}.a"
+        members = []
+        for name in [name for name in sorted(os.listdir(ROOT / "chapters")) if name <= chapter]:
+            members += [one for one in objects(f"chapter_{name}") if not is_answer(one)]
+        said = subprocess.run(["nm", "-A", "-C", *members], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                              errors="replace").stdout
+        telling = {line.partition(":")[0] for line in said.splitlines()
+                   if "lightwalk::truth::" in line or re.search(r" [TWVDBR] lightwalk::solution::", line)}
+        members = [one for one in members if str(one) not in telling]
+        subprocess.run(["ar", "rc", path, *members], check=True, stdout=subprocess.DEVNULL)
+        return path
+
+    def verdict(self, exercise: str, data: bytes | None) -> dict:
+        """What is to be said of one file; known ones are not run again. Whatever goes wrong is this file's."""
+        base = {"exercise": exercise, "chapter": self.wanted[exercise], "ok": False, "passed": 0, "failed": 0,
+                "first_failure": None, "hint": None, "state": "judged"}
+        if data is None or same_text(data, self.starters[exercise]):
+            return base | {"state": "missing" if data is None else "unchanged",
+                           "first_failure": "was not handed in" if data is None else "is as it was handed out"}
+        key = hashlib.sha256(f"{self.versions[base['chapter']]} {exercise} ".encode() + data).hexdigest()
+        kept = self.folder / "verdicts" / f"{key}.json"
+        try:
+            return base | json.loads(kept.read_text())
+        except (OSError, ValueError):
+            pass
+        found = self.judge(exercise, data)
+        # With these inputs the reference itself may lie beside a bound.
+        if not found["ok"] and not self.reference_is_right(exercise):
+            found = self.judge(exercise, data, seed=0)
+        found = {name: clean(value) for name, value in found.items()
+                 if name in ("ok", "passed", "failed", "first_failure", "hint", "note")}
+        write_atomically(kept, json.dumps(found))
+        return base | found
+
+    def reference_is_right(self, exercise: str) -> bool:
+        chapter = self.wanted[exercise]
+        kept = self.folder / "verdicts" / f"{self.versions[chapter][:32]}.{exercise}"
+        if not kept.exists():
+            done = subprocess.run([self.folder / f"judge_{chapter}", "--exercise", exercise, "--use", "solution"],
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                                  env=os.environ | {"LIGHTWALK_CHECK_SEED": str(self.seed)})
+            # Of a trial the reference has no process to run in.
+            write_atomically(kept, "right" if done.returncode == 0 or b"no process to ask" in done.stdout else "wrong")
+        return kept.read_text() == "right"
+
+    def judge(self, exercise: str, data: bytes, seed: int | None = None) -> dict:
+        with tempfile.TemporaryDirectory(prefix="lightwalk.grade.") as made:
+            source = Path(made) / self.paths[exercise].name
+            source.write_bytes(data)
+            seed = self.seed if seed is None else seed
+            if source.suffix == ".glsl":
+                if why := foreign_macro(data, self.paths[exercise]):
+                    return {"ok": False, "first_failure": why}
+                return self.decide(exercise, seed, source)
+            if why := self.compile(exercise, source):
+                return {"ok": False, "first_failure": why}
+            ends = [*os.pipe(), *os.pipe()]  # questions: read, write; answers: read, write
+            with self.started(["/grade/worker", ends[0], ends[3]], self.worker_mounts(source.parent),
+                              Limits((6 if self.has_trial(exercise) else 2) * GIB, JUDGE_S + 5),
+                              {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp"}, pass_fds=(ends[0], ends[3]),
+                              out=False):
+                return self.decide(exercise, seed, None, worker=(ends[1], ends[2]), ours=ends)
+
+    def has_trial(self, exercise: str) -> bool:
+        path = ROOT / "tests" / self.wanted[exercise] / "trials.h"
+        return path.exists() and f'"{exercise}"' in path.read_text()
+
+    def compile(self, exercise: str, source: Path) -> str:
+        """Makes `worker` beside the source; what the compiler says against it."""
+        chapter, place = self.wanted[exercise], self.paths[exercise]
+        words = list(self.commands[str(place)])
+        words[words.index("-o") + 1] = "/grade/student.o"
+        header = next(word for word in words if word.endswith("cmake_pch.hxx"))
+        link = [words[0], *(["-fuse-ld=mold"] if shutil.which("mold") else []), "-o", "/grade/worker",
+                *objects(f"serve_{chapter}"), "/grade/student.o", *objects(f"trials_{chapter}"),
+                *([self.libraries[chapter]] if chapter in self.libraries else []), f"-L{BUILD}", "-llightwalk", "-lfmt",
+                f"-Wl,-rpath,{BUILD}", "-Wl,--warn-unresolved-symbols"]
+        script = f"{shlex.join([*words, '-DLIGHTWALK_NO_SOLUTION', '-g0'])} && {shlex.join(map(str, link))}"
+        mounts = self.mounts()
+        for path in (BUILD / "visible", header, f"{header}.gch", *objects(f"serve_{chapter}"),
+                     *objects(f"trials_{chapter}"), *([self.libraries[chapter]] if chapter in self.libraries else [])):
+            mounts.read(path)
+        mounts.read(source, place)
+        mounts.write(source.parent, Path("/grade"))
+        with self.started(["/bin/sh", "-c", script], mounts, COMPILER) as running:
+            done = running.finish()
+        name = str(place.relative_to(ROOT))
+        if done.late or done.long:
+            return "it does not compile: the compiler " + ("did not end" if done.late else "complains without an end")
+        lines = done.out.replace(f"{ROOT}/", "").splitlines()
+        # What is not there cannot be called: a reference, the truth, a main of its own.
+        missing = [re.sub(r"^.*undefined (?:symbol|reference to)[: ]*", "", line) for i, line in enumerate(lines)
+                   if "undefined" in line and "student.o" in "".join(lines[max(i - 1, 0):i + 3])]
+        if missing:
+            return f"it does not link: there is no {missing[0]}"
+        if done.code:
+            errors = [line for line in lines if "error" in line]
+            what = errors[0] if errors else lines[-1] if lines else "no word why"
+            return f"it does not compile: {name + what.partition(name)[2] if name in what else what}"
+        return ""
+
+    def mounts(self) -> Mounts:
+        """The tree without answers, at its usual place, and the library that all programs share."""
+        mounts = Mounts()
+        for name in ("chapters", "common", "shaders", "tests"):
+            mounts.read(self.tree / name, ROOT / name)
+        mounts.read(BUILD / "liblightwalk.so")
+        return mounts
+
+    def worker_mounts(self, folder: Path) -> Mounts:
+        mounts = self.mounts()
+        mounts.read(folder / "worker", Path("/grade/worker"))
+        return mounts
+
+    def judge_mounts(self, exercise: str, source: Path | None) -> Mounts:
+        """With the references of all GLSL exercises but this one, which others may include."""
+        mounts = self.mounts()
+        mounts.read(self.folder / f"judge_{self.wanted[exercise]}", Path("/grade/judge"))
+        for folder in sorted((ROOT / "shaders").glob("*/solution")):
+            mounts.empty(folder)
+            for path in folder.glob("*.glsl"):
+                if f"{folder.parent.name[:2]}.{path.stem}" != exercise:
+                    mounts.read(path)
+        if source:
+            mounts.read(source, self.paths[exercise])
+        return mounts
+
+    def decide(self, exercise: str, seed: int, source: Path | None, worker=(), ours=()) -> dict:
+        """Runs the checks, on a shader or on a process that answers, and reads their verdict."""
+        nonce = secrets.token_hex(16)
+        environment = {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_NONCE": nonce,
+                       "LIGHTWALK_CHECK_SEED": seed, "LIGHTWALK_WORKER": ",".join(map(str, worker))}
+        with self.started(["/grade/judge", "--exercise", exercise], self.judge_mounts(exercise, source),
+                          Limits(6 * GIB, JUDGE_S), environment, pass_fds=worker) as running:
+            for end in ours:  # so that each side sees the other's end
+                os.close(end)
+            done = running.finish()
+        if done.late:
+            return {"ok": False, "first_failure": f"its check did not end within {JUDGE_S} s"}
+        for line in done.out.splitlines():
+            with contextlib.suppress(ValueError, RecursionError):
+                found = json.loads(line)
+                if isinstance(found, dict) and found.get("nonce") == nonce and found.get("exercise") == exercise:
+                    return found | {"ok": found.get("ok") is True and done.code == 0}
+        return {"ok": False, "first_failure": f"its check ended with {done.code}: {done.said()}"}
+
+
+def clean(value):
+    """A word for a table: one line, no control characters, not too long."""
+    return printable(value, WORDS_MOST) if isinstance(value, str) else value
+
+
+def same_text(a: bytes, b: bytes) -> bool:
+    """But for line ends, and for spaces at them."""
+    return [line.rstrip() for line in a.splitlines()] == [line.rstrip() for line in b.splitlines()]
+
+
+def objects(target: str) -> list[Path]:
+    """The object files of a target of the build."""
+    return sorted((BUILD / "CMakeFiles" / f"{target}.dir").rglob("*.o"))
+
+
+def is_answer(compiled: Path) -> bool:
+    """Whether an object is of a reference, or of what the handout has without its source."""
+    name = str(compiled).partition(".dir/")[2].removesuffix(".o")
+    return "/solution/" in name or "/exercise/" in name or any(Path(name).match(pattern) for pattern in COMPILED)
+
+
+def copy_without_answers(to: Path, starter: dict[str, bytes], paths: dict[str, Path]):
+    """The headers and shaders that a student's file may include, and an empty place for each reference."""
+    kept = {".h", ".glsl", ".vert", ".frag", ".geom", ".comp"}
+    for name in files():
+        if name.parts[0] not in ("chapters", "common", "shaders", "tests") or name.suffix not in kept:
+            continue
+        if "solution" in name.parts:
+            (to / name.parent).mkdir(parents=True, exist_ok=True)
+        elif not any(name.match(pattern) for pattern in LEFT_OUT) and (name.parts[0] != "tests" or name.parts[1] == "common"):
+            (to / name.parent).mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(ROOT / name, to / name)
+    for exercise, path in paths.items():
+        place = to / path.relative_to(ROOT)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.write_bytes(starter[exercise])
