@@ -38,7 +38,7 @@ static int run(int argc, char** argv) {
         throw InputError(e.what());
     }
     // A student's loop without an end must not hold everything up for a minute.
-    setenv("LIGHTWALK_TIMEOUT_S", std::to_string(call_limit_s).c_str(), 0);
+    setenv("LIGHTWALK_TIMEOUT_S", std::to_string(call_limit_s()).c_str(), 0);
     bool found = false, ok = true;
     for (const ExerciseCheck& exercise : all_checks()) {
         if (!wanted.empty() && exercise.id != wanted) continue;

@@ -22,7 +22,7 @@ namespace lightwalk {
 namespace {
 
 // "record_mist" of "02.record_mist try_record_mist".
-std::string name_of(const std::string& id) { return id.substr(3, id.find(' ') - 3); }
+std::string name_of(const std::string& id) { return id.substr(3, std::min(id.find(' '), id.size()) - 3); }
 
 bool writes_commas() {
     return *std::localeconv()->decimal_point == ',' ||
@@ -43,7 +43,7 @@ class Asking {
         if (!lost_.empty()) throw Lost(lost_);
         // A trial looks after the time of its calls itself.
         const bool trial = id.find(' ') != id.npos;
-        deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(trial ? 20000 : 1000 * call_limit_s + 1500);
+        deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(trial ? 20000 : 1000 * call_limit_s() + 1500);
         channel::Request request{.nonce = nonce(), .id = id, .commas = writes_commas(), .arguments = arguments};
         const std::string bytes = channel::packed(request);
         const std::string before = guarded(), what = before.empty() ? name_of(id) : before;
@@ -88,6 +88,10 @@ class Asking {
         throw Lost(why);
     }
 
+    [[noreturn]] void lose_time(const std::string& what) {
+        lose(what + " did not return within " + std::to_string(call_limit_s()) + " s: does a loop never end?");
+    }
+
     // Waits until `fd` is ready; false where the time is over.
     bool ready(int fd, short events) const {
         for (;;) {
@@ -104,7 +108,7 @@ class Asking {
             if (count > 0) {
                 at += static_cast<size_t>(count);
             } else if (errno == EAGAIN) {
-                if (!ready(to_, POLLOUT)) lose(what + std::string(" did not return within 5 s: does a loop never end?"));
+                if (!ready(to_, POLLOUT)) lose_time(what);
             } else if (errno != EINTR) {
                 lose(what + " cannot be called: the program ended before, by itself");
             }
@@ -115,7 +119,7 @@ class Asking {
         std::string bytes;
         char buffer[65536];
         while (bytes.size() < count) {
-            if (!ready(from_, POLLIN)) lose(what + " did not return within 5 s: does a loop never end?");
+            if (!ready(from_, POLLIN)) lose_time(what);
             const ssize_t got = read(from_, buffer, std::min(sizeof buffer, count - bytes.size()));
             if (got > 0)
                 bytes.append(buffer, static_cast<size_t>(got));

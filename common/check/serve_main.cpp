@@ -59,6 +59,8 @@ channel::Reply answer(const channel::Request& request) {
         reply.bytes = found->second(request.arguments);
         reply.kind = channel::Kind::result;
         reply.exceptions = static_cast<uint32_t>(std::fetestexcept(FE_ALL_EXCEPT));
+    } catch (const wire::TooLarge&) {
+        reply.bytes = "gave more than can be right: 64 MiB";
     } catch (const InputError& e) {
         reply.kind = channel::Kind::input_error, reply.bytes = e.what();
     } catch (const std::exception& e) {

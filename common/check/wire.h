@@ -107,6 +107,15 @@ constexpr bool can_travel() {
     }
 }
 
+/// A message would have more than most_bytes.
+struct TooLarge {};
+
+/// Numbers in a row, which are their own bytes. Of vector<bool> nothing is in a row.
+template <class T>
+constexpr bool flat() {
+    return Number<T> || Numbers<T>;
+}
+
 template <class T>
 void put(std::string& bytes, const T& value) {
     if constexpr (Number<T> || Numbers<T>) {
@@ -114,8 +123,14 @@ void put(std::string& bytes, const T& value) {
     } else if constexpr (std::is_same_v<T, bool>) {
         bytes.push_back(value ? 1 : 0);
     } else if constexpr (Text<T> || is_list<T>::value) {
+        using One = std::remove_const_t<typename T::value_type>;
         put(bytes, uint64_t(value.size()));
-        for (const auto& one : value) put(bytes, one);
+        if (value.size() > most_bytes) throw TooLarge();
+        if constexpr (flat<One>())
+            bytes.append(reinterpret_cast<const char*>(value.data()), value.size() * sizeof(One));
+        else
+            for (const auto& one : value) put(bytes, static_cast<const One&>(one));
+        if (bytes.size() > most_bytes) throw TooLarge();
     } else if constexpr (is_optional<T>::value) {
         put(bytes, value.has_value());
         if (value) put(bytes, *value);
@@ -156,6 +171,13 @@ void take(std::string_view& bytes, T& value) {
         take(bytes, count);
         if (count > bytes.size()) throw Failure("an answer is cut off");  // each has a byte at least
         value.clear();
+        if constexpr (flat<typename T::value_type>()) {
+            if (count > bytes.size() / sizeof(typename T::value_type)) throw Failure("an answer is cut off");
+            value.resize(count);
+            if (count) std::memcpy(value.data(), bytes.data(), count * sizeof(typename T::value_type));
+            bytes.remove_prefix(count * sizeof(typename T::value_type));
+            return;
+        }
         for (uint64_t i = 0; i < count; ++i) {
             typename T::value_type one{};
             take(bytes, one);

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from build import configure, is_configured
 from progress import Progress
-from tree import BUILD, ROOT, Failure, UsageError, chapters, exercises, files, say, warn
+from tree import BUILD, ROOT, Failure, UsageError, chapters, exercises, files, git, say, warn
 
 HELP = """Copies the course to a new FOLDER without the solutions: what students are given.
 
@@ -81,15 +81,11 @@ def what_is_handed_out(sources: bool) -> dict[Path, Path | bytes]:
     return contents | ({Path("compiled_for"): f"{platform.machine()}\n".encode()} if hidden else {})
 
 
-def git(*words: str) -> bytes:
-    return subprocess.run(["git", "-C", ROOT, *words], stdout=subprocess.PIPE, check=True).stdout
-
-
 def tracked() -> list[Path]:
     if not (ROOT / ".git").exists():
         warn("without git's history all files are handed out, and the exercises as they stand")
         return files()
-    listed = git("ls-files", "-z", "--cached").decode().split("\0")
+    listed = os.fsdecode(git("ls-files", "-z", "--cached")).split("\0")
     return sorted(Path(name) for name in listed if name and (ROOT / name).is_file())
 
 

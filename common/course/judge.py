@@ -8,6 +8,7 @@ the class, and judge_NN's own line is known by a word that is drawn for the run.
 """
 
 import contextlib
+import functools
 import hashlib
 import json
 import os
@@ -28,7 +29,8 @@ from submission import printable
 from tree import BUILD, ROOT, Failure, exercises, files, write_atomically
 
 GIB = 1 << 30
-JUDGE_S = 40  # of a whole check; a call that does not return is found after 5 s
+JUDGE_S = 30  # of a whole check
+CALL_S = 5  # of one call
 COMPILER = Limits(3 * GIB, 30, processes=True)
 WORDS_MOST = 600
 
@@ -36,11 +38,11 @@ WORDS_MOST = 600
 class Judge:
     """What is the same for all students. Raises Failure where nothing can be contained here."""
 
-    def __init__(self, wanted: dict[str, str]):
-        self.wanted = wanted  # chapter by exercise
+    def __init__(self, wanted: dict[str, str], call_s: int = CALL_S):
+        self.wanted, self.call_s = wanted, call_s  # chapter by exercise
         self.chapters = sorted(set(wanted.values()))
         sandbox.require()
-        build([f"{side}_{chapter}" for side in ("judge", "serve") for chapter in self.chapters])
+        build(["serve_main", *[f"{side}_{chapter}" for side in ("judge", "serve") for chapter in self.chapters]])
         self.folder = BUILD / "grade"
         self.paths = {name: path for chapter in self.chapters for name, path in exercises(chapter).items()}
         self.names = {str(path.relative_to(ROOT)): name for name, path in self.paths.items()}
@@ -92,7 +94,7 @@ class Judge:
         paths = [self.folder / f"judge_{chapter}", BUILD / "liblightwalk.so", *Path(__file__).parent.glob("*.py"),
                  *sorted((ROOT / "shaders").rglob("*.*")), *sorted(objects(f"serve_{chapter}"))]
         stats = [(str(path), path.stat().st_size, path.stat().st_mtime_ns) for path in paths]
-        return hashlib.sha256(repr((stats, self.seed)).encode()).hexdigest()
+        return hashlib.sha256(repr((stats, self.seed, self.call_s)).encode()).hexdigest()
 
     def library(self, chapter: str) -> Path:
         """What of a chapter and the earlier ones is handed out as source: neither references nor the truth."""
@@ -102,7 +104,7 @@ class Judge:
             members += [one for one in objects(f"chapter_{name}") if not is_answer(one)]
         said = subprocess.run(["nm", "-A", "-C", *members], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
                               errors="replace").stdout
-        telling = {line.partition(":")[0] for line in said.splitlines()
+        telling = {line.partition(".o:")[0] + ".o" for line in said.splitlines()
                    if "lightwalk::truth::" in line or re.search(r" [TWVDBR] lightwalk::solution::", line)}
         members = [one for one in members if str(one) not in telling]
         subprocess.run(["ar", "rc", path, *members], check=True, stdout=subprocess.DEVNULL)
@@ -155,9 +157,14 @@ class Judge:
             ends = [*os.pipe(), *os.pipe()]  # questions: read, write; answers: read, write
             with self.started(["/grade/worker", ends[0], ends[3]], self.worker_mounts(source.parent),
                               Limits((6 if self.has_trial(exercise) else 2) * GIB, JUDGE_S + 5),
-                              {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp"}, pass_fds=(ends[0], ends[3]),
-                              out=False):
+                              {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_CALL_LIMIT_S": self.call_s},
+                              pass_fds=(ends[0], ends[3]), out=False):
                 return self.decide(exercise, seed, None, worker=(ends[1], ends[2]), ours=ends)
+
+    def parts(self, chapter: str) -> list[Path]:
+        """What a student's object is linked with, of which the first two come before it."""
+        library = [self.libraries[chapter]] if chapter in self.libraries else []
+        return [*objects("serve_main"), *objects(f"serve_{chapter}"), *objects(f"trials_{chapter}"), *library]
 
     def has_trial(self, exercise: str) -> bool:
         path = ROOT / "tests" / self.wanted[exercise] / "trials.h"
@@ -170,13 +177,11 @@ class Judge:
         words[words.index("-o") + 1] = "/grade/student.o"
         header = next(word for word in words if word.endswith("cmake_pch.hxx"))
         link = [words[0], *(["-fuse-ld=mold"] if shutil.which("mold") else []), "-o", "/grade/worker",
-                *objects(f"serve_{chapter}"), "/grade/student.o", *objects(f"trials_{chapter}"),
-                *([self.libraries[chapter]] if chapter in self.libraries else []), f"-L{BUILD}", "-llightwalk", "-lfmt",
+                *self.parts(chapter)[:2], "/grade/student.o", *self.parts(chapter)[2:], f"-L{BUILD}", "-llightwalk", "-lfmt",
                 f"-Wl,-rpath,{BUILD}", "-Wl,--warn-unresolved-symbols"]
         script = f"{shlex.join([*words, '-DLIGHTWALK_NO_SOLUTION', '-g0'])} && {shlex.join(map(str, link))}"
         mounts = self.mounts()
-        for path in (BUILD / "visible", header, f"{header}.gch", *objects(f"serve_{chapter}"),
-                     *objects(f"trials_{chapter}"), *([self.libraries[chapter]] if chapter in self.libraries else [])):
+        for path in (BUILD / "visible", header, f"{header}.gch", *self.parts(chapter)):
             mounts.read(path)
         mounts.read(source, place)
         mounts.write(source.parent, Path("/grade"))
@@ -193,7 +198,9 @@ class Judge:
             return f"it does not link: there is no {missing[0]}"
         if done.code:
             errors = [line for line in lines if "error" in line]
-            what = errors[0] if errors else lines[-1] if lines else "no word why"
+            what = errors[0] if errors else lines[-1] if lines else f"the compiler ended with {done.code}, without a word"
+            if any(line.startswith(("mold:", "/usr/bin/ld:", "collect2:")) for line in lines):
+                return f"it does not link: {what}"
             return f"it does not compile: {name + what.partition(name)[2] if name in what else what}"
         return ""
 
@@ -227,7 +234,7 @@ class Judge:
         """Runs the checks, on a shader or on a process that answers, and reads their verdict."""
         nonce = secrets.token_hex(16)
         environment = {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_NONCE": nonce,
-                       "LIGHTWALK_CHECK_SEED": seed, "LIGHTWALK_WORKER": ",".join(map(str, worker))}
+                       "LIGHTWALK_CHECK_SEED": seed, "LIGHTWALK_CALL_LIMIT_S": self.call_s, "LIGHTWALK_WORKER": ",".join(map(str, worker))}
         with self.started(["/grade/judge", "--exercise", exercise], self.judge_mounts(exercise, source),
                           Limits(6 * GIB, JUDGE_S), environment, pass_fds=worker) as running:
             for end in ours:  # so that each side sees the other's end
@@ -253,9 +260,20 @@ def same_text(a: bytes, b: bytes) -> bool:
     return [line.rstrip() for line in a.splitlines()] == [line.rstrip() for line in b.splitlines()]
 
 
+@functools.cache
+def object_files() -> list[Path]:
+    """All that the build compiles to: what an earlier build has left lies there, too."""
+    found = []
+    for entry in json.loads((BUILD / "compile_commands.json").read_text()):
+        words = shlex.split(entry["command"])
+        found.append(Path(entry["directory"]) / words[words.index("-o") + 1])
+    return sorted(found)
+
+
 def objects(target: str) -> list[Path]:
     """The object files of a target of the build."""
-    return sorted((BUILD / "CMakeFiles" / f"{target}.dir").rglob("*.o"))
+    folder = BUILD / "CMakeFiles" / f"{target}.dir"
+    return [path for path in object_files() if path.is_relative_to(folder)]
 
 
 def is_answer(compiled: Path) -> bool:

@@ -176,7 +176,7 @@ def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_f
     """The whole command line: limits, then the sandbox, then the command."""
     words = ["prlimit", f"--as={limits.memory_bytes}", f"--cpu={int(limits.wall_s) + 1}", f"--fsize={64 << 20}",
              "--core=0", "--nofile=256", "--", "bwrap", "--unshare-all", "--unshare-user", "--uid", "1000", "--gid", "1000",
-             "--die-with-parent", "--new-session",
+             "--die-with-parent", "--new-session", "--as-pid-1",
              "--cap-drop", "ALL", "--hostname", "grade", "--clearenv"]
     for name, value in ({"PATH": "/usr/bin:/bin", "HOME": "/tmp", "LANG": "C.UTF-8", "TMPDIR": "/tmp"} | environment).items():
         words += ["--setenv", name, str(value)]

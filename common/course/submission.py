@@ -113,7 +113,8 @@ def _exercises(path: Path, wanted: set[str]):
     """(path in the course, bytes) of each exercise. The course may lie in one folder of its own."""
     folder = stat.S_ISDIR(os.stat(path).st_mode)
     for name, read_at_most in _folder(path, wanted) if folder else _archive(path):
-        inside = next((part for part in (name, name.partition("/")[2]) if part in wanted), None)
+        top, _, rest = name.partition("/")
+        inside = name if name in wanted else rest if rest in wanted and top not in ("", ".", "..") else None
         if inside:
             data = read_at_most(MOST_EXERCISE_BYTES + 1)
             if len(data) > MOST_EXERCISE_BYTES:

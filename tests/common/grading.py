@@ -1,0 +1,75 @@
+"""A class for the tests of ./course grade: students with answers in a folder, judged once for all tests."""
+
+import shutil
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+REAL = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(REAL / "common/course"))
+import sandbox  # noqa: E402
+from grade import grade  # noqa: E402
+from judge import Judge  # noqa: E402
+from submission import find  # noqa: E402
+from tree import Failure, exercises  # noqa: E402
+
+CHAPTERS = ("01_obj", "02_lambert_phong", "03_attenuation")
+PLACES = {exercise: str(path.relative_to(REAL)) for chapter in CHAPTERS for exercise, path in exercises(chapter).items()}
+
+
+def why_not() -> str:
+    """Why nothing can be contained on this machine; empty where it can."""
+    try:
+        sandbox.require()
+    except Failure as failure:
+        return str(failure)
+    return ""
+
+
+def right(exercise: str) -> str:
+    """An answer that is right: the reference, as a student would write it."""
+    place = REAL / PLACES[exercise].replace("/exercise/", "/solution/")
+    if exercise == "01.parse_vertex_line":  # the reference calls what the handout has compiled only
+        place = REAL / "tests/01_obj/variants/parse_vertex_line.from_chars.cpp"
+    return place.read_text().replace("namespace lightwalk::solution", "namespace lightwalk::exercise")
+
+
+@unittest.skipIf(why_not(), why_not())
+class Class(unittest.TestCase):
+    """Subclasses fill `folder` in fill() and read `grades`, by student."""
+
+    wanted = list(PLACES)
+
+    @classmethod
+    def setUpClass(cls):
+        made = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(made.cleanup)
+        cls.outside = Path(made.name).resolve()
+        cls.folder = cls.outside / "class"
+        cls.folder.mkdir()
+        cls.fill()
+        of = {chapter[:2]: chapter for chapter in CHAPTERS}
+        with Judge({name: of[name[:2]] for name in cls.wanted}, call_s=1) as judge:
+            shutil.rmtree(judge.folder / "verdicts", ignore_errors=True)
+            cls.prepare(judge)
+            cls.grades = {one["student"]: one for one in grade(find([cls.folder]), judge)}
+
+    @classmethod
+    def fill(cls):
+        raise NotImplementedError
+
+    @classmethod
+    def prepare(cls, judge):
+        pass
+
+    @classmethod
+    def student(cls, name: str, answers: dict[str, str | bytes]) -> Path:
+        for exercise, text in answers.items():
+            path = cls.folder / name / PLACES[exercise]
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(text.encode() if isinstance(text, str) else text)
+        return cls.folder / name
+
+    def result(self, student: str, exercise: str) -> dict:
+        return next(one for one in self.grades[student]["results"] if one["exercise"] == exercise)
