@@ -25,15 +25,15 @@ SPECIAL = "$;#\"\\,\n"
 
 
 @contextlib.contextmanager
-def alone(folder: Path, does: str = "builds"):
-    """Two commands at once in one tree, of which each builds (or what `does` says), do so one after the other. Yields
-    the lock's file descriptor: a process that has it keeps the lock when we are gone."""
+def alone(folder: Path, what: str = "build"):
+    """Two commands at once in one tree that do the same do it one after the other. Yields the lock's file descriptor: a
+    process that has it keeps the lock when we are gone."""
     folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / (".lock" if does == "builds" else f".lock.{does}"), "w") as lock:
+    with open(folder / f".lock.{what}", "w") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            warn(f"waiting for another ./course that {does} here")
+            warn(f"waiting for another ./course that does the same here ({what})")
             fcntl.flock(lock, fcntl.LOCK_EX)
         yield lock.fileno()
 

@@ -57,7 +57,7 @@ def main(words: list[str]) -> int:
     if rest and not getattr(module, "PASSES_OPTIONS", False):
         parser.error(f"'{rest[0]}' means nothing here")
     if getattr(module, "ALONE", False):
-        with alone(BUILD, command):
+        with alone(BUILD, COMMANDS[command]):
             return module.run(arguments, rest)
     return module.run(arguments, rest)
 

@@ -31,7 +31,7 @@ def run_words(words: list[str]) -> int:
         return start(find_chapter(words[0]), words[1:])
     build(["programs"])
     if words or not has_display():
-        with alone(BUILD, "draws"):
+        with alone(BUILD, "gallery"):
             return draw_gallery()
     menu = BUILD / "menu"
     return execute(menu if menu.exists() else chapter_program(chapters()[0]), [])

@@ -50,8 +50,10 @@ def _find(path: Path) -> list[Submission]:
     shown = printable(str(path))
     try:
         mode = path.stat().st_mode
-    except (OSError, ValueError) as error:
-        raise UsageError(f"{shown}: {getattr(error, 'strerror', None) or 'no such file or folder'}") from None
+    except (FileNotFoundError, ValueError):  # a name with a zero in it is one of nothing
+        raise UsageError(f"{shown}: there is no such file or folder") from None
+    except OSError as error:
+        raise UsageError(f"{shown}: {error.strerror}") from None
     if stat.S_ISREG(mode):
         return [Submission(name_of(path), path)]
     if not stat.S_ISDIR(mode):
