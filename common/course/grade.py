@@ -59,6 +59,11 @@ def run(arguments, _rest) -> int:
         for line in table(grades, named):
             say(line)
         warn(f"{printable(str(out / 'grades.csv'))} and grades.json say more")
+    failed = [(one["student"], result) for one in grades for result in one["results"] if result["state"] == "failed"]
+    for student, result in failed[:5]:
+        warn(f"{student}, {result['exercise']}: {result['first_failure']}")
+    if failed:
+        raise Failure(f"{len(failed)} exercises could not be judged; the same command tries them again")
     return 0
 
 

@@ -22,6 +22,7 @@ from pathlib import Path
 
 import sandbox
 from build import build
+from judge_picture import Pictures
 from handout import COMPILED, LEFT_OUT, starters
 from macros import foreign_macro
 from sandbox import Limits, Mounts
@@ -38,7 +39,7 @@ WORDS_MOST = 600
 class Judge:
     """What is the same for all students. Raises Failure where nothing can be contained here."""
 
-    def __init__(self, wanted: dict[str, str], call_s: int = CALL_S):
+    def __init__(self, wanted: dict[str, str], call_s: int = CALL_S, pictures: bool = True):
         self.wanted, self.call_s = wanted, call_s  # chapter by exercise
         self.chapters = sorted(set(wanted.values()))
         sandbox.require()
@@ -52,7 +53,8 @@ class Judge:
         commands = json.loads((BUILD / "compile_commands.json").read_text())
         self.commands = {entry["file"]: shlex.split(entry["command"]) for entry in commands}
         self.seed = self.draw_seed()
-        self.versions = {chapter: self.version(chapter) for chapter in self.chapters}
+        self.versions = {chapter: self.version(chapter, pictures) for chapter in self.chapters}
+        self.pictures = Pictures(wanted, self.versions) if pictures else None
         self.kept = contextlib.ExitStack()
         self.running = set()
 
@@ -89,12 +91,12 @@ class Judge:
             path.chmod(0o600)
         return int(path.read_text())
 
-    def version(self, chapter: str) -> str:
+    def version(self, chapter: str, with_pictures: bool) -> str:
         """Changes with whatever a verdict of this chapter depends on, but for the submission."""
         paths = [self.folder / f"judge_{chapter}", BUILD / "liblightwalk.so", *Path(__file__).parent.glob("*.py"),
                  *sorted((ROOT / "shaders").rglob("*.*")), *sorted(objects(f"serve_{chapter}"))]
         stats = [(str(path), path.stat().st_size, path.stat().st_mtime_ns) for path in paths]
-        return hashlib.sha256(repr((stats, self.seed, self.call_s)).encode()).hexdigest()
+        return hashlib.sha256(repr((stats, self.seed, self.call_s, with_pictures)).encode()).hexdigest()
 
     def library(self, chapter: str) -> Path:
         """What of a chapter and the earlier ones is handed out as source: neither references nor the truth."""
@@ -123,10 +125,13 @@ class Judge:
             return base | json.loads(kept.read_text())
         except (OSError, ValueError):
             pass
-        found = self.judge(exercise, data)
-        # With these inputs the reference itself may lie beside a bound.
-        if not found["ok"] and not self.reference_is_right(exercise):
-            found = self.judge(exercise, data, seed=0)
+        try:
+            found = self.judge(exercise, data)
+            # With these inputs the reference itself may lie beside a bound.
+            if not found["ok"] and not self.reference_is_right(exercise):
+                found = self.judge(exercise, data, seed=0)
+        except (Failure, OSError) as error:  # this machine's fault: not kept, and said at the end
+            return base | {"state": "failed", "first_failure": f"could not be judged: {clean(str(error))}"}
         found = {name: clean(value) for name, value in found.items()
                  if name in ("ok", "passed", "failed", "first_failure", "hint", "note")}
         write_atomically(kept, json.dumps(found))
@@ -147,19 +152,29 @@ class Judge:
         with tempfile.TemporaryDirectory(prefix="lightwalk.grade.") as made:
             source = Path(made) / self.paths[exercise].name
             source.write_bytes(data)
-            seed = self.seed if seed is None else seed
-            if source.suffix == ".glsl":
-                if why := foreign_macro(data, self.paths[exercise]):
-                    return {"ok": False, "first_failure": why}
-                return self.decide(exercise, seed, source)
-            if why := self.compile(exercise, source):
+            found = self.numbers(exercise, source, self.seed if seed is None else seed)
+            if found["ok"] and self.pictures:
+                if why := self.pictures.wrong(exercise, source, self):
+                    found |= {"ok": False, "failed": found["failed"] + 1, "first_failure": why,
+                              "hint": "every number that was tried is right, so look for an input that only the picture has"}
+                else:
+                    found["passed"] += len(self.pictures.shots[exercise])
+            return found
+
+    def numbers(self, exercise: str, source: Path, seed: int) -> dict:
+        """The checks' verdict on a source that is alone in its folder."""
+        if source.suffix == ".glsl":
+            if why := foreign_macro(source.read_bytes(), self.paths[exercise]):
                 return {"ok": False, "first_failure": why}
-            ends = [*os.pipe(), *os.pipe()]  # questions: read, write; answers: read, write
-            with self.started(["/grade/worker", ends[0], ends[3]], self.worker_mounts(source.parent),
-                              Limits((6 if self.has_trial(exercise) else 2) * GIB, JUDGE_S + 5),
-                              {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_CALL_LIMIT_S": self.call_s},
-                              pass_fds=(ends[0], ends[3]), out=False):
-                return self.decide(exercise, seed, None, worker=(ends[1], ends[2]), ours=ends)
+            return self.decide(exercise, seed, source)
+        if why := self.compile(exercise, source):
+            return {"ok": False, "first_failure": why}
+        ends = [*os.pipe(), *os.pipe()]  # questions: read, write; answers: read, write
+        with self.started(["/grade/worker", ends[0], ends[3]], self.worker_mounts(source.parent),
+                          Limits((6 if self.has_trial(exercise) else 2) * GIB, JUDGE_S + 5),
+                          {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_CALL_LIMIT_S": self.call_s},
+                          pass_fds=(ends[0], ends[3]), out=False):
+            return self.decide(exercise, seed, None, worker=(ends[1], ends[2]), ours=ends)
 
     def parts(self, chapter: str) -> list[Path]:
         """What a student's object is linked with, of which the first two come before it."""
@@ -218,17 +233,20 @@ class Judge:
         return mounts
 
     def judge_mounts(self, exercise: str, source: Path | None) -> Mounts:
-        """With the references of all GLSL exercises but this one, which others may include."""
         mounts = self.mounts()
         mounts.read(self.folder / f"judge_{self.wanted[exercise]}", Path("/grade/judge"))
+        self.mount_references(mounts, exercise)
+        if source:
+            mounts.read(source, self.paths[exercise])
+        return mounts
+
+    def mount_references(self, mounts: Mounts, exercise: str):
+        """Of all GLSL exercises but this one, which others may include."""
         for folder in sorted((ROOT / "shaders").glob("*/solution")):
             mounts.empty(folder)
             for path in folder.glob("*.glsl"):
                 if f"{folder.parent.name[:2]}.{path.stem}" != exercise:
                     mounts.read(path)
-        if source:
-            mounts.read(source, self.paths[exercise])
-        return mounts
 
     def decide(self, exercise: str, seed: int, source: Path | None, worker=(), ours=()) -> dict:
         """Runs the checks, on a shader or on a process that answers, and reads their verdict."""
@@ -293,6 +311,8 @@ def copy_without_answers(to: Path, starter: dict[str, bytes], paths: dict[str, P
         elif not any(name.match(pattern) for pattern in LEFT_OUT) and (name.parts[0] != "tests" or name.parts[1] == "common"):
             (to / name.parent).mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / name, to / name)
+    for folder in (ROOT / "tests").iterdir():
+        (to / "tests" / folder.name).mkdir(parents=True, exist_ok=True)
     for exercise, path in paths.items():
         place = to / path.relative_to(ROOT)
         place.parent.mkdir(parents=True, exist_ok=True)

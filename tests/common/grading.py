@@ -40,6 +40,7 @@ class Class(unittest.TestCase):
     """Subclasses fill `folder` in fill() and read `grades`, by student."""
 
     wanted = list(PLACES)
+    pictures = False
 
     @classmethod
     def setUpClass(cls):
@@ -50,7 +51,7 @@ class Class(unittest.TestCase):
         cls.folder.mkdir()
         cls.fill()
         of = {chapter[:2]: chapter for chapter in CHAPTERS}
-        with Judge({name: of[name[:2]] for name in cls.wanted}, call_s=1) as judge:
+        with Judge({name: of[name[:2]] for name in cls.wanted}, 1, cls.pictures) as judge:
             shutil.rmtree(judge.folder / "verdicts", ignore_errors=True)
             cls.prepare(judge)
             cls.grades = {one["student"]: one for one in grade(find([cls.folder]), judge)}

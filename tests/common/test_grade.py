@@ -177,7 +177,7 @@ class Submissions(Class):
 
     def test_again_nothing_is_run(self):
         start_s = time.monotonic()
-        with Judge({name: "02_lambert_phong" if name[:2] == "02" else "03_attenuation" for name in self.wanted}, call_s=1) as judge, \
+        with Judge({name: "02_lambert_phong" if name[:2] == "02" else "03_attenuation" for name in self.wanted}, 1, False) as judge, \
                 mock.patch("sandbox.Running", side_effect=AssertionError("it was run")):
             again = grade(find([self.folder / "plain", self.folder / "zip.zip"]), judge)
         self.assertEqual([one["right"] for one in again], [1, 1])
@@ -186,7 +186,7 @@ class Submissions(Class):
     def test_random_inputs_are_those_of_the_seed(self):
         """A table of answers to the inputs that everybody can see is worth nothing."""
         wrong = b"float lambert(vec3 n, vec3 l) { return l.z > 0.3 ? 9.0 : max(dot(n, l), 0.0); }\n"
-        with Judge({"02.lambert": "02_lambert_phong"}, call_s=1) as judge:
+        with Judge({"02.lambert": "02_lambert_phong"}, 1, False) as judge:
             said = {judge.judge("02.lambert", wrong, seed)["first_failure"] for seed in (0, 1, 2)}
         self.assertEqual(len(said), 3, said)
 
