@@ -1,4 +1,4 @@
-"""Judges the pictures of an exercise whose numbers are right: those shots that name it, small.
+"""Judges the picture of an exercise whose numbers are right: a shot that names it, small.
 
 The reference's picture is drawn outside, once for a class. The student's version of this one exercise is drawn in a
 sandbox, with the references of all others, and without its own: a GLSL file is not there, and in C++ the chapter's program
@@ -11,9 +11,9 @@ import functools
 import json
 import re
 import shlex
-import shutil
 import subprocess
 import threading
+import time
 from pathlib import Path
 
 import sandbox
@@ -21,7 +21,7 @@ from build import build
 from check import PICTURE_LIMITS
 from sandbox import Limits, Mounts
 from shots import exceeded, render, unfit
-from tree import BUILD, ROOT, Failure, chapter_program, shots
+from tree import BUILD, ROOT, Failure, chapter_program, shots, write_atomically
 
 SIZE = "480x270"
 GIB = 1 << 30
@@ -41,40 +41,49 @@ class Pictures:
         self.links = {chapter: link_command(chapter) for chapter in named}
         self.locks = {chapter: threading.Lock() for chapter in named}
 
-    def reference(self, chapter: str, name: str) -> Path:
-        """Drawn outside, when it is first asked for."""
+    def reference(self, exercise: str) -> tuple[str, Path] | None:
+        """A shot that shows the exercise, of several the one that is drawn in the least time, and its picture, drawn
+        outside when it is first asked for. None where no shot does."""
+        chapter = self.wanted[exercise]
+        folder = BUILD / "grade" / "pictures" / f"{chapter}.{self.versions[chapter][:16]}"
         with self.locks[chapter]:
-            folder = BUILD / "grade" / "pictures" / f"{chapter}.{self.versions[chapter][:16]}"
-            picture = folder / f"{name}.png"
-            if not picture.exists():
-                beside = folder / f".{name}.png"
-                render(chapter, ["--shot", name, "--size", SIZE], beside)
-                beside.rename(picture)
-            return picture
+            times_s = {}
+            for name in self.shots[exercise]:
+                picture, took = folder / f"{name}.png", folder / f"{name}.seconds"
+                if not took.exists():
+                    start_s = time.monotonic()
+                    render(chapter, ["--shot", name, "--size", SIZE], picture)
+                    write_atomically(took, f"{time.monotonic() - start_s:.3f}\n")
+                times_s[name] = float(took.read_text())
+        if not times_s:
+            return None
+        name = min(times_s, key=times_s.get)
+        return name, folder / f"{name}.png"
 
-    def wrong(self, exercise: str, source: Path, judge) -> str:
-        """What is wrong with the first picture that is; empty where none is. The source is alone in its folder."""
-        chapter, folder = self.wanted[exercise], source.parent
-        program = chapter_program(chapter)
-        if self.shots[exercise] and source.suffix == ".cpp":
-            if why := self.link(exercise, folder, judge):
+    def wrong(self, exercise: str, source: Path, judge) -> str | None:
+        """What is wrong with the picture; empty where nothing is, None where there is none. The source is alone in its
+        folder."""
+        shot = self.reference(exercise)
+        if not shot:
+            return None
+        name, expected = shot
+        program, out = chapter_program(self.wanted[exercise]), source.parent / "out"
+        if source.suffix == ".cpp":
+            if why := self.link(exercise, source.parent, judge):
                 return why
-            program = folder / "program"
-        for name in self.shots[exercise]:
-            expected = self.reference(chapter, name)
-            (folder / "out" / "picture.png").unlink(missing_ok=True)
-            with judge.started(["/grade/program", "--shot", name, "--size", SIZE, "--use", f"solution,{exercise}=exercise",
-                                "--screenshot", "/out/picture.png"], self.drawing_mounts(exercise, source, program, judge),
-                               DRAWING, {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_TIMEOUT_S": judge.call_s}) as running:
-                done = running.finish()
-            what = f"the numbers are right, the picture of {name} is not: "
-            if done.late:
-                return what + f"it was not drawn within {DRAWING.wall_s:g} s"
-            if done.code or not is_ordinary(folder / "out" / "picture.png"):
-                return what + done.said()
-            if why := self.compare(expected, folder / "out" / "picture.png", judge):
-                return what + why
-        return ""
+            program = source.parent / "program"
+        out.mkdir()
+        with judge.started(["/grade/program", "--shot", name, "--size", SIZE, "--use", f"solution,{exercise}=exercise",
+                            "--screenshot", "/out/picture.png"], self.drawing_mounts(exercise, source, program, judge),
+                           DRAWING, {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_TIMEOUT_S": judge.call_s}) as running:
+            done = running.finish()
+        if done.late:
+            why = f"it was not drawn within {DRAWING.wall_s:g} s"
+        elif done.code or not is_ordinary(out / "picture.png"):
+            why = done.said()
+        else:
+            why = self.compare(expected, out / "picture.png", judge)
+        return why and f"the numbers are right, the picture of {name} is not: {why}"
 
     def drawing_mounts(self, exercise: str, source: Path, program: Path, judge) -> Mounts:
         mounts = judge.mounts()
@@ -93,7 +102,6 @@ class Pictures:
             mounts.read(source, judge.paths[exercise])
         if (BUILD / "shader_cache").is_dir():
             mounts.read(BUILD / "shader_cache")
-        (source.parent / "out").mkdir(exist_ok=True)
         mounts.write(source.parent / "out", Path("/out"))
         return mounts
 
