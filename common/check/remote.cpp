@@ -43,7 +43,8 @@ class Asking {
         if (!lost_.empty()) throw Lost(lost_);
         // A trial looks after the time of its calls itself.
         const bool trial = id.find(' ') != id.npos;
-        deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(trial ? 20000 : 1000 * call_limit_s() + 1500);
+        deadline_ =
+            std::chrono::steady_clock::now() + std::chrono::milliseconds(trial ? 20000 : 1000 * call_limit_s() + 1500);
         channel::Request request{.nonce = nonce(), .id = id, .commas = writes_commas(), .arguments = arguments};
         const std::string bytes = channel::packed(request);
         const std::string before = guarded(), what = before.empty() ? name_of(id) : before;
@@ -59,9 +60,9 @@ class Asking {
             const std::string body = receive(count, what);
             rest = body;
             wire::take(rest, reply);
-        } catch (const Lost&) {
-            throw;
-        } catch (const Failure&) { lose(what + " gave no answer that can be read"); }
+        } catch (const Lost&) { throw; } catch (const Failure&) {
+            lose(what + " gave no answer that can be read");
+        }
         if (reply.nonce != request.nonce) lose(what + " gave an answer to what nobody had asked");
         if (!before.empty()) guard_call(before);
         switch (reply.kind) {
@@ -95,7 +96,8 @@ class Asking {
     // Waits until `fd` is ready; false where the time is over.
     bool ready(int fd, short events) const {
         for (;;) {
-            const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - std::chrono::steady_clock::now());
+            const auto left =
+                std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - std::chrono::steady_clock::now());
             pollfd one{fd, events, 0};
             const int found = left.count() > 0 ? poll(&one, 1, static_cast<int>(left.count())) : 0;
             if (found >= 0 || errno != EINTR) return found > 0;

@@ -23,9 +23,9 @@ struct Remote;
 
 template <class Id, class Result, class... Arguments>
 struct Remote<Id, Result(Arguments...)> {
-    static constexpr bool possible =
-        (std::is_void_v<Result> || wire::can_travel<std::remove_cvref_t<Result>>()) &&
-        !std::is_reference_v<Result> && (wire::can_travel<std::remove_cvref_t<Arguments>>() && ...);
+    static constexpr bool possible = (std::is_void_v<Result> || wire::can_travel<std::remove_cvref_t<Result>>()) &&
+                                     !std::is_reference_v<Result> &&
+                                     (wire::can_travel<std::remove_cvref_t<Arguments>>() && ...);
 
     static Result call(Arguments... arguments) {
         if constexpr (!possible) {
@@ -57,25 +57,25 @@ struct Remote<Id, Result(Arguments...)> {
 }  // namespace lightwalk
 
 // The function's symbol is found when the program starts (ifunc): any signature, without naming its parameters.
-#define LIGHTWALK_ASK(word, result, name, ...)                                                        \
-    namespace {                                                                                       \
-    struct AskFor_##name {                                                                            \
-        static const char* id() { return word; }                                                      \
-    };                                                                                                \
-    }                                                                                                 \
-    extern "C" {                                                                                      \
-    static auto lightwalk_ask_##name() { return &Remote<AskFor_##name, result(__VA_ARGS__)>::call; }  \
+#define LIGHTWALK_ASK(word, result, name, ...)                                                       \
+    namespace {                                                                                      \
+    struct AskFor_##name {                                                                           \
+        static const char* id() { return word; }                                                     \
+    };                                                                                               \
+    }                                                                                                \
+    extern "C" {                                                                                     \
+    static auto lightwalk_ask_##name() { return &Remote<AskFor_##name, result(__VA_ARGS__)>::call; } \
     }
 
 #undef EXERCISE
-#define EXERCISE(word, result, name, ...)                                                  \
-    LIGHTWALK_ASK(word, result, name, __VA_ARGS__)                                         \
-    namespace exercise {                                                                   \
-    __attribute__((ifunc("lightwalk_ask_" #name))) result name(__VA_ARGS__);               \
-    }                                                                                      \
+#define EXERCISE(word, result, name, ...)                                    \
+    LIGHTWALK_ASK(word, result, name, __VA_ARGS__)                           \
+    namespace exercise {                                                     \
+    __attribute__((ifunc("lightwalk_ask_" #name))) result name(__VA_ARGS__); \
+    }                                                                        \
     static_assert(true)
 
 #undef TRIAL
-#define TRIAL(word, result, name, ...)             \
+#define TRIAL(word, result, name, ...)                       \
     LIGHTWALK_ASK(word " " #name, result, name, __VA_ARGS__) \
     __attribute__((ifunc("lightwalk_ask_" #name))) result name(__VA_ARGS__)

@@ -21,9 +21,9 @@ struct Serve;
 
 template <auto function, class Result, class... Arguments>
 struct Serve<function, Result(Arguments...)> {
-    static constexpr bool possible =
-        (std::is_void_v<Result> || wire::can_travel<std::remove_cvref_t<Result>>()) &&
-        !std::is_reference_v<Result> && (wire::can_travel<std::remove_cvref_t<Arguments>>() && ...);
+    static constexpr bool possible = (std::is_void_v<Result> || wire::can_travel<std::remove_cvref_t<Result>>()) &&
+                                     !std::is_reference_v<Result> &&
+                                     (wire::can_travel<std::remove_cvref_t<Arguments>>() && ...);
 
     static std::string answer(std::string_view bytes) {
         if constexpr (!possible) {
@@ -63,6 +63,6 @@ struct Serve<function, Result(Arguments...)> {
     static const RegisterAnswer serve_##name(id, Serve<&exercise::name, result(__VA_ARGS__)>::answer)
 
 #undef TRIAL
-#define TRIAL(id, result, name, ...)  \
-    result name(__VA_ARGS__);         \
+#define TRIAL(id, result, name, ...) \
+    result name(__VA_ARGS__);        \
     static const RegisterAnswer serve_##name(id " " #name, Serve<&name, result(__VA_ARGS__)>::answer)

@@ -63,9 +63,9 @@ channel::Reply answer(const channel::Request& request) {
         reply.bytes = "gave more than can be right: 64 MiB";
     } catch (const InputError& e) {
         reply.kind = channel::Kind::input_error, reply.bytes = e.what();
-    } catch (const std::exception& e) {
-        reply.kind = channel::Kind::exception, reply.bytes = e.what();
-    } catch (...) { reply.kind = channel::Kind::exception, reply.bytes = "what is no std::exception"; }
+    } catch (const std::exception& e) { reply.kind = channel::Kind::exception, reply.bytes = e.what(); } catch (...) {
+        reply.kind = channel::Kind::exception, reply.bytes = "what is no std::exception";
+    }
     if (!trial) guard_call("");
     return reply;
 }
@@ -79,7 +79,10 @@ int main(int argc, char** argv) {
     from = std::atoi(argv[1]), to = std::atoi(argv[2]);
     uint64_t nonce = 0;
     guard_calls([&](const std::string& message) {
-        send({.nonce = nonce, .kind = channel::Kind::lost, .exceptions = 0, .bytes = message.substr(message.find(' ') + 1)});
+        send({.nonce = nonce,
+              .kind = channel::Kind::lost,
+              .exceptions = 0,
+              .bytes = message.substr(message.find(' ') + 1)});
     });
     for (std::string bytes; receive(bytes, 8);) {
         uint64_t count = 0;

@@ -1,5 +1,5 @@
-// Values as bytes, to and from another process of the same build. What comes back is not trusted: lengths are looked at,
-// a bool is 0 or 1, and no pointer travels.
+// Values as bytes, to and from another process of the same build. What comes back is not trusted: lengths are looked
+// at, a bool is 0 or 1, and no pointer travels.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -36,9 +36,13 @@ struct is_pair<std::pair<A, B>> : std::true_type {};
 
 /// glm's vectors and matrices: numbers and nothing else.
 template <class T>
-concept Numbers = requires { typename T::value_type; T::length(); } && std::is_trivially_copyable_v<T>;
+concept Numbers = requires {
+    typename T::value_type;
+    T::length();
+}
+&&std::is_trivially_copyable_v<T>;
 template <class T>
-concept Number = (std::is_arithmetic_v<T> || std::is_enum_v<T>) && !std::is_same_v<T, bool>;
+concept Number = (std::is_arithmetic_v<T> || std::is_enum_v<T>)&&!std::is_same_v<T, bool>;
 template <class T>
 concept Text = std::is_same_v<T, std::string> || std::is_same_v<T, std::string_view>;
 template <class T>
@@ -62,10 +66,10 @@ constexpr size_t member_count() {
 template <class T>
 constexpr auto members(T& r) {
     constexpr size_t count = member_count<std::remove_const_t<T>>();
-#define LIGHTWALK_MEMBERS(number, ...)    \
-    if constexpr (count == number) {      \
-        auto& [__VA_ARGS__] = r;          \
-        return std::tie(__VA_ARGS__);     \
+#define LIGHTWALK_MEMBERS(number, ...) \
+    if constexpr (count == number) {   \
+        auto& [__VA_ARGS__] = r;       \
+        return std::tie(__VA_ARGS__);  \
     } else
     LIGHTWALK_MEMBERS(1, a)
     LIGHTWALK_MEMBERS(2, a, b)

@@ -8,7 +8,6 @@ the class, and judge_NN's own line is known by a word that is drawn for the run.
 """
 
 import contextlib
-import functools
 import hashlib
 import json
 import os
@@ -22,12 +21,13 @@ from pathlib import Path
 
 import sandbox
 from build import build
+from handout import starters
 from judge_picture import Pictures
-from handout import COMPILED, LEFT_OUT, starters
+from judge_tree import copy_without_answers, library, objects
 from macros import foreign_macro
 from sandbox import Limits, Mounts
 from submission import printable
-from tree import BUILD, ROOT, Failure, exercises, files, write_atomically
+from tree import BUILD, ROOT, Failure, exercises, write_atomically
 
 GIB = 1 << 30
 JUDGE_S = 30  # of a whole check
@@ -60,8 +60,8 @@ class Judge:
 
     def __enter__(self):
         self.tree = Path(self.kept.enter_context(tempfile.TemporaryDirectory(prefix="lightwalk.grade.")))
-        copy_without_answers(self.tree, self.starters, self.paths)
-        self.libraries = {chapter: self.library(chapter) for chapter in self.chapters
+        copy_without_answers(self.tree, {path: self.starters[name] for name, path in self.paths.items()})
+        self.libraries = {chapter: library(self.tree, chapter) for chapter in self.chapters
                           if (BUILD / f"libchapter_{chapter}.a").exists()}
         return self
 
@@ -97,20 +97,6 @@ class Judge:
                  *sorted((ROOT / "shaders").rglob("*.*")), *sorted(objects(f"serve_{chapter}"))]
         stats = [(str(path), path.stat().st_size, path.stat().st_mtime_ns) for path in paths]
         return hashlib.sha256(repr((stats, self.seed, self.call_s, with_pictures)).encode()).hexdigest()
-
-    def library(self, chapter: str) -> Path:
-        """What of a chapter and the earlier ones is handed out as source: neither references nor the truth."""
-        path = self.tree / f"lib{chapter}.a"
-        members = []
-        for name in [name for name in sorted(os.listdir(ROOT / "chapters")) if name <= chapter]:
-            members += [one for one in objects(f"chapter_{name}") if not is_answer(one)]
-        said = subprocess.run(["nm", "-A", "-C", *members], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-                              errors="replace").stdout
-        telling = {line.partition(".o:")[0] + ".o" for line in said.splitlines()
-                   if "lightwalk::truth::" in line or re.search(r" [TWVDBR] lightwalk::solution::", line)}
-        members = [one for one in members if str(one) not in telling]
-        subprocess.run(["ar", "rc", path, *members], check=True, stdout=subprocess.DEVNULL)
-        return path
 
     def verdict(self, exercise: str, data: bytes | None) -> dict:
         """What is to be said of one file; known ones are not run again. Whatever goes wrong is this file's."""
@@ -277,44 +263,3 @@ def clean(value):
 def same_text(a: bytes, b: bytes) -> bool:
     """But for line ends, and for spaces at them."""
     return [line.rstrip() for line in a.splitlines()] == [line.rstrip() for line in b.splitlines()]
-
-
-@functools.cache
-def object_files() -> list[Path]:
-    """All that the build compiles to: what an earlier build has left lies there, too."""
-    found = []
-    for entry in json.loads((BUILD / "compile_commands.json").read_text()):
-        words = shlex.split(entry["command"])
-        found.append(Path(entry["directory"]) / words[words.index("-o") + 1])
-    return sorted(found)
-
-
-def objects(target: str) -> list[Path]:
-    """The object files of a target of the build."""
-    folder = BUILD / "CMakeFiles" / f"{target}.dir"
-    return [path for path in object_files() if path.is_relative_to(folder)]
-
-
-def is_answer(compiled: Path) -> bool:
-    """Whether an object is of a reference, or of what the handout has without its source."""
-    name = str(compiled).partition(".dir/")[2].removesuffix(".o")
-    return "/solution/" in name or "/exercise/" in name or any(Path(name).match(pattern) for pattern in COMPILED)
-
-
-def copy_without_answers(to: Path, starter: dict[str, bytes], paths: dict[str, Path]):
-    """The headers and shaders that a student's file may include, and an empty place for each reference."""
-    kept = {".h", ".glsl", ".vert", ".frag", ".geom", ".comp"}
-    for name in files():
-        if name.parts[0] not in ("chapters", "common", "shaders", "tests") or name.suffix not in kept:
-            continue
-        if "solution" in name.parts:
-            (to / name.parent).mkdir(parents=True, exist_ok=True)
-        elif not any(name.match(pattern) for pattern in LEFT_OUT) and (name.parts[0] != "tests" or name.parts[1] == "common"):
-            (to / name.parent).mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(ROOT / name, to / name)
-    for folder in (ROOT / "tests").iterdir():
-        (to / "tests" / folder.name).mkdir(parents=True, exist_ok=True)
-    for exercise, path in paths.items():
-        place = to / path.relative_to(ROOT)
-        place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_bytes(starter[exercise])

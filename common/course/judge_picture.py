@@ -79,8 +79,10 @@ class Pictures:
             done = running.finish()
         if done.late:
             why = f"it was not drawn within {DRAWING.wall_s:g} s"
-        elif done.code or not is_ordinary(out / "picture.png"):
+        elif done.code:
             why = done.said()
+        elif not is_ordinary(out / "picture.png"):
+            why = "no picture came out"
         else:
             why = self.compare(expected, out / "picture.png", judge)
         return why and f"the numbers are right, the picture of {name} is not: {why}"

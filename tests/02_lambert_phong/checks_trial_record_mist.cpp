@@ -66,8 +66,8 @@ MistSeen try_record_mist(float red, float blue) {
              .on_message = [&](const char* message) {
                  if (seen.validation.empty()) seen.validation = message;
              }});
-    const Pipeline sky = compute(
-        {.shader = "the sky of the check", .macros = {{"BLUE", std::to_string(blue)}}, .source = sky_source});
+    const Pipeline sky =
+        compute({.shader = "the sky of the check", .macros = {{"BLUE", std::to_string(blue)}}, .source = sky_source});
     const Pipeline mist = compute({.shader = "the mist of the check", .source = mist_source});
     const Pipeline quad = graphics({.vertex = "../tests/common/shaders/quad.vert",
                                     .fragment = "../tests/common/shaders/paint_one.frag",

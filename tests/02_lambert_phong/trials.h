@@ -20,8 +20,9 @@ struct MistSeen {
     std::string validation;  ///< its first message
 };
 
-/// Two frames of 16x16 pixels: the scene, as red as it says, covers the left half, then the right one, at depth 0.5; the
-/// sky is blue; mist adds green by the depth that it finds. Before each, a frame leaves the nearest depth and dark green.
+/// Two frames of 16x16 pixels: the scene, as red as it says, covers the left half, then the right one, at depth 0.5;
+/// the sky is blue; mist adds green by the depth that it finds. Before each, a frame leaves the nearest depth and dark
+/// green.
 TRIAL("02.record_mist", MistSeen, try_record_mist, float red, float blue);
 
 }  // namespace lightwalk

@@ -51,7 +51,7 @@ class Class(unittest.TestCase):
         cls.folder.mkdir()
         cls.fill()
         of = {chapter[:2]: chapter for chapter in CHAPTERS}
-        with Judge({name: of[name[:2]] for name in cls.wanted}, 1, cls.pictures) as judge:
+        with Judge({name: of[name[:2]] for name in cls.wanted}, 2, cls.pictures) as judge:
             shutil.rmtree(judge.folder / "verdicts", ignore_errors=True)
             cls.prepare(judge)
             cls.grades = {one["student"]: one for one in grade(find([cls.folder]), judge)}

@@ -68,7 +68,7 @@ ATTACKS = {
     "prints a pass line before main": (at_start(PRINT + " _exit(0);"), "ended"),
     "prints brackets": (box('for (int i = 0; i < 100000; ++i) std::putchar(\'[\'); std::puts("");'), GAVE_TRUE),
     "prints half a character": (box(r'std::puts("{\"exercise\": \"\\ud800\"}\xff\xfe");'), GAVE_TRUE),
-    "prints without an end": (box("for (;;) std::puts(\"more and more and more\");"), "did not return within 1 s"),
+    "prints without an end": (box("for (;;) std::puts(\"more and more and more\");"), "did not return within 2 s"),
     "writes its own answers": (
         box('for (int fd = 3; fd < 64; ++fd) { char all[4096]; std::memset(all, 1, sizeof all); '
             'fcntl(fd, F_SETFL, O_NONBLOCK); (void)!write(fd, all, sizeof all); }'), "answer"),
@@ -135,7 +135,7 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
         box(f'if (fork() == 0) {{ sleep(3); std::ofstream("{OUTSIDE}"); sleep(600); }} '
             'if (fork() >= 0 || vfork() >= 0) BROKE_OUT("fork");'), GAVE_TRUE),
     "forks without an end": (box("for (;;) if (syscall(SYS_clone, SIGCHLD, 0, 0, 0, 0) > 0) BROKE_OUT(\"clone\");"),
-                             "did not return within 1 s"),
+                             "did not return within 2 s"),
     "starts threads without an end": (
         box("for (;;) std::thread([] { for (;;) pause(); }).detach();"), "threw an exception|unavailable|ended"),
     "opens a socket": (
@@ -147,7 +147,7 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
             'if (!connect(s, reinterpret_cast<sockaddr*>(&in), sizeof in)) BROKE_OUT("tcp");'), GAVE_TRUE),
     "kills its parent": (box("kill(getppid(), SIGKILL); kill(1, SIGKILL); kill(-1, SIGKILL);"), "ended|" + GAVE_TRUE),
     "stops its parent": (box("kill(getppid(), SIGSTOP); kill(1, SIGSTOP);"), GAVE_TRUE),
-    "stops itself": (box("raise(SIGSTOP); kill(getpid(), SIGSTOP); pause();"), "did not return within 1 s"),
+    "stops itself": (box("raise(SIGSTOP); kill(getpid(), SIGSTOP); pause();"), "did not return within 2 s"),
     "follows its parent": (
         box('if (!ptrace(PTRACE_ATTACH, 1, 0, 0) || !ptrace(PTRACE_ATTACH, getppid(), 0, 0)) BROKE_OUT("ptrace");'
             'DIR* all = opendir("/proc"); while (dirent* one = readdir(all)) '
@@ -159,12 +159,12 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
         box('std::ifstream all("/proc/self/environ"); std::stringstream text; text << all.rdbuf(); '
             'for (const char* word : {"NONCE", "SEED", "LIGHTWALK_WORKER"}) '
             'if (text.str().find(word) != std::string::npos || getenv(word)) BROKE_OUT(word);'), GAVE_TRUE),
-    "never returns": (box("for (volatile int i = 0;; i = i + 1) {}"), "did not return within 1 s"),
-    "never starts": (at_start("for (volatile int i = 0;; i = i + 1) {}"), "did not return within 1 s"),
+    "never returns": (box("for (volatile int i = 0;; i = i + 1) {}"), "did not return within 2 s"),
+    "never starts": (at_start("for (volatile int i = 0;; i = i + 1) {}"), "did not return within 2 s"),
     "never returns, deaf": (
         box("sigset_t all; sigfillset(&all); sigprocmask(SIG_SETMASK, &all, nullptr); signal(SIGALRM, SIG_IGN); "
-            "for (volatile int i = 0;; i = i + 1) {}"), "did not return within 1 s"),
-    "never ends": (box("std::atexit([] { for (;;) pause(); }); std::exit(0);"), "did not return within 1 s"),
+            "for (volatile int i = 0;; i = i + 1) {}"), "did not return within 2 s"),
+    "never ends": (box("std::atexit([] { for (;;) pause(); }); std::exit(0);"), "did not return within 2 s"),
     "takes all memory": (
         box('for (size_t got = 0;; got += 1 << 24) std::memset(std::malloc(1 << 24), 1, 1 << 24);'),
                          "crashed|ended|did not return"),
@@ -177,7 +177,7 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
                                     "return deep(n + 1) + big[(n * 7) % 4096]; }\n"), "crashed"),
     "crashes": (box("*reinterpret_cast<volatile int*>(8) = 1;"), "crashed"),
     "throws what is no exception": (box("throw 42;"), "what is no std::exception"),
-    "throws a novel": (box('throw InputError("{}", std::string(20 << 20, \'x\'));'), "xxxx"),
+    "throws a novel": (box('throw InputError("{}", std::string(20 << 20, \'x\'));'), "xxxx|did not return"),
     "throws a grade": (
         box(r'throw InputError("{}", "x\nhonest 99/99\r\x1b[2Jhonest 99/99\xe2\x80\xae\xff");'), r"\\u000ahonest"),
     "gives gigabytes": (

@@ -177,7 +177,7 @@ class Submissions(Class):
 
     def test_again_nothing_is_run(self):
         start_s = time.monotonic()
-        with Judge({name: "02_lambert_phong" if name[:2] == "02" else "03_attenuation" for name in self.wanted}, 1, False) as judge, \
+        with Judge({name: "02_lambert_phong" if name[:2] == "02" else "03_attenuation" for name in self.wanted}, 2, False) as judge, \
                 mock.patch("sandbox.Running", side_effect=AssertionError("it was run")):
             again = grade(find([self.folder / "plain", self.folder / "zip.zip"]), judge)
         self.assertEqual([one["right"] for one in again], [1, 1])
@@ -186,9 +186,47 @@ class Submissions(Class):
     def test_random_inputs_are_those_of_the_seed(self):
         """A table of answers to the inputs that everybody can see is worth nothing."""
         wrong = b"float lambert(vec3 n, vec3 l) { return l.z > 0.3 ? 9.0 : max(dot(n, l), 0.0); }\n"
-        with Judge({"02.lambert": "02_lambert_phong"}, 1, False) as judge:
+        with Judge({"02.lambert": "02_lambert_phong"}, 2, False) as judge:
             said = {judge.judge("02.lambert", wrong, seed)["first_failure"] for seed in (0, 1, 2)}
         self.assertEqual(len(said), 3, said)
+
+
+class Pictures(Class):
+    """Numbers that are right are not all."""
+
+    wanted = ["01.triangulate", "02.lambert"]
+    pictures = True
+
+    @classmethod
+    def fill(cls):
+        cls.student("honest", {name: right(name) for name in cls.wanted})
+        two_faces = right("02.lambert").replace("{\n", "{\n#ifdef METHOD\n    return 0.3;\n#endif\n", 1)
+        writes = """{
+    const int out = open("/out/picture.png", O_CREAT | O_WRONLY, 0600);
+    if (out >= 0) { (void)!write(out, "no picture", 10); _exit(0); }
+"""
+        linked = """{
+    if (!symlink("/grade/expected.png", "/out/picture.png") || !symlink("CLASS/golden.png", "/out/picture.png")) _exit(0);
+"""
+        head = "#include <fcntl.h>\n#include <unistd.h>\n#include <cstdlib>\n"
+        cls.student("two faces", {"02.lambert": two_faces})
+        cls.student("own picture", {"01.triangulate": head + body(right("01.triangulate"), writes)})
+        cls.student("a link", {"01.triangulate": head + body(right("01.triangulate"), linked)})
+
+    def test_pictures(self):
+        self.assertEqual(self.grades["honest"]["right"], 2, self.grades["honest"])
+        for student, exercise, words in (("two faces", "02.lambert", "pixels differ|one colour"),
+                                         ("own picture", "01.triangulate", "cannot be compared"),
+                                         ("a link", "01.triangulate", "no picture came out")):
+            result = self.result(student, exercise)
+            self.assertFalse(result["ok"], result)
+            self.assertRegex(result["first_failure"], f"the numbers are right, the picture of .* is not: .*({words})")
+
+
+def body(text: str, begins: str) -> str:
+    """C++ whose exercise begins otherwise."""
+    at = text.index("{\n", text.rindex("std::vector<glm::uvec3> triangulate("))
+    return text[:at] + begins + text[at + 2:]
 
 
 def xz_of_large_dictionary() -> bytes:
