@@ -25,7 +25,8 @@ from tree import BUILD, ROOT, Failure, chapter_program, shots, write_atomically
 
 SIZE = "480x270"
 GIB = 1 << 30
-DRAWING = Limits(6 * GIB, 30)
+DRAWING = Limits(6 * GIB, 60)
+PASS_S = 20  # of one pass of a frame, on a busy machine
 COMPARING = Limits(2 * GIB, 20)
 
 
@@ -75,7 +76,7 @@ class Pictures:
         out.mkdir()
         with judge.started(["/grade/program", "--shot", name, "--size", SIZE, "--use", f"solution,{exercise}=exercise",
                             "--screenshot", "/out/picture.png"], self.drawing_mounts(exercise, source, program, judge),
-                           DRAWING, {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_TIMEOUT_S": judge.call_s}) as running:
+                           DRAWING, {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_TIMEOUT_S": PASS_S}) as running:
             done = running.finish()
         if done.late:
             why = f"it was not drawn within {DRAWING.wall_s:g} s"

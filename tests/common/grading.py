@@ -1,4 +1,9 @@
-"""A class for the tests of ./course grade: students with answers in a folder, judged once for all tests."""
+"""A class for the tests of ./course grade: students with answers in a folder, judged once for all tests.
+
+python3 tests/common/grading.py [NN ...] judges a right answer to every exercise of these chapters (all): after a change of
+a check it says whether grading still takes what is right. A C++ exercise that cannot be called in another process needs a
+TRIAL (common/check/trial.h).
+"""
 
 import shutil
 import sys
@@ -12,7 +17,7 @@ import sandbox  # noqa: E402
 from grade import grade  # noqa: E402
 from judge import Judge  # noqa: E402
 from submission import find  # noqa: E402
-from tree import Failure, exercises  # noqa: E402
+from tree import Failure, chapters, exercises, find_chapter  # noqa: E402
 
 CHAPTERS = ("01_obj", "02_lambert_phong", "03_attenuation")
 PLACES = {exercise: str(path.relative_to(REAL)) for chapter in CHAPTERS for exercise, path in exercises(chapter).items()}
@@ -27,9 +32,9 @@ def why_not() -> str:
     return ""
 
 
-def right(exercise: str) -> str:
+def right(exercise: str, place: str = "") -> str:
     """An answer that is right: the reference, as a student would write it."""
-    place = REAL / PLACES[exercise].replace("/exercise/", "/solution/")
+    place = REAL / (place or PLACES[exercise]).replace("/exercise/", "/solution/")
     if exercise == "01.parse_vertex_line":  # the reference calls what the handout has compiled only
         place = REAL / "tests/01_obj/variants/parse_vertex_line.from_chars.cpp"
     return place.read_text().replace("namespace lightwalk::solution", "namespace lightwalk::exercise")
@@ -74,3 +79,24 @@ class Class(unittest.TestCase):
 
     def result(self, student: str, exercise: str) -> dict:
         return next(one for one in self.grades[student]["results"] if one["exercise"] == exercise)
+
+
+def main(words: list[str]) -> int:
+    """Exit code 1 where a right answer is not taken."""
+    wanted = {exercise: chapter for chapter in ([find_chapter(word) for word in words] or chapters())
+              for exercise in exercises(chapter)}
+    with tempfile.TemporaryDirectory() as made:
+        for chapter in set(wanted.values()):
+            for exercise, path in exercises(chapter).items():
+                place = path.relative_to(REAL)
+                (Path(made) / place).parent.mkdir(parents=True, exist_ok=True)
+                (Path(made) / place).write_text(right(exercise, str(place)))
+        with Judge(wanted) as judge:
+            [one] = grade(find([Path(made)]), judge)
+    for result in one["results"]:
+        print("ok  " if result["ok"] else "open", result["exercise"], result["first_failure"] or "")
+    return 0 if one["right"] == one["of"] else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
