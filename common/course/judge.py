@@ -30,7 +30,7 @@ from submission import printable
 from tree import BUILD, ROOT, Failure, exercises, write_atomically
 
 GIB = 1 << 30
-JUDGE_S = 30  # of a whole check
+JUDGE_S = 60  # of a whole check, on a busy machine; a call that does not return is found before
 CALL_S = 5  # of one call
 COMPILER = Limits(3 * GIB, 30, processes=True)
 WORDS_MOST = 600
@@ -56,7 +56,7 @@ class Judge:
         self.versions = {chapter: self.version(chapter, pictures) for chapter in self.chapters}
         self.pictures = Pictures(wanted, self.versions) if pictures else None
         self.kept = contextlib.ExitStack()
-        self.running = set()
+        self.running, self.stopped = set(), False
 
     def __enter__(self):
         self.tree = Path(self.kept.enter_context(tempfile.TemporaryDirectory(prefix="lightwalk.grade.")))
@@ -69,12 +69,15 @@ class Judge:
         self.kept.close()
 
     def stop(self):
-        """Ends what runs in sandboxes now."""
+        """Ends what runs in sandboxes now, and starts no more."""
+        self.stopped = True
         for one in list(self.running):
             one.close()
 
     @contextlib.contextmanager
     def started(self, *arguments, **options):
+        if self.stopped:
+            raise Failure("grading was stopped")
         running = sandbox.Running(*arguments, **options)
         self.running.add(running)
         try:

@@ -66,7 +66,7 @@ GAVE_TRUE = "gave true"  # the attack came to nothing, and what was left is wron
 ATTACKS = {
     "prints a pass line and exits": (box(PRINT + " _exit(0);"), "ended the program"),
     "prints a pass line before main": (at_start(PRINT + " _exit(0);"), "ended"),
-    "prints brackets": (box('for (int i = 0; i < 100000; ++i) std::putchar(\'[\'); std::puts("");'), GAVE_TRUE),
+    "prints brackets": (box('static int i = 0; for (; i < 100000; ++i) std::putchar(\'[\'); std::puts("");'), GAVE_TRUE),
     "prints half a character": (box(r'std::puts("{\"exercise\": \"\\ud800\"}\xff\xfe");'), GAVE_TRUE),
     "prints without an end": (box("for (;;) std::puts(\"more and more and more\");"), "did not return within 2 s"),
     "writes its own answers": (

@@ -10,7 +10,7 @@ import time
 import unittest
 from pathlib import Path
 
-from small_course import REAL, Course, make_tree
+from small_course import REAL, Course, clean_environment, make_tree
 
 sys.path.insert(0, str(REAL / "common/course"))
 from tree import write_atomically  # noqa: E402
@@ -100,8 +100,8 @@ class Trouble(Course):
         self.addCleanup(log.unlink, missing_ok=True)
         self.put("compile", f"echo start >>{log}; sleep 2; echo stop >>{log}\n")
         self.put("chapters/01_obj/exercise/one.cpp", f"changed {random.random()}")
-        course = subprocess.Popen([self.root / "course", "check", "01"], stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, text=True, start_new_session=True)
+        course = subprocess.Popen([self.root / "course", "check", "01"], env=clean_environment(), text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
         self.addCleanup(course.stdout.close)
         while not log.exists():
             time.sleep(0.02)
@@ -124,8 +124,8 @@ class Trouble(Course):
     def test_two_at_once(self):
         self.put("chapters/01_obj/exercise/one.cpp", "right")
         self.put("no_teeth")  # and its picture is
-        running = [subprocess.Popen([self.root / "course", *words.split()], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                    text=True) for words in ("check 01", "check 01", "run", "run", "progress")]
+        running = [subprocess.Popen([self.root / "course", *words.split()], env=clean_environment(), text=True,
+                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT) for words in ("check 01", "check 01", "run", "run", "progress")]
         for one in running:
             printed, _ = one.communicate(timeout=60)
             self.assertNotIn("Traceback", printed)

@@ -244,7 +244,7 @@ class Words(unittest.TestCase):
         self.assertEqual([cell(text) for text in ("ann", "=1", "@x", "-1")], ["ann", "'=1", "'@x", "'-1"])
 
     def test_what_is_no_class_is_one_line(self):
-        for path, words in (("/dev/null", "neither a folder nor an archive"), ("/no/such", "No such file"),
+        for path, words in (("/dev/null", "neither a folder nor an archive"), ("/no/such", "no such file"),
                             ("x" * 300, "too long"), ("a\0b", "no such file")):
             with self.assertRaisesRegex(UsageError, words):
                 find([Path(path)])
