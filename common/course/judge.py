@@ -45,6 +45,7 @@ class Judge:
         sandbox.require()
         build(["serve_main", *[f"{side}_{chapter}" for side in ("judge", "serve") for chapter in self.chapters]])
         self.folder = BUILD / "grade"
+        self.verdicts = self.folder / "verdicts"
         self.paths = {name: path for chapter in self.chapters for name, path in exercises(chapter).items()}
         self.names = {str(path.relative_to(ROOT)): name for name, path in self.paths.items()}
         committed = starters([path.relative_to(ROOT) for path in self.paths.values()])
@@ -109,7 +110,7 @@ class Judge:
             return base | {"state": "missing" if data is None else "unchanged",
                            "first_failure": "was not handed in" if data is None else "is as it was handed out"}
         key = hashlib.sha256(f"{self.versions[base['chapter']]} {exercise} ".encode() + data).hexdigest()
-        kept = self.folder / "verdicts" / f"{key}.json"
+        kept = self.verdicts / f"{key}.json"
         try:
             return base | json.loads(kept.read_text())
         except (OSError, ValueError):
@@ -128,7 +129,7 @@ class Judge:
 
     def reference_is_right(self, exercise: str) -> bool:
         chapter = self.wanted[exercise]
-        kept = self.folder / "verdicts" / f"{self.versions[chapter][:32]}.{exercise}"
+        kept = self.verdicts / f"{self.versions[chapter][:32]}.{exercise}"
         if not kept.exists():
             done = subprocess.run([self.folder / f"judge_{chapter}", "--exercise", exercise, "--use", "solution"],
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,

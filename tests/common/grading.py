@@ -5,7 +5,6 @@ a check it says whether grading still takes what is right. A C++ exercise that c
 TRIAL (common/check/trial.h).
 """
 
-import shutil
 import sys
 import tempfile
 import unittest
@@ -57,17 +56,12 @@ class Class(unittest.TestCase):
         cls.fill()
         of = {chapter[:2]: chapter for chapter in CHAPTERS}
         with Judge({name: of[name[:2]] for name in cls.wanted}, 2, cls.pictures) as judge:
-            shutil.rmtree(judge.folder / "verdicts", ignore_errors=True)
-            cls.prepare(judge)
+            judge.verdicts = cls.outside / "verdicts"
             cls.grades = {one["student"]: one for one in grade(find([cls.folder]), judge)}
 
     @classmethod
     def fill(cls):
         raise NotImplementedError
-
-    @classmethod
-    def prepare(cls, judge):
-        pass
 
     @classmethod
     def student(cls, name: str, answers: dict[str, str | bytes]) -> Path:

@@ -179,6 +179,7 @@ class Submissions(Class):
         start_s = time.monotonic()
         with Judge({name: "02_lambert_phong" if name[:2] == "02" else "03_attenuation" for name in self.wanted}, 2, False) as judge, \
                 mock.patch("sandbox.Running", side_effect=AssertionError("it was run")):
+            judge.verdicts = self.outside / "verdicts"
             again = grade(find([self.folder / "plain", self.folder / "zip.zip"]), judge)
         self.assertEqual([one["right"] for one in again], [1, 1])
         self.assertLess(time.monotonic() - start_s, 10)
