@@ -30,6 +30,8 @@ was judged before is not judged again: an interrupted run goes on where it was.
 Students' code is compiled and run in a sandbox (bubblewrap): it sees no network, no other student, no reference and no
 check, and has limits of time, memory and output. Without bubblewrap nothing runs. Exit code 0 whatever the grades are."""
 
+MOST_NAMES = 12  # on one line
+
 
 def add_arguments(parser):
     parser.add_argument("paths", nargs="+", type=Path, metavar="PATH")
@@ -111,7 +113,7 @@ def write_files(out: Path, grades: list[dict], wanted: dict[str, str]):
     rows.writerow(["student", "right", "of", *wanted, "error", "alike"])
     for one in grades:
         marks = {result["exercise"]: int(result["ok"]) for result in one["results"]}
-        same = "; ".join(f"{other['student']}: {other['what']}" for other in one["alike"])
+        same = "; ".join(f"{other['student']}: {other['what']}" for other in one["alike"][:MOST_NAMES])
         rows.writerow([cell(one["student"]), one["right"], one["of"], *[marks.get(name, 0) for name in wanted],
                        cell(one["error"] or ""), cell(same)])
     write_atomically(out / "grades.csv", text.getvalue())
@@ -135,8 +137,24 @@ def table(grades: list[dict], named: list[str]) -> list[str]:
                                 "nothing was changed")
         lines.append(f"{printable(one['student'], width):{width}}  {one['right']:3}/{one['of']:<2} " +
                      " ".join(f"{count:>5}" for count in counts) + (f"  {said}" if said else ""))
-    for one in grades:
-        for other in one["alike"]:
-            if one["student"] < other["student"]:
-                lines.append(f"alike: {one['student']} and {other['student']}: {other['what']}")
+    return lines + [f"alike: {line}" for line in groups(grades)]
+
+
+def groups(grades: list[dict]) -> list[str]:
+    """Who is alike, each group once."""
+    lines, seen = [], set()
+    pairs = {one["student"]: {other["student"]: other["what"] for other in one["alike"]} for one in grades}
+    for first in pairs:
+        group, waiting = [], [first] if pairs[first] and first not in seen else []
+        while waiting:
+            student = waiting.pop()
+            if student not in seen:
+                seen.add(student)
+                group.append(student)
+                waiting += pairs[student]
+        if group:
+            group.sort()
+            more = f" and {len(group) - MOST_NAMES} more" if len(group) > MOST_NAMES else ""
+            what = pairs[group[0]].get(group[1]) if len(group) == 2 else "grades.json says what"
+            lines.append(f"{', '.join(group[:MOST_NAMES])}{more}: {what}")
     return lines

@@ -117,9 +117,13 @@ class Judge:
             pass
         try:
             found = self.judge(exercise, data)
+            if found.get("killed"):  # by whom is not known: perhaps the machine had no memory left
+                found = self.judge(exercise, data)
             # With these inputs the reference itself may lie beside a bound.
             if not found["ok"] and not self.reference_is_right(exercise):
                 found = self.judge(exercise, data, seed=0)
+            if self.stopped:  # what was ended says nothing
+                raise Failure("grading was stopped")
         except (Failure, OSError) as error:  # this machine's fault: not kept, and said at the end
             return base | {"state": "failed", "first_failure": f"could not be judged: {clean(str(error))}"}
         found = {name: clean(value) for name, value in found.items()
@@ -256,7 +260,7 @@ class Judge:
                 found = json.loads(line)
                 if isinstance(found, dict) and found.get("nonce") == nonce and found.get("exercise") == exercise:
                     return found | {"ok": found.get("ok") is True and done.code == 0}
-        return {"ok": False, "first_failure": f"its check ended with {done.code}: {done.said()}"}
+        return {"ok": False, "first_failure": f"its check ended with {done.code}: {done.said()}", "killed": done.code == 137}
 
 
 def clean(value):

@@ -10,6 +10,7 @@ import struct
 import subprocess
 import sys
 import tarfile
+import threading
 import time
 import unittest
 import zipfile
@@ -19,7 +20,7 @@ from unittest import mock
 
 from grading import CHAPTERS, PLACES, REAL, Class, right
 from alike import alike
-from grade import cell, grade, table, write_files
+from grade import cell, grade, groups, table, write_files
 from judge import Judge, same_text
 from macros import foreign_macro
 from submission import find, printable, read
@@ -184,6 +185,16 @@ class Submissions(Class):
         self.assertEqual([one["right"] for one in again], [1, 1])
         self.assertLess(time.monotonic() - start_s, 10)
 
+    def test_what_was_ended_is_not_kept(self):
+        """SIGTERM and Ctrl+C: a check that was killed on the way says nothing about the answer."""
+        with Judge({"02.lambert": "02_lambert_phong"}, 2, False) as judge:
+            judge.verdicts = self.outside / "ended"
+            threading.Timer(0.05, judge.stop).start()
+            found = judge.verdict("02.lambert", RIGHT + b"// ended")
+            self.assertEqual((found["state"], found["ok"]), ("failed", False), found)
+            judge.stopped = False
+            self.assertTrue(judge.verdict("02.lambert", RIGHT + b"// ended")["ok"])
+
     def test_random_inputs_are_those_of_the_seed(self):
         """A table of answers to the inputs that everybody can see is worth nothing."""
         wrong = b"float lambert(vec3 n, vec3 l) { return l.z > 0.3 ? 9.0 : max(dot(n, l), 0.0); }\n"
@@ -272,6 +283,12 @@ class Words(unittest.TestCase):
                          {("ann", "ben"): "all that they added is the same",
                           ("ann", "cat"): "all that they added is the same to 98 %",
                           ("ben", "cat"): "all that they added is the same to 98 %"})
+
+    def test_who_is_alike_is_said_once(self):
+        def one(student, *others):
+            return {"student": student, "alike": [{"student": other, "what": "all"} for other in others]}
+        found = groups([one("a", "b"), one("b", "a"), one("c"), one("d", "e", "f"), one("e", "d"), one("f", "d")])
+        self.assertEqual(found, ["a, b: all", "d, e, f: grades.json says what"])
 
     def test_without_a_sandbox_it_refuses(self):
         """And names the package, before a submission is opened or anything is built."""
