@@ -8,6 +8,7 @@
 #include "common/base/error.h"
 #include "common/base/exercise.h"
 #include "common/check/guard.h"
+#include "common/check/lost.h"
 #include "common/check/undefined.h"
 
 namespace lightwalk {
@@ -64,7 +65,9 @@ void Check::call(const std::string& what, const std::function<std::string()>& wr
     guard_call(what);
     try {
         found = wrong();
-    } catch (const std::exception& e) { found = what + " threw an exception: " + e.what(); }
+    } catch (const Lost& e) { found = e.what(); } catch (const std::exception& e) {
+        found = what + " threw an exception: " + e.what();
+    }
     guard_call("");
     expect(found.empty(), found, hint_for_it);
 }

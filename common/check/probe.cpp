@@ -183,6 +183,11 @@ std::optional<std::vector<Undefined>> run_undefined(Gpu& gpu, const Probe& probe
     return found;
 }
 
+unsigned check_seed() {
+    static const char* const given = std::getenv("LIGHTWALK_CHECK_SEED");
+    return given ? static_cast<unsigned>(std::strtoul(given, nullptr, 10)) : 0;
+}
+
 std::string number_text(double value) {
     if (std::isnan(value)) return "NaN";
     if (value == 0) return "0";  // and not -0

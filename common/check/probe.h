@@ -76,10 +76,14 @@ void append(Row& row, const Vector& v) {
     for (int i = 0; i < Vector::length(); ++i) row.push_back(static_cast<double>(v[i]));
 }
 
+/// What random tables are shifted by: $LIGHTWALK_CHECK_SEED, which the grader chooses so that no answer can know the
+/// inputs beforehand; else 0.
+unsigned check_seed();
+
 /// Reproducible random numbers for tables, rounded to float so that the truth sees what the device sees.
 class Random {
   public:
-    explicit Random(unsigned seed = 1) : engine_(seed) {}
+    explicit Random(unsigned seed = 1) : engine_(seed + check_seed()) {}
     double uniform(double lower, double upper) {
         return static_cast<float>(std::uniform_real_distribution<double>(lower, upper)(engine_));
     }

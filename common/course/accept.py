@@ -15,6 +15,7 @@ from tree import BUILD, Failure, UsageError, find_shots, relative, say, write_at
 PROCESSORS = {name: {"GALLIUM_OVERRIDE_CPU_CAPS": name} for name in ("avx", "sse4.1")}
 SECOND = "LIGHTWALK_SECOND_DRIVER"
 
+ALONE = True
 HELP = """Renders shots with the reference and makes them the goldens of tests/NN_name/golden, after it said what
 changed and by how much. Look at each picture first: whatever is accepted is what the tests hold to be right.
 

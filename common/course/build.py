@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 from progress import Progress
-from tree import ROOT, Failure, relative, warn
+from tree import ROOT, Failure, UsageError, relative, warn
 
 
 class BuildFailure(Failure):
@@ -20,52 +20,62 @@ class BuildFailure(Failure):
 STATUS = re.compile(r"\[(\d+)/(\d+)\] ")
 
 
+# What CMake, ninja, ccache or the linker take for their own in a path.
+SPECIAL = "$;#\"\\,\n"
+
+
 @contextlib.contextmanager
-def alone(folder: Path):
-    """Two commands at once in one tree build one after the other."""
+def alone(folder: Path, what: str = "build"):
+    """Two commands at once in one tree that do the same do it one after the other. Yields the lock's file descriptor: a
+    process that has it keeps the lock when we are gone."""
     folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / ".lock", "w") as lock:
+    with open(folder / f".lock.{what}", "w") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            warn("waiting for another ./course that builds here")
+            warn(f"waiting for another ./course that does the same here ({what})")
             fcntl.flock(lock, fcntl.LOCK_EX)
-        yield
+        yield lock.fileno()
 
 
 def build(targets: list[str] = (), preset: str = "default") -> Path:
     """Builds the targets (all without any) of a preset and returns its folder. Raises Failure."""
     folder = ROOT / "build" / ("" if preset == "default" else preset)
-    with alone(folder):
+    if special := sorted(set(str(ROOT)) & set(SPECIAL)):
+        raise UsageError(f"the course lies in {str(ROOT)!r}: a build takes {' and '.join(map(repr, special))} in a path for a "
+                         "command; move the course to another folder")
+    with alone(folder) as lock:
         if not is_configured(folder):
-            configure(preset, folder)
-        run_ninja(folder, list(targets))
+            configure(preset, folder, lock)
+        run_ninja(folder, list(targets), lock)
     return folder
 
 
-def is_configured(folder: Path, root: Path = ROOT) -> bool:
+def is_configured(folder: Path) -> bool:
     """True where ninja can go on by itself; it runs cmake again where a file of the build changed."""
     cache = folder / "CMakeCache.txt"
-    return (folder / "build.ninja").exists() and cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={root}\n" in \
+    return (folder / "build.ninja").exists() and cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in \
         cache.read_text(errors="replace")
 
 
-def configure(preset: str, folder: Path, root: Path = ROOT):
+def configure(preset: str, folder: Path, lock: int | None = None):
     warn(f"configuring {relative(folder)}; the first build compiles all that the chapters share, which takes some minutes")
     # --fresh: a tree that was moved or half configured starts anew.
-    done = subprocess.run(["cmake", "--fresh", "--preset", preset], cwd=root, text=True, errors="replace",
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    done = subprocess.run(["cmake", "--fresh", "--preset", preset], cwd=ROOT, text=True, errors="replace",
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, pass_fds=() if lock is None else (lock,))
     if done.returncode:
         warn(done.stdout.rstrip())
         raise Failure(f"cmake --preset {preset} failed")
 
 
-def run_ninja(folder: Path, targets: list[str]):
+def run_ninja(folder: Path, targets: list[str], lock: int):
+    """Whatever ends us, two ninjas never build in one folder: one that outlives us has the lock."""
     said = []
     ninja = subprocess.Popen(["ninja", "-C", folder, *targets], env=dict(os.environ, NINJA_STATUS="[%f/%t] "), text=True,
-                             errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                             errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             pass_fds=(lock,))
     try:
-        with Progress("building") as progress:
+        with ninja.stdout, Progress("building") as progress:
             skip = False
             for line in ninja.stdout:
                 status = STATUS.match(line)
@@ -80,6 +90,9 @@ def run_ninja(folder: Path, targets: list[str]):
                 elif not line.startswith(("ninja: Entering", "ninja: no work", "-- ")):
                     said.append(line)
                     progress.say(line.rstrip())
+    except BaseException:
+        ninja.terminate()  # and it ends what it has started
+        raise
     finally:
         code = ninja.wait()
     if code:

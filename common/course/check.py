@@ -37,6 +37,7 @@ from shots import compare, exceeded, golden_path, render_shot, unfit
 from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, relative, say,
                   shots)
 
+ALONE = True
 HELP = """Checks your exercises: what is right, and the first thing that is wrong with the others.
 
   ./course check               all chapters

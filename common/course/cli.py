@@ -2,16 +2,19 @@
 
 Each command is a module with HELP, `add_arguments(parser)` and `run(arguments, rest) -> exit code`, where rest is what
 the parser does not know; a module without PASSES_OPTIONS refuses it. One with `run_words(words)` parses for itself.
-Exit codes: 0; 1 it failed; 2 it was asked wrongly; 130 it was interrupted.
+Of a module that says ALONE, two at once in one tree run one after the other.
+Exit codes: 0; 1 it failed; 2 it was asked wrongly; 130 it was interrupted, 143 it was ended.
 """
 
 import argparse
+import errno
 import importlib
 import os
 import signal
 import sys
 
-from tree import Failure, UsageError, warn
+from build import alone
+from tree import BUILD, Failure, UsageError, warn
 
 # command: its module. The help of all of them is in the shell script, which must print it without Python.
 COMMANDS = {
@@ -53,10 +56,24 @@ def main(words: list[str]) -> int:
     arguments.command = command
     if rest and not getattr(module, "PASSES_OPTIONS", False):
         parser.error(f"'{rest[0]}' means nothing here")
+    if getattr(module, "ALONE", False):
+        with alone(BUILD, COMMANDS[command]):
+            return module.run(arguments, rest)
     return module.run(arguments, rest)
 
 
+class Ended(BaseException):
+    """SIGTERM: what was started is ended on the way out, as after Ctrl+C."""
+
+
+def end(*_):
+    raise Ended
+
+
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, end)
+    for stream in (sys.stdout, sys.stderr):  # a name on the command line need not be text
+        stream.reconfigure(errors="backslashreplace")
     try:
         sys.exit(main(sys.argv[1:]))
     except UsageError as error:
@@ -68,6 +85,14 @@ if __name__ == "__main__":
         sys.exit(1)
     except KeyboardInterrupt:
         sys.exit(130)
+    except Ended:
+        sys.exit(143)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(128 + signal.SIGPIPE)
+    except OSError as error:  # a disk that is full, a folder that is another's: no fault of the course
+        where = f"{error.filename}: " if error.filename is not None else ""
+        advice = "; what is built goes below the course, so copy it to a folder of yours" if \
+            error.errno in (errno.EROFS, errno.EACCES, errno.EPERM) else ""
+        warn(f"course: {where}{error.strerror or error}{advice}")
+        sys.exit(2 if error.errno in (errno.ENAMETOOLONG, errno.ELOOP) else 1)

@@ -15,6 +15,7 @@ from page import TEMPLATES
 from pages_markdown import Site, convert
 from tree import BUILD, ROOT, Failure, chapters, relative, say, shots, write_atomically
 
+ALONE = True
 HELP = """Makes the lessons into pages: build/docs/index.html.
 
 They open without a server and without a network. Formulas are set, code is coloured, and one can search.

@@ -1,166 +1,160 @@
-"""Checks what students handed in, each in turn in one scratch copy of this tree.
+"""Checks what students handed in and writes the grades: a table, CSV and JSON.
 
-A submission is a folder or an archive that holds a student's tree, or some of it: of it the exercise files alone are
-read (chapters/NN_name/exercise/*, shaders/NN_name/exercise/*), so that a student's checks and framework count for
-nothing. What one leaves out counts as handed out.
+Of a submission the exercise files alone are read (chapters/NN_name/exercise/*, shaders/NN_name/exercise/*), so that a
+student's checks and framework count for nothing. Each exercise is judged by itself (judge.py), in a sandbox (sandbox.py);
+what was judged before, for whomever, is not judged again.
 """
 
+import csv
+import io
 import json
-import shutil
-import tarfile
-import zipfile
+import os
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from build import BuildFailure, configure, is_configured, run_ninja
-from check import check
-from tree import ROOT, Failure, UsageError, chapters, exercises, files, find_chapter, say
+from alike import alike
+from judge import Judge
+from progress import Progress
+from submission import find, printable, read
+from tree import BUILD, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, say, warn, write_atomically
 
-HELP = """Checks the exercises that students handed in, against this tree's checks: one line per student.
+HELP = """Checks the exercises that students handed in, against this tree's checks.
 
-Each PATH is a folder with a student's course in it, or a .zip or .tar.* of one. A folder without a course in it is taken
-for a folder of such folders and archives. It builds and runs the students' code: do that on a machine or in a container
-that you can lose. Exit code 0 whatever the grades are."""
-ARCHIVES = (".zip", ".tar", ".tar.gz", ".tgz", ".tar.xz", ".tar.bz2")
-MAX_FILE_BYTES = 1 << 20
+  ./course grade FOLDER             a class: a folder of folders, .zip and .tar.* files, one for each student
+  ./course grade ann.zip ben        some students
+  ./course grade FOLDER --chapter 02
+
+Prints a table and writes grades.csv and grades.json (what is wrong with each exercise) to build/grades, or to --out. What
+was judged before is not judged again: an interrupted run goes on where it was.
+
+Students' code is compiled and run in a sandbox (bubblewrap): it sees no network, no other student, no reference and no
+check, and has limits of time, memory and output. Without bubblewrap nothing runs. Exit code 0 whatever the grades are."""
+
+MOST_NAMES = 12  # on one line
 
 
 def add_arguments(parser):
     parser.add_argument("paths", nargs="+", type=Path, metavar="PATH")
     parser.add_argument("--chapter", metavar="NN", help="this chapter's exercises alone")
-    parser.add_argument("--json", action="store_true", help="one JSON object per student, with what is wrong")
+    parser.add_argument("--json", action="store_true", help="print one JSON object per student in place of the table")
+    parser.add_argument("--out", type=Path, default=None, metavar="FOLDER", help="where the files go (build/grades)")
 
 
 def run(arguments, _rest) -> int:
     named = [find_chapter(arguments.chapter)] if arguments.chapter else chapters()
     wanted = {exercise: chapter for chapter in named for exercise in exercises(chapter)}
-    submissions = [found for path in arguments.paths for found in find_submissions(path)]
-    scratch = make_scratch()
-    for path in submissions:
-        try:
-            grade = {"error": None, "results": grade_one(read_submission(path), scratch, wanted)}
-        except Failure as failure:
-            grade = {"error": str(failure), "results": []}
-        show({"student": student_of(path), **grade}, len(wanted), arguments.json)
+    submissions = find(arguments.paths)
+    if not has_solutions():
+        raise UsageError("this copy of the course has no solutions to grade with")
+    out = (arguments.out or BUILD / "grades").absolute()
+    try:
+        write_atomically(out / "grades.json", "[]\n")
+    except OSError as error:
+        raise UsageError(f"{printable(str(out))} cannot be written: {error.strerror}") from None
+    with Judge(wanted) as judge:
+        grades = grade(submissions, judge)
+    write_files(out, grades, wanted)
+    if arguments.json:
+        for one in grades:
+            say(json.dumps(one, ensure_ascii=True))
+    else:
+        for line in table(grades, named):
+            say(line)
+        warn(f"{printable(str(out / 'grades.csv'))} and grades.json say more")
+    failed = [(one["student"], result) for one in grades for result in one["results"] if result["state"] == "failed"]
+    for student, result in failed[:5]:
+        warn(f"{student}, {result['exercise']}: {result['first_failure']}")
+    if failed:
+        raise Failure(f"{len(failed)} exercises could not be judged; the same command tries them again")
     return 0
 
 
-def find_submissions(path: Path) -> list[Path]:
-    if not path.exists():
-        raise UsageError(f"{path}: there is no such file or folder")
-    if path.is_file() or (path / "chapters").is_dir() or (path / "shaders").is_dir():
-        return [path]
-    found = sorted(child for child in path.iterdir() if child.is_dir() or child.name.endswith(ARCHIVES))
-    if not found:
-        raise UsageError(f"{path}: there is no submission in it")
-    return found
+def grade(submissions, judge: Judge) -> list[dict]:
+    submitted, grades, waiting = {}, {}, {}
+    with Progress("grading") as progress, ThreadPoolExecutor(min(os.cpu_count() or 1, 8)) as pool:
+        try:
+            for one in submissions:
+                grades[one.student] = {"student": one.student, "path": printable(str(one.path)), "error": None,
+                                       "results": [], "alike": []}
+                try:
+                    found = read(one, set(judge.names))
+                except Failure as failure:
+                    grades[one.student]["error"] = str(failure)
+                    continue
+                submitted[one.student] = {judge.names[name]: data for name, data in found.items()}
+                # Equal files are judged once; who else has it does not matter.
+                for exercise in judge.wanted:
+                    work = (exercise, submitted[one.student].get(exercise))
+                    if work not in waiting:
+                        waiting[work] = pool.submit(judge.verdict, *work)
+            for done, one in enumerate(submissions):
+                progress.show(done, len(submissions), one.student)
+                if one.student in submitted:
+                    grades[one.student]["results"] = [
+                        waiting[exercise, submitted[one.student].get(exercise)].result() for exercise in judge.wanted]
+            progress.show(len(submissions), len(submissions))
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            judge.stop()
+            raise
+    for a, b, what in alike(submitted, judge.starters):
+        grades[a]["alike"].append({"student": b, "what": what})
+        grades[b]["alike"].append({"student": a, "what": what})
+    for one in grades.values():
+        one["right"] = sum(result["ok"] for result in one["results"])
+        one["of"] = len(judge.wanted)
+    return list(grades.values())
 
 
-def student_of(path: Path) -> str:
-    name = path.absolute().name
-    return next((name[:-len(end)] for end in ARCHIVES if name.endswith(end)), name)
+def write_files(out: Path, grades: list[dict], wanted: dict[str, str]):
+    write_atomically(out / "grades.json", json.dumps(grades, indent=1, ensure_ascii=True) + "\n")
+    text = io.StringIO()
+    rows = csv.writer(text)
+    rows.writerow(["student", "right", "of", *wanted, "error", "alike"])
+    for one in grades:
+        marks = {result["exercise"]: int(result["ok"]) for result in one["results"]}
+        same = "; ".join(f"{other['student']}: {other['what']}" for other in one["alike"][:MOST_NAMES])
+        rows.writerow([cell(one["student"]), one["right"], one["of"], *[marks.get(name, 0) for name in wanted],
+                       cell(one["error"] or ""), cell(same)])
+    write_atomically(out / "grades.csv", text.getvalue())
 
 
-def read_submission(path: Path) -> dict[str, bytes]:
-    """The exercise files in it, by their path in the tree. Nothing is unpacked. Raises Failure."""
-    wanted = {str(file.relative_to(ROOT)) for chapter in chapters() for file in exercises(chapter).values()}
-    found = {}
-    try:
-        for name, size, read in members(path):
-            # The tree may lie in one folder of its own.
-            inside = next((part for part in (name, name.partition("/")[2]) if part in wanted), None)
-            if inside and size <= MAX_FILE_BYTES:
-                found[inside] = read()
-    except (OSError, tarfile.TarError, zipfile.BadZipFile, EOFError, RuntimeError) as error:
-        raise Failure(f"cannot be read: {error}") from None
-    if not found:
-        raise Failure("holds no exercise")
-    return found
+def cell(text: str) -> str:
+    """No formula of a spreadsheet."""
+    return f"'{text}" if text[:1] in ("=", "+", "-", "@") else text
 
 
-def members(path: Path):
-    """(name, bytes, a function that reads it) of each ordinary file."""
-    if path.is_dir():
-        for pattern in ("*/*/exercise/*", "*/*/*/exercise/*"):
-            for file in path.glob(pattern):
-                if file.is_file() and not file.is_symlink():
-                    yield str(file.relative_to(path)), file.stat().st_size, file.read_bytes
-    elif path.name.endswith(".zip"):
-        with zipfile.ZipFile(path) as archive:
-            for info in archive.infolist():
-                yield info.filename.removeprefix("./"), info.file_size, lambda info=info: archive.read(info)
-    else:
-        with tarfile.open(path) as archive:
-            for info in archive:
-                if info.isfile():
-                    yield info.name.removeprefix("./"), info.size, lambda info=info: archive.extractfile(info).read()
+def table(grades: list[dict], named: list[str]) -> list[str]:
+    """A line for each student: how many are right, by chapter, and what is to be said."""
+    width = min(max([7, *[len(one["student"]) for one in grades]]), 40)
+    lines = [f"{'student':{width}}  right  " + " ".join(f"{chapter[:2]:>5}" for chapter in named)]
+    for one in grades:
+        counts = []
+        for chapter in named:
+            results = [result for result in one["results"] if result["chapter"] == chapter]
+            counts.append(f"{sum(result['ok'] for result in results)}/{len(results)}" if results else "-")
+        said = one["error"] or ("" if any(result["state"] == "judged" for result in one["results"]) else
+                                "nothing was changed")
+        lines.append(f"{printable(one['student'], width):{width}}  {one['right']:3}/{one['of']:<2} " +
+                     " ".join(f"{count:>5}" for count in counts) + (f"  {said}" if said else ""))
+    return lines + [f"alike: {line}" for line in groups(grades)]
 
 
-def make_scratch() -> Path:
-    """A copy of this tree that is kept, so that the next student costs no more than the files that differ."""
-    scratch = ROOT / "build" / "grade"
-    present = {name for name in files() if not (ROOT / name).is_symlink()}
-    for name in present:
-        write_if_new(scratch / name, (ROOT / name).read_bytes())
-        shutil.copymode(ROOT / name, scratch / name)
-    for old in [path for path in scratch.rglob("*") if path.is_file()]:
-        inside = old.relative_to(scratch)
-        if inside.parts[0] != "build" and inside not in present:
-            old.unlink()
-    return scratch
-
-
-def write_if_new(path: Path, data: bytes):
-    if not path.exists() or path.read_bytes() != data:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(data)
-
-
-def grade_one(submitted: dict[str, bytes], scratch: Path, wanted: dict[str, str]) -> list[dict]:
-    """What check says of each exercise wanted. One that does not compile is as if it were not handed in."""
-    broken = {}
-    place(submitted, scratch)
-    targets = [f"check_{chapter}" for chapter in sorted(set(wanted.values()))]
-    folder = scratch / "build"
-    folder.mkdir(exist_ok=True)
-    if not is_configured(folder, scratch):
-        configure("default", folder, scratch)
-    try:
-        run_ninja(folder, ["-k", "0", *targets])
-    except BuildFailure as failure:
-        broken = why_not_built(submitted, failure.said)
-        place({name: data for name, data in submitted.items() if name not in broken}, scratch)
-        run_ninja(folder, targets)
-    results = [check(chapter, exercise, root=scratch) for exercise, chapter in wanted.items()]
-    for result in results:
-        if result["file"] in broken:
-            result |= {"ok": False, "first_failure": broken[result["file"]]}
-    return results
-
-
-def why_not_built(submitted: dict[str, bytes], said: str) -> dict[str, str]:
-    """The files that the compiler complains about, and how; where it is the linker that does, every C++ file."""
-    found = {}
-    for line in said.splitlines():
-        for name in submitted:
-            if f"{name}:" in line and "error" in line:
-                found.setdefault(name, f"it does not compile: {line.partition(name)[2][1:]}")
-    undefined = next((line for line in said.splitlines() if "undefined" in line), "the build failed")
-    return found or {name: f"it does not link: {undefined}" for name in submitted if name.endswith(".cpp")}
-
-
-def place(submitted: dict[str, bytes], scratch: Path):
-    """Puts the exercises into the scratch tree: the student's, or as handed out."""
-    for chapter in chapters():
-        for file in exercises(chapter).values():
-            name = str(file.relative_to(ROOT))
-            write_if_new(scratch / name, submitted[name] if name in submitted else file.read_bytes())
-
-
-def show(grade: dict, count: int, as_json: bool):
-    if as_json:
-        say(json.dumps(grade, ensure_ascii=False))
-        return
-    right = sum(result["ok"] for result in grade["results"])
-    still = [result["exercise"] for result in grade["results"] if not result["ok"]]
-    what = grade["error"] or ("open: " + ", ".join(still) if still else "")
-    say(f"{grade['student']:24} {right} of {count}  {what}".rstrip())
+def groups(grades: list[dict]) -> list[str]:
+    """Who is alike, each group once."""
+    lines, seen = [], set()
+    pairs = {one["student"]: {other["student"]: other["what"] for other in one["alike"]} for one in grades}
+    for first in pairs:
+        group, waiting = [], [first] if pairs[first] and first not in seen else []
+        while waiting:
+            student = waiting.pop()
+            if student not in seen:
+                seen.add(student)
+                group.append(student)
+                waiting += pairs[student]
+        if group:
+            group.sort()
+            more = f" and {len(group) - MOST_NAMES} more" if len(group) > MOST_NAMES else ""
+            what = pairs[group[0]].get(group[1]) if len(group) == 2 else "grades.json says what"
+            lines.append(f"{', '.join(group[:MOST_NAMES])}{more}: {what}")
+    return lines

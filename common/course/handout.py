@@ -12,7 +12,7 @@ from pathlib import Path
 
 from build import configure, is_configured
 from progress import Progress
-from tree import BUILD, ROOT, Failure, UsageError, chapters, exercises, files, say, warn
+from tree import BUILD, ROOT, Failure, UsageError, chapters, exercises, files, git, say, warn
 
 HELP = """Copies the course to a new FOLDER without the solutions: what students are given.
 
@@ -27,7 +27,8 @@ same kind of processor and the same release of the system as this one. --sources
 COMPILED = ("tests/*/checks_*.cpp", "chapters/01_obj/scan.cpp", "chapters/01_obj/load_bench.cpp")
 # Not handed out: what the above includes, what tests those, and answers with their verdicts.
 LEFT_OUT = ("chapters/*/truth.h", "tests/*/variants/*", "tests/*/test_stability.cpp", "tests/01_obj/test_exercises.cpp",
-            "tests/01_obj/test_floats.cpp", "tests/01_obj/test_loaders.cpp")
+            "tests/01_obj/test_floats.cpp", "tests/01_obj/test_loaders.cpp", "tests/common/*grad*.py",
+            "tests/common/hostile.py")
 
 
 def add_arguments(parser):
@@ -81,15 +82,11 @@ def what_is_handed_out(sources: bool) -> dict[Path, Path | bytes]:
     return contents | ({Path("compiled_for"): f"{platform.machine()}\n".encode()} if hidden else {})
 
 
-def git(*words: str) -> bytes:
-    return subprocess.run(["git", "-C", ROOT, *words], stdout=subprocess.PIPE, check=True).stdout
-
-
 def tracked() -> list[Path]:
     if not (ROOT / ".git").exists():
         warn("without git's history all files are handed out, and the exercises as they stand")
         return files()
-    listed = git("ls-files", "-z", "--cached").decode().split("\0")
+    listed = os.fsdecode(git("ls-files", "-z", "--cached")).split("\0")
     return sorted(Path(name) for name in listed if name and (ROOT / name).is_file())
 
 

@@ -7,7 +7,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
-from build import build
+from build import alone, build
 from progress import Progress
 from shots import render
 from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, shots,
@@ -31,7 +31,8 @@ def run_words(words: list[str]) -> int:
         return start(find_chapter(words[0]), words[1:])
     build(["programs"])
     if words or not has_display():
-        return draw_gallery()
+        with alone(BUILD, "gallery"):
+            return draw_gallery()
     menu = BUILD / "menu"
     return execute(menu if menu.exists() else chapter_program(chapters()[0]), [])
 

@@ -12,6 +12,7 @@ from build import build
 from report import write_report
 from tree import BUILD, Failure, UsageError, relative, say
 
+ALONE = True
 HELP = """Builds everything, runs every test and writes build/report/index.html.
 
   ./course test                  all of them

@@ -15,6 +15,7 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from build import build
@@ -23,6 +24,7 @@ from study_file import SOFTWARE
 from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, warn,
                   write_atomically)
 
+ALONE = True
 HELP = """Measures every method of a chapter against the truth and draws the chart, as SVG and PNG, with a table.
 
   ./course study                   every chapter that has a study
@@ -54,12 +56,24 @@ def run(arguments, _rest) -> int:
     for chapter in named:
         if chapter not in studied:
             raise UsageError(f"chapter {chapter} has no study; there are {', '.join(studied) or 'none'}")
+    out = arguments.out.absolute()
+    check_writable(out)
     build(named)
     for chapter in named:
         generate(study_of(chapter).get("generate", {}))
         measured = measure(chapter, arguments.device, arguments.size)
-        draw(chapter, measured, arguments.out.absolute())
+        draw(chapter, measured, out)
     return 0
+
+
+def check_writable(folder: Path):
+    """Before hours of measuring, not behind them. Raises UsageError."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        raise UsageError(f"{folder} cannot be written: {error.strerror}") from None
 
 
 def study_of(chapter: str) -> dict:

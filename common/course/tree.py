@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+import threading
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -78,14 +79,30 @@ def is_edited(path: Path) -> bool:
     """True where git knows that a file is not as it was committed."""
     if not (ROOT / ".git").exists():
         return False
-    return subprocess.run(["git", "-C", ROOT, "diff", "--quiet", "HEAD", "--", path]).returncode == 1
+    return subprocess.run(["git", "-C", ROOT, "diff", "--quiet", "HEAD", "--", path],
+                          stderr=subprocess.DEVNULL).returncode == 1
+
+
+def git(*words: str) -> bytes:
+    """What git prints. Raises Failure with its first line."""
+    try:
+        done = subprocess.run(["git", "-C", ROOT, *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE)
+    except FileNotFoundError:
+        raise Failure("there is no git, which this copy's list of files is asked from") from None
+    said = done.stderr.decode(errors="replace").strip().splitlines() or [f"it ended with {done.returncode}"]
+    if "dubious ownership" in said[0]:
+        raise Failure(f"git does not trust this copy, which is another user's: git config --global --add safe.directory "
+                      f"'{ROOT}'")
+    if done.returncode:
+        raise Failure(f"git {words[0]}: {said[0]}")
+    return done.stdout
 
 
 def files() -> list[Path]:
     """The files of the course, relative to the root: what git knows or would add, without what is built."""
     if (ROOT / ".git").exists():
-        listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
-                                stdout=subprocess.PIPE, check=True).stdout.decode().split("\0")
+        listed = os.fsdecode(git("ls-files", "-z", "--cached", "--others", "--exclude-standard")).split("\0")
         return sorted(Path(name) for name in listed if name and (ROOT / name).is_file())
     found = []
     for folder, folders, names in os.walk(ROOT):
@@ -103,7 +120,7 @@ def relative(path: Path) -> str:
 def write_atomically(path: Path, data: bytes | str):
     """Writes beside `path` and renames: a reader sees the old file or the whole new one."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_name(f".{path.name}.{os.getpid()}")
+    beside = path.with_name(f".{path.name}.{os.getpid()}.{threading.get_ident():x}")
     try:
         beside.write_bytes(data.encode() if isinstance(data, str) else data)
         os.replace(beside, path)

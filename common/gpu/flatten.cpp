@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <regex>
@@ -34,6 +35,8 @@ class Flattener {
     void include(const std::string& name, const std::string& from, int line) {
         const fs::path file = resolve(name, from, line);
         if (!seen_.insert(file).second) return;
+        if (!fs::is_regular_file(overlaid(file)))  // a device has no end
+            throw ShaderError("{}:{}: shaders/{} is no ordinary file", from, line, name);
         result.files.push_back(file);
         std::string text;
         try {
@@ -68,6 +71,8 @@ class Flattener {
                 continue;
             }
             const std::string name = match[1];
+            if (fs::path(name).is_absolute() || std::ranges::count(fs::path(name), fs::path("..")))
+                throw ShaderError("{}:{}: #include \"{}\": an include is a path below shaders/", shown, number, name);
             // Included once, wherever first met: within an #if that would depend on the order of files.
             if (depth > 0) throw ShaderError("{}:{}: #include within #if; move it to the top", shown, number);
             if (chapter_of(name) > chapter)

@@ -2,8 +2,8 @@
 
 #include "01_obj/truth.h"
 #include "checks.h"
-#include "comma_locale.h"
 #include "common/base/error.h"
+#include "common/check/comma_locale.h"
 
 namespace lightwalk {
 namespace {

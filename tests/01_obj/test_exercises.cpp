@@ -1,7 +1,7 @@
 // Teeth: every solution passes its check, every starter fails it.
 #include "catch.h"
 #include "checks.h"
-#include "comma_locale.h"
+#include "common/check/comma_locale.h"
 
 using namespace lightwalk;
 

@@ -142,6 +142,13 @@ def make_tree(root: Path):
         path.chmod(0o755 if text.startswith("#!") else 0o644)
 
 
+def clean_environment() -> dict[str, str]:
+    """Neither the display nor the build folder nor the CI of whoever runs this test."""
+    outer = ("DISPLAY", "WAYLAND_DISPLAY", "LIGHTWALK_BUILD", "CI", "LIGHTWALK_SECOND_DRIVER", "VK_DRIVER_FILES",
+             "GALLIUM_OVERRIDE_CPU_CAPS")
+    return {name: value for name, value in os.environ.items() if name not in outer}
+
+
 class Course(unittest.TestCase):
     """A tree, made once for the tests of a class."""
 
@@ -155,12 +162,8 @@ class Course(unittest.TestCase):
 
     def run_program(self, command, code=0, cwd="/", **environment):
         """Runs it, asserts its exit code (any, for None), and returns all that it printed."""
-        # Neither the display nor the build folder nor the CI of whoever runs this test.
-        outer = ("DISPLAY", "WAYLAND_DISPLAY", "LIGHTWALK_BUILD", "CI", "LIGHTWALK_SECOND_DRIVER", "VK_DRIVER_FILES",
-                 "GALLIUM_OVERRIDE_CPU_CAPS")
-        clean = {name: value for name, value in os.environ.items() if name not in outer} | environment
-        done = subprocess.run(command, cwd=cwd, env=clean, text=True, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        done = subprocess.run(command, cwd=cwd, env=clean_environment() | environment, text=True,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         if code is not None:
             self.assertEqual(done.returncode, code, done.stdout)
         return done.stdout

@@ -1,0 +1,52 @@
+"""Points out submissions that are alike: a hint to look, and no verdict.
+
+Short answers are alike because there is one way to write them. So what counts is what an answer adds to the starter, as
+words of code without comments and spaces, in runs of five; a pair is named where the whole of what two students added is
+the same or nearly so, and where one exercise of some length is the same letter by letter, comments and all.
+"""
+
+import re
+from itertools import combinations
+
+TOKEN = re.compile(rb"//[^\n]*|/\*.*?\*/|\"(?:[^\"\\\n]|\\.)*\"|[A-Za-z_]\w*|\d[\w.]*|[^\s\w]", re.S)
+RUN = 5
+NEARLY = 0.9  # the share of runs that both have, of those that either has
+LEAST_RUNS = 150  # over all exercises: about 200 words of code
+LEAST_BYTES = 200  # of an exercise that is the same with its comments, beyond the starter
+
+
+def alike(submitted: dict[str, dict[str, bytes]], starters: dict[str, bytes]) -> list[tuple[str, str, str]]:
+    """(student, student, what is alike) of what each handed in, by exercise."""
+    runs, texts = {}, {}
+    for student, answers in submitted.items():
+        runs[student] = set()
+        for exercise, data in answers.items():
+            runs[student] |= {(exercise, run) for run in runs_of(data) - runs_of(starters[exercise])}
+            texts.setdefault((exercise, b"\n".join(added(data, starters[exercise]))), []).append(student)
+    same = {}
+    for (exercise, text), students in texts.items():
+        # Where most of a class has the same letters, the letters were given to them.
+        if len(text) >= LEAST_BYTES and len(students) <= max(2, len(submitted) // 4):
+            for pair in combinations(students, 2):
+                same.setdefault(pair, []).append(exercise)
+    found = []
+    for pair in combinations(submitted, 2):
+        a, b = (runs[student] for student in pair)
+        exercises = same.get(pair, [])
+        if min(len(a), len(b)) >= LEAST_RUNS and len(a & b) >= NEARLY * len(a | b):
+            what = "all that they added is " + ("the same" if a == b else f"the same to {100 * len(a & b) // len(a | b)} %")
+            found.append((*pair, what))
+        elif exercises:
+            found.append((*pair, f"the same letter by letter: {', '.join(sorted(exercises))}"))
+    return found
+
+
+def runs_of(data: bytes) -> set[bytes]:
+    words = [word for word in TOKEN.findall(data) if not word.startswith((b"//", b"/*"))]
+    return {b" ".join(words[i:i + RUN]) for i in range(max(len(words) - RUN + 1, 0))}
+
+
+def added(data: bytes, starter: bytes) -> list[bytes]:
+    """The lines that the starter does not have."""
+    known = {line.strip() for line in starter.splitlines()}
+    return [line.strip() for line in data.splitlines() if line.strip() and line.strip() not in known]

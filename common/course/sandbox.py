@@ -1,0 +1,192 @@
+"""Runs a program that is not trusted, in bubblewrap: no network, a system that cannot be written, a /tmp and process
+numbers of its own, and limits of memory, time, processes and output. Without bubblewrap nothing runs.
+
+Inside there is what Mounts names and no more; at its end nothing of it is left.
+"""
+
+import dataclasses
+import os
+import platform
+import selectors
+import shutil
+import signal
+import struct
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+from tree import Failure
+
+PACKAGE = "bubblewrap"
+SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/alternatives", "/etc/ld.so.cache", "/etc/vulkan")
+DEVICES = ("/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom")
+TMP_BYTES = 256 << 20
+OUTPUT_BYTES = 1 << 20
+
+# Linux system calls by machine: the audit number of the machine, then the calls. A thread may be started, a process not;
+# and nothing that gives a process other rights, or memory that its limits do not count.
+CALLS = {
+    "x86_64": (0xC000003E, {"clone": 56, "fork": 57, "vfork": 58, "clone3": 435, "unshare": 272, "setns": 308,
+                            "mount": 165, "ptrace": 101, "memfd_create": 319, "shmget": 29, "add_key": 248,
+                            "request_key": 249, "keyctl": 250, "bpf": 321, "userfaultfd": 323, "perf_event_open": 298,
+                            "io_uring_setup": 425, "process_vm_readv": 310, "process_vm_writev": 311}),
+    "aarch64": (0xC00000B7, {"clone": 220, "clone3": 435, "unshare": 97, "setns": 268, "mount": 40, "ptrace": 117,
+                             "memfd_create": 279, "shmget": 194, "add_key": 217, "request_key": 218, "keyctl": 219,
+                             "bpf": 280, "userfaultfd": 282, "perf_event_open": 241, "io_uring_setup": 425,
+                             "process_vm_readv": 270, "process_vm_writev": 271}),
+}
+EPERM, ENOSYS, CLONE_THREAD = 1, 38, 0x10000
+
+
+@dataclasses.dataclass
+class Limits:
+    """Of each process: address space, processor time, size of a file it writes. `wall_s` is the whole run's."""
+
+    memory_bytes: int
+    wall_s: float
+    processes: bool = False  # it may start others
+
+
+class Mounts:
+    """What there is beside the system, in order: a later one may lie in an earlier one."""
+
+    def __init__(self):
+        self.words = []
+
+    def read(self, where: Path, seen: Path | None = None):
+        """A file or folder that can be read, at the same place or at another."""
+        self.words += ["--ro-bind", str(where), str(seen or where)]
+
+    def write(self, where: Path, seen: Path):
+        self.words += ["--bind", str(where), str(seen)]
+
+    def empty(self, seen: Path):
+        """A folder that is empty, whatever lies there."""
+        self.words += ["--size", str(1 << 20), "--tmpfs", str(seen)]
+
+
+def require():
+    """Raises Failure, with what to do, where nothing can be contained on this machine."""
+    if not shutil.which("bwrap"):
+        raise Failure(f"students' code runs in bubblewrap alone, and it is not there: as root, apt-get install {PACKAGE}")
+    if platform.machine() not in CALLS:
+        raise Failure(f"no list of system calls for {platform.machine()}: there are {', '.join(CALLS)}")
+    try:
+        done = run(["/usr/bin/true"], Mounts(), Limits(1 << 30, 20))
+        said = done.said() if done.code else ""
+    except Failure as failure:
+        said = str(failure)
+    if said:
+        raise Failure(f"bubblewrap cannot contain anything here, and students' code runs in it alone: {said}")
+
+
+def seccomp(allow_processes: bool) -> bytes:
+    """A filter of system calls, as the kernel takes it (struct sock_filter; see seccomp(2))."""
+    audit, calls = CALLS[platform.machine()]
+    load, equal, at_least, any_bit, give = 0x20, 0x15, 0x35, 0x45, 0x06
+    allow, refuse, kill = 0x7FFF0000, 0x00050000, 0x80000000
+    code = [(load, 0, 0, 4), (equal, 1, 0, audit), (give, 0, 0, kill),
+            (load, 0, 0, 0), (at_least, 0, 1, 0x40000000), (give, 0, 0, kill)]  # no x32
+    for name, number in calls.items():
+        if name in ("clone", "clone3", "fork", "vfork") and allow_processes:
+            continue
+        if name == "clone":
+            code += [(equal, 0, 4, number), (load, 0, 0, 16), (any_bit, 1, 0, CLONE_THREAD),
+                     (give, 0, 0, refuse | EPERM), (give, 0, 0, allow)]
+        else:
+            code += [(equal, 0, 1, number), (give, 0, 0, refuse | (ENOSYS if name == "clone3" else EPERM))]
+    code.append((give, 0, 0, allow))
+    return b"".join(struct.pack("<HBBI", *one) for one in code)
+
+
+@dataclasses.dataclass
+class Done:
+    code: int  # 128 + a signal where one ended it
+    out: str
+    late: bool  # it was ended because its time was over
+    long: bool  # it was ended because it wrote without an end
+
+    def said(self) -> str:
+        lines = self.out.strip().splitlines()
+        return lines[-1] if lines else f"it ended with {self.code}"
+
+
+class Running:
+    """A program that was started in a sandbox; close() or finish() ends all of it."""
+
+    def __init__(self, command, mounts: Mounts, limits: Limits, environment=None, pass_fds=(), out=True):
+        self.deadline = time.monotonic() + limits.wall_s
+        with tempfile.TemporaryFile() as filter_file:
+            filter_file.write(seccomp(limits.processes))
+            filter_file.seek(0)
+            words = wrapped(command, mounts, limits, environment or {}, filter_file.fileno())
+            self.process = subprocess.Popen(words, stdin=subprocess.DEVNULL, pass_fds=(*pass_fds, filter_file.fileno()),
+                                            stdout=subprocess.PIPE if out else subprocess.DEVNULL, cwd="/",
+                                            stderr=subprocess.STDOUT if out else subprocess.DEVNULL,
+                                            start_new_session=True)
+
+    def finish(self) -> Done:
+        """Waits for its end, or for the end of its time or of our patience with its output."""
+        found, late, long = b"", False, False
+        try:
+            if self.process.stdout:
+                with selectors.DefaultSelector() as selector:
+                    selector.register(self.process.stdout, selectors.EVENT_READ)
+                    while True:
+                        left = self.deadline - time.monotonic()
+                        if left <= 0 or not selector.select(left):
+                            late = True
+                            break
+                        got = os.read(self.process.stdout.fileno(), 65536)
+                        if not got:
+                            break
+                        found += got
+                        if len(found) > OUTPUT_BYTES:
+                            long = True
+                            break
+            if not late and not long:
+                self.process.wait(max(self.deadline - time.monotonic(), 0.01))
+        except subprocess.TimeoutExpired:
+            late = True
+        finally:
+            self.close()
+        code, text = self.process.returncode, found.decode("utf-8", "replace")
+        if code == 1 and text.startswith("bwrap: "):
+            raise Failure(f"the sandbox could not be made: {text.strip()}")
+        return Done(128 - code if code < 0 else code, text, late, long)
+
+    def close(self):
+        """Its first process takes all others with it."""
+        if self.process.poll() is None:
+            try:
+                os.killpg(self.process.pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+            self.process.wait()
+        if self.process.stdout:
+            self.process.stdout.close()
+
+
+def run(command, mounts: Mounts, limits: Limits, environment=None) -> Done:
+    return Running(command, mounts, limits, environment).finish()
+
+
+def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_fd: int) -> list[str]:
+    """The whole command line: limits, then the sandbox, then the command."""
+    words = ["prlimit", f"--as={limits.memory_bytes}", f"--cpu={int(limits.wall_s) + 1}", f"--fsize={64 << 20}",
+             "--core=0", "--nofile=256", "--", "bwrap", "--unshare-all", "--unshare-user", "--uid", "1000", "--gid", "1000",
+             "--die-with-parent", "--new-session", "--as-pid-1",
+             "--cap-drop", "ALL", "--hostname", "grade", "--clearenv"]
+    for name, value in ({"PATH": "/usr/bin:/bin", "HOME": "/tmp", "LANG": "C.UTF-8", "TMPDIR": "/tmp"} | environment).items():
+        words += ["--setenv", name, str(value)]
+    for path in SYSTEM:
+        if os.path.islink(path):
+            words += ["--symlink", os.readlink(path), path]
+        elif os.path.exists(path):
+            words += ["--ro-bind", path, path]
+    for path in DEVICES:
+        words += ["--dev-bind", path, path]
+    words += ["--proc", "/proc", "--size", str(TMP_BYTES), "--tmpfs", "/tmp"]
+    return words + mounts.words + ["--remount-ro", "/", "--chdir", "/tmp", "--seccomp", str(filter_fd), "--",
+                    *[str(word) for word in command]]

@@ -1,0 +1,96 @@
+"""A class for the tests of ./course grade: students with answers in a folder, judged once for all tests.
+
+python3 tests/common/grading.py [NN ...] judges a right answer to every exercise of these chapters (all): after a change of
+a check it says whether grading still takes what is right. A C++ exercise that cannot be called in another process needs a
+TRIAL (common/check/trial.h).
+"""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+REAL = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(REAL / "common/course"))
+import sandbox  # noqa: E402
+from grade import grade  # noqa: E402
+from judge import Judge  # noqa: E402
+from submission import find  # noqa: E402
+from tree import Failure, chapters, exercises, find_chapter  # noqa: E402
+
+CHAPTERS = ("01_obj", "02_lambert_phong", "03_attenuation")
+PLACES = {exercise: str(path.relative_to(REAL)) for chapter in CHAPTERS for exercise, path in exercises(chapter).items()}
+
+
+def why_not() -> str:
+    """Why nothing can be contained on this machine; empty where it can."""
+    try:
+        sandbox.require()
+    except Failure as failure:
+        return str(failure)
+    return ""
+
+
+def right(exercise: str, place: str = "") -> str:
+    """An answer that is right: the reference, as a student would write it."""
+    place = REAL / (place or PLACES[exercise]).replace("/exercise/", "/solution/")
+    if exercise == "01.parse_vertex_line":  # the reference calls what the handout has compiled only
+        place = REAL / "tests/01_obj/variants/parse_vertex_line.from_chars.cpp"
+    return place.read_text().replace("namespace lightwalk::solution", "namespace lightwalk::exercise")
+
+
+@unittest.skipIf(why_not(), why_not())
+class Class(unittest.TestCase):
+    """Subclasses fill `folder` in fill() and read `grades`, by student."""
+
+    wanted = list(PLACES)
+    pictures = False
+
+    @classmethod
+    def setUpClass(cls):
+        made = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(made.cleanup)
+        cls.outside = Path(made.name).resolve()
+        cls.folder = cls.outside / "class"
+        cls.folder.mkdir()
+        cls.fill()
+        of = {chapter[:2]: chapter for chapter in CHAPTERS}
+        with Judge({name: of[name[:2]] for name in cls.wanted}, 2, cls.pictures) as judge:
+            judge.verdicts = cls.outside / "verdicts"
+            cls.grades = {one["student"]: one for one in grade(find([cls.folder]), judge)}
+
+    @classmethod
+    def fill(cls):
+        raise NotImplementedError
+
+    @classmethod
+    def student(cls, name: str, answers: dict[str, str | bytes]) -> Path:
+        for exercise, text in answers.items():
+            path = cls.folder / name / PLACES[exercise]
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(text.encode() if isinstance(text, str) else text)
+        return cls.folder / name
+
+    def result(self, student: str, exercise: str) -> dict:
+        return next(one for one in self.grades[student]["results"] if one["exercise"] == exercise)
+
+
+def main(words: list[str]) -> int:
+    """Exit code 1 where a right answer is not taken."""
+    wanted = {exercise: chapter for chapter in ([find_chapter(word) for word in words] or chapters())
+              for exercise in exercises(chapter)}
+    with tempfile.TemporaryDirectory() as made:
+        for chapter in set(wanted.values()):
+            for exercise, path in exercises(chapter).items():
+                place = path.relative_to(REAL)
+                (Path(made) / place).parent.mkdir(parents=True, exist_ok=True)
+                (Path(made) / place).write_text(right(exercise, str(place)))
+        with Judge(wanted) as judge:
+            [one] = grade(find([Path(made)]), judge)
+    for result in one["results"]:
+        print("ok  " if result["ok"] else "open", result["exercise"], result["first_failure"] or "")
+    return 0 if one["right"] == one["of"] else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,173 @@
+"""Tests of ./course where the machine is against it: folders that cannot be written, another user, signals, two at once."""
+
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+from small_course import REAL, Course, clean_environment, make_tree
+
+sys.path.insert(0, str(REAL / "common/course"))
+from tree import write_atomically  # noqa: E402
+
+COMMANDS = ("run 01", "run", "check", "progress", "test", "accept --yes", "study", "stretch 01", "docs", "format --check",
+            "quote", "fuzz 1", "handout OUT/copy", "doctor", "clean")
+
+
+def can(*command) -> bool:
+    try:
+        return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
+    except OSError:
+        return False
+
+
+AS_OTHER = ("setpriv", "--reuid=65534", "--regid=65534", "--clear-groups")
+READ_ONLY = ("bwrap", "--bind", "/", "/", "--dev-bind", "/dev", "/dev")
+
+
+class Trouble(Course):
+    def setUp(self):
+        self.outside.chmod(0o755)
+
+    def assert_clear(self, printed: str):
+        """Some words, none of Python's and none for each of a hundred files."""
+        self.assertNotIn("Traceback", printed)
+        self.assertLess(printed.count("\n"), 6, printed)
+
+    def try_all(self, *wrapper):
+        self.course("check", "01", code=1)  # what was built is there
+        for command in COMMANDS:
+            with self.subTest(command):
+                words = command.replace("OUT", str(self.outside)).split()
+                printed = self.run_program([*wrapper, self.root / "course", *words], code=None)
+                if words[0] not in ("quote", "doctor", "handout"):
+                    self.assert_clear(printed)
+                self.assertNotIn("Traceback", printed)
+        shutil.rmtree(self.outside / "copy", ignore_errors=True)
+
+    @unittest.skipUnless(can(*READ_ONLY, "true"), "bubblewrap makes a folder read-only for this test, and cannot here")
+    def test_a_tree_that_cannot_be_written(self):
+        self.try_all(*READ_ONLY, "--ro-bind", str(self.root), str(self.root))
+        printed = self.run_program([*READ_ONLY, "--ro-bind", str(self.root), str(self.root), self.root / "course", "check"], 1)
+        self.assertRegex(printed, "course: .*Read-only file system; what is built goes below the course")
+
+    @unittest.skipUnless(can(*AS_OTHER, "true"), "only root can be another user")
+    def test_a_tree_of_another_user(self):
+        self.try_all(*AS_OTHER)
+        self.run_program(["git", "-C", self.root, "init", "-q"])
+        self.addCleanup(shutil.rmtree, self.root / ".git")
+        for words in (["format", "--check"], ["handout", "/tmp/lightwalk.never"]):
+            printed = self.run_program([*AS_OTHER, self.root / "course", *words], 1, HOME="/nonexistent")
+            self.assertRegex(printed, r"\Acourse: git does not trust this copy, which is another user's: git config .*\n\Z")
+
+    def test_clean_removes_what_is_its_own(self):
+        precious = self.outside / "precious"
+        precious.mkdir()
+        (precious / "thesis").write_text("all of it")
+        for folder in (precious, self.root, self.outside, "/"):
+            printed = self.course("clean", LIGHTWALK_BUILD=str(folder), code=2)
+            self.assertIn("is no build folder of this course: nothing was removed", printed)
+        self.assertTrue((precious / "thesis").exists() and (self.root / "course").exists())
+        self.course("check", "01", code=1)
+        elsewhere = self.outside / "elsewhere"
+        (self.root / "build").rename(elsewhere)
+        (self.root / "build").symlink_to(elsewhere)
+        self.course("clean")
+        self.assertFalse(elsewhere.exists() or (self.root / "build").is_symlink())
+        self.course("clean")
+
+    def test_names_that_are_too_long(self):
+        long = "x" * 300
+        for words in (["grade", long], ["handout", f"/tmp/{long}"], ["study", "--out", f"/tmp/{long}"]):
+            printed = self.course(*words, code=2)
+            self.assertRegex(printed, r"\Acourse: .*[Ff]ile name too long\n\Z")
+
+    def test_a_study_asks_first_whether_it_can_be_kept(self):
+        for folder in ("/dev/null/x", "/proc/x"):
+            printed = self.course("study", "--out", folder, code=2)
+            self.assertRegex(printed, rf"\Acourse: {folder} cannot be written: .*\n\Z")
+
+    def slow_build(self) -> subprocess.Popen:
+        """Starts a check whose build sleeps, and waits until it does."""
+        self.course("check", "01", code=None)
+        log = self.root / "log"
+        log.unlink(missing_ok=True)
+        self.addCleanup(log.unlink, missing_ok=True)
+        self.put("compile", f"echo start >>{log}; sleep 2; echo stop >>{log}\n")
+        self.put("chapters/01_obj/exercise/one.cpp", f"changed {random.random()}")
+        course = subprocess.Popen([self.root / "course", "check", "01"], env=clean_environment(), text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+        self.addCleanup(course.stdout.close)
+        while not log.exists():
+            time.sleep(0.02)
+        return course
+
+    def test_ended_it_ends_the_build(self):
+        course = self.slow_build()
+        course.send_signal(signal.SIGTERM)
+        self.assertEqual(course.wait(timeout=10), 143)
+        time.sleep(2.2)
+        self.assertEqual((self.root / "log").read_text(), "start\n")
+
+    def test_killed_it_leaves_the_lock_to_the_build(self):
+        course = self.slow_build()
+        course.kill()
+        course.wait()
+        self.assertIn("waiting for another ./course", self.course("check", "01", code=None))
+        self.assertEqual((self.root / "log").read_text(), "start\nstop\n" * ((self.root / "log").read_text().count("start")))
+
+    def test_two_at_once(self):
+        self.put("chapters/01_obj/exercise/one.cpp", "right")
+        self.put("no_teeth")  # and its picture is
+        running = [subprocess.Popen([self.root / "course", *words.split()], env=clean_environment(), text=True,
+                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT) for words in ("check 01", "check 01", "run", "run", "progress")]
+        for one in running:
+            printed, _ = one.communicate(timeout=60)
+            self.assertNotIn("Traceback", printed)
+            self.assertNotIn("open  01", printed)
+
+    def test_where_the_course_lies(self):
+        for name, works in (("Grüße an dich", True), ("a$b", False), ("a;b", False), ("a#b", False),
+                            ('a"b', False), ("a\\b", False), ("a,b", False), ("a\nb", False)):
+            with self.subTest(name):
+                root = self.outside / name
+                make_tree(root)
+                printed = self.run_program([root / "course", "check", "01"], code=1 if works else 2)
+                if works:
+                    self.assertIn("open  01.one", printed)
+                else:
+                    self.assertRegex(printed, r"\Acourse: the course lies in .* move the course to another folder\n\Z")
+
+
+class Saves(Course):
+    def test_killed_at_any_moment_the_old_file_or_the_new_one_is_there(self):
+        file = self.outside / "kept"
+        write_atomically(file, "a" * 1000000)
+        code = (f"import sys; sys.path.insert(0, {str(REAL / 'common/course')!r})\nfrom pathlib import Path\n"
+                f"from tree import write_atomically\nwhile True:\n for c in 'ab': write_atomically(Path({str(file)!r}), c * 1000000)\n")
+        for _ in range(8):
+            writer = subprocess.Popen([sys.executable, "-c", code])
+            time.sleep(random.uniform(0.15, 0.3))
+            writer.kill()
+            writer.wait()
+            self.assertIn(file.read_text(), ("a" * 1000000, "b" * 1000000))
+
+    def test_on_a_full_disk_the_old_file_stays(self):
+        file = self.outside / "full"
+        write_atomically(file, "old")
+        code = (f"import resource, signal, sys; sys.path.insert(0, {str(REAL / 'common/course')!r})\nfrom pathlib import Path\n"
+                "from tree import write_atomically\nsignal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+                "resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))\n"
+                f"try:\n write_atomically(Path({str(file)!r}), 'x' * 100000)\nexcept OSError as e: print(e.strerror)\n")
+        self.assertIn("File too large", self.run_program([sys.executable, "-c", code]))
+        self.assertEqual(file.read_text(), "old")
+        self.assertEqual([path.name for path in Path(self.outside).glob(".full*")], [])
+
+
+if __name__ == "__main__":
+    unittest.main()

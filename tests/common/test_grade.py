@@ -1,0 +1,311 @@
+"""Tests of ./course grade: what is read of a submission, what is written about it, and that it refuses without a sandbox."""
+
+import bz2
+import csv
+import io
+import json
+import lzma
+import os
+import struct
+import subprocess
+import sys
+import tarfile
+import threading
+import time
+import unittest
+import zipfile
+import zlib
+from pathlib import Path
+from unittest import mock
+
+from grading import CHAPTERS, PLACES, REAL, Class, right
+from alike import alike
+from grade import cell, grade, groups, table, write_files
+from judge import Judge, same_text
+from macros import foreign_macro
+from submission import find, printable, read
+from tree import Failure, UsageError, exercises
+
+LAMBERT, FADE = PLACES["02.lambert"], PLACES["03.range_fade"]
+RIGHT = right("02.lambert").encode()
+OPEN = (REAL / LAMBERT).read_bytes()
+
+
+def zipped(path: Path, members: dict, compression=zipfile.ZIP_DEFLATED, **attributes):
+    with zipfile.ZipFile(path, "w", compression) as archive:
+        for name, data in members.items():
+            info = zipfile.ZipInfo(name)
+            info.compress_type = compression
+            for key, value in attributes.items():
+                setattr(info, key, value)
+            archive.writestr(info, data)
+
+
+def tarred(path: Path, members: dict, mode="w:gz", **attributes):
+    with tarfile.open(path, mode) as archive:
+        for name, data in members.items():
+            info = tarfile.TarInfo(name)
+            info.size = len(data)
+            for key, value in attributes.items():
+                setattr(info, key, value)
+            archive.addfile(info, io.BytesIO(data))
+
+
+class Submissions(Class):
+    """A class in which every way to hand in is tried: right where it can be read, and named where it cannot."""
+
+    wanted = ["02.lambert", "03.range_fade"]
+
+    @classmethod
+    def fill(cls):
+        at, member = cls.folder, {f"course/{LAMBERT}": RIGHT}
+        cls.student("plain", {"02.lambert": RIGHT})
+        cls.student("bom", {"02.lambert": b"\xef\xbb\xbf" + RIGHT})
+        cls.student("dos", {"02.lambert": RIGHT.replace(b"\n", b"\r\n")})
+        cls.student("starter in dos", {"02.lambert": OPEN.replace(b"\n", b"\r\n")})
+        cls.student("nested/course", {"02.lambert": RIGHT})
+        zipped(at / "zip.zip", member)
+        zipped(at / "zip with lzma.zip", member, zipfile.ZIP_LZMA)
+        zipped(at / "dots.zip", {**member, f"../../{LAMBERT}": OPEN, f"/{LAMBERT}": OPEN})
+        zipped(at / "of links.zip", member, external_attr=0o120777 << 16)
+        for kind in ("gz", "bz2", "xz"):
+            tarred(at / f"tar.{kind}.tar.{kind}", member, f"w:{kind}")
+        tarred(at / "tar.tar", {f"./{LAMBERT}": RIGHT}, "w:")
+        tarred(at / "not utf8.tar", {"\udcff\udcfe": b"", **member}, "w:")
+        tarred(at / "link.tar", {**member}, "w:", type=tarfile.SYMTYPE, linkname="/etc/passwd")
+        tarred(at / "device.tar", {**member}, "w:", type=tarfile.CHRTYPE)
+        # What is wrong.
+        whole = (at / "zip.zip").read_bytes()
+        (at / "damaged.zip").write_bytes(whole[:60] + bytes(40) + whole[100:])
+        (at / "cut.zip").write_bytes(whole[:len(whole) // 2])
+        (at / "no.zip").write_bytes(b"PK but no zip")
+        (at / "empty.zip").write_bytes(b"")
+        xz = (at / "tar.xz.tar.xz").read_bytes()
+        (at / "cut.tar.xz").write_bytes(xz[:len(xz) // 2])
+        locked = bytearray(whole)
+        for magic, flags in ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8)):
+            struct.pack_into("<H", locked, locked.find(magic) + flags, 1)
+        (at / "locked.zip").write_bytes(locked)
+        cls.bombs()
+        os.mkfifo(at / "fifo.zip")
+        os.mkfifo(at / "pipe")
+        inside = at / "a pipe inside" / Path(LAMBERT).parent
+        inside.mkdir(parents=True)
+        os.mkfifo(inside / "lambert.glsl")
+        (at / "linked").symlink_to(at / "plain")
+        (at / "linked.zip").symlink_to(at / "zip.zip")
+        (at / "links inside").mkdir()
+        for name in ("shaders", "chapters"):
+            (at / "links inside" / name).symlink_to(at / "plain" / name)
+        inside = at / "a link inside" / Path(LAMBERT).parent
+        inside.mkdir(parents=True)
+        (inside / "lambert.glsl").symlink_to(at / "plain" / LAMBERT)
+        (at / "nothing").mkdir()
+        cls.student("large", {"02.lambert": RIGHT + b"//" + bytes(1 << 19)})
+        cls.student("a name\nhonest 2 of 2\x1b[2J", {"02.lambert": RIGHT})
+        cls.student("=cmd|calc!A0", {"02.lambert": RIGHT})
+        os.makedirs(os.fsencode(at) + b"/\xff\xfe latin/" + os.fsencode(Path(LAMBERT).parent))
+        with open(os.fsencode(at) + b"/\xff\xfe latin/" + os.fsencode(LAMBERT), "wb") as file:
+            file.write(RIGHT)
+        zipped(at / "plain.zip", {LAMBERT: OPEN + b"// twice"})
+
+    @classmethod
+    def bombs(cls):
+        at = cls.folder
+        info = tarfile.TarInfo("zeros")
+        info.size = 2 << 30
+        head = info.tobuf()
+        for name, pack in (("bomb.tar.xz", lzma.LZMACompressor(preset=0)), ("bomb.tar.bz2", bz2.BZ2Compressor(9))):
+            data = pack.compress(head)
+            for _ in range(300):  # more than may be unpacked
+                data += pack.compress(bytes(1 << 20))
+            (at / name).write_bytes(data + pack.flush())
+        zipped(at / "bomb.zip", {f"course/{LAMBERT}": bytes(64 << 20)})
+        tarred(at / "many.tar.gz", {f"{i}": b"" for i in range(21000)}, "w:gz")
+        (at / "greedy.tar.xz").write_bytes(xz_of_large_dictionary())
+
+    def right(self, student):
+        self.assertIsNone(self.grades[student]["error"])
+        self.assertTrue(self.result(student, "02.lambert")["ok"], self.result(student, "02.lambert"))
+
+    def test_what_can_be_read_is_judged(self):
+        for student in ("plain", "bom", "dos", "nested", "zip", "zip with lzma", "dots", "tar.gz", "tar.bz2", "tar.xz",
+                        "tar", "not utf8", r"a name\u000ahonest 2 of 2\u001b[2J", "=cmd|calc!A0", r"\xff\xfe latin"):
+            with self.subTest(student):
+                self.right(student)
+
+    def test_what_cannot_be_read_is_named(self):
+        for student, words in (("damaged", "cannot be read"), ("cut", "cannot be read"), ("no", "cannot be read: File is"),
+                               ("empty", "cannot be read"), ("cut (2)", "cannot be read: it is cut off|cannot be read"),
+                               ("locked", "cannot be read: .*encrypted"), ("fifo", "is no ordinary file"),
+                               ("a pipe inside", "is no ordinary file"), ("linked", "is a link"),
+                               ("linked (2)", "is a link"), ("links inside", "is a link"), ("a link inside", "is a link"),
+                               ("nothing", "holds no exercise"), ("of links", "holds no exercise"),
+                               ("link", "holds no exercise"), ("device", "holds no exercise"),
+                               ("large", "larger than 256 KiB"), ("bomb", "unpacks to more|larger than 256 KiB"),
+                               ("bomb (2)", "unpacks to more|larger than 256 KiB"),
+                               ("bomb (3)", "unpacks to more|larger than 256 KiB"), ("many", "more than 20000 files"),
+                               ("greedy", "cannot be read: .*[Mm]emory")):
+            with self.subTest(student):
+                self.assertRegex(self.grades[student]["error"] or "nothing", words)
+                self.assertEqual(self.grades[student]["right"], 0)
+
+    def test_what_was_not_changed_is_not_judged(self):
+        self.assertEqual(self.result("starter in dos", "02.lambert")["state"], "unchanged")
+        self.assertEqual(self.result("plain", "03.range_fade")["state"], "missing")
+        self.assertTrue(same_text(b"a \r\nb", b"a\nb\n"))
+
+    def test_two_of_one_name_are_two(self):
+        self.assertEqual(self.grades["plain (2)"]["right"], 0)
+
+    def test_files_and_table(self):
+        out = self.outside / "out"
+        out.mkdir()
+        write_files(out, list(self.grades.values()), {name: "" for name in self.wanted})
+        with (out / "grades.csv").open(newline="") as file:
+            rows = list(csv.reader(file))
+        self.assertEqual(len(rows), len(self.grades) + 1)
+        self.assertEqual(rows[0][:5], ["student", "right", "of", "02.lambert", "03.range_fade"])
+        by_name = {row[0]: row for row in rows}
+        self.assertEqual(by_name["plain"][1:5], ["1", "2", "1", "0"])
+        self.assertIn("'=cmd|calc!A0", by_name)
+        self.assertEqual(json.loads((out / "grades.json").read_text()), list(self.grades.values()))
+        lines = table(list(self.grades.values()), list(CHAPTERS[1:]))
+        self.assertEqual(len([line for line in lines if not line.startswith("alike")]), len(self.grades) + 1)
+        for line in lines:
+            self.assertTrue(line.isprintable(), line)
+        self.assertRegex(next(line for line in lines if line.startswith("plain ")), r"plain +1/2 +1/1 +0/1$")
+
+    def test_again_nothing_is_run(self):
+        start_s = time.monotonic()
+        with Judge({name: "02_lambert_phong" if name[:2] == "02" else "03_attenuation" for name in self.wanted}, 2, False) as judge, \
+                mock.patch("sandbox.Running", side_effect=AssertionError("it was run")):
+            judge.verdicts = self.outside / "verdicts"
+            again = grade(find([self.folder / "plain", self.folder / "zip.zip"]), judge)
+        self.assertEqual([one["right"] for one in again], [1, 1])
+        self.assertLess(time.monotonic() - start_s, 10)
+
+    def test_what_was_ended_is_not_kept(self):
+        """SIGTERM and Ctrl+C: a check that was killed on the way says nothing about the answer."""
+        with Judge({"02.lambert": "02_lambert_phong"}, 2, False) as judge:
+            judge.verdicts = self.outside / "ended"
+            threading.Timer(0.05, judge.stop).start()
+            found = judge.verdict("02.lambert", RIGHT + b"// ended")
+            self.assertEqual((found["state"], found["ok"]), ("failed", False), found)
+            judge.stopped = False
+            self.assertTrue(judge.verdict("02.lambert", RIGHT + b"// ended")["ok"])
+
+    def test_random_inputs_are_those_of_the_seed(self):
+        """A table of answers to the inputs that everybody can see is worth nothing."""
+        wrong = b"float lambert(vec3 n, vec3 l) { return l.z > 0.3 ? 9.0 : max(dot(n, l), 0.0); }\n"
+        with Judge({"02.lambert": "02_lambert_phong"}, 2, False) as judge:
+            said = {judge.judge("02.lambert", wrong, seed)["first_failure"] for seed in (0, 1, 2)}
+        self.assertEqual(len(said), 3, said)
+
+
+class Pictures(Class):
+    """Numbers that are right are not all."""
+
+    wanted = ["01.triangulate", "02.lambert"]
+    pictures = True
+
+    @classmethod
+    def fill(cls):
+        cls.student("honest", {name: right(name) for name in cls.wanted})
+        two_faces = right("02.lambert").replace("{\n", "{\n#ifdef METHOD\n    return 0.3;\n#endif\n", 1)
+        writes = """{
+    const int out = open("/out/picture.png", O_CREAT | O_WRONLY, 0600);
+    if (out >= 0) { (void)!write(out, "no picture", 10); _exit(0); }
+"""
+        linked = """{
+    if (!symlink("/grade/expected.png", "/out/picture.png") || !symlink("CLASS/golden.png", "/out/picture.png")) _exit(0);
+"""
+        head = "#include <fcntl.h>\n#include <unistd.h>\n#include <cstdlib>\n"
+        cls.student("two faces", {"02.lambert": two_faces})
+        cls.student("own picture", {"01.triangulate": head + body(right("01.triangulate"), writes)})
+        cls.student("a link", {"01.triangulate": head + body(right("01.triangulate"), linked)})
+
+    def test_pictures(self):
+        self.assertEqual(self.grades["honest"]["right"], 2, self.grades["honest"])
+        for student, exercise, words in (("two faces", "02.lambert", "pixels differ|one colour"),
+                                         ("own picture", "01.triangulate", "cannot be compared"),
+                                         ("a link", "01.triangulate", "no picture came out")):
+            result = self.result(student, exercise)
+            self.assertFalse(result["ok"], result)
+            self.assertRegex(result["first_failure"], f"the numbers are right, the picture of .* is not: .*({words})")
+
+
+def body(text: str, begins: str) -> str:
+    """C++ whose exercise begins otherwise."""
+    at = text.index("{\n", text.rindex("std::vector<glm::uvec3> triangulate("))
+    return text[:at] + begins + text[at + 2:]
+
+
+def xz_of_large_dictionary() -> bytes:
+    """An xz header that asks for a dictionary of 1.5 GiB, which takes a decoder as much memory."""
+    flags = b"\x00\x01"
+    stream = b"\xfd7zXZ\x00" + flags + struct.pack("<I", zlib.crc32(flags))
+    block = b"\x02\x00\x21\x01\x25\x00\x00\x00"
+    return stream + block + struct.pack("<I", zlib.crc32(block)) + b"\x01\x00\x00x\x00\x00\x00\x00"
+
+
+class Words(unittest.TestCase):
+    def test_names_are_one_printable_word(self):
+        self.assertEqual(printable("a\nb\x1b\u202e\udcff"), r"a\u000ab\u001b\u202e\xff")
+        self.assertEqual(len(printable("x" * 1000)), 200)
+        self.assertEqual([cell(text) for text in ("ann", "=1", "@x", "-1")], ["ann", "'=1", "'@x", "'-1"])
+
+    def test_what_is_no_class_is_one_line(self):
+        for path, words in (("/dev/null", "neither a folder nor an archive"), ("/no/such", "no such file"),
+                            ("x" * 300, "too long"), ("a\0b", "no such file")):
+            with self.assertRaisesRegex(UsageError, words):
+                find([Path(path)])
+
+    def test_a_macro_of_another_is_refused(self):
+        path = REAL / LAMBERT
+        self.assertEqual(foreign_macro(b"#define MY_OWN 1\nfloat lambert() {}", path), "")
+        for name in ("probe_outputs", "case_index", "main", "gl_WorkGroupID", "put"):
+            self.assertIn(name, foreign_macro(f"#define {name} 1".encode(), path))
+        for chapter in CHAPTERS:
+            for exercise, place in exercises(chapter).items():
+                if place.suffix == ".glsl":
+                    self.assertEqual(foreign_macro(right(exercise).encode(), place), "")
+
+    def test_alike(self):
+        starters = {"01.a": b"int f() {\n    return 0;\n}\n"}
+        long = b"int f() {\n" + b"".join(b"    x%d = y[%d] + %d;\n" % (i, i, i) for i in range(60)) + b"}\n"
+        renamed = long.replace(b"    x7 = y", b"    z7 = y") + b"// mine\n"
+        short = b"int f() {\n    return 1;\n}\n"
+        other = long.replace(b"y", b"w")
+        found = alike({"ann": {"01.a": long}, "ben": {"01.a": long}, "cat": {"01.a": renamed}, "dan": {"01.a": short},
+                       "eve": {"01.a": short}, "fay": {"01.a": other}}, starters)
+        self.assertEqual({(a, b): what for a, b, what in found},
+                         {("ann", "ben"): "all that they added is the same",
+                          ("ann", "cat"): "all that they added is the same to 98 %",
+                          ("ben", "cat"): "all that they added is the same to 98 %"})
+
+    def test_who_is_alike_is_said_once(self):
+        def one(student, *others):
+            return {"student": student, "alike": [{"student": other, "what": "all"} for other in others]}
+        found = groups([one("a", "b"), one("b", "a"), one("c"), one("d", "e", "f"), one("e", "d"), one("f", "d")])
+        self.assertEqual(found, ["a, b: all", "d, e, f: grades.json says what"])
+
+    def test_without_a_sandbox_it_refuses(self):
+        """And names the package, before a submission is opened or anything is built."""
+        with mock.patch("shutil.which", lambda name: None), mock.patch("judge.build", side_effect=AssertionError):
+            with self.assertRaisesRegex(Failure, "bubblewrap alone, and it is not there.*apt-get install bubblewrap"):
+                Judge({"02.lambert": "02_lambert_phong"})
+        with mock.patch("sandbox.run", side_effect=Failure("no namespaces")):
+            with self.assertRaisesRegex(Failure, "cannot contain anything here.*no namespaces"):
+                Judge({"02.lambert": "02_lambert_phong"})
+        self.assertIn("bubblewrap", (REAL / "common/course/packages/grade").read_text().split())
+
+    def test_a_bad_word_is_one_line_and_2(self):
+        for words in (["/dev/null"], ["/no/such"], ["x" * 300]):
+            done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "grade", *words], text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.assertEqual((done.returncode, done.stdout.count("\n")), (2, 1), done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

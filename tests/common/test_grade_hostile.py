@@ -1,0 +1,101 @@
+"""Submissions that attack their grading (hostile.py): each is contained, gets no mark, and costs nobody else one."""
+
+import os
+import socket
+import threading
+import time
+import unittest
+from pathlib import Path
+
+from grading import CHAPTERS, REAL, Class, right
+from hostile import ABSTRACT, ATTACKS, OUTSIDE
+from tree import BUILD
+
+HONEST = ("01.triangulate", "02.lambert", "02.record_mist", "03.light_reaches_box")
+
+
+class Hostile(Class):
+    wanted = ["01.parse_face", "01.triangulate", "02.lambert", "02.record_mist", "03.light_reaches_box"]
+
+    @classmethod
+    def fill(cls):
+        Path(OUTSIDE).unlink(missing_ok=True)
+        cls.before = {path: path.read_bytes() for path in cls.guarded()}
+        cls.heard = []
+        listening = [socket.socket(socket.AF_INET), socket.socket(socket.AF_UNIX)]
+        listening[0].bind(("127.0.0.1", 0))
+        listening[1].bind(f"\0{ABSTRACT}.{os.getpid()}")
+        for one in listening:
+            one.listen()
+            cls.addClassCleanup(one.close)
+            threading.Thread(target=cls.listen, args=(one,), daemon=True).start()
+        words = {"ROOT": str(REAL), "BUILD": str(BUILD), "CLASS": str(cls.folder), ABSTRACT: f"{ABSTRACT}.{os.getpid()}",
+                 "PORT": str(listening[0].getsockname()[1])}
+        for name in ("aa honest", "zz honest"):
+            # Judged twice: a line more makes it another file.
+            cls.student(name, {exercise: right(exercise) + f"// {name}\n" for exercise in HONEST})
+        for name, (answers, _) in ATTACKS.items():
+            cls.student(name, {exercise: with_words(text, words) for exercise, text in answers.items()})
+        cls.start_s = time.monotonic()
+
+    @classmethod
+    def listen(cls, one):
+        try:
+            one.accept()
+            cls.heard.append("a connection")
+        except OSError:
+            pass
+
+    @staticmethod
+    def guarded():
+        paths = [*(REAL / "tests/03_attenuation").glob("checks*"), *(REAL / "shaders/02_lambert_phong").rglob("*.glsl")]
+        return [*paths, *(REAL / "chapters/03_attenuation").rglob("*.cpp"),
+                *[BUILD / "grade" / f"judge_{chapter}" for chapter in CHAPTERS if (BUILD / "grade" / f"judge_{chapter}").exists()]]
+
+    def test_attacks_get_no_mark_and_are_told_why(self):
+        for name, (answers, words) in ATTACKS.items():
+            for exercise in answers:
+                with self.subTest(name):
+                    self.assertIsNone(self.grades[name]["error"])
+                    result = self.result(name, exercise)
+                    self.assertFalse(result["ok"], result)
+                    self.assertNotIn("BROKE OUT", result["first_failure"])
+                    self.assertRegex(result["first_failure"], words)
+                    self.assertTrue(result["first_failure"].isprintable(), result)
+                    self.assertLess(len(result["first_failure"]), 1000)
+
+    def test_there_are_enough(self):
+        self.assertGreaterEqual(len(ATTACKS), 30)
+
+    def test_the_honest_lose_nothing(self):
+        for name in ("aa honest", "zz honest"):
+            for exercise in HONEST:
+                self.assertTrue(self.result(name, exercise)["ok"], self.result(name, exercise))
+            self.assertEqual(self.grades[name]["right"], len(HONEST))
+
+    def test_nothing_is_left_behind(self):
+        self.assertEqual({path: path.read_bytes() for path in self.before}, self.before)
+        self.assertEqual(self.heard, [])
+        for path in (OUTSIDE, self.folder / "x", REAL / "x", "/x", "/usr/x"):
+            self.assertFalse(os.path.exists(path), path)
+        workers = []
+        for process in Path("/proc").glob("[0-9]*"):
+            try:
+                words = (process / "cmdline").read_bytes()
+            except OSError:
+                continue
+            if words.startswith((b"/grade/worker\0", b"/grade/judge\0")):
+                workers.append(words)
+        self.assertEqual(workers, [])
+
+
+def with_words(text, words: dict[str, str]):
+    if isinstance(text, bytes):
+        return text
+    for word, meant in words.items():
+        text = text.replace(word, meant)
+    return text
+
+
+if __name__ == "__main__":
+    unittest.main()
