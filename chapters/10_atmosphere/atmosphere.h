@@ -82,18 +82,21 @@ struct Atmosphere : Module {
     const Image& multiple() const { return multiple_; }
     const Image& sky() const { return sky_; }
 
+    /// And with `truth` for many scatterings: the standard error of each pixel's light, over the light.
+    const Image& doubt() const { return doubt_; }
+
     int tables_made = 0;  ///< so far, to show that none is made twice
 
   private:
     void make_images(Device& device);
-    void record_tables(Frame& frame, const Camera& camera, glm::vec3 reach);
+    void record_tables(Frame& frame, const Camera& camera, float reach_m);
     void set_lasting(Compute& pass) const;
     float height_of(glm::vec3 position) const;
     float volume_reach_m(const Camera& camera) const;
 
     Buffer skylight_;
     std::vector<std::byte> skylight_of_;  ///< what it was made from
-    Image transmittance_, multiple_, sky_, light_, through_;
+    Image doubt_, transmittance_, multiple_, sky_, light_, through_;
     std::vector<std::byte> made_of_;  ///< what the two lasting tables were made from
     Pipeline make_transmittance_ = compute({.shader = "10_atmosphere/make_transmittance.comp"});
     Pipeline make_multiple_ = compute({.shader = "10_atmosphere/make_multiple.comp"});
