@@ -7,7 +7,7 @@ int light_samples() { return atmosphere.light_samples; }
 bool light_steps_grow() { return false; }
 
 // [main]
-Along along(Path path, vec3 direction, ivec2 pixel, float distance) { return in_scatter(path, atmosphere.samples); }
+Along along(Path path, vec3 direction, ivec2 pixel, float distance) { return in_scatter(atmosphere.samples, path); }
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

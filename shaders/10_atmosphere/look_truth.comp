@@ -13,7 +13,7 @@ bool light_steps_grow() { return true; }
 
 // [along]
 Along along(Path path, vec3 direction, ivec2 pixel, float distance) {
-    Along result = in_scatter(path, 32 * atmosphere.samples);
+    Along result = in_scatter(32 * atmosphere.samples, path);
 #if ATMOSPHERE_ORDERS == ATMOSPHERE_ORDERS_MULTIPLE
     start_random(uvec2(pixel), seed);
     float squares, once = result.light.r + result.light.g + result.light.b;

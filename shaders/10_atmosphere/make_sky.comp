@@ -15,5 +15,5 @@ void main() {
     float slope = max(sin(there.x), horizon_slope(eye.x)), sun_sine = sqrt(max(1.0 - eye.y * eye.y, 0.0));
     float cos_angle = clamp(slope * eye.y + cos(there.x) * sun_sine * cos(there.y), -1.0, 1.0);
     Path path = Path(eye.x, slope, eye.y, cos_angle, ray_sphere(eye.x, slope, air.radius, air.top).y);
-    imageStore(result, texel, vec4(min(in_scatter(path, 32).light, 65504.0), 1.0));
+    imageStore(result, texel, vec4(min(in_scatter(32, path).light, 65504.0), 1.0));
 }
