@@ -105,8 +105,8 @@ void Atmosphere::record_tables(Frame& frame, const Camera& camera, float reach_m
         frame.compute("transmittance table", {.writes = {transmittance_}, .with = {*this}}, [&](Compute& pass) {
             pass.use(make_transmittance_).set("result", transmittance_).dispatch_threads(transmittance_.desc.size);
         });
-        frame.compute("multiple scattering table",
-                      {.reads = {transmittance_}, .writes = {multiple_}, .with = {*this}}, [&](Compute& pass) {
+        frame.compute("multiple scattering table", {.reads = {transmittance_}, .writes = {multiple_}, .with = {*this}},
+                      [&](Compute& pass) {
                           pass.use(make_multiple_).set("air_transmittance", transmittance_, linear_clamp);
                           pass.set("result", multiple_).dispatch(glm::uvec3(multiple_.desc.size, 1));
                       });
@@ -140,8 +140,7 @@ void Atmosphere::set_lasting(Compute& pass) const {
 
 // [record]
 void Atmosphere::record(Frame& frame, const Image& hdr, const Image& depth, const Camera& camera) {
-    const Pipeline* const looks[] = {&none_,  &preetham_,    &polynomial_, &chapman_,
-                                     &march_, &look_tables_, &truth_};
+    const Pipeline* const looks[] = {&none_, &preetham_, &polynomial_, &chapman_, &march_, &look_tables_, &truth_};
     const bool tables = method.is("tables"), truth = method.is("truth");
     const float reach_m = tables ? volume_reach_m(camera) : 0.0f;
     ComputeAccess access{.reads = {depth, hdr}, .writes = {hdr}, .with = {*this}};

@@ -13,9 +13,9 @@ namespace lightwalk {
 ///
 ///     atmosphere.record(frame, frame.hdr, frame.depth, camera);
 ///
-/// The planet's middle lies `radius_m` below the world's origin. Where depth is 0 the image holds the planet's ground, if
-/// the pixel's ray meets it, else what lies beyond the air. Lights and colours are the module's own: to_sun(), and in a
-/// pass that states it in `.with` and includes 10_atmosphere/ground_light.glsl, sunlight_on() and skylight_on().
+/// The planet's middle lies `radius_m` below the world's origin. Where depth is 0 the image holds the planet's ground,
+/// if the pixel's ray meets it, else what lies beyond the air. Lights and colours are the module's own: to_sun(), and
+/// in a pass that states it in `.with` and includes 10_atmosphere/ground_light.glsl, sunlight_on() and skylight_on().
 struct Atmosphere : Module {
     Atmosphere(Module& owner, std::string name) : Module(owner, std::move(name), "atmosphere") {}
     // [/atmosphere]
@@ -50,18 +50,23 @@ struct Atmosphere : Module {
 
     Knob<float> radius_m{*this, "radius_m", 6.36e6f, {1e3f, 1e9f}, "of the planet", "m"};
     Knob<float> top_m{*this, "top_m", 1e5f, {1.0f, 1e8f}, "height of the air's edge", "m"};
-    Knob<glm::vec3> rayleigh{*this, "rayleigh",      {5.802f, 13.558f, 33.1f}, {glm::vec3(0.0f), glm::vec3(1e5f)},
-                             "what molecules scatter", "1/Mm"};
+    Knob<glm::vec3> rayleigh{
+        *this, "rayleigh", {5.802f, 13.558f, 33.1f}, {glm::vec3(0.0f), glm::vec3(1e5f)}, "what molecules scatter",
+        "1/Mm"};
     Knob<float> rayleigh_height_m{*this, "rayleigh_height_m", 8000.0f, {0.0f, 1e6f}, "their scale height", "m"};
-    Knob<glm::vec3> mie{
-        *this, "mie", glm::vec3(3.996f), {glm::vec3(0.0f), glm::vec3(1e5f)}, "what dust scatters", "1/Mm"};
+    Knob<glm::vec3> mie{*this, "mie", glm::vec3(3.996f), {glm::vec3(0.0f), glm::vec3(1e5f)}, "what dust scatters",
+                        "1/Mm"};
     Knob<glm::vec3> mie_absorption{
         *this, "mie_absorption", glm::vec3(0.444f), {glm::vec3(0.0f), glm::vec3(1e5f)}, "and swallows", "1/Mm"};
     Knob<float> mie_height_m{*this, "mie_height_m", 1200.0f, {0.0f, 1e6f}, "its scale height", "m"};
     Knob<float> mean_cosine{
         *this, "mean_cosine", 0.8f, {-0.95f, 0.95f}, "of the angle by which dust turns light: 1 is straight on"};
-    Knob<glm::vec3> ozone{*this, "ozone", {0.65f, 1.881f, 0.085f}, {glm::vec3(0.0f), glm::vec3(1e5f)},
-                          "what a layer absorbs in its middle; 0: no layer", "1/Mm"};
+    Knob<glm::vec3> ozone{*this,
+                          "ozone",
+                          {0.65f, 1.881f, 0.085f},
+                          {glm::vec3(0.0f), glm::vec3(1e5f)},
+                          "what a layer absorbs in its middle; 0: no layer",
+                          "1/Mm"};
     Knob<float> ozone_center_m{*this, "ozone_center_m", 25000.0f, {0.0f, 1e7f}, "height of its middle", "m"};
     Knob<float> ozone_width_m{*this, "ozone_width_m", 15000.0f, {0.0f, 1e7f}, "from there to its edges", "m"};
     Knob<glm::vec3> ground{

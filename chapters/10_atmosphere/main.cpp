@@ -13,7 +13,10 @@ struct AtmosphereChapter : ModelChapter {
     Planet planet{*this, "planet"};
     HeightFog fog{*this, "fog"};
 
-    Choice show{*this, "show", {"picture", "transmittance", "multiple", "sky", "doubt"}, "picture",
+    Choice show{*this,
+                "show",
+                {"picture", "transmittance", "multiple", "sky", "doubt"},
+                "picture",
                 "or a table of the method tables; doubt: the standard error of truth, relative"};
     Knob<float> gain{*this, "gain", 1.0f, {0.0f, 1e6f}, "by what a table is multiplied to be shown"};
 

@@ -68,8 +68,8 @@ inline double fog_depth(double density, double falloff, double y, double slope, 
 }
 
 // [single]
-/// Single scattering by brute force: `steps` places on the path, `light_steps` from each towards the sun. What `phase` says
-/// of dust. The sun's disc sets behind the ground's edge as in the shaders.
+/// Single scattering by brute force: `steps` places on the path, `light_steps` from each towards the sun. What `phase`
+/// says of dust. The sun's disc sets behind the ground's edge as in the shaders.
 template <class Phase>
 glm::dvec3 in_scatter(const Air& air, const Path& path, const Phase& phase, int steps, int light_steps,
                       glm::dvec3* transmittance = nullptr) {

@@ -48,7 +48,8 @@ CHECK_EXERCISE("10.ray_sphere", "c = (height - shell)(2 radius + height + shell)
                 .bound = {.absolute = 0.02, .relative = 2e-5},
                 .hint = [](auto in, auto out) -> std::string {
                     if (out[0] == 1 && out[1] == -1 && in[0] < in[3]) return "from within a sphere every ray meets it";
-                    if (in[0] < 10) return "the smaller root of two is a difference of numbers that are nearly the same";
+                    if (in[0] < 10)
+                        return "the smaller root of two is a difference of numbers that are nearly the same";
                     return "";
                 }};
     Random random;
@@ -57,22 +58,24 @@ CHECK_EXERCISE("10.ray_sphere", "c = (height - shell)(2 radius + height + shell)
         probe.inputs.push_back({height, random.uniform(-1, -0.3), earth, 0});
         probe.inputs.push_back({height, random.uniform(-1, 1), earth, edge});
     }
-    for (int i = 0; i < 200; ++i) probe.inputs.push_back({random.logarithmic(2e5, 5e7), random.uniform(-1, -0.99), earth, edge});
+    for (int i = 0; i < 200; ++i)
+        probe.inputs.push_back({random.logarithmic(2e5, 5e7), random.uniform(-1, -0.99), earth, edge});
     // What grazes within rounding may meet or miss: ask for what does neither nearly.
     std::erase_if(probe.inputs, [](const Row& in) {
         const double b = (in[2] + in[0]) * in[1], c = (in[0] - in[3]) * (2 * in[2] + in[0] + in[3]), d = b * b - c;
         return d != 0 && std::fabs(d) < 1e-3 * b * b;
     });
     const Table results = check.probe(probe);
-    check.property(probe, results, "but the nearer one comes first, and (1, -1) where there is none", [](auto, auto out) {
-        return out[0] <= out[1] || (out[0] == 1 && out[1] == -1);
-    });
+    check.property(probe, results, "but the nearer one comes first, and (1, -1) where there is none",
+                   [](auto, auto out) { return out[0] <= out[1] || (out[0] == 1 && out[1] == -1); });
 }
 
-CHECK_EXERCISE("10.density", "exp(-height / scale) needs a scale above 0; the layer is a tent: 1 - |distance| / width") {
+CHECK_EXERCISE("10.density",
+               "exp(-height / scale) needs a scale above 0; the layer is a tent: 1 - |distance| / width") {
     Probe probe{.include = "10_atmosphere/density.glsl",
-                .signature = "vec3 density(float height, float rayleigh_height, float mie_height, float layer_center, "
-                             "float layer_width)",
+                .signature =
+                    "vec3 density(float height, float rayleigh_height, float mie_height, float layer_center, "
+                    "float layer_width)",
                 .inputs = {{0, 8000, 1200, 25000, 15000},
                            {8000, 8000, 1200, 25000, 15000},
                            {25000, 8000, 1200, 25000, 15000},
@@ -94,7 +97,8 @@ CHECK_EXERCISE("10.density", "exp(-height / scale) needs a scale above 0; the la
                     },
                 .bound = {.absolute = 1e-6, .relative = 2e-5},
                 .hint = [](auto in, auto) -> std::string {
-                    if (in[1] == 0 || in[2] == 0 || in[4] == 0) return "nothing to divide by: there are no such particles";
+                    if (in[1] == 0 || in[2] == 0 || in[4] == 0)
+                        return "nothing to divide by: there are no such particles";
                     return in[0] < 0 ? "below the ground it is the ground's" : "";
                 }};
     Random random;
@@ -113,17 +117,19 @@ CHECK_EXERCISE("10.phase_rayleigh", "3 / (16 pi) makes the integral over the sph
     const Table results = check.probe(probe);
     double sum = 0;
     for (const Row& row : results) sum += 2 * truth::pi * row[0] * 0.02;
-    check.expect(std::fabs(sum - 1) < 0.03, fmt::format("over all directions it adds up to {:.3f}, expected 1: light is {}",
-                                                        sum, sum < 1 ? "lost" : "made"));
+    check.expect(std::fabs(sum - 1) < 0.03,
+                 fmt::format("over all directions it adds up to {:.3f}, expected 1: light is {}", sum,
+                             sum < 1 ? "lost" : "made"));
 }
 
 CHECK_EXERCISE("10.phase_mie", "(1 + g² - 2 g c)^1.5 is x sqrt(x); and 1 over 4 pi") {
-    Probe probe{.include = "10_atmosphere/phase_mie.glsl",
-                .signature = "float phase_mie(float cos_angle, float g)",
-                .inputs = {{1, 0.99}, {-1, 0.99}, {1, -0.99}, {-1, -0.99}, {1, 0}, {0, 0}, {-1, 0}, {1, 0.9}, {0.5, 0.76}},
-                .truth = [](std::span<const double> in) { return Row{truth::phase_cornette_shanks(in[0], in[1])}; },
-                // (1 - g)² of a g that is a float: at 0.99 and straight on 1e-4, a difference of numbers near 2.
-                .bound = {.relative = 2e-3}};
+    Probe probe{
+        .include = "10_atmosphere/phase_mie.glsl",
+        .signature = "float phase_mie(float cos_angle, float g)",
+        .inputs = {{1, 0.99}, {-1, 0.99}, {1, -0.99}, {-1, -0.99}, {1, 0}, {0, 0}, {-1, 0}, {1, 0.9}, {0.5, 0.76}},
+        .truth = [](std::span<const double> in) { return Row{truth::phase_cornette_shanks(in[0], in[1])}; },
+        // (1 - g)² of a g that is a float: at 0.99 and straight on 1e-4, a difference of numbers near 2.
+        .bound = {.relative = 2e-3}};
     Random random;
     for (int i = 0; i < 600; ++i) probe.inputs.push_back({random.uniform(-1, 1), random.uniform(-0.95, 0.95)});
     const Table results = check.probe(probe);
@@ -132,27 +138,25 @@ CHECK_EXERCISE("10.phase_mie", "(1 + g² - 2 g c)^1.5 is x sqrt(x); and 1 over 4
 
 CHECK_EXERCISE("10.optical_depth", "below level: twice the level ray through the lowest point, less what lies behind") {
     const double scales[] = {8000, 1200, 11100};
-    Probe probe{.include = "10_atmosphere/optical_depth.glsl",
-                .signature = "float optical_depth(float height, float slope, float radius, float scale_height)",
-                .inputs = {{0, 1, earth, 8000},
-                           {0, 0, earth, 8000},
-                           {0, 0, earth, 1200},
-                           {0, 0.05, earth, 1200},
-                           {20000, above_horizon(20000, 0.0005), earth, 8000},
-                           {90000, above_horizon(90000, 0.02), earth, 1200},
-                           {0, 0.5, earth, 0},
-                           {0, 0, earth, 0},
-                           {4000, -0.02, earth, 0}},
-                .truth =
-                    [](std::span<const double> in) {
-                        return Row{truth::optical_depth(in[0], in[1], in[2], in[3], 1500)};
-                    },
-                // The fit is good to 0.3%; below level what is left is a difference of two.
-                .bound = {.absolute = 1e-3, .relative = 0.012},
-                .hint = [](auto in, auto) -> std::string {
-                    if (in[3] == 0) return "a scale height of 0 says that there is nothing";
-                    return in[1] < 0 ? "" : "for a slope of 0 or more it is the formula as it stands";
-                }};
+    Probe probe{
+        .include = "10_atmosphere/optical_depth.glsl",
+        .signature = "float optical_depth(float height, float slope, float radius, float scale_height)",
+        .inputs = {{0, 1, earth, 8000},
+                   {0, 0, earth, 8000},
+                   {0, 0, earth, 1200},
+                   {0, 0.05, earth, 1200},
+                   {20000, above_horizon(20000, 0.0005), earth, 8000},
+                   {90000, above_horizon(90000, 0.02), earth, 1200},
+                   {0, 0.5, earth, 0},
+                   {0, 0, earth, 0},
+                   {4000, -0.02, earth, 0}},
+        .truth = [](std::span<const double> in) { return Row{truth::optical_depth(in[0], in[1], in[2], in[3], 1500)}; },
+        // The fit is good to 0.3%; below level what is left is a difference of two.
+        .bound = {.absolute = 1e-3, .relative = 0.012},
+        .hint = [](auto in, auto) -> std::string {
+            if (in[3] == 0) return "a scale height of 0 says that there is nothing";
+            return in[1] < 0 ? "" : "for a slope of 0 or more it is the formula as it stands";
+        }};
     Random random;
     for (int i = 0; i < 160; ++i) {
         const double height = random.uniform(0, 60000), scale = scales[i % 3];
@@ -191,7 +195,8 @@ CHECK_EXERCISE("10.in_scatter", "each part's light goes through the parts before
     for (int i = 0; i < 60; ++i) {
         const double height = random.uniform(10, 40000), slope = random.uniform(0.02, 1), sun = random.uniform(-0.2, 1);
         const double sine = std::sqrt((1 - slope * slope) * (1 - sun * sun));
-        probe.inputs.push_back({double(i % 6 + 1), height, slope, sun, double(float(slope * sun + sine * random.uniform(-1, 1))),
+        probe.inputs.push_back({double(i % 6 + 1), height, slope, sun,
+                                double(float(slope * sun + sine * random.uniform(-1, 1))),
                                 random.uniform(100, 300000)});
     }
     probe.inputs.push_back({16, 2, 1, 0.5, 0.5, 99000});
@@ -202,27 +207,34 @@ CHECK_EXERCISE("10.in_scatter", "each part's light goes through the parts before
 }
 
 CHECK_EXERCISE("10.height_fog", "take the lower end's density and an x of 0 or more; a series where x is small") {
-    Probe probe{.include = "10_atmosphere/height_fog.glsl",
-                .signature = "float height_fog(float density, float falloff, float y, float slope, float distance)",
-                .inputs = {{1e-3, 0, 5, 0.5, 1000},     {1e-3, 0.01, 5, 0, 1000},
-                           {1e-3, 1e-3, 0, 1e-3, 1000}, {1e-3, 1e-3, 0, 1e-6, 1000},
-                           {1e-3, 1e-3, 0, 2e-8, 1000}, {1e-3, 1e-3, 0, -1e-6, 1000},
-                           {1e-3, 0.1, 0, 0.01, 1},     {1e-3, 0.01, 20000, -1, 20000},
-                           {1e-3, 0.1, 1000, -1, 1000}, {1e-3, 0.1, 0, 1, 1e5},
-                           {0, 0.1, 10, -0.1, 50},      {1e-3, 0.1, 10, -0.1, 0},
-                           {0.01, 0.02, -100, 0.1, 900}},
-                .truth =
-                    [](std::span<const double> in) { return Row{truth::fog_depth(in[0], in[1], in[2], in[3], in[4])}; },
-                .bound = {.absolute = 1e-12, .relative = 3e-5},
-                .hint = [](auto in, auto out) -> std::string {
-                    const double x = std::fabs(in[1] * in[3] * in[4]);
-                    if (!std::isfinite(out[0])) return x == 0 ? "0 / 0" : "exp() of a large number";
-                    return x < 0.01 ? "1 - exp(-x) has lost its digits" : "";
-                }};
+    Probe probe{
+        .include = "10_atmosphere/height_fog.glsl",
+        .signature = "float height_fog(float density, float falloff, float y, float slope, float distance)",
+        .inputs = {{1e-3, 0, 5, 0.5, 1000},
+                   {1e-3, 0.01, 5, 0, 1000},
+                   {1e-3, 1e-3, 0, 1e-3, 1000},
+                   {1e-3, 1e-3, 0, 1e-6, 1000},
+                   {1e-3, 1e-3, 0, 2e-8, 1000},
+                   {1e-3, 1e-3, 0, -1e-6, 1000},
+                   {1e-3, 0.1, 0, 0.01, 1},
+                   {1e-3, 0.01, 20000, -1, 20000},
+                   {1e-3, 0.1, 1000, -1, 1000},
+                   {1e-3, 0.1, 0, 1, 1e5},
+                   {0, 0.1, 10, -0.1, 50},
+                   {1e-3, 0.1, 10, -0.1, 0},
+                   {0.01, 0.02, -100, 0.1, 900}},
+        .truth = [](std::span<const double> in) { return Row{truth::fog_depth(in[0], in[1], in[2], in[3], in[4])}; },
+        .bound = {.absolute = 1e-12, .relative = 3e-5},
+        .hint = [](auto in, auto out) -> std::string {
+            const double x = std::fabs(in[1] * in[3] * in[4]);
+            if (!std::isfinite(out[0])) return x == 0 ? "0 / 0" : "exp() of a large number";
+            return x < 0.01 ? "1 - exp(-x) has lost its digits" : "";
+        }};
     Random random;
     for (int i = 0; i < 600; ++i) {
         const double falloff = random.logarithmic(1e-5, 0.1), y = random.uniform(-50, 200) * (i % 3 + 1);
-        probe.inputs.push_back({random.logarithmic(1e-6, 0.1), falloff, y, i % 2 ? random.uniform(-1, 1) : random.logarithmic(1e-9, 1e-2),
+        probe.inputs.push_back({random.logarithmic(1e-6, 0.1), falloff, y,
+                                i % 2 ? random.uniform(-1, 1) : random.logarithmic(1e-9, 1e-2),
                                 random.logarithmic(0.1, 3e3)});
     }
     std::erase_if(probe.inputs, [](const Row& in) { return -in[1] * std::min(in[2], in[2] + in[3] * in[4]) > 70; });
@@ -281,7 +293,8 @@ CHECK_EXERCISE("10.table_uv", "0 belongs on the first texel's middle: (0.5 + x (
     check.property(back, found, "but a slope is -1 to 1, and a height 0 to top",
                    [](auto, auto out) { return std::fabs(out[1]) <= 1 && out[0] > -1 && out[0] < edge + 1; });
     double worst = 0;
-    for (size_t i = 0; i < found.size(); ++i) worst = std::max(worst, std::fabs(found[i][1] - back.truth(back.inputs[i])[1]));
+    for (size_t i = 0; i < found.size(); ++i)
+        worst = std::max(worst, std::fabs(found[i][1] - back.truth(back.inputs[i])[1]));
     check.expect(worst < 1e-4, fmt::format("table_place gives a slope that is off by {:.4g}", worst),
                  "way² + 2 (radius + height) way slope = (top - height)(2 radius + top + height)");
 }

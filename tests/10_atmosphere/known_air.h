@@ -27,15 +27,16 @@ inline Air earth_air() {
 /// For shaders that include 10_atmosphere/air.glsl; with the phase function that Atmosphere's knob says by default.
 inline Macros known_air(const Air& air) {
     const auto vec = [](glm::vec3 v) { return fmt::format("vec3({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z); };
-    return {{"KNOWN_AIR", fmt::format("Air({}, float({:.9g}), {}, float({:.9g}), {}, float({:.9g}), {}, float({:.9g}), "
-                                      "float({:.9g}), float({:.9g}), float({:.9g}), {}, float({:.9g}), {})",
-                                      vec(air.rayleigh), air.rayleigh_height, vec(air.mie), air.mie_height,
-                                      vec(air.mie_extinction), air.mie_g, vec(air.layer), air.layer_center,
-                                      air.layer_width, air.radius, air.top, vec(air.sun), air.sun_rad, vec(air.ground))},
-            {"ATMOSPHERE_PHASE", "2"},
-            {"ATMOSPHERE_PHASE_ISOTROPIC", "0"},
-            {"ATMOSPHERE_PHASE_HENYEY_GREENSTEIN", "1"},
-            {"ATMOSPHERE_PHASE_CORNETTE_SHANKS", "2"}};
+    return {
+        {"KNOWN_AIR", fmt::format("Air({}, float({:.9g}), {}, float({:.9g}), {}, float({:.9g}), {}, float({:.9g}), "
+                                  "float({:.9g}), float({:.9g}), float({:.9g}), {}, float({:.9g}), {})",
+                                  vec(air.rayleigh), air.rayleigh_height, vec(air.mie), air.mie_height,
+                                  vec(air.mie_extinction), air.mie_g, vec(air.layer), air.layer_center, air.layer_width,
+                                  air.radius, air.top, vec(air.sun), air.sun_rad, vec(air.ground))},
+        {"ATMOSPHERE_PHASE", "2"},
+        {"ATMOSPHERE_PHASE_ISOTROPIC", "0"},
+        {"ATMOSPHERE_PHASE_HENYEY_GREENSTEIN", "1"},
+        {"ATMOSPHERE_PHASE_CORNETTE_SHANKS", "2"}};
 }
 
 }  // namespace lightwalk

@@ -22,18 +22,26 @@ std::vector<double> ask(const Probe& probe) {
 }
 
 Probe of_air(const std::string& include, const std::string& signature, Table inputs) {
-    return {.include = include, .signature = signature, .inputs = std::move(inputs), .truth = {}, .bound = {},
-            .macros = known_air(earth_air()), .words = {}, .hint = {}};
+    return {.include = include,
+            .signature = signature,
+            .inputs = std::move(inputs),
+            .truth = {},
+            .bound = {},
+            .macros = known_air(earth_air()),
+            .words = {},
+            .hint = {}};
 }
 
 }  // namespace
 
-TEST_CASE("a float at a planet's radius: heights along a ray are right to a centimetre, the plain root is half a metre off") {
+TEST_CASE(
+    "a float at a planet's radius: heights along a ray are right to a centimetre, the plain root is half a metre off") {
     Table inputs;
     Random random;
     for (int i = 0; i < 300; ++i)
         inputs.push_back({random.uniform(0, 50), random.uniform(0, 1), random.logarithmic(1, 1e5)});
-    const auto found = ask(of_air("10_atmosphere/air.glsl", "float height_at(float height, float slope, float t)", inputs));
+    const auto found =
+        ask(of_air("10_atmosphere/air.glsl", "float height_at(float height, float slope, float t)", inputs));
     double worst = 0, plain = 0;
     for (size_t i = 0; i < inputs.size(); ++i) {
         const double r = earth + inputs[i][0], slope = inputs[i][1], t = inputs[i][2];
@@ -72,20 +80,21 @@ TEST_CASE("paths are clipped to the air: at its edge, outside, and with the plan
         const Row row = run_probe(validated_device(), probe, 2)[0];
         return glm::dvec2(row[0], row[1]);  // how long the path in the air is, and at which height it begins; or -1
     };
-    CHECK(way(edge, 0.5, 1e12).x < 0);                                          // out, from the edge
-    CHECK(way(edge, -1, edge).x == Approx(edge));                               // straight down
-    CHECK(way(4e5, 0.5, 1e12).x < 0);                                           // into space
+    CHECK(way(edge, 0.5, 1e12).x < 0);             // out, from the edge
+    CHECK(way(edge, -1, edge).x == Approx(edge));  // straight down
+    CHECK(way(4e5, 0.5, 1e12).x < 0);              // into space
     CHECK(way(4e5, -1, 4e5).x == Approx(edge).epsilon(1e-4));
     CHECK(way(4e5, -1, 4e5).y == edge);
-    CHECK(way(4e5, -1, 2e5).x < 0);                                             // something stands before the air
+    CHECK(way(4e5, -1, 2e5).x < 0);  // something stands before the air
     CHECK(way(2e7, -1, 2e7).x == Approx(edge).epsilon(1e-4));
     const double limb = -std::sqrt(1 - std::pow((earth + 50000) / (earth + 4e5), 2));
     const double chord = 2 * std::sqrt(std::pow(earth + edge, 2) - std::pow(earth + 50000, 2));
-    CHECK(way(4e5, limb, 1e12).x == Approx(chord).epsilon(2e-3));               // through the limb, out again
+    CHECK(way(4e5, limb, 1e12).x == Approx(chord).epsilon(2e-3));  // through the limb, out again
     CHECK(way(2, 0.0, 1e12).x == Approx(std::sqrt(edge * (2 * earth + edge))).epsilon(1e-3));
 }
 
-TEST_CASE("the device's truth is that of double precision: 512 and 2048 places, from the ground, aloft, and from space") {
+TEST_CASE(
+    "the device's truth is that of double precision: 512 and 2048 places, from the ground, aloft, and from space") {
     const Air air = earth_air();
     const auto phase = [&](double c) { return truth::phase_cornette_shanks(c, double(air.mie_g)); };
     Table inputs;
@@ -93,22 +102,29 @@ TEST_CASE("the device's truth is that of double precision: 512 and 2048 places, 
         for (const double slope : {0.0, 0.1, 1.0})
             for (const double sun : {-0.05, 0.0, 0.1, 0.7}) {
                 const double way = truth::ray_sphere(height, slope, earth, edge).y;
-                inputs.push_back({512, height, slope, sun, double(float(slope * sun + 0.6 * std::sqrt((1 - slope * slope) * (1 - sun * sun)))), double(float(way))});
+                inputs.push_back({512, height, slope, sun,
+                                  double(float(slope * sun + 0.6 * std::sqrt((1 - slope * slope) * (1 - sun * sun)))),
+                                  double(float(way))});
             }
     inputs.push_back({512, edge, -0.17, 0.05, 0.4, 2.0e6 * 0.55});  // through the limb
-    const Table found = run_probe(validated_device(), of_air("10_atmosphere/in_scatter_known.glsl", "Along in_scatter(int samples, Path path)", inputs), 6);
+    const Table found =
+        run_probe(validated_device(),
+                  of_air("10_atmosphere/in_scatter_known.glsl", "Along in_scatter(int samples, Path path)", inputs), 6);
     double worst = 0;
     for (size_t i = 0; i < inputs.size(); ++i) {
         const Row& in = inputs[i];
         const Path path{float(in[1]), float(in[2]), float(in[3]), float(in[4]), float(in[5])};
         const glm::dvec3 right = truth::in_scatter(air, path, phase, 2048, 64);
-        for (int c = 0; c < 3; ++c) worst = std::max(worst, std::fabs(found[i][size_t(c)] - right[c]) / std::max(right[c], 1e-6));
+        for (int c = 0; c < 3; ++c)
+            worst = std::max(worst, std::fabs(found[i][size_t(c)] - right[c]) / std::max(right[c], 1e-6));
     }
     fmt::print("truth of the device against double precision: {:.4f}%\n", 100 * worst);
     CHECK(worst < 0.01);
 }
 
-TEST_CASE_METHOD(OnAtmosphere, "straight up and straight down, from the ground, aloft, at the edge and from space: light, and finite") {
+TEST_CASE_METHOD(
+    OnAtmosphere,
+    "straight up and straight down, from the ground, aloft, at the edge and from space: light, and finite") {
     for (const std::string method : {"preetham", "polynomial", "chapman", "march", "tables", "truth"})
         for (const float height : {0.0f, 2.0f, 12000.0f, 1e5f, 1.00001e5f, 4e5f, 2e7f})
             for (const float way : {1.0f, -1.0f}) {
@@ -118,7 +134,8 @@ TEST_CASE_METHOD(OnAtmosphere, "straight up and straight down, from the ground, 
                 INFO(method << " at " << height << " m, looking " << (way > 0 ? "up" : "down"));
                 const ImageRgb seen = picture(method, 0.5f);
                 CHECK(is_light(seen));
-                if (height > 2e5f && way > 0) CHECK(mean(seen).b == Approx(0.5));  // nothing but space: no air before it
+                if (height > 2e5f && way > 0)
+                    CHECK(mean(seen).b == Approx(0.5));  // nothing but space: no air before it
             }
 }
 
@@ -174,7 +191,9 @@ TEST_CASE_METHOD(OnAtmosphere, "an air without heights is none: 0 scale heights 
     }
 }
 
-TEST_CASE("O'Neil's fit away from the shell that it was made for: a third to five sixths of the horizon's air is missing", "[figures]") {
+TEST_CASE(
+    "O'Neil's fit away from the shell that it was made for: a third to five sixths of the horizon's air is missing",
+    "[figures]") {
     struct Case {
         const char* name;
         double radius, scale, zenith, middle, horizon;
@@ -187,13 +206,16 @@ TEST_CASE("O'Neil's fit away from the shell that it was made for: a third to fiv
     for (const Case& one : cases) {
         Table inputs;
         for (int i = 0; i <= 10; ++i) inputs.push_back({0, double(float(0.1 * i)), one.scale});
-        const auto found = ask(of_air("10_atmosphere/closed_depth.glsl", "float polynomial_depth(float height, float slope, float scale_height)", inputs));
+        const auto found = ask(of_air("10_atmosphere/closed_depth.glsl",
+                                      "float polynomial_depth(float height, float slope, float scale_height)", inputs));
         double middle = 0;
         for (size_t i = 1; i < 10; ++i)
-            middle = std::max(middle, std::fabs(found[i] / truth::optical_depth(0, inputs[i][1], one.radius, one.scale) - 1));
+            middle = std::max(middle,
+                              std::fabs(found[i] / truth::optical_depth(0, inputs[i][1], one.radius, one.scale) - 1));
         const double zenith = found[10] / truth::optical_depth(0, 1, one.radius, one.scale) - 1;
         const double horizon = found[0] / truth::optical_depth(0, 0, one.radius, one.scale) - 1;
-        fmt::print("O'Neil's fit, {:26} zenith {:+.1f}% between {:.1f}% horizon {:+.1f}%\n", one.name, 100 * zenith, 100 * middle, 100 * horizon);
+        fmt::print("O'Neil's fit, {:26} zenith {:+.1f}% between {:.1f}% horizon {:+.1f}%\n", one.name, 100 * zenith,
+                   100 * middle, 100 * horizon);
         CHECK(std::fabs(zenith) < one.zenith);
         CHECK(middle < one.middle);
         CHECK(horizon == Approx(one.horizon).margin(0.02));
@@ -218,8 +240,12 @@ TEST_CASE("Preetham's formula: below a turbidity of 1.203 infinite, dark at the 
         row.push_back(random.uniform(0, 20));
         inputs.push_back(row);
     }
-    inputs.push_back({0, 1, 0, 0, 1, 0, 1}), inputs.push_back({0, 0, 1, 0, 0, 1, 1}), inputs.push_back({1, 0, 0, 0, -1, 0, 12});
-    const Table found = run_probe(validated_device(), of_air("10_atmosphere/preetham.glsl", "vec3 preetham_sky(vec3 direction, vec3 to_sun, float turbidity)", inputs), 3);
+    inputs.push_back({0, 1, 0, 0, 1, 0, 1}), inputs.push_back({0, 0, 1, 0, 0, 1, 1}),
+        inputs.push_back({1, 0, 0, 0, -1, 0, 12});
+    const Table found = run_probe(validated_device(),
+                                  of_air("10_atmosphere/preetham.glsl",
+                                         "vec3 preetham_sky(vec3 direction, vec3 to_sun, float turbidity)", inputs),
+                                  3);
     for (const Row& light : found)
         for (const double c : light) CHECK((std::isfinite(c) && c >= 0 && c < 1e4));
 }
@@ -231,8 +257,11 @@ TEST_CASE("fog's (1 - exp(-x)) / x as it stands: 1e-5, 1.3%, all of it; and 88.7
     CHECK(plain(2e-8f) == 0);
     CHECK(std::isinf(plain(-89.0f)));
     Table inputs;
-    for (const double x : {1e-3, 1e-6, 2e-8, -1e-3, -1e-6, 0.0, -60.0, 300.0}) inputs.push_back({1, 1, std::max(-x, 0.0), x / 400, 400});
-    const auto found = ask(of_air("10_atmosphere/height_fog.glsl", "float height_fog(float density, float falloff, float y, float slope, float distance)", inputs));
+    for (const double x : {1e-3, 1e-6, 2e-8, -1e-3, -1e-6, 0.0, -60.0, 300.0})
+        inputs.push_back({1, 1, std::max(-x, 0.0), x / 400, 400});
+    const auto found =
+        ask(of_air("10_atmosphere/height_fog.glsl",
+                   "float height_fog(float density, float falloff, float y, float slope, float distance)", inputs));
     for (size_t i = 0; i < inputs.size(); ++i)
         CHECK(found[i] == Approx(truth::fog_depth(1, 1, inputs[i][2], double(float(inputs[i][3])), 400)).epsilon(5e-5));
 }
@@ -247,6 +276,7 @@ TEST_CASE("phase functions: each adds up to 1, and dust's have the mean cosine t
         CHECK(truth::over_sphere([&](double c) { return c * cornette(c); }) == Approx(wanted).margin(1e-5));
         CHECK(truth::over_sphere([&](double c) { return c * henyey(c); }) == Approx(wanted).margin(1e-6));
     }
-    CHECK(truth::over_sphere([](double c) { return c * truth::phase_cornette_shanks(c, 0.76); }) == Approx(0.81).epsilon(0.002));
+    CHECK(truth::over_sphere([](double c) { return c * truth::phase_cornette_shanks(c, 0.76); }) ==
+          Approx(0.81).epsilon(0.002));
     CHECK(truth::over_sphere(truth::phase_rayleigh) == Approx(1).epsilon(1e-9));
 }
