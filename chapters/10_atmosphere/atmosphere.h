@@ -32,8 +32,8 @@ struct Atmosphere : Module {
                  {"isotropic", "henyey_greenstein", "cornette_shanks"},
                  "cornette_shanks",
                  "which way dust scatters"};
-    Knob<int> samples{*this, "samples", 16, {1, 4096}, "places on a pixel's path; truth takes 32 times as many"};
-    Knob<int> light_samples{*this, "light_samples", 8, {1, 256}, "places on the way from there to the sun, for march"};
+    Knob<int> steps{*this, "steps", 16, {1, 4096}, "places on a pixel's path; truth takes 32 times as many"};
+    Knob<int> light_steps{*this, "light_steps", 8, {1, 256}, "places on the way from there to the sun, for march"};
     Knob<int> paths{*this, "paths", 16, {1, 512}, "random paths of a pixel, for truth with many scatterings"};
     Knob<float> table_scale{*this, "table_scale", 1.0f, {0.25f, 2.0f}, "of the tables' width and height"};
     Choice refresh{*this, "refresh", {"changed", "always"}, "changed", "when tables are made: always is for timing"};

@@ -2,5 +2,5 @@
 #include "10_atmosphere/sun_marched.glsl"
 #include "10_atmosphere/in_scatter.glsl"
 
-int light_samples() { return 24; }
+int light_steps() { return 24; }
 bool light_steps_grow() { return true; }

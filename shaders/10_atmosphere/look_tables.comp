@@ -32,7 +32,7 @@ Along along(Path path, vec3 direction, ivec2 pixel, float distance) {
     } else if (reach_m > 0.0 && distance >= endless) {
         result = sky(path);
     } else {
-        result = in_scatter(atmosphere.samples, path);
+        result = in_scatter(atmosphere.steps, path);
     }
     return result;
 }

@@ -8,12 +8,12 @@
 layout(rgba16f) writeonly uniform image2D doubt;  // the light's standard error, over the light
 layout(scalar) uniform SeedBlock { uint seed; };
 
-int light_samples() { return 48; }
+int light_steps() { return 48; }
 bool light_steps_grow() { return true; }
 
 // [along]
 Along along(Path path, vec3 direction, ivec2 pixel, float distance) {
-    Along result = in_scatter(32 * atmosphere.samples, path);
+    Along result = in_scatter(32 * atmosphere.steps, path);
 #if ATMOSPHERE_ORDERS == ATMOSPHERE_ORDERS_MULTIPLE
     start_random(uvec2(pixel), seed);
     float squares, once = result.light.r + result.light.g + result.light.b;

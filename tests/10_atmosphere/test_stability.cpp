@@ -130,7 +130,7 @@ TEST_CASE_METHOD(
             for (const float way : {1.0f, -1.0f}) {
                 size = {8, 6};
                 look({0, height, 0}, {0, height + way * (1000 + height), 0}, {0, 0, -1});
-                atmosphere.samples.value = 8;
+                atmosphere.steps.value = 8;
                 INFO(method << " at " << height << " m, looking " << (way > 0 ? "up" : "down"));
                 const ImageRgb seen = picture(method, 0.5f);
                 CHECK(is_light(seen));
