@@ -97,19 +97,23 @@ void Atmosphere::make_images(Device& device) {
 // [tables]
 void Atmosphere::record_tables(Frame& frame, const Camera& camera, float reach_m) {
     // 1. What depends on the air alone: made again where a knob of it was turned.
+    const bool often = orders.is("multiple");  // else nothing reads the second table
     const Air now = air();
     const auto bytes = std::as_bytes(std::span(&now, 1));
-    if (refresh.is("always") || !std::equal(bytes.begin(), bytes.end(), made_of_.begin(), made_of_.end())) {
-        made_of_.assign(bytes.begin(), bytes.end());
+    std::vector<std::byte> from(bytes.begin(), bytes.end());
+    from.push_back(std::byte(often));
+    if (refresh.is("always") || from != made_of_) {
+        made_of_ = std::move(from);
         ++tables_made;
         frame.compute("transmittance table", {.writes = {transmittance_}, .with = {*this}}, [&](Compute& pass) {
             pass.use(make_transmittance_).set("result", transmittance_).dispatch_threads(transmittance_.desc.size);
         });
-        frame.compute("multiple scattering table", {.reads = {transmittance_}, .writes = {multiple_}, .with = {*this}},
-                      [&](Compute& pass) {
-                          pass.use(make_multiple_).set("air_transmittance", transmittance_, linear_clamp);
-                          pass.set("result", multiple_).dispatch(glm::uvec3(multiple_.desc.size, 1));
-                      });
+        if (often)
+            frame.compute("multiple scattering table",
+                          {.reads = {transmittance_}, .writes = {multiple_}, .with = {*this}}, [&](Compute& pass) {
+                              pass.use(make_multiple_).set("air_transmittance", transmittance_, linear_clamp);
+                              pass.set("result", multiple_).dispatch(glm::uvec3(multiple_.desc.size, 1));
+                          });
     }
     if (reach_m <= 0.0f) return;  // nothing of the rest is read from space
 

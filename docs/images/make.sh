@@ -114,3 +114,8 @@ for method in separable three_pass_7tap dual_kawase pyramid; do
         --method $method --size 160x160 --samples 1
 done
 join 08_spots 4x1 spot.separable spot.three_pass_7tap spot.dual_kawase spot.pyramid
+
+for method in none preetham polynomial tables; do
+    draw 10_atmosphere "sunset.$method" --shot sunset --method $method --size 480x270
+done
+join 10_methods 2x2 sunset.none sunset.preetham sunset.polynomial sunset.tables
