@@ -7,7 +7,7 @@ namespace lightwalk {
 // [preetham]
 /// A pass that states it in `.with` includes 10_atmosphere/preetham_inputs.glsl and calls
 ///
-///     vec3 sky_light(vec3 direction, vec3 to_sun)   // linear light of the sky, the horizon's below it
+///     vec3 sky_light(vec3 direction, vec3 to_sun)   // linear light of the sky, much as the horizon's below it
 ///     vec3 sun_light(vec3 to_sun)                   // what falls on a surface that faces the sun
 ///
 /// with directions of unit length, +y up. Nothing of it knows of heights or distances: for an eye near the ground.

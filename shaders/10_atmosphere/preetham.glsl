@@ -44,7 +44,7 @@ vec3 xyz_to_rgb(vec3 c) {
                 dot(c, vec3(0.0557, -0.2040, 1.0570)));
 }
 
-// Linear light, kcd/m², no channel below 0. Below the horizon it is the horizon's.
+// Linear light, kcd/m², no channel below 0. Below the horizon the zenith angle is the horizon's.
 vec3 preetham_sky(vec3 direction, vec3 to_sun, float turbidity) {
     vec3 c = preetham_xyY(direction, to_sun, turbidity);
     return max(xyz_to_rgb(vec3(c.x, c.y, 1.0 - c.x - c.y) * (c.z / max(c.y, 1e-3))), 0.0);
