@@ -126,3 +126,8 @@ for tone in clamp hill agx neutral; do
         --post.exposure fixed --post.stops 2
 done
 join 09_tones 2x2 tone.clamp tone.hill tone.agx tone.neutral
+
+for method in none preetham polynomial tables; do
+    draw 10_atmosphere "sunset.$method" --shot sunset --method $method --size 480x270
+done
+join 10_methods 2x2 sunset.none sunset.preetham sunset.polynomial sunset.tables

@@ -1,0 +1,123 @@
+// What the methods have in common: what gets through, views down, and the formula's own values.
+#include "10_atmosphere/height_fog.h"
+#include "10_atmosphere/preetham.h"
+#include "10_atmosphere/truth.h"
+#include "atmosphere_fixture.h"
+#include "common/check/probe.h"
+#include "known_air.h"
+
+using namespace lightwalk;
+
+TEST_CASE_METHOD(OnAtmosphere, "looking down from 3 km: light of the ground gets through as in double precision") {
+    look({0, 3000, 0}, {0, 0, -1}, {0, 0, -1});
+    size = {4, 4};
+    camera.fov_y_rad = 0.02f;
+    glm::dvec3 through;
+    truth::in_scatter(
+        atmosphere.air(), {3000, -1, 0.5f, -0.5f, 3000}, [](double) { return 0.08; }, 512, 8, &through);
+    for (const std::string method : {"chapman", "march", "tables", "truth"}) {
+        const glm::dvec3 bright = mean(picture(method, 2)), dark = mean(picture(method));
+        INFO(method);
+        for (int c = 0; c < 3; ++c) CHECK((bright[c] - dark[c]) / 2 == Approx(through[c]).epsilon(0.01));
+    }
+}
+
+TEST_CASE_METHOD(OnAtmosphere, "looking down at an angle: the methods agree with the truth on what is scattered in") {
+    atmosphere.steps.value = 32;
+    atmosphere.light_steps.value = 32;
+    for (const float height : {1000.0f, 10000.0f, 4e5f}) {
+        look({0, height, 0}, {0, 0, -2 * height});
+        camera.fov_y_rad = 0.3f;
+        const ImageRgb right = picture("truth");
+        for (const auto& [method, most] : {std::pair{"chapman", 0.03}, {"march", 0.03}, {"tables", 0.05}}) {
+            INFO(method << " from " << height << " m");
+            CHECK(relative_error(picture(method), right).mean < most);
+        }
+    }
+}
+
+TEST_CASE("Preetham's zenith is what his table says, and the sun's side is brighter") {
+    Table inputs;
+    for (const double t : {2.0, 3.0, 6.0})
+        for (const double elevation : {10.0, 35.0, 60.0}) {
+            const double e = elevation * truth::pi / 180;
+            inputs.push_back({0, 1, 0, double(float(std::cos(e))), double(float(std::sin(e))), 0, t});
+        }
+    const Probe probe{.include = "10_atmosphere/preetham.glsl",
+                      .signature = "vec3 preetham_xyY(vec3 direction, vec3 to_sun, float turbidity)",
+                      .inputs = inputs,
+                      .truth = {},
+                      .bound = {},
+                      .words = {},
+                      .hint = {}};
+    const Table found = run_probe(validated_device(), probe, 3);
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const double t = inputs[i][6], s = std::acos(inputs[i][4]);
+        const double luminance =
+            (4.0453 * t - 4.9710) * std::tan((4.0 / 9 - t / 120) * (truth::pi - 2 * s)) - 0.2155 * t + 2.4192;
+        const double x = (0.00166 * s * s * s - 0.00375 * s * s + 0.00209 * s) * t * t +
+                         (-0.02903 * s * s * s + 0.06377 * s * s - 0.03202 * s + 0.00394) * t +
+                         (0.11693 * s * s * s - 0.21196 * s * s + 0.06052 * s + 0.25886);
+        CHECK(found[i][2] == Approx(luminance).epsilon(1e-3));
+        CHECK(found[i][0] == Approx(x).epsilon(1e-3));
+    }
+    Probe around = probe;
+    around.inputs = {{0.8, 0.6, 0, 0.8, 0.6, 0, 3}, {-0.8, 0.6, 0, 0.8, 0.6, 0, 3}};
+    const Table sides = run_probe(validated_device(), around, 3);
+    CHECK(sides[0][2] > 3 * sides[1][2]);
+}
+
+TEST_CASE_METHOD(OnAtmosphere,
+                 "fog on a picture: as the formula says, down to its base and up without an end; none is none") {
+    HeightFog fog{owner, "fog"};
+    fog.density.value = 0.02f, fog.falloff.value = 0.05f;
+    fog.color.value = fog.sun_color.value = glm::vec3(0);
+    size = {4, 4};
+    const auto through = [&](glm::vec3 from, glm::vec3 to) {
+        look(from, to, {0, 0, -1});
+        camera.fov_y_rad = 0.01f;
+        frame.crop.whole = size;
+        frame.begin(size, 0);
+        frame.raster("clear", {.color = {clear(frame.hdr, glm::vec4(1.0f))}, .depth = frame.depth}, [](Raster&) {});
+        fog.record(frame, frame.hdr, frame.depth, camera, {0, 1, 0});
+        frame.end();
+        return mean(read_linear(gpu, frame.hdr)).g;
+    };
+    CHECK(through({0, 40, 0}, {0, 0, 0}) == Approx(std::exp(-truth::fog_depth(0.02, 0.05, 40, -1, 40))).epsilon(2e-3));
+    CHECK(through({0, 5, 0}, {0, 50, 0}) == Approx(std::exp(-0.02 / 0.05 * std::exp(-0.25))).epsilon(2e-3));
+    fog.base_m.value = 20;
+    CHECK(through({0, 40, 0}, {0, 0, 0}) == Approx(std::exp(-truth::fog_depth(0.02, 0.05, 20, -1, 20))).epsilon(2e-3));
+    fog.start_m.value = 15;
+    CHECK(through({0, 40, 0}, {0, 0, 0}) == Approx(std::exp(-truth::fog_depth(0.02, 0.05, 5, -1, 5))).epsilon(2e-3));
+    fog.method.set("uniform");
+    CHECK(through({0, 40, 0}, {0, 0, 0}) == Approx(std::exp(-0.02 * 5)).epsilon(2e-3));
+    fog.method.set("none");
+    CHECK(through({0, 40, 0}, {0, 0, 0}) == 1);
+}
+
+TEST_CASE_METHOD(OnAtmosphere, "the modules for other chapters: a sky, a sun and fog in one pass") {
+    Preetham preetham{owner, "preetham"};
+    HeightFog fog{owner, "fog"};
+    const Pipeline both = compute({.shader = "sky and fog", .source = R"(
+#include "10_atmosphere/preetham_inputs.glsl"
+#include "10_atmosphere/height_fog_inputs.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba16f) writeonly uniform image2D result;
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(result)))) return;
+    vec3 direction = normalize(vec3(1.0, float(pixel.y) - 1.0, 0.2)), to_sun = vec3(0.6, 0.8, 0.0);
+    vec3 sky = sky_light(direction, to_sun), lit = sun_light(to_sun) / 3.14159265;
+    imageStore(result, pixel, vec4(pixel.x < 2 ? sky : through_fog(lit, vec3(0.0), direction, 1e5, to_sun), 1.0));
+})"});
+    frame.crop.whole = {4, 4};
+    frame.begin({4, 4}, 0);
+    frame.compute("both", {.writes = {frame.hdr}, .with = {preetham, fog}},
+                  [&](Compute& pass) { pass.use(both).set("result", frame.hdr).dispatch_threads(frame.size); });
+    frame.end();
+    const ImageRgb found = read_linear(gpu, frame.hdr);
+    CHECK(is_light(found));
+    CHECK(found.at(0, 3).b > 1.5f * found.at(0, 3).r);    // the sky is blue
+    CHECK(found.at(3, 1).r == Approx(0.5).margin(0.35));  // level: nothing but fog after 100 km
+    CHECK(found.at(3, 3).r > 2.0f * found.at(3, 1).r);    // up: the sun's light gets through
+}
