@@ -1,22 +1,21 @@
 // Chapter 11: fractals: a Julia set in four dimensions, and a landscape of noise.
 #include "01_obj/model_chapter.h"
-#include "11_fractals/environment.h"
+#include "11_fractals/julia.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct Fractals : ModelChapter {
     EnvironmentLight environment{*this, "environment"};
-    Pipeline surroundings = compute({.shader = "11_fractals/surroundings.comp"});
+    Julia julia{*this, "julia"};
 
     std::string default_scene() const override { return "scenes/julia_sunset.json"; }
+    bool animated() const override { return julia.animated(); }
 
     void frame(Frame& frame) override {
         set_view(frame);
         environment.record(frame, scene);
-        frame.compute("surroundings", {.writes = {frame.hdr}, .with = {environment}}, [&](Compute& pass) {
-            pass.use(surroundings).set("result", frame.hdr).dispatch_threads(frame.size);
-        });
+        julia.record(frame, scene, camera, environment);
         encode_srgb(frame);
     }
 };
