@@ -1,0 +1,95 @@
+// This chapter's references for Julia sets in double precision.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+namespace lightwalk::truth {
+
+/// Hamilton's product of a = (real, i, j, k) and b.
+inline glm::dvec4 product(glm::dvec4 a, glm::dvec4 b) {
+    return {a.x * b.x - a.y * b.y - a.z * b.z - a.w * b.w, a.x * b.y + a.y * b.x + a.z * b.w - a.w * b.z,
+            a.x * b.z - a.y * b.w + a.z * b.x + a.w * b.y, a.x * b.w + a.y * b.z - a.z * b.y + a.w * b.x};
+}
+
+/// The bound .25 sqrt(|z|² / |z'|²) log |z|² after the turn in which |z| exceeds `escape`; 0 where it never does, or
+/// where |z'|² exceeds 1e30; .05 where z' is 0.
+inline double julia_distance(glm::dvec4 z, glm::dvec4 c, int iterations, double escape) {
+    double square = glm::dot(z, z), slope_square = 1;
+    for (int i = 0; i < iterations && square <= escape * escape; ++i) {
+        slope_square *= 4 * square;
+        if (slope_square > 1e30) return 0;
+        z = product(z, z) + c;
+        square = glm::dot(z, z);
+    }
+    if (square <= escape * escape) return 0;
+    return slope_square > 0 ? 0.25 * std::sqrt(square / slope_square) * std::log(square) : 0.05;
+}
+
+/// Whether a point stays within |z| <= 2 + |c| for so many turns: taken for one of the set.
+inline bool in_julia(glm::dvec4 z, glm::dvec4 c, int iterations) {
+    const double bound = 2 + glm::length(c);
+    for (int i = 0; i < iterations; ++i) {
+        if (glm::dot(z, z) > bound * bound) return false;
+        z = product(z, z) + c;
+    }
+    return true;
+}
+
+/// The direction in which |z| grows, after the turn in which it exceeds `escape`: the chain rule, of z² by z, for the
+/// first three components of z. Unit length; 0 where it never escapes.
+inline glm::dvec3 julia_normal(glm::dvec4 z, glm::dvec4 c, int iterations, double escape) {
+    glm::dvec4 by[3] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+    for (int i = 0; i <= iterations; ++i) {
+        if (glm::dot(z, z) > escape * escape) {
+            const glm::dvec3 gradient(glm::dot(z, by[0]), glm::dot(z, by[1]), glm::dot(z, by[2]));
+            return glm::normalize(gradient);
+        }
+        const double scale = 1 / std::max(2 * glm::length(z), 1e-300);
+        for (glm::dvec4& change : by) change = scale * (product(z, change) + product(change, z));
+        z = product(z, z) + c;
+    }
+    return glm::dvec3(0);
+}
+
+/// How a ray is marched in double precision: by small shares of a bound that is itself far from the set's edge.
+struct JuliaRay {
+    glm::dvec4 c;
+    double slice = 0;
+    int iterations = 200;
+    double escape = 64, share = 0.2, near_enough = 1e-6;
+    int most_steps = 20000;
+};
+
+/// Metres to the set along a ray (`along` of unit length) between two distances, or -1 where it passes by. The last
+/// step is halved until the place where the bound falls below `near_enough` is known to 1e-9.
+inline double julia_depth(const JuliaRay& ray, glm::dvec3 from, glm::dvec3 along, double start, double end) {
+    const auto bound_at = [&](double t) {
+        return julia_distance({from + t * along, ray.slice}, ray.c, ray.iterations, ray.escape);
+    };
+    double t = start, before = start;
+    for (int i = 0; i < ray.most_steps && t < end; ++i) {
+        const double distance = bound_at(t);
+        if (distance <= ray.near_enough) {
+            for (double low = before, high = t;;) {
+                const double middle = 0.5 * (low + high);
+                if (high - low < 1e-9) return high;
+                (bound_at(middle) <= ray.near_enough ? high : low) = middle;
+            }
+        }
+        before = t;
+        t += std::max(ray.share * distance, 1e-9);
+    }
+    return -1;
+}
+
+/// Where a ray is within a ball around the origin: metres; the second is below the first where it passes by.
+inline glm::dvec2 within_ball(glm::dvec3 from, glm::dvec3 along, double radius) {
+    const double middle = -glm::dot(from, along);
+    const glm::dvec3 beside = from + middle * along;
+    const double square = radius * radius - glm::dot(beside, beside);
+    if (square <= 0) return {0, -1};
+    return {std::max(middle - std::sqrt(square), 0.0), middle + std::sqrt(square)};
+}
+
+}  // namespace lightwalk::truth
