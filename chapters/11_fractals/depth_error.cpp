@@ -3,7 +3,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "11_fractals/pixel_rays.h"
+#include "10_atmosphere/view_rays.h"
 #include "11_fractals/truth.h"
 
 namespace lightwalk {
@@ -23,11 +23,12 @@ void DepthError::measure(Gpu& gpu, const Julia& julia, const Camera& camera, dou
     Frame frame(gpu);
     frame.size = size;
     frame.crop.whole = size;
-    const PixelRays rays = pixel_rays(camera, frame);
+    const ViewRays rays = view_rays(camera, frame);
     const truth::JuliaRay exact{.c = glm::dvec4(julia.constant_at(time_s)), .slice = double(julia.slice)};
     const double bound = double(julia_bound(glm::vec4(exact.c)));
     const auto direction = [&](double x, double y) {
-        return glm::normalize(glm::dvec3(rays.first) + x * glm::dvec3(rays.right) + y * glm::dvec3(rays.down));
+        return glm::normalize(glm::dvec3(rays.corner) + (x + 0.5) * glm::dvec3(rays.right) +
+                              (y + 0.5) * glm::dvec3(rays.down));
     };
 
     double steps = 0, met = 0, capped = 0;

@@ -53,7 +53,8 @@ inline NoiseTruth noise_truth(glm::ivec2 cell, glm::dvec2 f, bool cubic = false)
     const auto corner = [&](int x, int y) {
         return lattice(glm::ivec2(glm::uvec2(cell) + glm::uvec2(glm::ivec2(x, y))));
     };
-    const double a = corner(0, 0), b = corner(1, 0) - a, c = corner(0, 1) - a, d = a - corner(1, 0) - corner(0, 1) + corner(1, 1);
+    const double a = corner(0, 0), b = corner(1, 0) - a, c = corner(0, 1) - a,
+                 d = a - corner(1, 0) - corner(0, 1) + corner(1, 1);
     glm::dvec2 s, first, second;
     for (int i = 0; i < 2; ++i) {
         const double t = f[i];
@@ -69,9 +70,9 @@ inline NoiseTruth noise_truth(glm::ivec2 cell, glm::dvec2 f, bool cubic = false)
 /// Height and its derivatives by octave 0's coordinates, as 11.eroded_fbm says it.
 struct Ground {
     double height = 0;
-    glm::dvec2 slope{0};      ///< the whole chain rule
-    glm::dvec2 sum{0};        ///< d, which some take for the slope
-    glm::dvec2 unweighted{0}; ///< the slope without the weight's own derivative
+    glm::dvec2 slope{0};       ///< the whole chain rule
+    glm::dvec2 sum{0};         ///< d, which some take for the slope
+    glm::dvec2 unweighted{0};  ///< the slope without the weight's own derivative
 };
 
 inline Ground eroded_truth(NoisePlace place, double octaves, double erosion, double gain) {

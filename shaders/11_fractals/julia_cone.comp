@@ -9,9 +9,8 @@ layout(rgba32f) writeonly uniform image2D starts;
 void main() {
     ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(tile, imageSize(starts)))) return;
-    vec2 middle = (vec2(tile) + 0.5) * float(julia_now.tile) - 0.5;
-    PixelRays rays = julia_now.rays;
-    vec3 axis = rays.first + middle.x * rays.right + middle.y * rays.down;
+    ViewRays rays = julia_now.rays;
+    vec3 axis = ray_through(rays, (vec2(tile) + 0.5) * float(julia_now.tile));
     // To the tile's corners: no ray of it is farther from the axis than this at 1 m.
     float spread = 0.5 * float(julia_now.tile) * length(rays.right + rays.down) / length(axis);
     march_from = rays.eye;

@@ -1,18 +1,13 @@
 // What the passes of a Julia set know beside its knobs.
 #pragma once
+#include "10_atmosphere/view_rays_shared.h"
 #include "common/shared.h"
 
 BEGIN_SHARED
 
-// Rays through the middles of pixels: pixel (x, y) looks along first + x right + y down (metres, any length).
-struct PixelRays {
-    vec3 eye;  // metres, world space
-    vec3 first, right, down;
-    float pixel_rad;  // how wide a pixel is in the middle of the picture
-};
-
 struct JuliaNow {
-    PixelRays rays;
+    ViewRays rays;
+    float pixel_rad;  // how wide a pixel is in the middle of the picture
     vec4 constant;       // c, at this time
     float bound;         // metres: the set lies in a ball of this radius
     vec3 to_light;       // unit length

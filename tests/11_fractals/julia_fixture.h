@@ -4,7 +4,7 @@
 
 #include "../common/gpu_fixture.h"
 #include "11_fractals/julia.h"
-#include "11_fractals/pixel_rays.h"
+#include "10_atmosphere/view_rays.h"
 #include "11_fractals/truth.h"
 #include "common/app/read_picture.h"
 #include "common/check/probe.h"
@@ -40,9 +40,9 @@ struct OnJulia {
     ImageRgb picture() { return read_linear(gpu, frame.hdr); }
 
     glm::dvec3 direction(size_t pixel) const {
-        const PixelRays rays = pixel_rays(camera, frame);
-        return glm::normalize(glm::dvec3(rays.first) + double(pixel % size.x) * glm::dvec3(rays.right) +
-                              double(pixel / size.x) * glm::dvec3(rays.down));
+        const ViewRays rays = view_rays(camera, frame);
+        return glm::normalize(glm::dvec3(rays.corner) + (double(pixel % size.x) + 0.5) * glm::dvec3(rays.right) +
+                              (double(pixel / size.x) + 0.5) * glm::dvec3(rays.down));
     }
 
     /// The truth's depth of a pixel, or -1.
