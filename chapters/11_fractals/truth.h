@@ -1,4 +1,4 @@
-// This chapter's references for Julia sets in double precision.
+// This chapter's references in double precision; those of noise are in noise.h, because the camera follows the ground.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -90,6 +90,20 @@ inline glm::dvec2 within_ball(glm::dvec3 from, glm::dvec3 along, double radius) 
     const double square = radius * radius - glm::dot(beside, beside);
     if (square <= 0) return {0, -1};
     return {std::max(middle - std::sqrt(square), 0.0), middle + std::sqrt(square)};
+}
+
+/// As 11.integrate_octaves says it.
+inline double integrate_octaves(double first_m, double lacunarity, double footprint_m, double most) {
+    if (footprint_m <= 0) return most;
+    return std::clamp(std::log(first_m / (2 * footprint_m)) / std::log(lacunarity) + 1, 1.0, most);
+}
+
+/// As 11.terrain_mix says it.
+inline double terrain_mix(double normal_y, double roughness, glm::dvec2 lower, glm::dvec2 upper, double strength) {
+    const double begins = lower.x - lower.y * normal_y, ends = upper.x - upper.y * normal_y, at = strength * roughness;
+    if (begins >= ends) return at >= begins ? 1 : 0;
+    const double t = std::clamp((at - begins) / (ends - begins), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
 }
 
 }  // namespace lightwalk::truth

@@ -86,7 +86,8 @@ CHECK_EXERCISE(
     add({0, 0, 0, 0}, none, 10, 8), add({0, 0, 0, 0}, dust, 40, 8), add({0, 0, 0, 0}, {5, 0, 0, 0}, 10, 4);
     add({2, 0, 0, 0}, two, 200, 8), add({-2, 0, 0, 0}, two, 40, 4), add({0.5, 0, 0, 0}, none, 40, 8);
     add({0.5, 0.5, 0, 0}, none, 3, 8), add({9, 0, 0, 0}, none, 40, 8), add({0, 3, 0, 0}, none, 1, 2);
-    add({1.5, 0, 0, 0}, none, 1, 2), add({1.5, 0, 0, 0}, none, 1, 8), add({0, 0, 0, 1.25}, none, 60, 64);
+    add({1.5, 0, 0, 0}, none, 1, 2), add({1.5, 0, 0, 0}, none, 1, 4), add({1.5, 0, 0, 0}, none, 1, 8),
+        add({0, 0, 0, 1.25}, none, 60, 64);
     probe.bound = {.absolute = 1e-6, .relative = 2e-4};
     Random random;
     for (int i = 0; i < 600; ++i) {
@@ -152,6 +153,9 @@ CHECK_EXERCISE("11.march", "remember the distance at the point before, and how f
                 check.expect(ended != 2 || steps == int(in[5]), said() + ": it had distances left");
                 check.expect(t >= -1e-4 && (right < 0 || t <= right + 1e-3),
                              said() + fmt::format(", behind the hit at {:.4f}", right));
+                check.expect(ended != 1 || (right >= 0 && std::fabs(t - right) < 1e-3),
+                             said() + ", where there is nothing",
+                             "a ray that was stopped has hit nothing: MARCH_CAPPED");
                 if (check.failed) return;
                 continue;
             }
