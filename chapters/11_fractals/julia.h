@@ -22,6 +22,11 @@ struct JuliaLook : Module {
     Knob<float> shininess{*this, "shininess", 40.0f, {1.0f, 2000.0f}, "Phong exponent of the light's highlight"};
     Knob<float> gloss{*this, "gloss", 0.3f, {0.0f, 10.0f}, "strength of that highlight"};
     Knob<float> facing{*this, "facing", 0.06f, {0.0f, 1.0f}, "what is reflected where one looks along the normal"};
+    Knob<glm::vec3> mirror{*this,
+                           "mirror",
+                           glm::vec3(1.0f),
+                           {glm::vec3(0.0f), glm::vec3(1.0f)},
+                           "by what the reflection is multiplied: a metal's colour"};
     Knob<float> fresnel_power{*this, "fresnel_power", 1.0f, {0.05f, 16.0f}, "k of the reflection 1 - (v.n)^k"};
     Knob<float> background_level{
         *this, "background_level", 0.0f, {0.0f, 8.0f}, "how blurred the environment is behind the set"};

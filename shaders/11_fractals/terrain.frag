@@ -50,6 +50,19 @@ float sun_visible(vec3 from) {
 #endif
 }
 
+// Waves from 90 m down, which break the snow's edge up; without derivatives, for nobody asks for them.
+float edge_noise(vec2 place, float octaves) {
+    ivec2 cell = terrain_now.cell;
+    vec2 offset = terrain_now.offset + place / terrain.wave_m;
+    float sum = 0.0, amplitude = 1.0;
+    for (int k = 0; k < 9 && float(k) < octaves; ++k) {
+        settle(cell, offset);
+        if (k >= 5) sum += amplitude * min(octaves - float(k), 1.0) * quintic_noise(cell, offset), amplitude *= 0.6;
+        next_octave(cell, offset);
+    }
+    return sum;
+}
+
 void main() {
     float distance_m = length(position - terrain_now.eye), octaves = octaves_for(terrain_now.pixel_rad * distance_m);
     vec3 normal = terrain_normal(position.xz, octaves);
@@ -60,12 +73,7 @@ void main() {
     color = vec4(vec3(octaves / terrain.most_octaves), 1.0);
     return;
 #endif
-    // A noise of waves from 35 m down breaks the snow's edge; higher up there is more of it.
-    ivec2 cell = terrain_now.cell;
-    vec2 offset = terrain_now.offset + position.xz / terrain.wave_m;
-    for (int i = 0; i < 5; ++i) settle(cell, offset), next_octave(cell, offset);
-    float rough = clamp(eroded_fbm(cell, offset, clamp(octaves - 5.0, 0.0, 4.0), 0.0, 0.6).x +
-                            (position.y - terrain.snow_line_m) / (0.5 * terrain.height_m), -1.0, 1.0);
+    float rough = clamp(edge_noise(position.xz, octaves) + (position.y - terrain.snow_line_m) / (0.5 * terrain.height_m), -1.0, 1.0);
     float snow = terrain_mix(normal.y, rough, terrain_mix_look.snow_begins, terrain_mix_look.snow_ends, 1.0);
 
     // [shade]
