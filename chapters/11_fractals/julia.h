@@ -65,7 +65,7 @@ struct Julia : Module {
     Knob<float> step_m{*this, "step_m", 0.01f, {1e-4f, 1.0f}, "fixed: length of a step", "m"};
     Knob<float> epsilon_m{*this, "epsilon_m", 5e-4f, {1e-5f, 0.1f}, "distance, relaxed: near enough", "m"};
     Knob<float> relaxation{*this, "relaxation", 1.4f, {1.0f, 2.0f}, "relaxed: length of a step, in distances"};
-    Knob<float> footprint{*this, "footprint", 0.25f, {0.05f, 4.0f}, "cone: near enough, in widths of a pixel", "px"};
+    Knob<float> footprint{*this, "footprint", 0.1f, {0.01f, 4.0f}, "cone: near enough, in widths of a pixel", "px"};
     Knob<float> trust{
         *this, "trust", 1.0f, {0.05f, 1.0f}, "share of a distance that is believed: less for sets that fall to dust"};
     Knob<float> difference_m{*this, "difference_m", 2e-4f, {1e-6f, 0.1f}, "how far apart a normal's differences are",

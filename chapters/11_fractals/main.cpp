@@ -3,7 +3,7 @@
 
 #include "01_obj/model_chapter.h"
 #include "11_fractals/depth_error.h"
-#include "11_fractals/terrain.h"
+#include "11_fractals/normal_error.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -26,13 +26,16 @@ struct Fractals : ModelChapter {
     bool animated() const override { return world.is("julia") ? julia.animated() : terrain.animated(); }
     void prepare(Gpu& gpu) override { terrain.prepare(gpu); }
 
-    // For the study: where rays end, against double precision.
+    // For the study: where rays end, and how normals lie, against double precision.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
-        if (!world.is("julia")) return;
         samples.value = 1;
+        terrain.show.set("normals");
         Frame own(gpu);
         render(*this, own, {.size = size});
-        depth_error.measure(gpu, julia, camera, 0.0, error);
+        if (world.is("julia"))
+            depth_error.measure(gpu, julia, camera, 0.0, error);
+        else
+            measure_normals(gpu, terrain, own, error);
     }
 
     // What --method and a study say goes to the module that is shown.

@@ -28,10 +28,13 @@ void Terrain::prepare(Gpu& gpu) {
     rock_ = images_->load(find_asset("planets/moon.jpg"), TextureKind::color);
 }
 
-Ground Terrain::ground_at(glm::dvec2 world_m, double octave_count) const {
-    Ground ground = eroded_truth(NoisePlace::at(world_m / double(wave_m)), octave_count, double(erosion), double(gain));
+Ground Terrain::scaled(const Ground& ground) const {
     const double height = double(height_m), slope = height / double(wave_m);
     return {height * ground.height, slope * ground.slope, slope * ground.sum, slope * ground.unweighted};
+}
+
+Ground Terrain::ground_at(glm::dvec2 world_m, double octave_count) const {
+    return scaled(eroded_truth(NoisePlace::at(world_m / double(wave_m)), octave_count, double(erosion), double(gain)));
 }
 
 glm::dvec2 Terrain::flight_m(const Camera& camera, double time_s) const {

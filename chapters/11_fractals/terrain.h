@@ -51,6 +51,7 @@ struct Terrain : Module {
     Knob<float> gain{*this, "gain", 0.46f, {0.05f, 0.9f}, "height of an octave over that of the one before"};
     Knob<float> most_octaves{*this, "most_octaves", 11.0f, {1.0f, 16.0f}, "octaves at most"};
     Knob<float> difference_m{*this, "difference_m", 1.0f, {1e-4f, 1e3f}, "central: how far the heights lie apart", "m"};
+    Knob<float> shortest_px{*this, "shortest_px", 1.0f, {0.1f, 16.0f}, "footprint: length of the shortest wave", "px"};
     Knob<float> ambient{*this, "ambient", 0.35f, {0.0f, 1.0f}, "share of the sky that a wall sees"};
     Knob<float> ambient_power{*this, "ambient_power", 2.0f, {0.0f, 16.0f}, "k of the sky's light ny^k"};
     Knob<float> snow_line_m{*this, "snow_line_m", 250.0f, {-1e4f, 1e4f}, "height where snow begins on level ground",
@@ -74,6 +75,8 @@ struct Terrain : Module {
 
     /// The ground's height in metres at a place of the flight's world, in double precision.
     Ground ground_at(glm::dvec2 world_m, double octaves) const;
+    /// From cells and heights of the first octave to metres.
+    Ground scaled(const Ground& ground) const;
     /// Where the flight is at a time, x and z in metres.
     glm::dvec2 flight_m(const Camera& camera, double time_s) const;
     bool animated() const { return speed_m_s > 0; }

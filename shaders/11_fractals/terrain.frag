@@ -64,7 +64,7 @@ float edge_noise(vec2 place, float octaves) {
 }
 
 void main() {
-    float distance_m = length(position - terrain_now.eye), octaves = octaves_for(terrain_now.pixel_rad * distance_m);
+    float distance_m = length(position - terrain_now.eye), octaves = octaves_for(pixel_footprint(distance_m));
     vec3 normal = terrain_normal(position.xz, octaves);
 #if TERRAIN_SHOW == TERRAIN_SHOW_NORMALS
     color = vec4(0.5 + 0.5 * normal, 1.0);

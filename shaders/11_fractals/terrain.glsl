@@ -5,7 +5,7 @@
 #include "11_fractals/terrain_data.h"
 
 layout(scalar) uniform TerrainBlock {
-    float wave_m, height_m, erosion, gain, most_octaves, difference_m, snow_line_m, ambient, ambient_power;
+    float wave_m, height_m, erosion, gain, most_octaves, difference_m, shortest_px, snow_line_m, ambient, ambient_power;
     int shadow_steps;
 } terrain;
 layout(scalar) uniform TerrainNowBlock { TerrainNow terrain_now; };
@@ -15,6 +15,9 @@ vec3 terrain_at(vec2 place, float octaves) {
     vec3 ground = eroded_fbm(terrain_now.cell, terrain_now.offset + place / terrain.wave_m, octaves, terrain.erosion, terrain.gain);
     return terrain.height_m * vec3(ground.x, ground.yz / terrain.wave_m);
 }
+
+// Half of the shortest wave that a pixel so far away shows, metres.
+float pixel_footprint(float distance_m) { return 0.5 * terrain.shortest_px * terrain_now.pixel_rad * distance_m; }
 
 // For what stands for so many metres of ground.
 float octaves_for(float footprint_m) {

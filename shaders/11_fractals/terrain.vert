@@ -26,7 +26,7 @@ void main() {
     vec2 place = place_of(ivec2(gl_VertexIndex % side, gl_VertexIndex / side), gl_InstanceIndex);
     // What the grid can show here: the same number for both rings at their common edge.
     float grid_m = max(max(abs(place.x), abs(place.y)) * 2.0 / float(terrain_now.cells), 0.5 * terrain_now.spacing_m);
-    float pixel_m = terrain_now.pixel_rad * length(vec3(place.x, 0.0, place.y) - terrain_now.eye);
+    float pixel_m = pixel_footprint(length(vec3(place.x, 0.0, place.y) - terrain_now.eye));
     position = vec3(place.x, terrain_at(place, octaves_for(max(grid_m, pixel_m))).x, place.y);
     gl_Position = view.view_projection * vec4(position, 1.0);
 }
