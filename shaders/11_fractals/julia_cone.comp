@@ -5,7 +5,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba32f) writeonly uniform image2D starts;
 
-// [cone]
 void main() {
     ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(tile, imageSize(starts)))) return;
@@ -19,6 +18,7 @@ void main() {
     float t = max(length(rays.eye) - julia_now.bound, 0.0);
     float end = length(rays.eye) + julia_now.bound;
     int steps = 0;
+    // [cone]
     while (steps < julia.most_steps && t < end) {
         ++steps;
         // The sphere around the axis at t holds the cone up to t + advance, where the cone is spread (t + advance) wide.
@@ -26,6 +26,6 @@ void main() {
         if (advance < 0.25 * spread * t + 1e-4) break;
         t += advance;
     }
+    // [/cone]
     imageStore(starts, tile, vec4(t, float(steps), 0.0, 0.0));
 }
-// [/cone]

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "../common/gpu_fixture.h"
-#include "11_fractals/julia.h"
 #include "10_atmosphere/view_rays.h"
+#include "11_fractals/julia.h"
 #include "11_fractals/truth.h"
 #include "common/app/read_picture.h"
 #include "common/check/probe.h"
