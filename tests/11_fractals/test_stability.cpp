@@ -66,7 +66,7 @@ TEST_CASE("the distance bound: at an escape radius of 2 it oversteps, from 4 on 
     for (const glm::dvec4& c : connected) {
         const Cloud cloud(c, 0.025, 200);
         for (const double escape : {2.0, 4.0, 8.0, 64.0}) {
-            const Overstep found = overstep(cloud, c, escape, 700);
+            const Overstep found = overstep(cloud, c, escape, 500);
             fmt::print(
                 "c = {:5} + {:4} i, escape at {:2}: {:.1f}% of points overstep, the longest bound is {:.2f} of "
                 "the way\n",
@@ -178,7 +178,7 @@ TEST_CASE_METHOD(OnJulia, "every method's rays end where double precision says, 
 }
 
 TEST_CASE_METHOD(OnJulia, "steps: relaxed needs fewer than distance, cone the fewest, fixed five times as many") {
-    julia.epsilon_m.value = 0.004f, julia.step_m.value = 0.02f;
+    julia.epsilon_m.value = 0.004f, julia.step_m.value = 0.02f, julia.footprint.value = 0.25f;
     const auto steps = [&](const char* method) {
         julia.method.set(method);
         draw();

@@ -227,7 +227,7 @@ TEST_CASE(
         return std::pair{height * g.height, height / wave * g.slope.x};
     };
     double hard = 0, soft = 0, angle = 0;
-    for (double metres = 500; metres < 20000; metres += 0.1) {
+    for (double metres = 500; metres < 20000; metres += 0.3) {
         const double next = metres + 0.1;
         hard = std::max(hard, std::fabs(ground(next, std::floor(octaves_at(next))).first -
                                         ground(metres, std::floor(octaves_at(metres))).first));
