@@ -114,3 +114,14 @@ for method in separable three_pass_7tap dual_kawase pyramid; do
         --method $method --size 160x160 --samples 1
 done
 join 08_spots 4x1 spot.separable spot.three_pass_7tap spot.dual_kawase spot.pyramid
+
+for erosion in 0 0.15 0.6; do
+    draw 11_fractals "worn.$erosion" --scene scenes/terrain_noon.json --size 400x225 --set terrain.erosion=$erosion \
+        --set terrain.snow_line_m=900
+done
+join 11_worn 3x1 worn.0 worn.0.15 worn.0.6
+
+for octaves in 3 6 9; do
+    draw 11_fractals "octaves.$octaves" --scene scenes/terrain_sunset.json --size 400x225 --set terrain.most_octaves=$octaves
+done
+join 11_octaves 3x1 octaves.3 octaves.6 octaves.9

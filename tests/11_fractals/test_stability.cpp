@@ -225,6 +225,12 @@ TEST_CASE_METHOD(OnJulia, "the camera inside the set: every pixel hits at once, 
             for (const glm::vec4& one : marched()) CHECK((one.x == 0 && one.z == 1 && one.y <= 2.0f));
             for (const glm::vec3& pixel : picture().pixels) CHECK(std::isfinite(pixel.r + pixel.g + pixel.b));
         }
+    // No distance grows there in any direction: the normal faces the ray.
+    julia.normal.set("difference"), julia.show.set("normals");
+    draw();
+    const ImageRgb seen = picture();
+    for (size_t i = 0; i < seen.pixels.size(); i += 17)
+        CHECK(glm::length(glm::dvec3(seen.pixels[i]) - (0.5 - 0.5 * direction(i))) < 1e-3);
 }
 
 TEST_CASE_METHOD(OnJulia, "normals: analytic ones are those of double precision, differences are off by degrees") {
