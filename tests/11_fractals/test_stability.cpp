@@ -33,6 +33,7 @@ struct Cloud {
 };
 
 struct Overstep {
+    double mean = 0;  ///< bound, in ways to the set
     double share = 0,
            worst = 0;  ///< of points whose bound is longer than the way to the set; the longest, in such ways
 };
@@ -48,10 +49,10 @@ Overstep overstep(const Cloud& cloud, glm::dvec4 c, double escape, int points) {
         const double way = cloud.distance(at);  // to a point of the set, if not to the nearest
         if (way < 10 * cloud.spacing) continue;
         ++tried;
-        found.share += bound > way;
+        found.share += bound > way, found.mean += bound / way;
         found.worst = std::max(found.worst, bound / way);
     }
-    found.share /= tried;
+    found.share /= tried, found.mean /= tried;
     return found;
 }
 
@@ -69,8 +70,8 @@ TEST_CASE("the distance bound: at an escape radius of 2 it oversteps, from 4 on 
             const Overstep found = overstep(cloud, c, escape, 500);
             fmt::print(
                 "c = {:5} + {:4} i, escape at {:2}: {:.1f}% of points overstep, the longest bound is {:.2f} of "
-                "the way\n",
-                c.x, c.y, escape, 100 * found.share, found.worst);
+                "the way, the mean one {:.2f}\n",
+                c.x, c.y, escape, 100 * found.share, found.worst, found.mean);
             INFO(c.x << " " << escape);
             if (escape == 2) {
                 worst_at_2 = std::max(worst_at_2, found.worst), worst_share = std::max(worst_share, found.share);
@@ -190,6 +191,20 @@ TEST_CASE_METHOD(OnJulia, "steps: relaxed needs fewer than distance, cone the fe
     CHECK(fixed > 4 * distance);
     CHECK(relaxed < 0.9 * distance);
     CHECK(cone < 0.9 * distance);
+}
+
+TEST_CASE_METHOD(OnJulia, "relaxation: some saves distances, twice the distance saves none", "[figures]") {
+    julia.method.set("relaxed");
+    julia.epsilon_m.value = 1e-3f;
+    std::vector<double> steps;
+    for (const float relaxation : {1.0f, 1.2f, 1.4f, 1.6f, 1.8f, 2.0f}) {
+        julia.relaxation.value = relaxation;
+        draw();
+        steps.push_back(mean_steps());
+        fmt::print("relaxation {:.1f}: {:.2f} distances a pixel\n", relaxation, steps.back());
+    }
+    CHECK(steps[2] < 0.9 * steps[0]);
+    CHECK(*std::min_element(steps.begin(), steps.end()) < steps[5]);
 }
 
 TEST_CASE_METHOD(OnJulia, "rays along an edge creep: they are stopped, counted, and seen as white") {
