@@ -1,5 +1,6 @@
-// The terrain's noise in double precision: for the camera that follows the ground, and as this chapter's truth.
+// The terrain's noise in double precision, for the camera that follows the ground.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -41,62 +42,35 @@ inline double lattice(glm::ivec2 cell) {
     return (v.x >> 8u) * (2.0 / 16777215.0) - 1.0;
 }
 
-/// Height, gradient and second derivatives (xx, xy, yy) at a settled place. `cubic`: by 3 t² - 2 t³ in place of the
-/// quintic.
-struct NoiseTruth {
-    double value;
-    glm::dvec2 gradient;
-    glm::dvec3 second;
-};
-
-inline NoiseTruth noise_truth(glm::ivec2 cell, glm::dvec2 f, bool cubic = false) {
+/// The height at a settled place, -1 to 1.
+inline double noise_height(glm::ivec2 cell, glm::dvec2 f) {
     const auto corner = [&](int x, int y) {
         return lattice(glm::ivec2(glm::uvec2(cell) + glm::uvec2(glm::ivec2(x, y))));
     };
-    const double a = corner(0, 0), b = corner(1, 0) - a, c = corner(0, 1) - a,
-                 d = a - corner(1, 0) - corner(0, 1) + corner(1, 1);
-    glm::dvec2 s, first, second;
-    for (int i = 0; i < 2; ++i) {
-        const double t = f[i];
-        s[i] = cubic ? t * t * (3 - 2 * t) : t * t * t * (t * (6 * t - 15) + 10);
-        first[i] = cubic ? 6 * t * (1 - t) : 30 * t * t * (t - 1) * (t - 1);
-        second[i] = cubic ? 6 - 12 * t : 60 * t * (2 * t * t - 3 * t + 1);
-    }
-    return {a + b * s.x + c * s.y + d * s.x * s.y,
-            {first.x * (b + d * s.y), first.y * (c + d * s.x)},
-            {second.x * (b + d * s.y), d * first.x * first.y, second.y * (c + d * s.x)}};
+    const glm::dvec2 s = f * f * f * (f * (6.0 * f - 15.0) + 10.0);
+    return glm::mix(glm::mix(corner(0, 0), corner(1, 0), s.x), glm::mix(corner(0, 1), corner(1, 1), s.x), s.y);
 }
 
-/// Height and its derivatives by octave 0's coordinates, as 11.eroded_fbm says it.
-struct Ground {
-    double height = 0;
-    glm::dvec2 slope{0};       ///< the whole chain rule
-    glm::dvec2 sum{0};         ///< d, which some take for the slope
-    glm::dvec2 unweighted{0};  ///< the slope without the weight's own derivative
-};
-
-inline Ground eroded_truth(NoisePlace place, double octaves, double erosion, double gain) {
-    Ground ground;
-    glm::dmat2 scale(1), bend(0);
-    const glm::dmat2 finer(2, 1, -1, 2);
-    double amplitude = 1;
+/// The height of a sum of octaves as 11.eroded_fbm says it, within a millionth: gradients are differences, which in
+/// double precision will do for a camera.
+inline double eroded_height(NoisePlace place, double octaves, double erosion, double gain) {
+    const auto at = [&](double x, double y) {
+        NoisePlace there{place.cell, place.offset + glm::dvec2(x, y)};
+        there.settle();
+        return noise_height(there.cell, there.offset);
+    };
+    constexpr double h = 1e-4;
+    glm::dvec2 steepness(0);
+    double height = 0, amplitude = 1;
     for (int k = 0; k < octaves; ++k) {
         place.settle();
-        const NoiseTruth noise = noise_truth(place.cell, place.offset);
         const double share = std::min(octaves - k, 1.0);
-        ground.sum += share * noise.gradient;
-        bend += share * (glm::dmat2(noise.second.x, noise.second.y, noise.second.y, noise.second.z) * scale);
-        const double weight = 1 / (1 + erosion * glm::dot(ground.sum, ground.sum));
-        const glm::dvec2 down = glm::transpose(scale) * noise.gradient * weight;
-        const glm::dvec2 weight_slope = -2 * erosion * weight * weight * (glm::transpose(bend) * ground.sum);
-        ground.height += amplitude * share * noise.value * weight;
-        ground.unweighted += amplitude * share * down;
-        ground.slope += amplitude * share * (down + noise.value * weight_slope);
+        steepness += share / (2 * h) * glm::dvec2(at(h, 0) - at(-h, 0), at(0, h) - at(0, -h));
+        height += amplitude * share * at(0, 0) / (1 + erosion * glm::dot(steepness, steepness));
         place.next();
-        scale = finer * scale;
         amplitude *= gain;
     }
-    return ground;
+    return height;
 }
 
 }  // namespace lightwalk

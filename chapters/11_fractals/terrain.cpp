@@ -28,13 +28,9 @@ void Terrain::prepare(Gpu& gpu) {
     rock_ = images_->load(find_asset("planets/moon.jpg"), TextureKind::color);
 }
 
-Ground Terrain::scaled(const Ground& ground) const {
-    const double height = double(height_m), slope = height / double(wave_m);
-    return {height * ground.height, slope * ground.slope, slope * ground.sum, slope * ground.unweighted};
-}
-
-Ground Terrain::ground_at(glm::dvec2 world_m, double octave_count) const {
-    return scaled(eroded_truth(NoisePlace::at(world_m / double(wave_m)), octave_count, double(erosion), double(gain)));
+double Terrain::ground_m(glm::dvec2 world_m, double octave_count) const {
+    const NoisePlace place = NoisePlace::at(world_m / double(wave_m));
+    return double(height_m) * eroded_height(place, octave_count, double(erosion), double(gain));
 }
 
 glm::dvec2 Terrain::flight_m(const Camera& camera, double time_s) const {
@@ -50,7 +46,7 @@ void Terrain::place(Frame& frame, const Scene& scene, const Camera& camera) {
     const glm::dvec2 flight = flight_m(camera, double(frame.time_s)), spacing(static_cast<double>(spacing_m));
     const glm::dvec2 middle = glm::floor(flight / spacing) * spacing, rest = flight - middle;
     const NoisePlace noise = NoisePlace::at(middle / double(wave_m));
-    const double ground = ground_at(flight + glm::dvec2(camera.position.x, camera.position.z), 4).height;
+    const double ground = ground_m(flight + glm::dvec2(camera.position.x, camera.position.z), 4);
     const glm::vec3 moved(rest.x, ground, rest.y);
     eye_ = camera;
     eye_.position += moved;

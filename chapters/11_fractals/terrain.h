@@ -74,9 +74,7 @@ struct Terrain : Module {
     void record(Frame& frame, const Scene& scene, const Camera& camera);
 
     /// The ground's height in metres at a place of the flight's world, in double precision.
-    Ground ground_at(glm::dvec2 world_m, double octaves) const;
-    /// From cells and heights of the first octave to metres.
-    Ground scaled(const Ground& ground) const;
+    double ground_m(glm::dvec2 world_m, double octaves) const;
     /// Where the flight is at a time, x and z in metres.
     glm::dvec2 flight_m(const Camera& camera, double time_s) const;
     bool animated() const { return speed_m_s > 0; }

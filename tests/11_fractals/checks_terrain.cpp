@@ -35,11 +35,11 @@ CHECK_EXERCISE("11.quintic_noise",
                 .inputs = places(500),
                 .truth =
                     [](auto in) {
-                        return Row{noise_truth(cell_of(in), {in[2], in[3]}).value};
+                        return Row{truth::noise_truth(cell_of(in), {in[2], in[3]}).value};
                     },
                 .bound = {.absolute = 3e-6},
                 .hint = [](auto in, auto out) -> std::string {
-                    const double cubic = noise_truth(cell_of(in), {in[2], in[3]}, true).value;
+                    const double cubic = truth::noise_truth(cell_of(in), {in[2], in[3]}, true).value;
                     if (std::fabs(out[0] - cubic) < 1e-4) return "that is smoothstep: its second derivative has a step";
                     return "";
                 }};
@@ -53,12 +53,12 @@ CHECK_EXERCISE("11.noise_derivative", "d/dx of what stands there; s(f.y) is a nu
         .inputs = places(500),
         .truth =
             [](auto in) {
-                const NoiseTruth noise = noise_truth(cell_of(in), {in[2], in[3]});
+                const truth::NoiseTruth noise = truth::noise_truth(cell_of(in), {in[2], in[3]});
                 return Row{noise.value, noise.gradient.x, noise.gradient.y};
             },
         .bound = {.absolute = 1.5e-5},
         .hint = [](auto in, auto out) -> std::string {
-            const NoiseTruth noise = noise_truth(cell_of(in), {in[2], in[3]});
+            const truth::NoiseTruth noise = truth::noise_truth(cell_of(in), {in[2], in[3]});
             const glm::dvec2 got(out[1], out[2]);
             if (std::fabs(out[0] - noise.value) < 1e-4 && glm::length(got + noise.gradient) < 1e-3)
                 return "the sign: uphill is where the height grows";
@@ -76,13 +76,13 @@ CHECK_EXERCISE("11.eroded_fbm",
         .signature = "vec3 eroded_fbm(ivec2 cell, vec2 offset, float octaves, float erosion, float gain)",
         .truth =
             [](auto in) {
-                const Ground ground = eroded_truth({cell_of(in), {in[2], in[3]}}, in[4], in[5], in[6]);
+                const truth::Ground ground = truth::eroded_truth({cell_of(in), {in[2], in[3]}}, in[4], in[5], in[6]);
                 return Row{ground.height, ground.slope.x, ground.slope.y};
             },
         // Each octave multiplies the rounding of the place by its cells' number, and a slope by a second derivative.
         .bound = {.absolute = 4e-4, .relative = 4e-4},
         .hint = [](auto in, auto out) -> std::string {
-            const Ground ground = eroded_truth({cell_of(in), {in[2], in[3]}}, in[4], in[5], in[6]);
+            const truth::Ground ground = truth::eroded_truth({cell_of(in), {in[2], in[3]}}, in[4], in[5], in[6]);
             const glm::dvec2 got(out[1], out[2]);
             const auto is = [&](glm::dvec2 wrong) { return glm::length(got - wrong) < 1e-2 * glm::length(wrong); };
             if (std::fabs(out[0] - ground.height) > 4e-4)

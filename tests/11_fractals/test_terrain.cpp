@@ -90,12 +90,12 @@ TEST_CASE_METHOD(OnDevice, "normals of nine octaves: what d, half a chain rule a
         NoisePlace there = settled[i];
         there.offset = glm::dvec2(glm::vec2(there.offset));
         const auto height = [&](double x, double y) {
-            return eroded_truth({there.cell, there.offset + glm::dvec2(x, y)}, octaves, erosion, gain).height;
+            return truth::eroded_truth({there.cell, there.offset + glm::dvec2(x, y)}, octaves, erosion, gain).height;
         };
         const auto central = [&](double h) {
             return glm::dvec2(height(h, 0) - height(-h, 0), height(0, h) - height(0, -h)) / (2 * h);
         };
-        const Ground right = eroded_truth(there, octaves, erosion, gain);
+        const truth::Ground right = truth::eroded_truth(there, octaves, erosion, gain);
         as_sum.add(angle_deg(right.sum, right.slope)), unweighted.add(angle_deg(right.unweighted, right.slope));
         wide.add(angle_deg(central(1e-2), right.slope)), narrow.add(angle_deg(central(1e-3), right.slope));
         exact.add(angle_deg({found[i][1], found[i][2]}, right.slope));
@@ -121,8 +121,8 @@ TEST_CASE_METHOD(OnDevice, "the second derivative at a cell's edge: the cubic's 
     for (int i = 0; i < 100; ++i) {
         const double y = (i + 0.5) / 100;
         for (const bool is_cubic : {true, false}) {
-            const double left = noise_truth({i, 0}, {1, y}, is_cubic).second.x,
-                         right = noise_truth({i + 1, 0}, {0, y}, is_cubic).second.x;
+            const double left = truth::noise_truth({i, 0}, {1, y}, is_cubic).second.x,
+                         right = truth::noise_truth({i + 1, 0}, {0, y}, is_cubic).second.x;
             double& most = is_cubic ? cubic : quintic;
             most = std::max(most, std::fabs(left - right));
         }
@@ -145,14 +145,13 @@ TEST_CASE_METHOD(OnDevice,
             const double metres = far_m + 0.37 * i;
             const NoisePlace place = NoisePlace::at(glm::dvec2(metres, -metres / 3) / wave);
             places.push_back(place);
-            right.push_back(1000 * eroded_truth(place, 9, 0.15, 0.46).height);
+            right.push_back(1000 * truth::eroded_truth(place, 9, 0.15, 0.46).height);
             const double rounded = double(float(metres));
             naive = std::max(
-                naive,
-                std::fabs(
-                    1000 *
-                        eroded_truth(NoisePlace::at(glm::dvec2(rounded, -rounded / 3) / wave), 9, 0.15, 0.46).height -
-                    right.back()));
+                naive, std::fabs(1000 * truth::eroded_truth(NoisePlace::at(glm::dvec2(rounded, -rounded / 3) / wave), 9,
+                                                            0.15, 0.46)
+                                            .height -
+                                 right.back()));
         }
         const Table found = on_device(gpu, places, 9, 0.15, 0.46);
         double worst = 0;
@@ -184,11 +183,19 @@ TEST_CASE_METHOD(OnTerrain, "the flight: place of the grid and rest add up to th
     }
 }
 
+TEST_CASE_METHOD(OnTerrain, "the ground that the camera follows is the truth's, to a millimetre") {
+    for (const glm::dvec2& at : some_places(200, 30000)) {
+        const truth::Ground right = truth::eroded_truth(NoisePlace::at(at / double(terrain.wave_m)), 4,
+                                                        double(terrain.erosion), double(terrain.gain));
+        CHECK(std::fabs(terrain.ground_m(at, 4) - double(terrain.height_m) * right.height) < 1e-3);
+    }
+}
+
 TEST_CASE_METHOD(OnTerrain, "the eye stays above the ground for 100 km") {
     double least = 1e9;
     for (double way = 0; way < 1e5; way += 50) {
-        const double eye = terrain.ground_at({0, -way}, 4).height + 140;
-        least = std::min(least, eye - terrain.ground_at({0, -way}, 11).height);
+        const double eye = terrain.ground_m({0, -way}, 4) + 140;
+        least = std::min(least, eye - terrain.ground_m({0, -way}, 11));
     }
     fmt::print("least height above the ground in 100 km: {:.0f} m\n", least);
     CHECK(least > 20);
@@ -226,7 +233,7 @@ TEST_CASE(
         return truth::integrate_octaves(wave, root5, footprint_per_m * metres, 11);
     };
     const auto ground = [&](double metres, double octaves) {
-        const Ground g = eroded_truth(NoisePlace::at({metres / wave, 0.3}), octaves, 0.15, 0.46);
+        const truth::Ground g = truth::eroded_truth(NoisePlace::at({metres / wave, 0.3}), octaves, 0.15, 0.46);
         return std::pair{height * g.height, height / wave * g.slope.x};
     };
     double hard = 0, soft = 0, angle = 0;
