@@ -11,12 +11,12 @@ struct JuliaLook : Module {
     using Module::Module;
     Knob<glm::vec3> color{*this,
                           "color",
-                          glm::vec3(0.75f, 0.5f, 0.25f),
+                          glm::vec3(0.85f, 0.62f, 0.38f),
                           {glm::vec3(0.0f), glm::vec3(1.0f)},
                           "albedo where orbits stay away"};
     Knob<glm::vec3> color_deep{*this,
                                "color_deep",
-                               glm::vec3(0.25f, 0.05f, 0.04f),
+                               glm::vec3(0.3f, 0.07f, 0.05f),
                                {glm::vec3(0.0f), glm::vec3(1.0f)},
                                "albedo where they come near"};
     Knob<float> shininess{*this, "shininess", 40.0f, {1.0f, 2000.0f}, "Phong exponent of the light's highlight"};
