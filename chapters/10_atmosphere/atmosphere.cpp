@@ -7,6 +7,16 @@
 #include "10_atmosphere/view_rays.h"
 
 namespace lightwalk {
+namespace {
+
+// Whether it was another image before.
+bool make(Device& device, Image& image, const Image::Desc& desc) {
+    if (image && image.desc == desc) return false;
+    image = Image(device, desc);
+    return true;
+}
+
+}  // namespace
 
 float cornette_shanks_g(float mean_cosine) {
     const double wanted = double(std::fabs(mean_cosine));
@@ -72,22 +82,20 @@ float Atmosphere::volume_reach_m(const Camera& camera) const {
 
 void Atmosphere::make_images(Device& device) {
     const auto scaled = [&](float x) { return static_cast<uint32_t>(std::max(2.0f, std::round(x * table_scale))); };
-    const auto make = [&](Image& image, const char* name, glm::vec2 size, float depth) {
-        Image::Desc desc{.name = path() + " " + name, .size = {scaled(size.x), scaled(size.y)}};
-        if (depth > 0) desc.depth = scaled(depth);
-        if (image && image.desc == desc) return;
-        image = Image(device, desc);
-        made_of_.clear();
+    const auto table = [&](Image& image, const char* name, glm::vec2 size, float depth) {
+        const uint32_t slices = depth > 0 ? scaled(depth) : 0;
+        if (make(device, image, {.name = path() + name, .size = {scaled(size.x), scaled(size.y)}, .depth = slices}))
+            made_of_.clear();
     };
-    make(transmittance_, "transmittance", {256, 64}, 0);
-    make(multiple_, "multiple scattering", {32, 32}, 0);
-    make(sky_, "sky", {192, 108}, 0);
-    make(light_, "light", {32, 32}, 32);
-    make(through_, "through", {32, 32}, 32);
+    table(transmittance_, " transmittance", {256, 64}, 0);
+    table(multiple_, " multiple scattering", {32, 32}, 0);
+    table(sky_, " sky", {192, 108}, 0);
+    table(light_, " light", {32, 32}, 32);
+    table(through_, " through", {32, 32}, 32);
 }
 
 // [tables]
-void Atmosphere::record_tables(Frame& frame, const Camera& camera, glm::vec3 reach) {
+void Atmosphere::record_tables(Frame& frame, const Camera& camera, float reach_m) {
     // 1. What depends on the air alone: made again where a knob of it was turned.
     const Air now = air();
     const auto bytes = std::as_bytes(std::span(&now, 1));
@@ -97,13 +105,13 @@ void Atmosphere::record_tables(Frame& frame, const Camera& camera, glm::vec3 rea
         frame.compute("transmittance table", {.writes = {transmittance_}, .with = {*this}}, [&](Compute& pass) {
             pass.use(make_transmittance_).set("result", transmittance_).dispatch_threads(transmittance_.desc.size);
         });
-        frame.compute("multiple scattering table",
-                      {.reads = {transmittance_}, .writes = {multiple_}, .with = {*this}}, [&](Compute& pass) {
+        frame.compute("multiple scattering table", {.reads = {transmittance_}, .writes = {multiple_}, .with = {*this}},
+                      [&](Compute& pass) {
                           pass.use(make_multiple_).set("air_transmittance", transmittance_, linear_clamp);
                           pass.set("result", multiple_).dispatch(glm::uvec3(multiple_.desc.size, 1));
                       });
     }
-    if (reach.z <= 0.0f) return;  // nothing of the rest is read from space
+    if (reach_m <= 0.0f) return;  // nothing of the rest is read from space
 
     // 2. What depends on the eye and the sun.
     const float height = height_of(camera.position);
@@ -119,7 +127,7 @@ void Atmosphere::record_tables(Frame& frame, const Camera& camera, glm::vec3 rea
                   [&](Compute& pass) {
                       pass.use(make_aerial_).set("result", light_).set("transmitted", through_);
                       set_lasting(pass);
-                      pass.set("rays", view_rays(camera, frame)).set("reach", reach);
+                      pass.set("rays", view_rays(camera, frame)).set("reach", glm::vec3(frame.size, reach_m));
                       pass.dispatch_threads(light_.desc.size);
                   });
 }
@@ -132,16 +140,19 @@ void Atmosphere::set_lasting(Compute& pass) const {
 
 // [record]
 void Atmosphere::record(Frame& frame, const Image& hdr, const Image& depth, const Camera& camera) {
-    const Pipeline* const looks[] = {&none_,  &preetham_,    &polynomial_, &chapman_,
-                                     &march_, &look_tables_, &truth_};
-    const bool tables = method.is("tables");
-    const glm::vec3 reach(frame.size, tables ? volume_reach_m(camera) : 0.0f);
+    const Pipeline* const looks[] = {&none_, &preetham_, &polynomial_, &chapman_, &march_, &look_tables_, &truth_};
+    const bool tables = method.is("tables"), truth = method.is("truth");
+    const float reach_m = tables ? volume_reach_m(camera) : 0.0f;
     ComputeAccess access{.reads = {depth, hdr}, .writes = {hdr}, .with = {*this}};
     if (tables) {
         make_images(frame.gpu.device);
-        record_tables(frame, camera, reach);
+        record_tables(frame, camera, reach_m);
         for (const Image* table : {&transmittance_, &multiple_, &sky_, &light_, &through_})
             access.reads.push_back(*table);
+    }
+    if (truth) {
+        make(frame.gpu.device, doubt_, {.name = path() + " standard error", .size = frame.size});
+        access.writes.push_back(doubt_);
     }
     frame.compute("atmosphere", access, [&](Compute& pass) {
         pass.use(*looks[method.index]).set("result", hdr).set("depth", depth, nearest_clamp);
@@ -149,7 +160,11 @@ void Atmosphere::record(Frame& frame, const Image& hdr, const Image& depth, cons
         if (tables) {
             set_lasting(pass);
             pass.set("air_sky", sky_, linear_clamp).set("air_light", light_, linear_clamp);
-            pass.set("air_through", through_, linear_clamp).set("reach", reach);
+            pass.set("air_through", through_, linear_clamp).set("reach_m", reach_m);
+        }
+        if (truth) {
+            pass.offer("doubt", doubt_);
+            pass.offer("seed", frame.seed * 4096u + static_cast<unsigned>(frame.samples.index));
         }
         pass.dispatch_threads(frame.size);
     });

@@ -13,9 +13,9 @@ namespace lightwalk {
 ///
 ///     atmosphere.record(frame, frame.hdr, frame.depth, camera);
 ///
-/// The planet's middle lies `radius_m` below the world's origin. Where depth is 0 the image holds the planet's ground, if
-/// the pixel's ray meets it, else what lies beyond the air. Lights and colours are the module's own: to_sun(), and in a
-/// pass that states it in `.with` and includes 10_atmosphere/ground_light.glsl, sunlight_on() and skylight_on().
+/// The planet's middle lies `radius_m` below the world's origin. Where depth is 0 the image holds the planet's ground,
+/// if the pixel's ray meets it, else what lies beyond the air. Lights and colours are the module's own: to_sun(), and
+/// in a pass that states it in `.with` and includes 10_atmosphere/ground_light.glsl, sunlight_on() and skylight_on().
 struct Atmosphere : Module {
     Atmosphere(Module& owner, std::string name) : Module(owner, std::move(name), "atmosphere") {}
     // [/atmosphere]
@@ -32,8 +32,8 @@ struct Atmosphere : Module {
                  {"isotropic", "henyey_greenstein", "cornette_shanks"},
                  "cornette_shanks",
                  "which way dust scatters"};
-    Knob<int> samples{*this, "samples", 16, {1, 4096}, "places on a pixel's path; truth takes 32 times as many"};
-    Knob<int> light_samples{*this, "light_samples", 8, {1, 256}, "places on the way from there to the sun, for march"};
+    Knob<int> steps{*this, "steps", 16, {1, 4096}, "places on a pixel's path; truth takes 32 times as many"};
+    Knob<int> light_steps{*this, "light_steps", 8, {1, 256}, "places on the way from there to the sun, for march"};
     Knob<int> paths{*this, "paths", 16, {1, 512}, "random paths of a pixel, for truth with many scatterings"};
     Knob<float> table_scale{*this, "table_scale", 1.0f, {0.25f, 2.0f}, "of the tables' width and height"};
     Choice refresh{*this, "refresh", {"changed", "always"}, "changed", "when tables are made: always is for timing"};
@@ -50,18 +50,23 @@ struct Atmosphere : Module {
 
     Knob<float> radius_m{*this, "radius_m", 6.36e6f, {1e3f, 1e9f}, "of the planet", "m"};
     Knob<float> top_m{*this, "top_m", 1e5f, {1.0f, 1e8f}, "height of the air's edge", "m"};
-    Knob<glm::vec3> rayleigh{*this, "rayleigh",      {5.802f, 13.558f, 33.1f}, {glm::vec3(0.0f), glm::vec3(1e5f)},
-                             "what molecules scatter", "1/Mm"};
+    Knob<glm::vec3> rayleigh{
+        *this, "rayleigh", {5.802f, 13.558f, 33.1f}, {glm::vec3(0.0f), glm::vec3(1e5f)}, "what molecules scatter",
+        "1/Mm"};
     Knob<float> rayleigh_height_m{*this, "rayleigh_height_m", 8000.0f, {0.0f, 1e6f}, "their scale height", "m"};
-    Knob<glm::vec3> mie{
-        *this, "mie", glm::vec3(3.996f), {glm::vec3(0.0f), glm::vec3(1e5f)}, "what dust scatters", "1/Mm"};
+    Knob<glm::vec3> mie{*this, "mie", glm::vec3(3.996f), {glm::vec3(0.0f), glm::vec3(1e5f)}, "what dust scatters",
+                        "1/Mm"};
     Knob<glm::vec3> mie_absorption{
         *this, "mie_absorption", glm::vec3(0.444f), {glm::vec3(0.0f), glm::vec3(1e5f)}, "and swallows", "1/Mm"};
     Knob<float> mie_height_m{*this, "mie_height_m", 1200.0f, {0.0f, 1e6f}, "its scale height", "m"};
     Knob<float> mean_cosine{
         *this, "mean_cosine", 0.8f, {-0.95f, 0.95f}, "of the angle by which dust turns light: 1 is straight on"};
-    Knob<glm::vec3> ozone{*this, "ozone", {0.65f, 1.881f, 0.085f}, {glm::vec3(0.0f), glm::vec3(1e5f)},
-                          "what a layer absorbs in its middle; 0: no layer", "1/Mm"};
+    Knob<glm::vec3> ozone{*this,
+                          "ozone",
+                          {0.65f, 1.881f, 0.085f},
+                          {glm::vec3(0.0f), glm::vec3(1e5f)},
+                          "what a layer absorbs in its middle; 0: no layer",
+                          "1/Mm"};
     Knob<float> ozone_center_m{*this, "ozone_center_m", 25000.0f, {0.0f, 1e7f}, "height of its middle", "m"};
     Knob<float> ozone_width_m{*this, "ozone_width_m", 15000.0f, {0.0f, 1e7f}, "from there to its edges", "m"};
     Knob<glm::vec3> ground{
@@ -82,18 +87,21 @@ struct Atmosphere : Module {
     const Image& multiple() const { return multiple_; }
     const Image& sky() const { return sky_; }
 
+    /// And with `truth` for many scatterings: the standard error of each pixel's light, over the light.
+    const Image& doubt() const { return doubt_; }
+
     int tables_made = 0;  ///< so far, to show that none is made twice
 
   private:
     void make_images(Device& device);
-    void record_tables(Frame& frame, const Camera& camera, glm::vec3 reach);
+    void record_tables(Frame& frame, const Camera& camera, float reach_m);
     void set_lasting(Compute& pass) const;
     float height_of(glm::vec3 position) const;
     float volume_reach_m(const Camera& camera) const;
 
     Buffer skylight_;
     std::vector<std::byte> skylight_of_;  ///< what it was made from
-    Image transmittance_, multiple_, sky_, light_, through_;
+    Image doubt_, transmittance_, multiple_, sky_, light_, through_;
     std::vector<std::byte> made_of_;  ///< what the two lasting tables were made from
     Pipeline make_transmittance_ = compute({.shader = "10_atmosphere/make_transmittance.comp"});
     Pipeline make_multiple_ = compute({.shader = "10_atmosphere/make_multiple.comp"});

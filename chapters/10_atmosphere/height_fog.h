@@ -30,8 +30,9 @@ struct HeightFog : Module {
         *this, "sun_color", {1.0f, 0.85f, 0.6f}, {glm::vec3(0.0f), glm::vec3(1e4f)}, "the same towards the sun"};
     Knob<float> sun_power{*this, "sun_power", 8.0f, {0.1f, 1e3f}, "how narrow the light towards the sun is"};
 
-    /// Adds fog to an RGBA16F image, by the depth of what it shows; where depth is 0 it reaches `sky_m` far. Both have
-    /// the frame's size. `to_sun` has unit length. One pass, none with method none. Alpha stays.
+    /// Adds fog to an RGBA16F image, by the depth of what it shows; where depth is 0 it reaches `sky_m` far, or down to
+    /// base_m, as if there were ground. Both have the frame's size. `to_sun` has unit length. One pass, none with
+    /// method none. Alpha stays.
     void record(Frame& frame, const Image& hdr, const Image& depth, const Camera& camera, glm::vec3 to_sun,
                 float sky_m = 1e5f);
     // [/height_fog]

@@ -13,16 +13,32 @@ struct AtmosphereChapter : ModelChapter {
     Planet planet{*this, "planet"};
     HeightFog fog{*this, "fog"};
 
+    Choice show{*this,
+                "show",
+                {"picture", "transmittance", "multiple", "sky", "doubt"},
+                "picture",
+                "or a table of the method tables; doubt: the standard error of truth, relative"};
+    Knob<float> gain{*this, "gain", 1.0f, {0.0f, 1e6f}, "by what a table is multiplied to be shown"};
+
     Pipeline surface = graphics({.vertex = "01_obj/mesh.vert", .fragment = "10_atmosphere/surface.frag"});
+    Pipeline look = compute({.shader = "08_bloom/look.comp"});
     Pipeline tone = compute({.shader = "10_atmosphere/tone.comp"});
 
     AtmosphereChapter() {
         atmosphere.method.alone = true;  // --method is about the air here
         fog.method.change_default("none");
     }
-    std::string default_scene() const override { return "scenes/sunset_islands.json"; }
+    std::string default_scene() const override { return "scenes/islands.json"; }
     std::string load_key() const override { return planet.map.text(); }
     void prepare(Gpu& gpu) override { planet.prepare(gpu); }
+
+    // One of the air's tables in place of the picture.
+    void look_at(Frame& frame, const Image& image) {
+        frame.compute("look", {.reads = {image}, .writes = {frame.hdr}}, [&](Compute& pass) {
+            pass.use(look).set("image", image, nearest_clamp).set("gain", gain.value).set("result", frame.hdr);
+            pass.dispatch_threads(frame.size);
+        });
+    }
 
     // [frame]
     void frame(Frame& frame) override {
@@ -36,6 +52,12 @@ struct AtmosphereChapter : ModelChapter {
         // 2. The air before it.
         atmosphere.record(frame, frame.hdr, frame.depth, camera);
         fog.record(frame, frame.hdr, frame.depth, camera, atmosphere.to_sun());
+
+        if (atmosphere.method.is("tables") && show.index > 0 && show.index < 4)
+            look_at(frame, show.is("sky")        ? atmosphere.sky()
+                           : show.is("multiple") ? atmosphere.multiple()
+                                                 : atmosphere.transmittance());
+        if (atmosphere.method.is("truth") && show.is("doubt")) look_at(frame, atmosphere.doubt());
 
         // 3. Linear light to the codes a screen expects; what is brighter than white fades into it.
         accumulate(frame);

@@ -10,11 +10,15 @@ struct Planet : Module {
     Planet(Module& owner, std::string name) : Module(owner, std::move(name), "planet") {}
 
     Choice map{*this, "map", {"plain", "earth", "mars"}, "earth", "what its ground looks like; plain: one colour"};
-    Knob<float> latitude_deg{*this, "latitude_deg", 0.0f, {-90.0f, 90.0f}, "of the world's origin on the map", "degrees"};
-    Knob<float> longitude_deg{
-        *this, "longitude_deg", 0.0f, {-180.0f, 180.0f}, "of the world's origin on the map", "degrees"};
+    Knob<float> latitude_deg{*this,    "latitude_deg", 0.0f, {-90.0f, 90.0f}, "of the world's origin on the map",
+                             "degrees"};
+    Knob<float> longitude_deg{*this,    "longitude_deg", 0.0f, {-180.0f, 180.0f}, "of the world's origin on the map",
+                              "degrees"};
     Knob<float> turn_deg{*this, "turn_deg", 0.0f, {-360.0f, 360.0f}, "by what the map is turned about it", "degrees"};
-    Knob<glm::vec3> color{*this, "color", {0.05f, 0.09f, 0.12f}, {glm::vec3(0.0f), glm::vec3(1.0f)},
+    Knob<glm::vec3> color{*this,
+                          "color",
+                          {0.05f, 0.09f, 0.12f},
+                          {glm::vec3(0.0f), glm::vec3(1.0f)},
                           "albedo of plain ground, by what maps are multiplied"};
     Knob<float> sea{*this, "sea", 1.0f, {0.0f, 1.0f}, "how much of plain ground is water; of maps, of their water"};
     Knob<float> waves{*this, "waves", 0.12f, {0.005f, 1.0f}, "how steep waves are, as a standard deviation of slopes"};

@@ -13,8 +13,8 @@ constexpr double pi = std::numbers::pi;
 double upwards(double height, double slope, double radius, double scale) {
     if (scale <= 0) return 0;
     const double ratio = (radius + height) / scale, x = std::sqrt(0.5 * ratio) * slope;
-    const double s = x <= 8 ? (1.0606963 + 0.55643831 * x) / (1.0619896 + x * (1.7245609 + x))
-                            : 0.56498823 / (0.06651874 + x);
+    const double s =
+        x <= 8 ? (1.0606963 + 0.55643831 * x) / (1.0619896 + x * (1.7245609 + x)) : 0.56498823 / (0.06651874 + x);
     return scale * std::exp(-height / scale) * std::sqrt(0.5 * pi * ratio) * s;
 }
 

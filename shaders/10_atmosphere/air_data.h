@@ -11,9 +11,9 @@ struct Air {
     float rayleigh_height;  // their scale height; 0: there are none
     vec3 mie;               // scattering of the dust at the ground
     float mie_height;
-    vec3 mie_extinction;  // and what it takes away in all
-    float mie_g;          // of its phase function
-    vec3 layer;           // absorption in the middle of the layer
+    vec3 mie_extinction;              // and what it takes away in all
+    float mie_g;                      // of its phase function
+    vec3 layer;                       // absorption in the middle of the layer
     float layer_center, layer_width;  // the middle's height; from there down and up to nothing
     float radius;                     // of the ground
     float top;                        // height above which there is no air

@@ -14,8 +14,11 @@ void main() {
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
     vec3 ray = ray_through(rays, vec2(pixel) + 0.5);
     float stored = texelFetch(depth, pixel, 0).r, stretch = length(ray);
+    vec3 direction = ray / stretch;
     float distance = stored > 0.0 ? stretch * distance_along_view(rays, stored) : fog_sun.w;
+    float above = rays.eye.y - fog.base_m;
+    if (stored == 0.0 && above > 0.0 && direction.y < 0.0) distance = min(distance, above / -direction.y);
     vec4 seen = imageLoad(result, pixel);
-    imageStore(result, pixel, vec4(through_fog(seen.rgb, rays.eye, ray / stretch, distance, fog_sun.xyz), seen.a));
+    imageStore(result, pixel, vec4(through_fog(seen.rgb, rays.eye, direction, distance, fog_sun.xyz), seen.a));
 }
 // [/main]

@@ -9,7 +9,7 @@ layout(scalar) uniform RaysBlock { ViewRays rays; };
 layout(scalar) uniform SunBlock { vec3 to_sun; };
 layout(scalar) uniform AtmosphereBlock {
     float turbidity, exposure, disc;
-    int samples, light_samples, paths;
+    int steps, light_steps, paths;
 } atmosphere;
 
 const float endless = 1e12;

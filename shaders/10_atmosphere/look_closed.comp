@@ -14,7 +14,7 @@ vec3 depth_between(float height, float slope, float other, float other_slope, bo
 }
 
 Along along(Path path, vec3 direction, ivec2 pixel, float distance) {
-    int samples = atmosphere.samples;
+    int samples = atmosphere.steps;
     float part = path.way / float(samples), r = air.radius + path.height;
     // Against the path where its end is the lower one.
     bool against = path.slope < 0.0 && height_at(path.height, path.slope, path.way) < path.height;

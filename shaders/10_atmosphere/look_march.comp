@@ -3,11 +3,11 @@
 #include "10_atmosphere/sun_marched.glsl"
 #include "10_atmosphere/in_scatter.glsl"
 
-int light_samples() { return atmosphere.light_samples; }
+int light_steps() { return atmosphere.light_steps; }
 bool light_steps_grow() { return false; }
 
 // [main]
-Along along(Path path, vec3 direction, ivec2 pixel, float distance) { return in_scatter(path, atmosphere.samples); }
+Along along(Path path, vec3 direction, ivec2 pixel, float distance) { return in_scatter(atmosphere.steps, path); }
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

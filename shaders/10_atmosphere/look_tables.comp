@@ -7,26 +7,34 @@
 
 uniform sampler2D air_sky;
 uniform sampler3D air_light, air_through;
-layout(scalar) uniform ReachBlock { vec3 reach; };  // the picture's size in pixels; how far the last slice is, 0: no volume
+layout(scalar) uniform ReachBlock { float reach_m; };  // how far the volume's last slice is; 0: there is none
 
 // [along]
+Along near_by(vec2 pixel, float distance) {
+    vec3 size = vec3(textureSize(air_light, 0)), at = vec3(pixel / vec2(imageSize(result)), sqrt(distance / reach_m));
+    at = (0.5 + at * (size - 1.0)) / size;
+    return Along(textureLod(air_light, at, 0.0).rgb, textureLod(air_through, at, 0.0).rgb);
+}
+
+Along sky(Path path) {
+    vec2 size = vec2(textureSize(air_sky, 0));
+    float sine = sqrt(max(1.0 - path.slope * path.slope, 0.0)), sun_sine = sqrt(max(1.0 - path.sun * path.sun, 0.0));
+    float cosine = (path.cos_angle - path.slope * path.sun) / max(sine * sun_sine, 1e-5);
+    vec2 at = sky_at(elevation_of(path.slope), acos(clamp(cosine, -1.0, 1.0)), path.height);
+    vec3 light = textureLod(air_sky, (0.5 + at * (size - 1.0)) / size, 0.0).rgb;
+    return Along(light, read_transmittance(path.height, path.slope));
+}
+
 Along along(Path path, vec3 direction, ivec2 pixel, float distance) {
-    bool in_air = reach.z > 0.0;
-    if (in_air && distance <= reach.z) {
-        vec3 size = vec3(textureSize(air_light, 0));
-        vec3 at = vec3((vec2(pixel) + 0.5) / reach.xy, sqrt(distance / reach.z));
-        at = (0.5 + at * (size - 1.0)) / size;
-        return Along(textureLod(air_light, at, 0.0).rgb, textureLod(air_through, at, 0.0).rgb);
+    Along result;
+    if (distance <= reach_m) {
+        result = near_by(vec2(pixel) + 0.5, distance);
+    } else if (reach_m > 0.0 && distance >= endless) {
+        result = sky(path);
+    } else {
+        result = in_scatter(atmosphere.steps, path);
     }
-    if (in_air && distance >= endless) {
-        vec2 size = vec2(textureSize(air_sky, 0));
-        float sine = sqrt(max(1.0 - path.slope * path.slope, 0.0)), sun_sine = sqrt(max(1.0 - path.sun * path.sun, 0.0));
-        float cosine = (path.cos_angle - path.slope * path.sun) / max(sine * sun_sine, 1e-5);
-        vec2 at = sky_at(elevation_of(path.slope), acos(clamp(cosine, -1.0, 1.0)), path.height);
-        vec3 light = textureLod(air_sky, (0.5 + at * (size - 1.0)) / size, 0.0).rgb;
-        return Along(light, read_transmittance(path.height, path.slope));
-    }
-    return in_scatter(path, atmosphere.samples);
+    return result;
 }
 // [/along]
 

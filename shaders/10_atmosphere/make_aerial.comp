@@ -25,7 +25,7 @@ void main() {
         float share = float(slice) / float(size.z - 1), to = share * share * reach.z;
         Path part = path_on(path, from);
         part.way = to - from;
-        Along more = in_scatter(part, 2);
+        Along more = in_scatter(2, part);
         all = Along(all.light + all.transmittance * more.light, all.transmittance * more.transmittance);
         from = to;
         imageStore(result, ivec3(texel, slice), vec4(min(all.light, 65504.0), 1.0));

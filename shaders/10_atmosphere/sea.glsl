@@ -6,18 +6,16 @@
 // of all of them together, `rest` what of it is left for roughness.
 vec2 wave_slope(vec2 at, float pixel_m, float steep, out float rest) {
     vec2 slope = vec2(0.0);
-    float length_m = 3.1, angle = 0.4, shown = 0.0;
-    const int waves = 7;
-    for (int i = 0; i < waves; ++i) {
-        float keep = smoothstep(2.0, 6.0, length_m / pixel_m);
+    float length_m = 2.3, angle = 0.4, shown = 0.0, all = 0.0;
+    for (int i = 0; i < 9; ++i) {
+        float keep = smoothstep(2.0, 8.0, length_m / pixel_m), share = 1.0 / sqrt(length_m);  // long waves are flatter
         vec2 along = vec2(cos(angle), sin(angle));
-        float phase = 6.2831853 * fract(dot(at, along) / length_m) + 1.7 * float(i);
-        slope += keep * cos(phase) * along;
-        shown += keep * keep;
-        length_m *= 1.83, angle += 2.1;
+        slope += keep * share * cos(6.2831853 * fract(dot(at, along) / length_m) + 1.7 * float(i)) * along;
+        shown += keep * keep * share * share, all += share * share;
+        length_m *= 1.6, angle += 2.39996;
     }
-    rest = steep * sqrt(1.0 - 0.8 * shown / float(waves));
-    return slope * steep * sqrt(1.6 / float(waves));
+    rest = steep * sqrt(1.0 - 0.8 * shown / all);
+    return slope * steep * sqrt(1.6 / all);
 }
 
 // R. Schlick's Fresnel (1994) of water; at grazing angles rough water shows the eye its near sides.
@@ -42,7 +40,7 @@ vec3 sea_light(Place place, vec3 up, vec3 tilted, vec3 direction, vec3 to_sun, f
     mirror = normalize(mirror + (max(0.0, 0.7 * steep - dot(mirror, up)) + 0.3 * steep) * up);
     Path path = Path(place.height, max(dot(mirror, up), 0.0), place.sun, dot(mirror, to_sun), 0.0);
     path.way = ray_sphere(path.height, path.slope, air.radius, air.top).y;
-    vec3 sky = in_scatter(path, 6).light;
+    vec3 sky = in_scatter(6, path).light;
     vec3 inside = albedo / 3.14159265 * (sunlight_on(place) * max(dot(up, to_sun), 0.0) + skylight_on(place));
     return glint + fresnel * sky + (1.0 - fresnel) * inside;
 }

@@ -6,9 +6,9 @@ BEGIN_SHARED
 
 // Made on the processor in double precision: far from the origin a matrix' inverse loses what tells two pixels apart.
 struct ViewRays {
-    vec3 eye;          // metres, world space
-    vec3 corner;       // through the picture's upper left corner; along the view its length is 1
-    vec3 right, down;  // to the next pixel
+    vec3 eye;                         // metres, world space
+    vec3 corner;                      // through the picture's upper left corner; along the view its length is 1
+    vec3 right, down;                 // to the next pixel
     float inverse_near, inverse_far;  // 1/m; inverse_far is 0 where the far plane is at infinity
 };
 

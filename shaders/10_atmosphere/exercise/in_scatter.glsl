@@ -14,6 +14,6 @@
 // the sun's light the phase function says what share goes along the path; of what comes from all sides, as much goes in each
 // direction as comes from it. What a part sends goes through all parts before it and through half of its own.
 // [/in_scatter]
-Along in_scatter(Path path, int samples) {
+Along in_scatter(int samples, Path path) {
     return Along(vec3(0.0), vec3(1.0));
 }

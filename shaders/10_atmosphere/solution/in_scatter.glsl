@@ -2,7 +2,7 @@
 #include "10_atmosphere/phase.glsl"
 #include "10_atmosphere/sunlight.glsl"
 
-Along in_scatter(Path path, int samples) {
+Along in_scatter(int samples, Path path) {
     float part = path.way / float(samples);
     vec3 molecules = air.rayleigh * phase_rayleigh(path.cos_angle), dust = air.mie * phase_dust(path.cos_angle, air.mie_g);
     vec3 depth = vec3(0.0), light = vec3(0.0);
