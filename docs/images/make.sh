@@ -131,3 +131,14 @@ for method in none preetham polynomial tables; do
     draw 10_atmosphere "sunset.$method" --shot sunset --method $method --size 480x270
 done
 join 10_methods 2x2 sunset.none sunset.preetham sunset.polynomial sunset.tables
+
+for erosion in 0 0.15 0.6; do
+    draw 11_fractals "worn.$erosion" --scene scenes/terrain_noon.json --size 400x225 --set terrain.erosion=$erosion \
+        --set terrain.snow_line_m=900
+done
+join 11_worn 3x1 worn.0 worn.0.15 worn.0.6
+
+for octaves in 3 6 9; do
+    draw 11_fractals "octaves.$octaves" --scene scenes/terrain_sunset.json --size 400x225 --set terrain.most_octaves=$octaves
+done
+join 11_octaves 3x1 octaves.3 octaves.6 octaves.9

@@ -1,0 +1,54 @@
+#include "11_fractals/environment.h"
+
+#include <glm/gtc/packing.hpp>
+
+#include "11_fractals/environment_data.h"
+
+namespace lightwalk {
+
+const Image& EnvironmentLight::picture_of(Frame& frame, const Scene& scene) {
+    if (scene.environment != made_of_) made_of_ = scene.environment, made_ = false;
+    if (made_of_) return *made_of_;
+    if (!even_ || even_radiance_ != scene.file.ambient) {
+        const std::vector<uint64_t> texels(64 * 32, glm::packHalf4x16(glm::vec4(scene.file.ambient, 1.0f)));
+        even_ = Image(frame.gpu.device, {.name = path() + " even", .size = {64, 32}});
+        frame.upload(path() + " even", even_, std::as_bytes(std::span(texels)));
+        even_radiance_ = scene.file.ambient;
+        made_ = false;
+    }
+    return even_;
+}
+
+void EnvironmentLight::record(Frame& frame, const Scene& scene) {
+    const bool given = static_cast<bool>(scene.environment);
+    scene_intensity_ = given ? scene.file.environment.intensity : 1.0f;
+    scene_turn_deg_ = given ? scene.file.environment.rotation_deg : 0.0f;
+    const Image& picture = picture_of(frame, scene);
+    if (made_) return;
+
+    // The level of at most 256 texels around. A lamp may be anywhere within a texel's 1.4°, and a cosine changes by at
+    // most 0.017 from the texel's middle to its corner.
+    int source_level = 0;
+    while (picture.desc.size.x >> source_level > 256) ++source_level;
+
+    const ImageView cube = radiance.as_array();
+    frame.compute("environment", {.reads = {picture}, .writes = {cube, irradiance.as_array()}}, [&](Compute& pass) {
+        pass.use(draw_).set("picture", picture);
+        for (uint32_t m = 0; m < cube.mips; ++m)
+            pass.set("level", cube.mip(m)).dispatch_threads(glm::uvec3(glm::uvec2(cube.mip(m).size()), 6));
+        pass.use(sum_).set("picture", picture).set("source_level", source_level);
+        pass.set("irradiance", irradiance.as_array()).dispatch_threads(glm::uvec3(irradiance.desc.size, 6));
+    });
+    made_ = true;
+}
+
+void EnvironmentLight::bind(Pass& pass) const {
+    const float turn = glm::radians(scene_turn_deg_ + turn_deg);
+    pass.offer("environment_cube", radiance, linear_clamp);
+    pass.offer("environment_irradiance_cube", irradiance, linear_clamp);
+    pass.offer(
+        "environment_scale",
+        EnvironmentScale{.cosine = std::cos(turn), .sine = std::sin(turn), .intensity = scene_intensity_ * intensity});
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,49 @@
+// A scene's environment picture as light: a cube of radiance for reflections and a cube of irradiance for diffuse
+// surfaces. Chapter 14 does it with a model of roughness; this is what chapters before it need.
+#pragma once
+#include "common/app/module.h"
+#include "common/app/target.h"
+#include "common/gpu/frame.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+// [environment]
+/// Gives shaders environment_radiance() and environment_irradiance() of 11_fractals/environment.glsl. In each frame
+/// record(), before the first pass that states it in `.with`:
+///
+///     environment.record(frame, scene);
+///     frame.raster("shade", {.color = {frame.hdr}, .depth = frame.depth, .with = {environment}}, ...);
+///
+/// A scene without a picture has its `ambient` as radiance from everywhere.
+struct EnvironmentLight : Module {
+    EnvironmentLight(Module& owner, std::string name) : Module(owner, std::move(name), "environment") {}
+
+    Knob<float> intensity{
+        *this, "intensity", 1.0f, {0.0f, 1e4f}, "multiplies the environment's radiance, besides the scene's own"};
+    Knob<float> turn_deg{
+        *this, "turn_deg", 0.0f, {-360.0f, 360.0f}, "turns the environment about +y, besides the scene's own", "°"};
+
+    /// Makes both cubes, where the scene has another picture than they were made of; else it records nothing.
+    void record(Frame& frame, const Scene& scene);
+    // [/environment]
+
+    std::vector<Resource> reads() const override { return {radiance, irradiance}; }
+    void bind(Pass& pass) const override;
+
+    /// Linear RGBA16F; the module's GLSL applies turn and intensity when they are read.
+    Target radiance{*this, {.name = "radiance", .size = {256, 256}, .mips = 0, .layers = 6, .cube = true}};
+    Target irradiance{*this, {.name = "irradiance", .size = {24, 24}, .layers = 6, .cube = true}};
+
+  private:
+    const Image& picture_of(Frame& frame, const Scene& scene);
+    Pipeline draw_ = compute({.shader = "11_fractals/environment_radiance.comp"});
+    Pipeline sum_ = compute({.shader = "11_fractals/environment_irradiance.comp"});
+    std::shared_ptr<Image> made_of_;  ///< kept, so that no other picture has its address
+    Image even_;                      ///< where there is no picture
+    glm::vec3 even_radiance_{-1.0f};
+    bool made_ = false;
+    float scene_intensity_ = 1, scene_turn_deg_ = 0;
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,26 @@
+// Light from all around: radiance along a direction, and irradiance of a surface. A pass that states the module
+// EnvironmentLight in `.with` has them.
+#include "11_fractals/environment_data.h"
+
+uniform samplerCube environment_cube;
+uniform samplerCube environment_irradiance_cube;
+layout(scalar) uniform EnvironmentScaleBlock { EnvironmentScale environment_scale; };
+
+// From world space to the picture's.
+vec3 environment_space(vec3 direction) {
+    vec2 xz = mat2(environment_scale.cosine, environment_scale.sine, -environment_scale.sine, environment_scale.cosine) *
+              direction.xz;
+    return vec3(xz.x, direction.y, xz.y);
+}
+
+// What comes from `direction` (world space, any length above 0), RGB; level 0 is sharp, each level more a mean over
+// texels twice as wide, which are 0.35° in level 0.
+vec3 environment_radiance(vec3 direction, float level) {
+    return environment_scale.intensity * textureLod(environment_cube, environment_space(direction), level).rgb;
+}
+
+// What arrives at a surface with that normal (world space), RGB: the integral of radiance times cosine over the
+// hemisphere. A Lambertian surface of albedo a sends out a / pi times this.
+vec3 environment_irradiance(vec3 normal) {
+    return environment_scale.intensity * textureLod(environment_irradiance_cube, environment_space(normal), 0.0).rgb;
+}

@@ -1,0 +1,29 @@
+// Irradiance: for each normal the sum over a small level of the picture, each texel with its exact solid angle and the
+// cosine at its middle.
+#include "11_fractals/environment_map.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+uniform sampler2D picture;
+layout(scalar) uniform SourceLevelBlock { int source_level; };
+layout(rgba16f) writeonly uniform image2DArray irradiance;
+
+void main() {
+    uvec3 texel = gl_GlobalInvocationID;
+    if (any(greaterThanEqual(ivec2(texel.xy), imageSize(irradiance).xy))) return;
+    const float pi = 3.14159265358979;
+    vec3 normal = cube_direction(texel, float(imageSize(irradiance).x)), sum = vec3(0.0);
+    ivec2 size = textureSize(picture, source_level);
+    float wide = 2.0 * pi / float(size.x), high = pi / float(size.y);
+    for (int row = 0; row < size.y; ++row) {
+        float theta = (float(row) + 0.5) * high;
+        float solid_angle = wide * (cos(float(row) * high) - cos(float(row + 1) * high));
+        for (int column = 0; column < size.x; ++column) {
+            float phi = (float(column) + 0.5) * wide - pi;
+            vec3 to_light = vec3(sin(phi) * sin(theta), cos(theta), -cos(phi) * sin(theta));
+            sum += texelFetch(picture, ivec2(column, row), source_level).rgb *
+                   (solid_angle * max(dot(normal, to_light), 0.0));
+        }
+    }
+    imageStore(irradiance, ivec3(texel), vec4(min(sum, 65504.0), 1.0));
+}
