@@ -1,0 +1,25 @@
+// For 13.propagate_distance: what is known so far along one direction.
+#include "13_mlaa/distance_bits.glsl"
+
+#ifdef KNOWN_DISTANCES
+// For checks: a line of 32 pixels, told by what counts as its start.
+layout(scalar) readonly buffer CheckBuffer { uint check_distances[]; };
+uint check_start, check_reads;
+uint known(uint steps) {
+    ++check_reads;
+    uint at = check_start + steps;
+    return at < uint(check_distances.length()) ? check_distances[at] : 0u;
+}
+#else
+uniform usampler2D from;
+ivec2 known_from, known_direction;
+uint known_shift;
+
+// How far the edge goes on from the pixel that lies so many steps ahead, as far as was found by now; that pixel counted. 0
+// where it has no edge, and outside of the picture.
+uint known(uint steps) {
+    ivec2 pixel = known_from + int(steps) * known_direction;
+    bool inside = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(from, 0)));
+    return inside ? byte_of(texelFetch(from, pixel, 0).x, known_shift) : 0u;
+}
+#endif
