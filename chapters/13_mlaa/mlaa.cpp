@@ -20,7 +20,7 @@ constexpr glm::ivec2 diagonal[4] = {{-1, -1}, {1, 1}, {1, -1}, {-1, 1}};
 
 int Mlaa::passes() const {
     int passes = 0;
-    for (int found = 1; found < reach; found *= reads.is("two") ? 2 : 4) ++passes;
+    for (int steps = 1; steps < reach - 1; steps *= reads.is("two") ? 2 : 4) ++passes;
     return passes;
 }
 
@@ -52,15 +52,15 @@ void Mlaa::prepare(Frame& frame, glm::uvec2 size) {
 }
 
 // [propagate]
-// Distances in pair[0] become as long as `reach`: from one image into the other and back, as often as that takes.
-// Returns which of the two has them then.
-size_t Mlaa::propagate(Compute& pass, const Image (&pair)[2], const glm::ivec2 (&directions)[4]) const {
+// Distances become as long as `reach`: from one image into the other and back, as often as that takes. Returns the one
+// that has them then.
+const Image* Mlaa::propagate(Compute& pass, const Image* from, const Image* into,
+                             const glm::ivec2 (&directions)[4]) const {
     Step step{.directions = {}, .reads = reads.is("two") ? 2 : 4, .reach = reach};
     std::copy(std::begin(directions), std::end(directions), step.directions);
-    size_t from = 0;
-    for (int i = 0; i < passes(); ++i, from = 1 - from) {
+    for (int i = 0; i < passes(); ++i, std::swap(from, into)) {
         pass.use(propagate_).set("listed", list_).set("work", work_).set("pass_step", step);
-        pass.set("from", pair[from], nearest_clamp).set("into", pair[1 - from]).dispatch_indirect(work_).wait();
+        pass.set("from", *from, nearest_clamp).set("into", *into).dispatch_indirect(work_).wait();
     }
     return from;
 }
@@ -98,22 +98,22 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
         if (shapes) {
             pass.use(diagonal_seeds_).set("distances", distances_[0], nearest_clamp).set("into", diagonals_[0]);
             pass.set("listed", list_).set("work", work_).dispatch_indirect(work_).wait();
-            current_diagonals_ = propagate(pass, diagonals_, diagonal);
+            staircases_ = propagate(pass, &diagonals_[0], &diagonals_[1], diagonal);
         }
-        current_ = propagate(pass, distances_, straight);
+        pass.use(links_).set("distances", distances_[0], nearest_clamp).set("into", distances_[1]);
+        pass.set("listed", list_).set("work", work_).dispatch_indirect(work_).wait();
+        lengths_ = propagate(pass, &distances_[1], &distances_[0], straight);
     });
 
     // 3. Shares, mixed light, and that into the picture.
     access = {.reads = {work_, list_, mixed_, picture, areas_, crossings_, distances()},
               .writes = {work_, mixed_, picture},
               .with = {*this}};
-    if (shapes) access.reads.push_back(diagonals_[current_diagonals_]);
+    if (shapes) access.reads.push_back(*staircases_);
     frame.compute("mlaa mix", access, [&](Compute& pass) {
         pass.use(shapes ? mix_shapes_ : mix_).set("picture", picture, nearest_clamp);
         pass.set("distances", distances(), nearest_clamp).set("areas", areas_, nearest_clamp);
-        if (shapes)
-            pass.set("diagonals", diagonals_[current_diagonals_], nearest_clamp)
-                .set("crossings", crossings_, nearest_clamp);
+        if (shapes) pass.set("diagonals", *staircases_, nearest_clamp).set("crossings", crossings_, nearest_clamp);
         pass.set("listed", list_).set("mixed", mixed_).set("work", work_).dispatch_indirect(work_).wait();
         put(pass, picture);
     });

@@ -23,10 +23,10 @@ struct Mlaa : Module {
                   {"none", "fxaa_like", "mlaa", "smaa_like", "msaa_4x", "supersample_4"},
                   "mlaa",
                   "how edges are made smooth: after the picture is drawn, or by four samples a pixel"};
-    Knob<int> reach{*this, "reach", 255, {1, 255}, "how far an edge is followed to each side of a pixel", "px"};
+    Knob<int> reach{*this, "reach", 255, {2, 255}, "how far an edge is followed to each side of a pixel", "px"};
     Choice reads{*this, "reads", {"two", "four"}, "four", "numbers that a pass adds: distances double, or quadruple"};
     Knob<float> threshold{
-        *this, "threshold", 8.0f, {0.0f, 100.0f}, "neighbours differ by more than this in CIELAB where an edge is"};
+        *this, "threshold", 12.0f, {0.0f, 100.0f}, "neighbours differ by more than this in CIELAB where an edge is"};
     Knob<int> search{*this, "search", 16, {1, 255}, "of fxaa_like: how far it looks for the ends of an edge", "px"};
 
     void record(Frame& frame, const Image& picture);
@@ -34,11 +34,11 @@ struct Mlaa : Module {
     bool is_filter() const { return method.is("fxaa_like") || follows_edges(); }
     bool follows_edges() const { return method.is("mlaa") || method.is("smaa_like"); }
 
-    /// Passes over the list until edges are followed as far as `reach`.
+    /// Passes over the list until lines are followed as far as `reach`, after the one that links neighbours.
     int passes() const;
 
     /// Of the frame recorded last, for whoever looks: r32ui, four bytes (13_mlaa/distance_bits.glsl).
-    const Image& distances() const { return distances_[current_]; }
+    const Image& distances() const { return *lengths_; }
 
     /// How many pixels were looked at as lying beside an edge, and how many of them were mixed, in the frame that ended
     /// last of those recorded after a count was wanted.
@@ -52,11 +52,12 @@ struct Mlaa : Module {
     void prepare(Frame& frame, glm::uvec2 size);
     void follow_edges(Frame& frame, const Image& picture);
     void search_by_luma(Frame& frame, const Image& picture);
-    size_t propagate(Compute& pass, const Image (&pair)[2], const glm::ivec2 (&directions)[4]) const;
+    const Image* propagate(Compute& pass, const Image* from, const Image* into,
+                           const glm::ivec2 (&directions)[4]) const;
     void put(Compute& pass, const Image& picture) const;
 
     Image distances_[2], diagonals_[2];
-    size_t current_ = 0, current_diagonals_ = 0;
+    const Image *lengths_ = nullptr, *staircases_ = nullptr;  ///< of those, as the last frame left them
     Image areas_, crossings_;
     unsigned toggles_ = ~0u;  ///< that the tables were made for
     Image mixed_;
@@ -66,6 +67,7 @@ struct Mlaa : Module {
     Pipeline edges_ = compute({.shader = "13_mlaa/edges.comp"});
     Pipeline edges_and_diagonals_ = compute({.shader = "13_mlaa/edges.comp", .macros = {{"DIAGONALS", "1"}}});
     Pipeline diagonal_seeds_ = compute({.shader = "13_mlaa/diagonal_seeds.comp"});
+    Pipeline links_ = compute({.shader = "13_mlaa/links.comp"});
     Pipeline propagate_ = compute({.shader = "13_mlaa/propagate.comp"});
     Pipeline mix_ = compute({.shader = "13_mlaa/mix.comp"});
     Pipeline mix_shapes_ = compute({.shader = "13_mlaa/mix_shapes.comp", .macros = {{"CROSSINGS", "1"}}});

@@ -2,5 +2,3 @@
 // ("falling") or on the left ("rising"). For how many steps the staircase goes on, in the bytes of a word: falling back (up
 // and left) and ahead (down and right), rising back (up and right) and ahead (down and left).
 const uint back_falling = 0u, ahead_falling = 8u, back_rising = 16u, ahead_rising = 24u;
-const uint seed_of_falling = 1u << back_falling | 1u << ahead_falling;
-const uint seed_of_rising = 1u << back_rising | 1u << ahead_rising;

@@ -15,11 +15,10 @@ uniform usampler2D from;
 ivec2 known_from, known_direction;
 uint known_shift;
 
-// How far the edge goes on from the pixel that lies so many steps ahead, as far as was found by now; that pixel counted. 0
-// where it has no edge, and outside of the picture.
+// For how many pixels the line goes on beyond the one that lies so many steps ahead, as far as was found by now.
 uint known(uint steps) {
     ivec2 pixel = known_from + int(steps) * known_direction;
     bool inside = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(from, 0)));
-    return inside ? byte_of(texelFetch(from, pixel, 0).x, known_shift) : 0u;
+    return inside ? max(byte_of(texelFetch(from, pixel, 0).x, known_shift), 1u) - 1u : 0u;
 }
 #endif

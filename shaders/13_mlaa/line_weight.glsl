@@ -21,11 +21,11 @@ float line_weight(ivec2 near, bool horizontal, int side) {
 #ifdef CROSSINGS
 uniform sampler2D crossings;  // by what stands across at an end and at the other: to which side the outline turns there
 
-// What stands across the line at an end: 0 nothing, 1 an edge on the near side, 2 on the far side, 3 both.
+// What stands across the line at an end: 0 nothing that it turns to, 1 an edge on the near side, 2 on the far side, 3 both.
 int across_at(ivec2 before, ivec2 beyond, ivec2 across, bool horizontal) {
-    if (horizontal ? edge_below(beyond) : edge_right(beyond)) return 0;
     bool near = horizontal ? edge_right(before) : edge_below(before);
     bool far = horizontal ? edge_right(before + across) : edge_below(before + across);
+    if ((horizontal ? edge_below(beyond) : edge_right(beyond)) && !(near && far)) return 0;
     return int(near) + 2 * int(far);
 }
 

@@ -18,7 +18,7 @@ void main() {
         for (uint d = 0u; d < 4u; ++d) {
             known_shift = 8u * d;
             known_direction = pass_step.directions[d];
-            if (byte_of(own, known_shift) > 0u) longer |= propagate_distance(pass_step.reads, uint(pass_step.reach)) << known_shift;
+            if (byte_of(own, known_shift) > 0u) longer |= 1u + propagate_distance(pass_step.reads, uint(pass_step.reach) - 1u) << known_shift;
         }
         imageStore(into, known_from, uvec4(longer));
     }

@@ -34,8 +34,8 @@ uint32_t counted(const std::function<float(int, int)>& light, int x, int y, bool
 
 TEST_CASE_METHOD(OnMlaa, "distances are those that counting gives, for every reach and number of reads") {
     const glm::ivec2 size(300, 24);
-    for (const auto& [reach, reads] : {std::pair{1, "two"},
-                                       {2, "two"},
+    for (const auto& [reach, reads] : {std::pair{2, "two"},
+                                       {3, "two"},
                                        {7, "two"},
                                        {64, "two"},
                                        {255, "two"},
@@ -67,17 +67,17 @@ TEST_CASE_METHOD(OnMlaa, "distances are those that counting gives, for every rea
         }
 }
 
-TEST_CASE("passes: two reads reach 2^k in k, four reads 255 in four") {
+TEST_CASE("passes: two reads reach 2^k beyond the pixel in k, four reads 255 in four") {
     struct : Module {
     } owner;
     Mlaa antialias{owner, "mlaa"};
     antialias.reads.set("two");
-    for (const auto& [reach, passes] : {std::pair{1, 0}, {2, 1}, {3, 2}, {64, 6}, {65, 7}, {255, 8}}) {
+    for (const auto& [reach, passes] : {std::pair{2, 0}, {3, 1}, {5, 2}, {65, 6}, {66, 7}, {255, 8}}) {
         antialias.reach.value = reach;
         CHECK(antialias.passes() == passes);
     }
     antialias.reads.set("four");
-    for (const auto& [reach, passes] : {std::pair{1, 0}, {4, 1}, {5, 2}, {64, 3}, {255, 4}}) {
+    for (const auto& [reach, passes] : {std::pair{2, 0}, {5, 1}, {6, 2}, {65, 3}, {255, 4}}) {
         antialias.reach.value = reach;
         CHECK(antialias.passes() == passes);
     }
@@ -93,13 +93,13 @@ TEST_CASE_METHOD(OnMlaa, "two reads and four give one picture to the bit, and a 
         const auto four = after();
         antialias.reads.set("two");
         filter(method, {96, 64}, light);
-        CHECK(after() == four);
+        CHECK((after() == four));
         antialias.reach.value = 96;
         filter(method, {96, 64}, light);
-        CHECK(after() == four);
+        CHECK((after() == four));
         antialias.reach.value = 6;
         filter(method, {96, 64}, light);
-        CHECK(after() != four);
+        CHECK((after() != four));
     }
 }
 
