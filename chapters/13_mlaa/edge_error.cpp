@@ -34,9 +34,9 @@ void EdgeError::measure(Chapter& chapter, Mlaa& antialias, Gpu& gpu, glm::uvec2 
         render(chapter, frame, {size, 0.0f, 0, {}});
         return read_linear(gpu, frame.linear());
     };
-    antialias.wants_counts = true;
+    antialias.count.value = true;
     const ImageRgb found = draw(1);
-    antialias.wants_counts = false;
+    antialias.count.value = false;
     const double pixels = double(size.x) * size.y;
     error["mixed"] = antialias.is_filter() ? antialias.counts().changed / pixels : 0;
 

@@ -24,7 +24,11 @@ struct MlaaChapter : ModelChapter {
     Choice clip{*this, "clip", {"before", "after"}, "before", "when what a screen cannot show is cut off: pixels mix"};
     Choice show{*this, "show", {"picture", "edges", "lengths"}, "picture", "or the edges that were found in it"};
 
-    const SurfacePasses passes;
+    const SurfacePipelines depth{{.fragment = "04_surface_maps/depth.frag"}};
+    Pipeline caster = graphics({.vertex = "04_surface_maps/surface.vert",
+                                .fragment = "04_surface_maps/depth.frag",
+                                .cull = VK_CULL_MODE_NONE,
+                                .depth_clamp = true});
     const SurfacePipelines surface{{.fragment = "13_mlaa/surface.frag"}};
     Pipeline look = compute({.shader = "13_mlaa/look.comp"});
     FourSamples four_samples{*this};
@@ -53,7 +57,7 @@ struct MlaaChapter : ModelChapter {
         return {{maps}, [this](Raster& pass, const DrawList& all) {
                     const auto has_holes = [this](const DrawItem& item) { return maps.has_holes(item); };
                     pass.use(shadow.solid).draw(all.where(std::not_fn(has_holes)));
-                    maps.draw(pass, scene, all.where(has_holes), passes.caster, passes.caster);
+                    maps.draw(pass, scene, all.where(has_holes), caster, caster);
                 }};
     }
 
@@ -64,7 +68,7 @@ struct MlaaChapter : ModelChapter {
         const auto draw = [&](const SurfacePipelines& by) {
             return [&](Raster& pass) { maps.draw(pass, scene, by.loaded, by.displaced); };
         };
-        if (lights.needs_depth()) frame.raster("depth", {.depth = frame.depth, .with = {maps}}, draw(passes.depth));
+        if (lights.needs_depth()) frame.raster("depth", {.depth = frame.depth, .with = {maps}}, draw(depth));
         lights.record(frame, scene, camera);
         const glm::vec4 background(scene.file.background, 1.0f);
         RasterTargets targets = antialias.method.is("msaa_4x")
@@ -106,6 +110,7 @@ struct MlaaChapter : ModelChapter {
     // [/frame]
 
     std::vector<std::string> status() const override {
+        if (!antialias.count) return {};
         const Mlaa::Counts counts = antialias.counts();
         return {fmt::format("{} pixels beside an edge, {} mixed", counts.listed, counts.changed)};
     }

@@ -71,7 +71,7 @@ void Mlaa::record(Frame& frame, const Image& picture) {
     if (!is_filter()) return;
     prepare(frame, picture.desc.size);
     follows_edges() ? follow_edges(frame, picture) : search_by_luma(frame, picture);
-    if (wants_counts) frame.read_back(work_, counted_);
+    if (count) frame.read_back(work_, counted_);
 }
 
 void Mlaa::follow_edges(Frame& frame, const Image& picture) {

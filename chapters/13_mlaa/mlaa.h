@@ -29,6 +29,8 @@ struct Mlaa : Module {
         *this, "threshold", 12.0f, {0.0f, 100.0f}, "neighbours differ by more than this in CIELAB where an edge is"};
     Knob<int> search{*this, "search", 16, {1, 255}, "of fxaa_like: how far it looks for the ends of an edge", "px"};
 
+    Knob<bool> count{*this, "count", false, "how many pixels lie beside an edge, and are mixed, is read back"};
+
     void record(Frame& frame, const Image& picture);
 
     bool is_filter() const { return method.is("fxaa_like") || follows_edges(); }
@@ -41,12 +43,11 @@ struct Mlaa : Module {
     const Image& distances() const { return *lengths_; }
 
     /// How many pixels were looked at as lying beside an edge, and how many of them were mixed, in the frame that ended
-    /// last of those recorded after a count was wanted.
+    /// last of those recorded with `count` on.
     struct Counts {
         uint32_t listed = 0, changed = 0;
     };
     Counts counts() const;
-    bool wants_counts = false;  ///< record() then reads them back
 
   private:
     void prepare(Frame& frame, glm::uvec2 size);

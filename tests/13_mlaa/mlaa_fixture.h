@@ -21,7 +21,7 @@ struct OnMlaa {
     Image picture;
     std::vector<uint64_t> before;  ///< its texels
 
-    OnMlaa() { antialias.wants_counts = true; }
+    OnMlaa() { antialias.count.value = true; }
     ~OnMlaa() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
     /// Records the filter on a picture of light(x, y), which is a number or a vec3.
