@@ -114,3 +114,10 @@ for method in separable three_pass_7tap dual_kawase pyramid; do
         --method $method --size 160x160 --samples 1
 done
 join 08_spots 4x1 spot.separable spot.three_pass_7tap spot.dual_kawase spot.pyramid
+
+for method in none mlaa; do
+    draw 13_mlaa "wires.$method" --shot city --method $method --samples 1
+done
+draw 13_mlaa wires.truth --shot city --method none --samples 64
+mogrify -crop 100x70+340+150 +repage -filter point -resize 400% "$work/wires.none.png" "$work/wires.mlaa.png" "$work/wires.truth.png"
+join 13_wires 3x1 wires.none wires.mlaa wires.truth
