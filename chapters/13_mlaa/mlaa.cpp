@@ -94,15 +94,22 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
     access.writes = {distances_[0], distances_[1]};
     if (shapes)
         for (const Image& image : diagonals_) access.reads.push_back(image), access.writes.push_back(image);
+    access.reads.push_back(picture);
     frame.compute("mlaa distances", access, [&](Compute& pass) {
-        if (shapes) {
-            pass.use(diagonal_seeds_).set("distances", distances_[0], nearest_clamp).set("into", diagonals_[0]);
+        const auto over_list = [&](const Pipeline& pipeline, const Image& from, const Image& into) {
+            pass.use(pipeline).set("distances", from, nearest_clamp).set("into", into);
+            if (pass.wants("picture")) pass.set("picture", picture, nearest_clamp);
             pass.set("listed", list_).set("work", work_).dispatch_indirect(work_).wait();
+        };
+        const Image *edges = &distances_[0], *other = &distances_[1];
+        if (shapes) {
+            over_list(strong_edges_, *edges, *other);
+            std::swap(edges, other);
+            over_list(diagonal_seeds_, *edges, diagonals_[0]);
             staircases_ = propagate(pass, &diagonals_[0], &diagonals_[1], diagonal);
         }
-        pass.use(links_).set("distances", distances_[0], nearest_clamp).set("into", distances_[1]);
-        pass.set("listed", list_).set("work", work_).dispatch_indirect(work_).wait();
-        lengths_ = propagate(pass, &distances_[1], &distances_[0], straight);
+        over_list(links_, *edges, *other);
+        lengths_ = propagate(pass, other, edges, straight);
     });
 
     // 3. Shares, mixed light, and that into the picture.

@@ -67,6 +67,7 @@ struct Mlaa : Module {
     Pipeline begin_ = compute({.shader = "13_mlaa/begin.comp"});
     Pipeline edges_ = compute({.shader = "13_mlaa/edges.comp"});
     Pipeline edges_and_diagonals_ = compute({.shader = "13_mlaa/edges.comp", .macros = {{"DIAGONALS", "1"}}});
+    Pipeline strong_edges_ = compute({.shader = "13_mlaa/strong_edges.comp"});
     Pipeline diagonal_seeds_ = compute({.shader = "13_mlaa/diagonal_seeds.comp"});
     Pipeline links_ = compute({.shader = "13_mlaa/links.comp"});
     Pipeline propagate_ = compute({.shader = "13_mlaa/propagate.comp"});

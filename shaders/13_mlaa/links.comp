@@ -29,6 +29,6 @@ void main() {
         uint word = 0u;
         if (edge_below(pixel)) word |= linked(pixel, true) << back_below;
         if (edge_right(pixel)) word |= linked(pixel, false) << back_right;
-        if (word != 0u) imageStore(into, pixel, uvec4(word));
+        imageStore(into, pixel, uvec4(word));  // 0, too: there may have been one that is hidden
     }
 }

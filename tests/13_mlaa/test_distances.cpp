@@ -131,3 +131,32 @@ TEST_CASE_METHOD(OnMlaa, "runs longer than the reach: the worst share is wrong b
             if (reach >= run) CHECK(by_hand == 0);
         }
 }
+
+TEST_CASE_METHOD(OnMlaa, "smaa_like drops an edge less than half as strong as one beside it, and keeps it elsewhere") {
+    const auto light = [](int x, int y) {  // black, white, grey; and without the black below
+        return x < 10 && y < 16 ? 0.0f : x < 12 ? 0.8f : 0.5f;
+    };
+    for (const bool upright : {true, false}) {
+        const auto turned = [&](int x, int y) { return upright ? light(x, y) : light(y, x); };
+        std::map<std::string, std::vector<uint32_t>> words;
+        for (const std::string method : {"mlaa", "smaa_like"}) {
+            filter(method, {32, 32}, turned);
+            words[method] = OnDevice::numbers<uint32_t>(gpu.read_back(antialias.distances()));
+        }
+        const auto has = [&](const std::string& method, int x, int y) {
+            const uint32_t word = words[method][size_t(upright ? y * 32 + x : x * 32 + y)];
+            return (upright ? word >> 16 : word & 0xffff) != 0;
+        };
+        for (const int y : {3, 25}) CHECK(has("mlaa", 11, y));
+        CHECK(has("smaa_like", 9, 3));    // the strong one
+        CHECK(has("smaa_like", 11, 25));  // alone
+        CHECK(has("smaa_like", 11, 3));   // two pixels away from the strong one
+    }
+    const auto close = [&](int x, int) { return x < 10 ? 0.0f : x < 11 ? 0.8f : 0.5f; };
+    for (const auto& [method, seen] : {std::pair{"mlaa", true}, {"smaa_like", false}}) {
+        filter(method, {32, 8}, close);
+        const auto words = OnDevice::numbers<uint32_t>(gpu.read_back(antialias.distances()));
+        CHECK((words[4 * 32 + 9] >> 16) != 0);
+        CHECK(((words[4 * 32 + 10] >> 16) != 0) == seen);
+    }
+}
