@@ -142,3 +142,10 @@ for octaves in 3 6 9; do
     draw 11_fractals "octaves.$octaves" --scene scenes/terrain_sunset.json --size 400x225 --set terrain.most_octaves=$octaves
 done
 join 11_octaves 3x1 octaves.3 octaves.6 octaves.9
+
+for method in none mlaa; do
+    draw 13_mlaa "wires.$method" --shot city --method $method --samples 1
+done
+draw 13_mlaa wires.truth --shot city --method none --samples 64
+mogrify -crop 100x70+340+150 +repage -filter point -resize 400% "$work/wires.none.png" "$work/wires.mlaa.png" "$work/wires.truth.png"
+join 13_wires 3x1 wires.none wires.mlaa wires.truth

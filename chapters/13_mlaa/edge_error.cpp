@@ -1,0 +1,53 @@
+#include "13_mlaa/edge_error.h"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "common/app/read_picture.h"
+#include "common/app/render.h"
+
+namespace lightwalk {
+
+EdgePixels compare_edges(const ImageRgb& found, const ImageRgb& one_sample, const ImageRgb& truth) {
+    EdgePixels result;
+    double count = 0, square = 0;
+    for (size_t i = 0; i < truth.pixels.size(); ++i) {
+        const glm::vec3 moved = glm::abs(truth.pixels[i] - one_sample.pixels[i]);
+        const glm::dvec3 off = glm::dvec3(found.pixels[i]) - glm::dvec3(truth.pixels[i]);
+        if (glm::max(glm::max(moved.r, moved.g), moved.b) > 1.0f / 64)
+            ++count, square += glm::dot(off, off) / 3;
+        else
+            for (int c = 0; c < 3; ++c)
+                result.off_edges =
+                    std::max(result.off_edges, 255 * double(std::abs(found.pixels[i][c] - one_sample.pixels[i][c])));
+    }
+    result.rmse = count > 0 ? std::sqrt(square / count) : 0;
+    result.share = count / double(truth.pixels.size());
+    return result;
+}
+
+void EdgeError::measure(Chapter& chapter, Mlaa& antialias, Gpu& gpu, glm::uvec2 size, nlohmann::json& error) {
+    const auto draw = [&](int samples) {
+        chapter.samples.value = samples;
+        Frame frame(gpu);
+        render(chapter, frame, {size, 0.0f, 0, {}});
+        return read_linear(gpu, frame.linear());
+    };
+    antialias.count.value = true;
+    const ImageRgb found = draw(1);
+    antialias.count.value = false;
+    const double pixels = double(size.x) * size.y;
+    error["mixed"] = antialias.is_filter() ? antialias.counts().changed / pixels : 0;
+
+    antialias.method.set("none");
+    std::string key = fmt::format("{}x{}", size.x, size.y);
+    for (const KnobBase* knob : chapter.all_knobs())
+        if (&knob->owner != &antialias && knob != &chapter.samples) key += " " + knob->path() + "=" + knob->text();
+    key += fmt::format(" {}", chapter.scene.placed);
+    Pair& pair = known_[key];
+    if (pair.truth.pixels.empty()) pair = {draw(1), draw(64)};
+    error["edge_rmse"] = compare_edges(found, pair.one_sample, pair.truth).rmse;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,33 @@
+// How wrong a picture is where outlines run.
+#pragma once
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+
+#include "13_mlaa/mlaa.h"
+#include "common/app/chapter.h"
+#include "common/image/image.h"
+
+namespace lightwalk {
+
+/// Over the pixels that 64 samples make another than one in their middle does, by more than 1/64 of white in a channel:
+/// the root of the mean squared difference from 64 samples, linear light; and over all others the largest step of 1/255
+/// by which the picture is another than with one sample.
+struct EdgePixels {
+    double rmse = 0, share = 0, off_edges = 0;
+};
+EdgePixels compare_edges(const ImageRgb& found, const ImageRgb& one_sample, const ImageRgb& truth);
+
+class EdgeError {
+  public:
+    /// Adds edge_rmse and mixed (the share of pixels that the filter mixed) to `error`, for what the chapter's knobs
+    /// say. Sets its method and samples, and leaves it to the caller to put them back.
+    void measure(Chapter& chapter, Mlaa& antialias, Gpu& gpu, glm::uvec2 size, nlohmann::json& error);
+
+  private:
+    struct Pair {
+        ImageRgb one_sample, truth;
+    };
+    std::map<std::string, Pair> known_;  ///< by what they depend on
+};
+
+}  // namespace lightwalk

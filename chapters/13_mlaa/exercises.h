@@ -1,0 +1,12 @@
+// The C++ exercise of this chapter. Its name calls the student's version or the reference, as the toggle says.
+#pragma once
+#include <vector>
+
+#include "common/base/exercise.h"
+
+namespace lightwalk {
+
+/// exercise/area.cpp says what it must do.
+EXERCISE("13.area", float, area, int position, int length);
+
+}  // namespace lightwalk

@@ -1,0 +1,80 @@
+// Edges made smooth after a picture is drawn, as a module for any picture in linear light.
+#pragma once
+#include "common/app/module.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+// [mlaa]
+/// In a frame, where the picture is drawn and light above what a screen shows is cut off:
+///
+///     antialias.record(frame, frame.hdr);
+///
+/// mixes pixels of the RGBA16F image, of any size up to 65535 a side, with their neighbours along its edges, in linear
+/// light. What lies beside no edge stays as it is, to the bit; a pixel that is mixed has no NaN, and alpha stays. The
+/// methods from msaa_4x on are about how a picture is drawn: record() then does nothing (see drawing.h). Once per frame
+/// and module.
+struct Mlaa : Module {
+    Mlaa(Module& owner, std::string name) : Module(owner, std::move(name), "mlaa") {}
+    // [/mlaa]
+
+    Choice method{*this,
+                  "method",
+                  {"none", "fxaa_like", "mlaa", "smaa_like", "msaa_4x", "supersample_4"},
+                  "mlaa",
+                  "how edges are made smooth: after the picture is drawn, or by four samples a pixel"};
+    Knob<int> reach{*this, "reach", 255, {2, 255}, "how far an edge is followed to each side of a pixel", "px"};
+    Choice reads{*this, "reads", {"two", "four"}, "four", "numbers that a pass adds: distances double, or quadruple"};
+    Knob<float> threshold{
+        *this, "threshold", 12.0f, {0.0f, 100.0f}, "neighbours differ by more than this in CIELAB where an edge is"};
+    Knob<int> search{*this, "search", 16, {1, 255}, "of fxaa_like: how far it looks for the ends of an edge", "px"};
+
+    Knob<bool> count{*this, "count", false, "how many pixels lie beside an edge, and are mixed, is read back"};
+
+    void record(Frame& frame, const Image& picture);
+
+    bool is_filter() const { return method.is("fxaa_like") || follows_edges(); }
+    bool follows_edges() const { return method.is("mlaa") || method.is("smaa_like"); }
+
+    /// Passes over the list until lines are followed as far as `reach`, after the one that links neighbours.
+    int passes() const;
+
+    /// Of the frame recorded last, for whoever looks: r32ui, four bytes (13_mlaa/distance_bits.glsl).
+    const Image& distances() const { return *lengths_; }
+
+    /// How many pixels were looked at as lying beside an edge, and how many of them were mixed, in the frame that ended
+    /// last of those recorded with `count` on.
+    struct Counts {
+        uint32_t listed = 0, changed = 0;
+    };
+    Counts counts() const;
+
+  private:
+    void prepare(Frame& frame, glm::uvec2 size);
+    void follow_edges(Frame& frame, const Image& picture);
+    void search_by_luma(Frame& frame, const Image& picture);
+    const Image* propagate(Compute& pass, const Image* from, const Image* into,
+                           const glm::ivec2 (&directions)[4]) const;
+    void put(Compute& pass, const Image& picture) const;
+
+    Image distances_[2], diagonals_[2];
+    const Image *lengths_ = nullptr, *staircases_ = nullptr;  ///< of those, as the last frame left them
+    Image areas_, crossings_;
+    unsigned toggles_ = ~0u;  ///< that the tables were made for
+    Image mixed_;
+    Buffer work_, list_;
+    ReadBack counted_;
+    Pipeline begin_ = compute({.shader = "13_mlaa/begin.comp"});
+    Pipeline edges_ = compute({.shader = "13_mlaa/edges.comp"});
+    Pipeline edges_and_diagonals_ = compute({.shader = "13_mlaa/edges.comp", .macros = {{"DIAGONALS", "1"}}});
+    Pipeline strong_edges_ = compute({.shader = "13_mlaa/strong_edges.comp"});
+    Pipeline diagonal_seeds_ = compute({.shader = "13_mlaa/diagonal_seeds.comp"});
+    Pipeline links_ = compute({.shader = "13_mlaa/links.comp"});
+    Pipeline propagate_ = compute({.shader = "13_mlaa/propagate.comp"});
+    Pipeline mix_ = compute({.shader = "13_mlaa/mix.comp"});
+    Pipeline mix_shapes_ = compute({.shader = "13_mlaa/mix_shapes.comp", .macros = {{"CROSSINGS", "1"}}});
+    Pipeline fxaa_ = compute({.shader = "13_mlaa/fxaa.comp"});
+    Pipeline put_ = compute({.shader = "13_mlaa/put.comp"});
+};
+
+}  // namespace lightwalk

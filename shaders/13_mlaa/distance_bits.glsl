@@ -1,0 +1,6 @@
+// What a pixel holds of the edges below it and on its right: for how many pixels the line of edges below goes on to the left and
+// to the right, and that on the right up and down, the pixel itself counted: four bytes, 0 where there is no such edge.
+const uint back_below = 0u, ahead_below = 8u, back_right = 16u, ahead_right = 24u;
+const uint seed_of_below = 1u << back_below | 1u << ahead_below;
+const uint seed_of_right = 1u << back_right | 1u << ahead_right;
+uint byte_of(uint word, uint shift) { return word >> shift & 255u; }

@@ -1,0 +1,23 @@
+// For 13.propagate_distance: what is known so far along one direction.
+#include "13_mlaa/distance_bits.glsl"
+
+#ifdef KNOWN_DISTANCES
+// For checks: what is known along a line of 16 pixels. Whoever asks too often is told nonsense.
+const uint check_distances[] = uint[](KNOWN_DISTANCES);
+uint check_asked = 0u;
+uint known(uint steps) {
+    if (++check_asked > MOST_READS) return 99u;
+    return steps < 16u ? check_distances[steps] : 0u;
+}
+#else
+uniform usampler2D from;
+ivec2 known_from, known_direction;
+uint known_shift;
+
+// For how many pixels the line goes on beyond the one that lies so many steps ahead, as far as was found by now.
+uint known(uint steps) {
+    ivec2 pixel = known_from + int(steps) * known_direction;
+    bool inside = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(from, 0)));
+    return inside ? max(byte_of(texelFetch(from, pixel, 0).x, known_shift), 1u) - 1u : 0u;
+}
+#endif

@@ -1,0 +1,34 @@
+// Which pixels' edges are one line: the next pixel has such an edge as well, and there is no crossing between the two.
+#define WORK_ACCESS readonly
+#include "13_mlaa/edge_source.glsl"
+#include "13_mlaa/work.glsl"
+
+layout(local_size_x = 256) in;
+layout(scalar) readonly buffer ListBuffer { uint listed[]; };
+layout(r32ui) writeonly uniform uimage2D into;
+
+// [links]
+// Where four edges meet, a corner of one thing touches a corner of another: what looks like one line are two outlines.
+bool is_crossing(ivec2 pixel, ivec2 across, bool horizontal) {
+    return horizontal ? edge_right(pixel) && edge_right(pixel + across) : edge_below(pixel) && edge_below(pixel + across);
+}
+
+uint linked(ivec2 pixel, bool horizontal) {
+    ivec2 along = horizontal ? ivec2(1, 0) : ivec2(0, 1), across = along.yx;
+    bool back = horizontal ? edge_below(pixel - along) : edge_right(pixel - along);
+    bool ahead = horizontal ? edge_below(pixel + along) : edge_right(pixel + along);
+    back = back && !is_crossing(pixel - along, across, horizontal);
+    ahead = ahead && !is_crossing(pixel, across, horizontal);
+    return (back ? 2u : 1u) | (ahead ? 2u : 1u) << 8;
+}
+// [/links]
+
+void main() {
+    for (uint i = gl_GlobalInvocationID.x; i < work.listed_count; i += listed_threads * gl_NumWorkGroups.x) {
+        ivec2 pixel = unpack_pixel(listed[i]);
+        uint word = 0u;
+        if (edge_below(pixel)) word |= linked(pixel, true) << back_below;
+        if (edge_right(pixel)) word |= linked(pixel, false) << back_right;
+        imageStore(into, pixel, uvec4(word));  // 0, too: there may have been one that is hidden
+    }
+}

@@ -1,0 +1,20 @@
+// Puts pixels on the list. One atomic operation on the device's memory for a workgroup, not for a pixel.
+#include "13_mlaa/work.glsl"
+
+layout(scalar) writeonly buffer ListBuffer { uint listed[]; };
+shared uint listed_here, listed_from;
+
+// The whole workgroup calls it, once.
+void put_on_list(bool wanted, ivec2 pixel) {
+    if (gl_LocalInvocationIndex == 0u) listed_here = 0u;
+    barrier();
+    uint own = wanted ? atomicAdd(listed_here, 1u) : 0u;
+    barrier();
+    if (gl_LocalInvocationIndex == 0u && listed_here > 0u) {
+        listed_from = atomicAdd(work.listed_count, listed_here);
+        uint groups = (listed_from + listed_here + listed_threads - 1u) / listed_threads;
+        atomicMax(work.groups[0], min(groups, most_groups));
+    }
+    barrier();
+    if (wanted) listed[listed_from + own] = pack_pixel(pixel);
+}

@@ -1,0 +1,15 @@
+// What later passes have to do: the pixels beside an edge, and how many workgroups they are. It stays on the device.
+#ifndef WORK_ACCESS
+#define WORK_ACCESS coherent
+#endif
+layout(scalar) WORK_ACCESS buffer WorkBuffer {
+    uint groups[3];  // of an indirect dispatch
+    uint listed_count;
+    uint changed_count;  // pixels that were mixed with a neighbour
+} work;
+
+const uint listed_threads = 256u;    // of a workgroup that goes through the list
+const uint most_groups = 65535u;     // what every device takes
+
+ivec2 unpack_pixel(uint word) { return ivec2(word & 0xffffu, word >> 16); }
+uint pack_pixel(ivec2 pixel) { return uint(pixel.x) | uint(pixel.y) << 16; }

@@ -1,0 +1,162 @@
+// How long edges are: recursive doubling against counting, and what happens beyond the reach.
+#include <fmt/core.h>
+
+#include "mlaa_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+float noise(int x, int y) {
+    uint32_t n = (uint32_t(x) * 73856093u) ^ (uint32_t(y) * 19349663u);
+    n = (n ^ n >> 13) * 0x5bd1e995u;
+    return float((n ^ n >> 15) & 255) / 256.0f;  // half floats hold it to the bit
+}
+
+// Lines of all lengths: rows of black and white that break off by lot.
+float broken_rows(int x, int y) { return (y / 2) % 2 == 0 && noise(x / 7, y / 2) > 0.12f ? 1.0f : 0.0f; }
+
+bool differs(const std::function<float(int, int)>& light, int x, int y, int dx, int dy, glm::ivec2 size) {
+    const int u = x + dx, v = y + dy;
+    return x >= 0 && y >= 0 && u < size.x && v < size.y && light(x, y) != light(u, v);
+}
+
+// For how many pixels from (x, y) on the edge below (or on the right) goes on in a direction.
+uint32_t counted(const std::function<float(int, int)>& light, int x, int y, bool below, int step, glm::ivec2 size,
+                 uint32_t reach) {
+    uint32_t length = 0;
+    while (length < reach && differs(light, x, y, below ? 0 : 1, below ? 1 : 0, size))
+        ++length, (below ? x : y) += step;
+    return length;
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(OnMlaa, "distances are those that counting gives, for every reach and number of reads") {
+    const glm::ivec2 size(300, 24);
+    for (const auto& [reach, reads] : {std::pair{2, "two"},
+                                       {3, "two"},
+                                       {7, "two"},
+                                       {64, "two"},
+                                       {255, "two"},
+                                       {5, "four"},
+                                       {16, "four"},
+                                       {255, "four"}})
+        for (const bool upright : {false, true}) {
+            antialias.reach.value = reach;
+            antialias.reads.set(reads);
+            const auto light = [&](int x, int y) { return upright ? broken_rows(y, x) : broken_rows(x, y); };
+            const glm::ivec2 turned = upright ? glm::ivec2(size.y, size.x) : size;
+            filter("mlaa", glm::uvec2(turned), light);
+            const auto words = OnDevice::numbers<uint32_t>(gpu.read_back(antialias.distances()));
+            size_t wrong = 0;
+            uint32_t longest = 0;
+            for (int y = 0; y < turned.y; ++y)
+                for (int x = 0; x < turned.x; ++x) {
+                    const uint32_t word = words[size_t(y * turned.x + x)];
+                    for (uint32_t d = 0; d < 4; ++d) {
+                        const uint32_t right =
+                            counted(light, x, y, d < 2, d % 2 == 0 ? -1 : 1, turned, uint32_t(reach));
+                        wrong += (word >> 8 * d & 255) != right;
+                        longest = std::max(longest, right);
+                    }
+                }
+            INFO("reach " << reach << ", " << reads << " reads, upright " << upright);
+            CHECK(wrong == 0);
+            CHECK(longest >= uint32_t(std::min(reach, 100)));
+        }
+}
+
+TEST_CASE("passes: two reads reach 2^k beyond the pixel in k, four reads 255 in four") {
+    struct : Module {
+    } owner;
+    Mlaa antialias{owner, "mlaa"};
+    antialias.reads.set("two");
+    for (const auto& [reach, passes] : {std::pair{2, 0}, {3, 1}, {5, 2}, {65, 6}, {66, 7}, {255, 8}}) {
+        antialias.reach.value = reach;
+        CHECK(antialias.passes() == passes);
+    }
+    antialias.reads.set("four");
+    for (const auto& [reach, passes] : {std::pair{2, 0}, {5, 1}, {6, 2}, {65, 3}, {255, 4}}) {
+        antialias.reach.value = reach;
+        CHECK(antialias.passes() == passes);
+    }
+}
+
+TEST_CASE_METHOD(OnMlaa, "two reads and four give one picture to the bit, and a reach of all of it what 255 gives") {
+    const Line line{.angle_deg = 3, .point = {47.4, 31.7}};
+    const auto light = [&](int x, int y) { return line.sample(x, y); };
+    for (const std::string method : {"mlaa", "smaa_like"}) {
+        antialias.reach.value = 255;
+        antialias.reads.set("four");
+        filter(method, {96, 64}, light);
+        const auto four = after();
+        antialias.reads.set("two");
+        filter(method, {96, 64}, light);
+        CHECK((after() == four));
+        antialias.reach.value = 96;
+        filter(method, {96, 64}, light);
+        CHECK((after() == four));
+        antialias.reach.value = 6;
+        filter(method, {96, 64}, light);
+        CHECK((after() != four));
+    }
+}
+
+TEST_CASE_METHOD(OnMlaa, "runs longer than the reach: the worst share is wrong by as much as counting by hand says",
+                 "[figures]") {
+    for (const int run : {64, 256})
+        for (const int reach : {4, 7, 16, 32, 64, 128, 255}) {
+            double by_hand = 0;
+            for (int p = 0; p < run; ++p)
+                by_hand = std::max(by_hand, std::abs(truth::capped_area(p, run, reach) - truth::area(p, run)));
+            // A staircase of such runs: the turn is at x = 0 of each.
+            antialias.reach.value = reach;
+            const int width = 3 * run;
+            const ImageRgb found =
+                filter("mlaa", {uint32_t(width), 12}, [&](int x, int y) { return y >= 8 - x / run ? 1.0f : 0.0f; });
+            double worst = 0, by_formula = 0;
+            for (int p = 0; p < run; ++p) {  // the run in the middle; its line lies below row 6
+                const double above = double(found.at(run + p, 6).g), below = 1 - double(found.at(run + p, 7).g);
+                const int from_end = run - 1 - p;
+                worst = std::max(
+                    {worst, std::abs(above - truth::area(from_end, run)), std::abs(below - truth::area(p, run))});
+                by_formula = std::max({by_formula, std::abs(above - truth::capped_area(from_end, run, reach)),
+                                       std::abs(below - truth::capped_area(p, run, reach))});
+            }
+            fmt::print("run {:3} reach {:3}: worst share off by {:.3f}\n", run, reach, by_hand);
+            INFO("run " << run << " reach " << reach);
+            CHECK(worst == Approx(by_hand).margin(1e-3));
+            CHECK(by_formula < 1e-3);
+            if (reach >= run) CHECK(by_hand == 0);
+        }
+}
+
+TEST_CASE_METHOD(OnMlaa, "smaa_like drops an edge less than half as strong as one beside it, and keeps it elsewhere") {
+    const auto light = [](int x, int y) {  // black, white, grey; and without the black below
+        return x < 10 && y < 16 ? 0.0f : x < 12 ? 0.8f : 0.5f;
+    };
+    for (const bool upright : {true, false}) {
+        const auto turned = [&](int x, int y) { return upright ? light(x, y) : light(y, x); };
+        std::map<std::string, std::vector<uint32_t>> words;
+        for (const std::string method : {"mlaa", "smaa_like"}) {
+            filter(method, {32, 32}, turned);
+            words[method] = OnDevice::numbers<uint32_t>(gpu.read_back(antialias.distances()));
+        }
+        const auto has = [&](const std::string& method, int x, int y) {
+            const uint32_t word = words[method][size_t(upright ? y * 32 + x : x * 32 + y)];
+            return (upright ? word >> 16 : word & 0xffff) != 0;
+        };
+        for (const int y : {3, 25}) CHECK(has("mlaa", 11, y));
+        CHECK(has("smaa_like", 9, 3));    // the strong one
+        CHECK(has("smaa_like", 11, 25));  // alone
+        CHECK(has("smaa_like", 11, 3));   // two pixels away from the strong one
+    }
+    const auto close = [&](int x, int) { return x < 10 ? 0.0f : x < 11 ? 0.8f : 0.5f; };
+    for (const auto& [method, seen] : {std::pair{"mlaa", true}, {"smaa_like", false}}) {
+        filter(method, {32, 8}, close);
+        const auto words = OnDevice::numbers<uint32_t>(gpu.read_back(antialias.distances()));
+        CHECK((words[4 * 32 + 9] >> 16) != 0);
+        CHECK(((words[4 * 32 + 10] >> 16) != 0) == seen);
+    }
+}
