@@ -142,20 +142,27 @@ void Skin::draw(Frame& frame, const Scene& scene, const Lit& lit, Shown shown) {
                                                                : by_lambert_;
     std::vector<With> with = lit.with;
     with.insert(with.end(), {*this, lit.maps});
-    const auto called = [](const char* name) { return [=](const DrawItem& item) { return item.material.name == name; }; };
+    const auto is = [](const DrawItem& item, const char* material) { return item.material.name == material; };
     const DrawItem* skin = skin_of(scene);
     const auto is_skin = [&](const DrawItem& item) { return &item == skin; };
-    RasterTargets targets{.color = {keep(frame.hdr)}, .depth = clear(frame.depth, 0.0f), .with = with};
-    if (on_screen) targets.color.insert(targets.color.end(), {clear(screen_.light, glm::vec4(0)), clear(screen_.after, glm::vec4(0))});
-    frame.raster("skin", targets, [&](Raster& pass) { lit.maps.draw(pass, scene, scene.all().where(is_skin), look, look); });
-    const auto* eye = part(scene, "eye");
-    if (!eye) return;
-    std::vector<With> with_rays = with;
-    with_rays.push_back(lit.rays);
-    frame.raster("eyes", {.color = {keep(frame.hdr)}, .depth = keep(frame.depth), .with = with_rays}, [&](Raster& pass) {
-        lit.maps.draw(pass, scene, scene.all().where(called("eye")), eye_pass_, eye_pass_);
-        lit.maps.draw(pass, scene, scene.all().where(called("cornea")), cornea_, cornea_);
-    });
+    const auto is_eye = [&](const DrawItem& item) { return is(item, "eye"); };
+    const auto is_cornea = [&](const DrawItem& item) { return is(item, "cornea"); };
+    const auto is_other = [&](const DrawItem& item) { return !is_skin(item) && !is_eye(item) && !is_cornea(item); };
+    const auto draw = [&](Raster& pass, const auto& predicate, const Pipeline& pipeline) {
+        lit.maps.draw(pass, scene, scene.all().where(predicate), pipeline, pipeline);
+    };
+    frame.raster("matt", {.color = {keep(frame.hdr)}, .depth = clear(frame.depth, 0.0f), .with = with},
+                 [&](Raster& pass) { draw(pass, is_other, matt_), draw(pass, is_eye, eye_pass_); });
+    RasterTargets targets{.color = {keep(frame.hdr)}, .depth = keep(frame.depth), .with = with};
+    if (on_screen) {
+        targets.color.push_back(clear(screen_.light, glm::vec4(0)));
+        targets.color.push_back(clear(screen_.after, glm::vec4(0)));
+    }
+    frame.raster("skin", targets, [&](Raster& pass) { draw(pass, is_skin, look); });
+    if (!part(scene, "cornea")) return;
+    with.push_back(lit.rays);
+    frame.raster("cornea", {.color = {keep(frame.hdr)}, .depth = keep(frame.depth), .with = with},
+                 [&](Raster& pass) { draw(pass, is_cornea, cornea_); });
 }
 // [/draw]
 
@@ -174,7 +181,8 @@ void Skin::bind(Pass& pass) const {
     pass.offer("skin_facets", facets_, linear_clamp);
     pass.offer("skin_reflected", reflected_, linear_clamp);
     pass.offer("skin_preintegrated", preintegrated_, linear_clamp);
-    pass.offer("skin_occlusion", pass.name == "eyes" ? eye_.occlusion : coarse_.occlusion, linear_clamp);
+    pass.offer("skin_occlusion", coarse_.occlusion, linear_clamp);
+    pass.offer("eye_occlusion", eye_.occlusion ? eye_.occlusion : coarse_.occlusion, linear_clamp);
     pass.offer("skin_stretch", coarse_.stretch, linear_clamp);
     if (pass.name != "skin irradiance") pass.offer("skin_position", coarse_.position, nearest_clamp);
     pass.offer("skin_diffused", on_map() && diffused() ? diffused() : coarse_.occlusion, linear_clamp);

@@ -8,7 +8,7 @@
 namespace lightwalk {
 
 // [skin]
-/// Draws the items of a scene whose material is called "skin", "eye" or "cornea". prepare() when a scene was loaded and
+/// Draws the items of a scene: those whose material is called "skin", "eye" or "cornea" as such, others as matt. prepare() when a scene was loaded and
 /// its maps are made. In each frame record(), then draw() into the frame's picture, then finish(). Without a "skin" the
 /// first item is it.
 struct Skin : Module {
@@ -32,8 +32,8 @@ struct Skin : Module {
         *this, "translucency", 1.0f, {0.01f, 100.0f}, "by what the profile of light that comes through is widened"};
     Knob<int> map_size{*this, "map_size", 0, {0, 4096}, "of the light's map; 0: as the screen needs", "texels"};
     Knob<float> density{*this, "density", 1.0f, {0.1f, 8.0f}, "of that map: texels in a pixel's width"};
-    Knob<int> sky_size{*this, "sky_size", 256, {16, 2048}, "of the map of ambient occlusion", "texels"};
-    Knob<int> sky_rays{*this, "sky_rays", 48, {1, 1024}, "from each of its texels"};
+    Knob<int> sky_size{*this, "sky_size", 128, {16, 2048}, "of the map of ambient occlusion", "texels"};
+    Knob<int> sky_rays{*this, "sky_rays", 32, {1, 1024}, "from each of its texels"};
 
     void prepare(Gpu& gpu, const Scene& scene);
 
@@ -87,18 +87,21 @@ struct Skin : Module {
     Pipeline blur_channels_ = compute({.shader = "12_skin/blur.comp", .macros = {{"PER_CHANNEL", "1"}}});
     Pipeline sum_ = compute({.shader = "12_skin/sum.comp"});
     Pipeline exact_pass_ = compute({.shader = "12_skin/exact.comp"});
-    static Pipeline shading(const char* fragment, int diffuse, int shown, Blend blend = Blend::opaque) {
+    static Pipeline shading(const char* fragment, Macros macros, Blend blend = Blend::opaque) {
         return graphics({.vertex = "04_surface_maps/surface.vert",
-                         .fragment = std::string("12_skin/") + fragment,
+                         .fragment = fragment,
                          .depth_write = blend == Blend::opaque,
                          .blend = blend,
-                         .macros = {{"DIFFUSE", std::to_string(diffuse)}, {"SHOWN", std::to_string(shown)}}});
+                         .macros = std::move(macros)});
     }
-    Pipeline by_lambert_ = shading("skin.frag", 0, 0), by_wrap_ = shading("skin.frag", 1, 0),
-             by_table_ = shading("skin.frag", 2, 0), by_screen_ = shading("skin.frag", 3, 0),
-             by_map_ = shading("skin.frag", 4, 0), specular_ = shading("skin.frag", 0, 1),
-             thickness_ = shading("skin.frag", 0, 2), seams_ = shading("skin.frag", 0, 3);
-    Pipeline eye_pass_ = shading("eye.frag", 0, 0), cornea_ = shading("cornea.frag", 0, 0, Blend::add);
+    static Pipeline skin_pass(const char* diffuse, const char* shown) {
+        return shading("12_skin/skin.frag", {{"DIFFUSE", diffuse}, {"SHOWN", shown}});
+    }
+    Pipeline by_lambert_ = skin_pass("0", "0"), by_wrap_ = skin_pass("1", "0"), by_table_ = skin_pass("2", "0"),
+             by_screen_ = skin_pass("3", "0"), by_map_ = skin_pass("4", "0"), specular_ = skin_pass("0", "1"),
+             thickness_ = skin_pass("0", "2"), seams_ = skin_pass("0", "3");
+    Pipeline matt_ = shading("12_skin/matt.frag", {{"EYE", "0"}}), eye_pass_ = shading("12_skin/matt.frag", {{"EYE", "1"}}),
+             cornea_ = shading("12_skin/cornea.frag", {}, Blend::add);
 };
 
 }  // namespace lightwalk

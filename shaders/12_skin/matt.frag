@@ -1,15 +1,18 @@
-// An eyeball below its cornea: matt, and dark below the lids.
+// What is no skin: an eyeball below its cornea, which is dark below the lids, and cloth.
 #include "04_surface_maps/surface_maps.glsl"
 #include "12_skin/lights_of_skin.glsl"
 #include "12_skin/surroundings_light.glsl"
 
 layout(location = 0) out vec4 color;
 layout(scalar) uniform ViewBlock { CameraView view; };
-uniform sampler2D skin_occlusion;
+uniform sampler2D eye_occlusion;
 
 void main() {
     MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
-    float occlusion = textureLod(skin_occlusion, image_uv(uv), 0.0).r;
+    float occlusion = 1.0;
+#if EYE
+    occlusion = textureLod(eye_occlusion, image_uv(uv), 0.0).r;
+#endif
     vec3 sum = occlusion * surroundings_light(m.facing);
     for (uint i = 0u; i < skin_lights(); ++i) {
         SkinLight light = skin_light(i, m.position, m.facing);
