@@ -16,12 +16,14 @@ struct SkinChapter : ModelChapter {
     Shadow shadow{*this, "shadow"};
     Rays rays{*this, "rays"};
     EnvironmentLight environment{*this, "environment"};
-    Knob<float> backdrop{*this, "backdrop", 4.5f, {0.0f, 8.0f}, "which level of the environment is seen behind: more is blurrier"};
-    Choice show{*this,
-                "show",
-                {"picture", "irradiance", "level", "diffused", "stretch", "occlusion", "thickness", "specular", "seams"},
-                "picture",
-                "or one of the skin's maps, or what is reflected alone, or what comes through, or the charts"};
+    Knob<float> backdrop{
+        *this, "backdrop", 4.5f, {0.0f, 8.0f}, "which level of the environment is seen behind: more is blurrier"};
+    Choice show{
+        *this,
+        "show",
+        {"picture", "irradiance", "level", "diffused", "stretch", "occlusion", "thickness", "specular", "seams"},
+        "picture",
+        "or one of the skin's maps, or what is reflected alone, or what comes through, or the charts"};
     Knob<int> level{*this, "level", 0, {0, 5}, "which Gaussian's, of show level"};
     Pipeline behind = compute({.shader = "12_skin/backdrop.comp"});
     Pipeline look = compute({.shader = "12_skin/look.comp"});

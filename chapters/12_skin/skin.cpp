@@ -43,7 +43,8 @@ uint32_t Skin::size_for(const DrawItem& item, const Camera& camera, uint32_t scr
 }
 
 void Skin::make_tables(Frame& frame) {
-    if (std::exchange(tables_f0_, f0) == f0 && std::exchange(tables_toggles_, Exercises::version()) == Exercises::version())
+    if (std::exchange(tables_f0_, f0) == f0 &&
+        std::exchange(tables_toggles_, Exercises::version()) == Exercises::version())
         return;
     tables_toggles_ = Exercises::version();
     make(frame, facets_, "skin facets", 256, VK_FORMAT_R8G8B8A8_UNORM);
@@ -82,13 +83,14 @@ void Skin::light_map(Frame& frame, const Lit& lit) {
     make(frame, irradiance_, "skin irradiance", size);
     std::vector<With> with = lit.with;
     with.push_back(*this);
-    frame.compute("skin irradiance",
-                  {.reads = {fine_.position, fine_.normal, fine_.albedo}, .writes = {irradiance_}, .with = with},
-                  [&](Compute& pass) {
-                      pass.use(irradiance_pass_).set("skin_position", fine_.position, nearest_clamp);
-                      pass.set("skin_normal", fine_.normal, nearest_clamp).set("skin_albedo", fine_.albedo, nearest_clamp);
-                      pass.set("result", irradiance_).dispatch_threads(irradiance_.desc.size);
-                  });
+    frame.compute(
+        "skin irradiance",
+        {.reads = {fine_.position, fine_.normal, fine_.albedo}, .writes = {irradiance_}, .with = with},
+        [&](Compute& pass) {
+            pass.use(irradiance_pass_).set("skin_position", fine_.position, nearest_clamp);
+            pass.set("skin_normal", fine_.normal, nearest_clamp).set("skin_albedo", fine_.albedo, nearest_clamp);
+            pass.set("result", irradiance_).dispatch_threads(irradiance_.desc.size);
+        });
 }
 
 // [diffuse]
@@ -96,12 +98,13 @@ void Skin::diffuse(Frame& frame) {
     const uint32_t size = irradiance_.desc.size.x;
     if (method.is("exact")) {
         make(frame, exact_, "skin exact", size, float4);
-        frame.compute("skin exact", {.reads = {irradiance_, fine_.stretch, fine_.position}, .writes = {exact_}},
-                      [&](Compute& pass) {
-                          pass.use(exact_pass_).set("from", irradiance_, nearest_clamp);
-                          pass.set("stretch", fine_.stretch, nearest_clamp).set("skin_position", fine_.position, nearest_clamp);
-                          pass.set("result", exact_).dispatch_threads(exact_.desc.size);
-                      });
+        frame.compute(
+            "skin exact", {.reads = {irradiance_, fine_.stretch, fine_.position}, .writes = {exact_}},
+            [&](Compute& pass) {
+                pass.use(exact_pass_).set("from", irradiance_, nearest_clamp);
+                pass.set("stretch", fine_.stretch, nearest_clamp).set("skin_position", fine_.position, nearest_clamp);
+                pass.set("result", exact_).dispatch_threads(exact_.desc.size);
+            });
         return;
     }
     const std::vector<Gaussian> sum = gaussians_of(sum_count());
@@ -132,14 +135,14 @@ void Skin::diffuse(Frame& frame) {
 // [draw]
 void Skin::draw(Frame& frame, const Scene& scene, const Lit& lit, Shown shown) {
     const bool on_screen = method.is("separable") && shown == Shown::all;
-    const Pipeline& look = shown == Shown::specular            ? specular_
-                           : shown == Shown::thickness         ? thickness_
-                           : shown == Shown::seams             ? seams_
-                           : on_map()                          ? by_map_
-                           : on_screen                         ? by_screen_
-                           : method.is("wrapped")              ? by_wrap_
-                           : method.is("preintegrated")        ? by_table_
-                                                               : by_lambert_;
+    const Pipeline& look = shown == Shown::specular     ? specular_
+                           : shown == Shown::thickness  ? thickness_
+                           : shown == Shown::seams      ? seams_
+                           : on_map()                   ? by_map_
+                           : on_screen                  ? by_screen_
+                           : method.is("wrapped")       ? by_wrap_
+                           : method.is("preintegrated") ? by_table_
+                                                        : by_lambert_;
     std::vector<With> with = lit.with;
     with.insert(with.end(), {*this, lit.maps});
     const auto is = [](const DrawItem& item, const char* material) { return item.material.name == material; };
@@ -171,7 +174,8 @@ void Skin::finish(Frame& frame, const Camera& camera) {
 }
 
 std::vector<Resource> Skin::reads() const {
-    std::vector<Resource> all{facets_, reflected_, preintegrated_, coarse_.occlusion, coarse_.stretch, coarse_.position};
+    std::vector<Resource> all{facets_,           reflected_,      preintegrated_,
+                              coarse_.occlusion, coarse_.stretch, coarse_.position};
     if (eye_.occlusion) all.push_back(eye_.occlusion);
     if (on_map() && diffused()) all.push_back(diffused());
     return all;

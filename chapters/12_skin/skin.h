@@ -8,9 +8,9 @@
 namespace lightwalk {
 
 // [skin]
-/// Draws the items of a scene: those whose material is called "skin", "eye" or "cornea" as such, others as matt. prepare() when a scene was loaded and
-/// its maps are made. In each frame record(), then draw() into the frame's picture, then finish(). Without a "skin" the
-/// first item is it.
+/// Draws the items of a scene: those whose material is called "skin", "eye" or "cornea" as such, others as matt.
+/// prepare() when a scene was loaded and its maps are made. In each frame record(), then draw() into the frame's
+/// picture, then finish(). Without a "skin" the first item is it.
 struct Skin : Module {
     Skin(Module& owner, std::string name) : Module(owner, std::move(name), "skin") {}
 
@@ -26,7 +26,7 @@ struct Skin : Module {
     Knob<float> roughness{*this, "roughness", 1.0f, {0.01f, 4.0f}, "by what the map's slope of facets is multiplied"};
     Knob<float> specular_scale{*this, "specular_scale", 1.0f, {0.0f, 4.0f}, "by what the oil on the skin reflects"};
     Knob<float> f0{*this, "f0", 0.028f, {0.0f, 1.0f}, "what skin reflects of light straight from above"};
-    Knob<float> wrap{*this, "wrap", 0.3f, {0.0f, 1.0f}, "of wrapped: how far red goes around"};
+    Knob<float> wrap{*this, "wrap", 0.1f, {0.0f, 1.0f}, "of wrapped: how far red goes around"};
     Knob<float> inwards_mm{*this, "inwards_mm", 1.0f, {0.0f, 20.0f}, "from where thickness is measured", "mm"};
     Knob<float> translucency{
         *this, "translucency", 1.0f, {0.01f, 100.0f}, "by what the profile of light that comes through is widened"};
@@ -100,7 +100,8 @@ struct Skin : Module {
     Pipeline by_lambert_ = skin_pass("0", "0"), by_wrap_ = skin_pass("1", "0"), by_table_ = skin_pass("2", "0"),
              by_screen_ = skin_pass("3", "0"), by_map_ = skin_pass("4", "0"), specular_ = skin_pass("0", "1"),
              thickness_ = skin_pass("0", "2"), seams_ = skin_pass("0", "3");
-    Pipeline matt_ = shading("12_skin/matt.frag", {{"EYE", "0"}}), eye_pass_ = shading("12_skin/matt.frag", {{"EYE", "1"}}),
+    Pipeline matt_ = shading("12_skin/matt.frag", {{"EYE", "0"}}),
+             eye_pass_ = shading("12_skin/matt.frag", {{"EYE", "1"}}),
              cornea_ = shading("12_skin/cornea.frag", {}, Blend::add);
 };
 

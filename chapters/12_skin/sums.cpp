@@ -21,19 +21,24 @@ std::vector<Gaussian> merged(const std::vector<size_t>& kept) {
 
 std::vector<Gaussian> gaussians_of(int count) {
     switch (count) {
-    case 1: {
-        Gaussian one{glm::vec3(0), glm::vec3(0)};
-        for (size_t i = 0; i < SKIN_GAUSSIANS; ++i) {
-            one.weight += skin_weight[i];
-            one.variance += skin_weight[i] * skin_variance_mm2[i];
+        case 1: {
+            Gaussian one{glm::vec3(0), glm::vec3(0)};
+            for (size_t i = 0; i < SKIN_GAUSSIANS; ++i) {
+                one.weight += skin_weight[i];
+                one.variance += skin_weight[i] * skin_variance_mm2[i];
+            }
+            return {one};
         }
-        return {one};
-    }
-    case 2: return merged({0, 4});
-    case 3: return merged({0, 1, 4});
-    case 4: return merged({0, 1, 2, 4});
-    case 6: return merged({0, 1, 2, 3, 4, 5});
-    default: throw Failure("a sum of {} Gaussians: there are sums of 1, 2, 3, 4 and 6", count);
+        case 2:
+            return merged({0, 4});
+        case 3:
+            return merged({0, 1, 4});
+        case 4:
+            return merged({0, 1, 2, 4});
+        case 6:
+            return merged({0, 1, 2, 3, 4, 5});
+        default:
+            throw Failure("a sum of {} Gaussians: there are sums of 1, 2, 3, 4 and 6", count);
     }
 }
 

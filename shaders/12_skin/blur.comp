@@ -7,7 +7,8 @@ uniform sampler2D stretch;  // texels per mm along u and v
 layout(rgba16f) writeonly uniform image2D into;
 layout(scalar) uniform SkinBlurBlock { SkinBlur blur; };
 
-const int reach = 16;  // reads to each side: of wider Gaussians every second texel, or third ...
+const float finest = 0.5;  // of this blur's sigma: reads stand no farther apart
+const int most_taps = 48;  // to each side
 
 #if PER_CHANNEL
 #define WEIGHT vec3
@@ -37,7 +38,11 @@ void main() {
     vec2 per_mm = texelFetch(stretch, texel, 0).xy;
     vec3 sigma = blur.sigma_mm * dot(per_mm, vec2(blur.direction));
     float widest = max(sigma.x, max(sigma.y, sigma.z));
-    int radius = int(ceil(3.0 * widest)), stride = (radius + reach - 1) / reach, taps = radius / max(stride, 1);
+    // What was blurred by s can be read at every s-th texel: of what lies between nothing is lost (exp(-2 pi²) at most).
+    int radius = int(ceil(3.0 * widest));
+    int stride = int(min(blur.smooth_mm * dot(per_mm, vec2(blur.direction)), finest * widest));
+    stride = max(max(stride, 1), (radius + most_taps - 1) / most_taps);
+    int taps = radius / stride;
     WEIGHT variance = SIGMA(sigma) * SIGMA(sigma), weights = weight_at(0.0, variance);
     vec3 sum = weights * own.rgb;
     for (int i = 1; i <= taps; ++i) {

@@ -28,7 +28,7 @@ void main() {
             if (place.w != own.w || square > 81.0) continue;
             vec3 light = texelFetch(from, at, 0).rgb;
             float area = texelFetch(stretch, at, 0).z;
-            for (uint i = 0u; i < SKIN_GAUSSIANS; ++i) {
+            for (uint i = square > 9.1 ? 4u : 0u; i < SKIN_GAUSSIANS; ++i) {  // narrow ones have ended at 4 sigma
                 float weight = area * exp(-0.5 * square / skin_variance_mm2[i]);
                 sums[i] += weight * light;
                 weights[i] += weight;

@@ -23,7 +23,8 @@ struct SkinSum {
 // One dispatch of a blur.
 struct SkinBlur {
     ivec2 direction;  // (1, 0) along u, (0, 1) along v
-    vec3 sigma_mm;
+    vec3 sigma_mm;    // of this blur, for each channel
+    float smooth_mm;  // the sigma of what is read: it has no detail that is finer, so that not every texel need be read
 };
 
 END_SHARED
