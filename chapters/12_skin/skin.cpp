@@ -9,7 +9,7 @@
 namespace lightwalk {
 namespace {
 
-constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT, float4 = VK_FORMAT_R32G32B32A32_SFLOAT;
+constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 void make(Frame& frame, Image& image, const char* name, uint32_t size, VkFormat format = half4) {
     const Image::Desc desc{.name = name, .format = format, .size = glm::uvec2(size)};
@@ -74,7 +74,7 @@ void Skin::record(Frame& frame, const Scene& scene, const Camera& camera, const 
     // 2. The surface laid out as large as the screen needs; the light that enters it; how that spreads.
     fine_.record(frame, scene, lit.maps, *skin, size_for(*skin, camera, frame.crop.whole.y));
     light_map(frame, lit);
-    diffuse(frame);
+    spread_.record(frame, {irradiance_, fine_.stretch, fine_.position}, sum_count());
 }
 // [/record]
 
@@ -92,45 +92,6 @@ void Skin::light_map(Frame& frame, const Lit& lit) {
             pass.set("result", irradiance_).dispatch_threads(irradiance_.desc.size);
         });
 }
-
-// [diffuse]
-void Skin::diffuse(Frame& frame) {
-    const uint32_t size = irradiance_.desc.size.x;
-    if (method.is("exact")) {
-        make(frame, exact_, "skin exact", size, float4);
-        frame.compute(
-            "skin exact", {.reads = {irradiance_, fine_.stretch, fine_.position}, .writes = {exact_}},
-            [&](Compute& pass) {
-                pass.use(exact_pass_).set("from", irradiance_, nearest_clamp);
-                pass.set("stretch", fine_.stretch, nearest_clamp).set("skin_position", fine_.position, nearest_clamp);
-                pass.set("result", exact_).dispatch_threads(exact_.desc.size);
-            });
-        return;
-    }
-    const std::vector<Gaussian> sum = gaussians_of(sum_count());
-    levels_.resize(sum.size());
-    make(frame, between_, "skin between", size);
-    make(frame, diffused_, "skin diffused", size);
-    for (Image& level : levels_) make(frame, level, "skin level", size);
-    std::vector<const Image*> levels;
-    for (const Image& level : levels_) levels.push_back(&level);
-    blur_irradiance(frame, {.line = sum.size() == 1 ? blur_channels_ : blur_,
-                            .irradiance = irradiance_,
-                            .stretch = fine_.stretch,
-                            .between = between_,
-                            .levels = levels,
-                            .sum = sum});
-    SkinSum parts{.weight = {}, .count = static_cast<uint32_t>(sum.size())};
-    for (size_t i = 0; i < sum.size(); ++i) parts.weight[i] = sum[i].weight;
-    ComputeAccess access{.reads = {}, .writes = {diffused_}};
-    for (const Image& level : levels_) access.reads.push_back(level);
-    frame.compute("skin sum", access, [&](Compute& pass) {
-        const std::vector<ImageView> views(levels_.begin(), levels_.end());
-        pass.use(sum_).set("levels", views, nearest_clamp).set("sum_of", parts).set("result", diffused_);
-        pass.dispatch_threads(diffused_.desc.size);
-    });
-}
-// [/diffuse]
 
 // [draw]
 void Skin::draw(Frame& frame, const Scene& scene, const Lit& lit, Shown shown) {
@@ -177,7 +138,7 @@ std::vector<Resource> Skin::reads() const {
     std::vector<Resource> all{facets_,           reflected_,      preintegrated_,
                               coarse_.occlusion, coarse_.stretch, coarse_.position};
     if (eye_.occlusion) all.push_back(eye_.occlusion);
-    if (on_map() && diffused()) all.push_back(diffused());
+    if (on_map() && spread_.result()) all.push_back(diffused());
     return all;
 }
 
@@ -189,7 +150,7 @@ void Skin::bind(Pass& pass) const {
     pass.offer("eye_occlusion", eye_.occlusion ? eye_.occlusion : coarse_.occlusion, linear_clamp);
     pass.offer("skin_stretch", coarse_.stretch, linear_clamp);
     if (pass.name != "skin irradiance") pass.offer("skin_position", coarse_.position, nearest_clamp);
-    pass.offer("skin_diffused", on_map() && diffused() ? diffused() : coarse_.occlusion, linear_clamp);
+    pass.offer("skin_diffused", on_map() && spread_.result() ? diffused() : coarse_.occlusion, linear_clamp);
 }
 
 }  // namespace lightwalk

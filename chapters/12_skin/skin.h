@@ -1,7 +1,7 @@
 // Skin as a module: light that enters at one place and leaves at another.
 #pragma once
-#include "12_skin/exercises.h"
 #include "12_skin/picture_blur.h"
+#include "12_skin/spread.h"
 #include "12_skin/unwrapped.h"
 #include "common/app/target.h"
 
@@ -53,8 +53,8 @@ struct Skin : Module {
 
     /// Of the frame recorded last, for whoever looks: the light that enters, a level of the blur, what leaves.
     const Image& irradiance() const { return irradiance_; }
-    const Image& level(size_t i) const { return levels_.at(std::min(i, levels_.size() - 1)); }
-    const Image& diffused() const { return method.is("exact") ? exact_ : diffused_; }
+    const Image& level(size_t i) const { return spread_.level(i); }
+    const Image& diffused() const { return spread_.result(); }
     const Unwrapped& layout() const { return on_map() ? fine_ : coarse_; }
     const DrawItem* skin_of(const Scene& scene) const { return part(scene, "skin", true); }
 
@@ -69,12 +69,11 @@ struct Skin : Module {
     static const DrawItem* part(const Scene& scene, const char* material, bool any = false);
     void make_tables(Frame& frame);
     void light_map(Frame& frame, const Lit& lit);
-    void diffuse(Frame& frame);
 
     Unwrapped coarse_, fine_, eye_;
     PictureBlur screen_{*this};
-    Image irradiance_, between_, diffused_, exact_;
-    std::vector<Image> levels_;
+    Spread spread_;
+    Image irradiance_;
     Image facets_, reflected_, preintegrated_;
     float tables_f0_ = -1;
     unsigned tables_toggles_ = 0;
@@ -83,10 +82,6 @@ struct Skin : Module {
     Pipeline reflected_table_ = compute({.shader = "12_skin/reflected.comp"});
     Pipeline preintegrated_table_ = compute({.shader = "12_skin/preintegrated.comp"});
     Pipeline irradiance_pass_ = compute({.shader = "12_skin/irradiance.comp"});
-    Pipeline blur_ = compute({.shader = "12_skin/blur.comp", .macros = {{"PER_CHANNEL", "0"}}});
-    Pipeline blur_channels_ = compute({.shader = "12_skin/blur.comp", .macros = {{"PER_CHANNEL", "1"}}});
-    Pipeline sum_ = compute({.shader = "12_skin/sum.comp"});
-    Pipeline exact_pass_ = compute({.shader = "12_skin/exact.comp"});
     static Pipeline shading(const char* fragment, Macros macros, Blend blend = Blend::opaque) {
         return graphics({.vertex = "04_surface_maps/surface.vert",
                          .fragment = fragment,
