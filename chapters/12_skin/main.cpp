@@ -1,6 +1,9 @@
 // Chapter 12: skin. Light enters it at one place and leaves it at another.
 #include <fmt/core.h>
 
+#include <nlohmann/json.hpp>
+#include <utility>
+
 #include "01_obj/model_chapter.h"
 #include "05_shadow_maps/shadow.h"
 #include "11_fractals/environment.h"
@@ -25,6 +28,7 @@ struct SkinChapter : ModelChapter {
         "picture",
         "or one of the skin's maps, or what is reflected alone, or what comes through, or the charts"};
     Knob<int> level{*this, "level", 0, {0, 5}, "which Gaussian's, of show level"};
+    Knob<float> dolly{*this, "dolly", 1.0f, {0.2f, 64.0f}, "how many times as far away the camera stands"};
     Pipeline behind = compute({.shader = "12_skin/backdrop.comp"});
     Pipeline look = compute({.shader = "12_skin/look.comp"});
 
@@ -42,6 +46,11 @@ struct SkinChapter : ModelChapter {
         shadow.forget();
     }
 
+    // For the study: how wide the widest Gaussian is on the screen, in pixels.
+    void measure(Gpu&, glm::uvec2 size, nlohmann::json& error) override {
+        error["widest_px"] = skin.widest_px(dolly * glm::length(camera.position - camera.target), camera, size.y);
+    }
+
     // One of the skin's maps in place of the picture.
     void look_at(Frame& frame, const Image& image, glm::vec3 gain) {
         frame.compute("look", {.reads = {image}, .writes = {frame.hdr}}, [&](Compute& pass) {
@@ -52,6 +61,7 @@ struct SkinChapter : ModelChapter {
 
     // [frame]
     void frame(Frame& frame) override {
+        const glm::vec3 near = std::exchange(camera.position, glm::mix(camera.target, camera.position, dolly.value));
         set_view(frame);
 
         // 1. The lights, and depth from those that cast shadows.
@@ -75,6 +85,7 @@ struct SkinChapter : ModelChapter {
                   : show.is("seams")     ? Skin::Shown::seams
                                          : Skin::Shown::all);
         skin.finish(frame, camera);
+        camera.position = near;
         if (show.is("stretch")) look_at(frame, skin.layout().stretch, {0.2f, 0.2f, 0.0f});
         if (show.is("occlusion")) look_at(frame, skin.layout().occlusion, glm::vec3(1));
         if (skin.on_map() && show.is("irradiance")) look_at(frame, skin.irradiance(), glm::vec3(1));

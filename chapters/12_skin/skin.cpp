@@ -34,11 +34,19 @@ void Skin::prepare(Gpu& gpu, const Scene& scene) {
     for (Unwrapped* unwrapped : {&coarse_, &fine_, &eye_}) unwrapped->forget();
 }
 
+// How wide a pixel is there, in mm.
+static double pixel_mm(double away_m, const Camera& camera, uint32_t screen_height) {
+    return std::max(2000 * away_m * std::tan(0.5 * double(camera.fov_y_rad)) / screen_height, 1e-6);
+}
+
+double Skin::widest_px(float away_m, const Camera& camera, uint32_t screen_height) {
+    return std::sqrt(double(skin_variance_mm2[SKIN_GAUSSIANS - 1])) / pixel_mm(double(away_m), camera, screen_height);
+}
+
 uint32_t Skin::size_for(const DrawItem& item, const Camera& camera, uint32_t screen_height) const {
     if (map_size > 0) return static_cast<uint32_t>(map_size);
-    const double away_mm = 1000.0 * double(glm::length(item.bounds.center() - camera.position));
-    const double pixel_mm = 2 * away_mm * std::tan(0.5 * double(camera.fov_y_rad)) / screen_height;
-    const double texels = double(density) * mm_per_uv(item) / std::max(pixel_mm, 1e-6);
+    const double away_m = double(glm::length(item.bounds.center() - camera.position));
+    const double texels = double(density) * mm_per_uv(item) / pixel_mm(away_m, camera, screen_height);
     return 1u << std::clamp(static_cast<int>(std::lround(std::log2(std::max(texels, 1.0)))), 6, 11);
 }
 

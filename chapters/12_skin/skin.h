@@ -29,7 +29,7 @@ struct Skin : Module {
     Knob<float> wrap{*this, "wrap", 0.1f, {0.0f, 1.0f}, "of wrapped: how far red goes around"};
     Knob<float> inwards_mm{*this, "inwards_mm", 1.0f, {0.0f, 20.0f}, "from where thickness is measured", "mm"};
     Knob<float> translucency{
-        *this, "translucency", 1.0f, {0.01f, 100.0f}, "by what the profile of light that comes through is widened"};
+        *this, "translucency", 3.0f, {0.01f, 100.0f}, "by what the profile of light that comes through is widened"};
     Knob<int> map_size{*this, "map_size", 0, {0, 4096}, "of the light's map; 0: as the screen needs", "texels"};
     Knob<float> density{*this, "density", 1.0f, {0.1f, 8.0f}, "of that map: texels in a pixel's width"};
     Knob<int> sky_size{*this, "sky_size", 128, {16, 2048}, "of the map of ambient occlusion", "texels"};
@@ -61,6 +61,9 @@ struct Skin : Module {
     /// A side of the map that the screen needs: the power of two at which a texel is about as wide as a pixel, 64 to
     /// 2048.
     uint32_t size_for(const DrawItem& item, const Camera& camera, uint32_t screen_height) const;
+
+    /// The standard deviation of the widest Gaussian in pixels of a picture so many pixels high, for skin so far away.
+    static double widest_px(float away_m, const Camera& camera, uint32_t screen_height);
 
     bool on_map() const { return method.is("exact") || sum_count() > 0; }
     int sum_count() const;  ///< of Gaussians; 0 for other methods

@@ -8,7 +8,7 @@
 layout(location = 0) out vec4 color;
 layout(scalar) uniform ViewBlock { CameraView view; };
 
-const float f0 = 0.025, rough = 0.06;
+const float f0 = 0.025, rough = 0.1;
 
 void main() {
     MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));

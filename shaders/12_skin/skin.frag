@@ -76,7 +76,7 @@ void main() {
         // Light on the far side is taken to arrive as steeply as it would from behind here.
         float mm = thickness_mm(i, position, m.facing, 0.001 * skin.inwards_mm);
         if (mm >= 0.0) {
-            thickness = min(thickness, mm);
+            if (cosine < 0.0) thickness = min(thickness, mm);
             through += clamp(0.3 - cosine, 0.0, 1.0) * transmittance(mm / max(skin.translucency, 1e-3)) * light.radiance;
         }
     }
