@@ -66,6 +66,7 @@ bool Unwrapped::record(Frame& frame, const Scene& scene, const Maps& maps, const
     image(raw_position_, "raw position", float4), image(position, "position", float4);
     image(raw_normal_, "raw normal", half4), image(normal, "normal", half4);
     image(raw_albedo_, "raw albedo", half4), image(albedo, "albedo", half4), image(stretch, "stretch", half4);
+    image(raw_stretch_, "raw stretch", half4);
     frame.raster("unwrap",
                  {.color = {clear(raw_position_, glm::vec4(0)), clear(raw_normal_, glm::vec4(0)),
                             clear(raw_albedo_, glm::vec4(0))},
@@ -75,19 +76,22 @@ bool Unwrapped::record(Frame& frame, const Scene& scene, const Maps& maps, const
                      const auto is_it = [&](const DrawItem& other) { return &other == &item; };
                      pass.draw(scene.all().where(is_it));
                  });
-    frame.compute("grow charts",
-                  {.reads = {raw_position_, raw_normal_, raw_albedo_}, .writes = {position, normal, albedo}},
-                  [&](Compute& pass) {
-                      pass.use(dilate_).set("position", raw_position_).set("normal", raw_normal_);
-                      pass.set("albedo", raw_albedo_).set("wide_position", position).set("wide_normal", normal);
-                      pass.set("wide_albedo", albedo).dispatch_threads(glm::uvec2(size));
-                  });
-    frame.compute("stretch", {.reads = {position, normal}, .writes = {stretch}}, [&](Compute& pass) {
+    frame.compute("stretch", {.reads = {raw_position_, raw_normal_}, .writes = {raw_stretch_}}, [&](Compute& pass) {
         // More texels to a mm than this are none: where the layout pinches a surface, a blur would have no end.
         const float most_texels = static_cast<float>(size) / 64.0f;
-        pass.use(stretch_).set("skin_position", position, nearest_clamp).set("skin_normal", normal, nearest_clamp);
-        pass.set("most_texels", most_texels).set("result", stretch).dispatch_threads(glm::uvec2(size));
+        pass.use(stretch_).set("skin_position", raw_position_, nearest_clamp);
+        pass.set("skin_normal", raw_normal_, nearest_clamp).set("most_texels", most_texels);
+        pass.set("result", raw_stretch_).dispatch_threads(glm::uvec2(size));
     });
+    frame.compute("grow charts",
+                  {.reads = {raw_position_, raw_normal_, raw_albedo_, raw_stretch_},
+                   .writes = {position, normal, albedo, stretch}},
+                  [&](Compute& pass) {
+                      pass.use(dilate_).set("position", raw_position_).set("normal", raw_normal_);
+                      pass.set("albedo", raw_albedo_).set("stretch", raw_stretch_).set("wide_stretch", stretch);
+                      pass.set("wide_position", position).set("wide_normal", normal).set("wide_albedo", albedo);
+                      pass.dispatch_threads(glm::uvec2(size));
+                  });
     made_of_ = wanted;
     return true;
 }

@@ -32,7 +32,7 @@ class Unwrapped {
         unsigned toggles = 0;
         bool operator==(const MadeOf&) const = default;
     } made_of_;
-    Image raw_position_, raw_normal_, raw_albedo_, noisy_;
+    Image raw_position_, raw_normal_, raw_albedo_, raw_stretch_, noisy_;
     Pipeline unwrap_ = graphics({.vertex = "12_skin/unwrap.vert",
                                  .fragment = "12_skin/unwrap.frag",
                                  .cull = VK_CULL_MODE_NONE,

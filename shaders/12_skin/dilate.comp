@@ -1,8 +1,8 @@
 // Charts grow by two texels, so that what is read between texels at a border finds the chart alone.
 layout(local_size_x = 8, local_size_y = 8) in;
-uniform sampler2D position, normal, albedo;
+uniform sampler2D position, normal, albedo, stretch;
 layout(rgba32f) writeonly uniform image2D wide_position;
-layout(rgba16f) writeonly uniform image2D wide_normal, wide_albedo;
+layout(rgba16f) writeonly uniform image2D wide_normal, wide_albedo, wide_stretch;
 
 // [dilate]
 void main() {
@@ -17,5 +17,8 @@ void main() {
     imageStore(wide_position, texel, texelFetch(position, nearest, 0));
     imageStore(wide_normal, texel, texelFetch(normal, nearest, 0));
     imageStore(wide_albedo, texel, texelFetch(albedo, nearest, 0));
+    // What has grown has no surface of its own.
+    vec4 scale = texelFetch(stretch, nearest, 0);
+    imageStore(wide_stretch, texel, vec4(scale.xy, nearest == texel ? scale.z : 0.0, scale.w));
 }
 // [/dilate]
