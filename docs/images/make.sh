@@ -114,3 +114,10 @@ for method in separable three_pass_7tap dual_kawase pyramid; do
         --method $method --size 160x160 --samples 1
 done
 join 08_spots 4x1 spot.separable spot.three_pass_7tap spot.dual_kawase spot.pyramid
+
+for method in lambert preintegrated separable gaussians_6; do
+    draw 12_skin "nose.$method" --scene assets/scenes/portrait.json --dolly 0.45 --method $method --size 1280x720 \
+        --samples 4
+    mogrify -crop 300x260+400+340 +repage "$work/nose.$method.png"
+done
+join 12_methods 4x1 nose.lambert nose.preintegrated nose.separable nose.gaussians_6
