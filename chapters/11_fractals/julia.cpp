@@ -1,6 +1,6 @@
 #include "11_fractals/julia.h"
 
-#include "11_fractals/pixel_rays.h"
+#include "10_atmosphere/view_rays.h"
 
 namespace lightwalk {
 namespace {
@@ -36,7 +36,11 @@ glm::vec4 Julia::constant_at(double time_s) const {
 // [record]
 void Julia::record(Frame& frame, const Scene& scene, const Camera& camera, EnvironmentLight& environment) {
     const glm::vec4 c = constant_at(double(frame.time_s));
-    now_ = {.rays = pixel_rays(camera, frame), .constant = c, .bound = julia_bound(c), .tile = tile};
+    now_ = {.rays = view_rays(camera, frame),
+            .pixel_rad = 2.0f * std::tan(0.5f * camera.fov_y_rad) / static_cast<float>(frame.crop.whole.y),
+            .constant = c,
+            .bound = julia_bound(c),
+            .tile = tile};
     for (const Light& light : scene.file.lights)
         if (light.kind == Light::Kind::directional) {
             now_.to_light = -glm::normalize(light.direction);

@@ -11,17 +11,22 @@ struct JuliaLook : Module {
     using Module::Module;
     Knob<glm::vec3> color{*this,
                           "color",
-                          glm::vec3(0.75f, 0.5f, 0.25f),
+                          glm::vec3(0.85f, 0.62f, 0.38f),
                           {glm::vec3(0.0f), glm::vec3(1.0f)},
                           "albedo where orbits stay away"};
     Knob<glm::vec3> color_deep{*this,
                                "color_deep",
-                               glm::vec3(0.25f, 0.05f, 0.04f),
+                               glm::vec3(0.3f, 0.07f, 0.05f),
                                {glm::vec3(0.0f), glm::vec3(1.0f)},
                                "albedo where they come near"};
     Knob<float> shininess{*this, "shininess", 40.0f, {1.0f, 2000.0f}, "Phong exponent of the light's highlight"};
     Knob<float> gloss{*this, "gloss", 0.3f, {0.0f, 10.0f}, "strength of that highlight"};
     Knob<float> facing{*this, "facing", 0.06f, {0.0f, 1.0f}, "what is reflected where one looks along the normal"};
+    Knob<glm::vec3> mirror{*this,
+                           "mirror",
+                           glm::vec3(1.0f),
+                           {glm::vec3(0.0f), glm::vec3(1.0f)},
+                           "by what the reflection is multiplied: a metal's colour"};
     Knob<float> fresnel_power{*this, "fresnel_power", 1.0f, {0.05f, 16.0f}, "k of the reflection 1 - (v.n)^k"};
     Knob<float> background_level{
         *this, "background_level", 0.0f, {0.0f, 8.0f}, "how blurred the environment is behind the set"};
@@ -45,7 +50,7 @@ struct Julia : Module {
     Knob<bool> shadow{*this, "shadow", true, "the set casts a shadow on itself"};
     Choice constant{*this,
                     "constant",
-                    {"custom", "cauldron", "reef", "shell", "knot", "thorn", "ring", "dust", "morph"},
+                    {"custom", "cauldron", "reef", "shell", "knot", "thorn", "spindle", "dust", "morph"},
                     "reef",
                     "c of z² + c, from the gallery; morph: one after the other, as time goes"};
     Knob<glm::vec3> c_xyz{*this,
@@ -60,7 +65,7 @@ struct Julia : Module {
     Knob<float> step_m{*this, "step_m", 0.01f, {1e-4f, 1.0f}, "fixed: length of a step", "m"};
     Knob<float> epsilon_m{*this, "epsilon_m", 5e-4f, {1e-5f, 0.1f}, "distance, relaxed: near enough", "m"};
     Knob<float> relaxation{*this, "relaxation", 1.4f, {1.0f, 2.0f}, "relaxed: length of a step, in distances"};
-    Knob<float> footprint{*this, "footprint", 0.5f, {0.05f, 4.0f}, "cone: near enough, in widths of a pixel", "px"};
+    Knob<float> footprint{*this, "footprint", 0.1f, {0.01f, 4.0f}, "cone: near enough, in widths of a pixel", "px"};
     Knob<float> trust{
         *this, "trust", 1.0f, {0.05f, 1.0f}, "share of a distance that is believed: less for sets that fall to dust"};
     Knob<float> difference_m{*this, "difference_m", 2e-4f, {1e-6f, 0.1f}, "how far apart a normal's differences are",

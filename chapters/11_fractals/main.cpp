@@ -1,23 +1,72 @@
 // Chapter 11: fractals: a Julia set in four dimensions, and a landscape of noise.
+#include <nlohmann/json.hpp>
+
 #include "01_obj/model_chapter.h"
-#include "11_fractals/julia.h"
+#include "11_fractals/depth_error.h"
+#include "11_fractals/normal_error.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct Fractals : ModelChapter {
+    Choice world{*this, "world", {"julia", "terrain"}, "julia", "what is shown"};
+    Choice method{*this,
+                  "method",
+                  {"as_set", "fixed", "distance", "relaxed", "cone", "central", "analytic", "exact"},
+                  "as_set",
+                  "julia.method of a Julia set, terrain.method of terrain; exact: the truth of both"};
     EnvironmentLight environment{*this, "environment"};
     Julia julia{*this, "julia"};
+    Terrain terrain{*this, "terrain"};
+    DepthError depth_error;
+    Pipeline tone = compute({.shader = "10_atmosphere/tone.comp"});
 
+    Fractals() { method.alone = true; }
     std::string default_scene() const override { return "scenes/julia_sunset.json"; }
-    bool animated() const override { return julia.animated(); }
+    bool animated() const override { return world.is("julia") ? julia.animated() : terrain.animated(); }
+    void prepare(Gpu& gpu) override { terrain.prepare(gpu); }
 
-    void frame(Frame& frame) override {
-        set_view(frame);
-        environment.record(frame, scene);
-        julia.record(frame, scene, camera, environment);
-        encode_srgb(frame);
+    // For the study: where rays end, and how normals lie, against double precision.
+    void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
+        samples.value = 1;
+        terrain.show.set("normals");
+        Frame own(gpu);
+        render(*this, own, {.size = size});
+        if (world.is("julia"))
+            depth_error.measure(gpu, julia, camera, 0.0, error);
+        else
+            measure_normals(gpu, terrain, own, error);
     }
+
+    // What --method and a study say goes to the module that is shown.
+    void choose_method() {
+        if (method.is("as_set")) return;
+        if (world.is("julia")) {
+            julia.method.set(method.is("central") || method.is("analytic") ? "exact" : method.text());
+        } else {
+            terrain.method.set(method.is("central") ? "central" : "analytic");
+            if (method.is("exact")) terrain.octaves.set("fixed");
+        }
+    }
+
+    // [frame]
+    void frame(Frame& frame) override {
+        choose_method();
+        if (world.is("julia")) {
+            environment.record(frame, scene);
+            julia.record(frame, scene, camera, environment);
+        } else {
+            terrain.record(frame, scene, camera);
+        }
+
+        // Linear light to codes; what is brighter than white fades into it.
+        accumulate(frame);
+        frame.compute("tone", {.reads = {frame.linear()}, .writes = {frame.output}}, [&](Compute& pass) {
+            pass.use(tone).set("hdr", frame.linear(), nearest_clamp).set("result", frame.output);
+            pass.dispatch_threads(frame.size);
+        });
+    }
+    // [/frame]
 };
 
 CHAPTER(Fractals)

@@ -115,6 +115,17 @@ for method in separable three_pass_7tap dual_kawase pyramid; do
 done
 join 08_spots 4x1 spot.separable spot.three_pass_7tap spot.dual_kawase spot.pyramid
 
+for erosion in 0 0.15 0.6; do
+    draw 11_fractals "worn.$erosion" --scene scenes/terrain_noon.json --size 400x225 --set terrain.erosion=$erosion \
+        --set terrain.snow_line_m=900
+done
+join 11_worn 3x1 worn.0 worn.0.15 worn.0.6
+
+for octaves in 3 6 9; do
+    draw 11_fractals "octaves.$octaves" --scene scenes/terrain_sunset.json --size 400x225 --set terrain.most_octaves=$octaves
+done
+join 11_octaves 3x1 octaves.3 octaves.6 octaves.9
+
 for method in lambert preintegrated separable gaussians_6; do
     draw 12_skin "nose.$method" --scene assets/scenes/portrait.json --dolly 0.45 --method $method --size 1280x720 \
         --samples 4

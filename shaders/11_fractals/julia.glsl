@@ -22,8 +22,7 @@ float julia_at(vec3 position) {
 float distance_at(float t) { return julia.trust * julia_at(march_from + t * march_along); }
 
 vec3 pixel_direction(ivec2 pixel) {
-    PixelRays rays = julia_now.rays;
-    return normalize(rays.first + float(pixel.x) * rays.right + float(pixel.y) * rays.down);
+    return normalize(ray_through(julia_now.rays, vec2(pixel) + 0.5));
 }
 
 // Where the ray is within the ball that holds the set; an end before its start: nowhere.
@@ -55,7 +54,7 @@ March march_julia(float start, float end) {
 #elif JULIA_METHOD == JULIA_METHOD_RELAXED
     return march(start, end, julia.epsilon_m, 0.0, julia.relaxation, julia.most_steps);
 #elif JULIA_METHOD == JULIA_METHOD_CONE
-    return march(start, end, 0.0, julia.footprint * julia_now.rays.pixel_rad, 1.0, julia.most_steps);
+    return march(start, end, 0.0, julia.footprint * julia_now.pixel_rad, 1.0, julia.most_steps);
 #else
     int steps = 0;
     for (float t = start; t < end; ++steps) {

@@ -1,23 +1,18 @@
 // What the passes of a Julia set know beside its knobs.
 #pragma once
+#include "10_atmosphere/view_rays_shared.h"
 #include "common/shared.h"
 
 BEGIN_SHARED
 
-// Rays through the middles of pixels: pixel (x, y) looks along first + x right + y down (metres, any length).
-struct PixelRays {
-    vec3 eye;  // metres, world space
-    vec3 first, right, down;
-    float pixel_rad;  // how wide a pixel is in the middle of the picture
-};
-
 struct JuliaNow {
-    PixelRays rays;
-    vec4 constant;       // c, at this time
-    float bound;         // metres: the set lies in a ball of this radius
-    vec3 to_light;       // unit length
-    vec3 light;          // radiance times pi of a white surface that faces it: irradiance
-    int tile;            // pixels along a side of the pre-pass's tiles
+    ViewRays rays;
+    float pixel_rad;  // how wide a pixel is in the middle of the picture
+    vec4 constant;    // c, at this time
+    float bound;      // metres: the set lies in a ball of this radius
+    vec3 to_light;    // unit length
+    vec3 light;       // radiance times pi of a white surface that faces it: irradiance
+    int tile;         // pixels along a side of the pre-pass's tiles
 };
 
 END_SHARED

@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2D found;
 layout(scalar) uniform JuliaLookBlock {
-    vec3 color, color_deep;
+    vec3 color, color_deep, mirror;
     float shininess, gloss, facing, fresnel_power, background_level;
 } julia_look;
 layout(rgba16f) writeonly uniform image2D result;
@@ -67,7 +67,7 @@ vec3 shade(vec3 position, vec3 along) {
 #else
     float mirrored = fresnel_power(dot(normal, to_eye), julia_look.facing, julia_look.fresnel_power);
 #endif
-    vec3 reflection = environment_radiance(reflect(along, normal), 1.0) * open;
+    vec3 reflection = environment_radiance(reflect(along, normal), 1.0) * open * julia_look.mirror;
     return mix(albedo / 3.14159265 * diffuse, reflection, mirrored) + specular;
 }
 // [/shade]

@@ -1,0 +1,174 @@
+#include "10_atmosphere/atmosphere.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "10_atmosphere/skylight.h"
+#include "10_atmosphere/view_rays.h"
+
+namespace lightwalk {
+namespace {
+
+// Whether it was another image before.
+bool make(Device& device, Image& image, const Image::Desc& desc) {
+    if (image && image.desc == desc) return false;
+    image = Image(device, desc);
+    return true;
+}
+
+}  // namespace
+
+float cornette_shanks_g(float mean_cosine) {
+    const double wanted = double(std::fabs(mean_cosine));
+    double low = 0, high = 1;
+    for (int i = 0; i < 50; ++i) {
+        const double g = 0.5 * (low + high), mean = 3 * g * (4 + g * g) / (5 * (2 + g * g));
+        (mean < wanted ? low : high) = g;
+    }
+    return static_cast<float>(std::copysign(low, double(mean_cosine)));
+}
+
+glm::vec3 Atmosphere::to_sun() const {
+    const double up = glm::radians(double(sun_elevation_deg.value)), around = glm::radians(double(sun_azimuth_deg));
+    return {std::cos(up) * std::sin(around), std::sin(up), -std::cos(up) * std::cos(around)};
+}
+
+Air Atmosphere::air() const {
+    const auto per_m = [](glm::vec3 per_mm) { return 1e-6f * per_mm; };
+    return {.rayleigh = per_m(rayleigh),
+            .rayleigh_height = rayleigh_height_m,
+            .mie = per_m(mie),
+            .mie_height = mie_height_m,
+            .mie_extinction = per_m(mie.value + mie_absorption.value),
+            .mie_g = phase.is("cornette_shanks") ? cornette_shanks_g(mean_cosine) : mean_cosine.value,
+            .layer = per_m(ozone),
+            .layer_center = ozone_center_m,
+            .layer_width = ozone_width_m,
+            .radius = radius_m,
+            .top = top_m,
+            .sun = exposure * sun_klx * sun_color.value,
+            .sun_rad = glm::radians(0.5f * sun_deg),
+            .ground = ground};
+}
+
+void Atmosphere::bind(Pass& pass) const {
+    pass.offer("air", air());
+    pass.offer("to_sun", to_sun());
+    if (skylight_) pass.offer("skylight", skylight_);
+}
+
+void Atmosphere::light_ground(Frame& frame) {
+    const Air now = air();
+    const auto bytes = std::as_bytes(std::span(&now, 1));
+    if (std::equal(bytes.begin(), bytes.end(), skylight_of_.begin(), skylight_of_.end())) return;
+    skylight_of_.assign(bytes.begin(), bytes.end());
+    frame.upload("skylight", skylight_, skylight_table(now));
+}
+
+// Above the ground, at most that of the air's edge.
+float Atmosphere::height_of(glm::vec3 position) const {
+    const glm::dvec3 p(position);
+    const double r = double(radius_m), k = p.y * (2 * r + p.y) + p.x * p.x + p.z * p.z;
+    return static_cast<float>(std::clamp(k / (r + std::sqrt(std::max(r * r + k, 0.0))), 0.0, double(top_m)));
+}
+
+// How far the volume before the eye reaches: to the ground's horizon and as far behind it as a mountain of half the
+// molecules' scale height can be seen. 0 at the air's edge and in space: from there nothing is near.
+float Atmosphere::volume_reach_m(const Camera& camera) const {
+    const float height = height_of(camera.position), mountain = 0.5f * rayleigh_height_m;
+    if (height >= top_m) return 0.0f;
+    return std::sqrt(height * (2 * radius_m + height)) + std::sqrt(mountain * (2 * radius_m + mountain));
+}
+
+void Atmosphere::make_images(Device& device) {
+    const auto scaled = [&](float x) { return static_cast<uint32_t>(std::max(2.0f, std::round(x * table_scale))); };
+    const auto table = [&](Image& image, const char* name, glm::vec2 size, float depth) {
+        const uint32_t slices = depth > 0 ? scaled(depth) : 0;
+        if (make(device, image, {.name = path() + name, .size = {scaled(size.x), scaled(size.y)}, .depth = slices}))
+            made_of_.clear();
+    };
+    table(transmittance_, " transmittance", {256, 64}, 0);
+    table(multiple_, " multiple scattering", {32, 32}, 0);
+    table(sky_, " sky", {192, 108}, 0);
+    table(light_, " light", {32, 32}, 32);
+    table(through_, " through", {32, 32}, 32);
+}
+
+// [tables]
+void Atmosphere::record_tables(Frame& frame, const Camera& camera, float reach_m) {
+    // 1. What depends on the air alone: made again where a knob of it was turned.
+    const Air now = air();
+    const auto bytes = std::as_bytes(std::span(&now, 1));
+    if (refresh.is("always") || !std::equal(bytes.begin(), bytes.end(), made_of_.begin(), made_of_.end())) {
+        made_of_.assign(bytes.begin(), bytes.end());
+        ++tables_made;
+        frame.compute("transmittance table", {.writes = {transmittance_}, .with = {*this}}, [&](Compute& pass) {
+            pass.use(make_transmittance_).set("result", transmittance_).dispatch_threads(transmittance_.desc.size);
+        });
+        frame.compute("multiple scattering table", {.reads = {transmittance_}, .writes = {multiple_}, .with = {*this}},
+                      [&](Compute& pass) {
+                          pass.use(make_multiple_).set("air_transmittance", transmittance_, linear_clamp);
+                          pass.set("result", multiple_).dispatch(glm::uvec3(multiple_.desc.size, 1));
+                      });
+    }
+    if (reach_m <= 0.0f) return;  // nothing of the rest is read from space
+
+    // 2. What depends on the eye and the sun.
+    const float height = height_of(camera.position);
+    const glm::vec3 up = (camera.position + glm::vec3(0.0f, radius_m.value, 0.0f)) / (radius_m + height);
+    frame.compute("sky table", {.reads = {transmittance_, multiple_}, .writes = {sky_}, .with = {*this}},
+                  [&](Compute& pass) {
+                      pass.use(make_sky_).set("result", sky_).set("eye", glm::vec2(height, glm::dot(up, to_sun())));
+                      set_lasting(pass);
+                      pass.dispatch_threads(sky_.desc.size);
+                  });
+    frame.compute("aerial volume",
+                  {.reads = {transmittance_, multiple_}, .writes = {light_, through_}, .with = {*this}},
+                  [&](Compute& pass) {
+                      pass.use(make_aerial_).set("result", light_).set("transmitted", through_);
+                      set_lasting(pass);
+                      pass.set("rays", view_rays(camera, frame)).set("reach", glm::vec3(frame.size, reach_m));
+                      pass.dispatch_threads(light_.desc.size);
+                  });
+}
+// [/tables]
+
+void Atmosphere::set_lasting(Compute& pass) const {
+    pass.set("air_transmittance", transmittance_, linear_clamp);
+    pass.offer("air_multiple", multiple_, linear_clamp);  // not wanted for single scattering
+}
+
+// [record]
+void Atmosphere::record(Frame& frame, const Image& hdr, const Image& depth, const Camera& camera) {
+    const Pipeline* const looks[] = {&none_, &preetham_, &polynomial_, &chapman_, &march_, &look_tables_, &truth_};
+    const bool tables = method.is("tables"), truth = method.is("truth");
+    const float reach_m = tables ? volume_reach_m(camera) : 0.0f;
+    ComputeAccess access{.reads = {depth, hdr}, .writes = {hdr}, .with = {*this}};
+    if (tables) {
+        make_images(frame.gpu.device);
+        record_tables(frame, camera, reach_m);
+        for (const Image* table : {&transmittance_, &multiple_, &sky_, &light_, &through_})
+            access.reads.push_back(*table);
+    }
+    if (truth) {
+        make(frame.gpu.device, doubt_, {.name = path() + " standard error", .size = frame.size});
+        access.writes.push_back(doubt_);
+    }
+    frame.compute("atmosphere", access, [&](Compute& pass) {
+        pass.use(*looks[method.index]).set("result", hdr).set("depth", depth, nearest_clamp);
+        pass.set("rays", view_rays(camera, frame));
+        if (tables) {
+            set_lasting(pass);
+            pass.set("air_sky", sky_, linear_clamp).set("air_light", light_, linear_clamp);
+            pass.set("air_through", through_, linear_clamp).set("reach_m", reach_m);
+        }
+        if (truth) {
+            pass.offer("doubt", doubt_);
+            pass.offer("seed", frame.seed * 4096u + static_cast<unsigned>(frame.samples.index));
+        }
+        pass.dispatch_threads(frame.size);
+    });
+}
+// [/record]
+
+}  // namespace lightwalk

@@ -1,0 +1,123 @@
+// A planet's air as a module: what it scatters into a picture, and what it lets through.
+#pragma once
+#include "10_atmosphere/air_data.h"
+#include "common/app/module.h"
+#include "common/app/target.h"
+#include "common/gpu/frame.h"
+#include "common/scene/camera.h"
+
+namespace lightwalk {
+
+// [atmosphere]
+/// In a frame, when all that is solid was drawn into an RGBA16F image, in linear light without air:
+///
+///     atmosphere.record(frame, frame.hdr, frame.depth, camera);
+///
+/// The planet's middle lies `radius_m` below the world's origin. Where depth is 0 the image holds the planet's ground,
+/// if the pixel's ray meets it, else what lies beyond the air. Lights and colours are the module's own: to_sun(), and
+/// in a pass that states it in `.with` and includes 10_atmosphere/ground_light.glsl, sunlight_on() and skylight_on().
+struct Atmosphere : Module {
+    Atmosphere(Module& owner, std::string name) : Module(owner, std::move(name), "atmosphere") {}
+    // [/atmosphere]
+
+    Choice method{*this,
+                  "method",
+                  {"none", "preetham", "polynomial", "chapman", "march", "tables", "truth"},
+                  "tables",
+                  "how the air's light is found; preetham knows the sky from the ground, tables alone what was "
+                  "scattered more than once"};
+    Choice orders{*this, "orders", {"single", "multiple"}, "multiple", "light scattered once, or any number of times"};
+    Choice phase{*this,
+                 "phase",
+                 {"isotropic", "henyey_greenstein", "cornette_shanks"},
+                 "cornette_shanks",
+                 "which way dust scatters"};
+    Knob<int> steps{*this, "steps", 16, {1, 4096}, "places on a pixel's path; truth takes 32 times as many"};
+    Knob<int> light_steps{*this, "light_steps", 8, {1, 256}, "places on the way from there to the sun, for march"};
+    Knob<int> paths{*this, "paths", 16, {1, 512}, "random paths of a pixel, for truth with many scatterings"};
+    Knob<float> table_scale{*this, "table_scale", 1.0f, {0.25f, 2.0f}, "of the tables' width and height"};
+    Choice refresh{*this, "refresh", {"changed", "always"}, "changed", "when tables are made: always is for timing"};
+
+    Knob<float> sun_elevation_deg{
+        *this, "sun_elevation_deg", 30.0f, {-90.0f, 90.0f}, "of the sun at the world's origin", "degrees"};
+    Knob<float> sun_azimuth_deg{*this, "sun_azimuth_deg", 0.0f, {-360.0f, 360.0f}, "from -z towards +x", "degrees"};
+    Knob<float> sun_klx{*this, "sun_klx", 128.0f, {0.0f, 1e5f}, "what it sheds outside of the air", "klx"};
+    Knob<glm::vec3> sun_color{*this, "sun_color", glm::vec3(1.0f), {glm::vec3(0.0f), glm::vec3(10.0f)}, "its colour"};
+    Knob<float> sun_deg{*this, "sun_deg", 0.53f, {0.01f, 20.0f}, "how wide it looks", "degrees"};
+    Knob<float> disc{*this, "disc", 1.0f, {0.0f, 1.0f}, "how much of its own brightness the sun's disc shows"};
+    Knob<float> exposure{*this, "exposure", 0.1f, {0.0f, 1e6f}, "by what light in kcd/m² is multiplied"};
+    Knob<float> turbidity{*this, "turbidity", 2.5f, {1.0f, 20.0f}, "haze, for preetham: 2 very clear, 10 haze"};
+
+    Knob<float> radius_m{*this, "radius_m", 6.36e6f, {1e3f, 1e9f}, "of the planet", "m"};
+    Knob<float> top_m{*this, "top_m", 1e5f, {1.0f, 1e8f}, "height of the air's edge", "m"};
+    Knob<glm::vec3> rayleigh{
+        *this, "rayleigh", {5.802f, 13.558f, 33.1f}, {glm::vec3(0.0f), glm::vec3(1e5f)}, "what molecules scatter",
+        "1/Mm"};
+    Knob<float> rayleigh_height_m{*this, "rayleigh_height_m", 8000.0f, {0.0f, 1e6f}, "their scale height", "m"};
+    Knob<glm::vec3> mie{*this, "mie", glm::vec3(3.996f), {glm::vec3(0.0f), glm::vec3(1e5f)}, "what dust scatters",
+                        "1/Mm"};
+    Knob<glm::vec3> mie_absorption{
+        *this, "mie_absorption", glm::vec3(0.444f), {glm::vec3(0.0f), glm::vec3(1e5f)}, "and swallows", "1/Mm"};
+    Knob<float> mie_height_m{*this, "mie_height_m", 1200.0f, {0.0f, 1e6f}, "its scale height", "m"};
+    Knob<float> mean_cosine{
+        *this, "mean_cosine", 0.8f, {-0.95f, 0.95f}, "of the angle by which dust turns light: 1 is straight on"};
+    Knob<glm::vec3> ozone{*this,
+                          "ozone",
+                          {0.65f, 1.881f, 0.085f},
+                          {glm::vec3(0.0f), glm::vec3(1e5f)},
+                          "what a layer absorbs in its middle; 0: no layer",
+                          "1/Mm"};
+    Knob<float> ozone_center_m{*this, "ozone_center_m", 25000.0f, {0.0f, 1e7f}, "height of its middle", "m"};
+    Knob<float> ozone_width_m{*this, "ozone_width_m", 15000.0f, {0.0f, 1e7f}, "from there to its edges", "m"};
+    Knob<glm::vec3> ground{
+        *this, "ground", glm::vec3(0.1f), {glm::vec3(0.0f), glm::vec3(1.0f)}, "albedo of the ground, for its light"};
+
+    /// What falls on the ground under this air, for sunlight_on() and skylight_on(): before passes that call them.
+    void light_ground(Frame& frame);
+
+    void record(Frame& frame, const Image& hdr, const Image& depth, const Camera& camera);
+
+    glm::vec3 to_sun() const;  ///< unit length, world space
+    Air air() const;           ///< the knobs, as shaders read them
+
+    void bind(Pass& pass) const override;
+
+    /// Of the frame recorded last with `tables`: to look at.
+    const Image& transmittance() const { return transmittance_; }
+    const Image& multiple() const { return multiple_; }
+    const Image& sky() const { return sky_; }
+
+    /// And with `truth` for many scatterings: the standard error of each pixel's light, over the light.
+    const Image& doubt() const { return doubt_; }
+
+    int tables_made = 0;  ///< so far, to show that none is made twice
+
+  private:
+    void make_images(Device& device);
+    void record_tables(Frame& frame, const Camera& camera, float reach_m);
+    void set_lasting(Compute& pass) const;
+    float height_of(glm::vec3 position) const;
+    float volume_reach_m(const Camera& camera) const;
+
+    Buffer skylight_;
+    std::vector<std::byte> skylight_of_;  ///< what it was made from
+    Image doubt_, transmittance_, multiple_, sky_, light_, through_;
+    std::vector<std::byte> made_of_;  ///< what the two lasting tables were made from
+    Pipeline make_transmittance_ = compute({.shader = "10_atmosphere/make_transmittance.comp"});
+    Pipeline make_multiple_ = compute({.shader = "10_atmosphere/make_multiple.comp"});
+    Pipeline make_sky_ = compute({.shader = "10_atmosphere/make_sky.comp"});
+    Pipeline make_aerial_ = compute({.shader = "10_atmosphere/make_aerial.comp"});
+    Pipeline none_ = compute({.shader = "10_atmosphere/look_none.comp"});
+    Pipeline preetham_ = compute({.shader = "10_atmosphere/look_preetham.comp"});
+    Pipeline polynomial_ = compute({.shader = "10_atmosphere/look_closed.comp", .macros = {{"ONEIL", "1"}}});
+    Pipeline chapman_ = compute({.shader = "10_atmosphere/look_closed.comp"});
+    Pipeline march_ = compute({.shader = "10_atmosphere/look_march.comp"});
+    Pipeline look_tables_ = compute({.shader = "10_atmosphere/look_tables.comp"});
+    Pipeline truth_ = compute({.shader = "10_atmosphere/look_truth.comp"});
+};
+
+/// The parameter g with which Cornette and Shanks' function has that mean cosine (-0.95 to 0.95). At equal g its mean
+/// cosine is larger than Henyey and Greenstein's, which is g.
+float cornette_shanks_g(float mean_cosine);
+
+}  // namespace lightwalk

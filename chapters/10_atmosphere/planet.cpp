@@ -1,0 +1,45 @@
+#include "10_atmosphere/planet.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "10_atmosphere/view_rays.h"
+#include "common/scene/scene_file.h"
+
+namespace lightwalk {
+
+void Planet::prepare(Gpu& gpu) {
+    if (!images_) images_ = std::make_unique<ImagePool>(gpu);
+    const auto load = [&](const char* file, TextureKind kind) { return images_->load(find_asset(file), kind); };
+    stars_ = load("textures/stars.jpg", TextureKind::color);
+    if (map.is("mars")) day_ = load("planets/mars.jpg", TextureKind::color);
+    if (!map.is("earth")) return;
+    day_ = load("planets/earth_day.jpg", TextureKind::color);
+    night_ = load("planets/earth_night.jpg", TextureKind::color);
+    clouds_ = load("planets/earth_clouds.jpg", TextureKind::data);
+    water_ = load("planets/earth_specular.jpg", TextureKind::data);
+}
+
+void Planet::bind(Pass& pass) const {
+    // The world's +y is where the origin lies on the map, -z is north of it before it is turned.
+    glm::mat4 turn(1.0f);
+    turn = glm::rotate(turn, glm::radians(longitude_deg.value), glm::vec3(0, 1, 0));
+    turn = glm::rotate(turn, glm::radians(-latitude_deg.value), glm::vec3(1, 0, 0));
+    turn = glm::rotate(turn, glm::radians(90.0f), glm::vec3(1, 0, 0));
+    turn = glm::rotate(turn, glm::radians(turn_deg.value), glm::vec3(0, 1, 0));
+    pass.offer("to_map", glm::mat3(turn));
+    const std::pair<const char*, const std::shared_ptr<Image>&> maps[] = {
+        {"day_map", day_}, {"night_map", night_}, {"cloud_map", clouds_}, {"water_map", water_}, {"star_map", stars_}};
+    for (const auto& [name, image] : maps)
+        if (image) pass.offer(name, *image, Sampler{.wrap = Wrap::repeat});
+}
+
+void Planet::record(Frame& frame, const Atmosphere& atmosphere, const Camera& camera) {
+    frame.compute("ground", {.reads = {frame.depth}, .writes = {frame.hdr}, .with = {atmosphere, *this}},
+                  [&](Compute& pass) {
+                      pass.use(ground_).set("depth", frame.depth, nearest_clamp).set("result", frame.hdr);
+                      pass.set("rays", view_rays(camera, frame)).set("strength", atmosphere.exposure.value);
+                      pass.dispatch_threads(frame.size);
+                  });
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,42 @@
+// The ground of a planet as a sphere, with its maps, and the stars behind it.
+#pragma once
+#include "10_atmosphere/atmosphere.h"
+#include "common/scene/image_pool.h"
+
+namespace lightwalk {
+
+/// Draws what the air lies before: where no depth was drawn, the planet's ground, or the stars. A sea shines.
+struct Planet : Module {
+    Planet(Module& owner, std::string name) : Module(owner, std::move(name), "planet") {}
+
+    Choice map{*this, "map", {"plain", "earth", "mars"}, "earth", "what its ground looks like; plain: one colour"};
+    Knob<float> latitude_deg{*this,    "latitude_deg", 0.0f, {-90.0f, 90.0f}, "of the world's origin on the map",
+                             "degrees"};
+    Knob<float> longitude_deg{*this,    "longitude_deg", 0.0f, {-180.0f, 180.0f}, "of the world's origin on the map",
+                              "degrees"};
+    Knob<float> turn_deg{*this, "turn_deg", 0.0f, {-360.0f, 360.0f}, "by what the map is turned about it", "degrees"};
+    Knob<glm::vec3> color{*this,
+                          "color",
+                          {0.05f, 0.09f, 0.12f},
+                          {glm::vec3(0.0f), glm::vec3(1.0f)},
+                          "albedo of plain ground, by what maps are multiplied"};
+    Knob<float> sea{*this, "sea", 1.0f, {0.0f, 1.0f}, "how much of plain ground is water; of maps, of their water"};
+    Knob<float> waves{*this, "waves", 0.12f, {0.005f, 1.0f}, "how steep waves are, as a standard deviation of slopes"};
+    Knob<float> clouds{*this, "clouds", 1.0f, {0.0f, 1.0f}, "how much the map's clouds hide"};
+    Knob<float> night{*this, "night", 0.02f, {0.0f, 1e3f}, "how bright cities are by night, kcd/m²"};
+    Knob<float> stars{*this, "stars", 0.02f, {0.0f, 1e6f}, "how bright the stars are, kcd/m²"};
+
+    Knob<float> snow_m{*this, "snow_m", 1300.0f, {-1e5f, 1e5f}, "height from which mountains are white", "m"};
+
+    /// Loads the maps; again where another one was chosen.
+    void prepare(Gpu& gpu);
+    void record(Frame& frame, const Atmosphere& atmosphere, const Camera& camera);
+    void bind(Pass& pass) const override;
+
+  private:
+    std::unique_ptr<ImagePool> images_;
+    std::shared_ptr<Image> day_, night_, clouds_, water_, stars_;
+    Pipeline ground_ = compute({.shader = "10_atmosphere/ground.comp"});
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,23 @@
+// A clear day's sky from a formula, as a module: knobs and GLSL, no pass.
+#pragma once
+#include "common/app/module.h"
+
+namespace lightwalk {
+
+// [preetham]
+/// A pass that states it in `.with` includes 10_atmosphere/preetham_inputs.glsl and calls
+///
+///     vec3 sky_light(vec3 direction, vec3 to_sun)   // linear light of the sky, the horizon's below it
+///     vec3 sun_light(vec3 to_sun)                   // what falls on a surface that faces the sun
+///
+/// with directions of unit length, +y up. Nothing of it knows of heights or distances: for an eye near the ground.
+struct Preetham : Module {
+    Preetham(Module& owner, std::string name) : Module(owner, std::move(name), "preetham") {}
+
+    Knob<float> turbidity{*this, "turbidity", 2.5f, {1.7f, 10.0f}, "haze: 2 very clear, 3 clear, 6 moist, 10 haze"};
+    Knob<float> exposure{*this, "exposure", 0.1f, {0.0f, 1e3f}, "by what light in kcd/m² is multiplied"};
+    Knob<float> sun{*this, "sun", 128.0f, {0.0f, 1e4f}, "what the sun sheds on a surface outside the air", "klx"};
+};
+// [/preetham]
+
+}  // namespace lightwalk

@@ -1,0 +1,13 @@
+// Linear light of any brightness to codes: 1 - exp(-x), as film does, for which nothing is too bright.
+#include "common/srgb.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+uniform sampler2D hdr;
+layout(rgba8) writeonly uniform image2D result;
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(result)))) return;
+    imageStore(result, pixel, vec4(encode_srgb(1.0 - exp(-texelFetch(hdr, pixel, 0).rgb)), 1.0));
+}

@@ -1,0 +1,300 @@
+// What ./course check runs for chapter 10: values against double precision, then properties.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "10_atmosphere/truth.h"
+#include "common/check/check.h"
+#include "known_air.h"
+
+using namespace lightwalk;
+
+namespace {
+
+constexpr double earth = 6360000, edge = 100000;
+
+// The least slope that clears the ground, and a little more.
+double above_horizon(double height, double share, double radius = earth) {
+    const double horizon = -std::sqrt(height * (2 * radius + height)) / (radius + height);
+    return double(float(horizon + (1 - horizon) * share + 1e-6));
+}
+
+}  // namespace
+
+CHECK_EXERCISE("10.ray_sphere", "c = (height - shell)(2 radius + height + shell); one root is q, the other c / q") {
+    Probe probe{.include = "10_atmosphere/ray_sphere.glsl",
+                .signature = "vec2 ray_sphere(float height, float slope, float radius, float shell)",
+                .inputs = {{0, 0, earth, 0},
+                           {0, -0.25, earth, 0},
+                           {0, 0.25, earth, 0},
+                           {0, 1e-4, earth, edge},
+                           {2, -1, earth, 0},
+                           {2, 1, earth, 0},
+                           {2, -0.5, earth, edge},
+                           {edge, 0.5, earth, edge},
+                           {edge, -0.5, earth, edge},
+                           {4e5, 0.5, earth, edge},
+                           {4e5, -1, earth, edge},
+                           {4e5, 0, earth, edge},
+                           {1e7, -0.2, earth, edge},
+                           {1e7, -0.99, earth, edge},
+                           {50, -0.125, 3389500, 0},
+                           {0.5, -0.75, 2, 0.25}},
+                .truth =
+                    [](std::span<const double> in) {
+                        const glm::dvec2 t = truth::ray_sphere(in[0], in[1], in[2], in[3]);
+                        return Row{t.x, t.y};
+                    },
+                .bound = {.absolute = 0.02, .relative = 2e-5},
+                .hint = [](auto in, auto out) -> std::string {
+                    if (out[0] == 1 && out[1] == -1 && in[0] < in[3]) return "from within a sphere every ray meets it";
+                    if (in[0] < 10)
+                        return "the smaller root of two is a difference of numbers that are nearly the same";
+                    return "";
+                }};
+    Random random;
+    for (int i = 0; i < 400; ++i) {  // from 2 m the horizon lies 5 km away
+        const double height = random.logarithmic(0.5, 9e4);
+        probe.inputs.push_back({height, random.uniform(-1, -0.3), earth, 0});
+        probe.inputs.push_back({height, random.uniform(-1, 1), earth, edge});
+    }
+    for (int i = 0; i < 200; ++i)
+        probe.inputs.push_back({random.logarithmic(2e5, 5e7), random.uniform(-1, -0.99), earth, edge});
+    // What grazes within rounding may meet or miss: ask for what does neither nearly.
+    std::erase_if(probe.inputs, [](const Row& in) {
+        const double b = (in[2] + in[0]) * in[1], c = (in[0] - in[3]) * (2 * in[2] + in[0] + in[3]), d = b * b - c;
+        return d != 0 && std::fabs(d) < 1e-3 * b * b;
+    });
+    const Table results = check.probe(probe);
+    check.property(probe, results, "but the nearer one comes first, and (1, -1) where there is none",
+                   [](auto, auto out) { return out[0] <= out[1] || (out[0] == 1 && out[1] == -1); });
+}
+
+CHECK_EXERCISE("10.density",
+               "exp(-height / scale) needs a scale above 0; the layer is a tent: 1 - |distance| / width") {
+    Probe probe{.include = "10_atmosphere/density.glsl",
+                .signature =
+                    "vec3 density(float height, float rayleigh_height, float mie_height, float layer_center, "
+                    "float layer_width)",
+                .inputs = {{0, 8000, 1200, 25000, 15000},
+                           {8000, 8000, 1200, 25000, 15000},
+                           {25000, 8000, 1200, 25000, 15000},
+                           {10000, 8000, 1200, 25000, 15000},
+                           {40000, 8000, 1200, 25000, 15000},
+                           {99000, 8000, 1200, 25000, 15000},
+                           {-0.5, 8000, 1200, 25000, 15000},
+                           {-600, 8000, 1200, 25000, 15000},
+                           {0, 0, 1200, 25000, 15000},
+                           {500, 8000, 0, 25000, 15000},
+                           {0, 0, 0, 0, 0},
+                           {25000, 8000, 1200, 25000, 0},
+                           {0, 8000, 1200, 0, 5000}},
+                .truth =
+                    [](std::span<const double> in) {
+                        Row row;
+                        append(row, truth::density(in[0], in[1], in[2], in[3], in[4]));
+                        return row;
+                    },
+                .bound = {.absolute = 1e-6, .relative = 2e-5},
+                .hint = [](auto in, auto) -> std::string {
+                    if (in[1] == 0 || in[2] == 0 || in[4] == 0)
+                        return "nothing to divide by: there are no such particles";
+                    return in[0] < 0 ? "below the ground it is the ground's" : "";
+                }};
+    Random random;
+    for (int i = 0; i < 500; ++i)
+        probe.inputs.push_back({random.uniform(0, 1e5), random.uniform(500, 2e4), random.uniform(500, 5e3),
+                                random.uniform(0, 4e4), random.uniform(1e3, 3e4)});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("10.phase_rayleigh", "3 / (16 pi) makes the integral over the sphere 1") {
+    Probe probe{.include = "10_atmosphere/phase_rayleigh.glsl",
+                .signature = "float phase_rayleigh(float cos_angle)",
+                .truth = [](std::span<const double> in) { return Row{truth::phase_rayleigh(in[0])}; },
+                .bound = {.relative = 2e-6}};
+    for (int i = -50; i <= 50; ++i) probe.inputs.push_back({double(float(i) / 50)});
+    const Table results = check.probe(probe);
+    double sum = 0;
+    for (const Row& row : results) sum += 2 * truth::pi * row[0] * 0.02;
+    check.expect(std::fabs(sum - 1) < 0.03,
+                 fmt::format("over all directions it adds up to {:.3f}, expected 1: light is {}", sum,
+                             sum < 1 ? "lost" : "made"));
+}
+
+CHECK_EXERCISE("10.phase_mie", "(1 + g² - 2 g c)^1.5 is x sqrt(x); and 1 over 4 pi") {
+    Probe probe{
+        .include = "10_atmosphere/phase_mie.glsl",
+        .signature = "float phase_mie(float cos_angle, float g)",
+        .inputs = {{1, 0.99}, {-1, 0.99}, {1, -0.99}, {-1, -0.99}, {1, 0}, {0, 0}, {-1, 0}, {1, 0.9}, {0.5, 0.76}},
+        .truth = [](std::span<const double> in) { return Row{truth::phase_cornette_shanks(in[0], in[1])}; },
+        // (1 - g)² of a g that is a float: at 0.99 and straight on 1e-4, a difference of numbers near 2.
+        .bound = {.relative = 2e-3}};
+    Random random;
+    for (int i = 0; i < 600; ++i) probe.inputs.push_back({random.uniform(-1, 1), random.uniform(-0.95, 0.95)});
+    const Table results = check.probe(probe);
+    check.property(probe, results, "but a share of light is above 0", [](auto, auto out) { return out[0] > 0; });
+}
+
+CHECK_EXERCISE("10.optical_depth", "below level: twice the level ray through the lowest point, less what lies behind") {
+    const double scales[] = {8000, 1200, 11100};
+    Probe probe{
+        .include = "10_atmosphere/optical_depth.glsl",
+        .signature = "float optical_depth(float height, float slope, float radius, float scale_height)",
+        .inputs = {{0, 1, earth, 8000},
+                   {0, 0, earth, 8000},
+                   {0, 0, earth, 1200},
+                   {0, 0.05, earth, 1200},
+                   {20000, above_horizon(20000, 0.0005), earth, 8000},
+                   {90000, above_horizon(90000, 0.02), earth, 1200},
+                   {0, 0.5, earth, 0},
+                   {0, 0, earth, 0},
+                   {4000, -0.02, earth, 0}},
+        .truth = [](std::span<const double> in) { return Row{truth::optical_depth(in[0], in[1], in[2], in[3], 1500)}; },
+        // The fit is good to 0.3%; below level what is left is a difference of two.
+        .bound = {.absolute = 1e-3, .relative = 0.012},
+        .hint = [](auto in, auto) -> std::string {
+            if (in[3] == 0) return "a scale height of 0 says that there is nothing";
+            return in[1] < 0 ? "" : "for a slope of 0 or more it is the formula as it stands";
+        }};
+    Random random;
+    for (int i = 0; i < 160; ++i) {
+        const double height = random.uniform(0, 60000), scale = scales[i % 3];
+        probe.inputs.push_back({height, i % 2 ? random.uniform(0, 1) : above_horizon(height, random.uniform(0, 0.12)),
+                                i % 5 ? earth : 3389500, scale});
+    }
+    std::erase_if(probe.inputs, [](const Row& in) {  // on Mars the horizon lies lower, and the ray may hit the ground
+        return in[1] < -std::sqrt(in[0] * (2 * in[2] + in[0])) / (in[2] + in[0]);
+    });
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("10.in_scatter", "each part's light goes through the parts before it and half of its own") {
+    const Air air = earth_air();
+    const auto phase = [&](double c) { return truth::phase_cornette_shanks(c, double(air.mie_g)); };
+    Probe probe{.include = "10_atmosphere/in_scatter_known.glsl",
+                .signature = "Along in_scatter(int samples, Path path)",
+                .truth =
+                    [&](std::span<const double> in) {
+                        const Path path{float(in[1]), float(in[2]), float(in[3]), float(in[4]), float(in[5])};
+                        glm::dvec3 through;
+                        const glm::dvec3 light = truth::in_scatter(air, path, phase, int(in[0]), 24, &through);
+                        Row row;
+                        append(row, light), append(row, through);
+                        return row;
+                    },
+                .bound = {.absolute = 1e-5, .relative = 2e-3},
+                .macros = known_air(air),
+                .words = {},
+                .hint = [](auto in, auto out) -> std::string {
+                    if (out[3] == 1 && out[5] == 1) return "air takes light away: exp(-depth) of all parts together";
+                    if (in[0] == 1) return "with one part, its own middle is behind half of it";
+                    return "";
+                }};
+    Random random;
+    for (int i = 0; i < 60; ++i) {
+        const double height = random.uniform(10, 40000), slope = random.uniform(0.02, 1), sun = random.uniform(-0.2, 1);
+        const double sine = std::sqrt((1 - slope * slope) * (1 - sun * sun));
+        probe.inputs.push_back({double(i % 6 + 1), height, slope, sun,
+                                double(float(slope * sun + sine * random.uniform(-1, 1))),
+                                random.uniform(100, 300000)});
+    }
+    probe.inputs.push_back({16, 2, 1, 0.5, 0.5, 99000});
+    probe.inputs.push_back({4, 2, 0.5, -0.9, 0.2, 90000});  // night
+    const Table results = check.probe(probe);
+    check.property(probe, results, "but no more than all gets through, and no light is below 0",
+                   [](auto, auto out) { return out[3] <= 1 && out[4] <= 1 && out[5] <= 1 && out[0] >= 0; });
+}
+
+CHECK_EXERCISE("10.height_fog", "take the lower end's density and an x of 0 or more; a series where x is small") {
+    Probe probe{
+        .include = "10_atmosphere/height_fog.glsl",
+        .signature = "float height_fog(float density, float falloff, float y, float slope, float distance)",
+        .inputs = {{1e-3, 0, 5, 0.5, 1000},
+                   {1e-3, 0.01, 5, 0, 1000},
+                   {1e-3, 1e-3, 0, 1e-3, 1000},
+                   {1e-3, 1e-3, 0, 1e-6, 1000},
+                   {1e-3, 1e-3, 0, 2e-8, 1000},
+                   {1e-3, 1e-3, 0, -1e-6, 1000},
+                   {1e-3, 0.1, 0, 0.01, 1},
+                   {1e-3, 0.01, 20000, -1, 20000},
+                   {1e-3, 0.1, 1000, -1, 1000},
+                   {1e-3, 0.1, 0, 1, 1e5},
+                   {0, 0.1, 10, -0.1, 50},
+                   {1e-3, 0.1, 10, -0.1, 0},
+                   {0.01, 0.02, -100, 0.1, 900}},
+        .truth = [](std::span<const double> in) { return Row{truth::fog_depth(in[0], in[1], in[2], in[3], in[4])}; },
+        .bound = {.absolute = 1e-12, .relative = 3e-5},
+        .hint = [](auto in, auto out) -> std::string {
+            const double x = std::fabs(in[1] * in[3] * in[4]);
+            if (!std::isfinite(out[0])) return x == 0 ? "0 / 0" : "exp() of a large number";
+            return x < 0.01 ? "1 - exp(-x) has lost its digits" : "";
+        }};
+    Random random;
+    for (int i = 0; i < 600; ++i) {
+        const double falloff = random.logarithmic(1e-5, 0.1), y = random.uniform(-50, 200) * (i % 3 + 1);
+        probe.inputs.push_back({random.logarithmic(1e-6, 0.1), falloff, y,
+                                i % 2 ? random.uniform(-1, 1) : random.logarithmic(1e-9, 1e-2),
+                                random.logarithmic(0.1, 3e3)});
+    }
+    std::erase_if(probe.inputs, [](const Row& in) { return -in[1] * std::min(in[2], in[2] + in[3] * in[4]) > 70; });
+    const Table results = check.probe(probe);
+    check.property(probe, results, "but fog is never less than none", [](auto, auto out) { return out[0] >= 0; });
+}
+
+CHECK_EXERCISE("10.table_uv", "0 belongs on the first texel's middle: (0.5 + x (size - 1)) / size") {
+    const std::string file = "10_atmosphere/table_uv.glsl";
+    // In double: where the way out is kept.
+    const auto uv = [](std::span<const double> in) {
+        const double height = in[0], slope = in[1], radius = in[2], top = in[3];
+        const auto level = [&](double h) { return std::sqrt(h * (2 * radius + h)); };
+        const double way = truth::ray_sphere(height, slope, radius, top).y;
+        const double most = level(height) + level(top), least = top - height;
+        const double x = most > least ? std::clamp((way - least) / (most - least), 0.0, 1.0) : 0;
+        return Row{(0.5 + x * (in[4] - 1)) / in[4], (0.5 + level(height) / level(top) * (in[5] - 1)) / in[5]};
+    };
+    Probe there{.include = file,
+                .signature = "vec2 table_uv(float height, float slope, float radius, float top, vec2 size)",
+                .inputs = {{0, 0, earth, edge, 256, 64},
+                           {0, 1, earth, edge, 256, 64},
+                           {edge, 1, earth, edge, 256, 64},
+                           {2, 0, earth, edge, 256, 64},
+                           {500, 0.5, earth, edge, 64, 16},
+                           {40000, above_horizon(40000, 0), earth, edge, 256, 64}},
+                .truth = uv,
+                .bound = {.absolute = 1e-4},
+                .hint = [](auto in, auto out) -> std::string {
+                    if (in[0] == 0 && out[1] < 0.4 / in[5]) return "the first texel's middle, not the table's edge";
+                    return "";
+                }};
+    Probe back{.include = file,
+               .signature = "vec2 table_place(vec2 uv, float radius, float top, vec2 size)",
+               .bound = {.absolute = 1}};
+    Random random;
+    for (int i = 0; i < 300; ++i) {
+        const double height = random.logarithmic(1, 9e4);
+        there.inputs.push_back({height, above_horizon(height, random.uniform(0, 1)), earth, edge, 256, 64});
+    }
+    check.probe(there);
+
+    // The inverse, for every texel: back to where it came from.
+    const double w = 32, h = 16;
+    std::vector<glm::dvec2> places;
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 32; ++x) back.inputs.push_back({(x + 0.5) / w, (y + 0.5) / h, earth, edge, w, h});
+    back.truth = [&](std::span<const double> in) {
+        const double level_top = std::sqrt(edge * (2 * earth + edge)), level = (in[1] * h - 0.5) / (h - 1) * level_top;
+        const double height = std::sqrt(earth * earth + level * level) - earth, least = edge - height;
+        const double way = least + (in[0] * w - 0.5) / (w - 1) * (level + level_top - least);
+        if (way < 1e-3) return Row{height, 1};
+        return Row{height, ((edge - height) * (2 * earth + edge + height) - way * way) / (2 * (earth + height) * way)};
+    };
+    const Table found = check.probe(back);
+    check.property(back, found, "but a slope is -1 to 1, and a height 0 to top",
+                   [](auto, auto out) { return std::fabs(out[1]) <= 1 && out[0] > -1 && out[0] < edge + 1; });
+    double worst = 0;
+    for (size_t i = 0; i < found.size(); ++i)
+        worst = std::max(worst, std::fabs(found[i][1] - back.truth(back.inputs[i])[1]));
+    check.expect(worst < 1e-4, fmt::format("table_place gives a slope that is off by {:.4g}", worst),
+                 "way² + 2 (radius + height) way slope = (top - height)(2 radius + top + height)");
+}

@@ -1,0 +1,2 @@
+// wrong: expected (-1, 0, 0, 0)
+vec4 quaternion_square(vec4 q) { return q * q; }
