@@ -149,3 +149,10 @@ done
 draw 13_mlaa wires.truth --shot city --method none --samples 64
 mogrify -crop 100x70+340+150 +repage -filter point -resize 400% "$work/wires.none.png" "$work/wires.mlaa.png" "$work/wires.truth.png"
 join 13_wires 3x1 wires.none wires.mlaa wires.truth
+
+for method in lambert preintegrated separable gaussians_6; do
+    draw 12_skin "nose.$method" --scene assets/scenes/portrait.json --dolly 0.45 --method $method --size 1280x720 \
+        --samples 4
+    mogrify -crop 300x260+400+340 +repage "$work/nose.$method.png"
+done
+join 12_methods 4x1 nose.lambert nose.preintegrated nose.separable nose.gaussians_6

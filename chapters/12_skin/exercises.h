@@ -1,0 +1,26 @@
+// The C++ exercise of this chapter. The name calls the student's version or the reference, as the toggle says.
+#pragma once
+#include <vector>
+
+#include "12_skin/sums.h"
+#include "common/base/exercise.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+/// What 12.blur_irradiance has to work with.
+struct BlurPasses {
+    /// Compute: for each texel of its image `into` it sums up its texture `from` around it, along the block `blur`'s
+    /// direction; the texture `stretch` says how many texels a millimetre is.
+    const Pipeline& line;
+    const Image& irradiance;                  ///< not blurred; to be read alone
+    const Image& stretch;                     ///< to be read alone
+    const Image& between;                     ///< for what is blurred in one direction
+    const std::vector<const Image*>& levels;  ///< one for each Gaussian, of the size of the others
+    const std::vector<Gaussian>& sum;         ///< those Gaussians, narrow ones first
+};
+
+/// exercise/blur_irradiance.cpp says what it must do.
+EXERCISE("12.blur_irradiance", void, blur_irradiance, Frame& frame, const BlurPasses& passes);
+
+}  // namespace lightwalk

@@ -1,0 +1,164 @@
+#include "12_skin/skin.h"
+
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "common/base/error.h"
+
+namespace lightwalk {
+namespace {
+
+constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
+
+void make(Frame& frame, Image& image, const char* name, uint32_t size, VkFormat format = half4) {
+    const Image::Desc desc{.name = name, .format = format, .size = glm::uvec2(size)};
+    if (!image || image.desc != desc) image = Image(frame.gpu.device, desc);
+}
+
+}  // namespace
+
+const DrawItem* Skin::part(const Scene& scene, const char* material, bool any) {
+    for (const DrawItem& item : scene.items)
+        if (item.material.name == material) return &item;
+    return any && !scene.items.empty() ? &scene.items.front() : nullptr;
+}
+
+int Skin::sum_count() const {
+    const std::string name = method.text(), prefix = "gaussians_";
+    return name.starts_with(prefix) ? std::stoi(name.substr(prefix.size())) : 0;
+}
+
+void Skin::prepare(Gpu& gpu, const Scene& scene) {
+    add_charts(gpu, scene);
+    for (Unwrapped* unwrapped : {&coarse_, &fine_, &eye_}) unwrapped->forget();
+}
+
+// How wide a pixel is there, in mm.
+static double pixel_mm(double away_m, const Camera& camera, uint32_t screen_height) {
+    return std::max(2000 * away_m * std::tan(0.5 * double(camera.fov_y_rad)) / screen_height, 1e-6);
+}
+
+double Skin::widest_px(float away_m, const Camera& camera, uint32_t screen_height) {
+    return std::sqrt(double(skin_variance_mm2[SKIN_GAUSSIANS - 1])) / pixel_mm(double(away_m), camera, screen_height);
+}
+
+uint32_t Skin::size_for(const DrawItem& item, const Camera& camera, uint32_t screen_height) const {
+    if (map_size > 0) return static_cast<uint32_t>(map_size);
+    const double away_m = double(glm::length(item.bounds.center() - camera.position));
+    const double texels = double(density) * mm_per_uv(item) / pixel_mm(away_m, camera, screen_height);
+    return 1u << std::clamp(static_cast<int>(std::lround(std::log2(std::max(texels, 1.0)))), 6, 11);
+}
+
+void Skin::make_tables(Frame& frame) {
+    if (std::exchange(tables_f0_, f0) == f0 &&
+        std::exchange(tables_toggles_, Exercises::version()) == Exercises::version())
+        return;
+    tables_toggles_ = Exercises::version();
+    make(frame, facets_, "skin facets", 256, VK_FORMAT_R8G8B8A8_UNORM);
+    make(frame, reflected_, "skin reflected", 32);
+    make(frame, preintegrated_, "skin preintegrated", 64);
+    frame.compute("skin tables", {.writes = {facets_, reflected_, preintegrated_}}, [&](Compute& pass) {
+        pass.use(facets_table_, {{"SKIN_SPECULAR", "0"}, {"SKIN_SPECULAR_TABLES", "1"}}).set("result", facets_);
+        pass.dispatch_threads(facets_.desc.size);
+        pass.use(reflected_table_).set("result", reflected_).set("f0", f0.value).dispatch_threads(reflected_.desc.size);
+        pass.use(preintegrated_table_).set("result", preintegrated_).dispatch_threads(preintegrated_.desc.size);
+    });
+}
+
+// [record]
+void Skin::record(Frame& frame, const Scene& scene, const Camera& camera, const Lit& lit) {
+    const DrawItem *skin = skin_of(scene), *eye = part(scene, "eye");
+    if (!skin) return;
+    make_tables(frame);
+
+    // 1. What the sky lights, once: from a small map, and rays from each of its texels.
+    if (coarse_.record(frame, scene, lit.maps, *skin, static_cast<uint32_t>(sky_size)))
+        coarse_.trace_sky(frame, lit.rays, static_cast<uint32_t>(sky_rays));
+    if (eye && eye_.record(frame, scene, lit.maps, *eye, static_cast<uint32_t>(sky_size) / 2))
+        eye_.trace_sky(frame, lit.rays, static_cast<uint32_t>(sky_rays));
+    if (!on_map()) return;
+
+    // 2. The surface laid out as large as the screen needs; the light that enters it; how that spreads.
+    fine_.record(frame, scene, lit.maps, *skin, size_for(*skin, camera, frame.crop.whole.y));
+    light_map(frame, lit);
+    spread_.record(frame, {irradiance_, fine_.stretch, fine_.position}, sum_count());
+}
+// [/record]
+
+void Skin::light_map(Frame& frame, const Lit& lit) {
+    const uint32_t size = fine_.position.desc.size.x;
+    make(frame, irradiance_, "skin irradiance", size);
+    std::vector<With> with = lit.with;
+    with.push_back(*this);
+    frame.compute(
+        "skin irradiance",
+        {.reads = {fine_.position, fine_.normal, fine_.albedo}, .writes = {irradiance_}, .with = with},
+        [&](Compute& pass) {
+            pass.use(irradiance_pass_).set("skin_position", fine_.position, nearest_clamp);
+            pass.set("skin_normal", fine_.normal, nearest_clamp).set("skin_albedo", fine_.albedo, nearest_clamp);
+            pass.set("result", irradiance_).dispatch_threads(irradiance_.desc.size);
+        });
+}
+
+// [draw]
+void Skin::draw(Frame& frame, const Scene& scene, const Lit& lit, Shown shown) {
+    const bool on_screen = method.is("separable") && shown == Shown::all;
+    const Pipeline& look = shown == Shown::specular     ? specular_
+                           : shown == Shown::thickness  ? thickness_
+                           : shown == Shown::seams      ? seams_
+                           : on_map()                   ? by_map_
+                           : on_screen                  ? by_screen_
+                           : method.is("wrapped")       ? by_wrap_
+                           : method.is("preintegrated") ? by_table_
+                                                        : by_lambert_;
+    std::vector<With> with = lit.with;
+    with.insert(with.end(), {*this, lit.maps});
+    const auto is = [](const DrawItem& item, const char* material) { return item.material.name == material; };
+    const DrawItem* skin = skin_of(scene);
+    const auto is_skin = [&](const DrawItem& item) { return &item == skin; };
+    const auto is_eye = [&](const DrawItem& item) { return is(item, "eye"); };
+    const auto is_cornea = [&](const DrawItem& item) { return is(item, "cornea"); };
+    const auto is_other = [&](const DrawItem& item) { return !is_skin(item) && !is_eye(item) && !is_cornea(item); };
+    const auto draw = [&](Raster& pass, const auto& predicate, const Pipeline& pipeline) {
+        lit.maps.draw(pass, scene, scene.all().where(predicate), pipeline, pipeline);
+    };
+    frame.raster("matt", {.color = {keep(frame.hdr)}, .depth = clear(frame.depth, 0.0f), .with = with},
+                 [&](Raster& pass) { draw(pass, is_other, matt_), draw(pass, is_eye, eye_pass_); });
+    RasterTargets targets{.color = {keep(frame.hdr)}, .depth = keep(frame.depth), .with = with};
+    if (on_screen) {
+        targets.color.push_back(clear(screen_.light, glm::vec4(0)));
+        targets.color.push_back(clear(screen_.after, glm::vec4(0)));
+    }
+    frame.raster("skin", targets, [&](Raster& pass) { draw(pass, is_skin, look); });
+    if (!part(scene, "cornea")) return;
+    with.push_back(lit.rays);
+    frame.raster("cornea", {.color = {keep(frame.hdr)}, .depth = keep(frame.depth), .with = with},
+                 [&](Raster& pass) { draw(pass, is_cornea, cornea_); });
+}
+// [/draw]
+
+void Skin::finish(Frame& frame, const Camera& camera) {
+    if (method.is("separable")) screen_.record(frame, camera.fov_y_rad);
+}
+
+std::vector<Resource> Skin::reads() const {
+    std::vector<Resource> all{facets_,           reflected_,      preintegrated_,
+                              coarse_.occlusion, coarse_.stretch, coarse_.position};
+    if (eye_.occlusion) all.push_back(eye_.occlusion);
+    if (on_map() && spread_.result()) all.push_back(diffused());
+    return all;
+}
+
+void Skin::bind(Pass& pass) const {
+    pass.offer("skin_facets", facets_, linear_clamp);
+    pass.offer("skin_reflected", reflected_, linear_clamp);
+    pass.offer("skin_preintegrated", preintegrated_, linear_clamp);
+    pass.offer("skin_occlusion", coarse_.occlusion, linear_clamp);
+    pass.offer("eye_occlusion", eye_.occlusion ? eye_.occlusion : coarse_.occlusion, linear_clamp);
+    pass.offer("skin_stretch", coarse_.stretch, linear_clamp);
+    if (pass.name != "skin irradiance") pass.offer("skin_position", coarse_.position, nearest_clamp);
+    pass.offer("skin_diffused", on_map() && spread_.result() ? diffused() : coarse_.occlusion, linear_clamp);
+}
+
+}  // namespace lightwalk

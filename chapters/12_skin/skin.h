@@ -1,0 +1,106 @@
+// Skin as a module: light that enters at one place and leaves at another.
+#pragma once
+#include "12_skin/picture_blur.h"
+#include "12_skin/spread.h"
+#include "12_skin/unwrapped.h"
+#include "common/app/target.h"
+
+namespace lightwalk {
+
+// [skin]
+/// Draws the items of a scene: those whose material is called "skin", "eye" or "cornea" as such, others as matt.
+/// prepare() when a scene was loaded and its maps are made. In each frame record(), then draw() into the frame's
+/// picture, then finish(). Without a "skin" the first item is it.
+struct Skin : Module {
+    Skin(Module& owner, std::string name) : Module(owner, std::move(name), "skin") {}
+
+    Choice method{*this,
+                  "method",
+                  {"lambert", "wrapped", "preintegrated", "separable", "gaussians_1", "gaussians_2", "gaussians_3",
+                   "gaussians_4", "gaussians_6", "exact"},
+                  "gaussians_6",
+                  "how light spreads in skin: not, by a formula, over the picture, over its texture, or exactly"};
+    Choice specular{*this, "specular", {"closed", "tables"}, "closed", "specular terms computed, or read"};
+    // [/skin]
+    Knob<float> before{*this, "before", 0.5f, {0.0f, 1.0f}, "share of the colour that light meets before it spreads"};
+    Knob<float> roughness{*this, "roughness", 1.0f, {0.01f, 4.0f}, "by what the map's slope of facets is multiplied"};
+    Knob<float> specular_scale{*this, "specular_scale", 1.0f, {0.0f, 4.0f}, "by what the oil on the skin reflects"};
+    Knob<float> f0{*this, "f0", 0.028f, {0.0f, 1.0f}, "what skin reflects of light straight from above"};
+    Knob<float> wrap{*this, "wrap", 0.1f, {0.0f, 1.0f}, "of wrapped: how far red goes around"};
+    Knob<float> inwards_mm{*this, "inwards_mm", 1.0f, {0.0f, 20.0f}, "from where thickness is measured", "mm"};
+    Knob<float> translucency{
+        *this, "translucency", 3.0f, {0.01f, 100.0f}, "by what the profile of light that comes through is widened"};
+    Knob<int> map_size{*this, "map_size", 0, {0, 4096}, "of the light's map; 0: as the screen needs", "texels"};
+    Knob<float> density{*this, "density", 1.0f, {0.1f, 8.0f}, "of that map: texels in a pixel's width"};
+    Knob<int> sky_size{*this, "sky_size", 128, {16, 2048}, "of the map of ambient occlusion", "texels"};
+    Knob<int> sky_rays{*this, "sky_rays", 32, {1, 1024}, "from each of its texels"};
+
+    void prepare(Gpu& gpu, const Scene& scene);
+
+    /// What lights it: modules that give 03's lights, 05's shadows and rays, and what surrounds it.
+    struct Lit {
+        const Maps& maps;
+        const Rays& rays;
+        std::vector<With> with;
+    };
+    void record(Frame& frame, const Scene& scene, const Camera& camera, const Lit& lit);
+    enum class Shown { all, specular, thickness, seams };
+    void draw(Frame& frame, const Scene& scene, const Lit& lit, Shown shown = Shown::all);
+    void finish(Frame& frame, const Camera& camera);
+
+    void bind(Pass& pass) const override;
+    std::vector<Resource> reads() const override;
+
+    /// Of the frame recorded last, for whoever looks: the light that enters, a level of the blur, what leaves.
+    const Image& irradiance() const { return irradiance_; }
+    const Image& level(size_t i) const { return spread_.level(i); }
+    const Image& diffused() const { return spread_.result(); }
+    const Unwrapped& layout() const { return on_map() ? fine_ : coarse_; }
+    const DrawItem* skin_of(const Scene& scene) const { return part(scene, "skin", true); }
+
+    /// A side of the map that the screen needs: the power of two at which a texel is about as wide as a pixel, 64 to
+    /// 2048.
+    uint32_t size_for(const DrawItem& item, const Camera& camera, uint32_t screen_height) const;
+
+    /// The standard deviation of the widest Gaussian in pixels of a picture so many pixels high, for skin so far away.
+    static double widest_px(float away_m, const Camera& camera, uint32_t screen_height);
+
+    bool on_map() const { return method.is("exact") || sum_count() > 0; }
+    int sum_count() const;  ///< of Gaussians; 0 for other methods
+
+  private:
+    static const DrawItem* part(const Scene& scene, const char* material, bool any = false);
+    void make_tables(Frame& frame);
+    void light_map(Frame& frame, const Lit& lit);
+
+    Unwrapped coarse_, fine_, eye_;
+    PictureBlur screen_{*this};
+    Spread spread_;
+    Image irradiance_;
+    Image facets_, reflected_, preintegrated_;
+    float tables_f0_ = -1;
+    unsigned tables_toggles_ = 0;
+    const void* sky_of_ = nullptr;
+    Pipeline facets_table_ = compute({.shader = "12_skin/facets.comp"});
+    Pipeline reflected_table_ = compute({.shader = "12_skin/reflected.comp"});
+    Pipeline preintegrated_table_ = compute({.shader = "12_skin/preintegrated.comp"});
+    Pipeline irradiance_pass_ = compute({.shader = "12_skin/irradiance.comp"});
+    static Pipeline shading(const char* fragment, Macros macros, Blend blend = Blend::opaque) {
+        return graphics({.vertex = "04_surface_maps/surface.vert",
+                         .fragment = fragment,
+                         .depth_write = blend == Blend::opaque,
+                         .blend = blend,
+                         .macros = std::move(macros)});
+    }
+    static Pipeline skin_pass(const char* diffuse, const char* shown) {
+        return shading("12_skin/skin.frag", {{"DIFFUSE", diffuse}, {"SHOWN", shown}});
+    }
+    Pipeline by_lambert_ = skin_pass("0", "0"), by_wrap_ = skin_pass("1", "0"), by_table_ = skin_pass("2", "0"),
+             by_screen_ = skin_pass("3", "0"), by_map_ = skin_pass("4", "0"), specular_ = skin_pass("0", "1"),
+             thickness_ = skin_pass("0", "2"), seams_ = skin_pass("0", "3");
+    Pipeline matt_ = shading("12_skin/matt.frag", {{"EYE", "0"}}),
+             eye_pass_ = shading("12_skin/matt.frag", {{"EYE", "1"}}),
+             cornea_ = shading("12_skin/cornea.frag", {}, Blend::add);
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,32 @@
+// Which Gaussians stand for the profile of skin, and how they are blurred one from the other.
+#pragma once
+#include <vector>
+
+#include "12_skin/profile.h"
+
+namespace lightwalk {
+
+/// A Gaussian of a sum. `variance` in mm² along each axis, the same for all channels but in a sum of one.
+struct Gaussian {
+    glm::vec3 weight, variance;
+};
+
+// [gaussians_of]
+/// The best sums of 1, 2, 3, 4 or 6 of the profile's Gaussians. One has each channel's variance; of more those are kept
+/// that leave the least error at a step edge (test_profile.cpp looks at all), and what is left out counts for the one
+/// that is nearest to it in the logarithm of the variance. Throws Failure for another number.
+std::vector<Gaussian> gaussians_of(int count);
+// [/gaussians_of]
+
+/// The same six, some of them, with the weights of the rest given to the nearest.
+std::vector<Gaussian> merged(const std::vector<size_t>& kept);
+
+/// Light at `x` mm beyond an edge, where there is 1 before it and 0 behind it would be 0 and 1 without skin: the exact
+/// step response of a sum, for each channel.
+glm::dvec3 step_edge(const std::vector<Gaussian>& sum, double x_mm);
+
+/// Weights (rgb) and offsets in mm (w) of a blur along a line: what a line of light becomes, cut into `side` pieces on
+/// each side out to 8.2 mm, narrow ones first. They add up to 1 in each channel.
+std::vector<glm::vec4> line_kernel(int side);
+
+}  // namespace lightwalk

@@ -1,0 +1,13 @@
+// The blurred light in the picture.
+layout(local_size_x = 8, local_size_y = 8) in;
+uniform sampler2D light, after;
+layout(rgba16f) uniform image2D hdr;
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(hdr)))) return;
+    vec4 own = texelFetch(light, pixel, 0);
+    if (own.a == 0.0) return;
+    vec4 seen = imageLoad(hdr, pixel);
+    imageStore(hdr, pixel, vec4(min(seen.rgb + own.rgb * texelFetch(after, pixel, 0).rgb, 65504.0), seen.a));
+}

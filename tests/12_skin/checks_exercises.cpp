@@ -1,0 +1,275 @@
+// What ./course check runs for chapter 12's shader functions: values against double precision, then properties.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "12_skin/truth.h"
+#include "common/check/check.h"
+
+using namespace lightwalk;
+
+namespace {
+
+Row row_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+glm::dvec3 three(std::span<const double> in) { return {in[0], in[1], in[2]}; }
+
+const Macros closed{{"SKIN_SPECULAR", "0"}, {"SKIN_SPECULAR_CLOSED", "0"}, {"SKIN_SPECULAR_TABLES", "1"}};
+
+}  // namespace
+
+CHECK_EXERCISE("12.gaussian_profile", "a Gaussian of variance v per axis is exp(-r²/2v) / (2 pi v) over a plane") {
+    Probe probe{.include = "12_skin/gaussian_profile.glsl",
+                .signature = "vec3 gaussian_profile(float r_mm)",
+                .inputs = {{0}, {0.01}, {0.08}, {0.22}, {0.5}, {1}, {2.72}, {8}, {30}},
+                .truth = [](std::span<const double> in) { return row_of(truth::profile(in[0])); },
+                .bound = {.absolute = 1e-9, .relative = 2e-5},
+                .hint = [](auto in, auto out) -> std::string {
+                    const glm::dvec3 right = truth::profile(in[0]);
+                    const double ratio = out[0] / right.x;
+                    if (std::fabs(ratio - 2 * truth::skin_pi) < 0.01)
+                        return "divide by 2 pi v: the integral is to be 1";
+                    if (in[0] == 0 && ratio > 1.5 && ratio < 2.5) return "1 / (pi v) goes with exp(-r²/v)";
+                    if (in[0] == 0 && out[0] < right.x / 3)
+                        return "over a plane the factor is 1/(2 pi v), not its root";
+                    return "";
+                }};
+    Random random;
+    for (int i = 0; i < 500; ++i) probe.inputs.push_back({random.logarithmic(0.005, 12)});
+    check.probe(probe);
+    // The integral over the plane, in rings.
+    Probe rings = probe;
+    rings.inputs.clear();
+    constexpr int count = 4000;
+    const auto radius = [](int i) { return 16.0 * (double(i) + 0.5) / count * (double(i) + 0.5) / count; };
+    for (int i = 0; i < count; ++i) rings.inputs.push_back({double(float(radius(i)))});
+    const Table found = check.probe(rings);
+    for (size_t c = 0; c < 3 && found.size() == count; ++c) {
+        double sum = 0;
+        for (int i = 0; i < count; ++i) {
+            const double from = 16.0 * i / count * i / count, to = 16.0 * (i + 1) / count * (i + 1) / count;
+            sum += found[size_t(i)][c] * truth::skin_pi * (to * to - from * from);
+        }
+        check.expect(std::fabs(sum - 1) < 2e-3, fmt::format("over the plane {} adds up to {:.4f}, expected 1",
+                                                            std::array{"red", "green", "blue"}[c], sum));
+    }
+}
+
+CHECK_EXERCISE("12.stretch_scale", "texels per mm is one over mm per texel; a length of 0 has no inverse") {
+    Probe probe{.include = "12_skin/stretch_scale.glsl",
+                .signature = "vec2 stretch_scale(vec3 du_mm, vec3 dv_mm, float most_texels)",
+                .inputs = {{1, 0, 0, 0, 1, 0, 32},
+                           {0.5, 0, 0, 0, 0.25, 0, 32},
+                           {0, 0, 0, 0, 0, 0, 32},
+                           {0, 0, 0, 0, 2, 0, 32},
+                           {1e-30, 0, 0, 0, 1, 0, 16},
+                           {0.3, 0.4, 0, 0, 0.6, 0.8, 32},
+                           {0.01, 0, 0, 0.1, 0, 0, 32},
+                           {10, 0, 0, 1, 1, 0, 4}},
+                .truth =
+                    [](std::span<const double> in) {
+                        const auto scale = [&](size_t at) {
+                            const double length = glm::length(three(in.subspan(at)));
+                            return length * in[6] > 1 ? 1 / length : in[6];
+                        };
+                        return Row{scale(0), scale(3)};
+                    },
+                .bound = {.absolute = 1e-6, .relative = 1e-5},
+                .hint = [](auto in, auto out) -> std::string {
+                    const double du = glm::length(three(in)), dv = glm::length(three(in.subspan(3)));
+                    if (du == 0 || dv == 0) return "a step of no length: most_texels";
+                    if (std::fabs(out[0] - du) < 1e-5 * du && std::fabs(out[1] - dv) < 1e-5 * dv)
+                        return "that is mm per texel; asked is how many texels a mm is";
+                    if (out[0] > in[6] || out[1] > in[6]) return "no component may be above most_texels";
+                    return "along u by du_mm alone, along v by dv_mm alone";
+                }};
+    Random random;
+    for (int i = 0; i < 500; ++i) {
+        Row row;
+        for (int c = 0; c < 6; ++c) row.push_back(random.uniform(-1, 1) * (i % 3 ? 1 : 0.02));
+        row.push_back(random.uniform(4, 40));
+        for (double& x : row) x = double(float(x));
+        probe.inputs.push_back(row);
+    }
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("12.schlick_fresnel", "f0 + (1 - f0) (1 - cosine)^5, the cosine kept within 0 and 1") {
+    Probe probe{.include = "12_skin/schlick_fresnel.glsl",
+                .signature = "float schlick_fresnel(float cosine, float f0)",
+                .inputs = {{1, 0.028},
+                           {0, 0.028},
+                           {0.5, 0.028},
+                           {1.0000001, 0.028},
+                           {1.5, 0.5},
+                           {-1e-7, 0.028},
+                           {-1, 0.028},
+                           {0.5, 0},
+                           {1, 0},
+                           {0, 0},
+                           {0.3, 1}},
+                .truth = [](std::span<const double> in) { return Row{truth::schlick(in[0], in[1])}; },
+                .bound = {.absolute = 3e-7, .relative = 3e-6},
+                .hint = [](auto in, auto) -> std::string {
+                    if (in[0] < 0) return "a cosine below 0 counts as 0: no more than all light is reflected";
+                    if (in[0] > 1) return "a cosine above 1 counts as 1";
+                    return "";
+                }};
+    Random random;
+    for (int i = 0; i < 500; ++i) probe.inputs.push_back({random.uniform(-0.01, 1.01), random.uniform(0, 1)});
+    const Table results = check.probe(probe);
+    check.property(probe, results, "but from f0 to all of it is all there is",
+                   [](auto in, auto out) { return out[0] >= in[1] * (1 - 1e-6) && out[0] <= 1 + 1e-6; });
+}
+
+CHECK_EXERCISE("12.beckmann", "tan²a = (1 - c²) / c² with c = n·h; and ask for c near 0 before you divide") {
+    Probe probe{.include = "12_skin/beckmann.glsl",
+                .signature = "float beckmann(float n_dot_h, float m)",
+                .inputs = {{1, 0.3},
+                           {1, 0.005},
+                           {0.9999, 0.01},
+                           {0.5, 0.3},
+                           {0.5, 1},
+                           {0.1, 1},
+                           {0, 0.3},
+                           {0, 1},
+                           {1e-3, 0.3},
+                           {1e-10, 1},
+                           {1e-30, 0.005},
+                           {-0.5, 0.3},
+                           {-1, 1},
+                           {1.0000001, 0.3},
+                           {0.06, 1},
+                           {0.04, 1}},
+                .truth = [](std::span<const double> in) { return Row{truth::beckmann(std::min(in[0], 1.0), in[1])}; },
+                .bound = {.absolute = 1e-12, .relative = 4e-5},
+                .hint = [](auto in, auto out) -> std::string {
+                    const double right = truth::beckmann(std::min(in[0], 1.0), in[1]);
+                    if (in[0] < 0) return "nothing faces below the horizon";
+                    if (in[0] < 0.05) return "near n·h = 0 the exponential is 0 long before cos⁴ is";
+                    if (right > 0 && std::fabs(out[0] / right - truth::skin_pi) < 0.01) return "it lacks the 1 / pi";
+                    return "";
+                }};
+    Random random;
+    // Where rounding of n·h alone, half a unit in its last place, changes little: |d ln D / d c| · 6e-8 within the
+    // bound.
+    for (int i = 0; i < 1000; ++i) {
+        const double m = random.logarithmic(0.02, 1), tan = m * std::sqrt(-std::log(random.uniform(0.01, 1)));
+        probe.inputs.push_back({double(float(1 / std::sqrt(1 + tan * tan))), double(float(m))});
+    }
+    probe.bound.relative = 2e-3;  // of m = 0.02: exp's argument comes from a difference of nearly equal numbers
+    const Table results = check.probe(probe);
+    check.property(probe, results, "but facets are not fewer than none",
+                   [](auto, auto out) { return out[0] >= 0 && std::isfinite(out[0]); });
+    // The integral of D n·h over the hemisphere.
+    for (const double m : {0.1, 0.3, 1.0}) {
+        Probe sum = probe;
+        sum.inputs.clear();
+        constexpr int count = 2000;
+        for (int i = 0; i < count; ++i) sum.inputs.push_back({double(float((i + 0.5) / count)), m});
+        const Table found = run_probe(check_device(), sum, 1);
+        double all = 0;
+        for (int i = 0; i < count; ++i) all += found[size_t(i)][0] * (i + 0.5) / count * 2 * truth::skin_pi / count;
+        check.expect(std::fabs(all - 1) < 0.01,
+                     fmt::format("for m = {} the integral of D n·h over the hemisphere is {:.3f}, expected 1", m, all),
+                     std::fabs(all - truth::skin_pi) < 0.1 ? "it lacks the 1 / pi" : "");
+    }
+}
+
+CHECK_EXERCISE("12.kelemen_szirmay_kalos",
+               "h = (l + v) / |l + v|; D F / |l + v|², times n·l, both sides above the horizon") {
+    Probe probe{.include = "12_skin/kelemen_szirmay_kalos.glsl",
+                .signature = "float kelemen_szirmay_kalos(vec3 n, vec3 l, vec3 v, float m, float f0)",
+                .inputs = {},
+                .truth =
+                    [](std::span<const double> in) {
+                        return Row{truth::kelemen_szirmay_kalos(three(in), three(in.subspan(3)), three(in.subspan(6)),
+                                                                in[9], in[10])};
+                    },
+                .bound = {.absolute = 2e-7, .relative = 1e-3},
+                .macros = closed,
+                .hint = [](auto in, auto out) -> std::string {
+                    const glm::dvec3 n = three(in), l = three(in.subspan(3)), v = three(in.subspan(6));
+                    if (glm::length(l + v) < 1e-5) return "l and v are opposite: there is no half vector";
+                    if (glm::dot(n, l) <= 0 || glm::dot(n, v) <= 0) return "below the horizon nothing is reflected";
+                    const double right = truth::kelemen_szirmay_kalos(n, l, v, in[9], in[10]);
+                    if (right > 1e-6 && std::fabs(out[0] * glm::dot(n, l) / right - 1) < 1e-3) return "times n·l";
+                    const double square = glm::dot(l + v, l + v);
+                    if (right > 1e-6 && std::fabs(out[0] / square / right - 1) < 1e-3) return "divide by |l + v|²";
+                    return "";
+                }};
+    const auto add = [&](glm::dvec3 n, glm::dvec3 l, glm::dvec3 v, double m, double f0) {
+        Row row;
+        append(row, glm::vec3(n)), append(row, glm::vec3(l)), append(row, glm::vec3(v));
+        row.push_back(double(float(m))), row.push_back(double(float(f0)));
+        probe.inputs.push_back(row);
+    };
+    const glm::dvec3 up(0, 0, 1), left(-1, 0, 0), right(1, 0, 0);
+    add(up, up, up, 0.3, 0.028), add(up, left, right, 0.3, 0.028), add(up, up, -up, 0.3, 0.028);
+    add(up, -up, up, 0.3, 0.028), add(up, right, up, 0.3, 0.028), add(up, up, right, 0.3, 0.028);
+    add(right, {0.6, 0.8, 0}, {0.6, -0.8, 0}, 0.3, 0.028), add(right, {-0.6, 0.8, 0}, {0.6, 0.8, 0}, 0.3, 0.028);
+    Random random;
+    for (int i = 0; i < 1000; ++i) {
+        const glm::dvec3 n(random.direction()), l(random.direction()), v(random.direction());
+        // At the horizon itself rounding decides.
+        if (std::fabs(glm::dot(n, l)) < 1e-3 || std::fabs(glm::dot(n, v)) < 1e-3) continue;
+        add(n, l, v, random.uniform(0.1, 1), random.uniform(0, 0.2));
+    }
+    const Table results = check.probe(probe);
+    check.property(probe, results, "but no light is taken back",
+                   [](auto, auto out) { return out[0] >= 0 && std::isfinite(out[0]); });
+}
+
+CHECK_EXERCISE("12.mix_albedo", "powers s and 1 - s; and pow(0, 0) is nobody's") {
+    for (const bool after : {false, true}) {
+        Probe probe{
+            .include = "12_skin/mix_albedo.glsl",
+            .signature = after ? "vec3 albedo_after(vec3 albedo, float s)" : "vec3 albedo_before(vec3 albedo, float s)",
+            .inputs = {{0, 0, 0, 0},
+                       {0, 0, 0, 1},
+                       {0, 0, 0, 0.5},
+                       {1, 1, 1, 0.5},
+                       {0, 0.5, 1, 0},
+                       {0, 0.5, 1, 1},
+                       {0.25, 0.16, 0.04, 0.5},
+                       {0.8, 0.5, 0.4, 0.25},
+                       {1e-6, 1e-3, 0.5, 0.5}},
+            .truth =
+                [after](std::span<const double> in) {
+                    const double power = after ? 1 - in[3] : in[3];
+                    glm::dvec3 result(1);
+                    for (int c = 0; c < 3; ++c)
+                        if (power > 0) result[c] = std::pow(in[size_t(c)], power);
+                    return row_of(result);
+                },
+            .bound = {.absolute = 1e-6, .relative = 2e-5},
+            .hint = [after](auto in, auto) -> std::string {
+                const double power = after ? 1 - in[3] : in[3];
+                if (power == 0) return "the power is 0: just 1, without pow";
+                return after ? "after the blur the power is 1 - s" : "before the blur the power is s";
+            }};
+        Random random;
+        for (int i = 0; i < 300; ++i)
+            probe.inputs.push_back(
+                {random.uniform(0.01, 1), random.uniform(0.01, 1), random.uniform(0.01, 1), random.uniform(0, 1)});
+        check.probe(probe);
+    }
+}
+
+CHECK_EXERCISE("12.transmittance", "exp(-s²/v) without a half and without a factor; a thickness below 0 counts as 0") {
+    Probe probe{.include = "12_skin/transmittance.glsl",
+                .signature = "vec3 transmittance(float thickness_mm)",
+                .inputs = {{0}, {-0.5}, {-100}, {0.1}, {0.5}, {1}, {2}, {5}, {9}, {40}, {1e4}},
+                .truth = [](std::span<const double> in) { return row_of(truth::transmittance(in[0])); },
+                .bound = {.absolute = 1e-7, .relative = 2e-5},
+                .hint = [](auto in, auto out) -> std::string {
+                    if (in[0] < 0) return "below 0 is 0: a shadow map is not exact";
+                    if (in[0] == 0 && out[0] < 0.9)
+                        return "through nothing all light comes: there is no factor before exp";
+                    if (in[0] == 0 && out[0] > 1.1) return "through nothing comes no more than all light";
+                    return "the exponent is -s² / v, not half of it";
+                }};
+    Random random;
+    for (int i = 0; i < 500; ++i) probe.inputs.push_back({random.uniform(-1, 10)});
+    check.probe(probe);
+}

@@ -1,0 +1,84 @@
+// What tests of the whole of skin share: a scene, its lights, and its picture in linear light.
+#pragma once
+#include <cmath>
+
+#include "../common/gpu_fixture.h"
+#include "01_obj/exercises.h"
+#include "01_obj/obj.h"
+#include "05_shadow_maps/shadow.h"
+#include "11_fractals/environment.h"
+#include "12_skin/skin.h"
+#include "common/app/read_picture.h"
+#include "common/scene/view.h"
+
+namespace lightwalk {
+
+struct OnHead {
+    struct Owner : Module {
+    } owner;
+    Skin skin{owner, "skin"};
+    Maps maps{owner, "maps"};
+    Lights lights{owner, "lights"};
+    Shadow shadow{owner, "shadow"};
+    Rays rays{owner, "rays"};
+    EnvironmentLight environment{owner, "environment"};
+    Gpu& gpu = validated_device();
+    Scene scene;
+    Frame frame{gpu};
+
+    OnHead() {
+        maps.method.set("flat"), lights.method.set("every_light"), shadow.resolution.value = 256;
+        skin.sky_size.value = 32, skin.sky_rays.value = 4;
+    }
+    ~OnHead() { CHECK_NOTHROW(gpu.device.check_validation()); }
+
+    void load(SceneFile file) {
+        scene.load(gpu, std::move(file), [](const auto& path) { return load_model(path, Loader::parallel); });
+        maps.prepare(gpu, scene), skin.prepare(gpu, scene), rays.prepare(gpu, scene);
+        shadow.forget();
+    }
+
+    ImageRgb draw(glm::uvec2 size) {
+        const Camera& camera = scene.file.camera;
+        owner.begin_frame(gpu, size);
+        frame.begin(size, 0);
+        frame.crop = {.whole = size, .origin = {0, 0}, .shift = {0, 0}};
+        look_from({view_projection(camera, float(size.x) / float(size.y)), camera.position}, frame);
+        lights.update(frame, scene, scene.file.lights);
+        shadow.record(frame, scene, lights, camera);
+        rays.record(frame, scene);
+        environment.record(frame, scene);
+        const Skin::Lit lit{maps, rays, {lights, shadow, environment}};
+        skin.record(frame, scene, camera, lit);
+        frame.raster("black", {.color = {clear(frame.hdr, glm::vec4(0, 0, 0, 1))}}, [](Raster&) {});
+        skin.draw(frame, scene, lit);
+        skin.finish(frame, camera);
+        frame.end();
+        return read_linear(gpu, frame.hdr);
+    }
+
+    bool did(const char* pass) const {
+        for (const PassTime& time : frame.times)
+            if (time.name == pass) return true;
+        return false;
+    }
+};
+
+inline SceneFile portrait() {
+    SceneFile file = read_scene(find_asset("scenes/portrait.json"));
+    file.objects.front().material.maps.clear();
+    return file;
+}
+
+/// A white ball of a head's size, and light from everywhere.
+inline SceneFile furnace(float radiance) {
+    SceneFile file;
+    SceneObject& ball = file.objects.emplace_back();
+    ball.name = "ball", ball.model = "models/sphere.obj", ball.scale = glm::vec3(0.2f);
+    ball.material.diffuse = glm::vec3(1), ball.material.specular = glm::vec3(1, 0.3f, 0);
+    file.camera = {.position = {0, 0, 0.5f}, .target = {0, 0, 0}, .fov_y_rad = 0.5f};
+    file.ambient = glm::vec3(radiance);
+    return file;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,5 @@
+// wrong: beckmann(
+float beckmann(float n_dot_h, float m) {
+    float c2 = n_dot_h * n_dot_h;
+    return exp((c2 - 1.0) / (c2 * m * m)) / (3.14159265 * m * m * c2 * c2);
+}
