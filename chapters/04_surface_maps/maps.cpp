@@ -115,10 +115,12 @@ bool Maps::has_holes(const DrawItem& item) const {
 
 void Maps::draw(Raster& pass, const Scene& scene, const std::vector<Batch>& batches, const Pipeline& loaded,
                 const Pipeline& displaced) const {
+    // Shadow casters have one pipeline for both: they are drawn as loaded.
+    const bool cut_finely = mesh.is("displaced") && &loaded != &displaced;
     for (const Batch& batch : batches) {
-        pass.use(mesh.is("displaced") ? displaced : loaded, variant(batch.item()));
+        pass.use(cut_finely ? displaced : loaded, variant(batch.item()));
         pass.offer("ambient", scene.file.ambient);
-        if (mesh.is("displaced"))
+        if (cut_finely)
             draw_displaced(pass, batch, static_cast<uint32_t>(subdivide.value));
         else
             pass.draw(batch);

@@ -1,8 +1,11 @@
 """A few random scenes, validated; random_scenes.py draws many."""
+import json
+import subprocess
 import tempfile
 import unittest
+from pathlib import Path
 
-from random_scenes import CHAPTERS, draw, random_scene
+from random_scenes import CHAPTERS, TIMEOUT_S, draw, random_scene
 
 FEW = 5
 
@@ -19,6 +22,21 @@ class RandomScenes(unittest.TestCase):
             with self.subTest(program=program.name, seed=seed), tempfile.TemporaryDirectory() as folder:
                 command, wrong = draw(program, seed, folder)
                 self.assertEqual(wrong, "", " ".join(command))
+
+    def test_what_they_have_found(self):
+        """A finely cut surface with holes, which casts a shadow: its caster was drawn with the wrong vertex shader."""
+        program = next((path for path in CHAPTERS if path.name.startswith("05_")), None)
+        if not program:
+            self.skipTest("there is no chapter 05")
+        scene = {"objects": [{"model": "models/ground.obj", "material": {"maps": {
+            "height": "textures/lava_height.png", "opacity": "textures/squares.png"}}}],
+                 "lights": [{"type": "directional", "direction": [0.3, -1, 0.2], "shadow": True}]}
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "scene.json").write_text(json.dumps(scene))
+            done = subprocess.run([program, "--scene", f"{folder}/scene.json", "--size", "72x40", "--validate", "on",
+                                   "--set", "maps.mesh=displaced", "--set", "maps.subdivide=2", "--screenshot",
+                                   f"{folder}/picture.png"], capture_output=True, text=True, timeout=TIMEOUT_S)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
 if __name__ == "__main__":
