@@ -104,9 +104,8 @@ void Skin::light_map(Frame& frame, const Lit& lit) {
 // [draw]
 void Skin::draw(Frame& frame, const Scene& scene, const Lit& lit, Shown shown) {
     const bool on_screen = method.is("separable") && shown == Shown::all;
-    const Pipeline& look = shown == Shown::specular     ? specular_
-                           : shown == Shown::thickness  ? thickness_
-                           : shown == Shown::seams      ? seams_
+    shown_ = static_cast<int>(shown) - 1;
+    const Pipeline& look = shown != Shown::all          ? views_
                            : on_map()                   ? by_map_
                            : on_screen                  ? by_screen_
                            : method.is("wrapped")       ? by_wrap_
@@ -151,6 +150,7 @@ std::vector<Resource> Skin::reads() const {
 }
 
 void Skin::bind(Pass& pass) const {
+    pass.offer("shown", shown_);
     pass.offer("skin_facets", facets_, linear_clamp);
     pass.offer("skin_reflected", reflected_, linear_clamp);
     pass.offer("skin_preintegrated", preintegrated_, linear_clamp);

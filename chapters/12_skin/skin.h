@@ -78,6 +78,7 @@ struct Skin : Module {
     Spread spread_;
     Image irradiance_;
     Image facets_, reflected_, preintegrated_;
+    int shown_ = -1;  ///< what draw() shows in place of the picture, as skin.frag counts
     float tables_f0_ = -1;
     unsigned tables_toggles_ = 0;
     const void* sky_of_ = nullptr;
@@ -92,12 +93,11 @@ struct Skin : Module {
                          .blend = blend,
                          .macros = std::move(macros)});
     }
-    static Pipeline skin_pass(const char* diffuse, const char* shown) {
-        return shading("12_skin/skin.frag", {{"DIFFUSE", diffuse}, {"SHOWN", shown}});
+    static Pipeline skin_pass(const char* diffuse, const char* views) {
+        return shading("12_skin/skin.frag", {{"DIFFUSE", diffuse}, {"VIEWS", views}});
     }
     Pipeline by_lambert_ = skin_pass("0", "0"), by_wrap_ = skin_pass("1", "0"), by_table_ = skin_pass("2", "0"),
-             by_screen_ = skin_pass("3", "0"), by_map_ = skin_pass("4", "0"), specular_ = skin_pass("0", "1"),
-             thickness_ = skin_pass("0", "2"), seams_ = skin_pass("0", "3");
+             by_screen_ = skin_pass("3", "0"), by_map_ = skin_pass("4", "0"), views_ = skin_pass("0", "1");
     Pipeline matt_ = shading("12_skin/matt.frag", {{"EYE", "0"}}),
              eye_pass_ = shading("12_skin/matt.frag", {{"EYE", "1"}}),
              cornea_ = shading("12_skin/cornea.frag", {}, Blend::add);

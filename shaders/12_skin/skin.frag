@@ -9,16 +9,13 @@
 #include "12_skin/surroundings_light.glsl"
 #include "12_skin/transmittance.glsl"
 
-// What DIFFUSE and SHOWN say.
+// What DIFFUSE says.
 #define BY_LAMBERT 0
 #define BY_WRAP 1
 #define BY_TABLE 2
 #define BY_SCREEN 3
 #define BY_MAP 4
-#define SHOWS_PICTURE 0
-#define SHOWS_SPECULAR 1
-#define SHOWS_THICKNESS 2
-#define SHOWS_SEAMS 3
+const int shows_specular = 0, shows_thickness = 1;  // else the charts
 
 layout(location = 0) out vec4 color;
 #if DIFFUSE == BY_SCREEN
@@ -27,6 +24,9 @@ layout(location = 2) out vec4 after_out;  // by what it is then multiplied
 #endif
 
 layout(scalar) uniform ViewBlock { CameraView view; };
+#if VIEWS
+layout(scalar) uniform ShownBlock { int shown; };
+#endif
 uniform sampler2D skin_occlusion, skin_diffused, skin_stretch, skin_position, skin_preintegrated;
 
 // [diffuse]
@@ -95,11 +95,7 @@ void main() {
 #else
     color.rgb += after * before * diffuse;
 #endif
-#if SHOWN == SHOWS_SPECULAR
-    color.rgb = specular;
-#elif SHOWN == SHOWS_THICKNESS
-    color.rgb = thickness < 1e3 ? transmittance(thickness / max(skin.translucency, 1e-3)) : vec3(0.0);
-#elif SHOWN == SHOWS_SEAMS
+#if VIEWS
     // Each chart in its own colour, dark where a texel's neighbours are another's.
     ivec2 texel = ivec2(at * vec2(textureSize(skin_position, 0)));
     int chart = int(texelFetch(skin_position, texel, 0).w);
@@ -107,7 +103,9 @@ void main() {
     for (int i = 0; i < 4; ++i)
         border = border || int(texelFetch(skin_position, texel + ivec2(i - 1, (i & 1) * 3 - 1), 0).w) != chart;
     vec3 hue = 0.5 + 0.5 * cos(2.4 * float(chart) + vec3(0.0, 2.1, 4.2));
-    color.rgb = (border ? vec3(0.02) : hue) * (0.2 + 0.8 * abs(dot(n, v)));
+    vec3 charts = (border ? vec3(0.02) : hue) * (0.2 + 0.8 * abs(dot(n, v)));
+    vec3 thin = thickness < 1e3 ? transmittance(thickness / max(skin.translucency, 1e-3)) : vec3(0.0);
+    color.rgb = shown == shows_specular ? specular : shown == shows_thickness ? thin : charts;
 #endif
     color.rgb = min(color.rgb, 65504.0);
 }
