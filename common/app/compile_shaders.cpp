@@ -1,6 +1,7 @@
 #include "common/app/compile_shaders.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <set>
 
 #include "common/base/error.h"
@@ -80,8 +81,11 @@ int compile_all_shaders(Chapter& chapter, const std::string& stamp) {
     // Every variant with all references; with all starters, and with one exercise of the chapter swapped at a time, the
     // default knobs: what swapping can break is the interface between the two. Earlier chapters have tried their own.
     std::vector<std::string> states{"solution", "exercise"};
+    // A CI builds from nothing, each time: there the default knobs must do, and tests compile what they draw.
+    const char* ci = std::getenv("CI");
+    const bool all = !ci || std::string_view(ci) != "true";
     for (const std::string& id : Exercises::ids()) {
-        if (id.substr(0, 2) != chapter.name.substr(0, 2)) continue;
+        if (!all || id.substr(0, 2) != chapter.name.substr(0, 2)) continue;
         states.push_back(fmt::format("solution,{}=exercise", id));
         states.push_back(fmt::format("exercise,{}=solution", id));
     }
@@ -91,7 +95,7 @@ int compile_all_shaders(Chapter& chapter, const std::string& stamp) {
     for (const std::string& state : states) {
         Exercises::use(state);
         for (const Pipeline* pipeline : Pipeline::all())
-            modules += compile_pipeline(chapter, *pipeline, state != "solution", seen, files);
+            modules += compile_pipeline(chapter, *pipeline, !all || state != "solution", seen, files);
     }
     std::printf("%s: %d different shader modules compiled and valid in %zu toggle states\n", chapter.name.c_str(),
                 modules, states.size());

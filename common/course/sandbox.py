@@ -178,7 +178,8 @@ def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_f
              "--core=0", "--nofile=256", "--", "bwrap", "--unshare-all", "--unshare-user", "--uid", "1000", "--gid", "1000",
              "--die-with-parent", "--new-session", "--as-pid-1",
              "--cap-drop", "ALL", "--hostname", "grade", "--clearenv"]
-    for name, value in ({"PATH": "/usr/bin:/bin", "HOME": "/tmp", "LANG": "C.UTF-8", "TMPDIR": "/tmp"} | environment).items():
+    for name, value in ({"PATH": "/usr/bin:/bin", "HOME": "/tmp", "LANG": "C.UTF-8", "TMPDIR": "/tmp",
+                        "LIGHTWALK_SANDBOXED": "1"} | environment).items():
         words += ["--setenv", name, str(value)]
     for path in SYSTEM:
         if os.path.islink(path):
