@@ -11,6 +11,7 @@ function(lightwalk_common)
   list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
   add_library(lightwalk SHARED ${sources})
   set_target_properties(lightwalk PROPERTIES DEFINE_SYMBOL "") # programs share its precompiled header
+  lightwalk_compiled_together(lightwalk)
   target_include_directories(lightwalk PUBLIC ${PROJECT_SOURCE_DIR})
   target_include_directories(lightwalk SYSTEM PUBLIC ${PROJECT_SOURCE_DIR}/shaders)
   target_compile_definitions(lightwalk PUBLIC GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_RADIANS GLM_ENABLE_EXPERIMENTAL)
@@ -19,6 +20,7 @@ function(lightwalk_common)
   target_link_libraries(lightwalk PRIVATE PkgConfig::stb glslang::glslang glslang::SPIRV
                         glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS} assimp::assimp glfw
                         PkgConfig::imgui CLI11::CLI11)
+  # Each file loads all of it: what most do not need, JSON for one, costs them more than it saves the others.
   target_precompile_headers(lightwalk PRIVATE <algorithm> <array> <filesystem> <functional> <map> <memory> <optional>
                             <span> <string> <string_view> <vector> <fmt/core.h> <glm/glm.hpp>
                             <glm/gtc/matrix_transform.hpp>)
@@ -59,6 +61,16 @@ endfunction()
 # One precompiled header for all, which they can share because they share flags and definitions.
 function(lightwalk_precompiled name)
   target_precompile_headers(${name} REUSE_FROM lightwalk)
+endfunction()
+
+# Several files at a time: their headers are read once. Not for chapters, of whose objects a handout and grade need some.
+function(lightwalk_compiled_together name)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+endfunction()
+
+# Tests run once for each time they are compiled: -O1 takes a third off a file, and hardly shows in what it does.
+function(lightwalk_compiled_fast name)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
 # The students' C++: warnings are shown and are no errors, and a file that does not compile takes nothing else down. It
@@ -113,6 +125,7 @@ function(lightwalk_chapters)
     add_executable(${chapter} ${folder}/main.cpp)
     target_link_libraries(${chapter} PRIVATE chapter_${chapter})
     target_compile_definitions(${chapter} PRIVATE LIGHTWALK_CHAPTER="${chapter}")
+    lightwalk_precompiled(${chapter})
     set_target_properties(${chapter} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
     # Every shader in every variant is compiled and validated as part of the build, which also fills the cache. The
     # program says in chapter.shaders.d which files it read: only an edit of those compiles them again.
@@ -212,6 +225,7 @@ function(lightwalk_tests)
       list(FILTER checks EXCLUDE REGEX "/checks_trial_")
       add_library(checks_${name} OBJECT ${checks})
       lightwalk_precompiled(checks_${name})
+      lightwalk_compiled_fast(checks_${name})
       target_link_libraries(checks_${name} PUBLIC check_main ${library})
       if(trials)
         add_library(trials_${name} OBJECT ${trials})
@@ -227,9 +241,21 @@ function(lightwalk_tests)
       lightwalk_variants(${name} ${folder} ${library})
     endif()
     file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+    list(FILTER sources EXCLUDE REGEX "/checks_")
     if(sources)
       add_executable(test_${name} ${sources})
-      lightwalk_precompiled(test_${name})
+      if(name STREQUAL common)
+        target_precompile_headers(test_common PRIVATE ${PROJECT_SOURCE_DIR}/common/gpu/frame.h
+                                  ${PROJECT_SOURCE_DIR}/tests/catch.h)
+      else()
+        target_precompile_headers(test_${name} REUSE_FROM test_common)
+      endif()
+      lightwalk_compiled_fast(test_${name})
+      lightwalk_compiled_together(test_${name})
+      if(TARGET checks_${name})
+        target_sources(test_${name} PRIVATE $<TARGET_OBJECTS:checks_${name}>)
+        lightwalk_add_trials(test_${name} ${name})
+      endif()
       target_link_libraries(test_${name} PRIVATE catch_main ${library})
       add_test(NAME unit.${name} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
     endif()

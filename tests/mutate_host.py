@@ -47,8 +47,11 @@ class HostBench:
 
     def __init__(self, names: list[str], folder: pathlib.Path):
         self.names, self.folder, self.build = names, folder, folder / "build"
-        self.compile = {pathlib.Path(entry["file"]).resolve(): entry["command"]
-                        for entry in json.loads((BUILD / "compile_commands.json").read_text())}
+        self.compile = {}  # of each file: the command, and what it compiles, which may be several files at once
+        for entry in json.loads((BUILD / "compile_commands.json").read_text()):
+            unit = pathlib.Path(entry["file"]).resolve()
+            together = re.findall('#include "(.*)"', unit.read_text()) if "Unity" in unit.parts else [unit]
+            self.compile |= {pathlib.Path(file).resolve(): (entry["command"], unit) for file in together}
         self.links: dict[str, str] = {}
         self.fresh()
         self.benches = {}
@@ -89,13 +92,16 @@ class HostBench:
 
     def make(self, file: pathlib.Path, text: str) -> bool:
         """Whether the changed file compiles; then the programs that hold it are there."""
-        command = self.compile.get(ROOT / file)
+        command, unit = self.compile.get(ROOT / file, (None, None))
         if command is None:
             return False
         words = [word for word in shlex.split(command) if word != "-Werror"]
         instead_of = words[words.index("-o") + 1]
         made, changed = self.folder / "changed.o", self.folder / file.name
         changed.write_text(text)
+        if unit != ROOT / file:
+            (self.folder / "unit.cpp").write_text(unit.read_text().replace(f'"{ROOT / file}"', f'"{changed}"'))
+            changed = self.folder / "unit.cpp"
         words[words.index("-o") + 1] = str(made)
         words[words.index("-c") + 1:] = [str(changed)]
         words[1:1] = ["-iquote", str((ROOT / file).parent), "-w"]

@@ -27,7 +27,7 @@ class Codec {
         if (format_ == VK_FORMAT_R16G16B16A16_SFLOAT) return glm::unpackHalf4x16(wide);
         value = glm::unpackUnorm4x8(narrow);
         if (format_ == VK_FORMAT_R8G8B8A8_SRGB)
-            for (int i = 0; i < 3; ++i) value[i] = srgb_to_linear(value[i]);
+            for (int i = 0; i < 3; ++i) value[i] = srgb_to_linear(std::to_integer<uint8_t>(from[i]));
         return value;
     }
     void encode(glm::vec4 value, std::vector<std::byte>& to) const {
@@ -137,6 +137,10 @@ std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff) {
             if (!image) continue;
             std::shared_ptr<Image>& entry = made[{image.get(), slot}];
             if (!entry) {
+                if (slot == MapSlot::diffuse && !scene.images()->has_alpha(*image)) {
+                    entry = image;
+                    continue;
+                }
                 const Level level = read_level(gpu, *image);
                 if (slot == MapSlot::normal || slot == MapSlot::detail_normal)
                     entry = upload_levels(gpu, image->desc, normal_levels(level));

@@ -48,7 +48,7 @@ struct Bin {
     uint32_t count = 0;
 };
 
-struct Border {
+struct Cut {
     int axis = -1;  ///< -1: none
     int bin = 0;    ///< the first on the upper side
     double cost = INFINITY;
@@ -59,8 +59,8 @@ struct Border {
 };
 
 // The best border along one axis, where it is cheaper than `best`.
-void try_axis(Run begin, Run end, const Bounds& centers, int axis, Border& best) {
-    Border border{.axis = axis, .origin = centers.lower[axis]};
+void try_axis(Run begin, Run end, const Bounds& centers, int axis, Cut& best) {
+    Cut border{.axis = axis, .origin = centers.lower[axis]};
     const float extent = centers.upper[axis] - centers.lower[axis];
     border.bins_per_m = bin_count / extent;
     if (!(extent > 0) || !std::isfinite(border.bins_per_m)) return;
@@ -93,7 +93,7 @@ Run split(Run begin, Run end, uint32_t levels) {
     Bounds box, centers;
     for (Run i = begin; i != end; ++i) box.add(i->box), centers.add(i->center);
     const auto count = static_cast<uint32_t>(end - begin);
-    Border best;
+    Cut best;
     if (levels_of_halves(count) < levels)
         for (int axis = 0; axis < 3; ++axis) try_axis(begin, end, centers, axis, best);
     // Going down costs as much as one triangle.

@@ -74,8 +74,9 @@ std::unique_ptr<Gpu> make_gpu(const Options& options) {
 int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& holder, const Loading& loading) {
     for (const std::string& path : {options.screenshot, options.timings})
         if (!path.empty()) check_writable(path);
-    holder = make_gpu(options);
+    if (!holder) holder = make_gpu(options);
     Gpu& gpu = *holder;
+    const size_t said_before = gpu.device.validation_message_count();
     load_scene(chapter, gpu, options.scene.empty() ? chapter.default_scene() : options.scene, loading);
     Frame frame(gpu);
     // The first frame of a timing run compiles and warms up, and is not counted.
@@ -88,7 +89,7 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
         if (!options.timings.empty()) load.run();
         render(chapter, frame, {options.size, options.time_s + static_cast<float>(counted) / 60.0f, options.seed, {}});
         if (i < warm_up) continue;
-        times.push_back(frame.times);
+        add_times(times.emplace_back(), frame.times);  // a pass may have been recorded more than once
         recording_ms.push_back(frame.recording_ms);
     }
     // First: a picture that is wrong does not take the place of one that was right.
@@ -98,7 +99,7 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
         write_file(options.timings, timings_json(gpu, options, chapter, times, recording_ms)
                                             .dump(1, ' ', false, json::error_handler_t::replace) +
                                         "\n");
-    gpu.device.check_validation();
+    gpu.device.check_validation(said_before);
     return 0;
 }
 

@@ -82,6 +82,8 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--compile-shaders", o.compile_shaders,
                    "compile and validate all shaders in all variants; for the build")
         ->type_name("STAMP");
+    app.add_flag("--pictures", o.pictures,
+                 "draw what each line of standard input asks for, words as a JSON list; for tests");
     std::map<std::string, std::string> by_knob, by_command;
     const KnobList knobs = chapter.all_knobs();
     for (const KnobBase* knob : knobs) {

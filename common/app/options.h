@@ -15,6 +15,7 @@ struct Options {
     std::optional<float> time_given;
     int frames = 1;
     bool frames_given = false, json = false, validate = false, explain = false;
+    bool pictures = false;   ///< standard input says which
     bool automatic = false;  ///< --method auto: the need rule chooses
     std::optional<double> budget;
     unsigned seed = 0;

@@ -25,14 +25,14 @@ double processor_ms() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
+}  // namespace
+
 void add_times(std::vector<PassTime>& sum, const std::vector<PassTime>& times) {
     for (const PassTime& time : times) {
         const auto same = std::find_if(sum.begin(), sum.end(), [&](const PassTime& t) { return t.name == time.name; });
         same == sum.end() ? sum.push_back(time) : void(same->gpu_ms += time.gpu_ms);
     }
 }
-
-}  // namespace
 
 void render(Chapter& chapter, Frame& frame, const Picture& picture) {
     const int samples = chapter.samples;

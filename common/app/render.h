@@ -19,6 +19,9 @@ struct Picture {
 void render(Chapter& chapter, Frame& frame, const Picture& picture);
 // [/render]
 
+/// Adds times to those of passes of the same names.
+void add_times(std::vector<PassTime>& sum, const std::vector<PassTime>& times);
+
 /// Adds frame.hdr to the mean of linear light over the pictures so far, where there is more than one.
 void accumulate(Frame& frame);
 

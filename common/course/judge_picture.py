@@ -20,7 +20,8 @@ import sandbox
 from build import build
 from check import PICTURE_LIMITS
 from sandbox import Limits, Mounts
-from shots import exceeded, render, unfit
+from drawing import render
+from shots import exceeded, unfit
 from tree import BUILD, ROOT, Failure, chapter_program, shots, write_atomically
 
 SIZE = "480x270"

@@ -17,8 +17,9 @@ import json
 import os
 import statistics
 
+from drawing import render, run_program, text
 from results import table
-from shots import compare, render, run_program, text
+from shots import compare
 from study import SceneEntry, study_of
 from tree import BUILD, ROOT, Failure, chapter_program, run_on_chapter, say
 

@@ -5,10 +5,12 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
 from build import build
+from draw_shots import RUN
 from report import write_report
 from tree import BUILD, Failure, UsageError, relative, say
 
@@ -63,9 +65,10 @@ def run(arguments, rest) -> int:
 def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:
     """(tests, failures). Raises Failure where ctest itself failed."""
     junit.unlink(missing_ok=True)
+    environment = os.environ | {RUN: f"{os.getpid()} {time.time()}"}
     command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "-j", str(os.cpu_count() or 1),
                "--output-junit", str(junit), *(["--progress"] if sys.stdout.isatty() else []), *selection]
-    code = subprocess.run(command, stdin=subprocess.DEVNULL).returncode
+    code = subprocess.run(command, stdin=subprocess.DEVNULL, env=environment).returncode
     if not junit.exists():
         if code:
             raise Failure(f"{' '.join(command)} ended with {code}")

@@ -42,17 +42,17 @@ like the shot; teeth have one for each picture to be rejected ("02.phong as hand
 import json
 import math
 import os
-import subprocess
 import sys
 import time
 from pathlib import Path
 
-from tree import BUILD, ROOT, Failure, chapter_program, exercises, find_shots, is_edited, relative, say, warn, write_atomically
+from draw_shots import render_unless_drawn, right_picture, wrong_pictures
+from drawing import run_program
+from tree import BUILD, ROOT, Failure, find_shots, relative, say, warn, write_atomically
 
 LIMITS = {"flip_mean": 0.002, "flip_p99": 0.05, "max_diff": 64}
 MARGIN = 3
 NEVER_FAILS = 2  # steps of 1/255
-TIMEOUT_S = 300  # under a sanitizer; a picture takes a second or two
 
 
 def golden_path(chapter: str, name: str) -> Path:
@@ -75,32 +75,6 @@ def measured_distances(chapter: str) -> dict:
 def limits_of(chapter: str, name: str) -> dict:
     found = measured_distances(chapter).get(name, {}).values()
     return {key: max([limit, *(MARGIN * distance[key] for distance in found)]) for key, limit in LIMITS.items()}
-
-
-def run_program(command: list, **environment) -> subprocess.CompletedProcess:
-    """Runs one of our programs, with more in its environment. Raises Failure with its own words where it cannot be run or does not end."""
-    try:
-        return subprocess.run([str(word) for word in command], cwd=ROOT, env=os.environ | environment, text=True, errors="replace",
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              timeout=TIMEOUT_S)
-    except OSError as error:
-        raise Failure(f"{relative(command[0])}: {error.strerror}") from None
-    except subprocess.TimeoutExpired:
-        raise Failure(f"{Path(command[0]).name} did not end within {TIMEOUT_S} s") from None
-
-
-def render(chapter: str, options: list, picture: Path, **environment):
-    """Draws a picture without a window, with more in its environment. Raises Failure with the program's own words."""
-    picture.parent.mkdir(parents=True, exist_ok=True)
-    picture.unlink(missing_ok=True)
-    done = run_program([chapter_program(chapter), *options, "--screenshot", picture], **environment)
-    if done.returncode or not picture.exists():
-        words = (done.stderr.strip() or done.stdout.strip() or "it said nothing")[-2000:]
-        raise Failure(f"{chapter} ended with {done.returncode}: {words}")
-
-
-def render_shot(chapter: str, shot: dict, picture: Path, use: str = "solution"):
-    render(chapter, ["--shot", shot["name"], "--use", use, "--validate", "on"], picture)
 
 
 def compare(expected: Path, actual: Path, heatmap: Path | None = None) -> dict:
@@ -145,13 +119,12 @@ def exceeded(metrics: dict, limits: dict) -> list[str]:
 
 def check(chapter: str, shot: dict) -> dict:
     """The reference's picture against the golden."""
-    name = shot["name"]
-    actual = BUILD / "shots" / chapter / f"{name}.png"
+    name, program, options, actual = right_picture(chapter, shot)
     heatmap = actual.with_suffix(".flip.png")
     golden = golden_path(chapter, name)
     metrics, why = None, []
     try:
-        render_shot(chapter, shot, actual)
+        render_unless_drawn(chapter, program, options, actual)
         if golden.exists():
             metrics = compare(golden, actual, heatmap)
             why = unfit(metrics) + exceeded(metrics, limits_of(chapter, name))
@@ -168,12 +141,11 @@ def teeth(chapter: str, shot: dict) -> dict:
     """The golden against pictures that are wrong: each must be over a limit."""
     golden = golden_path(chapter, shot["name"])
     why, pictures = [], []
-    for number, (name, program, options) in enumerate(wrong_pictures(chapter, shot)):
-        actual = BUILD / "shots" / chapter / f"{shot['name']}.wrong{number}.png"
+    for name, program, options, actual in wrong_pictures(chapter, shot):
         heatmap = actual.with_suffix(".flip.png")
         metrics = None
         try:
-            render(program, options, actual)
+            render_unless_drawn(chapter, program, options, actual)
             metrics = compare(golden, actual, heatmap)
             ok = bool(exceeded(metrics, limits_of(chapter, shot["name"])))
             if not ok:
@@ -183,32 +155,6 @@ def teeth(chapter: str, shot: dict) -> dict:
             why.append(f"{name}: {failure}")
         pictures.append(picture_entry(name, ok, golden, actual, heatmap, metrics))
     return {"ok": not why, "why": why, "pictures": pictures}
-
-
-def wrong_pictures(chapter: str, shot: dict) -> list[tuple[str, str, list]]:
-    """(what it is, the chapter that draws it, its options) for each picture that the golden must reject."""
-    same = ["--shot", shot["name"]]
-    files = exercises(chapter)
-    # One that was edited since the last commit is not as handed out: somebody works on it.
-    wrong = [(f"{exercise} as handed out", chapter, [*same, "--use", f"solution,{exercise}=exercise"])
-             for exercise in shot.get("exercises", []) if exercise not in files or not is_edited(files[exercise])]
-    for entry in shot.get("rejects", []):
-        sets = [word for knob, value in entry.get("set", {}).items() for word in ("--set", f"{knob}={text(value)}")]
-        if "chapter" in entry:
-            scene = ["--scene", shot["scene"]] if "scene" in shot else []
-            size = "x".join(str(side) for side in shot.get("size", [960, 540]))
-            options = [*scene, "--size", size, "--time", shot.get("time_s", 0), *sets]
-            wrong.append((f"drawn by {entry['chapter']}", entry["chapter"], options))
-        else:
-            use = entry.get("use", "solution")
-            name = ", ".join(sets[1::2] + (["--use " + use] if "use" in entry else []))
-            wrong.append((name, chapter, [*same, "--use", use, *sets]))
-    return wrong
-
-
-def text(value) -> str:
-    """A knob's value as --set takes it."""
-    return value if isinstance(value, str) else json.dumps(value)
 
 
 def picture_entry(name, ok, golden, actual, heatmap, metrics) -> dict:

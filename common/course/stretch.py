@@ -17,7 +17,8 @@ import json
 import statistics
 
 from build import build
-from shots import compare, render, run_program
+from drawing import render, run_program
+from shots import compare
 from tree import BUILD, ROOT, Failure, UsageError, exercises, find_chapter, has_solutions, say
 
 HELP = """Judges a chapter's stretch task: an exercise that reaches the error of the reference, in less time.

@@ -3,6 +3,7 @@
 docs/study_format.md has the keys of "charts". A study without them has one chart, its time against its error_metric.
 """
 import math
+from functools import cached_property
 
 from study_file import METRICS, StudyError, figures, number
 
@@ -161,7 +162,7 @@ class Chart:
                 raise StudyError(f'no point sets the knob "{name}" to {value}')
         self.points = [p for p in self.points if name not in p.knobs or p.knobs[name] in self.kept[name]]
 
-    @property
+    @cached_property
     def over_scenes(self):
         """True where x is a knob that the scenes set: all of them are in one panel."""
         return self.x.kind == "knob" and self.x.name in self.study.scene_knobs
@@ -171,7 +172,7 @@ class Chart:
         """The scenes of each panel."""
         return [self.scenes] if self.over_scenes else [[scene] for scene in self.scenes]
 
-    @property
+    @cached_property
     def point_knobs(self):
         """The knobs whose values tell points of one panel apart, without the one on the x axis."""
         if self.over_scenes or self.kept:

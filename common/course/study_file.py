@@ -5,6 +5,7 @@ docs/study_format.md has the format. Nothing here draws.
 import json
 import math
 import pathlib
+from functools import cached_property
 
 METRICS = {  # key in a point's "error": (how an axis calls it, what one 8-bit step at mid grey makes of it)
     "flip_mean": ("FLIP, mean", 0.0299),
@@ -78,15 +79,16 @@ class Study:
         """", 960 × 540", after what stands before it; empty where the study does not say."""
         return f"{before}{self.data['size'][0]} × {self.data['size'][1]}" if "size" in self.data else ""
 
-    @property
+    # What points say is asked for thousands of times by a chart.
+    @cached_property
     def scenes(self):
         return list(dict.fromkeys(p.scene for p in self.points))
 
-    @property
+    @cached_property
     def methods(self):
         return list(dict.fromkeys(p.method for p in self.points))
 
-    @property
+    @cached_property
     def metrics(self):
         """The errors that points have, those of pictures first."""
         measured = dict.fromkeys(name for p in self.points for name in p.data["error"])
@@ -102,11 +104,11 @@ class Study:
         """The knobs that a scene sets."""
         return self.data.get("scenes", {}).get(scene, {}).get("set", {})
 
-    @property
+    @cached_property
     def scene_knobs(self):
         return list(dict.fromkeys(name for scene in self.scenes for name in self.set_by(scene)))
 
-    @property
+    @cached_property
     def varied_knobs(self):
         """The knobs that take more than one value in a scene; the others need no mention at a point."""
         names = dict.fromkeys(name for p in self.points for name in p.knobs if name not in self.scene_knobs)

@@ -12,8 +12,8 @@ where nothing is asserted of "either". Loaders: the course's own read every floa
 import json
 
 from need_test import sweep
+from drawing import run_program, text
 from results import table
-from shots import run_program, text
 from study import SceneEntry, study_of
 from tree import BUILD, Failure, chapter_program, run_on_chapter, say
 

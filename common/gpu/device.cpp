@@ -218,10 +218,10 @@ size_t Device::validation_message_count() const {
     return messages_.size();
 }
 
-void Device::check_validation() const {
+void Device::check_validation(size_t heard) const {
     const std::lock_guard lock(mutex_);
-    if (messages_.empty()) return;
-    throw Failure("validation said {} things; the first: {}", messages_.size(), messages_[0]);
+    if (messages_.size() <= heard) return;
+    throw Failure("validation said {} things; the first: {}", messages_.size() - heard, messages_[heard]);
 }
 
 uint64_t Device::timeout_ns() const {

@@ -76,8 +76,8 @@ class Device {
     void begin_label(VkCommandBuffer commands, const char* name) const;
     void end_label(VkCommandBuffer commands) const;
 
-    /// What validation has said so far. Throws Failure with the first message where it said anything.
-    void check_validation() const;
+    /// Throws Failure with the first of validation's messages after `heard` of them, where there are any.
+    void check_validation(size_t heard = 0) const;
     size_t validation_message_count() const;
 
     /// Memory for what `name` is. Throws Failure where no type has the properties or its heap is smaller than that.

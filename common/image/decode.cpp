@@ -21,10 +21,6 @@ void fields(Bytes& bytes, Decoded& picture) {
 
 namespace {
 
-[[noreturn]] void reject(const fs::path& path, const std::string& why) {
-    throw InputError("{}: {}; expected a whole PNG, JPEG, .hdr or .pfm image", path.string(), why);
-}
-
 /// stb takes a JPEG that is cut off and fills the rest with grey. Its end marker (FFD9) must stand after the last
 /// start of scan (FFDA).
 bool is_cut_jpeg(const std::string& bytes) {

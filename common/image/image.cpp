@@ -22,16 +22,20 @@ float linear_to_srgb(float linear) {
     return linear <= 0.0031308f ? linear * 12.92f : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
-ImageRgb to_linear(const Image8& image) {
+float srgb_to_linear(uint8_t code) {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> values{};
         for (size_t i = 0; i < values.size(); ++i) values[i] = srgb_to_linear(static_cast<float>(i) / 255.0f);
         return values;
     }();
+    return table[code];
+}
+
+ImageRgb to_linear(const Image8& image) {
     ImageRgb linear(image.width, image.height);
     for (size_t i = 0; i < image.pixels.size(); ++i) {
         const glm::u8vec4 p = image.pixels[i];
-        linear.pixels[i] = {table[p.r], table[p.g], table[p.b]};
+        linear.pixels[i] = {srgb_to_linear(p.r), srgb_to_linear(p.g), srgb_to_linear(p.b)};
     }
     return linear;
 }
@@ -64,11 +68,11 @@ std::string lower_extension(const fs::path& path) {
     return extension;
 }
 
-[[noreturn]] void reject(const fs::path& path, const std::string& why) {
+}  // namespace
+
+void reject(const fs::path& path, const std::string& why) {
     throw InputError("{}: {}; expected a whole PNG, JPEG, .hdr or .pfm image", path.string(), why);
 }
-
-}  // namespace
 
 void check_image_size(const fs::path& path, int64_t width, int64_t height) {
     if (width < 1 || height < 1) reject(path, "has no pixels");

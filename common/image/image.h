@@ -1,5 +1,6 @@
 // Images in memory, as numbers: what is read from disk, compared, and written back.
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -20,6 +21,9 @@ struct ImageRgb {
     const glm::vec3& at(int x, int y) const { return const_cast<ImageRgb*>(this)->at(x, y); }
 };
 
+/// No channel is NaN or infinite.
+inline bool all_finite(glm::vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
 /// sRGB and straight alpha, 8 bits each, rows from the top: what a screenshot holds.
 struct Image8 {
     int width = 0, height = 0;  ///< pixels
@@ -39,6 +43,7 @@ constexpr int64_t max_image_pixels = int64_t(1) << 27;
 /// sRGB code in [0, 1] to linear light in [0, 1] and back: IEC 61966-2-1, the exact piecewise functions. Outside
 /// [0, 1] the curve goes on; below 0 it is the straight part.
 float srgb_to_linear(float code);
+float srgb_to_linear(uint8_t code);  ///< of 255
 float linear_to_srgb(float linear);
 
 ImageRgb to_linear(const Image8& image);  ///< Drops alpha.

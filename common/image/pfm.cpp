@@ -15,7 +15,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-[[noreturn]] void reject(const std::filesystem::path& path, const std::string& why) {
+[[noreturn]] void reject_pfm(const std::filesystem::path& path, const std::string& why) {
     throw InputError("{}: {}; expected \"PF\", width, height, scale and 32-bit floats", path.string(), why);
 }
 
@@ -35,7 +35,7 @@ Number number(std::string_view word, const std::filesystem::path& path) {
     Number value{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size())
-        reject(path, "has no number where the header needs one");
+        reject_pfm(path, "has no number where the header needs one");
     return value;
 }
 
@@ -45,14 +45,14 @@ ImageRgb read_pfm(const std::filesystem::path& path) {
     const std::string bytes = read_file(path);
     std::string_view rest = bytes;
     const std::string_view kind = next_word(rest);
-    if (kind != "PF" && kind != "Pf") reject(path, "is not a PFM image");
+    if (kind != "PF" && kind != "Pf") reject_pfm(path, "is not a PFM image");
     const int width = number<int>(next_word(rest), path);
     const int height = number<int>(next_word(rest), path);
     const bool big_endian = number<float>(next_word(rest), path) > 0.0f;
     const int channels = kind == "PF" ? 3 : 1;
     check_image_size(path, width, height);
     const size_t row = static_cast<size_t>(width) * size_t(channels);
-    if (rest.size() < row * size_t(height) * sizeof(float)) reject(path, "is cut off");
+    if (rest.size() < row * size_t(height) * sizeof(float)) reject_pfm(path, "is cut off");
 
     ImageRgb image(width, height);
     for (int y = 0; y < height; ++y) {

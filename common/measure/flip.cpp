@@ -207,8 +207,6 @@ float pixel_error(const Filtered& r, const Filtered& t, size_t i) {
     return std::clamp(std::pow(colour, 1.0f - feature), 0.0f, 1.0f);
 }
 
-bool finite(glm::vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 void check_pair(const ImageRgb& reference, const ImageRgb& test, float per_degree) {
     if (reference.width != test.width || reference.height != test.height)
         throw InputError("FLIP needs images of one size, not {}x{} and {}x{}", reference.width, reference.height,
@@ -239,7 +237,7 @@ ErrorMap flip_ldr(const ImageRgb& reference, const ImageRgb& test, float pixels_
     ImageRgb r = reference, t = test;
     std::vector<size_t> broken;
     for (size_t i = 0; i < r.pixels.size(); ++i) {
-        const bool good_r = finite(r.pixels[i]), good_t = finite(t.pixels[i]);
+        const bool good_r = all_finite(r.pixels[i]), good_t = all_finite(t.pixels[i]);
         if (!good_r || !good_t) {
             broken.push_back(i);
             r.pixels[i] = t.pixels[i] = good_r ? r.pixels[i] : good_t ? t.pixels[i] : glm::vec3(0.0f);

@@ -22,8 +22,6 @@ constexpr double a = 2.51 * pre_exposure * pre_exposure, b = 0.03 * pre_exposure
 constexpr double c = 2.43 * pre_exposure * pre_exposure, d = 0.59 * pre_exposure, e = 0.14;
 }  // namespace aces
 
-bool finite(glm::vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 }  // namespace
 
 float flip_tone_map(float linear) {
@@ -51,7 +49,7 @@ ExposureRange automatic_exposures(const ImageRgb& reference) {
     std::vector<double> luminance;
     luminance.reserve(reference.pixels.size());
     for (const glm::vec3& p : reference.pixels)
-        if (finite(p)) luminance.push_back((to_xyz * glm::dvec3(glm::clamp(p, 0.0f, largest_hdr_value))).y);
+        if (all_finite(p)) luminance.push_back((to_xyz * glm::dvec3(glm::clamp(p, 0.0f, largest_hdr_value))).y);
     if (luminance.empty()) throw InputError("HDR-FLIP: the reference has no finite pixel; give exposures explicitly");
     const double largest = *std::max_element(luminance.begin(), luminance.end());
     const double middle = median(luminance);
@@ -72,7 +70,7 @@ ErrorMap flip_hdr(const ImageRgb& reference, const ImageRgb& test, std::optional
         ImageRgb mapped = image;
         const float factor = std::exp2(stops);
         for (glm::vec3& p : mapped.pixels) {
-            if (!finite(p)) continue;  // flip_ldr deals with it
+            if (!all_finite(p)) continue;  // flip_ldr deals with it
             p = glm::clamp(p, 0.0f, largest_hdr_value) * factor;
             p = {flip_tone_map(p.x), flip_tone_map(p.y), flip_tone_map(p.z)};
         }

@@ -23,6 +23,9 @@ class ImagePool {
     /// One texel of that colour, for a slot without a texture.
     std::shared_ptr<Image> constant(glm::vec4 value);
 
+    /// Whether the file of an image of this pool has an alpha channel.
+    bool has_alpha(const Image& image) const { return channels_.contains(&image) && channels_.at(&image) % 2 == 0; }
+
     void clear() { images_.clear(), channels_.clear(); }
     size_t size() const { return images_.size(); }
 

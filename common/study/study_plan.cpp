@@ -12,9 +12,9 @@ namespace {
 using nlohmann::json;
 
 // A value of the file, and where it stands.
-class Node {
+class JsonNode {
   public:
-    Node(const JsonWithLines& source, const json& of, std::string pointer)
+    JsonNode(const JsonWithLines& source, const json& of, std::string pointer)
         : value(of), source_(source), pointer_(std::move(pointer)) {}
 
     const json& value;
@@ -34,13 +34,13 @@ class Node {
                 (*this)[key].refuse("is unknown here; known: " + names);
     }
     bool has(const std::string& key) const { return value.contains(key); }
-    Node operator[](const std::string& key) const {
+    JsonNode operator[](const std::string& key) const {
         if (!has(key)) refuse("has no \"" + key + "\"");
         return {source_, value.at(key), pointer_ + "/" + key};
     }
-    std::vector<Node> items() const {
+    std::vector<JsonNode> items() const {
         expect(value.is_array() && !value.empty(), "a list [ ] with something in it");
-        std::vector<Node> nodes;
+        std::vector<JsonNode> nodes;
         for (size_t i = 0; i < value.size(); ++i)
             nodes.emplace_back(source_, value[i], pointer_ + "/" + std::to_string(i));
         return nodes;
@@ -63,7 +63,7 @@ class PlanReader {
   public:
     explicit PlanReader(const KnobList& knobs) : knobs_(knobs) {}
 
-    StudyPlan read(const Node& study) {
+    StudyPlan read(const JsonNode& study) {
         study.expect_keys({"title", "error_metric", "stage", "size", "rounds", "truth", "scenes", "curves", "charts",
                            "better", "metrics", "generate", "test_size", "test_scenes", "candidates", "budgets",
                            "crops"});
@@ -79,14 +79,14 @@ class PlanReader {
             plan_.rounds = rounds.get<int>();
         }
         read_truth(study["truth"]);
-        for (const Node& curve : study["curves"].items()) read_curve(curve, plan_.points);
+        for (const JsonNode& curve : study["curves"].items()) read_curve(curve, plan_.points);
         plan_.candidates = plan_.points;
         if (study.has("candidates")) {
             plan_.candidates.clear();
-            for (const Node& curve : study["candidates"].items()) read_curve(curve, plan_.candidates);
+            for (const JsonNode& curve : study["candidates"].items()) read_curve(curve, plan_.candidates);
         }
         if (study.has("budgets"))
-            for (const Node& budget : study["budgets"].items()) {
+            for (const JsonNode& budget : study["budgets"].items()) {
                 budget.expect(budget.value.is_number() && budget.value >= 0, "a number from 0");
                 plan_.budgets.push_back(budget.value.get<double>());
             }
@@ -94,7 +94,7 @@ class PlanReader {
             study["crops"].expect(study["crops"].value.is_boolean(), "true or false");
             plan_.crops = study["crops"].value;
         }
-        for (const Node& scene : study["scenes"].items()) read_scene_entry(scene);
+        for (const JsonNode& scene : study["scenes"].items()) read_scene_entry(scene);
         if (study.has("charts")) read_charts(study["charts"]);
         if (study.has("better")) {
             study["better"].expect(study["better"].value.is_object(), "an object { } of knobs");
@@ -112,14 +112,14 @@ class PlanReader {
     }
 
   private:
-    KnobBase& find(const Node& at, const std::string& name) const {
+    KnobBase& find(const JsonNode& at, const std::string& name) const {
         try {
             return find_knob(knobs_, name);
         } catch (const InputError& e) { at.refuse(std::string(": ") + e.what()); }
     }
 
     // A knob's value, which the knob itself has taken.
-    std::string checked(const Node& at, const std::string& name) const {
+    std::string checked(const JsonNode& at, const std::string& name) const {
         if (at.value.is_structured() || at.value.is_null()) at.refuse("is " + at.value.dump() + ", expected one value");
         const std::string text = at.value.is_string() ? at.value.get<std::string>() : at.value.dump();
         try {
@@ -128,25 +128,25 @@ class PlanReader {
         return text;
     }
 
-    static std::vector<Node> values_of(const Node& node) {
-        return node.value.is_array() ? node.items() : std::vector<Node>{node};
+    static std::vector<JsonNode> values_of(const JsonNode& node) {
+        return node.value.is_array() ? node.items() : std::vector<JsonNode>{node};
     }
 
-    KnobValues read_set(const Node& set) const {
+    KnobValues read_set(const JsonNode& set) const {
         set.expect(set.value.is_object(), "an object { } of knobs");
         KnobValues values;
         for (const auto& [name, ignored] : set.value.items()) values.emplace_back(name, checked(set[name], name));
         return values;
     }
 
-    static glm::uvec2 read_size(const Node& size) {
+    static glm::uvec2 read_size(const JsonNode& size) {
         const auto side = [](const json& n) { return n.is_number_integer() && n >= 1 && n <= 16384; };
         size.expect(size.value.is_array() && size.value.size() == 2 && side(size.value[0]) && side(size.value[1]),
                     "[width, height], each from 1 to 16384");
         return {size.value[0].get<unsigned>(), size.value[1].get<unsigned>()};
     }
 
-    void read_truth(const Node& truth) {
+    void read_truth(const JsonNode& truth) {
         truth.expect_keys({"set", "doubled", "most_change", "exact"});
         plan_.truth = read_set(truth["set"]);
         if (truth.has("exact")) {
@@ -158,22 +158,22 @@ class PlanReader {
         if (!truth.has("doubled"))
             truth.refuse("needs \"doubled\" and \"most_change\", or \"exact\": true where it has no samples to double");
         plan_.doubled = read_set(truth["doubled"]);
-        const Node most = truth["most_change"];
+        const JsonNode most = truth["most_change"];
         most.expect(most.value.is_number() && most.value >= 0, "a number from 0");
         plan_.most_change = most.value.get<double>();
     }
 
-    void read_curve(const Node& curve, std::vector<StudyPoint>& into) const {
+    void read_curve(const JsonNode& curve, std::vector<StudyPoint>& into) const {
         curve.expect_keys({"method", "set", "where"});
         std::vector<StudyPoint> points{{curve.has("method") ? checked(curve["method"], "method") : "", {}, {}}};
         if (curve.has("where")) points[0].where = read_set(curve["where"]);
         if (curve.has("set")) {
             curve["set"].expect(curve["set"].value.is_object(), "an object { } of knobs");
             for (const auto& [name, ignored] : curve["set"].value.items()) {
-                const Node node = curve["set"][name];
+                const JsonNode node = curve["set"][name];
                 std::vector<StudyPoint> next;
                 for (const StudyPoint& point : points)
-                    for (const Node& value : values_of(node)) {
+                    for (const JsonNode& value : values_of(node)) {
                         next.push_back(point);
                         next.back().set.emplace_back(name, checked(value, name));
                     }
@@ -183,7 +183,7 @@ class PlanReader {
         into.insert(into.end(), points.begin(), points.end());
     }
 
-    void read_scene_entry(const Node& entry) {
+    void read_scene_entry(const JsonNode& entry) {
         StudyScene scene;
         if (entry.value.is_object()) {
             entry.expect_keys({"scene", "set", "label"});
@@ -216,15 +216,15 @@ class PlanReader {
                });
     }
 
-    static void read_enough(const Node& enough) {
+    static void read_enough(const JsonNode& enough) {
         enough.expect_keys({"at", "text"});
         enough["at"].expect(enough["at"].value.is_number() && enough["at"].value >= 0, "a number from 0");
         enough["text"].text();
     }
 
-    void read_charts(const Node& charts) {
+    void read_charts(const JsonNode& charts) {
         std::set<std::string> names;
-        for (const Node& chart : charts.items()) {
+        for (const JsonNode& chart : charts.items()) {
             chart.expect_keys(
                 {"name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale", "x_label", "panel", "enough"});
             const std::string name = chart["name"].text();
@@ -246,15 +246,15 @@ class PlanReader {
             if (chart.has("knobs")) {
                 chart["knobs"].expect(chart["knobs"].value.is_object(), "an object { } of knobs");
                 for (const auto& [knob, ignored] : chart["knobs"].value.items())
-                    for (const Node& value : values_of(chart["knobs"][knob])) checked(value, knob);
+                    for (const JsonNode& value : values_of(chart["knobs"][knob])) checked(value, knob);
             }
             if (chart.has("scenes"))
-                for (const Node& scene : chart["scenes"].items())
+                for (const JsonNode& scene : chart["scenes"].items())
                     if (std::none_of(plan_.scenes.begin(), plan_.scenes.end(),
                                      [&](const StudyScene& known) { return known.label == scene.text(); }))
                         scene.refuse(": no scene is called '" + scene.text() + "'");
             if (chart.has("methods"))
-                for (const Node& method : chart["methods"].items())
+                for (const JsonNode& method : chart["methods"].items())
                     if (std::none_of(plan_.points.begin(), plan_.points.end(),
                                      [&](const StudyPoint& known) { return known.method == method.text(); }))
                         method.refuse(": no curve has the method '" + method.text() + "'");
@@ -270,7 +270,7 @@ class PlanReader {
 
 StudyPlan read_study(const JsonWithLines& source, const KnobList& knobs) {
     const KeptKnobs kept(knobs);  // reading tries every value
-    return PlanReader(knobs).read(Node(source, source.root, ""));
+    return PlanReader(knobs).read(JsonNode(source, source.root, ""));
 }
 
 KnobValues StudyPoint::all() const {

@@ -3,6 +3,7 @@
 #include "common/app/compile_shaders.h"
 #include "common/app/headless.h"
 #include "common/app/lists.h"
+#include "common/app/pictures.h"
 #include "common/base/text.h"
 #include "common/study/study.h"
 #include "common/window/window.h"
@@ -18,6 +19,7 @@ int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make
         if (!options) return 0;
         if (!options->list.empty()) return print_list(*options, *chapter);
         if (!options->compile_shaders.empty()) return compile_all_shaders(*chapter, options->compile_shaders);
+        if (options->pictures) return draw_pictures(*options, name, make, gpu);
         if (options->command) return options->command();
         if (!options->study.empty()) return run_study(*options, *chapter, gpu);
         const Loading loading = automatic_choice(*options, *chapter);

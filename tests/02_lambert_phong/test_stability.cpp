@@ -18,7 +18,7 @@ Row row(glm::dvec3 n, glm::dvec3 l, glm::dvec3 v, double shininess) {
     return {n.x, n.y, n.z, l.x, l.y, l.z, v.x, v.y, v.z, shininess};
 }
 
-const glm::dvec3 up{0, 1, 0};
+const glm::dvec3 above{0, 1, 0};
 
 }  // namespace
 
@@ -54,7 +54,7 @@ TEST_CASE("no light is made: the lobe times its cosine integrates to at most 1 f
                     const double phi = (k + 0.5) / steps * std::numbers::pi;
                     const glm::dvec3 light(std::sin(theta) * std::cos(phi), std::cos(theta),
                                            std::sin(theta) * std::sin(phi));
-                    sum += truth::blinn_phong(up, light, eye, n) * std::cos(theta) * std::sin(theta);
+                    sum += truth::blinn_phong(above, light, eye, n) * std::cos(theta) * std::sin(theta);
                 }
             const double area = 0.5 * std::numbers::pi / steps * std::numbers::pi / steps;
             CHECK(truth::blinn_phong_normalisation(n) * sum * area / std::numbers::pi < 1.001);
@@ -63,31 +63,32 @@ TEST_CASE("no light is made: the lobe times its cosine integrates to at most 1 f
 
 TEST_CASE("a light right behind, as seen from the eye, has no half vector: the result is 0, not NaN") {
     const glm::dvec3 slant = glm::normalize(glm::dvec3(1, 1, 0));
-    CHECK(evaluate("blinn_phong", row(up, slant, -slant, 10)) == 0);
-    CHECK(evaluate("blinn_phong", row(up, up, -up, 0)) == 0);
+    CHECK(evaluate("blinn_phong", row(above, slant, -slant, 10)) == 0);
+    CHECK(evaluate("blinn_phong", row(above, above, -above, 0)) == 0);
 }
 
 TEST_CASE("shininess 0 is a power of 0, which pow(0, 0) leaves undefined") {
-    CHECK(evaluate("phong", row(up, up, {1, 0, 0}, 0)) == 0);
-    CHECK(evaluate("blinn_phong", row(up, {1, 0, 0}, {-1, 0, 0}, 0)) == 0);
-    CHECK(evaluate("phong", row(up, up, up, 0)) == 1);
+    CHECK(evaluate("phong", row(above, above, {1, 0, 0}, 0)) == 0);
+    CHECK(evaluate("blinn_phong", row(above, {1, 0, 0}, {-1, 0, 0}, 0)) == 0);
+    CHECK(evaluate("phong", row(above, above, above, 0)) == 1);
 }
 
 TEST_CASE("a normal whose length has rounded to just above 1 makes no highlight above 1") {
     // Without a bound the power would make 1.1 of 1.000001.
-    for (const char* lobe : {"phong", "blinn_phong"}) CHECK(evaluate(lobe, row(up * 1.000001, up, up, 100000)) == 1);
+    for (const char* lobe : {"phong", "blinn_phong"})
+        CHECK(evaluate(lobe, row(above * 1.000001, above, above, 100000)) == 1);
 }
 
 TEST_CASE("no highlight leaks where the light is behind the surface, though the half vector says there is one") {
     const glm::dvec3 below = glm::normalize(glm::dvec3(1, -0.05, 0)), eye = glm::normalize(glm::dvec3(-0.6, 0.8, 0));
-    REQUIRE(std::pow(glm::dot(up, glm::normalize(below + eye)), 8) > 0.05);  // what would leak
-    CHECK(evaluate("blinn_phong", row(up, below, eye, 8)) == 0);
-    CHECK(evaluate("phong", row(up, below, eye, 8)) == 0);
+    REQUIRE(std::pow(glm::dot(above, glm::normalize(below + eye)), 8) > 0.05);  // what would leak
+    CHECK(evaluate("blinn_phong", row(above, below, eye, 8)) == 0);
+    CHECK(evaluate("phong", row(above, below, eye, 8)) == 0);
 }
 
 TEST_CASE("a broad Phong highlight ends in a seam: it jumps where the light goes below the horizon") {
     const glm::dvec3 eye = glm::normalize(glm::dvec3(1, 0.3, 0));
-    const auto at = [&](double angle) { return row(up, {-std::cos(angle), std::sin(angle), 0}, eye, 1); };
+    const auto at = [&](double angle) { return row(above, {-std::cos(angle), std::sin(angle), 0}, eye, 1); };
     const double jump = evaluate("phong", at(1e-4)) - evaluate("phong", at(-1e-4));
     CHECK(jump == Approx(0.958).margin(0.002));  // cos of the eye's angle to the horizon: nearly all of it
     // Times the received light, as the normalised model is, it ends in 0.
@@ -97,8 +98,8 @@ TEST_CASE("a broad Phong highlight ends in a seam: it jumps where the light goes
 TEST_CASE("an interpolated normal left unnormalised darkens the middle of an edge and shrinks its highlight") {
     // Between normals 60 degrees apart the middle one has length cos 30.
     const double length = std::cos(glm::radians(30.0));
-    const double cosine = evaluate("blinn_phong", row(up, up, up, 100));
-    const double shortened = evaluate("blinn_phong", row(up * length, up, up, 100));
+    const double cosine = evaluate("blinn_phong", row(above, above, above, 100));
+    const double shortened = evaluate("blinn_phong", row(above * length, above, above, 100));
     CHECK(cosine == 1);
     CHECK(shortened == Approx(std::pow(length, 100)).margin(1e-6));  // 6e-7: the highlight is gone
 }

@@ -7,8 +7,6 @@
 
 namespace lightwalk {
 
-struct NoChapter : Module {};
-
 struct TestPoint {
     glm::vec3 position, facing;
     uint32_t light = 0;

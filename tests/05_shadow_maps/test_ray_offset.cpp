@@ -10,8 +10,6 @@ using namespace lightwalk;
 
 namespace {
 
-struct NoChapter : Module {};
-
 struct Seen {
     int largest_power = -100;  ///< of two: the offset that was needed, in the scene's farthest coordinate
     int pixels = 0, self_hits = 0;

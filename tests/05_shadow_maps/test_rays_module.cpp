@@ -13,8 +13,6 @@ using namespace lightwalk;
 
 namespace {
 
-struct NoChapter : Module {};
-
 // Alpha as a sampler reads it: bilinear, repeating, v = 0 in the bottom row.
 double alpha_at(const Level& level, double u, double v) {
     const glm::ivec2 size(level.size);

@@ -29,8 +29,6 @@ TEST_CASE("acne, peter-panning, leaks and edges are told apart by the truth arou
 
 namespace {
 
-struct NoChapter : Module {};
-
 /// Over a floor of 20 m at z = 0, a board of 2 m at z = `board_m`, and a light along -z, tilted by `tilt` of x.
 std::vector<ShadowTruth> truths(float board_m, float tilt, float radius_m, const std::vector<glm::vec3>& positions) {
     TestScene test({object_at(quad_file, {0, 0, 0}, glm::vec3(10.0f)), object_at(quad_file, {0, 0, board_m})});

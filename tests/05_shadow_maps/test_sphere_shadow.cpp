@@ -12,8 +12,6 @@ using namespace lightwalk;
 
 namespace {
 
-struct NoChapter : Module {};
-
 struct Place {
     glm::vec3 position, to_light;
 };

@@ -11,8 +11,6 @@ using namespace lightwalk;
 
 namespace {
 
-constexpr double earth = 6360000, edge = 100000;
-
 // The least slope that clears the ground, and a little more.
 double above_horizon(double height, double share, double radius = earth) {
     const double horizon = -std::sqrt(height * (2 * radius + height)) / (radius + height);

@@ -7,6 +7,8 @@
 
 namespace lightwalk {
 
+constexpr double earth = 6360000, edge = 100000;  // metres: its radius, and where its air ends above the ground
+
 inline Air earth_air() {
     return {.rayleigh = 1e-6f * glm::vec3(5.802f, 13.558f, 33.1f),
             .rayleigh_height = 8000,

@@ -12,8 +12,6 @@ using namespace lightwalk;
 
 namespace {
 
-constexpr double earth = 6360000, edge = 100000;
-
 // One number for each row.
 std::vector<double> ask(const Probe& probe) {
     std::vector<double> all;

@@ -2,13 +2,18 @@
 it is not build/ in the tree.
 """
 import os
-import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
+from pathlib import Path
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-BUILD = pathlib.Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "common/course"))
+
+from drawing import Drawing  # noqa: E402
+
+BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 # sRGB codes as linear light.
 LINEAR = [code / 255 / 12.92 if code <= 10 else ((code / 255 + 0.055) / 1.055) ** 2.4 for code in range(256)]
 
@@ -22,6 +27,12 @@ def to_code(linear: float) -> float:
 class ChapterPictures(unittest.TestCase):
     """A test with a folder of its own that runs one chapter."""
     chapter = ""
+    drawing = None
+
+    @classmethod
+    def tearDownClass(cls):
+        if cls.drawing:
+            cls.drawing.close()
 
     def setUp(self):
         self.program = BUILD / "chapters" / self.chapter
@@ -31,13 +42,25 @@ class ChapterPictures(unittest.TestCase):
             self.skipTest(f"{self.program} is not built")
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
+        self.folder = Path(scratch.name)
 
     def run_program(self, *options, silent=True, **environment):
-        """Runs the chapter; exit code 0 is expected and, where `silent`, nothing on stderr."""
+        """Runs the chapter; exit code 0 is expected and, where `silent`, nothing on stderr. One process draws all pictures
+        that need no environment of their own."""
+        if options[-2:-1] == ("--screenshot",) and not environment:
+            return self.draw_picture(options[:-2], options[-1], silent)
         done = subprocess.run([str(word) for word in (self.program, *options)], capture_output=True, text=True,
                               timeout=120, cwd=ROOT, env=os.environ | environment)
         self.assertEqual(done.returncode, 0, done.stderr)
         if silent:
             self.assertEqual(done.stderr, "")
         return done
+
+    def draw_picture(self, options, picture, silent):
+        cls = type(self)
+        if not cls.drawing or not cls.drawing.is_alive():
+            cls.drawing = Drawing(self.chapter)
+        code, wrong, said = cls.drawing.draw(options, Path(picture))
+        self.assertEqual(code, 0, wrong)
+        if silent:
+            self.assertEqual(said, "")

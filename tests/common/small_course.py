@@ -42,22 +42,29 @@ PRESETS = {"version": 4, "configurePresets": [
 COMPILE = """! grep -q 'syntax error' $1 || { echo $1:1: error: no; exit 1; }
 """
 CHAPTER = """#!PYTHON
-import os, sys
-words = sys.argv[1:]
+import json, os, sys
 name = os.path.basename(sys.argv[0])
-if "--screenshot" not in words:
+def draw(words):
+    if os.path.exists("crash"):
+        return "mesh.frag:3: no such function"
+    use = words[words.index("--use") + 1] if "--use" in words else "solution"
+    starter = "exercise" in use and not os.path.exists("no_teeth")
+    knobs = [word for word in words if "=" in word and word != use]
+    text = "flat" if os.path.exists("flat") else f"{name} {starter} {knobs}"
+    drivers = ("drift", "drift." + os.environ.get("GALLIUM_OVERRIDE_CPU_CAPS", "-"),
+               "drift." + os.path.basename(os.environ.get("VK_DRIVER_FILES", "-")))
+    drift = "".join(open(name).read() for name in drivers if os.path.exists(name))
+    open(words[words.index("--screenshot") + 1], "w").write(text + drift)
+words = sys.argv[1:]
+if "--pictures" in words:
+    for line in sys.stdin:
+        wrong = draw(json.loads(line))
+        print(json.dumps({"code": 1 if wrong else 0, "error": wrong or ""}), flush=True)
+elif "--screenshot" in words:
+    sys.exit(draw(words))
+else:
     print(name, *words, "in", os.getcwd())
     sys.exit(7 if "--fail" in words else 0)
-if os.path.exists("crash"):
-    sys.exit("mesh.frag:3: no such function")
-use = words[words.index("--use") + 1] if "--use" in words else "solution"
-starter = "exercise" in use and not os.path.exists("no_teeth")
-knobs = [word for word in words if "=" in word and word != use]
-text = "flat" if os.path.exists("flat") else f"{name} {starter} {knobs}"
-drivers = ("drift", "drift." + os.environ.get("GALLIUM_OVERRIDE_CPU_CAPS", "-"),
-           "drift." + os.path.basename(os.environ.get("VK_DRIVER_FILES", "-")))
-drift = "".join(open(name).read() for name in drivers if os.path.exists(name))
-open(words[words.index("--screenshot") + 1], "w").write(text + drift)
 """
 COMPARE = """#!PYTHON
 import json, sys

@@ -14,6 +14,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
 
+import numpy as np  # noqa: E402
+
 import chart  # noqa: E402
 import chart_labels  # noqa: E402
 from chart_fixture import STUDY, over_lights, point, study  # noqa: E402
@@ -190,6 +192,7 @@ class Drawing(unittest.TestCase):
             for which, one in enumerate(charts_of(s)):
                 with self.subTest(f"{file.name} {one.entry.get('name', '')}"):
                     self.check_words(self.figure(s, which), one)
+                    chart.plt.close()
 
     def check_words(self, figure, one):
         renderer = figure.canvas.get_renderer()
@@ -198,16 +201,17 @@ class Drawing(unittest.TestCase):
         words = [(text.get_text(), text.get_window_extent(renderer)) for text in figure.findobj(chart.plt.Text)
                  if text.get_text().strip() and text.get_visible() and id(text) not in ticks]
         whole = figure.bbox.padded(1)
+        low, high = (np.array([corner(box) for _, box in words]) for corner in (lambda b: b.min + 1, lambda b: b.max - 1))
         for i, (text, box) in enumerate(words):
             self.assertTrue(whole.x0 <= box.x0 and box.x1 <= whole.x1 and whole.y0 <= box.y0 and box.y1 <= whole.y1,
                             f"{text} leaves the figure")
-            for other, its in words[:i]:
-                self.assertFalse(box.padded(-1).overlaps(its.padded(-1)), f"{text} over {other}")
-        markers = [axis.transData.transform(at) for axis in figure.axes for line in axis.lines
-                   if line.get_marker() not in ("None", None, "", "|", "_") for at in line.get_xydata()]
+            over = np.flatnonzero(((low[:i] < high[i]) & (low[i] < high[:i])).all(axis=1))
+            self.assertFalse(over.size, f"{text} over {[words[other][0] for other in over]}")
+        markers = np.concatenate([axis.transData.transform(line.get_xydata()) for axis in figure.axes for line in axis.lines
+                                  if line.get_marker() not in ("None", None, "", "|", "_")])
         self.assertGreaterEqual(len(markers), len(one.drawable))
-        for text, box in words:
-            self.assertFalse([at for at in markers if box.padded(-1).contains(*at)], f"{text} over a point")
+        for i, (text, _) in enumerate(words):
+            self.assertFalse(((low[i] <= markers) & (markers <= high[i])).all(axis=1).any(), f"{text} over a point")
 
     def test_labels_cover_neither_each_other_nor_a_point(self):
         points = [point("s", f"method_{i}", 0.02 * 0.98**i * (j + 1), 0.3 * 1.005**i * (j + 1), {"n": j})

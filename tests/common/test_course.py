@@ -95,15 +95,15 @@ class Commands(Course):
 
 
 class Tests(Course):
-    """The small tree has unit.common, three shots, two teeth of shots, two checks and their teeth, and two texts, of which one is
-    this file's empty stand-in."""
+    """The small tree has unit.common, three shots and two tests that draw them, two teeth of shots, two checks and their
+    teeth, and two texts, of which one is this file's empty stand-in."""
 
     def test_green_red_and_the_closing_line(self):
         self.accept()
-        self.assertEqual(self.course("test").splitlines()[-1], "100% tests passed, 0 tests failed out of 12")
+        self.assertEqual(self.course("test").splitlines()[-1], "100% tests passed, 0 tests failed out of 14")
         self.assertTrue((self.root / "build/report/index.html").exists())
         self.put("broken")
-        self.assertEqual(self.course("test", code=1).splitlines()[-1], "92% tests passed, 1 tests failed out of 12")
+        self.assertEqual(self.course("test", code=1).splitlines()[-1], "93% tests passed, 1 tests failed out of 14")
 
     def test_pattern_labels_and_nothing(self):
         self.accept()
@@ -113,8 +113,8 @@ class Tests(Course):
 
     def test_sanitizers_are_counted_and_a_ci_runs_less(self):
         self.accept()
-        self.assertIn("out of 22", self.course("test", "--sanitize").splitlines()[-1])
-        self.assertIn("out of 10", self.course("test", CI="true").splitlines()[-1])
+        self.assertIn("out of 26", self.course("test", "--sanitize").splitlines()[-1])
+        self.assertIn("out of 12", self.course("test", CI="true").splitlines()[-1])
 
     def test_nothing_to_build_says_nothing(self):
         self.course("run", "01")

@@ -55,20 +55,20 @@ struct Grey : Chapter {
     }
 };
 
-struct Folder {
+struct StudyFolder {
     std::filesystem::path path =
         std::filesystem::temp_directory_path() / ("lightwalk_study_" + std::to_string(getpid()));
-    Folder() {
+    StudyFolder() {
         std::filesystem::create_directories(path);
         for (const char* scene : {"a", "b"})
             write_file(path / (std::string(scene) + ".json"), R"({"knobs": {"light": 0.5}})");
     }
-    ~Folder() { std::filesystem::remove_all(path); }
+    ~StudyFolder() { std::filesystem::remove_all(path); }
     std::string scene(const char* name) const { return (path / name).string() + ".json"; }
 };
 
 struct StudyTest {
-    Folder folder;
+    StudyFolder folder;
     Grey chapter;
     Options options;
     json study = {

@@ -1,0 +1,68 @@
+#include "common/app/pictures.h"
+
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "common/app/headless.h"
+#include "common/base/error.h"
+#include "common/base/exercise.h"
+
+namespace lightwalk {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+// What loading a scene depends on; empty where its files are not the course's own, and may be others by now.
+std::string load_key(const Options& options, const Chapter& chapter) {
+    if (options.shot.empty() && !options.scene.empty()) return "";
+    std::string key = options.scene + " " + chapter.load_key();
+    for (const std::string& id : Exercises::ids())  // earlier chapters' read files and make maps
+        if (chapter.reload_on_toggle() || id.substr(0, 2) != chapter.name.substr(0, 2))
+            key += Exercises::uses_solution(id) ? " " + id : "";
+    return key;
+}
+
+// The scene of the picture before, and what it was loaded with.
+struct Loaded {
+    std::string key;
+    Scene scene;
+};
+
+void draw_one(Words words, const std::string& name, const MakeChapter& make, std::unique_ptr<Gpu>& gpu,
+              Loaded& before) {
+    const std::unique_ptr<Chapter> chapter = make();
+    chapter->name = name;
+    words.insert(words.begin(), name);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    const auto options = read_options(static_cast<int>(arguments.size()), arguments.data(), *chapter);
+    if (!options || options->screenshot.empty() || options->automatic)
+        throw InputError("a picture of a list has a --screenshot, and no --method auto");
+    std::string key = load_key(*options, *chapter);
+    if (!key.empty() && key == before.key) chapter->scene = std::move(before.scene);
+    before = {};
+    run_headless(*options, *chapter, gpu, {});
+    before = {std::move(key), std::move(chapter->scene)};
+}
+
+}  // namespace
+
+int draw_pictures(const Options& options, const std::string& name, const MakeChapter& make, std::unique_ptr<Gpu>& gpu) {
+    gpu = make_gpu(options);
+    Loaded before;
+    for (std::string line; std::getline(std::cin, line);) {
+        json said{{"code", 0}, {"error", ""}};
+        try {
+            draw_one(json::parse(line).get<Words>(), name, make, gpu, before);
+        } catch (const InputError& e) { said = {{"code", 2}, {"error", e.what()}}; } catch (const json::exception&) {
+            said = {{"code", 2}, {"error", "a line is no list of words: " + line}};
+        } catch (const std::exception& e) { said = {{"code", 1}, {"error", e.what()}}; }
+        std::printf("%s\n", said.dump(-1, ' ', false, json::error_handler_t::replace).c_str());
+        std::fflush(stdout);
+    }
+    return 0;
+}
+
+}  // namespace lightwalk

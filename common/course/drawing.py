@@ -1,0 +1,116 @@
+"""Draws pictures with the chapters' programs: one at a time, or many in one process.
+
+A program that draws one picture spends most of its time starting a device, compiling for it and reading the scene.
+"""
+
+import json
+import os
+import select
+import subprocess
+import tempfile
+from pathlib import Path
+
+from tree import ROOT, Failure, chapter_program, relative
+
+TIMEOUT_S = 300  # under a sanitizer; a picture takes a second or two
+
+
+def run_program(command: list, **environment) -> subprocess.CompletedProcess:
+    """Runs one of our programs, with more in its environment. Raises Failure with its own words where it cannot be run or does not end."""
+    try:
+        return subprocess.run([str(word) for word in command], cwd=ROOT, env=os.environ | environment, text=True, errors="replace",
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              timeout=TIMEOUT_S)
+    except OSError as error:
+        raise Failure(f"{relative(command[0])}: {error.strerror}") from None
+    except subprocess.TimeoutExpired:
+        raise Failure(f"{Path(command[0]).name} did not end within {TIMEOUT_S} s") from None
+
+
+def render(chapter: str, options: list, picture: Path, **environment):
+    """Draws a picture without a window, with more in its environment. Raises Failure with the program's own words."""
+    picture.parent.mkdir(parents=True, exist_ok=True)
+    picture.unlink(missing_ok=True)
+    done = run_program([chapter_program(chapter), *options, "--screenshot", picture], **environment)
+    if done.returncode or not picture.exists():
+        raise Failure(f"{chapter} ended with {done.returncode}: {last_words(done.stderr, done.stdout)}")
+
+
+def render_shot(chapter: str, shot: dict, picture: Path, use: str = "solution"):
+    render(chapter, ["--shot", shot["name"], "--use", use, "--validate", "on"], picture)
+
+
+class Drawing:
+    """A chapter's program that draws one picture after the other: draws() as often as wanted, then close(). With more in
+    its environment. Not for what only a process of its own shows: what it prints, how it ends."""
+
+    def __init__(self, chapter: str, **environment):
+        self.chapter, self.stderr = chapter, tempfile.TemporaryFile("w+", errors="replace")
+        self.command = [str(chapter_program(chapter)), "--pictures", "--validate", "on"]
+        try:
+            self.program = subprocess.Popen(self.command, cwd=ROOT, env=os.environ | environment, text=True, errors="replace",
+                                            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.stderr)
+        except OSError as error:
+            raise Failure(f"{relative(self.command[0])}: {error.strerror}") from None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def close(self):
+        if self.is_alive():
+            self.program.stdin.close()
+            try:
+                self.program.wait(TIMEOUT_S)
+            except subprocess.TimeoutExpired:
+                self.program.kill()
+                self.program.wait()
+        self.program.stdout.close()
+        self.stderr.close()
+
+    def is_alive(self) -> bool:
+        return self.program.poll() is None
+
+    def draw(self, options: list, picture: Path) -> tuple[int, str, str]:
+        """(exit code, what was wrong, what was said on stderr)."""
+        picture.parent.mkdir(parents=True, exist_ok=True)
+        picture.unlink(missing_ok=True)
+        begin = self.stderr.seek(0, os.SEEK_END)
+        try:
+            self.program.stdin.write(json.dumps([*map(str, options), "--screenshot", str(picture)]) + "\n")
+            self.program.stdin.flush()
+        except OSError:
+            pass  # it has died: there is no answer
+        answer = self.program.stdout.readline() if select.select([self.program.stdout], [], [], TIMEOUT_S)[0] else ""
+        self.stderr.seek(begin)
+        said = self.stderr.read()
+        if answer.startswith("{"):
+            return *json.loads(answer).values(), said
+        self.program.kill()
+        return self.program.wait(), last_words(said), said
+
+
+def render_many(chapter: str, pictures: list[tuple[list, Path]], **environment) -> list[str]:
+    """Draws (options, picture) each, and says of each what went wrong, in the program's words."""
+    wrong, drawing = [], None
+    for options, picture in pictures:
+        drawing = drawing or Drawing(chapter, **environment)
+        code, words, _ = drawing.draw(options, picture)
+        wrong.append(f"{chapter} ended with {code}: {words}" if code or not picture.exists() else "")
+        if not drawing.is_alive():  # the others do not go with one of which it died
+            drawing.close()
+            drawing = None
+    if drawing:
+        drawing.close()
+    return wrong
+
+
+def last_words(*said: str) -> str:
+    return (next((text.strip() for text in said if text.strip()), "it said nothing"))[-2000:]
+
+
+def text(value) -> str:
+    """A knob's value as --set takes it."""
+    return value if isinstance(value, str) else json.dumps(value)
