@@ -10,6 +10,7 @@
 #include "13_mlaa/four_samples.h"
 #include "13_mlaa/half_plane.h"
 #include "13_mlaa/mlaa.h"
+#include "13_mlaa/other_pictures.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -20,7 +21,11 @@ struct MlaaChapter : ModelChapter {
     Lights lights{*this, "lights"};
     Shadow shadow{*this, "shadow"};
     HalfPlane half_plane{*this, "half_plane"};
-    Choice source{*this, "source", {"scene", "half_plane"}, "scene", "the picture: the scene, or black and white"};
+    Choice world{*this,
+                 "world",
+                 {"objects", "julia", "terrain", "head", "half_plane"},
+                 "objects",
+                 "what is drawn: the scene's objects, what chapters 11 and 12 draw, or black and white"};
     Choice clip{*this, "clip", {"before", "after"}, "before", "when what a screen cannot show is cut off: pixels mix"};
     Choice show{*this, "show", {"picture", "edges", "lengths"}, "picture", "or the edges that were found in it"};
 
@@ -31,6 +36,8 @@ struct MlaaChapter : ModelChapter {
                                 .depth_clamp = true});
     const SurfacePipelines surface{{.fragment = "13_mlaa/surface.frag"}};
     Pipeline look = compute({.shader = "13_mlaa/look.comp"});
+    Pipeline cut_off = compute({.shader = "13_mlaa/clip.comp"});
+    OtherPictures others{*this};
     FourSamples four_samples{*this};
     EdgeError edge_error;
 
@@ -40,11 +47,12 @@ struct MlaaChapter : ModelChapter {
         lights.method.change_default("every_light");
     }
     std::string default_scene() const override { return "scenes/city.json"; }
-    std::string load_key() const override { return maps.load_key(); }
-    bool animated() const override { return maps.animated() || scene.moves(); }
+    std::string load_key() const override { return maps.load_key() + world.text(); }
+    bool animated() const override { return maps.animated() || scene.moves() || world.is("terrain"); }
     void prepare(Gpu& gpu) override {
         maps.prepare(gpu, scene);
         shadow.forget();
+        if (world.is("head")) others.prepare_head(gpu, scene);
     }
 
     // For the study: the error of those pixels alone through which an outline runs, and how many were mixed.
@@ -63,8 +71,7 @@ struct MlaaChapter : ModelChapter {
 
     // Chapter 04's surfaces under chapter 03's lights with chapter 05's shadows, seen through one sample of each pixel,
     // or four.
-    void draw_once(Frame& frame) {
-        set_view(frame);
+    void draw_objects(Frame& frame) {
         const auto draw = [&](const SurfacePipelines& by) {
             return [&](Raster& pass) { maps.draw(pass, scene, by.loaded, by.displaced); };
         };
@@ -78,20 +85,32 @@ struct MlaaChapter : ModelChapter {
         frame.raster("shade", targets, draw(surface));
     }
 
-    void draw_scene(Frame& frame) {
+    void draw_world(Frame& frame) {
+        if (world.is("julia")) return others.draw_julia(frame, scene, camera);
+        if (world.is("terrain")) return others.draw_terrain(frame, scene, camera);
+        if (world.is("half_plane")) return half_plane.draw(frame);
+        set_view(frame);
+        if (world.is("head")) return others.draw_head(frame, scene, camera, {maps, lights, shadow});
+        draw_objects(frame);
+    }
+
+    void draw_light(Frame& frame) {
         set_view(frame);
         lights.update(frame, scene, scene.file.lights);
-        shadow.record(frame, scene, lights, camera, casters());
+        if (world.is("objects")) shadow.record(frame, scene, lights, camera, casters());
         if (antialias.method.is("supersample_4"))
-            four_samples.supersample(frame, [&] { draw_once(frame); });
+            four_samples.supersample(frame, [&] { draw_world(frame); });
         else
-            draw_once(frame);
+            draw_world(frame);
+        if (clip.is("before") && !world.is("objects"))
+            frame.compute("clip", {.reads = {frame.hdr}, .writes = {frame.hdr}},
+                          [&](Compute& pass) { pass.use(cut_off).set("hdr", frame.hdr).dispatch_threads(frame.size); });
     }
 
     // [frame]
     void frame(Frame& frame) override {
-        // 1. A picture in linear light. More sources are more lines here.
-        source.is("scene") ? draw_scene(frame) : half_plane.draw(frame);
+        // 1. A picture in linear light, or the mean of four.
+        draw_light(frame);
 
         // 2. Its edges made smooth, where that was not done while it was drawn.
         antialias.record(frame, frame.hdr);

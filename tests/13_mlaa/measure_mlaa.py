@@ -15,14 +15,15 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 METHODS = ("none", "fxaa_like", "mlaa", "smaa_like", "msaa_4x", "supersample_4")
-SCENES = ("teapot", "car", "colonnade", "text", "fence", "city")
+SCENES = ("teapot", "car", "colonnade", "text", "fence", "city", "julia_sunset", "terrain_noon", "portrait")
+WORLDS = {"julia_sunset": "julia", "terrain_noon": "terrain", "portrait": "head"}
 FILTER_PASSES = ("mlaa edges", "mlaa distances", "mlaa mix", "fxaa")
 
 
 def measure(scene, method, size, frames, device, folder):
     out = Path(folder) / "timings.json"
     command = [ROOT / "build/chapters/13_mlaa", "--scene", ROOT / f"assets/scenes/{scene}.json", "--method", method, "--set", "mlaa.count=on",
-               "--size", size, "--frames", frames, "--timings", out]
+               "--world", WORLDS.get(scene, "objects"), "--size", size, "--frames", frames, "--timings", out]
     subprocess.run([str(word) for word in command + (["--device", device] if device else [])], cwd=ROOT, check=True,
                    stdout=subprocess.DEVNULL)
     found = json.loads(out.read_text())
