@@ -75,8 +75,6 @@ class Drawing:
 
     def draw(self, options: list, picture: Path) -> tuple[int, str, str]:
         """(exit code, what was wrong, what was said on stderr)."""
-        picture.parent.mkdir(parents=True, exist_ok=True)
-        picture.unlink(missing_ok=True)
         begin = self.stderr.seek(0, os.SEEK_END)
         try:
             self.program.stdin.write(json.dumps([*map(str, options), "--screenshot", str(picture)]) + "\n")
@@ -97,6 +95,8 @@ def render_many(chapter: str, pictures: list[tuple[list, Path]], **environment) 
     wrong, drawing = [], None
     for options, picture in pictures:
         drawing = drawing or Drawing(chapter, **environment)
+        picture.parent.mkdir(parents=True, exist_ok=True)
+        picture.unlink(missing_ok=True)
         code, words, _ = drawing.draw(options, picture)
         wrong.append(f"{chapter} ended with {code}: {words}" if code or not picture.exists() else "")
         if not drawing.is_alive():  # the others do not go with one of which it died
