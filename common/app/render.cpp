@@ -64,7 +64,7 @@ void accumulate(Frame& frame) {
     const auto [sample, samples] = frame.samples;
     if (samples == 1) return;
     const Image& mean = frame.linear();
-    frame.compute("accumulate", {.reads = {frame.hdr, mean}, .writes = {mean}}, [&](Compute& pass) {
+    frame.compute("accumulate", {.reads = {frame.hdr, mean}, .writes = {mean}}, [&, sample = sample](Compute& pass) {
         pass.use(add).set("hdr", frame.hdr, nearest_clamp).set("mean", mean);
         pass.set("weight", 1.0f / static_cast<float>(sample + 1)).dispatch_threads(frame.size);
     });

@@ -6,8 +6,8 @@ import sys
 from pathlib import Path
 
 from build import build
-from drawing import render, render_shot
 from progress import Progress
+from rendering import render, render_shot
 from shots import LIMITS, compare, distance_of, distances_path, golden_path, limits_of, measured_distances, unfit
 from tree import BUILD, Failure, UsageError, find_shots, relative, say, write_atomically
 

@@ -32,8 +32,8 @@ import subprocess
 from pathlib import Path
 
 from build import build
-from drawing import render_shot
 from progress import Progress
+from rendering import render_shot
 from shots import compare, exceeded, golden_path, unfit
 from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, relative, say,
                   shots)

@@ -9,7 +9,7 @@ import re
 import tempfile
 from pathlib import Path
 
-from drawing import run_program
+from rendering import run_program
 from tree import BUILD, ROOT, Failure, exercises, is_edited, run_on_chapter
 
 FUNCTION = re.compile(r"^(\w+)(\s+\w+\s*\([^)]*\)\s*)\{", re.M)

@@ -1,6 +1,6 @@
 """Draws what the tests of a chapter's shots and teeth compare: draw_shots.py NN_name, as a test that comes before them.
 
-All pictures of a program are drawn by one process (drawing.render_many). What went wrong with one is for its own test to
+All pictures of a program are drawn by one process (rendering.render_many). What went wrong with one is for its own test to
 say, which finds it in build/shots/NN_name/drawn.json:
 
     {"run": $LIGHTWALK_RUN, "pictures": {path from the root: what went wrong, or ""}}
@@ -13,7 +13,7 @@ import os
 import time
 from pathlib import Path
 
-from drawing import render, render_many, text
+from rendering import render, render_many, text
 from tree import BUILD, Failure, exercises, find_shots, is_edited, relative, run_on_chapter, say, write_atomically
 
 RUN = "LIGHTWALK_RUN"

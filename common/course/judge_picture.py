@@ -19,8 +19,8 @@ from pathlib import Path
 import sandbox
 from build import build
 from check import PICTURE_LIMITS
+from rendering import render
 from sandbox import Limits, Mounts
-from drawing import render
 from shots import exceeded, unfit
 from tree import BUILD, ROOT, Failure, chapter_program, shots, write_atomically
 

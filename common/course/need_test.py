@@ -17,7 +17,7 @@ import json
 import os
 import statistics
 
-from drawing import render, run_program, text
+from rendering import render, run_program, text
 from results import table
 from shots import compare
 from study import SceneEntry, study_of

@@ -11,7 +11,7 @@ import json
 import sys
 import xml.etree.ElementTree as xml
 
-from drawing import run_program
+from rendering import run_program
 from study_charts import chart_paths, charts_of
 from study_file import StudyError, load, markdown_table
 from tree import BUILD, ROOT, Failure, exercises, relative, say, warn, write_atomically

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from build import alone, build
 from progress import Progress
-from drawing import render
+from rendering import render
 from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, shots,
                   warn, write_atomically)
 

@@ -47,7 +47,7 @@ import time
 from pathlib import Path
 
 from draw_shots import render_unless_drawn, right_picture, wrong_pictures
-from drawing import run_program
+from rendering import run_program
 from tree import BUILD, ROOT, Failure, find_shots, relative, say, warn, write_atomically
 
 LIMITS = {"flip_mean": 0.002, "flip_p99": 0.05, "max_diff": 64}

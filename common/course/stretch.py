@@ -17,7 +17,7 @@ import json
 import statistics
 
 from build import build
-from drawing import render, run_program
+from rendering import render, run_program
 from shots import compare
 from tree import BUILD, ROOT, Failure, UsageError, exercises, find_chapter, has_solutions, say
 

@@ -12,7 +12,7 @@ where nothing is asserted of "either". Loaders: the course's own read every floa
 import json
 
 from need_test import sweep
-from drawing import run_program, text
+from rendering import run_program, text
 from results import table
 from study import SceneEntry, study_of
 from tree import BUILD, Failure, chapter_program, run_on_chapter, say

@@ -5,7 +5,7 @@ import unittest
 
 from pictures import ROOT, ChapterPictures
 
-from drawing import render, render_many  # which pictures.py has made importable
+from rendering import render, render_many  # which pictures.py has made importable
 from tree import Failure
 
 SMALL = ["--size", "48x27"]
