@@ -59,6 +59,14 @@ struct SkinChapter : ModelChapter {
         });
     }
 
+    void look_at_maps(Frame& frame) {
+        if (show.is("stretch")) look_at(frame, skin.layout().stretch, {0.2f, 0.2f, 0.0f});
+        if (show.is("occlusion")) look_at(frame, skin.layout().occlusion, glm::vec3(1));
+        if (skin.on_map() && show.is("irradiance")) look_at(frame, skin.irradiance(), glm::vec3(1));
+        if (skin.on_map() && show.is("diffused")) look_at(frame, skin.diffused(), glm::vec3(1));
+        if (skin.sum_count() && show.is("level")) look_at(frame, skin.level(size_t(level)), glm::vec3(1));
+    }
+
     // [frame]
     void frame(Frame& frame) override {
         const glm::vec3 near = std::exchange(camera.position, glm::mix(camera.target, camera.position, dolly.value));
@@ -86,11 +94,7 @@ struct SkinChapter : ModelChapter {
                                          : Skin::Shown::all);
         skin.finish(frame, camera);
         camera.position = near;
-        if (show.is("stretch")) look_at(frame, skin.layout().stretch, {0.2f, 0.2f, 0.0f});
-        if (show.is("occlusion")) look_at(frame, skin.layout().occlusion, glm::vec3(1));
-        if (skin.on_map() && show.is("irradiance")) look_at(frame, skin.irradiance(), glm::vec3(1));
-        if (skin.on_map() && show.is("diffused")) look_at(frame, skin.diffused(), glm::vec3(1));
-        if (skin.sum_count() && show.is("level")) look_at(frame, skin.level(size_t(level)), glm::vec3(1));
+        if (!skin.empty()) look_at_maps(frame);
 
         // 4. Linear light to the codes a screen expects.
         encode_srgb(frame);
@@ -98,7 +102,7 @@ struct SkinChapter : ModelChapter {
     // [/frame]
 
     std::vector<std::string> status() const override {
-        if (!skin.on_map()) return {};
+        if (!skin.on_map() || skin.empty()) return {};
         return {fmt::format("the map of light is {} texels wide", skin.irradiance().desc.size.x)};
     }
 };

@@ -69,7 +69,7 @@ void Skin::make_tables(Frame& frame) {
 // [record]
 void Skin::record(Frame& frame, const Scene& scene, const Camera& camera, const Lit& lit) {
     const DrawItem *skin = skin_of(scene), *eye = part(scene, "eye");
-    if (!skin) return;
+    if (empty_ = !skin; empty_) return;
     make_tables(frame);
 
     // 1. What the sky lights, once: from a small map, and rays from each of its texels.
@@ -103,6 +103,7 @@ void Skin::light_map(Frame& frame, const Lit& lit) {
 
 // [draw]
 void Skin::draw(Frame& frame, const Scene& scene, const Lit& lit, Shown shown) {
+    if (empty_) return;
     const bool on_screen = method.is("separable") && shown == Shown::all;
     shown_ = static_cast<int>(shown) - 1;
     const Pipeline& look = shown != Shown::all          ? views_
@@ -138,7 +139,7 @@ void Skin::draw(Frame& frame, const Scene& scene, const Lit& lit, Shown shown) {
 // [/draw]
 
 void Skin::finish(Frame& frame, const Camera& camera) {
-    if (method.is("separable")) screen_.record(frame, camera.fov_y_rad);
+    if (method.is("separable") && !empty_) screen_.record(frame, camera.fov_y_rad);
 }
 
 std::vector<Resource> Skin::reads() const {

@@ -66,6 +66,7 @@ struct Skin : Module {
     static double widest_px(float away_m, const Camera& camera, uint32_t screen_height);
 
     bool on_map() const { return method.is("exact") || sum_count() > 0; }
+    bool empty() const { return empty_; }  ///< the scene of the frame recorded last had nothing to draw
     int sum_count() const;  ///< of Gaussians; 0 for other methods
 
   private:
@@ -78,6 +79,7 @@ struct Skin : Module {
     Spread spread_;
     Image irradiance_;
     Image facets_, reflected_, preintegrated_;
+    bool empty_ = true;
     int shown_ = -1;  ///< what draw() shows in place of the picture, as skin.frag counts
     float tables_f0_ = -1;
     unsigned tables_toggles_ = 0;

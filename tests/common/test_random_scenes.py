@@ -38,6 +38,19 @@ class RandomScenes(unittest.TestCase):
                                    f"{folder}/picture.png"], capture_output=True, text=True, timeout=TIMEOUT_S)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
+    def test_nothing_at_all(self):
+        """Every view of a scene without objects: what nothing has made is not read."""
+        views = {"12": ["picture", "irradiance", "level", "stretch", "occlusion", "thickness"], "13": ["picture", "edges"]}
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "scene.json").write_text('{"lights": [{"type": "directional", "shadow": true}]}')
+            for program in CHAPTERS:
+                for view in views.get(program.name[:2], [""]):
+                    options = (["--set", f"show={view}"] if view else []) + (["--world", "head"] if program.name[:2] == "13" else [])
+                    with self.subTest(program=program.name, view=view):
+                        done = subprocess.run([program, "--scene", f"{folder}/scene.json", "--size", "72x40", "--validate", "on", *options,
+                                               "--screenshot", f"{folder}/picture.png"], capture_output=True, text=True, timeout=TIMEOUT_S)
+                        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
 
 if __name__ == "__main__":
     unittest.main()
