@@ -61,7 +61,7 @@ struct SkinChapter : ModelChapter {
 
     void look_at_maps(Frame& frame) {
         if (show.is("stretch")) look_at(frame, skin.layout().stretch, {0.2f, 0.2f, 0.0f});
-        if (show.is("occlusion")) look_at(frame, skin.layout().occlusion, glm::vec3(1));
+        if (show.is("occlusion")) look_at(frame, skin.occlusion(), glm::vec3(1));
         if (skin.on_map() && show.is("irradiance")) look_at(frame, skin.irradiance(), glm::vec3(1));
         if (skin.on_map() && show.is("diffused")) look_at(frame, skin.diffused(), glm::vec3(1));
         if (skin.sum_count() && show.is("level")) look_at(frame, skin.level(size_t(level)), glm::vec3(1));

@@ -53,6 +53,7 @@ struct Skin : Module {
 
     /// Of the frame recorded last, for whoever looks: the light that enters, a level of the blur, what leaves.
     const Image& irradiance() const { return irradiance_; }
+    const Image& occlusion() const { return coarse_.occlusion; }
     const Image& level(size_t i) const { return spread_.level(i); }
     const Image& diffused() const { return spread_.result(); }
     const Unwrapped& layout() const { return on_map() ? fine_ : coarse_; }
