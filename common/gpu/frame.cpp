@@ -7,7 +7,7 @@
 namespace lightwalk {
 namespace {
 
-constexpr uint32_t max_passes = 256;
+constexpr uint32_t max_passes = 2048;  // forty lights whose cubes of moments are blurred take a thousand
 
 template <class T>
 void name_object(const Device& device, VkObjectType type, T handle, const char* name) {

@@ -91,7 +91,9 @@ def random_knobs(program, rng) -> list:
         if rng.random() > 0.25 or knob["name"] in ("samples", "loader"):
             continue
         if knob["type"] == "choice":
-            options += ["--set", f"{knob['name']}={rng.choice(knob['options'])}"]
+            chosen = rng.choice(knob["options"])
+            if chosen != "lens":  # hundreds of pictures: with finely cut surfaces minutes
+                options += ["--set", f"{knob['name']}={chosen}"]
         elif knob["type"] == "switch":
             options += ["--set", f"{knob['name']}={rng.choice(['on', 'off'])}"]
         elif knob["type"] == "number":
