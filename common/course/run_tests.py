@@ -66,8 +66,7 @@ def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int
     """(tests, failures). Raises Failure where ctest itself failed."""
     junit.unlink(missing_ok=True)
     environment = os.environ | {RUN: f"{os.getpid()} {time.time()}"}
-    # One more than processors: a test of a window, or of a page, waits most of its time.
-    command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "-j", str((os.cpu_count() or 1) + 1),
+    command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "-j", str(os.cpu_count() or 1),
                "--output-junit", str(junit), *(["--progress"] if sys.stdout.isatty() else []), *selection]
     code = subprocess.run(command, stdin=subprocess.DEVNULL, env=environment).returncode
     if not junit.exists():
