@@ -109,11 +109,11 @@ class Session:
         x, y = self.places[place]
         # A panel looks once a picture at where the mouse is: arrive, then press, then let go.
         self.xdotool("mousemove", "--window", self.window, str(round(x)), str(round(y)))
-        time.sleep(0.3)
+        time.sleep(0.5)
         self.xdotool("mousedown", str(button))
-        time.sleep(0.3)
+        time.sleep(0.5)
         self.xdotool("mouseup", str(button))
-        time.sleep(0.3)
+        time.sleep(0.5)
         self.park()
         self.settled(0, 0, *self.geometry()[2:])
 
