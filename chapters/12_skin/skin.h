@@ -68,7 +68,7 @@ struct Skin : Module {
 
     bool on_map() const { return method.is("exact") || sum_count() > 0; }
     bool empty() const { return empty_; }  ///< the scene of the frame recorded last had nothing to draw
-    int sum_count() const;  ///< of Gaussians; 0 for other methods
+    int sum_count() const;                 ///< of Gaussians; 0 for other methods
 
   private:
     static const DrawItem* part(const Scene& scene, const char* material, bool any = false);
