@@ -58,15 +58,15 @@ struct Cut {
     }
 };
 
-// The best border along one axis, where it is cheaper than `best`.
+// The best cut along one axis, where it is cheaper than `best`.
 void try_axis(Run begin, Run end, const Bounds& centers, int axis, Cut& best) {
-    Cut border{.axis = axis, .origin = centers.lower[axis]};
+    Cut cut{.axis = axis, .origin = centers.lower[axis]};
     const float extent = centers.upper[axis] - centers.lower[axis];
-    border.bins_per_m = bin_count / extent;
-    if (!(extent > 0) || !std::isfinite(border.bins_per_m)) return;
+    cut.bins_per_m = bin_count / extent;
+    if (!(extent > 0) || !std::isfinite(cut.bins_per_m)) return;
     std::array<Bin, bin_count> bins;
     for (Run i = begin; i != end; ++i) {
-        Bin& bin = bins[static_cast<size_t>(border.bin_of(*i))];
+        Bin& bin = bins[static_cast<size_t>(cut.bin_of(*i))];
         bin.box.add(i->box), ++bin.count;
     }
     std::array<double, bin_count> upper_cost{};
@@ -79,9 +79,9 @@ void try_axis(Run begin, Run end, const Bounds& centers, int axis, Cut& best) {
     const auto total = static_cast<uint32_t>(end - begin);
     for (size_t i = 1; i < bin_count; ++i) {
         lower.box.add(bins[i - 1].box), lower.count += bins[i - 1].count;
-        border.cost = area(lower.box) * lower.count + upper_cost[i];
-        border.bin = static_cast<int>(i);
-        if (lower.count > 0 && lower.count < total && border.cost < best.cost) best = border;
+        cut.cost = area(lower.box) * lower.count + upper_cost[i];
+        cut.bin = static_cast<int>(i);
+        if (lower.count > 0 && lower.count < total && cut.cost < best.cost) best = cut;
     }
 }
 

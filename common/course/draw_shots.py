@@ -57,10 +57,11 @@ def drawn_path(chapter: str) -> Path:
 def render_unless_drawn(chapter: str, program: str, options: list, picture: Path):
     """render() for a test of `chapter`, unless this run of ./course test has drawn that picture. Raises Failure as render() does."""
     run, path = os.environ.get(RUN), drawn_path(chapter)
-    drawn = json.loads(path.read_text()) if run and path.exists() else {}
-    if drawn.get("run") != run or relative(picture) not in drawn["pictures"]:
+    drawn = json.loads(path.read_text()) if run and path.exists() else {"run": None}
+    pictures = drawn["pictures"] if run and drawn["run"] == run else {}
+    if relative(picture) not in pictures:
         render(program, [*options, "--validate", "on"], picture)
-    elif words := drawn["pictures"][relative(picture)]:
+    elif words := pictures[relative(picture)]:
         raise Failure(words)
 
 

@@ -23,7 +23,7 @@ HELP = """Builds everything, runs every test and writes build/report/index.html.
   ./course test -L window        other options go to ctest
 
 With CI=true in the environment studies, need rules, the teeth of pictures and the test of all knobs, which draw most, are
-left out. The last line counts all tests run."""
+left out, and of each study's charts the first is looked at. The last line counts all tests run."""
 PASSES_OPTIONS = True
 SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
 CI = ["-LE", "study", "-E", r"^teeth\.[0-9]+\.|\.knobs$"]  # a CI starts from nothing on each commit, and has minutes

@@ -38,6 +38,15 @@ class RandomScenes(unittest.TestCase):
                                    f"{folder}/picture.png"], capture_output=True, text=True, timeout=TIMEOUT_S)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
+    def test_a_map_that_only_one_of_two_layouts_has(self):
+        program = next((path for path in CHAPTERS if path.name.startswith("12_")), None)
+        if not program:
+            self.skipTest("there is no chapter 12")
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([program, "--show", "occlusion", "--size", "72x40", "--screenshot", f"{folder}/picture.png"],
+                                  capture_output=True, text=True, timeout=TIMEOUT_S)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
     def test_nothing_at_all(self):
         """Every view of a scene without objects: what nothing has made is not read."""
         views = {"12": ["picture", "irradiance", "level", "stretch", "occlusion", "thickness"], "13": ["picture", "edges"]}
