@@ -94,6 +94,8 @@ Display::Display(const std::string& title, glm::ivec2 wanted, const std::string&
     glfwSetScrollCallback(window, on_scroll);
     glfwSetCursorPosCallback(window, on_cursor);
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { note(w, [](Input&) {}); });
+    // A mouse that comes back to the pixel where it left has not moved.
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { note(w, [](Input&) {}); });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { note(w, [](Input&) {}); });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { note(w, [](Input&) {}); });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { note(w, [](Input&) {}); });

@@ -38,4 +38,21 @@ void log_place(const std::string& name) {
     log_event("place " + name + " " + place);
 }
 
+void log_mouse() {
+    if (!wanted()) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    static float wheel = 0.0f;
+    wheel += io.MouseWheel;
+    int buttons = 0;
+    for (int i = 0; i < 3; ++i) buttons |= int(io.MouseDown[i]) << i;
+    // ImGui's "nowhere" is the most negative number, which is no place to print.
+    const bool known = ImGui::IsMousePosValid();
+    char mouse[64];
+    std::snprintf(mouse, sizeof mouse, "mouse %.0f %.0f %d %.0f", double(known ? io.MousePos.x : -1.0f),
+                  double(known ? io.MousePos.y : -1.0f), buttons, double(wheel));
+    static std::string before;
+    if (before == mouse) return;
+    log_event(before = mouse);
+}
+
 }  // namespace lightwalk

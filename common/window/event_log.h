@@ -9,4 +9,8 @@ void log_event(const std::string& text);
 /// Logs where the widget drawn last is, in window coordinates, when it has moved: "place NAME left top right bottom".
 void log_place(const std::string& name);
 
+/// Logs what the panel of this frame knows of the mouse when that has changed: "mouse x y buttons wheel", the place in
+/// window coordinates, a bit for each button that is down, and the notches turned since the start.
+void log_mouse();
+
 }  // namespace lightwalk

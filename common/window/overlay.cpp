@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "common/base/error.h"
+#include "common/window/event_log.h"
 
 namespace lightwalk {
 namespace {
@@ -166,6 +167,7 @@ void Overlay::begin() {
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
+    log_mouse();
 }
 
 void Overlay::end() { ImGui::Render(); }

@@ -24,7 +24,7 @@ class Mouse(unittest.TestCase):
         aside = session.settled(0, 0, WIDTH, HEIGHT)
 
         def with_mouse_at(x: int, y: int) -> bytes:
-            session.xdotool("mousemove", "--window", session.window, str(x), str(y))
+            session.move(x, y)
             session.settled(0, 0, WIDTH, HEIGHT)
             session.park()  # the pointer is part of the screen
             return session.settled(0, 0, WIDTH, HEIGHT)

@@ -94,8 +94,8 @@ class Exercises(WindowTest):
         self.session.click("words.01.transform")
         self.assertTrue(words() == whole)
         # Longer than its box: the wheel turns it.
-        self.session.xdotool("mousemove", "--window", self.session.window, str(round(x)), str(round(y + 60)), "sleep", "0.3",
-                             "click", "5", "sleep", "0.3", "click", "5")
+        self.session.move(x, y + 60)
+        self.session.turn(-2)
         self.session.park()
         self.assertTrue(words() != whole)
         self.assert_as_at_the_start()

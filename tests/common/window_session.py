@@ -62,6 +62,7 @@ class Session:
         self.lines: list[str] = []
         self.errors: list[str] = []
         self.places: dict[str, tuple[float, float]] = {}
+        self.mouse = (0, 0, 0, 0)  # x, y, buttons and wheel, as the frame drawn last has read them
         self.process = subprocess.Popen([str(program), *options], cwd=folder, env=self.environment, text=True,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.readers = [threading.Thread(target=self.read, args=(pipe, target), daemon=True)
@@ -88,7 +89,9 @@ class Session:
         for line in pipe:
             line = line.rstrip("\n")
             place = re.fullmatch(r"place (.*) (-?\d+) (-?\d+) (-?\d+) (-?\d+)", line)
-            if place:
+            if line.startswith("mouse "):
+                self.mouse = tuple(map(int, line.split()[1:]))
+            elif place:
                 left, top, right, bottom = map(int, place.groups()[1:])
                 self.places[place[1]] = ((left + right) / 2, (top + bottom) / 2)
             else:
@@ -104,36 +107,48 @@ class Session:
     def key(self, *keys: str):
         self.xdotool("key", *keys)
 
+    # A window reads the mouse once a frame, and a frame takes as long as it takes: each step waits until it has been read.
+
+    def move(self, x: float, y: float):
+        at = (round(x), round(y))
+        self.xdotool("mousemove", "--window", self.window, *map(str, at))
+        self.wait(lambda: self.mouse[:2] == at, f"the mouse at {at}")
+
+    def press(self, button: int = 1):
+        self.xdotool("mousedown", str(button))
+        self.wait(lambda: self.mouse[2] != 0, f"button {button} down")
+
+    def release(self, button: int = 1):
+        self.xdotool("mouseup", str(button))
+        self.wait(lambda: self.mouse[2] == 0, f"button {button} up")
+
+    def turn(self, notches: int):
+        """The wheel: up is positive."""
+        wheel = self.mouse[3] + notches
+        self.xdotool("click", "--repeat", str(abs(notches)), "4" if notches > 0 else "5")
+        self.wait(lambda: self.mouse[3] == wheel, f"the wheel at {wheel}")
+
     def click(self, place: str, button: int = 1):
         self.wait(lambda: place in self.places, f"a widget '{place}'")
-        x, y = self.places[place]
-        # A panel looks once a picture at where the mouse is: arrive, then press, then let go.
-        self.xdotool("mousemove", "--window", self.window, str(round(x)), str(round(y)))
-        time.sleep(0.5)
-        self.xdotool("mousedown", str(button))
-        time.sleep(0.5)
-        self.xdotool("mouseup", str(button))
-        time.sleep(0.5)
+        self.move(*self.places[place])
+        self.press(button)
+        self.release(button)
         self.park()
         self.settled(0, 0, *self.geometry()[2:])
 
     def drag(self, start: tuple[int, int], end: tuple[int, int], button: int = 1):
-        self.xdotool("mousemove", "--window", self.window, *map(str, start))
-        time.sleep(0.2)
-        self.xdotool("mousedown", str(button))
-        time.sleep(0.2)
+        self.move(*start)
+        self.press(button)
         for step in (0.25, 0.5, 0.75, 1.0):
-            at = [round(a + (b - a) * step) for a, b in zip(start, end)]
-            self.xdotool("mousemove", "--window", self.window, *map(str, at))
-            time.sleep(0.1)
-        time.sleep(0.8)  # a frame on a busy machine: the window reads the mouse once in each
-        self.xdotool("mouseup", str(button))
-        time.sleep(0.2)
+            self.move(*(a + (b - a) * step for a, b in zip(start, end)))
+        self.release(button)
         self.park()
 
     def park(self):
         """The mouse out of the way: its pointer is part of the screen."""
+        width, height = self.geometry()[2:]
         self.xdotool("mousemove", "9999", "9999")
+        self.wait(lambda: not (0 <= self.mouse[0] < width and 0 <= self.mouse[1] < height), "the mouse outside")
 
     def wait(self, condition, what: str):
         until = time.monotonic() + PATIENCE_S
