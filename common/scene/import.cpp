@@ -236,7 +236,9 @@ Model import_here(const fs::path& path) {
     } catch (const std::bad_alloc&) { throw; } catch (const std::exception& failed) {
         throw InputError("{}: {}", name, first_line(failed.what()));
     }
-    if (!scene) throw InputError("{}: {}", name, first_line(importer.GetErrorString()));
+    const std::string_view wrong = importer.GetErrorString();
+    if (!scene && wrong.find("bad_alloc") != wrong.npos) throw std::bad_alloc();  // it catches what is for the guard
+    if (!scene) throw InputError("{}: {}", name, first_line(std::string(wrong)));
     if (scene->mNumMeshes == 0) throw InputError("{}: no triangle in the file", name);
 
     Model model;

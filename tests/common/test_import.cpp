@@ -110,6 +110,29 @@ TEST_CASE("import: a buffer that is a pipe, a tree that is too deep, a position 
     fs::remove_all(folder);
 }
 
+// Two nodes a level, each with both of the next level as children: 2^30 paths in 4 KB.
+TEST_CASE("import: nodes that form a lattice") {
+    const fs::path file = fs::temp_directory_path() / fmt::format("lightwalk_lattice_{}.gltf", getpid());
+    std::string nodes = R"({"children": [1, 2]})";
+    for (int level = 0; level < 30; ++level)
+        for (int twin = 0; twin < 2; ++twin)
+            nodes += fmt::format(R"(, {{"children": [{}, {}]}})", 2 * level + 3, 2 * level + 4);
+    write_file(file, R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 36,
+        "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "scenes": [{"nodes": [0]}], "scene": 0,
+        "nodes": [)" + nodes + R"(, {"mesh": 0}, {"mesh": 0}]})");
+    try {
+        import_model(file);
+        FAIL_CHECK("it found nothing wrong");
+    } catch (const InputError& error) {
+        CAPTURE(error.what());
+        CHECK(std::string(error.what()).starts_with(file.string() + ": Assimp "));
+    }
+    fs::remove(file);
+}
+
 TEST_CASE("import: bad files are refused in one line") {
     const auto refuse = [](const fs::path& path) {
         CAPTURE(path);

@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""A driver that is too old, full, lost in mid-run, or never done: one line, no picture, never a hang.
+
+A small library between the programs and Vulkan's loader plays such a driver.
+"""
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from bad_input import BUILD, CHAPTERS, BadInput
+from window_session import XServer
+
+SHIM = r"""
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <stdlib.h>
+#include <string.h>
+#include <vulkan/vulkan.h>
+
+/* Whether PLAYS says this fault, and as many calls as CALLS says went well before. */
+static int plays(const char* fault, int* calls) {
+    const char* name = getenv("PLAYS");
+    return name && !strcmp(name, fault) && (*calls)++ >= atoi(getenv("CALLS"));
+}
+#define REAL(name) ((PFN_##name)dlsym(RTLD_NEXT, #name))
+
+void vkGetPhysicalDeviceProperties2(VkPhysicalDevice device, VkPhysicalDeviceProperties2* out) {
+    static int calls;
+    REAL(vkGetPhysicalDeviceProperties2)(device, out);
+    if (plays("old", &calls)) out->properties.apiVersion = VK_API_VERSION_1_2;
+}
+VkResult vkCreateDevice(VkPhysicalDevice device, const VkDeviceCreateInfo* info, const VkAllocationCallbacks* memory,
+                        VkDevice* out) {
+    static int calls;
+    return plays("taken", &calls) ? VK_ERROR_INITIALIZATION_FAILED : REAL(vkCreateDevice)(device, info, memory, out);
+}
+VkResult vkAllocateMemory(VkDevice device, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks* memory,
+                          VkDeviceMemory* out) {
+    static int calls;
+    return plays("full", &calls) ? VK_ERROR_OUT_OF_DEVICE_MEMORY : REAL(vkAllocateMemory)(device, info, memory, out);
+}
+VkResult vkQueueSubmit2(VkQueue queue, uint32_t count, const VkSubmitInfo2* submits, VkFence fence) {
+    static int calls;
+    return plays("lost", &calls) ? VK_ERROR_DEVICE_LOST : REAL(vkQueueSubmit2)(queue, count, submits, fence);
+}
+VkResult vkWaitSemaphores(VkDevice device, const VkSemaphoreWaitInfo* info, uint64_t timeout) {
+    static int calls;
+    return plays("never done", &calls) ? VK_TIMEOUT : REAL(vkWaitSemaphores)(device, info, timeout);
+}
+"""
+SAYS = {"old": "lacks Vulkan 1.3", "taken": "vkCreateDevice", "full": "memory of .*OutOfDeviceMemory",
+        "lost": "the device was lost", "never done": "did not end within"}
+
+
+class Drivers(BadInput):
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.shim = Path(scratch.name, "shim.so")
+        source = Path(scratch.name, "shim.c")
+        source.write_text(SHIM)
+        subprocess.run(["cc", "-shared", "-fPIC", "-o", cls.shim, source], check=True)
+
+    def playing(self, fault: str, calls: int) -> dict[str, str]:
+        # A sanitizer's library wants to be the first of all.
+        before = "verify_asan_link_order=0" + (":" + os.environ["ASAN_OPTIONS"] if "ASAN_OPTIONS" in os.environ else "")
+        return {"LD_PRELOAD": str(self.shim), "PLAYS": fault, "CALLS": str(calls), "ASAN_OPTIONS": before}
+
+    def test_without_a_fault_nothing_changes(self):
+        done = self.run_program(CHAPTERS["02"], "--size", "64x48", "--screenshot", self.picture, **self.playing("none", 0))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_pictures(self):
+        for fault, counts, code in (("old", (0,), 2), ("taken", (0,), 1), ("full", (0, 3, 12), 1), ("lost", (0, 1, 4), 1),
+                                    ("never done", (0,), 1)):
+            for calls in counts:
+                for chapter in ("02", "04"):
+                    self.draw(chapter, code=code, says=SAYS[fault], **self.playing(fault, calls))
+
+    def test_figures(self):
+        """What lay there before lies there still."""
+        out = self.write("times.json", "before")
+        for fault in ("full", "lost", "never done"):
+            self.refuse(CHAPTERS["02"], "--size", "64x48", "--timings", out, code=1, says=SAYS[fault],
+                        **self.playing(fault, 2))
+        self.assertEqual(out.read_text(), "before")
+
+    def test_windows(self):
+        server = XServer()
+        self.addCleanup(server.close)
+        for fault, calls, code in (("old", 0, 2), ("full", 5, 1), ("lost", 8, 1), ("never done", 2, 1)):
+            for program in (CHAPTERS["02"], BUILD / "menu"):
+                if program.name == "menu" and fault == "never done":
+                    continue  # it draws no passes
+                self.refuse(program, code=code, says=SAYS[fault], DISPLAY=server.display, **self.playing(fault, calls))
+
+
+if __name__ == "__main__":
+    unittest.main()
