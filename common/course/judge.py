@@ -73,7 +73,7 @@ class Judge:
         """Ends what runs in sandboxes now, and starts no more."""
         self.stopped = True
         for one in list(self.running):
-            one.close()
+            one.kill()
 
     @contextlib.contextmanager
     def started(self, *arguments, **options):
@@ -82,6 +82,8 @@ class Judge:
         running = sandbox.Running(*arguments, **options)
         self.running.add(running)
         try:
+            if self.stopped:  # just now
+                running.kill()
             yield running
         finally:
             self.running.discard(running)

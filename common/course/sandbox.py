@@ -4,6 +4,7 @@ numbers of its own, and limits of memory, time, processes and output. Without bu
 Inside there is what Mounts names and no more; at its end nothing of it is left.
 """
 
+import contextlib
 import dataclasses
 import os
 import platform
@@ -156,13 +157,15 @@ class Running:
             raise Failure(f"the sandbox could not be made: {text.strip()}")
         return Done(128 - code if code < 0 else code, text, late, long)
 
-    def close(self):
-        """Its first process takes all others with it."""
-        if self.process.poll() is None:
-            try:
+    def kill(self):
+        """Its first process takes all others with it. For any thread: whoever waits for its output sees the end of it."""
+        if self.process.returncode is None:
+            with contextlib.suppress(ProcessLookupError):
                 os.killpg(self.process.pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
+
+    def close(self):
+        if self.process.poll() is None:
+            self.kill()
             self.process.wait()
         if self.process.stdout:
             self.process.stdout.close()

@@ -20,9 +20,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 CHAPTER = BUILD / "chapters" / "01_obj"
-# Those of assimp's exporters whose format a scene may name, and their file's ending.
+# Those of assimp's exporters whose format a scene may name, and their file's ending. Its binary FBX is not among them:
+# assimp 5.2.5 cannot read what it has written.
 EXPORTS = {"gltf2": "gltf", "glb2": "glb", "ply": "ply", "plyb": "ply", "stl": "stl", "stlb": "stl", "collada": "dae",
-           "fbx": "fbx", "fbxa": "fbx", "3ds": "3ds", "obj": "obj"}
+           "fbxa": "fbx", "3ds": "3ds", "obj": "obj"}
 LOADERS = {"obj": ("textbook", "scan", "parallel", "tinyobjloader", "assimp")}
 TIMEOUT_S = 30
 NUMBERS = [b"0", b"-1", b"1e30", b"nan", b"65536", b"4294967295", b"99999999999999999999", b""]
@@ -31,6 +32,7 @@ NUMBERS = [b"0", b"-1", b"1e30", b"nan", b"65536", b"4294967295", b"999999999999
 def sources(folder: Path) -> dict[str, bytes]:
     """The same small model in each format."""
     files = {"off.off": b"OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n"}
+    (folder / "off.off").write_bytes(files["off.off"])
     for kind, ending in EXPORTS.items():
         file = folder / f"{kind}.{ending}"
         subprocess.run(["assimp", "export", ROOT / "assets/models/suzanne_family.glb", file, f"-f{kind}"], check=True,
@@ -40,9 +42,9 @@ def sources(folder: Path) -> dict[str, bytes]:
 
 
 def damaged(data: bytes, rng: random.Random) -> bytes:
-    """One to eight faults, most of them near the beginning, where the lengths are."""
+    """One fault or a few, most of them near the beginning, where the lengths are."""
     out = bytearray(data)
-    for _ in range(rng.randint(1, 8)):
+    for _ in range(rng.choice([1, 1, 1, 2, 8])):
         at = rng.randrange(min(len(out), rng.choice([64, 1024, 1 << 30]))) if out else 0
         kind = rng.randrange(7)
         if kind == 0:
@@ -88,7 +90,7 @@ def main(count=100, seed=1) -> int:
     kept, counts = BUILD / "damaged_models", Counter()
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
         files = sources(Path(folder))
-        jobs = []
+        jobs = [(name, Path(folder, name), pool.submit(load, Path(folder, name), None)) for name in files]
         for name, data in files.items():
             for number in range(count):
                 file = Path(folder, f"{seed}_{number}_{name}")
@@ -97,7 +99,8 @@ def main(count=100, seed=1) -> int:
                 jobs += [(name, file, pool.submit(load, file, loader)) for loader in loaders]
         for name, file, job in jobs:
             ending = job.result()
-            finding = not ending.startswith(("read", "refused"))
+            whole = file.name == name
+            finding = ending != "read" if whole else not ending.startswith(("read", "refused"))
             counts[name, "FINDING" if finding else ending] += 1
             if finding:
                 kept.mkdir(exist_ok=True)
