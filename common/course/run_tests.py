@@ -65,8 +65,9 @@ def run(arguments, rest) -> int:
 def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:
     """(tests, failures). Raises Failure where ctest itself failed."""
     junit.unlink(missing_ok=True)
+    # One more than there are processors: windows wait more than they work.
     environment = os.environ | {RUN: f"{os.getpid()} {time.time()}"}
-    command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "-j", str(os.cpu_count() or 1),
+    command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "-j", str((os.cpu_count() or 1) + 1),
                "--output-junit", str(junit), *(["--progress"] if sys.stdout.isatty() else []), *selection]
     code = subprocess.run(command, stdin=subprocess.DEVNULL, env=environment).returncode
     if not junit.exists():

@@ -186,11 +186,13 @@ class Drawing(unittest.TestCase):
         self.assertEqual(axis.zero_text, "≈ 0")
 
     def test_no_words_overlap_in_the_studies_that_lessons_show(self):
-        files = sorted((ROOT / "docs/studies").glob("*.json"))
+        files, ci = sorted((ROOT / "docs/studies").glob("*.json")), os.environ.get("CI") == "true"
         self.assertTrue(files)
+        if ci:  # the first chart of each chapter
+            files = {file.name[:2]: file for file in reversed(files)}.values()
         for file in files:
             s = load(file)
-            for which, one in enumerate(charts_of(s)[:1 if os.environ.get("CI") == "true" else None]):
+            for which, one in enumerate(charts_of(s)[:1 if ci else None]):
                 with self.subTest(f"{file.name} {one.entry.get('name', '')}"):
                     self.check_words(self.figure(s, which), one)
                     chart.plt.close()
