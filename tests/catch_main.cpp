@@ -23,7 +23,8 @@ struct Counts : Listener {
         const char* path = std::getenv("LIGHTWALK_COUNTS");
         std::FILE* file = path ? std::fopen(path, "a") : nullptr;
         if (!file) return;
-        std::fprintf(file, "%zu %s\n", static_cast<size_t>(stats.totals.assertions.passed), info(stats.testInfo).name.c_str());
+        std::fprintf(file, "%zu %s\n", static_cast<size_t>(stats.totals.assertions.passed),
+                     info(stats.testInfo).name.c_str());
         std::fclose(file);
     }
 };

@@ -17,7 +17,8 @@ int& checks_until_failure() {
 void check(VkResult result, const char* what) {
     if (checks_until_failure() >= 0 && checks_until_failure()-- == 0) throw Failure("{}: forced", what);
     if (result == VK_ERROR_DEVICE_LOST)
-        throw Failure("{}: the device was lost: it was reset, or a shader ran too long; --device NAME takes another", what);
+        throw Failure("{}: the device was lost: it was reset, or a shader ran too long; --device NAME takes another",
+                      what);
     if (result != VK_SUCCESS) throw Failure("{}: {}", what, name_of(result));
 }
 

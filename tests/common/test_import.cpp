@@ -122,7 +122,8 @@ TEST_CASE("import: nodes that form a lattice") {
         "bufferViews": [{"buffer": 0, "byteLength": 36}],
         "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "scenes": [{"nodes": [0]}], "scene": 0,
-        "nodes": [)" + nodes + R"(, {"mesh": 0}, {"mesh": 0}]})");
+        "nodes": [)" + nodes +
+                         R"(, {"mesh": 0}, {"mesh": 0}]})");
     try {
         import_model(file);
         FAIL_CHECK("it found nothing wrong");
