@@ -1,6 +1,7 @@
 #include "11_fractals/julia.h"
 
 #include "10_atmosphere/view_rays.h"
+#include "11_fractals/exercises.h"
 
 namespace lightwalk {
 namespace {
@@ -49,18 +50,12 @@ void Julia::record(Frame& frame, const Scene& scene, const Camera& camera, Envir
         }
 
     // 1. Where the rays meet the set. For cones, first how far a whole tile of pixels may go.
-    const bool cones = method.is("cone");
-    ComputeAccess access{.writes = {found}, .with = {*this}};
-    if (cones) access.reads = {starts_}, access.writes.push_back(starts_);
-    frame.compute("julia march", access, [&](Compute& pass) {
-        if (cones) {
-            pass.use(cone_).set("starts", starts_).dispatch_threads(starts_.desc.size).wait();
-            pass.use(march_).set("starts", starts_, nearest_clamp);
-        } else {
-            pass.use(march_);
-        }
-        pass.set("found", found).dispatch_threads(frame.size);
-    });
+    if (method.is("cone"))
+        record_cones(frame, {cone_, march_, starts_, found, {*this}});
+    else
+        frame.compute("julia march", {.writes = {found}, .with = {*this}}, [&](Compute& pass) {
+            pass.use(march_).set("found", found).dispatch_threads(frame.size);
+        });
 
     // 2. What light they find there.
     frame.compute("julia shade", {.reads = {found}, .writes = {frame.hdr}, .with = {*this, environment}},

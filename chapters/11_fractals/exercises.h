@@ -1,0 +1,22 @@
+// The C++ exercise of this chapter. The name calls the student's version or the reference, as the toggle says.
+#pragma once
+#include <vector>
+
+#include "common/base/exercise.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+/// What 11.record_cones has to work with.
+struct ConePasses {
+    const Pipeline& cone;    ///< compute: a cone for each texel of its image `starts`, which it writes
+    const Pipeline& march;   ///< compute: a ray for each texel of its image `found`; its texture `starts` says from where
+    const Image& starts;     ///< a texel for each tile of 8x8 pixels
+    const Image& found;      ///< a texel for each pixel
+    std::vector<With> with;  ///< modules whose names both shaders use: they go into the pass's .with
+};
+
+/// exercise/record_cones.cpp says what it must do.
+EXERCISE("11.record_cones", void, record_cones, Frame& frame, const ConePasses& passes);
+
+}  // namespace lightwalk

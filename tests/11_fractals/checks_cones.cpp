@@ -1,0 +1,51 @@
+// What ./course check runs for 11.record_cones: what the two dispatches have left in their images.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "common/check/check.h"
+#include "trials.h"
+
+using namespace lightwalk;
+
+CHECK_EXERCISE("11.record_cones",
+               "passes.cone, wait(), passes.march; `starts` is written by the first and read by the second dispatch") {
+    for (const glm::ivec2 size : {glm::ivec2(40, 24), glm::ivec2(61, 43)}) {
+        const ConesSeen seen = try_record_cones(size);
+        const std::string what = fmt::format("{}x{} pixels: ", size.x, size.y);
+        if (!seen.error.empty()) {
+            check.expect(false, what + seen.error, "what a pass binds stands in its reads or writes");
+            return;
+        }
+        check.expect(seen.passes == "julia march",
+                     what + fmt::format("the compute passes are \"{}\", expected one, \"julia march\"", seen.passes));
+        const glm::ivec2 tiles = (size + 7) / 8;
+        const auto groups = [](glm::ivec2 threads) { return float(((threads.x + 7) / 8) * ((threads.y + 7) / 8)); };
+        // The first that is not as it should be, by what is wrong with it.
+        const auto look = [&](const std::vector<glm::vec4>& texels, glm::ivec2 extent, int per_tile, const char* dispatch,
+                              const char* image) {
+            std::string wrong;
+            for (int i = 0; i < int(texels.size()) && wrong.empty(); ++i) {
+                const glm::ivec2 at(i % extent.x, i / extent.x), tile = at / per_tile;
+                const glm::vec4 got = texels[size_t(i)];
+                const std::string place = fmt::format("the texel ({}, {}) of `{}` ", at.x, at.y, image);
+                if (got.w == -9)
+                    wrong = place + "was never written";
+                else if (got.x == -9)
+                    wrong = place + "is from a start that no cone had written";
+                else if (got != glm::vec4(2, tile.x, tile.y, got.w))
+                    wrong = fmt::format("{}has the start ({}, {}, {}), expected (2, {}, {})", place, got.x, got.y, got.z,
+                                        tile.x, tile.y);
+                else if (got.w != groups(extent))
+                    wrong = fmt::format("passes.{} ran in {} groups of 8x8 threads, expected {}: a thread for each texel "
+                                        "of `{}`",
+                                        dispatch, got.w, groups(extent), image);
+            }
+            check.expect(int(texels.size()) == extent.x * extent.y && wrong.empty(), what + wrong);
+        };
+        look(seen.starts, tiles, 1, "cone", "starts");
+        look(seen.found, size, 8, "march", "found");
+        check.expect(seen.validation.empty(), what + "validation says: " + seen.validation,
+                     "pass.wait() before what reads what the dispatch before has written");
+    }
+}
