@@ -53,9 +53,8 @@ void Julia::record(Frame& frame, const Scene& scene, const Camera& camera, Envir
     if (method.is("cone"))
         record_cones(frame, {cone_, march_, starts_, found, {*this}});
     else
-        frame.compute("julia march", {.writes = {found}, .with = {*this}}, [&](Compute& pass) {
-            pass.use(march_).set("found", found).dispatch_threads(frame.size);
-        });
+        frame.compute("julia march", {.writes = {found}, .with = {*this}},
+                      [&](Compute& pass) { pass.use(march_).set("found", found).dispatch_threads(frame.size); });
 
     // 2. What light they find there.
     frame.compute("julia shade", {.reads = {found}, .writes = {frame.hdr}, .with = {*this, environment}},

@@ -147,7 +147,7 @@ VkDescriptorImageInfo Pass::image_info(const Binding& binding, ImageView view, c
                       view.name(), shape(view));
     const Stated* found = stated(view, storage);
     if (!found && (!view.image->constant || storage)) fail_unstated(binding.name, storage);
-    if (storage && binding.readable && !found->read) fail_unstated(binding.name, false);
+    if (found && !found->read && (!storage || binding.readable)) fail_unstated(binding.name, false);
     return {.sampler = storage ? VK_NULL_HANDLE : frame.gpu.samplers[sampler],
             .imageView = view.handle(),
             .imageLayout = found ? found->layout : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};

@@ -22,8 +22,8 @@ CHECK_EXERCISE("11.record_cones",
         const glm::ivec2 tiles = (size + 7) / 8;
         const auto groups = [](glm::ivec2 threads) { return float(((threads.x + 7) / 8) * ((threads.y + 7) / 8)); };
         // The first that is not as it should be, by what is wrong with it.
-        const auto look = [&](const std::vector<glm::vec4>& texels, glm::ivec2 extent, int per_tile, const char* dispatch,
-                              const char* image) {
+        const auto look = [&](const std::vector<glm::vec4>& texels, glm::ivec2 extent, int per_tile,
+                              const char* dispatch, const char* image) {
             std::string wrong;
             for (int i = 0; i < int(texels.size()) && wrong.empty(); ++i) {
                 const glm::ivec2 at(i % extent.x, i / extent.x), tile = at / per_tile;
@@ -34,12 +34,13 @@ CHECK_EXERCISE("11.record_cones",
                 else if (got.x == -9)
                     wrong = place + "is from a start that no cone had written";
                 else if (got != glm::vec4(2, tile.x, tile.y, got.w))
-                    wrong = fmt::format("{}has the start ({}, {}, {}), expected (2, {}, {})", place, got.x, got.y, got.z,
-                                        tile.x, tile.y);
+                    wrong = fmt::format("{}has the start ({}, {}, {}), expected (2, {}, {})", place, got.x, got.y,
+                                        got.z, tile.x, tile.y);
                 else if (got.w != groups(extent))
-                    wrong = fmt::format("passes.{} ran in {} groups of 8x8 threads, expected {}: a thread for each texel "
-                                        "of `{}`",
-                                        dispatch, got.w, groups(extent), image);
+                    wrong = fmt::format(
+                        "passes.{} ran in {} groups of 8x8 threads, expected {}: a thread for each texel "
+                        "of `{}`",
+                        dispatch, got.w, groups(extent), image);
             }
             check.expect(int(texels.size()) == extent.x * extent.y && wrong.empty(), what + wrong);
         };

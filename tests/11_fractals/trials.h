@@ -16,9 +16,9 @@ struct ConesSeen {
     std::string validation;  ///< its first message
 };
 
-/// Two frames of so many pixels, with a texel of `starts` for each 8x8 of them. Before each, both images hold -9. A cone
-/// writes (its frame, x, y, groups of threads that were dispatched), a march what its tile's start holds, but for the last
-/// number, in which it has its own groups.
+/// Two frames of so many pixels, with a texel of `starts` for each 8x8 of them. Before each, both images hold -9. A
+/// cone writes (its frame, x, y, groups of threads that were dispatched), a march what its tile's start holds, but for
+/// the last number, in which it has its own groups.
 TRIAL("11.record_cones", ConesSeen, try_record_cones, glm::ivec2 size);
 
 }  // namespace lightwalk

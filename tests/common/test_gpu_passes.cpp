@@ -48,6 +48,35 @@ void main() {
     CHECK(value(number) == 6);
 }
 
+TEST_CASE_METHOD(OnDevice, "a texture that a pass writes before it reads it stands in both lists") {
+    const Pipeline fill = compute_pipeline("fill", R"(
+layout(local_size_x = 4, local_size_y = 4) in;
+layout(r32f) writeonly uniform image2D into;
+void main() { imageStore(into, ivec2(gl_GlobalInvocationID.xy), vec4(2)); }
+)");
+    const Pipeline add = compute_pipeline("add", R"(
+layout(local_size_x = 4, local_size_y = 4) in;
+uniform sampler2D from;
+layout(r32f) writeonly uniform image2D into;
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    imageStore(into, at, 1.0 + texelFetch(from, at, 0));
+}
+)");
+    const Image before = image({.name = "before", .format = one_float, .size = {4, 4}});
+    const Image after = image({.name = "after", .format = one_float, .size = {4, 4}});
+    const auto record = [&](std::vector<Resource> reads) {
+        frame.compute("both", {.reads = std::move(reads), .writes = {before, after}}, [&](Compute& pass) {
+            pass.use(fill).set("into", before).dispatch_threads(before.desc.size).wait();
+            pass.use(add).set("from", before, nearest_clamp).set("into", after).dispatch_threads(after.desc.size);
+        });
+    };
+    CHECK(failure_of([&] { record({}); }) == "pass 'both' binds 'from' without stating it in its reads");
+    record({before});
+    frame.end();
+    CHECK(value(after) == 3);
+}
+
 TEST_CASE_METHOD(OnDevice, "what a pass discards is seen where a frame shows it") {
     const Image number = image({.name = "number", .format = one_float, .size = {4, 4}});
     for (const bool shows : {false, true}) {

@@ -4,8 +4,7 @@
 namespace lightwalk::exercise {
 
 void record_cones(Frame& frame, const ConePasses& passes) {
-    const ComputeAccess access{
-        .reads = {passes.starts}, .writes = {passes.found}, .with = passes.with};
+    const ComputeAccess access{.reads = {passes.starts}, .writes = {passes.found}, .with = passes.with};
     frame.compute("julia march", access, [&](Compute& pass) {
         pass.use(passes.cone).set("starts", passes.starts).dispatch_threads(passes.starts.desc.size).wait();
         pass.use(passes.march).set("starts", passes.starts, nearest_clamp).set("found", passes.found);
