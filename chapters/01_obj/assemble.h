@@ -7,6 +7,7 @@
 
 #include "01_obj/array.h"
 #include "01_obj/obj.h"
+#include "common/base/sanitized.h"
 
 namespace lightwalk {
 
@@ -53,7 +54,7 @@ bool assemble(std::span<const Piece> pieces, unsigned threads, const std::string
 /// looking for them.
 class CuttingTime {
   public:
-    explicit CuttingTime(const std::string& file, double most_s = 5) : file_(file), most_s_(most_s) {}
+    explicit CuttingTime(const std::string& file, double most_s = 5 * slower) : file_(file), most_s_(most_s) {}
 
     /// Counts the time that cut() takes for a polygon of so many corners. Throws InputError beyond `most_s`.
     template <class Cut>

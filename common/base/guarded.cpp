@@ -16,25 +16,11 @@
 
 #include "common/base/bytes.h"
 #include "common/base/error.h"
+#include "common/base/sanitized.h"
 #include "common/base/text.h"
 
 namespace lightwalk {
 namespace {
-
-// A sanitizer's shadow memory takes more addresses than any limit would leave, everything takes longer, and what it
-// says is worth reading.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
-#else
-constexpr bool sanitized = false;
-#endif
-constexpr double slower = sanitized ? 20 : 1;
 
 bool guarded_already = false;
 
@@ -84,6 +70,7 @@ void confine(const GuardLimits& limits) {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0);
     limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.cpu_s * slower)), 1);  // a word before the end
+    // A sanitizer's shadow memory takes more addresses than any limit would leave.
     if (!sanitized) limit(RLIMIT_AS, address_space() + limits.memory);
 }
 

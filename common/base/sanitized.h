@@ -1,0 +1,21 @@
+// Whether this is built with a sanitizer.
+#pragma once
+
+namespace lightwalk {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+#else
+constexpr bool sanitized = false;
+#endif
+
+/// Limits of time are times that.
+constexpr double slower = sanitized ? 20 : 1;
+
+}  // namespace lightwalk
