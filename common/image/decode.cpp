@@ -2,7 +2,6 @@
 
 #include <stb_image.h>
 
-#include <cstdlib>
 #include <cstring>
 
 #include "common/base/bytes.h"
@@ -127,8 +126,8 @@ Decoded decode_picture(const fs::path& path, int wanted, Depth depth) {
     Decoded picture;
     const auto work = [&] { return decode_here(path, bytes, wanted, depth); };
     // A copy of a large process takes some 20 ms of it, which adds up over a scene's textures. The course's own files
-    // are known to be good; and in the grader's sandbox, which lets nobody start a process, all are held as it is.
-    const bool here = std::getenv("LIGHTWALK_SANDBOXED") || lies_below(path, course_root());
+    // are known to be good.
+    const bool here = !guards() || lies_below(path, course_root());
     picture.samples = here ? work() : run_guarded(path.string(), "stb_image", limits, work);
     const size_t head = 4 * sizeof(int);
     if (picture.samples.size() < head) throw Failure("{}: its reader answered in part", path.string());
