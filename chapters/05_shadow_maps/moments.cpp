@@ -40,7 +40,7 @@ void MomentMaps::record(Frame& frame, const ImageView& layer, const Buffer& view
     blur.view = view;
     const uint32_t size = moments.desc.size.x;
     const glm::uvec3 groups((size + 63) / 64, (size + 3) / 4, 1);
-    frame.compute("blur", {.reads = {layer, views}, .writes = {between_, into.mip(0)}}, [&](Compute& pass) {
+    frame.compute("blur", {.reads = {layer, views, between_}, .writes = {between_, into.mip(0)}}, [&](Compute& pass) {
         pass.use(first_, macros).set("blur", blur).set("shadow_views", views);
         pass.set("source", layer, nearest_clamp).set("result", between_).dispatch(groups).wait();
         pass.use(second_, macros)
