@@ -4,6 +4,7 @@
 
 #include "02_lambert_phong/exercises.h"
 #include "common/check/guard.h"
+#include "common/check/trial_device.h"
 #include "trials.h"
 
 namespace lightwalk {
@@ -59,13 +60,7 @@ MistFrame try_frame(Gpu& gpu, Frame& frame, const MistPasses& passes) {
 
 MistSeen try_record_mist(float red, float blue) {
     MistSeen seen;
-    Gpu gpu({.name = "",
-             .validate = true,
-             .surface_extensions = {},
-             .max_push_descriptors = {},
-             .on_message = [&](const char* message) {
-                 if (seen.validation.empty()) seen.validation = message;
-             }});
+    Gpu gpu(trial_device(seen.validation));
     const Pipeline sky =
         compute({.shader = "the sky of the check", .macros = {{"BLUE", std::to_string(blue)}}, .source = sky_source});
     const Pipeline mist = compute({.shader = "the mist of the check", .source = mist_source});

@@ -4,6 +4,7 @@
 #include "11_fractals/exercises.h"
 #include "common/app/module.h"
 #include "common/check/guard.h"
+#include "common/check/trial_device.h"
 #include "trials.h"
 
 namespace lightwalk {
@@ -56,13 +57,7 @@ void forget(Frame& frame, const Image& image) {
 
 ConesSeen try_record_cones(glm::ivec2 size) {
     ConesSeen seen;
-    Gpu gpu({.name = "",
-             .validate = true,
-             .surface_extensions = {},
-             .max_push_descriptors = {},
-             .on_message = [&](const char* message) {
-                 if (seen.validation.empty()) seen.validation = message;
-             }});
+    Gpu gpu(trial_device(seen.validation));
     const Pipeline cone = compute({.shader = "the cones of the check", .source = cone_source});
     const Pipeline march = compute({.shader = "the rays of the check", .source = march_source});
     const auto image = [&](const char* name, glm::uvec2 texels) {

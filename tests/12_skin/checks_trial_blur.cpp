@@ -4,6 +4,7 @@
 
 #include "12_skin/exercises.h"
 #include "common/check/guard.h"
+#include "common/check/trial_device.h"
 #include "trials.h"
 
 namespace lightwalk {
@@ -44,13 +45,7 @@ void fill(Frame& frame, const Image& image, glm::vec4 value) {
 
 SkinChain try_blur_irradiance(int count) {
     SkinChain seen;
-    Gpu gpu({.name = "",
-             .validate = true,
-             .surface_extensions = {},
-             .max_push_descriptors = {},
-             .on_message = [&](const char* message) {
-                 if (seen.validation.empty()) seen.validation = message;
-             }});
+    Gpu gpu(trial_device(seen.validation));
     const Pipeline line = compute({.shader = "the line of the check", .source = line_source});
     Frame frame(gpu);
     const std::vector<Gaussian> sum = gaussians_of(count);

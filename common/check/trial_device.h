@@ -1,0 +1,20 @@
+// The device of a trial (trial.h) that records frames.
+#pragma once
+#include <string>
+
+#include "common/gpu/device.h"
+
+namespace lightwalk {
+
+/// Any device, validated: the first message goes to `first`, which must outlive the device.
+inline DeviceOptions trial_device(std::string& first) {
+    return {.name = "",
+            .validate = true,
+            .surface_extensions = {},
+            .max_push_descriptors = {},
+            .on_message = [&first](const char* message) {
+                if (first.empty()) first = message;
+            }};
+}
+
+}  // namespace lightwalk
