@@ -1,5 +1,7 @@
 #include "09_post_effects/deferred_scene.h"
 
+#include "common/base/error.h"
+
 namespace lightwalk {
 
 // The chapter's own modules: their options and scene keys are those of the chapters before.
@@ -27,6 +29,8 @@ Shadow::Casters DeferredScene::casters(const Scene& scene) const {
 
 // [record]
 void DeferredScene::record(Frame& frame, Scene& scene, const Camera& camera) {
+    if (gbuffer.is_forward())
+        throw InputError("gbuffer.method forward leaves no surfaces to light afterwards; take another one");
     const std::vector<Batch> batches = scene.all().batches(), glows = glowing(scene, batches);
     const auto surfaces = [&](const SurfacePipelines& by, const std::vector<Batch>& which) {
         return [&](Raster& pass) { maps.draw(pass, scene, which, by.loaded, by.displaced); };

@@ -113,6 +113,8 @@ def draw(program, seed, folder) -> tuple:
     except subprocess.TimeoutExpired:
         return command, "it did not end"
     said = "".join(line for line in done.stderr.splitlines(True) if not line.startswith("warning: "))
+    if done.returncode == 2 and said.startswith("error: ") and said.count("\n") == 1:
+        return command, ""  # knobs that do not go together are refused, and say so
     return command, "" if done.returncode == 0 and not said else f"exit code {done.returncode}: {said[:2000]}"
 
 

@@ -47,6 +47,16 @@ class RandomScenes(unittest.TestCase):
                                   capture_output=True, text=True, timeout=TIMEOUT_S)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
+    def test_knobs_that_do_not_go_together(self):
+        program = next((path for path in CHAPTERS if path.name.startswith("09_")), None)
+        if not program:
+            self.skipTest("there is no chapter 09")
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([program, "--set", "gbuffer.method=forward", "--size", "72x40", "--screenshot",
+                                   f"{folder}/picture.png"], capture_output=True, text=True, timeout=TIMEOUT_S)
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"\Aerror: gbuffer\.method forward [^\n]*\n\Z")
+
     def test_nothing_at_all(self):
         """Every view of a scene without objects: what nothing has made is not read."""
         views = {"12": ["picture", "irradiance", "level", "stretch", "occlusion", "thickness"], "13": ["picture", "edges"]}
