@@ -9,11 +9,10 @@ namespace lightwalk {
 
 /// What 11.record_cones has to work with.
 struct ConePasses {
-    const Pipeline& cone;  ///< compute: a cone for each texel of its image `starts`, which it writes
-    const Pipeline&
-        march;            ///< compute: a ray for each texel of its image `found`; its texture `starts` says from where
-    const Image& starts;  ///< a texel for each tile of 8x8 pixels
-    const Image& found;   ///< a texel for each pixel
+    const Pipeline& cone;    ///< compute: a cone for each texel of its image `starts`, which it writes
+    const Pipeline& march;   ///< compute: a ray for each texel of its image `found`, from its texture `starts`
+    const Image& starts;     ///< a texel for each tile of 8x8 pixels
+    const Image& found;      ///< a texel for each pixel
     std::vector<With> with;  ///< modules whose names both shaders use: they go into the pass's .with
 };
 

@@ -38,22 +38,20 @@ class RandomScenes(unittest.TestCase):
                                    f"{folder}/picture.png"], capture_output=True, text=True, timeout=TIMEOUT_S)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
-    def test_a_map_that_only_one_of_two_layouts_has(self):
-        program = next((path for path in CHAPTERS if path.name.startswith("12_")), None)
+    def drawn(self, chapter: str, *options) -> subprocess.CompletedProcess:
+        program = next((path for path in CHAPTERS if path.name.startswith(chapter)), None)
         if not program:
-            self.skipTest("there is no chapter 12")
+            self.skipTest(f"there is no chapter {chapter}")
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([program, "--show", "occlusion", "--size", "72x40", "--screenshot", f"{folder}/picture.png"],
+            return subprocess.run([program, *options, "--size", "72x40", "--screenshot", f"{folder}/picture.png"],
                                   capture_output=True, text=True, timeout=TIMEOUT_S)
+
+    def test_a_map_that_only_one_of_two_layouts_has(self):
+        done = self.drawn("12_", "--show", "occlusion")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_knobs_that_do_not_go_together(self):
-        program = next((path for path in CHAPTERS if path.name.startswith("09_")), None)
-        if not program:
-            self.skipTest("there is no chapter 09")
-        with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([program, "--set", "gbuffer.method=forward", "--size", "72x40", "--screenshot",
-                                   f"{folder}/picture.png"], capture_output=True, text=True, timeout=TIMEOUT_S)
+        done = self.drawn("09_", "--set", "gbuffer.method=forward")
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr, r"\Aerror: gbuffer\.method forward [^\n]*\n\Z")
 
