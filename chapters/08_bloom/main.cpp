@@ -67,11 +67,11 @@ struct BloomChapter : ModelChapter {
                      [&](Raster& pass) { maps.draw(pass, scene, surface, displaced); });
     }
 
-    // One of the bloom's images in place of the picture.
+    // One of the bloom's images in place of the picture; black where nothing was cut out.
     void look_at(Frame& frame, const Image& image) {
-        frame.compute("look", {.reads = {image}, .writes = {frame.hdr}}, [&](Compute& pass) {
+        frame.compute("look", {.reads = {image, bloom.dispatches()}, .writes = {frame.hdr}}, [&](Compute& pass) {
             pass.use(look).set("image", image, nearest_clamp).set("gain", gain.value).set("result", frame.hdr);
-            pass.dispatch_threads(frame.size);
+            pass.set("dispatches", bloom.dispatches()).dispatch_threads(frame.size);
         });
     }
 

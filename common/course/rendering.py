@@ -13,13 +13,21 @@ from pathlib import Path
 from tree import ROOT, Failure, chapter_program, relative
 
 TIMEOUT_S = 300  # under a sanitizer; a picture takes a second or two
+# The C library fills what it hands out with a byte: on lavapipe, whose images are memory like any other, a picture that
+# reads what was never written shows NaN, where it would mostly be black.
+UNWRITTEN = {"MALLOC_PERTURB_": "1"}
+
+
+def surroundings(environment: dict) -> dict:
+    """The environment of a program that draws pictures, with more in it."""
+    return os.environ | UNWRITTEN | environment
 
 
 def run_program(command: list, **environment) -> subprocess.CompletedProcess:
     """Runs one of our programs, with more in its environment. Raises Failure with its own words where it cannot be run or does not end."""
     try:
-        return subprocess.run([str(word) for word in command], cwd=ROOT, env=os.environ | environment, text=True, errors="replace",
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        return subprocess.run([str(word) for word in command], cwd=ROOT, env=surroundings(environment), text=True,
+                              errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                               timeout=TIMEOUT_S)
     except OSError as error:
         raise Failure(f"{relative(command[0])}: {error.strerror}") from None
@@ -48,8 +56,8 @@ class Drawing:
         self.chapter, self.stderr = chapter, tempfile.TemporaryFile("w+", errors="replace")
         self.command = [str(chapter_program(chapter)), "--pictures", "--validate", "on"]
         try:
-            self.program = subprocess.Popen(self.command, cwd=ROOT, env=os.environ | environment, text=True, errors="replace",
-                                            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.stderr)
+            self.program = subprocess.Popen(self.command, cwd=ROOT, env=surroundings(environment), text=True,
+                                            errors="replace", stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.stderr)
         except OSError as error:
             raise Failure(f"{relative(self.command[0])}: {error.strerror}") from None
 

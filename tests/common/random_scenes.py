@@ -15,6 +15,10 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "common/course"))
+
+from rendering import surroundings  # noqa: E402
+
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 CHAPTERS = sorted(path for path in (BUILD / "chapters").glob("[0-9][0-9]_*") if path.is_file() and not path.suffix)
 MODELS = ["cube.obj", "sphere.obj", "ring.obj", "plane.obj", "ground.obj", "bunny_low.obj", "suzanne_family.glb",
@@ -102,22 +106,28 @@ def random_knobs(program, rng) -> list:
     return options
 
 
+def run(program, folder, *options) -> subprocess.CompletedProcess:
+    """Draws a picture with them, under validation, and in memory that is filled with something."""
+    command = [str(program), "--size", SIZE, "--validate", "on", *options, "--screenshot", f"{folder}/picture.png"]
+    return subprocess.run(command, env=surroundings({}), capture_output=True, text=True, stdin=subprocess.DEVNULL,
+                          timeout=TIMEOUT_S)
+
+
 def draw(program, seed, folder) -> tuple:
     """The command that draws that scene with that chapter, and what is wrong: nothing where all is well."""
     rng = random.Random(f"{program.name} {seed}")
     scene = Path(folder) / f"scene_{seed}.json"
     scene.write_text(json.dumps(random_scene(seed), indent=1))
-    command = [str(program), "--scene", str(scene), "--size", SIZE, "--validate", "on", "--frames", "2", "--time",
-               str(rng.choice([0, 1.5])), "--screenshot", str(Path(folder) / "picture.png"), *random_knobs(program, rng)]
+    options = ["--scene", str(scene), "--frames", "2", "--time", str(rng.choice([0, 1.5])), *random_knobs(program, rng)]
     try:
-        done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=TIMEOUT_S)
+        done = run(program, folder, *options)
     except subprocess.TimeoutExpired:
-        return command, "it did not end"
+        return [str(program), *options], "it did not end"
     said = "".join(line for line in done.stderr.splitlines(True) if not line.startswith("warning: "))
     refused = re.fullmatch(r"error: ([\w.]+) [^\n]*\n", said)
-    if done.returncode == 2 and refused and any(word.startswith(f"{refused[1]}=") for word in command):
-        return command, ""  # a knob that we have set, which does not go with the others, and says so
-    return command, "" if done.returncode == 0 and not said else f"exit code {done.returncode}: {said[:2000]}"
+    if done.returncode == 2 and refused and any(word.startswith(f"{refused[1]}=") for word in options):
+        return done.args, ""  # a knob that we have set, which does not go with the others, and says so
+    return done.args, "" if done.returncode == 0 and not said else f"exit code {done.returncode}: {said[:2000]}"
 
 
 def main():

@@ -5,7 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from random_scenes import CHAPTERS, TIMEOUT_S, draw, random_scene
+from random_scenes import CHAPTERS, draw, random_scene, run
 
 FEW = 5
 
@@ -33,9 +33,8 @@ class RandomScenes(unittest.TestCase):
                  "lights": [{"type": "directional", "direction": [0.3, -1, 0.2], "shadow": True}]}
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "scene.json").write_text(json.dumps(scene))
-            done = subprocess.run([program, "--scene", f"{folder}/scene.json", "--size", "72x40", "--validate", "on",
-                                   "--set", "maps.mesh=displaced", "--set", "maps.subdivide=2", "--screenshot",
-                                   f"{folder}/picture.png"], capture_output=True, text=True, timeout=TIMEOUT_S)
+            done = run(program, folder, "--scene", f"{folder}/scene.json", "--set", "maps.mesh=displaced", "--set",
+                       "maps.subdivide=2")
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def drawn(self, chapter: str, *options) -> subprocess.CompletedProcess:
@@ -43,8 +42,7 @@ class RandomScenes(unittest.TestCase):
         if not program:
             self.skipTest(f"there is no chapter {chapter}")
         with tempfile.TemporaryDirectory() as folder:
-            return subprocess.run([program, *options, "--size", "72x40", "--screenshot", f"{folder}/picture.png"],
-                                  capture_output=True, text=True, timeout=TIMEOUT_S)
+            return run(program, folder, *options)
 
     def test_a_map_that_only_one_of_two_layouts_has(self):
         done = self.drawn("12_", "--show", "occlusion")
@@ -57,15 +55,16 @@ class RandomScenes(unittest.TestCase):
 
     def test_nothing_at_all(self):
         """Every view of a scene without objects: what nothing has made is not read."""
-        views = {"12": ["picture", "irradiance", "level", "stretch", "occlusion", "thickness"], "13": ["picture", "edges"]}
+        views = {"08": ["picture", "cut_out", "spread", "level"],
+                 "12": ["picture", "irradiance", "level", "stretch", "occlusion", "thickness"],
+                 "13": ["picture", "edges"]}
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "scene.json").write_text('{"lights": [{"type": "directional", "shadow": true}]}')
             for program in CHAPTERS:
                 for view in views.get(program.name[:2], [""]):
                     options = (["--set", f"show={view}"] if view else []) + (["--world", "head"] if program.name[:2] == "13" else [])
                     with self.subTest(program=program.name, view=view):
-                        done = subprocess.run([program, "--scene", f"{folder}/scene.json", "--size", "72x40", "--validate", "on", *options,
-                                               "--screenshot", f"{folder}/picture.png"], capture_output=True, text=True, timeout=TIMEOUT_S)
+                        done = run(program, folder, "--scene", f"{folder}/scene.json", *options)
                         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
