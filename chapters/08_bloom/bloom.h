@@ -37,8 +37,9 @@ struct Bloom : Module {
 
     void record(Frame& frame, const Image& hdr);
 
-    /// Of the frame recorded last, for whoever looks: what was cut out, what it was spread to, an image between. All but
-    /// the first hold anything where nothing was cut out: dispatches(), as in shaders/08_bloom/dispatches.glsl, says so.
+    /// Of the frame recorded last, for whoever looks: what was cut out, what it was spread to, an image between. All
+    /// but the first hold anything where nothing was cut out: dispatches(), as in shaders/08_bloom/dispatches.glsl,
+    /// says so.
     const Image& cut_out() const { return images_.at(0); }
     const Image& spread() const { return images_.at(1); }
     const Image& level(size_t i) const { return images_.at(std::min(i, images_.size() - 1)); }

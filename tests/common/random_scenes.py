@@ -17,7 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
 
-from rendering import surroundings  # noqa: E402
+from rendering import UNWRITTEN, surroundings  # noqa: E402
 
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 CHAPTERS = sorted(path for path in (BUILD / "chapters").glob("[0-9][0-9]_*") if path.is_file() and not path.suffix)
@@ -107,10 +107,19 @@ def random_knobs(program, rng) -> list:
 
 
 def run(program, folder, *options) -> subprocess.CompletedProcess:
-    """Draws a picture with them, under validation, and in memory that is filled with something."""
+    """Draws a picture with them, under validation. Twice, in memory that is filled with NaN and with small numbers: a
+    program that reads what it never wrote draws two pictures, which is said on its stderr."""
     command = [str(program), "--size", SIZE, "--validate", "on", *options, "--screenshot", f"{folder}/picture.png"]
-    return subprocess.run(command, env=surroundings({}), capture_output=True, text=True, stdin=subprocess.DEVNULL,
-                          timeout=TIMEOUT_S)
+    drawn = {}
+    for filling in UNWRITTEN["MALLOC_PERTURB_"], "96":
+        done = subprocess.run(command, env=surroundings({"MALLOC_PERTURB_": filling}), capture_output=True, text=True,
+                              stdin=subprocess.DEVNULL, timeout=TIMEOUT_S)
+        if done.returncode:
+            break
+        drawn[filling] = Path(folder, "picture.png").read_bytes()
+    if len(set(drawn.values())) > 1:
+        done.stderr += "two runs drew two pictures\n"
+    return done
 
 
 def draw(program, seed, folder) -> tuple:
