@@ -26,7 +26,7 @@ struct BloomChapter : ModelChapter {
     Pipeline displaced_depth =
         graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "04_surface_maps/depth.frag"});
     Pipeline spot = compute({.shader = "08_bloom/spot.comp"});
-    Pipeline look = compute({.shader = "08_bloom/look.comp"});
+    Pipeline look = compute({.shader = "08_bloom/look_at_bloom.comp"});
     PointSpread spreads;
 
     BloomChapter() {

@@ -40,7 +40,9 @@ void Mlaa::prepare(Frame& frame, glm::uvec2 size) {
     if (follows_edges()) fit(distances_[0], " distances"), fit(distances_[1], " longer distances");
     if (method.is("smaa_like")) fit(diagonals_[0], " staircases"), fit(diagonals_[1], " longer staircases");
     const VkDeviceSize pixels = VkDeviceSize(size.x) * size.y;
-    if (!work_) work_ = Buffer(device, {.name = "mlaa work", .bytes = 20});
+    for (Buffer* const work : {&work_, &next_work_})
+        if (!*work) *work = frame.gpu.upload("mlaa work", std::vector<uint32_t>{0, 1, 1, 0, 0});
+    std::swap(work_, next_work_);
     if (!list_ || list_.bytes != 4 * pixels) list_ = Buffer(device, {.name = "mlaa list", .bytes = 4 * pixels});
     if (std::exchange(toggles_, Exercises::version()) == Exercises::version()) return;
     const auto table = [&](Image& image, const char* name, uint32_t side, const std::vector<float>& values) {
@@ -79,12 +81,12 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
 
     // 1. Edges, and the list of pixels beside them.
     ComputeAccess access{
-        .reads = {picture, work_}, .writes = {distances_[0], distances_[1], list_, work_}, .with = {*this}};
+        .reads = {picture, work_}, .writes = {distances_[0], distances_[1], list_, work_, next_work_}, .with = {*this}};
     if (shapes) access.writes.insert(access.writes.end(), {diagonals_[0], diagonals_[1]});
     frame.compute("mlaa edges", access, [&](Compute& pass) {
-        pass.use(begin_).set("work", work_).dispatch({1, 1, 1}).wait();
         pass.use(shapes ? edges_and_diagonals_ : edges_).set("picture", picture, nearest_clamp);
         pass.set("seeds", distances_[0]).set("next", distances_[1]).set("listed", list_).set("work", work_);
+        pass.set("next_work", next_work_);
         if (shapes) pass.set("diagonal_seeds", diagonals_[0]).set("diagonal_next", diagonals_[1]);
         pass.dispatch_threads(picture.desc.size);
     });
@@ -128,14 +130,14 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
 // [/record]
 
 void Mlaa::search_by_luma(Frame& frame, const Image& picture) {
-    frame.compute(
-        "fxaa", {.reads = {picture, work_, list_, mixed_}, .writes = {picture, work_, list_, mixed_}, .with = {*this}},
-        [&](Compute& pass) {
-            pass.use(begin_).set("work", work_).dispatch({1, 1, 1}).wait();
-            pass.use(fxaa_).set("picture", picture, nearest_clamp).set("listed", list_).set("mixed", mixed_);
-            pass.set("work", work_).dispatch_threads(picture.desc.size).wait();
-            put(pass, picture);
-        });
+    const ComputeAccess access{.reads = {picture, work_, list_, mixed_},
+                               .writes = {picture, work_, next_work_, list_, mixed_},
+                               .with = {*this}};
+    frame.compute("fxaa", access, [&](Compute& pass) {
+        pass.use(fxaa_).set("picture", picture, nearest_clamp).set("listed", list_).set("mixed", mixed_);
+        pass.set("work", work_).set("next_work", next_work_).dispatch_threads(picture.desc.size).wait();
+        put(pass, picture);
+    });
 }
 
 void Mlaa::put(Compute& pass, const Image& picture) const {

@@ -62,9 +62,9 @@ struct Mlaa : Module {
     Image areas_, crossings_;
     unsigned toggles_ = ~0u;  ///< that the tables were made for
     Image mixed_;
-    Buffer work_, list_;
+    Buffer work_, next_work_;  ///< of this frame, and, which this frame empties, of the next
+    Buffer list_;
     ReadBack counted_;
-    Pipeline begin_ = compute({.shader = "13_mlaa/begin.comp"});
     Pipeline edges_ = compute({.shader = "13_mlaa/edges.comp"});
     Pipeline edges_and_diagonals_ = compute({.shader = "13_mlaa/edges.comp", .macros = {{"DIAGONALS", "1"}}});
     Pipeline strong_edges_ = compute({.shader = "13_mlaa/strong_edges.comp"});

@@ -1,19 +1,4 @@
-// An image of any size, stretched over the picture.
-#define DISPATCH_ACCESS readonly
-#include "08_bloom/dispatches.glsl"
+// An image in place of the picture.
+#include "08_bloom/look.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
-
-uniform sampler2D image;
-layout(scalar) uniform GainBlock { float gain; };
-layout(rgba16f) writeonly uniform image2D result;
-
-void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(result);
-    if (any(greaterThanEqual(pixel, size))) return;
-    vec2 uv = (vec2(pixel) + 0.5) / vec2(size);
-    // Where no blur ran, its images hold anything.
-    bool lit = dispatches[lit_at()] != 0u;
-    vec3 shown = lit ? gain * texelFetch(image, ivec2(uv * vec2(textureSize(image, 0))), 0).rgb : vec3(0.0);
-    imageStore(result, pixel, vec4(min(shown, 65504.0), 1.0));
-}
+void main() { look(true); }

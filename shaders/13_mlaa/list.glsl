@@ -2,10 +2,12 @@
 #include "13_mlaa/work.glsl"
 
 layout(scalar) writeonly buffer ListBuffer { uint listed[]; };
+layout(scalar) writeonly buffer NextWorkBuffer { uint next_work[5]; };  // of the next frame, which begins with nothing listed
 shared uint listed_here, listed_from;
 
 // The whole workgroup calls it, once.
 void put_on_list(bool wanted, ivec2 pixel) {
+    if (gl_GlobalInvocationID.xy == uvec2(0u)) next_work = uint[](0u, 1u, 1u, 0u, 0u);
     if (gl_LocalInvocationIndex == 0u) listed_here = 0u;
     barrier();
     uint own = wanted ? atomicAdd(listed_here, 1u) : 0u;
