@@ -2,12 +2,16 @@
 #include "13_mlaa/work.glsl"
 
 layout(scalar) writeonly buffer ListBuffer { uint listed[]; };
-layout(scalar) writeonly buffer NextWorkBuffer { uint next_work[5]; };  // of the next frame, which begins with nothing listed
+layout(scalar) writeonly buffer NextWorkBuffer { Work next_work; };  // of the next frame, which finds nothing listed
 shared uint listed_here, listed_from;
 
 // The whole workgroup calls it, once.
 void put_on_list(bool wanted, ivec2 pixel) {
-    if (gl_GlobalInvocationID.xy == uvec2(0u)) next_work = uint[](0u, 1u, 1u, 0u, 0u);
+    if (gl_GlobalInvocationID.xy == uvec2(0u)) {
+        next_work.groups[0] = 0u;
+        next_work.listed_count = 0u;
+        next_work.changed_count = 0u;
+    }
     if (gl_LocalInvocationIndex == 0u) listed_here = 0u;
     barrier();
     uint own = wanted ? atomicAdd(listed_here, 1u) : 0u;

@@ -2,11 +2,12 @@
 #ifndef WORK_ACCESS
 #define WORK_ACCESS coherent
 #endif
-layout(scalar) WORK_ACCESS buffer WorkBuffer {
+struct Work {
     uint groups[3];  // of an indirect dispatch
     uint listed_count;
     uint changed_count;  // pixels that were mixed with a neighbour
-} work;
+};
+layout(scalar) WORK_ACCESS buffer WorkBuffer { Work work; };
 
 const uint listed_threads = 256u;    // of a workgroup that goes through the list
 const uint most_groups = 65535u;     // what every device takes

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What a filter costs per scene, as a table: tests/13_mlaa/measure_mlaa.py [WxH] [FRAMES] [DEVICE]
+"""What a filter costs per scene, as a table: tests/13_mlaa/measure_mlaa.py [WxH] [FRAMES] [DEVICE] [ROUNDS]
 
 GPU milliseconds of the whole frame without a filter and with it, those of the filter's passes alone, and how many pixels it
-mixed. 1440x1080 and medians over FRAMES (21) unless it is said; methods by turns in three rounds, of which the least counts.
+mixed. 1440x1080 and medians over FRAMES (21) unless it is said; methods by turns in ROUNDS (3), of which the least counts.
 Then what the lesson promises of `mlaa` with a reach of 255: below 0.25 ms for every scene, below 0.08 ms for the one with the
 fewest edges. Prints "missed" where a promise is not kept on this device, and asserts nothing.
 """
@@ -37,11 +37,11 @@ def measure(scene, method, size, frames, device, folder):
 
 
 def main():
-    size, frames, device = (sys.argv[1:] + [None] * 3)[:3]
+    size, frames, device, rounds = (sys.argv[1:] + [None] * 4)[:4]
     size, frames = size or "1440x1080", int(frames or 21)
     best = {}
     with tempfile.TemporaryDirectory() as folder:
-        for _ in range(3):
+        for _ in range(int(rounds or 3)):
             for scene in SCENES:
                 for method in METHODS:
                     *now, name, driver = measure(scene, method, size, frames, device, folder)
