@@ -13,7 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from alike import alike
-from judge import Judge
+from judge import NOT_DRAWN, Judge
 from progress import Progress
 from submission import find, printable, read
 from tree import BUILD, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, say, warn, write_atomically
@@ -137,7 +137,9 @@ def table(grades: list[dict], named: list[str]) -> list[str]:
                                 "nothing was changed")
         lines.append(f"{printable(one['student'], width):{width}}  {one['right']:3}/{one['of']:<2} " +
                      " ".join(f"{count:>5}" for count in counts) + (f"  {said}" if said else ""))
-    return lines + [f"alike: {line}" for line in groups(grades)]
+    undrawn = [f"look at: {printable(one['student'])}, {result['exercise']}: {result['note']}" for one in grades
+               for result in one["results"] if (result.get("note") or "").startswith(NOT_DRAWN)]
+    return lines + undrawn + [f"alike: {line}" for line in groups(grades)]
 
 
 def groups(grades: list[dict]) -> list[str]:

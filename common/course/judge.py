@@ -22,7 +22,7 @@ from pathlib import Path
 import sandbox
 from build import build
 from handout import starters
-from judge_picture import Pictures
+from judge_picture import DriverEnded, Pictures
 from judge_tree import copy_without_answers, library, objects
 from macros import foreign_macro
 from sandbox import Limits, Mounts
@@ -34,6 +34,7 @@ JUDGE_S = 60  # of a whole check, on a busy machine; a call that does not return
 CALL_S = 5  # of one call
 COMPILER = Limits(3 * GIB, 30, processes=True)
 WORDS_MOST = 600
+NOT_DRAWN = "judged by its numbers alone: there is no picture"
 
 
 class Judge:
@@ -150,7 +151,10 @@ class Judge:
             source.write_bytes(data)
             found = self.numbers(exercise, source, self.seed if seed is None else seed)
             if found["ok"] and self.pictures:
-                why = self.pictures.wrong(exercise, source, self)
+                try:
+                    why = self.pictures.wrong(exercise, source, self)
+                except DriverEnded as shot:
+                    return found | {"note": f"{NOT_DRAWN} of {shot}, with which the driver crashed"}
                 if why:
                     found |= {"ok": False, "failed": found["failed"] + 1, "first_failure": why,
                               "hint": "every number that was tried is right, so look for an input that only the picture has"}

@@ -11,6 +11,7 @@ import functools
 import json
 import re
 import shlex
+import signal
 import subprocess
 import threading
 import time
@@ -29,6 +30,11 @@ GIB = 1 << 30
 DRAWING = Limits(6 * GIB, 60)
 PASS_S = 20  # of one pass of a frame, on a busy machine
 COMPARING = Limits(2 * GIB, 20)
+
+
+class DriverEnded(Exception):
+    """The driver crashed while it drew the shot that this names. GLSL cannot do that to a driver without a fault of its
+    own, and one that is right has: Mesa 22.3 does not survive a loop with two ends that ask for one uniform."""
 
 
 class Pictures:
@@ -64,7 +70,7 @@ class Pictures:
 
     def wrong(self, exercise: str, source: Path, judge) -> str | None:
         """What is wrong with the picture; empty where nothing is, None where there is none. The source is alone in its
-        folder."""
+        folder. Raises DriverEnded."""
         shot = self.reference(exercise)
         if not shot:
             return None
@@ -81,6 +87,8 @@ class Pictures:
             done = running.finish()
         if done.late:
             why = f"it was not drawn within {DRAWING.wall_s:g} s"
+        elif done.code == 128 + signal.SIGSEGV and source.suffix == ".glsl":
+            raise DriverEnded(name)
         elif done.code:
             why = done.said()
         elif not is_ordinary(out / "picture.png"):
