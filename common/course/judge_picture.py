@@ -34,7 +34,7 @@ COMPARING = Limits(2 * GIB, 20)
 
 class DriverEnded(Exception):
     """The driver crashed while it drew the shot that this names. GLSL cannot do that to a driver without a fault of its
-    own, and one that is right has: Mesa 22.3 does not survive a loop with two ends that ask for one uniform."""
+    own, and one that is right has: Mesa 22.3 does not survive some loops in which one uniform decides twice where they end."""
 
 
 class Pictures:

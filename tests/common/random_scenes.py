@@ -3,7 +3,8 @@
 
 Draws COUNT (50) random scenes, each with every chapter, under core and synchronisation validation, and with random
 values of the chapter's knobs. Whatever a program says is a finding, but for the refusal of such a knob by its name: it is
-printed with the command that shows it again, and its scene is kept in build/random_scenes. The same seed makes the same scenes. Exit code 1 where there is one.
+printed with the command that shows it again, and its scene is kept in build/random_scenes. The same seed makes the same
+scenes. Exit code 1 where there is one.
 """
 import json
 import os

@@ -32,7 +32,8 @@ def settings_of(knob) -> list[str]:
     return [",".join([str(int(end) if knob["type"] == "whole number" else end)] * count) for end in knob["range"]]
 
 
-# A window reads as many texels as its width's square: it refuses the default width. Rays from 2048² texels take a minute.
+# A window reads as many texels as its width's square: it refuses the default width. Rays from 2048²
+# texels take a minute.
 WITH = {"bloom.method=window": ["--set", "sigma_px=4"], "skin.sky_size=2048": ["--set", "skin.sky_rays=1"]}
 
 
