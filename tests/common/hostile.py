@@ -171,7 +171,9 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     "fills the disk": (
         box('static int i = 0; for (; i < 50; ++i) { std::ofstream out("/tmp/" + std::to_string(i)); '
             'static char all[1 << 20]; for (int k = 0; k < 60; ++k) if (!out.write(all, sizeof all)) return i = 50; '
-            'if (i == 40) BROKE_OUT("2 GB"); }'), GAVE_TRUE),
+            'if (i == 40) BROKE_OUT("2 GB"); }'),
+        # Which of the two ends it depends on how fast the machine fills the sandbox's /tmp.
+        GAVE_TRUE + "|did not return"),
     "overflows the stack": (
         box("return deep(1) == 0;", "static int deep(volatile int n) { char big[4096]; big[n % 4096] = 1; "
                                     "return deep(n + 1) + big[(n * 7) % 4096]; }\n"), "crashed"),
