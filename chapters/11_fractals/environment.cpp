@@ -37,7 +37,7 @@ void EnvironmentLight::record(Frame& frame, const Scene& scene) {
         for (uint32_t m = 0; m < cube.mips; ++m)
             pass.set("level", cube.mip(m)).dispatch_threads(glm::uvec3(glm::uvec2(cube.mip(m).size()), 6));
         pass.use(sum_).set("picture", picture).set("source_level", source_level);
-        pass.set("irradiance", irradiance.as_array()).dispatch_threads(glm::uvec3(irradiance.desc.size, 6));
+        pass.set("irradiance", irradiance.as_array()).dispatch_threads(irradiance.desc.size);
     });
     made_ = true;
 }
