@@ -17,7 +17,7 @@ function(lightwalk_common)
   target_compile_definitions(lightwalk PUBLIC GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_RADIANS GLM_ENABLE_EXPERIMENTAL)
   target_link_libraries(lightwalk PUBLIC fmt::fmt glm::glm nlohmann_json::nlohmann_json Threads::Threads
                         Vulkan::Vulkan)
-  target_link_libraries(lightwalk PRIVATE PkgConfig::stb glslang::glslang glslang::SPIRV
+  target_link_libraries(lightwalk PRIVATE PkgConfig::stb ZLIB::ZLIB glslang::glslang glslang::SPIRV
                         glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS} assimp::assimp glfw
                         PkgConfig::imgui CLI11::CLI11)
   # Each file loads all of it: what most do not need, JSON for one, costs them more than it saves the others.
