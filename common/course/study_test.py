@@ -40,7 +40,7 @@ def quick_run(chapter: str, name: str, study: dict, **environment) -> dict:
         environment["LIGHTWALK_STUDY_FILE"] = str(short)
     file.with_name(file.name + ".partial").unlink(missing_ok=True)
     done = run_program([chapter_program(chapter), "--study", file, "--size", size], LIGHTWALK_STUDY_ROUNDS="1",
-                       **environment)
+                       MALLOC_PERTURB_="0", **environment)
     if done.returncode:
         raise Failure(f"the study of {chapter} ended with {done.returncode}: {done.stderr.strip()[-500:]}")
     return json.loads(file.read_text())
