@@ -32,9 +32,17 @@ def settings_of(knob) -> list[str]:
     return [",".join([str(int(end) if knob["type"] == "whole number" else end)] * count) for end in knob["range"]]
 
 
-# A window reads as many texels as its width's square: it refuses the default width. Rays from 2048²
-# texels take a minute.
-WITH = {"bloom.method=window": ["--set", "sigma_px=4"], "skin.sky_size=2048": ["--set", "skin.sky_rays=1"]}
+# What else is set with those that begin so. A window reads as many texels as its width's square: it refuses the default
+# width. The others cost seconds by the product of several knobs, of which the rest is then small.
+WITH = {"bloom.method=window": ["sigma_px=4"], "skin.sky_rays=1024": ["skin.sky_size=16"],
+        "skin.map_size=4096": ["skin.sky_rays=1", "skin.method=gaussians_1", "shadow.method=none"],
+        "skin.": ["skin.sky_rays=1"]}
+
+
+def all_settings(setting: str) -> list[str]:
+    """As options: others first, which `setting` may be one of."""
+    others = next((others for begin, others in WITH.items() if setting.startswith(begin)), [])
+    return [word for one in [*others, setting] for word in ("--set", one)]
 
 
 @unittest.skipUnless((BUILD / "compare").exists() or "LIGHTWALK_BUILD" in os.environ, "the chapters are not built")
@@ -54,8 +62,7 @@ class KnobsTest(unittest.TestCase):
                     if not drawing or not drawing.is_alive():
                         drawing = programs.enter_context(Drawing(chapter))
                     with self.subTest(chapter=chapter, set=setting):
-                        said = drawing.draw(["--set", setting, *WITH.get(setting, []), "--size", "32x24"],
-                                            Path(folder) / f"{number}.png")
+                        said = drawing.draw([*all_settings(setting), "--size", "32x24"], Path(folder) / f"{number}.png")
                         self.assertEqual(said, (0, "", ""))
 
 
