@@ -96,7 +96,7 @@ class Panel:
     def draw(self, points: list, title: str, x_label: bool, y_label: bool):
         self.prepare(x_label, y_label)
         if title:
-            self.cells[self.columns[0], self.rows[0]].set_title(title, loc="left", fontsize=12, weight="bold")
+            self.cells[self.columns[0], self.rows[0]].set_title(title, loc="left", y=1, fontsize=12, weight="bold")
         front = self.chart.front(points)
         self.draw_front(front)
         curves = []
@@ -118,6 +118,7 @@ class Panel:
 
     def prepare(self, x_label: bool, y_label: bool):
         for (zero_x, zero_y), axis in self.cells.items():
+            axis.set_title("", y=1)  # to place titles by itself, matplotlib makes all ticks once more
             axis.grid(True, which="major", color="#e7eaee", linewidth=0.8)
             axis.set_axisbelow(True)
             if zero_x or zero_y:
