@@ -1,5 +1,7 @@
 // What tests of levels share: an image from numbers, its levels by a method.
 #pragma once
+#include <algorithm>
+
 #include "../common/gpu_fixture.h"
 #include "07_mipmaps/texels.h"
 
@@ -46,6 +48,13 @@ struct OnChain {
 
     truth::Texels level(const ImageView& image, uint32_t m) { return read_texels(gpu, image.mip(m)); }
     glm::dvec4 last(const ImageView& image) { return level(image, image.mips - 1).values[0]; }
+
+    /// The share of a level's texels whose alpha reaches the cutoff.
+    double covered(const ImageView& image, uint32_t m, double cutoff) {
+        const truth::Texels found = level(image, m);
+        const auto count = std::ranges::count_if(found.values, [&](glm::dvec4 texel) { return texel.a >= cutoff; });
+        return static_cast<double>(count) / static_cast<double>(found.values.size());
+    }
 
     /// Of each level, from the second on.
     std::vector<double> errors(const ImageView& image, Content content = Content::linear) {

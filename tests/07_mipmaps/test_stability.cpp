@@ -271,24 +271,32 @@ TEST_CASE_METHOD(OnChain, "coverage is kept down the levels") {
             texel[c] = std::to_integer<int>(grass.bytes[4 * (size_t(y) * grass.width + x) + size_t(c)]) / 255.0;
         return texel;
     });
-    const auto covered = [&](uint32_t m) {
-        const truth::Texels found = level(blades, m);
-        double count = 0;
-        for (const glm::dvec4& texel : found.values) count += texel.a >= 0.5;
-        return count / static_cast<double>(found.values.size());
-    };
-    const double wanted = covered(0);
+    const double wanted = covered(blades, 0, 0.5);
     for (const std::string method : {"box", "single_pass", "polyphase", "kaiser"}) {
         fill(blades, method, Content::cutout, 0.5f);
         for (uint32_t m = 1; m < 7; ++m) {
             INFO(method << " level " << m);
             const double texels = static_cast<double>(level(blades, m).values.size());
-            CHECK(covered(m) == Approx(wanted).margin(0.03 + 1 / texels));
+            CHECK(covered(blades, m, 0.5) == Approx(wanted).margin(0.03 + 1 / texels));
         }
     }
     fill(blades, "box", Content::srgb);  // alpha averaged and left at that
-    CHECK(covered(8) == 0);
-    WARN("grass: covers " << wanted << "; at 16x16 texels " << covered(5) << " where alpha is only averaged");
+    CHECK(covered(blades, 8, 0.5) == 0);
+    WARN("grass: covers " << wanted << "; at 16x16 texels " << covered(blades, 5, 0.5)
+                          << " where alpha is only averaged");
+}
+
+TEST_CASE_METHOD(OnChain, "coverage of noise, whose means reach the cutoff nowhere") {
+    const Image noisy = image({256, 256}, srgb8, [](uint32_t layer, uint32_t x, uint32_t y) {
+        return glm::dvec4(1, 1, 1, noise(layer, x, y).b);
+    });
+    for (const std::string method : {"box", "single_pass", "polyphase", "kaiser"}) {
+        fill(noisy, method, Content::cutout, 0.9f);
+        for (uint32_t m = 1; m < 5; ++m) {
+            INFO(method << " level " << m);
+            CHECK(covered(noisy, m, 0.9) == Approx(covered(noisy, 0, 0.9)).margin(0.02));
+        }
+    }
 }
 
 TEST_CASE_METHOD(OnChain, "roughness: the mean of two is rougher than their mean") {
