@@ -160,3 +160,41 @@ TEST_CASE_METHOD(OnMlaa, "smaa_like drops an edge less than half as strong as on
         CHECK(((words[4 * 32 + 10] >> 16) != 0) == seen);
     }
 }
+
+TEST_CASE_METHOD(OnMlaa, "a picture turned or mirrored is mixed as the picture was", "[figures]") {
+    constexpr int side = 48;
+    // A triangle and a disc, whose outlines are lines and staircases that begin and end in many ways.
+    const auto shapes = [](glm::ivec2 p) {
+        const bool triangle = p.y > 4 && p.x > 3 && p.x - p.y < 8.4 && 0.83 * p.x + p.y < 43.7;
+        return triangle || glm::distance(glm::dvec2(p), {34.2, 33.6}) < 9.3 ? 1.0f : 0.0f;
+    };
+    using Turn = glm::ivec2 (*)(glm::ivec2);
+    constexpr std::pair<const char*, Turn> turns[] = {
+        {"by 180 degrees", [](glm::ivec2 p) { return side - 1 - p; }},
+        {"left to right", [](glm::ivec2 p) { return glm::ivec2(side - 1 - p.x, p.y); }},
+        {"upside down", [](glm::ivec2 p) { return glm::ivec2(p.x, side - 1 - p.y); }},
+        {"about the diagonal", [](glm::ivec2 p) { return glm::ivec2(p.y, p.x); }}};
+    for (const std::string& method : filters) {
+        const ImageRgb straight = filter(method, {side, side}, [&](int x, int y) { return shapes({x, y}); });
+        for (const auto& [name, turn] : turns) {
+            const ImageRgb found = filter(method, {side, side}, [&, turn = turn](int x, int y) {
+                return shapes(turn({x, y}));
+            });
+            float worst = 0;
+            int differ = 0;
+            for (int y = 0; y < side; ++y)
+                for (int x = 0; x < side; ++x) {
+                    const glm::ivec2 from = turn({x, y});
+                    const float difference = std::abs(found.at(x, y).g - straight.at(from.x, from.y).g);
+                    worst = std::max(worst, difference), differ += difference > 0.002f;
+                }
+            fmt::print("{}, {}: {} pixels differ, by {:.3f} at most\n", method, name, differ, worst);
+            INFO(method << " " << name);
+            if (method == "mlaa") CHECK(worst == 0.0f);
+            // It counts pairs of a step and the edge across after it: from the other side a short staircase may have
+            // one pair less, and is a line's turn.
+            if (method == "smaa_like") CHECK(differ <= (std::string(name) == "left to right" ? 0 : 25));
+            if (method == "fxaa_like") CHECK(differ <= 3);  // where both sides are as strong
+        }
+    }
+}
