@@ -8,13 +8,12 @@ layout(local_size_x = 256) in;
 layout(scalar) readonly buffer ListBuffer { uint listed[]; };
 layout(r32ui) writeonly uniform uimage2D into;
 
-// `way`: 1 falling, -1 rising.
-bool is_step(ivec2 pixel, int way) { return edge_below(pixel) && edge_right(pixel + ivec2(way > 0 ? 0 : -1, 1)); }
-
+// `way`: 1 falling, -1 rising. A step is an edge below a pixel with an edge across before or after it.
 uint linked(ivec2 pixel, int way) {
-    if (!is_step(pixel, way)) return 0u;
+    bool before = edge_right(way > 0 ? pixel - ivec2(1, 0) : pixel), after = edge_right(pixel + ivec2(way > 0 ? 0 : -1, 1));
+    if (!edge_below(pixel) || !(before || after)) return 0u;
     ivec2 along = ivec2(way, 1);
-    return (is_step(pixel - along, way) ? 2u : 1u) | (is_step(pixel + along, way) ? 2u : 1u) << 8;
+    return (before && edge_below(pixel - along) ? 2u : 1u) | (after && edge_below(pixel + along) ? 2u : 1u) << 8;
 }
 
 void main() {

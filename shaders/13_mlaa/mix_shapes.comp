@@ -3,16 +3,20 @@
 #include "13_mlaa/line_weight.glsl"
 #include "13_mlaa/staircase.glsl"
 
-const int least_steps = 2;  // of a staircase: a single one is a turn of some line
-
-bool is_staircase(Staircase s) { return s.back > 0 && s.back + s.ahead - 1 >= least_steps; }
+// Beside the edge across at a staircase's end: the outline runs on the edge's other side.
+bool is_beside(ivec2 pixel, int way) {
+    ivec2 next = pixel + ivec2(way, 0), last = pixel - ivec2(way, 1);
+    return edge_before(next, way) && is_staircase(staircase_at(next, way > 0)) ||
+           edge_after(last, way) && is_staircase(staircase_at(last, way > 0));
+}
 
 vec4 weights_of(ivec2 pixel) {
     // Above the edge of a step, or below it: the outline is the staircase, whatever lines its edges are.
-    for (int i = 0; i < 2; ++i) {
-        Staircase here = staircase_at(pixel, i == 0), above = staircase_at(pixel - ivec2(0, 1), i == 0);
+    for (int way = 1; way >= -1; way -= 2) {
+        Staircase here = staircase_at(pixel, way > 0), above = staircase_at(pixel - ivec2(0, 1), way > 0);
         bool is_above = is_staircase(here), is_below = is_staircase(above);
-        if (is_above || is_below) return vec4(0.0, 0.0, is_below ? corner_below(above) : 0.0, is_above ? corner_above(here) : 0.0);
+        if (is_above || is_below || is_beside(pixel, way))
+            return vec4(0.0, 0.0, is_below ? corner_below(above) : 0.0, is_above ? corner_above(here) : 0.0);
     }
     return vec4(crossed_line_weight(pixel - ivec2(1, 0), false, 1), crossed_line_weight(pixel, false, -1),
                 crossed_line_weight(pixel - ivec2(0, 1), true, 1), crossed_line_weight(pixel, true, -1));
