@@ -11,11 +11,11 @@ where nothing is asserted of "either". Loaders: the course's own read every floa
 
 import json
 
-from need_test import sweep
-from rendering import run_program, text
+from need_test import run_study, sweep
+from rendering import text
 from results import table
 from study import SceneEntry, study_of
-from tree import BUILD, Failure, chapter_program, run_on_chapter, say
+from tree import BUILD, run_on_chapter, say
 
 SIZE = [480, 270]  # or the study's "test_size": where its frames are slow, a test can do with fewer pixels
 OWN_LOADERS = ("textbook", "scan", "parallel")
@@ -38,12 +38,7 @@ def quick_run(chapter: str, name: str, study: dict, **environment) -> dict:
         short = file.with_suffix(".study.json")
         short.write_text(json.dumps({key: value for key, value in study.items() if key != "charts"}))
         environment["LIGHTWALK_STUDY_FILE"] = str(short)
-    file.with_name(file.name + ".partial").unlink(missing_ok=True)
-    done = run_program([chapter_program(chapter), "--study", file, "--size", size], LIGHTWALK_STUDY_ROUNDS="1",
-                       MALLOC_PERTURB_="0", **environment)
-    if done.returncode:
-        raise Failure(f"the study of {chapter} ended with {done.returncode}: {done.stderr.strip()[-500:]}")
-    return json.loads(file.read_text())
+    return run_study(chapter, file, "--size", size, **environment)
 
 
 def rows_of(chapter: str) -> list[dict]:

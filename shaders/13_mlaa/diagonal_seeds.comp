@@ -10,7 +10,7 @@ layout(r32ui) writeonly uniform uimage2D into;
 
 // `way`: 1 falling, -1 rising. A step is an edge below a pixel with an edge across before or after it.
 uint linked(ivec2 pixel, int way) {
-    bool before = edge_right(way > 0 ? pixel - ivec2(1, 0) : pixel), after = edge_right(pixel + ivec2(way > 0 ? 0 : -1, 1));
+    bool before = edge_before(pixel, way), after = edge_after(pixel, way);
     if (!edge_below(pixel) || !(before || after)) return 0u;
     ivec2 along = ivec2(way, 1);
     return (before && edge_below(pixel - along) ? 2u : 1u) | (after && edge_below(pixel + along) ? 2u : 1u) << 8;

@@ -22,10 +22,6 @@ Staircase staircase_at(ivec2 pixel, bool falling) {
                      int(byte_of(word, falling ? ahead_falling : ahead_rising)), falling ? 1 : -1);
 }
 
-// The edges across before and after the edge below a pixel, in the direction in which a staircase runs.
-bool edge_before(ivec2 pixel, int way) { return edge_right(way > 0 ? pixel - ivec2(1, 0) : pixel); }
-bool edge_after(ivec2 pixel, int way) { return edge_before(pixel + ivec2(way, 1), way); }
-
 ivec2 first_of(Staircase s) { return s.step - (s.back - 1) * ivec2(s.way, 1); }
 ivec2 last_of(Staircase s) { return s.step + (s.ahead - 1) * ivec2(s.way, 1); }
 
