@@ -26,7 +26,6 @@ struct Obj : ModelChapter {
     }
     std::string default_scene() const override { return "scenes/bunny.json"; }
     Loader loader() const override { return loader_from_name(method.text()); }
-    bool reload_on_toggle() const override { return true; }
     std::string load_key() const override { return method.text(); }
 
     // [frame]

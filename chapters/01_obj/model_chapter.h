@@ -1,10 +1,9 @@
 // What every chapter from here on stands on: models through this chapter's loaders, and the camera's matrix.
 #pragma once
-#include "01_obj/exercises.h"
+#include "01_obj/camera_view.h"
 #include "01_obj/obj.h"
 #include "common/app/chapter.h"
 #include "common/app/render.h"
-#include "common/scene/view.h"
 
 namespace lightwalk {
 
@@ -12,7 +11,9 @@ class ModelChapter : public Chapter {
   public:
     Model load_model(const std::filesystem::path& file) override { return lightwalk::load_model(file, loader()); }
 
-    bool animated() const override { return scene.moves(); }
+    std::vector<std::string> load_exercises() const override {
+        return {"01.parse_vertex_line", "01.parse_face", "01.triangulate"};
+    }
 
   protected:
     /// Which loader reads .obj files.
@@ -20,12 +21,13 @@ class ModelChapter : public Chapter {
 
     // [view]
     /// Places what moves, and gives the shaders of this frame the uniform block `view`: what the camera sees.
-    void set_view(Frame& frame) {
+    View set_view(Frame& frame) { return set_view(frame, camera); }
+    View set_view(Frame& frame, const Camera& from) {
         animate(scene, frame.time_s);
         scene.upload_moved(frame);
-        const glm::vec2 whole(frame.crop.whole);
-        look_from({part_of(frame.crop, frame.size) * view_projection(camera, whole.x / whole.y), camera.position},
-                  frame);
+        const View view = view_of(from, frame);
+        look_from(view, frame);
+        return view;
     }
     // [/view]
 };

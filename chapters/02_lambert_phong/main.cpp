@@ -37,7 +37,7 @@ struct LambertPhong : ModelChapter {
 
     std::string default_scene() const override { return "scenes/lacquer.json"; }
 
-    void prepare(Gpu& gpu) override { lights = upload_directional_lights(gpu, scene.file.lights); }
+    void prepare(Gpu& gpu, Scene&) override { lights = upload_directional_lights(gpu, scene.file.lights); }
 
     // [frame]
     void frame(Frame& frame) override {

@@ -24,13 +24,14 @@ glm::vec2 cluster_depths(const Camera& camera, const Bounds& scene) {
     return {std::clamp(nearest, std::max(camera.near_m, farthest / 500.0f), farthest / 1.01f), farthest};
 }
 
-void LightGrid::set_view(const Frame& frame, const Camera& camera, const Bounds& scene, Cells cells, int slices,
+void LightGrid::set_view(const Device& device, const View& seen, const Bounds& scene, Cells cells, int slices,
                          size_t lights, float threshold) {
+    const Camera& camera = seen.camera;
     cells_ = cells;
     lights_ = lights;
     const glm::vec3 forward = glm::normalize(camera.target - camera.position);
     const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
-    const glm::vec2 depths = cluster_depths(camera, scene), whole(frame.crop.whole);
+    const glm::vec2 depths = cluster_depths(camera, scene), whole(seen.crop.whole);
     const float tan_half = std::tan(0.5f * camera.fov_y_rad);
     view = {.eye = camera.position,
             .right = right,
@@ -39,31 +40,31 @@ void LightGrid::set_view(const Frame& frame, const Camera& camera, const Bounds&
             .tan_half = {tan_half * whole.x / whole.y, tan_half},
             .inverse_near = 1.0f / camera.near_m,
             .inverse_far = 1.0f / camera.far_m,
-            .size = frame.size,
+            .size = seen.size,
             .whole = whole,
-            .origin = glm::vec2(frame.crop.origin) + frame.crop.shift,
+            .origin = glm::vec2(seen.crop.origin) + seen.crop.shift,
             .tile_px = cells == Cells::tiles ? tile_px : cluster_px,
             .slices = cells == Cells::tiles ? 1u : static_cast<uint32_t>(slices),
             .first_m = depths.x,
             .threshold = threshold};
     view.slices_per_log = static_cast<float>(view.slices) / std::log(depths.y / depths.x);
 
-    const auto divide = [&] { view.tiles = (frame.size + view.tile_px - 1u) / view.tile_px; };
+    const auto divide = [&] { view.tiles = (seen.size + view.tile_px - 1u) / view.tile_px; };
     for (divide();
-         view.tiles.x * view.tiles.y > 1 && 4 * mask_words() > frame.gpu.device.properties.limits.maxStorageBufferRange;
+         view.tiles.x * view.tiles.y > 1 && 4 * mask_words() > device.properties.limits.maxStorageBufferRange;
          divide())
         view.tile_px *= 2;
 }
 
 // [record]
-void LightGrid::record(Frame& frame, const Given& lights) {
+void LightGrid::record(Frame& frame, const Given& lights, const ImageView& depth) {
     const uint32_t group_count = static_cast<uint32_t>((lights_ + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP);
     reserve(frame.gpu.device, masks, "light masks", mask_words());
     reserve(frame.gpu.device, groups, "light groups", VkDeviceSize(group_count) * cell_count());
     if (cells_ == Cells::tiles)
-        frame.compute("cull_tiles", {.reads = {frame.depth}, .writes = {masks, groups}, .with = {lights}},
+        frame.compute("cull_tiles", {.reads = {depth}, .writes = {masks, groups}, .with = {lights}},
                       [&](Compute& pass) {
-                          pass.use(cull_tiles_).set("depth", frame.depth, nearest_clamp).dispatch({view.tiles, 1});
+                          pass.use(cull_tiles_).set("depth", depth, nearest_clamp).dispatch({view.tiles, 1});
                       });
     else
         frame.compute("cull_lights", {.writes = {masks, groups}, .with = {lights}}, [&](Compute& pass) {

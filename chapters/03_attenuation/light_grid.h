@@ -3,8 +3,8 @@
 #include "03_attenuation/grid_view.h"
 #include "03_attenuation/light_buffer.h"
 #include "common/gpu/frame.h"
-#include "common/scene/camera.h"
 #include "common/scene/mesh.h"
+#include "common/scene/view.h"
 
 namespace lightwalk {
 
@@ -21,15 +21,15 @@ class LightGrid {
   public:
     enum class Cells { tiles, clusters };
 
-    /// Makes `view` for this frame. Clusters have `slices` between the nearest and the farthest depth of `scene` (world
+    /// Makes the cells of `seen`. Clusters have `slices` between the nearest and the farthest depth of `scene` (world
     /// space, may be empty); tiles have none. `threshold` is influence_radius()'s. A grid whose bits would not fit into
     /// one buffer of the device gets larger tiles.
-    void set_view(const Frame& frame, const Camera& camera, const Bounds& scene, Cells cells, int slices, size_t lights,
+    void set_view(const Device& device, const View& seen, const Bounds& scene, Cells cells, int slices, size_t lights,
                   float threshold);
 
-    /// Sorts the lights into the cells; for tiles frame.depth must hold the scene. `lights` gives shaders the lights'
-    /// buffer and this grid's view.
-    void record(Frame& frame, const Given& lights);
+    /// Sorts the lights into the cells, for tiles by the view's `depth`. `lights` gives shaders the lights' buffer and
+    /// this grid's view.
+    void record(Frame& frame, const Given& lights, const ImageView& depth);
 
     Buffer masks, groups;  ///< grid_view.h says what is in them
     GridView view;

@@ -7,11 +7,11 @@ void Lights::update(Frame& frame, const Scene& scene, const std::vector<Light>& 
     if (method.is("per_object")) object_lights_.update(frame, scene, buffer_, ends_at());
 }
 
-void Lights::record(Frame& frame, const Scene& scene, const Camera& camera) {
-    grid_.set_view(frame, camera, scene.bounds,
+void Lights::record(Frame& frame, const Scene& scene, const View& view, const ImageView& depth) {
+    grid_.set_view(frame.gpu.device, view, scene.bounds,
                    method.is("tiled") ? LightGrid::Cells::tiles : LightGrid::Cells::clusters, slices,
                    buffer_.lights().size(), ends_at());
-    if (has_cells()) grid_.record(frame, *this);
+    if (has_cells()) grid_.record(frame, *this, depth);
 }
 
 std::vector<Resource> Lights::reads() const {

@@ -8,7 +8,7 @@ namespace lightwalk {
 
 // [lights]
 /// Gives shaders light_surface() of 03_attenuation/lighting.glsl. In each frame: update(), then, where needs_depth()
-/// says so, the scene's depth, then record(); then passes may state it in `.with`.
+/// says so, the scene's depth, then record() for a view; then passes that draw this view may state it in `.with`.
 struct Lights : Module {
     Lights(Module& owner, std::string name) : Module(owner, std::move(name), "lights") {}
 
@@ -31,11 +31,12 @@ struct Lights : Module {
     /// The lights and each object's list of them, uploaded in passes of this frame where something has changed.
     void update(Frame& frame, const Scene& scene, const std::vector<Light>& lights);
 
-    /// Tiles ask frame.depth what they hold.
+    /// Tiles ask the view's depth what they hold.
     bool needs_depth() const { return method.is("tiled"); }
 
-    /// Sorts the lights into tiles or clusters, where those are the method.
-    void record(Frame& frame, const Scene& scene, const Camera& camera);
+    /// Sorts the lights into the view's tiles or clusters, where those are the method. `depth`: the view's, where
+    /// needs_depth().
+    void record(Frame& frame, const Scene& scene, const View& view, const ImageView& depth = {});
 
     std::vector<Resource> reads() const override;
     void bind(Pass& pass) const override;

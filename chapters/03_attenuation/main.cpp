@@ -24,8 +24,8 @@ struct Attenuation : ModelChapter {
     Bounds lit;  ///< where lights are scattered: where the scene was when it was loaded
 
     std::string default_scene() const override { return "scenes/night.json"; }
-    bool animated() const override { return moving || scene.moves(); }
-    void prepare(Gpu&) override { lit = scene.bounds; }
+    bool animated() const override { return moving || ModelChapter::animated(); }
+    void prepare(Gpu&, Scene&) override { lit = scene.bounds; }
 
     // The scene's lights and the scattered ones, where they are at this time.
     std::vector<Light> lights_at(float time_s, unsigned seed) const {
@@ -38,7 +38,7 @@ struct Attenuation : ModelChapter {
 
     // [frame]
     void frame(Frame& frame) override {
-        set_view(frame);
+        const View view = set_view(frame);
 
         // 1. The lights, where something has changed.
         lights.update(frame, scene, lights_at(frame.time_s, frame.seed));
@@ -47,7 +47,7 @@ struct Attenuation : ModelChapter {
         frame.raster("depth", {.depth = frame.depth}, [&](Raster& pass) { pass.use(depth).draw(scene); });
 
         // 3. Lights into cells.
-        lights.record(frame, scene, camera);
+        lights.record(frame, scene, view, frame.depth);
 
         // 4. Every surface, in linear HDR.
         frame.raster("shade",

@@ -30,11 +30,6 @@ struct SurfaceMaps : ModelChapter {
         lights.method.change_default("every_light");  // these scenes have few
     }
     std::string default_scene() const override { return "scenes/courtyard.json"; }
-    bool reload_on_toggle() const override { return true; }
-    std::string load_key() const override { return maps.load_key(); }
-    bool animated() const override { return maps.animated() || scene.moves(); }
-
-    void prepare(Gpu& gpu) override { maps.prepare(gpu, scene); }
 
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         const auto mean_of = [&](const char* shown) {
@@ -49,7 +44,7 @@ struct SurfaceMaps : ModelChapter {
 
     // [frame]
     void frame(Frame& frame) override {
-        set_view(frame);
+        const View view = set_view(frame);
         const bool measures = show.is("hit_error") || show.is("swim");
         const glm::vec4 behind(measures ? glm::vec3(-1.0f) : scene.file.background, 1.0f);
 
@@ -58,7 +53,7 @@ struct SurfaceMaps : ModelChapter {
         if (lights.needs_depth())
             frame.raster("depth", {.depth = frame.depth, .with = {maps}},
                          [&](Raster& pass) { maps.draw(pass, scene, depth, displaced_depth); });
-        lights.record(frame, scene, camera);
+        lights.record(frame, scene, view, frame.depth);
 
         // 2. Every surface, each by the variant that has just its maps.
         frame.raster("shade", {.color = {clear(frame.hdr, behind)}, .depth = frame.depth, .with = {maps, lights}},

@@ -95,7 +95,8 @@ Maps::Maps(Module& owner, std::string name) : Module(owner, std::move(name), "ma
 
 void Maps::prepare(Gpu& gpu, Scene& scene) {
     add_tangents(gpu, scene);
-    with_holes_ = make_mips(gpu, scene, coverage.is("kept") ? cutoff : -1.0f);
+    with_holes_.clear();
+    if (makes_levels) with_holes_ = make_mips(gpu, scene, coverage.is("kept") ? cutoff : -1.0f);
 }
 
 Macros Maps::variant(const DrawItem& item) const {

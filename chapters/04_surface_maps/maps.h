@@ -54,8 +54,10 @@ struct Maps : Module {
     Knob<bool> detail_normal{*this, "detail_normal", true, "fine normal maps on top of the others"};
     Knob<bool> displacement{*this, "displacement", true, "maps that shift all textures along the view"};
 
-    /// Tangents for the scene's meshes, and the levels of its maps.
-    void prepare(Gpu& gpu, Scene& scene);
+    /// Tangents for the scene's meshes, and the levels of its maps unless `makes_levels` is off.
+    void prepare(Gpu& gpu, Scene& scene) override;
+
+    bool makes_levels = true;  ///< false: somebody else does
 
     /// Draws the scene with 04_surface_maps' vertex shaders before `fragment`'s: `loaded` and `displaced` are pipelines
     /// with surface.vert and displaced.vert. Each item by the variant that has just its maps.
@@ -75,8 +77,9 @@ struct Maps : Module {
     /// The macros of an item's own maps.
     Macros variant(const DrawItem& item) const;
 
-    bool animated() const { return wobble > 0 || scroll != 0; }
-    std::string load_key() const { return coverage.is("kept") ? cutoff.text() : coverage.text(); }
+    bool animated() const override { return wobble > 0 || scroll != 0; }
+    std::string load_key() const override { return coverage.is("kept") ? cutoff.text() : coverage.text(); }
+    std::vector<std::string> load_exercises() const override { return {"04.tangent_frame", "04.alpha_scale"}; }
 
   private:
     std::set<const Image*> with_holes_;

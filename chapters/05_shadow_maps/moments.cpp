@@ -25,7 +25,8 @@ bool MomentMaps::reserve(Gpu& gpu, const Image& map, VkFormat format) {
                              .format = format,
                              .size = map.desc.size,
                              .mips = full_mip_count(map.desc.size),
-                             .layers = map.desc.layers};
+                             .layers = map.desc.layers,
+                             .kept = true};
     if (moments && moments.desc == wanted) return false;
     moments = Image(gpu.device, wanted);
     between_ = Image(gpu.device, {.name = wanted.name + " between", .format = format, .size = wanted.size});

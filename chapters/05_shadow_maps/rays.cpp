@@ -62,7 +62,8 @@ std::vector<RayTriangle> ray_triangles(const Scene& scene) {
     return triangles;
 }
 
-void Rays::prepare(Gpu& gpu, const Scene& scene, float cutoff) {
+void Rays::build(Gpu& gpu, const Scene& scene, float cutoff) {
+    built_ = true;
     std::vector<RayTriangle> triangles = ray_triangles(scene);
     Masks masks(gpu);
     std::vector<RayCutout> with_holes;
@@ -91,7 +92,8 @@ void Rays::prepare(Gpu& gpu, const Scene& scene, float cutoff) {
     texels_ = gpu.upload("ray mask texels", masks.texels);
 }
 
-void Rays::record(Frame& frame, const Scene& scene) {
+void Rays::record(Frame& frame, const Scene& scene, float cutoff) {
+    if (!built_) build(frame.gpu, scene, cutoff);
     state_.first_sample = static_cast<uint32_t>(frame.samples.index) * static_cast<uint32_t>(truth_samples);
     if (scene.placed == placed_) return;
     bvh_.refit(ray_triangles(scene));

@@ -8,8 +8,8 @@ namespace lightwalk {
 
 // [rays]
 /// Gives shaders any_hit() and closest_hit() of 05_shadow_maps/bvh.glsl and lamp_visibility() of
-/// 05_shadow_maps/rays.glsl. prepare() when a scene was loaded and its maps are made; record() in each frame; then
-/// passes may state it in `.with`. Everything opaque stops a ray, from both sides, but for what is cut out of it.
+/// 05_shadow_maps/rays.glsl. record() in each frame that needs it, which builds the hierarchy where the scene is another
+/// one; then passes may state it in `.with`. Everything opaque stops a ray, from both sides, but for what is cut out of it.
 struct Rays : Module {
     Rays(Module& owner, std::string name) : Module(owner, std::move(name), "rays") {}
 
@@ -23,10 +23,11 @@ struct Rays : Module {
 
     /// Builds the hierarchy and uploads it. `cutoff`: what has less alpha is not there. Throws InputError where a
     /// vertex is no place.
-    void prepare(Gpu& gpu, const Scene& scene, float cutoff = 0.5f);
+    void build(Gpu& gpu, const Scene& scene, float cutoff = 0.5f);
+    void prepare(Gpu&, Scene&) override { built_ = false; }
 
-    /// Where the scene has moved since, the boxes follow.
-    void record(Frame& frame, const Scene& scene);
+    /// Builds it where a scene was loaded; where the scene has moved since, the boxes follow.
+    void record(Frame& frame, const Scene& scene, float cutoff = 0.5f);
 
     Macros macros() const override;
     std::vector<Resource> reads() const override { return {nodes_, triangles_}; }
@@ -46,7 +47,7 @@ struct Rays : Module {
     Bvh bvh_;
     RayState state_{};
     uint64_t placed_ = 0;
-    bool has_cutouts_ = true;
+    bool has_cutouts_ = true, built_ = false;
     Buffer nodes_, triangles_, cutouts_, masks_, texels_;
 };
 

@@ -47,7 +47,8 @@ void Shadow::reserve(Frame& frame, uint32_t layers) {
     const Image::Desc wanted{.name = path() + ".map",
                              .format = VK_FORMAT_D32_SFLOAT,
                              .size = glm::uvec2(static_cast<uint32_t>(resolution.value)),
-                             .layers = std::max({layers, map_ ? map_.desc.layers : 0u, 1u})};
+                             .layers = std::max({layers, map_ ? map_.desc.layers : 0u, 1u}),
+                             .kept = true};
     if (!map_ || map_.desc != wanted) {
         map_ = Image(frame.gpu.device, wanted);
         drawn_.assign(wanted.layers, {});
@@ -61,8 +62,7 @@ void Shadow::reserve(Frame& frame, uint32_t layers) {
 
 // [draw_view]
 void Shadow::draw_view(Frame& frame, const Wanted& wanted, const Casters& casters) {
-    const auto eye = frame.globals["view"];
-    look_from(wanted.view.view, frame);
+    const ViewScope scope(frame, wanted.view.view);
     frame.raster("shadow_map", {.depth = clear(map_.layer(wanted.view.data.layer), 0.0f), .with = casters.with},
                  [&](Raster& pass) {
                      if (casters.draw)
@@ -70,7 +70,6 @@ void Shadow::draw_view(Frame& frame, const Wanted& wanted, const Casters& caster
                      else
                          pass.use(solid).draw(wanted.casters);
                  });
-    frame.globals["view"] = eye;
 }
 // [/draw_view]
 
@@ -85,11 +84,10 @@ std::string Shadow::moments_key() const {
 }
 
 // [record]
-void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, const Camera& camera,
-                    const Casters& casters) {
+void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters) {
     if (std::exchange(toggles_, Exercises::version()) != Exercises::version()) forget();
-    eye_ = {camera.position, 2.0f * std::tan(0.5f * camera.fov_y_rad) / static_cast<float>(frame.crop.whole.y)};
-    const std::vector<Wanted> wanted = find_views(scene, lights, camera);
+    eye_ = {view.eye, view.pixel_rad()};
+    const std::vector<Wanted> wanted = find_views(scene, lights, view.camera);
     std::vector<ShadowView> data;
     views = drawn_views = 0;
     for (const Wanted& w : wanted) data.push_back(w.view.data), views += w.view.data.layer != NO_LAYER;

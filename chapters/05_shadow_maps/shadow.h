@@ -11,8 +11,8 @@ namespace lightwalk {
 // [shadow]
 /// Gives shaders light_visibility() of 05_shadow_maps/shadow.glsl, by which 03_attenuation/lighting.glsl weighs every
 /// light: include it where a chapter without shadows includes 03_attenuation/unshadowed.glsl. A light casts a shadow
-/// where the scene says "shadow": true. In each frame: after Lights::update(), record(); then passes may state it in
-/// `.with`, beside the lights.
+/// where the scene says "shadow": true. After Lights::update(), record() for a view; then passes that draw this view may
+/// state it in `.with`, beside the lights.
 struct Shadow : Module {
     Shadow(Module& owner, std::string name);
 
@@ -66,11 +66,12 @@ struct Shadow : Module {
         graphics({.vertex = "03_attenuation/surface.vert", .cull = VK_CULL_MODE_NONE, .depth_clamp = true});
 
     /// Depth from every light of `lights` that casts a shadow, where it is not in the map already.
-    void record(Frame& frame, const Scene& scene, const Lights& lights, const Camera& camera,
-                const Casters& casters = {});
+    void record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters = {});
 
     std::vector<Resource> reads() const override;
     void bind(Pass& pass) const override;
+
+    void prepare(Gpu&, Scene&) override { forget(); }
 
     /// What is not seen from the scene's placement has changed: another scene, textures that cut other holes.
     void forget() { drawn_.assign(drawn_.size(), {}); }

@@ -3,36 +3,36 @@
 namespace lightwalk {
 
 // [record]
-void DeferredLights::record(Frame& frame, const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
+void DeferredLights::record(Frame& frame, const Scene& scene, const View& view, Canvas& canvas, const GBuffer& gbuffer,
                             const Lights& lights, const std::vector<With>& with) {
     const bool tiled = gbuffer.method.is("tiled"), volumes = gbuffer.volumes && !tiled;
-    std::vector<Resource> reads{frame.depth};
     if (volumes) volumes_.update(frame, lights);
-    if (tiled) {
-        tiles_.set_view(frame, camera, scene.bounds, LightGrid::Cells::tiles, 1, 0,
+    if (tiled)
+        tiles_.set_view(frame.gpu.device, view, scene.bounds, LightGrid::Cells::tiles, 1, 0,
                         lights.falloff.is("inverse_square") ? lights.threshold : 0.0f);
-    }
+    const ImageView color = canvas.color_overwritten();
 
     // 1. Every pixel once: ambient light, and the lights that it computes here.
-    frame.compute(tiled ? "tiles" : "full_screen", {.reads = reads, .writes = {frame.hdr}, .with = with},
+    frame.compute(tiled ? "tiles" : "full_screen", {.reads = {canvas.depth(frame)}, .writes = {color}, .with = with},
                   [&](Compute& pass) {
-                      pass.use(tiled ? tiled_ : full_screen_).set("hdr", frame.hdr);
-                      pass.set("ambient", scene.file.ambient).set("background", scene.file.background);
+                      pass.use(tiled ? tiled_ : full_screen_).set("hdr", color);
+                      pass.set("ambient", scene.file.ambient).set("background", glm::vec3(canvas.background()));
                       if (tiled) pass.set("lights_grid", tiles_.view);
                       if (volumes) pass.set("without_volume", volumes_.without);
-                      pass.dispatch_threads(frame.size);
+                      pass.dispatch_threads(view.size);
                   });
 
     // 2. The other lights, one by one, where they may reach.
     if (volumes)
-        frame.raster("volumes", {.color = {keep(frame.hdr)}, .depth = read_only(frame.depth), .with = with},
+        frame.raster("volumes", {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with},
                      [&](Raster& pass) { volumes_.draw(pass.use(volume_)); });
 }
 // [/record]
 
-void DeferredLights::show(Frame& frame, const GBuffer& gbuffer) {
-    frame.compute("show", {.reads = {frame.depth, frame.hdr}, .writes = {frame.hdr}, .with = {gbuffer}},
-                  [&](Compute& pass) { pass.use(show_).set("hdr", frame.hdr).dispatch_threads(frame.size); });
+void DeferredLights::show(Frame& frame, Canvas& canvas, const GBuffer& gbuffer) {
+    const ImageView color = canvas.color(frame);
+    frame.compute("show", {.reads = {canvas.depth(frame), color}, .writes = {color}, .with = {gbuffer}},
+                  [&](Compute& pass) { pass.use(show_).set("hdr", color).dispatch_threads(canvas.size()); });
 }
 
 }  // namespace lightwalk

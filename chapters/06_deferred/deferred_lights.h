@@ -2,18 +2,19 @@
 #pragma once
 #include "06_deferred/gbuffer.h"
 #include "06_deferred/light_volumes.h"
+#include "common/app/drawing.h"
 
 namespace lightwalk {
 
 class DeferredLights {
   public:
-    /// From the G-buffer and frame.depth into frame.hdr, every pixel. `with` are modules that lighting needs besides:
-    /// the lights, the G-buffer, and what casts shadows.
-    void record(Frame& frame, const Scene& scene, const Camera& camera, const GBuffer& gbuffer, const Lights& lights,
-                const std::vector<With>& with);
+    /// From the G-buffer and the canvas's depth into its colour, every pixel where there is a surface. `with` are
+    /// modules that lighting needs besides: the lights, the G-buffer, and what casts shadows.
+    void record(Frame& frame, const Scene& scene, const View& view, Canvas& canvas, const GBuffer& gbuffer,
+                const Lights& lights, const std::vector<With>& with);
 
     /// gbuffer.show in place of the picture.
-    void show(Frame& frame, const GBuffer& gbuffer);
+    void show(Frame& frame, Canvas& canvas, const GBuffer& gbuffer);
 
     size_t volumes() const { return volumes_.count(); }
 

@@ -1,6 +1,5 @@
 #include "06_deferred/gbuffer.h"
 
-#include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace lightwalk {
@@ -21,16 +20,15 @@ std::vector<GBuffer::Texture> GBuffer::textures() const {
 }
 // [/textures]
 
-void GBuffer::begin(Frame& frame) {
+void GBuffer::begin(Frame& frame, const View& view, const ImageView& depth) {
     written_ = false;
-    CameraView view{};
-    std::memcpy(&view, frame.globals.at("view").data(), sizeof(view));
+    depth_ = depth;
     clip_to_offset_ = clip_to_offset(view.view_projection, view.eye);
     images_.clear();
     for (const Texture& t : textures()) {
-        Image& image = kept_[t.name];
-        if (image.desc.format != t.format || image.desc.size != frame.size)
-            image = Image(frame.gpu.device, {.name = "gbuffer " + t.name, .format = t.format, .size = frame.size});
+        Image& image = made_[{view.id, t.name}];
+        if (image.desc.format != t.format || image.desc.size != view.size)
+            image = Image(frame.gpu.device, {.name = "gbuffer " + t.name, .format = t.format, .size = view.size});
         images_.emplace_back("gbuffer_" + t.name, &image);
     }
 }
@@ -57,7 +55,7 @@ std::vector<Resource> GBuffer::reads() const {
 void GBuffer::bind(Pass& pass) const {
     pass.offer("clip_to_offset", clip_to_offset_);
     if (!written_) return;
-    pass.offer("gbuffer_depth", pass.frame.depth, nearest_clamp);
+    pass.offer("gbuffer_depth", depth_, nearest_clamp);
     for (const auto& [name, image] : images_) pass.offer(name, *image, nearest_clamp);
 }
 

@@ -9,8 +9,8 @@
 namespace lightwalk {
 
 // [gbuffer]
-/// Gives shaders read_pixel() of 06_deferred/read_gbuffer.glsl. In each frame: begin(), a pass that draws into
-/// targets() and states the module in `.with`, then written(); then passes that read it state it, too, and frame.depth.
+/// Gives shaders read_pixel() of 06_deferred/read_gbuffer.glsl. For a view: begin(), a pass that draws into targets()
+/// and states the module in `.with`, then written(); then passes that read it state it, too, and the view's depth.
 struct GBuffer : Module {
     GBuffer(Module& owner, std::string name) : Module(owner, std::move(name), "gbuffer") {}
 
@@ -36,8 +36,8 @@ struct GBuffer : Module {
                 "what the G-buffer holds, decoded; 127 lights are white; loss: degrees of normals in red, millimetres "
                 "of positions in green"};
 
-    /// Images of this frame's size for the method in use. The frame's `view` has been set (look_from).
-    void begin(Frame& frame);
+    /// Images of the view's size for the method in use, one set for each View::id. `depth`: the view's.
+    void begin(Frame& frame, const View& view, const ImageView& depth);
 
     /// To draw into. Nothing is cleared: where depth is 0 nobody reads them.
     std::vector<Attachment> targets() const;
@@ -58,8 +58,9 @@ struct GBuffer : Module {
         VkFormat format;
     };
     std::vector<Texture> textures() const;
-    std::map<std::string, Image> kept_;                         ///< of the last frames
-    std::vector<std::pair<std::string, const Image*>> images_;  ///< of this one, by their names in shaders
+    std::map<std::pair<uint32_t, std::string>, Image> made_;    ///< by view and name
+    std::vector<std::pair<std::string, const Image*>> images_;  ///< of this view, by their names in shaders
+    ImageView depth_;
     glm::mat4 clip_to_offset_{1.0f};
     bool written_ = false;
 };

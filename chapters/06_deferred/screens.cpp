@@ -1,6 +1,6 @@
 #include "06_deferred/screens.h"
 
-#include "01_obj/exercises.h"
+#include "01_obj/camera_view.h"
 #include "common/base/error.h"
 
 namespace lightwalk {
@@ -20,14 +20,13 @@ glm::mat4 object_to_world(const SceneFile& file, size_t object, float time_s) {
     return o.parent.empty() ? local : object_to_world(file, find_object(file, o.parent), time_s) * local;
 }
 
-View view_of(const SceneFile& file, size_t object, float time_s, float fov_deg) {
+Camera camera_of(const SceneFile& file, size_t object, float time_s, float fov_deg) {
     const glm::mat4 world = object_to_world(file, object, time_s);
     const glm::vec3 eye(world[3]);
-    const Camera camera{.position = eye,
-                        .target = eye - glm::vec3(world[2]),
-                        .up = glm::vec3(world[1]),
-                        .fov_y_rad = glm::radians(fov_deg)};
-    return {view_projection(camera, 16.0f / 9.0f), eye};
+    return {.position = eye,
+            .target = eye - glm::vec3(world[2]),
+            .up = glm::vec3(world[1]),
+            .fov_y_rad = glm::radians(fov_deg)};
 }
 
 }  // namespace
@@ -37,7 +36,7 @@ Screens::Screen::Screen(Module& owner, const std::string& name, glm::uvec2 size)
     : picture(owner, {.name = name, .format = VK_FORMAT_R8G8B8A8_SRGB, .size = size}),
       depth(owner, {.name = name + " depth", .format = VK_FORMAT_D32_SFLOAT, .size = size}) {}
 
-void Screens::prepare(Gpu& gpu, const Scene& scene) {
+void Screens::prepare(Gpu& gpu, Scene& scene) {
     screens_.clear();
     black_ = Image(gpu.device, {.name = "black", .format = VK_FORMAT_R8G8B8A8_SRGB});
     const std::array<uint8_t, 4> black{0, 0, 0, 255};
@@ -57,22 +56,17 @@ void Screens::prepare(Gpu& gpu, const Scene& scene) {
 }
 
 // [record]
-void Screens::record(Frame& frame, Scene& scene, std::vector<With> with, const Draw& draw) {
-    with.push_back(*this);
+void Screens::record(Frame& frame, Scene& scene, const Draw& draw) {
     show(scene, true);
-    const auto own_view = frame.globals["view"];
+    uint32_t id = 0;
     for (const auto& screen : screens_) {
         const Image& picture = screen->picture.now();
-        const CameraView view =
-            shader_view(view_of(scene.file, screen->camera, frame.time_s, fov_deg), frame, picture.desc.size);
-        const auto bytes = std::as_bytes(std::span(&view, 1));
-        frame.globals["view"].assign(bytes.begin(), bytes.end());
-        frame.raster(
-            scene.file.objects[screen->object].name,
-            {.color = {clear(picture, glm::vec4(scene.file.background, 1.0f))}, .depth = screen->depth, .with = with},
-            draw);
+        View view = view_of(camera_of(scene.file, screen->camera, frame.time_s, fov_deg), picture.desc.size);
+        view.id = ++id;
+        Canvas canvas(picture, screen->depth, glm::vec4(scene.file.background, 1.0f));
+        const ViewScope scope(frame, view);
+        draw(view, canvas);
     }
-    frame.globals["view"] = own_view;
     show(scene, false);
 }
 // [/record]
@@ -96,9 +90,9 @@ bool Screens::is_screen(const DrawItem& item) const {
 }
 
 std::vector<Batch> Screens::batches(const Scene& scene) const {
-    std::vector<Batch> all = scene.all().where([&](const DrawItem& item) { return !is_screen(item); }).batches();
+    std::vector<Batch> all = scene.opaque().where([&](const DrawItem& item) { return !is_screen(item); }).batches();
     for (uint32_t i = 0; i < scene.items.size(); ++i)
-        if (is_screen(scene.items[i])) all.emplace_back(scene, i, 1u);
+        if (is_screen(scene.items[i]) && !scene.items[i].transparent) all.emplace_back(scene, i, 1u);
     return all;
 }
 

@@ -1,8 +1,8 @@
 // Pictures of other cameras, on objects of the scene.
 #pragma once
+#include "common/app/drawing.h"
 #include "common/app/target.h"
 #include "common/scene/scene.h"
-#include "common/scene/view.h"
 
 namespace lightwalk {
 
@@ -16,18 +16,20 @@ struct Screens : Module {
     Knob<int> width{*this, "width", 480, {16, 4096}, "of a screen's picture; its height is 9/16 of that", "pixels"};
     Knob<float> fov_deg{*this, "fov_deg", 50.0f, {1.0f, 170.0f}, "of a screen's camera, from top to bottom", "degrees"};
 
-    /// What draws a screen's picture in a pass that has its camera's `view`.
-    using Draw = std::function<void(Raster& pass)>;
+    /// What draws a screen's picture.
+    using Draw = std::function<void(const View& view, Canvas& canvas)>;
 
-    /// Finds the scene's screens, when it was loaded or `width` has changed. Throws InputError where one has no camera.
-    void prepare(Gpu& gpu, const Scene& scene);
+    /// Finds the scene's screens. Throws InputError where one has no camera.
+    void prepare(Gpu& gpu, Scene& scene) override;
+    std::string load_key() const override { return width.text(); }
+    bool animated() const override { return !screens_.empty(); }
 
     /// What each screen's camera sees. Screens in these pictures show what they showed a frame ago, or black: a picture
     /// cannot be read while it is drawn.
-    void record(Frame& frame, Scene& scene, std::vector<With> with, const Draw& draw);
+    void record(Frame& frame, Scene& scene, const Draw& draw);
     // [/screens]
 
-    /// The scene's batches; each screen is one of its own, however alike they are.
+    /// What is opaque of the scene; each screen is one of its own, however alike they are.
     std::vector<Batch> batches(const Scene& scene) const;
 
     std::vector<Resource> reads() const override;

@@ -53,6 +53,7 @@ void LevelledMaps::prepare(Gpu& gpu, const Scene& scene) {
                 desc.mips = 1;
                 Image plain(gpu.device, desc);
                 desc.mips = static_cast<uint32_t>(level_sizes(desc.size).size());
+                desc.kept = true;
                 entry = std::make_shared<Entry>(Entry{desc.name + ", " + map_slots()[slot].name, content,
                                                       std::move(plain), Image(gpu.device, desc)});
                 gpu.upload(entry->plain, texels);

@@ -2,9 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
-#include "03_attenuation/lights.h"
-#include "04_surface_maps/maps.h"
-#include "04_surface_maps/tangents.h"
+#include "04_surface_maps/surface_scene.h"
 #include "07_mipmaps/flicker.h"
 #include "07_mipmaps/level_view.h"
 #include "07_mipmaps/mip_bench.h"
@@ -16,16 +14,13 @@ using namespace lightwalk;
 struct Mipmaps : ModelChapter {
     MipChain mips{*this, "mips"};
     LevelView viewer{*this, "viewer"};
-    Maps maps{*this, "maps"};  // chapter 04's surfaces, with levels made here
-    Lights lights{*this, "lights"};
+    SurfaceScene objects{*this, "objects"};  // chapter 04's surfaces, with levels made here
     Choice show{
         *this, "show", {"scene", "split", "level"}, "scene", "split: left half without levels; level: of a texture"};
     Knob<float> walk_m_s{*this, "walk_m_s", 0.0f, {-10.0f, 10.0f}, "how fast the eye walks on", "m/s"};
 
     Knob<bool> remake{*this, "remake", true, "levels are made in every frame; off: they stay as they are"};
 
-    Pipeline surface = graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "07_mipmaps/surface.frag"});
-    Pipeline displaced = graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "07_mipmaps/surface.frag"});
     Pipeline halves = compute({.shader = "07_mipmaps/halves.comp"});
     Target left{*this, {.name = "without levels"}};
     LevelledMaps textures;
@@ -33,20 +28,24 @@ struct Mipmaps : ModelChapter {
 
     Mipmaps() {
         mips.method.alone = true;  // --method is about levels here
-        maps.method.change_default("normal");
-        lights.method.change_default("every_light");
+        objects.maps.makes_levels = false;
+        objects.maps.method.change_default("normal");
+        objects.lights.method.change_default("every_light");
         commands = {{"mip-bench", "FILE", "time every method from 64x64 to 8192x8192 texels, as a study",
                      [](const std::string& file, bool) { return run_mip_bench(file); }}};
     }
     std::string default_scene() const override { return "scenes/tiled_hall.json"; }
-    bool reload_on_toggle() const override { return true; }
-    bool animated() const override { return walk_m_s != 0 || maps.animated() || scene.moves(); }
+    std::vector<std::string> load_exercises() const override {
+        std::vector<std::string> all = ModelChapter::load_exercises();
+        all.push_back("07.level_sizes");
+        return all;
+    }
+    bool animated() const override { return walk_m_s != 0 || ModelChapter::animated(); }
     std::vector<std::string> status() const override {
         return show.is("level") ? std::vector{viewer.text()} : std::vector<std::string>{};
     }
 
-    void prepare(Gpu& gpu) override {
-        add_tangents(gpu, scene);
+    void prepare(Gpu& gpu, Scene&) override {
         textures.prepare(gpu, scene);
         flicker.forget();
     }
@@ -66,20 +65,17 @@ struct Mipmaps : ModelChapter {
         return eye;
     }
 
-    // The scene with chapter 04's surfaces, into `target`.
-    void draw(Frame& frame, const Image& target, bool levels) {
+    // Chapter 04's surfaces, with levels or with the first ones alone.
+    void draw_objects(Frame& frame, const View& view, const Image& into, bool levels) {
         textures.use(scene, levels);
-        frame.raster("shade",
-                     {.color = {clear(target, glm::vec4(scene.file.background, 1.0f))},
-                      .depth = frame.depth,
-                      .reads = textures.reads(),
-                      .with = {maps, lights}},
-                     [&](Raster& pass) { maps.draw(pass, scene, surface, displaced); });
+        objects.shading_reads = textures.reads();
+        Canvas canvas(into, frame.depth, glm::vec4(scene.file.background, 1.0f));
+        draw(frame, view, canvas, {objects});
     }
 
-    // The left half anew, without levels.
-    void split(Frame& frame) {
-        draw(frame, left, false);
+    // The left half again, without levels.
+    void split(Frame& frame, const View& view) {
+        draw_objects(frame, view, left, false);
         frame.compute("halves", {.reads = {left, frame.hdr}, .writes = {frame.hdr}}, [&](Compute& pass) {
             pass.use(halves).set("left", left).set("result", frame.hdr).dispatch_threads(frame.size);
         });
@@ -87,22 +83,17 @@ struct Mipmaps : ModelChapter {
 
     // [frame]
     void frame(Frame& frame) override {
-        const Camera there = camera;
-        camera = walked(walk_m_s * frame.time_s);
-        set_view(frame);
-        lights.update(frame, scene, scene.file.lights);
-        lights.record(frame, scene, camera);
-        camera = there;
+        const View view = set_view(frame, walked(walk_m_s * frame.time_s));
 
         // 1. The levels of every texture.
-        if (remake) textures.record(frame, mips, maps.cutoff);
+        if (remake) textures.record(frame, mips, objects.maps.cutoff);
 
         // 2. What is seen of them.
         if (show.is("level") && !textures.entries().empty())
             viewer.record(frame, textures, mips);
         else
-            draw(frame, frame.hdr, !mips.method.is("none"));
-        if (show.is("split")) split(frame);
+            draw_objects(frame, view, frame.hdr, !mips.method.is("none"));
+        if (show.is("split")) split(frame, view);
 
         // 3. Linear light to the codes a screen expects.
         encode_srgb(frame);

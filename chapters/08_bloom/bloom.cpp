@@ -27,7 +27,7 @@ BlurWish Bloom::wish(glm::uvec2 size) const {
 }
 
 // The plan, its images, and what of it the device must know.
-void Bloom::prepare(Frame& frame, glm::uvec2 size) {
+void Bloom::set_up(Frame& frame, glm::uvec2 size) {
     plan_ = plan_blur(wish(size));
     images_.resize(plan_.sizes.size());
     for (size_t i = 0; i < images_.size(); ++i) {
@@ -52,7 +52,7 @@ void Bloom::prepare(Frame& frame, glm::uvec2 size) {
 // [record]
 void Bloom::record(Frame& frame, const Image& hdr) {
     if (method.is("none")) return;
-    prepare(frame, hdr.desc.size);
+    set_up(frame, hdr.desc.size);
 
     // 1. What is bright; and from whether there is any, how many workgroups each step of the blur gets: all, or none.
     frame.compute("bloom cut", {.reads = {hdr, dispatch_}, .writes = {cut_out(), dispatch_}, .with = {*this}},

@@ -50,7 +50,7 @@ struct Bloom : Module {
     BlurWish wish(glm::uvec2 size) const;
 
   private:
-    void prepare(Frame& frame, glm::uvec2 size);
+    void set_up(Frame& frame, glm::uvec2 size);
     void record_blur(Frame& frame);
 
     Plan plan_;

@@ -2,8 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
-#include "03_attenuation/lights.h"
-#include "04_surface_maps/maps.h"
+#include "04_surface_maps/surface_scene.h"
 #include "08_bloom/bloom.h"
 #include "08_bloom/point_spread.h"
 #include "common/window/run.h"
@@ -12,33 +11,23 @@ using namespace lightwalk;
 
 struct BloomChapter : ModelChapter {
     Bloom bloom{*this, "bloom"};
-    Maps maps{*this, "maps"};
-    Lights lights{*this, "lights"};
+    SurfaceScene objects{*this, "objects"};
     Choice source{*this, "source", {"scene", "spot"}, "scene", "what is spread: the scene, or one bright pixel"};
     Knob<float> spot_x{*this, "spot_x", 0.0f, {-64.0f, 64.0f}, "how far the bright pixel is moved", "px"};
     Choice show{*this, "show", {"picture", "cut_out", "spread", "level"}, "picture", "or one of the bloom's images"};
     Knob<int> level{*this, "level", 2, {0, 24}, "which image between, by the order in which they are made"};
     Knob<float> gain{*this, "gain", 1.0f, {0.0f, 1e6f}, "by what an image of the bloom is multiplied to be shown"};
 
-    Pipeline surface = graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "08_bloom/surface.frag"});
-    Pipeline displaced = graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "08_bloom/surface.frag"});
-    Pipeline depth = graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "04_surface_maps/depth.frag"});
-    Pipeline displaced_depth =
-        graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "04_surface_maps/depth.frag"});
     Pipeline spot = compute({.shader = "08_bloom/spot.comp"});
     Pipeline look = compute({.shader = "08_bloom/look_at_bloom.comp"});
     PointSpread spreads;
 
     BloomChapter() {
         bloom.method.alone = true;  // --method is about bloom here
-        maps.method.change_default("normal");
-        lights.method.change_default("every_light");
+        objects.maps.method.change_default("normal");
+        objects.lights.method.change_default("every_light");
     }
     std::string default_scene() const override { return "scenes/neon.json"; }
-    bool reload_on_toggle() const override { return true; }
-    std::string load_key() const override { return maps.load_key(); }
-    bool animated() const override { return maps.animated() || scene.moves(); }
-    void prepare(Gpu& gpu) override { maps.prepare(gpu, scene); }
 
     // For the study: how far the picture of one bright pixel is from what it should be.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
@@ -54,17 +43,9 @@ struct BloomChapter : ModelChapter {
 
     // Chapter 04's surfaces under chapter 03's lights.
     void draw_scene(Frame& frame) {
-        set_view(frame);
-        lights.update(frame, scene, scene.file.lights);
-        if (lights.needs_depth())
-            frame.raster("depth", {.depth = frame.depth, .with = {maps}},
-                         [&](Raster& pass) { maps.draw(pass, scene, depth, displaced_depth); });
-        lights.record(frame, scene, camera);
-        frame.raster("shade",
-                     {.color = {clear(frame.hdr, glm::vec4(scene.file.background, 1.0f))},
-                      .depth = frame.depth,
-                      .with = {maps, lights}},
-                     [&](Raster& pass) { maps.draw(pass, scene, surface, displaced); });
+        const View view = set_view(frame);
+        Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
+        draw(frame, view, canvas, {objects});
     }
 
     // One of the bloom's images in place of the picture; black where nothing was cut out.

@@ -1,12 +1,10 @@
 #include "09_post_effects/depth_of_field.h"
 
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 
-#include "01_obj/exercises.h"
+#include "01_obj/camera_view.h"
 #include "08_bloom/exercises.h"
 #include "08_bloom/step_parameters.h"
-#include "common/scene/view.h"
 
 namespace lightwalk {
 namespace {
@@ -42,51 +40,39 @@ glm::vec2 lens_place(int i, int count, float radius_m) {
     return r * glm::vec2(std::cos(angle), std::sin(angle));
 }
 
-Camera at_place(const Camera& camera, glm::vec2 place) {
-    Camera moved = camera;
-    const glm::vec3 forward = glm::normalize(camera.target - camera.position);
-    const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up)), up = glm::cross(right, forward);
+// What is seen from a place of the lens: the camera moves there, and a point at the distance f, which is then at the
+// slope (x - place) / f, is shifted back to where it shall be, x / f.
+View from_place(const View& view, glm::vec2 place, float focus_m) {
+    Camera moved = view.camera;
+    const glm::vec3 forward = glm::normalize(moved.target - moved.position);
+    const glm::vec3 right = glm::normalize(glm::cross(forward, moved.up)), up = glm::cross(right, forward);
     moved.position += place.x * right + place.y * up;
     moved.target += place.x * right + place.y * up;
-    return moved;
-}
-
-// A point at the distance f is at the slope (x - place) / f, seen from the place; x / f is where it shall be. In clip
-// space, whose w is the distance, that is a shear.
-glm::mat4 sheared(glm::vec2 place, float focus_m, float fov_y_rad, float aspect) {
-    const float up = 1.0f / std::tan(0.5f * fov_y_rad);
-    glm::mat4 m(1.0f);
-    m[3][0] = up / aspect * place.x / focus_m;
-    m[3][1] = -up * place.y / focus_m;
-    return m;
+    Crop crop = view.crop;
+    crop.shift += glm::vec2(-place.x, place.y) / (focus_m * view.pixel_rad());
+    View from = view_of(moved, view.size, crop);
+    from.id = view.id;
+    return from;
 }
 
 }  // namespace
 
 // [lens]
-void DepthOfField::sample_lens(Frame& frame, const Camera& camera, const Draw& draw) {
-    Image& mean = image(frame, "mean", VK_FORMAT_R32G32B32A32_SFLOAT, frame.size);
-    const glm::vec2 whole(frame.crop.whole);
-    const float aspect = whole.x / whole.y, focus = std::max(focus_m.value, nearest_focus * focal_m(camera));
-    if (!view_frame_) view_frame_ = std::make_unique<Frame>(frame.gpu);
-    Frame& own = *view_frame_;
-    own.root = frame.root, own.seed = frame.seed, own.crop = frame.crop;
+void DepthOfField::sample_lens(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
+    Image& mean = image(frame, "mean", VK_FORMAT_R32G32B32A32_SFLOAT, view.size);
+    const float focus = std::max(focus_m.value, nearest_focus * focal_m(view.camera)), radius = radius_m(view.camera);
+    const ImageView color = canvas.color_overwritten();
     for (int i = 0; i < views; ++i) {
-        const glm::vec2 place = lens_place(i, views, radius_m(camera));
-        const Camera eye = at_place(camera, place);
-        const glm::mat4 shear = sheared(place, focus, camera.fov_y_rad, aspect);
-        own.begin(frame.size, frame.time_s);
-        look_from({part_of(frame.crop, frame.size) * shear * view_projection(eye, aspect), eye.position}, own);
-        draw(own, eye);
-        own.compute("dof mean", {.reads = {own.hdr, mean}, .writes = {mean}}, [&](Compute& pass) {
-            pass.use(add_).set("hdr", own.hdr, nearest_clamp).set("mean", mean);
-            pass.set("weight", 1.0f / float(i + 1)).dispatch_threads(frame.size);
+        Canvas one(color, canvas.depth_overwritten(), canvas.background());
+        draw(frame, from_place(view, lens_place(i, views, radius), focus), one, drawings);
+        frame.compute("dof mean", {.reads = {color, mean}, .writes = {mean}}, [&](Compute& pass) {
+            pass.use(add_).set("hdr", color, nearest_clamp).set("mean", mean);
+            pass.set("weight", 1.0f / float(i + 1)).dispatch_threads(view.size);
         });
-        own.end();
     }
-    frame.compute("dof take", {.reads = {mean}, .writes = {frame.hdr}}, [&](Compute& pass) {
-        pass.use(take_).set("image", mean, nearest_clamp).set("gain", 1.0f).set("result", frame.hdr);
-        pass.dispatch_threads(frame.size);
+    frame.compute("dof take", {.reads = {mean}, .writes = {color}}, [&](Compute& pass) {
+        pass.use(take_).set("image", mean, nearest_clamp).set("gain", 1.0f).set("result", color);
+        pass.dispatch_threads(view.size);
     });
 }
 // [/lens]
@@ -98,8 +84,9 @@ Image& DepthOfField::image(Frame& frame, const char* name, VkFormat format, glm:
     return found;
 }
 
-void DepthOfField::prepare(Frame& frame, const Camera& camera) {
-    const float height_px = float(frame.crop.whole.y > 0 ? frame.crop.whole.y : frame.size.y);
+void DepthOfField::set_up(const View& view) {
+    const Camera& camera = view.camera;
+    const float height_px = float(view.crop.whole.y);
     const float focal = focal_m(camera), sensor_m = 1e-3f * sensor_mm,
                 focus = std::max(focus_m.value, nearest_focus * focal);
     const float wide_m = focal / f_number * focal / (focus - focal);
@@ -115,28 +102,29 @@ void DepthOfField::prepare(Frame& frame, const Camera& camera) {
 }
 
 // [record]
-void DepthOfField::record(Frame& frame, const Camera& camera, const Draw& draw) {
-    if (method.is("lens")) return sample_lens(frame, camera, draw);
-    draw(frame, camera);
+void DepthOfField::record(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
+    if (method.is("lens")) return sample_lens(frame, view, canvas, drawings);
+    draw(frame, view, canvas, drawings);
     if (method.is("off")) return;
-    prepare(frame, camera);
-    const glm::uvec2 size = (frame.size + 1u) / 2u;
+    set_up(view);
+    const ImageView hdr = canvas.color(frame), depth = canvas.depth(frame);
+    const glm::uvec2 size = (view.size + 1u) / 2u;
     Image& small = image(frame, "half", half4, size);
-    frame.compute("dof half", {.reads = {frame.hdr, frame.depth}, .writes = {small}, .with = {*this}},
+    frame.compute("dof half", {.reads = {hdr, depth}, .writes = {small}, .with = {*this}},
                   [&](Compute& pass) {
-                      pass.use(half_).set("hdr", frame.hdr, nearest_clamp).set("depth", frame.depth, nearest_clamp);
+                      pass.use(half_).set("hdr", hdr, nearest_clamp).set("depth", depth, nearest_clamp);
                       pass.set("result", small).set("dof_now", now_).dispatch_threads(size);
                   });
     method.is("gather") ? gather(frame) : blur(frame);
     const Image& far_field = images_["far"];
     const bool gathers = method.is("gather");
-    ComputeAccess access{.reads = {frame.hdr, frame.depth, far_field}, .writes = {frame.hdr}, .with = {*this}};
+    ComputeAccess access{.reads = {hdr, depth, far_field}, .writes = {hdr}, .with = {*this}};
     if (gathers) access.reads.push_back(images_["near"]);
     frame.compute("dof compose", access, [&](Compute& pass) {
-        pass.use(compose_).set("hdr", frame.hdr).set("depth", frame.depth, nearest_clamp).set("dof_now", now_);
+        pass.use(compose_).set("hdr", hdr).set("depth", depth, nearest_clamp).set("dof_now", now_);
         pass.set("far_field", far_field, linear_clamp);
         if (gathers) pass.set("near_field", images_["near"], linear_clamp);
-        pass.dispatch_threads(frame.size);
+        pass.dispatch_threads(view.size);
     });
 }
 // [/record]

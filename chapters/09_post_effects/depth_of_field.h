@@ -1,19 +1,17 @@
 // What a lens does that a pinhole does not, as a module.
 #pragma once
 #include "09_post_effects/dof_now.h"
-#include "common/app/module.h"
-#include "common/gpu/frame.h"
-#include "common/scene/camera.h"
+#include "common/app/drawing.h"
 
 namespace lightwalk {
 
 // [dof]
-/// In a frame whose `view` was set for `camera`:
+/// In a frame, in place of draw():
 ///
-///     dof.record(frame, camera, [&](const Camera& eye) { ... });
+///     dof.record(frame, view, canvas, {objects});
 ///
-/// where the function draws into frame.hdr and frame.depth what `eye` sees by the frame's `view`. Once for all methods
-/// but `lens`, the truth: that draws the picture from many places of the lens, and takes their mean.
+/// draws once for all methods but `lens`, the truth: that draws the picture from many places of the lens, and takes
+/// their mean.
 struct DepthOfField : Module {
     DepthOfField(Module& owner, std::string name) : Module(owner, std::move(name), "dof") {}
 
@@ -30,8 +28,7 @@ struct DepthOfField : Module {
     Knob<int> views{*this, "views", 64, {1, 65536}, "of lens: places of the lens, each a whole picture"};
     // [/dof]
 
-    using Draw = std::function<void(Frame& frame, const Camera& eye)>;
-    void record(Frame& frame, const Camera& camera, const Draw& draw);
+    void record(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
 
     /// The camera's focal length, which its field of view and the sensor give, in metres.
     float focal_m(const Camera& camera) const;
@@ -39,14 +36,13 @@ struct DepthOfField : Module {
     float radius_m(const Camera& camera) const;
 
   private:
-    void sample_lens(Frame& frame, const Camera& camera, const Draw& draw);
-    void prepare(Frame& frame, const Camera& camera);
+    void sample_lens(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
+    void set_up(const View& view);
     void gather(Frame& frame);
     void blur(Frame& frame);
     Image& image(Frame& frame, const char* name, VkFormat format, glm::uvec2 size);
 
     DofNow now_{};
-    std::unique_ptr<Frame> view_frame_;  ///< of one place of the lens
     std::map<std::string, Image> images_;
     Buffer taps_;
     float made_for_px_ = -1;

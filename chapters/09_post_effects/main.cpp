@@ -1,7 +1,7 @@
 // Chapter 09: from light to the screen: a lens, an exposure, a tone curve, and what one does to a picture after that.
 #include "01_obj/model_chapter.h"
+#include "06_deferred/deferred_scene.h"
 #include "08_bloom/bloom.h"
-#include "09_post_effects/deferred_scene.h"
 #include "09_post_effects/depth_of_field.h"
 #include "09_post_effects/effect_count.h"
 #include "09_post_effects/post.h"
@@ -13,7 +13,7 @@ struct PostEffects : ModelChapter {
     DepthOfField dof{*this, "dof"};
     Bloom bloom{*this, "bloom"};
     Post post{*this, "post"};
-    DeferredScene deferred{*this, "deferred"};
+    DeferredScene objects{*this, "objects"};
     Choice source{*this, "source", {"scene", "chart"}, "scene", "the scene, or light over 15 stops in every hue"};
     Knob<bool> reference{*this, "reference", false, "tones are mapped by aces, whatever post.tone says"};
     Knob<int> effects{*this, "effects", -1, {-1, 16}, "so many of them are on; -1: those that are switched on"};
@@ -22,12 +22,9 @@ struct PostEffects : ModelChapter {
     PostEffects() {
         dof.method.alone = true;  // --method is about depth of field here: the others are fast and exact
         bloom.method.change_default("none");
+        objects.maps.method.change_default("normal");
     }
     std::string default_scene() const override { return "scenes/still_life.json"; }
-    bool reload_on_toggle() const override { return true; }
-    std::string load_key() const override { return deferred.maps.load_key(); }
-    bool animated() const override { return deferred.maps.animated() || scene.moves() || post.animated(); }
-    void prepare(Gpu& gpu) override { deferred.prepare(gpu, scene); }
 
     void draw_chart(Frame& frame) {
         frame.compute("chart", {.writes = {frame.hdr}},
@@ -37,15 +34,14 @@ struct PostEffects : ModelChapter {
     // [frame]
     void frame(Frame& frame) override {
         const KnobsForFrame kept(post, reference, effects);
-        set_view(frame);
+        const View view = set_view(frame);
 
-        // 1. A picture in linear light: chapter 04's surfaces through chapter 06's G-buffer, with chapter 05's shadows;
-        // and
-        //    what is out of focus in it.
+        // 1. A picture in linear light: chapter 06's objects, and what a lens leaves out of focus in it.
+        Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 0.0f));
         if (source.is("chart"))
             draw_chart(frame);
         else
-            dof.record(frame, camera, [&](Frame& one, const Camera& eye) { deferred.record(one, scene, eye); });
+            dof.record(frame, view, canvas, {objects});
 
         // 2. Chapter 08's light that strays.
         bloom.record(frame, frame.hdr);

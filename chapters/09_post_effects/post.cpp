@@ -65,7 +65,7 @@ PostNow Post::now(const Frame& frame) const {
             .zero = 0};
 }
 
-void Post::prepare(Frame& frame, glm::uvec2 size, size_t images) {
+void Post::set_up(Frame& frame, glm::uvec2 size, size_t images) {
     const VkFormat format = store.is("float") ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT;
     between_.resize(std::min<size_t>(images, 2));
     for (Image& image : between_) {
@@ -110,7 +110,7 @@ void Post::run(Frame& frame, const Step& step, const Image& from, const Image& i
 // [record]
 void Post::record(Frame& frame, const Image& picture) {
     const std::vector<Step> all = steps();
-    prepare(frame, picture.desc.size, all.empty() ? 0 : all.size() - 1);
+    set_up(frame, picture.desc.size, all.empty() ? 0 : all.size() - 1);
     if (exposure.is("automatic")) automatic.record(frame, picture);
     const Image* from = &picture;
     for (size_t i = 0; i < all.size(); ++i) {

@@ -99,7 +99,7 @@ struct Post : Module {
     std::vector<KnobBase*> effects();
     static bool is_on(const KnobBase& effect) { return effect.text() != "off"; }
 
-    bool animated() const { return !grain.is("off") || aberration_rows > 0 || (scanlines && scan_speed != 0); }
+    bool animated() const override { return !grain.is("off") || aberration_rows > 0 || (scanlines && scan_speed != 0); }
 
     void bind(Pass& pass) const override;
     std::vector<Resource> reads() const override;
@@ -108,7 +108,7 @@ struct Post : Module {
     using Step = std::vector<KnobBase*>;  ///< the effects of one pass
     std::vector<Step> steps();
     void run(Frame& frame, const Step& step, const Image& from, const Image& into);
-    void prepare(Frame& frame, glm::uvec2 size, size_t images);
+    void set_up(Frame& frame, glm::uvec2 size, size_t images);
     PostNow now(const Frame& frame) const;
 
     std::vector<Image> between_;  ///< by turns

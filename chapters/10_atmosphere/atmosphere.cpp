@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "10_atmosphere/skylight.h"
-#include "10_atmosphere/view_rays.h"
+#include "common/scene/view.h"
 
 namespace lightwalk {
 namespace {

@@ -1,6 +1,6 @@
 #include "10_atmosphere/height_fog.h"
 
-#include "10_atmosphere/view_rays.h"
+#include "common/scene/view.h"
 
 namespace lightwalk {
 

@@ -2,7 +2,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "10_atmosphere/view_rays.h"
+#include "common/scene/view.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {

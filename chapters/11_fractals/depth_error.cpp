@@ -4,7 +4,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "10_atmosphere/view_rays.h"
+#include "common/scene/view.h"
 #include "11_fractals/truth.h"
 
 namespace lightwalk {

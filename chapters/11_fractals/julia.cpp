@@ -1,6 +1,6 @@
 #include "11_fractals/julia.h"
 
-#include "10_atmosphere/view_rays.h"
+#include "common/scene/view.h"
 #include "11_fractals/exercises.h"
 
 namespace lightwalk {

@@ -1,7 +1,7 @@
 #include "11_fractals/terrain.h"
 
 #include "01_obj/exercises.h"
-#include "10_atmosphere/view_rays.h"
+#include "common/scene/view.h"
 #include "common/scene/view.h"
 
 namespace lightwalk {

@@ -30,7 +30,7 @@ Mlaa::Counts Mlaa::counts() const {
 }
 
 // What the device keeps from frame to frame: for a picture of this size, and the tables.
-void Mlaa::prepare(Frame& frame, glm::uvec2 size) {
+void Mlaa::set_up(Frame& frame, glm::uvec2 size) {
     Device& device = frame.gpu.device;
     const auto fit = [&](Image& image, const char* name, VkFormat format = VK_FORMAT_R32_UINT) {
         const Image::Desc desc{.name = path() + name, .format = format, .size = size};
@@ -71,7 +71,7 @@ const Image* Mlaa::propagate(Compute& pass, const Image* from, const Image* into
 // [record]
 void Mlaa::record(Frame& frame, const Image& picture) {
     if (!is_filter()) return;
-    prepare(frame, picture.desc.size);
+    set_up(frame, picture.desc.size);
     follows_edges() ? follow_edges(frame, picture) : search_by_luma(frame, picture);
     if (count) frame.read_back(work_, counted_);
 }

@@ -50,7 +50,7 @@ struct Mlaa : Module {
     Counts counts() const;
 
   private:
-    void prepare(Frame& frame, glm::uvec2 size);
+    void set_up(Frame& frame, glm::uvec2 size);
     void follow_edges(Frame& frame, const Image& picture);
     void search_by_luma(Frame& frame, const Image& picture);
     const Image* propagate(Compute& pass, const Image* from, const Image* into,

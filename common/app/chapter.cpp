@@ -17,7 +17,7 @@ void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given, 
     if (!is_scene) chapter.scene.load(gpu, scene_of_model(file, chapter.scene.bounds), loader);
     chapter.camera = chapter.scene.file.camera;
     chapter.forget_history();
-    chapter.prepare(gpu);
+    chapter.prepare_all(gpu, chapter.scene);
     if (loading.after) loading.after(gpu);
 }
 

@@ -37,9 +37,6 @@ class Chapter : public Module {
     virtual std::string default_scene() const = 0;
     virtual Model load_model(const std::filesystem::path& file) = 0;
 
-    /// Once after the scene was loaded and again after each reload.
-    virtual void prepare(Gpu&) {}
-
     /// Records one frame; what it leaves in frame.output is the picture.
     virtual void frame(Frame& frame) = 0;
 
@@ -53,18 +50,10 @@ class Chapter : public Module {
     /// a Frame of its own, and finds its knobs put back afterwards.
     virtual void measure(Gpu& /*gpu*/, glm::uvec2 /*size*/, nlohmann::json& /*error*/) {}
 
-    /// What C++ exercises change apart from shaders needs the scene loaded anew when they are toggled.
-    virtual bool reload_on_toggle() const { return false; }
-
-    /// Which knobs change what is loaded, as text: where it differs from what the scene was loaded with, the window
-    /// loads it anew.
-    virtual std::string load_key() const { return {}; }
-
     /// What the panel shows of the last frame beside the times, and --timings writes: a line each.
     virtual std::vector<std::string> status() const { return {}; }
 
-    /// What moves, or gathers samples over frames, is drawn without a pause; the window's clock runs from the start.
-    virtual bool animated() const { return false; }
+    bool animated() const override { return scene.moves(); }
 };
 
 using MakeChapter = std::function<std::unique_ptr<Chapter>()>;

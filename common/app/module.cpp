@@ -6,6 +6,7 @@
 
 #include "common/app/target.h"
 #include "common/base/error.h"
+#include "common/base/exercise.h"
 
 namespace lightwalk {
 
@@ -73,6 +74,43 @@ void Module::begin_frame(Gpu& gpu, glm::uvec2 frame_size) {
     for (TargetBase* target : targets_) target->begin_frame(gpu, frame_size);
     for (const Member& member : members_)
         if (member.module) member.module->begin_frame(gpu, frame_size);
+}
+
+template <class Self, class Visit>
+void Module::visit_used(Self& self, const Visit& visit) {
+    if (self.in_use && !self.in_use()) return;
+    for (const Member& member : self.members_)
+        if (member.module) visit_used(static_cast<Self&>(*member.module), visit);
+    visit(self);
+}
+
+void Module::prepare_all(Gpu& gpu, Scene& scene) {
+    visit_used(*this, [&](Module& module) { module.prepare(gpu, scene); });
+}
+
+bool Module::any_animated() const {
+    bool any = false;
+    visit_used(*this, [&](const Module& module) { any |= module.animated(); });
+    return any;
+}
+
+std::string Module::load_state() const {
+    std::string state;
+    visit_used(*this, [&](const Module& module) {
+        if (module.in_use) state += module.path() + ";";
+        if (const std::string key = module.load_key(); !key.empty()) state += key + ";";
+        for (const std::string& id : module.load_exercises())
+            state += id + (Exercises::uses_solution(id) ? "=solution;" : "=exercise;");
+    });
+    return state;
+}
+
+bool Module::loads_exercise() const {
+    bool any = false;
+    visit_used(*this, [&](const Module& module) {
+        for (const std::string& id : module.load_exercises()) any |= !Exercises::uses_solution(id);
+    });
+    return any;
 }
 
 void Module::forget_history() {

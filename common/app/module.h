@@ -1,11 +1,14 @@
 // Modules: what one chapter hands to the next, under one name.
 #pragma once
+#include <functional>
+
 #include "common/app/knob.h"
 #include "common/gpu/given.h"
 
 namespace lightwalk {
 
 class Gpu;
+class Scene;
 class TargetBase;
 
 // [module]
@@ -43,12 +46,39 @@ class Module : public Given {
     void forget_history();
     // [/module]
 
+    // [life]
+    // A module's life. A chapter asks all of its modules, each after those that it owns, in the order of declaration;
+    // nobody passes any of this on by hand.
+
+    /// A scene was loaded, or loaded again: what is made from it is made now, and what was made from another forgotten.
+    virtual void prepare(Gpu&, Scene&) {}
+
+    /// Whether its picture changes with time, or gathers samples over frames.
+    virtual bool animated() const { return false; }
+
+    /// What prepare() depends on besides the scene, as text: where it changes, the scene is loaded again.
+    virtual std::string load_key() const { return {}; }
+
+    /// Exercises that run while a scene is loaded: toggling one of them loads it again.
+    virtual std::vector<std::string> load_exercises() const { return {}; }
+
+    /// False: not asked any of the above, nor are its modules. None given: always true.
+    std::function<bool()> in_use;
+
+    void prepare_all(Gpu& gpu, Scene& scene);
+    bool any_animated() const;
+    std::string load_state() const;  ///< all load keys, and the toggles of all load exercises
+    bool loads_exercise() const;     ///< some exercise runs at load, in the student's version
+    // [/life]
+
   protected:
     Module() = default;  ///< a chapter: it has no owner and no name
 
   private:
     friend class KnobBase;
     friend class TargetBase;
+    template <class Self, class Visit>
+    static void visit_used(Self& self, const Visit& visit);
     Module* owner_ = nullptr;
     std::string path_, kind_;
     struct Member {  ///< one of the two

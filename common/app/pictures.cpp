@@ -6,7 +6,6 @@
 
 #include "common/app/headless.h"
 #include "common/base/error.h"
-#include "common/base/exercise.h"
 
 namespace lightwalk {
 namespace {
@@ -17,11 +16,7 @@ using Words = std::vector<std::string>;
 // What loading a scene depends on; empty where its files are not the course's own, and may be others by now.
 std::string load_key(const Options& options, const Chapter& chapter) {
     if (options.shot.empty() && !options.scene.empty()) return "";
-    std::string key = options.scene + " " + chapter.load_key();
-    for (const std::string& id : Exercises::ids())  // earlier chapters' read files and make maps
-        if (chapter.reload_on_toggle() || id.substr(0, 2) != chapter.name.substr(0, 2))
-            key += Exercises::uses_solution(id) ? " " + id : "";
-    return key;
+    return options.scene + " " + chapter.load_state();
 }
 
 // The scene of the picture before, and what it was loaded with.

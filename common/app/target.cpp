@@ -3,6 +3,14 @@
 #include "common/gpu/gpu.h"
 
 namespace lightwalk {
+namespace {
+
+TargetDesc kept(TargetDesc target) {
+    target.kept = true;
+    return target;
+}
+
+}  // namespace
 
 TargetBase::TargetBase(Module& owner) : owner_(owner) { owner_.targets_.push_back(this); }
 TargetBase::~TargetBase() { std::erase(owner_.targets_, this); }
@@ -20,13 +28,14 @@ void Target::begin_frame(Gpu& gpu, glm::uvec2 frame_size) {
                            .size = size,
                            .mips = wanted.mips ? wanted.mips : full_mip_count(size),
                            .layers = wanted.layers,
-                           .cube = wanted.cube};
+                           .cube = wanted.cube,
+                           .kept = wanted.kept};
     if (handle && desc == next) return;
     static_cast<Image&>(*this) = Image(gpu.device, next);
 }
 
 History::History(Module& owner, const TargetDesc& target)
-    : TargetBase(owner), images_{{owner, target}, {owner, target}} {}
+    : TargetBase(owner), images_{{owner, kept(target)}, {owner, kept(target)}} {}
 
 const Image& History::now() {
     written_ = true;

@@ -27,6 +27,7 @@ struct TargetDesc {
     float scale = 1.0f;
     uint32_t mips = 1, layers = 1;  ///< mips 0: down to 1×1
     bool cube = false;
+    bool kept = false;  ///< what one frame wrote in it, later frames read
 };
 
 /// An image of a module, called path.name: made when a frame begins, and anew where its size has changed.

@@ -91,6 +91,7 @@ class Device {
     /// began before have ended.
     uint64_t begin_use();
     void end_use(uint64_t use);
+    bool in_use() const { return !uses_.empty(); }
     void destroy(Doomed objects);
     size_t doomed_count() const { return doomed_.size(); }
 

@@ -7,7 +7,7 @@
 namespace lightwalk {
 namespace {
 
-constexpr uint32_t max_passes = 2048;  // forty lights whose cubes of moments are blurred take a thousand
+constexpr uint32_t max_passes = 2048;  // of one submission: forty lights with blurred moments take a thousand
 
 template <class T>
 void name_object(const Device& device, VkObjectType type, T handle, const char* name) {
@@ -42,30 +42,42 @@ Frame::~Frame() {
 
 void Frame::begin(glm::uvec2 size_in_pixels, float time_in_seconds) {
     if (use_) gpu.device.end_use(std::exchange(use_, 0));  // a frame that was recorded and not submitted
+    if (gpu.device.in_use()) throw Failure("a frame begins while another one is being recorded");
     if (size != size_in_pixels) {
         size = size_in_pixels;
         hdr = Image(gpu.device, {.name = "hdr", .format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = size});
         depth = Image(gpu.device, {.name = "depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
         mean_ = Image();
-        output = Image(gpu.device, {.name = "output", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size});
+        output = Image(gpu.device,
+                       {.name = "output", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size, .kept = true});
     }
     if (samples.count > 1 && !mean_)
-        mean_ = Image(gpu.device, {.name = "mean", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
+        mean_ = Image(gpu.device,
+                      {.name = "mean", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size, .kept = true});
     time_s = time_in_seconds;
+    outputs.clear();
+    times.clear();
+    read_backs_.clear();
+    start_anew();
+    use_ = gpu.device.begin_use();
+}
+
+// What was recorded has ended, or was given up.
+void Frame::start_anew() {
     for (const Recorded& pass : passes_) free_commands_.push_back(pass.commands);
     passes_.clear();
-    outputs.clear();
-    read_backs_.clear();
     uniforms_.reset();
     uploads_.reset();
     sets_.reset();
     check(vkResetCommandPool(gpu.device.handle, pool_, 0), "vkResetCommandPool");
     vkResetQueryPool(gpu.device.handle, queries_, 0, 2 * max_passes);
-    use_ = gpu.device.begin_use();
 }
 
 VkCommandBuffer Frame::begin_pass(const std::string& name, const char* stage) {
-    if (passes_.size() >= max_passes) throw Failure("a frame has at most {} passes", max_passes);
+    if (passes_.size() >= max_passes) {  // a lens of a thousand places: what is recorded runs, and the frame goes on
+        submit(VK_NULL_HANDLE, VK_NULL_HANDLE);
+        start_anew();
+    }
     if (in_pass_) throw Failure("pass '{}' begins within pass '{}'", name, passes_.back().name);
     VkCommandBuffer commands = VK_NULL_HANDLE;
     if (!free_commands_.empty()) {
@@ -128,11 +140,41 @@ void Frame::run_after_pass(size_t outputs_before) {
     after_pass = function;
 }
 
+namespace {
+
+bool holds(const ImageView& view, uint64_t frame) {
+    const Image& image = *view.image;
+    return image.constant || image.desc.kept || image.written_in == frame;
+}
+
+}  // namespace
+
+void Frame::check_reads(const std::string& pass, const std::vector<Stated>& stated, const Rendering* targets) const {
+    // What stands in both lists may be written first, by a dispatch of the pass itself.
+    const auto refuse = [&](const ImageView& view) {
+        throw Failure("pass '{}' reads {}, which no pass of this frame wrote", pass, view.name());
+    };
+    for (const Stated& one : stated)
+        if (one.read && !one.writable && one.resource.view && !holds(one.resource.view, use_)) refuse(one.resource.view);
+    if (!targets) return;
+    for (const ImageView& view : targets->loaded)
+        if (!holds(view, use_)) refuse(view);
+}
+
+void Frame::note_writes(const std::vector<Stated>& stated, const Rendering* targets) const {
+    for (const Stated& one : stated)
+        if (one.writable && one.resource.view) one.resource.view.image->written_in = use_;
+    if (!targets) return;
+    for (const auto& [view, access] : targets->accesses)
+        if (access.writes) view.image->written_in = use_;
+}
+
 void Frame::raster(const std::string& name, const RasterTargets& targets, const std::function<void(Raster&)>& record) {
     const size_t outputs_before = outputs.size();
     const Rendering rendering(name, targets, size, shows_discarded);
     const std::vector<const Given*> given = all_given(name, targets.with, root);
     const std::vector<Stated> stated = state(name, with_given(targets.reads, given), targets.writes, &targets);
+    check_reads(name, stated, &rendering);
     const VkCommandBuffer commands = begin_pass(name, "raster");
     Barriers barriers;
     add_barriers(barriers, false, stated);
@@ -150,6 +192,7 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, const 
                        vkCmdEndRendering(commands);
                        end_pass();
                    });
+    note_writes(stated, &rendering);
     run_after_pass(outputs_before);
 }
 
@@ -157,6 +200,7 @@ void Frame::compute(const std::string& name, const ComputeAccess& access, const 
     const size_t outputs_before = outputs.size();
     const std::vector<const Given*> given = all_given(name, access.with, root);
     const std::vector<Stated> stated = state(name, with_given(access.reads, given), access.writes);
+    check_reads(name, stated, nullptr);
     const VkCommandBuffer commands = begin_pass(name, "compute");
     Barriers barriers;
     add_barriers(barriers, true, stated);
@@ -164,12 +208,14 @@ void Frame::compute(const std::string& name, const ComputeAccess& access, const 
     for (const Resource& written : access.writes) add_output(name, written.view);
     Compute pass(*this, name, commands, stated, given);
     record_and_end([&] { record(pass); }, [&] { end_pass(); });
+    note_writes(stated, nullptr);
     run_after_pass(outputs_before);
 }
 
 void Frame::transfer(const std::string& name, const ComputeAccess& access,
                      const std::function<void(VkCommandBuffer)>& record) {
-    state(name, access.reads, access.writes);  // throws where they overlap
+    const std::vector<Stated> stated = state(name, access.reads, access.writes);  // throws where they overlap
+    note_writes(stated, nullptr);
     const VkCommandBuffer commands = begin_pass(name, "transfer");
     Barriers barriers;
     const auto add = [&](const Resource& r, const Access& next) {

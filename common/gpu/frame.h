@@ -47,10 +47,16 @@ class Frame {
     /// The picture in linear light: hdr, or the mean of several.
     const Image& linear() const { return samples.count > 1 ? mean_ : hdr; }
 
-    /// Starts recording; makes the targets anew where the size has changed.
+    /// Another one for each frame that begins; 0 while none is recorded.
+    uint64_t number() const { return use_; }
+
+    /// Starts recording; makes the targets anew where the size has changed. Throws Failure where another frame of this
+    /// device is being recorded: it would run after what it records here, and so before what that one needs.
     void begin(glm::uvec2 size_in_pixels, float time_in_seconds);
 
     /// Passes are recorded one after the other, not within each other. One that throws is submitted all the same.
+    /// Throws Failure where a pass reads an image that no pass of this frame wrote, unless it was uploaded or is one
+    /// that keeps what is in it (Image::Desc::kept): it would show a frame before, or whatever lay in memory.
     void raster(const std::string& name, const RasterTargets& targets, const std::function<void(Raster&)>& record);
     void compute(const std::string& name, const ComputeAccess& access, const std::function<void(Compute&)>& record);
     void transfer(const std::string& name, const ComputeAccess& access,
@@ -106,11 +112,15 @@ class Frame {
     };
     VkCommandBuffer begin_pass(const std::string& name, const char* stage);
     void end_pass();
+    void check_reads(const std::string& pass, const std::vector<Stated>& stated, const Rendering* targets) const;
+    void note_writes(const std::vector<Stated>& stated, const Rendering* targets) const;
     template <class Record, class End>
     void record_and_end(const Record& record, const End& end);
     void add_output(const std::string& name, const ImageView& view);
     void run_after_pass(size_t outputs_before);
     ReadBack::State& staging_for(ReadBack& into, const std::string& name, VkDeviceSize bytes);
+    void submit(VkSemaphore wait, VkSemaphore signal);
+    void start_anew();
     void wait_for_passes();
     void read_times();
     std::vector<Recorded> passes_;

@@ -8,12 +8,15 @@
 namespace lightwalk {
 
 void Frame::end(VkSemaphore wait, VkSemaphore signal) {
+    if (!passes_.empty()) submit(wait, signal);
+    for (const auto& state : read_backs_) state->bytes = state->recorded;
+    read_backs_.clear();
+    if (use_) gpu.device.end_use(std::exchange(use_, 0));
+}
+
+// Adds to `times`.
+void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
     const size_t count = passes_.size();
-    times.clear();
-    if (count == 0) {
-        if (use_) gpu.device.end_use(std::exchange(use_, 0));
-        return;
-    }
     const auto semaphore_info = [](VkSemaphore semaphore, uint64_t value) {
         return VkSemaphoreSubmitInfo{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
                                      .semaphore = semaphore,
@@ -41,9 +44,6 @@ void Frame::end(VkSemaphore wait, VkSemaphore signal) {
     check(vkQueueSubmit2(gpu.device.queue, static_cast<uint32_t>(count), submits.data(), VK_NULL_HANDLE),
           "vkQueueSubmit2");
     wait_for_passes();
-    for (const auto& state : read_backs_) state->bytes = state->recorded;
-    read_backs_.clear();
-    if (use_) gpu.device.end_use(std::exchange(use_, 0));
     read_times();
 }
 

@@ -88,6 +88,12 @@ Image Image::borrowed(Device& device, VkImage handle, const Desc& desc) {
     return image;
 }
 
+bool Image::fit(Device& device, const Desc& wanted) {
+    if (handle && desc == wanted) return false;
+    *this = Image(device, wanted);
+    return true;
+}
+
 Image::~Image() {
     if (!device_) return;
     Doomed objects{.memory = memory_};

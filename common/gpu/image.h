@@ -68,11 +68,14 @@ class Image {
         bool cube = false;
         uint32_t depth = 0;    ///< texels; above 0 it is a volume
         uint32_t samples = 1;  ///< a power of two
+        bool kept = false;     ///< what one frame wrote in it, later frames read
         bool operator==(const Desc&) const = default;
     };
     Image() = default;
     /// Throws Failure where the device has no such image, or not as much memory.
     Image(Device& device, const Desc& desc);
+    /// Makes it anew where it is another one than `wanted`; true where it did, and it holds nothing.
+    bool fit(Device& device, const Desc& wanted);
     /// An image that belongs to another, such as a swapchain; its views are this one's.
     static Image borrowed(Device& device, VkImage handle, const Desc& desc);
     Image(Image&& other) noexcept { swap(other); }
@@ -87,6 +90,7 @@ class Image {
     Desc desc;
     mutable ImageHistory history;
     mutable bool constant = false;  ///< uploaded, not written since: every pass may read it without saying so
+    mutable uint64_t written_in = 0;  ///< Frame::number() of the frame whose pass wrote it last
     explicit operator bool() const { return handle != VK_NULL_HANDLE; }
     bool is_depth() const { return desc.format == VK_FORMAT_D32_SFLOAT || desc.format == VK_FORMAT_D16_UNORM; }
 

@@ -121,6 +121,7 @@ VkRenderingAttachmentInfo Rendering::add(const std::string& pass, Attachment tar
     formats.samples = desc.samples;
     (is_depth ? formats.depth : formats.color.emplace_back()) = desc.format;
     formats.depth_read_only |= read_only;
+    if (read_only || target.load == Attachment::Load::keep) loaded.push_back(view);
     const bool resolves = static_cast<bool>(target.resolve_into);
     accesses.emplace_back(view, read_only   ? read_only_access
                                 : !is_depth ? color_access

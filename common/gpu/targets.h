@@ -87,6 +87,7 @@ struct Rendering {
     glm::uvec2 size{0};
     uint32_t layers = 1;
     std::vector<std::pair<ImageView, Access>> accesses;
+    std::vector<ImageView> loaded;  ///< those of whose contents something is kept
 
   private:
     VkRenderingAttachmentInfo add(const std::string& pass, Attachment target, bool is_depth, bool shows_discarded);

@@ -1,24 +1,59 @@
 #include "common/scene/view.h"
 
 #include <cmath>
+#include <utility>
 
 namespace lightwalk {
 
-CameraView shader_view(const View& view, const Frame& frame, glm::uvec2 size) {
+float View::pixel_rad() const {
+    return 2.0f * std::tan(0.5f * camera.fov_y_rad) / static_cast<float>(crop.whole.y);
+}
+
+View camera_view(const Camera& camera, const glm::mat4& world_to_clip, glm::uvec2 size, Crop crop) {
+    if (crop.whole == glm::uvec2(0)) crop.whole = size;
+    return {.view_projection = part_of(crop, size) * world_to_clip,
+            .eye = camera.position,
+            .camera = camera,
+            .size = size,
+            .crop = crop};
+}
+
+ViewRays view_rays(const View& view) {
+    const Camera& camera = view.camera;
+    const glm::dvec3 eye(camera.position), back = glm::normalize(eye - glm::dvec3(camera.target));
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(camera.up), back)), up = glm::cross(back, right);
+    const glm::dvec2 whole(view.crop.whole), first = glm::dvec2(view.crop.origin) + glm::dvec2(view.crop.shift);
+    const double pixel = 2 * std::tan(0.5 * double(camera.fov_y_rad)) / whole.y;
+    const glm::dvec2 corner = (first - 0.5 * whole) * pixel;
+    return {.eye = camera.position,
+            .corner = glm::vec3(-back + corner.x * right - corner.y * up),
+            .right = glm::vec3(pixel * right),
+            .down = glm::vec3(-pixel * up),
+            .inverse_near = 1.0f / camera.near_m,
+            .inverse_far = 1.0f / camera.far_m};
+}
+
+CameraView shader_view(const View& view, const Frame& frame) {
     return {.view_projection = view.view_projection,
             .eye = view.eye,
             .time_s = frame.time_s,
-            .size = size,
+            .size = view.size == glm::uvec2(0) ? frame.size : view.size,
             .seed = frame.seed,
-            .origin = frame.crop.origin,
+            .origin = view.crop.origin,
             .lod_bias = -0.5f * std::log2(static_cast<float>(frame.samples.count))};
 }
 
 void look_from(const View& view, Frame& frame) {
-    const CameraView block = shader_view(view, frame, frame.size);
+    const CameraView block = shader_view(view, frame);
     const auto bytes = std::as_bytes(std::span(&block, 1));
     frame.globals["view"].assign(bytes.begin(), bytes.end());
 }
+
+ViewScope::ViewScope(Frame& frame, const View& view) : frame_(frame), before_(frame.globals["view"]) {
+    look_from(view, frame);
+}
+
+ViewScope::~ViewScope() { frame_.globals["view"] = std::move(before_); }
 
 glm::mat4 part_of(const Crop& crop, glm::uvec2 size) {
     const glm::vec2 whole(crop.whole), part(size), first = glm::vec2(crop.origin) + crop.shift;

@@ -70,16 +70,17 @@ Loading automatic_choice(const Options& options, Chapter& chapter) {
     const StudyPlan plan = read_study(parse_json(read_file(file), file.string()), chapter.all_knobs());
     return {.before = {}, .after = [options, &chapter, plan](Gpu& gpu) {
                 const std::filesystem::path scene = chapter.scene.file.file;
-                bool student = false;
+                const std::string loaded = chapter.load_state();
+                bool reload = false;
                 json said;
                 {
                     const ToggleScope judges(Exercises::ids(), true);
-                    student = judges.changed();
-                    if (student && chapter.reload_on_toggle()) load_scene(chapter, gpu, scene);
+                    reload = chapter.load_state() != loaded;
+                    if (reload) load_scene(chapter, gpu, scene);
                     const Picture picture{options.size, options.time_s, options.seed, {}};
                     said = choose_candidates(chapter, gpu, plan, {{*options.budget}, picture})[0];
                 }
-                if (student && chapter.reload_on_toggle()) {
+                if (reload) {
                     load_scene(chapter, gpu, scene);
                     set_knobs(chapter.all_knobs(), knobs_of(said["choice"], chapter.method_knob));
                 }

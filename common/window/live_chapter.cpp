@@ -11,17 +11,13 @@ namespace lightwalk {
 LiveChapter::LiveChapter(Chapter& c, Gpu& gpu, std::filesystem::path scene)
     : chapter(c), gpu_(gpu), scene_(std::move(scene)) {}
 
-std::string LiveChapter::key() const {
-    return chapter.load_key() + (chapter.reload_on_toggle() ? Exercises::state() : "");
-}
-
 void LiveChapter::load(const Loading& loading) {
-    loaded_with_ = key();
+    loaded_with_ = chapter.load_state();
     try {
         load_scene(chapter, gpu_, scene_, loading);
-        loaded_with_ = key();  // the need rule may have set a knob that loading depends on
+        loaded_with_ = chapter.load_state();  // the need rule may have set a knob that loading depends on
     } catch (const std::exception& e) {
-        if (!chapter.reload_on_toggle() || all_reference(Exercises::ids())) throw;
+        if (!chapter.loads_exercise()) throw;
         load_error = e.what();
         const ToggleScope reference(Exercises::ids(), true);
         chapter.scene = Scene();
@@ -30,7 +26,7 @@ void LiveChapter::load(const Loading& loading) {
 }
 
 void LiveChapter::reload() {
-    loaded_with_ = key();
+    loaded_with_ = chapter.load_state();
     const Camera camera = chapter.camera;
     std::vector<std::string> settings;
     for (const KnobBase* knob : chapter.all_knobs()) settings.push_back(knob->text());
@@ -41,7 +37,7 @@ void LiveChapter::reload() {
     } catch (const std::exception& e) {
         load_error = e.what();
         chapter.scene = std::move(kept);
-        chapter.prepare(gpu_);
+        chapter.prepare_all(gpu_, chapter.scene);
     }
     chapter.camera = camera;
     const KnobList knobs = chapter.all_knobs();
@@ -49,7 +45,7 @@ void LiveChapter::reload() {
 }
 
 void LiveChapter::draw(Frame& frame, const Picture& picture) {
-    if (loaded_with_ != key()) reload();
+    if (loaded_with_ != chapter.load_state()) reload();
     frame_error.clear();
     try {
         render(chapter, frame, picture);

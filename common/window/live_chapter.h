@@ -25,7 +25,6 @@ class LiveChapter {
     std::string frame_error;  ///< of the last frame
 
   private:
-    std::string key() const;  ///< of what loading depends on
     Gpu& gpu_;
     std::filesystem::path scene_;
     std::string loaded_with_;

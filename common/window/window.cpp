@@ -51,7 +51,7 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
       split_(gpu, make, scene_),
       frame_(gpu),
       screen_(gpu),
-      clock_runs_(chapter_.animated()),
+      clock_runs_(chapter_.any_animated()),
       time_s_(options.time_s) {
     remember_scene();
 }

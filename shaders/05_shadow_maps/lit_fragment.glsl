@@ -8,10 +8,12 @@ layout(scalar) uniform ViewBlock { CameraView view; };
 layout(scalar) uniform AmbientBlock { vec3 ambient; };
 
 // [lit_fragment]
-// Linear radiance towards the eye. What textures cut out is discarded.
+// Linear radiance towards the eye. What textures cut out is discarded, unless alpha mixes it with what lies behind.
 vec3 lit_fragment(out MappedSurface m) {
     m = map_surface(view.eye, materials[material_index], coordinates_at(view));
+#ifndef TRANSPARENT
     if (is_cut_out(m.alpha, maps.cutoff)) discard;
+#endif
     Lit lit = light_surface(m.surface, m.facing, m.position, item, gl_FragCoord);
     return radiance_of(m, lit.diffuse, lit.specular, ambient);
 }

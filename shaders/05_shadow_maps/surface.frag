@@ -5,4 +5,7 @@
 void main() {
     MappedSurface m;
     color = vec4(lit_fragment(m), 1.0);
+#ifdef TRANSPARENT
+    color.a = m.alpha;
+#endif
 }

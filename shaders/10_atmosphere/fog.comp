@@ -1,6 +1,6 @@
 // The picture in fog.
 #include "10_atmosphere/height_fog_inputs.glsl"
-#include "10_atmosphere/view_rays_shared.h"
+#include "common/view_rays.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f) uniform image2D result;

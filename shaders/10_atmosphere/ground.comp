@@ -1,7 +1,7 @@
 // The ground of a planet where nothing stands before it, and the stars beyond the air, as they would look without it.
 #include "10_atmosphere/sea.glsl"
 #include "10_atmosphere/view_path.glsl"
-#include "10_atmosphere/view_rays_shared.h"
+#include "common/view_rays.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f) writeonly uniform image2D result;

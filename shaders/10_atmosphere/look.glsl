@@ -1,6 +1,6 @@
 // What every method's pass over the picture shares: the pixel's path, and what it makes of the picture.
 #include "10_atmosphere/view_path.glsl"
-#include "10_atmosphere/view_rays_shared.h"
+#include "common/view_rays.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f) uniform image2D result;

@@ -3,7 +3,7 @@
 #include "10_atmosphere/sun_table.glsl"
 #include "10_atmosphere/in_scatter.glsl"
 #include "10_atmosphere/view_path.glsl"
-#include "10_atmosphere/view_rays_shared.h"
+#include "common/view_rays.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f) writeonly uniform image3D result;        // light

@@ -1,6 +1,6 @@
 // What the passes of a Julia set know beside its knobs.
 #pragma once
-#include "10_atmosphere/view_rays_shared.h"
+#include "common/view_rays.h"
 #include "common/shared.h"
 
 BEGIN_SHARED

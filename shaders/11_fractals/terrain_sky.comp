@@ -1,6 +1,6 @@
 // The sky behind the ground, and the sun in it.
 #include "10_atmosphere/preetham_inputs.glsl"
-#include "10_atmosphere/view_rays_shared.h"
+#include "common/view_rays.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

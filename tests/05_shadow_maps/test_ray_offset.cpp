@@ -23,7 +23,7 @@ Seen look(glm::vec3 rotation_deg, glm::vec3 position, float height_m) {
     TestScene test({ground});
     NoChapter chapter;
     Rays rays(chapter, "rays");
-    rays.prepare(gpu, test.scene);
+    rays.build(gpu, test.scene);
     const Pipeline pipeline = graphics({.vertex = "03_attenuation/surface.vert",
                                         .fragment = "../tests/05_shadow_maps/data/self_hit.frag",
                                         .cull = VK_CULL_MODE_NONE,

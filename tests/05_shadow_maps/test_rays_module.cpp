@@ -42,7 +42,7 @@ void main() {
     blocked[at.y * side + at.x] = uint(any_hit(Ray(vec3(place, 9.0), 0.0, vec3(0.0, 0.0, -1.0), 1e13)));
 }
 )"});
-    explicit RayScene(std::vector<SceneObject> objects) : TestScene(std::move(objects)) { rays.prepare(gpu, scene); }
+    explicit RayScene(std::vector<SceneObject> objects) : TestScene(std::move(objects)) { rays.build(gpu, scene); }
 
     /// Whether each of 256×256 points of the square from -1 to 1 in x and y is blocked, seen along -z, row by row from
     /// y = -1.
@@ -119,6 +119,6 @@ TEST_CASE("rays go through what a texture cuts out, and not where the knob says 
     test.rays.cutouts.set("off");
     CHECK(test.blocked() == 1);
     test.rays.cutouts.set("on");
-    test.rays.prepare(test.gpu, test.scene, 0.0f);  // nothing has less alpha than that
+    test.rays.build(test.gpu, test.scene, 0.0f);  // nothing has less alpha than that
     CHECK(test.blocked() == 1);
 }

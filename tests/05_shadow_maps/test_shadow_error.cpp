@@ -34,7 +34,7 @@ std::vector<ShadowTruth> truths(float board_m, float tilt, float radius_m, const
     TestScene test({object_at(quad_file, {0, 0, 0}, glm::vec3(10.0f)), object_at(quad_file, {0, 0, board_m})});
     NoChapter chapter;
     Rays rays(chapter, "rays");
-    rays.prepare(test.gpu, test.scene);
+    rays.build(test.gpu, test.scene);
     const Pipeline pipeline = compute({.shader = "truths", .source = R"(
 #include "05_shadow_maps/shadow_truth.glsl"
 layout(local_size_x = 64) in;

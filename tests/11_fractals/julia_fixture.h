@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "../common/gpu_fixture.h"
-#include "10_atmosphere/view_rays.h"
+#include "common/scene/view.h"
 #include "11_fractals/julia.h"
 #include "11_fractals/truth.h"
 #include "common/app/read_picture.h"

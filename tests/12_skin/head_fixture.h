@@ -34,7 +34,7 @@ struct OnHead {
 
     void load(SceneFile file) {
         scene.load(gpu, std::move(file), [](const auto& path) { return load_model(path, Loader::parallel); });
-        maps.prepare(gpu, scene), skin.prepare(gpu, scene), rays.prepare(gpu, scene);
+        maps.prepare(gpu, scene), skin.prepare(gpu, scene), rays.build(gpu, scene);
         shadow.forget();
     }
 

@@ -1,4 +1,4 @@
-// A surface with all its maps, lit by chapter 03's lights: chapter 04's picture, with the levels of this one.
+// A surface with all its maps under chapter 03's lights, which may be far brighter than white.
 #include "03_attenuation/lighting.glsl"
 #include "03_attenuation/unshadowed.glsl"
 #include "04_surface_maps/surface_maps.glsl"
@@ -10,9 +10,12 @@ layout(scalar) uniform AmbientBlock { vec3 ambient; };
 
 void main() {
     MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
+#ifndef TRANSPARENT
     if (is_cut_out(m.alpha, maps.cutoff)) discard;
+#endif
     Lit lit = light_surface(m.surface, m.facing, m.position, item, gl_FragCoord);
-    Substance s = m.substance;
-    vec3 around = (s.mixed.diffuse + s.ambient_specular) * ambient * s.occlusion;
-    color = vec4(around + s.mixed.diffuse * lit.diffuse + s.mixed.specular * lit.specular + m.glow, 1.0);
+    color = vec4(min(radiance_of(m, lit.diffuse, lit.specular, ambient), 65504.0), 1.0);
+#ifdef TRANSPARENT
+    color.a = m.alpha;
+#endif
 }

@@ -1,0 +1,59 @@
+// A scene's objects as a drawing: this chapter's surfaces under chapter 03's lights.
+#pragma once
+#include "03_attenuation/lights.h"
+#include "04_surface_maps/surface_pipelines.h"
+#include "common/app/drawing.h"
+
+namespace lightwalk {
+
+// [surface_scene]
+/// Its modules are the owner's: their options and scene keys are maps.* and lights.*.
+struct SurfaceScene : Drawing {
+    SurfaceScene(Module& owner, std::string name);
+
+    Maps maps;
+    Lights lights;
+
+    /// What may differ from one chapter to the next.
+    std::function<std::vector<Light>(const Frame&)> all_lights;  ///< none given: the scene file's
+    std::function<std::vector<Batch>()> surfaces;                ///< none given: what is opaque of the scene
+    const SurfacePipelines* shading = nullptr;                   ///< null: the drawing's own
+    const SurfacePipelines* transparent_shading = nullptr;       ///< the same, mixed with what lies behind
+    std::vector<With> shading_with;                              ///< further modules that these need
+    std::vector<Resource> shading_reads;                         ///< and images
+
+    void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
+    void update(Frame& frame) override;
+    void draw(Frame& frame, const View& view, Canvas& canvas) override { draw_lit(frame, view, canvas); }
+    /// Opaque surfaces, lit as they are drawn, into a canvas of any colour format.
+    void draw_lit(Frame& frame, const View& view, Canvas& canvas);
+    std::vector<Transparent> transparent(const View& view) const override;
+    std::vector<With> transparent_with() const override { return given(); }
+    std::vector<Resource> transparent_reads() const override { return shading_reads; }
+    void draw_transparent(Raster& pass, std::span<const Transparent> items, const Macros& variant) const override;
+    // [/surface_scene]
+
+  protected:
+    /// With the fragment shader that shades them.
+    SurfaceScene(Module& owner, std::string name, const char* fragment);
+
+    /// The modules that shading reads.
+    virtual std::vector<With> given() const;
+    /// What of the lights depends on the view, besides their cells.
+    virtual void record_lights(Frame&, const View&) {}
+
+    /// What draws the opaque surfaces by the pipelines given.
+    std::function<void(Raster&)> by(const SurfacePipelines& both) const;
+    std::vector<Batch> opaque_batches() const;
+
+    Scene* scene_ = nullptr;
+    SurfacePipelines depth_{{.fragment = "04_surface_maps/depth.frag"}};
+    SurfacePipelines shade_;
+
+  private:
+    static SurfacePipelines see_through(const char* fragment, Macros macros);
+    // A tile knows the lights of what is opaque in it alone.
+    SurfacePipelines see_through_, see_through_tiles_;
+};
+
+}  // namespace lightwalk

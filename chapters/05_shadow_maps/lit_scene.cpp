@@ -1,0 +1,23 @@
+#include "05_shadow_maps/lit_scene.h"
+
+namespace lightwalk {
+
+std::vector<With> LitScene::given() const {
+    std::vector<With> with = SurfaceScene::given();
+    with.push_back(shadow);
+    return with;
+}
+
+// [casters]
+// Depth from each light that casts a shadow. What textures cut holes into is drawn with its maps; all else is solid.
+void LitScene::record_lights(Frame& frame, const View& view) {
+    const auto has_holes = [&](const DrawItem& item) { return maps.has_holes(item); };
+    shadow.record(frame, *scene_, lights, view,
+                  {.with = {maps}, .draw = [&](Raster& pass, const DrawList& casters) {
+                       pass.use(shadow.solid).draw(casters.where(std::not_fn(has_holes)));
+                       maps.draw(pass, *scene_, casters.where(has_holes), caster_, caster_);
+                   }});
+}
+// [/casters]
+
+}  // namespace lightwalk

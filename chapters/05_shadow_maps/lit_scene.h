@@ -1,0 +1,28 @@
+// A scene's objects as a drawing: chapter 04's, with this chapter's shadows.
+#pragma once
+#include "04_surface_maps/surface_scene.h"
+#include "05_shadow_maps/shadow.h"
+
+namespace lightwalk {
+
+// [lit_scene]
+/// SurfaceScene with shadows: beside its modules the owner gets shadow.*.
+struct LitScene : SurfaceScene {
+    LitScene(Module& owner, std::string name)
+        : SurfaceScene(owner, std::move(name), "05_shadow_maps/surface.frag"), shadow(owner, "shadow") {}
+
+    Shadow shadow;
+    // [/lit_scene]
+
+  protected:
+    std::vector<With> given() const override;
+    void record_lights(Frame& frame, const View& view) override;
+
+  private:
+    Pipeline caster_ = graphics({.vertex = "04_surface_maps/surface.vert",
+                                 .fragment = "04_surface_maps/depth.frag",
+                                 .cull = VK_CULL_MODE_NONE,
+                                 .depth_clamp = true});
+};
+
+}  // namespace lightwalk

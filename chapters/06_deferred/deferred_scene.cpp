@@ -1,0 +1,103 @@
+#include "06_deferred/deferred_scene.h"
+
+namespace lightwalk {
+
+std::vector<With> DeferredScene::with(std::vector<With> modules) const {
+    modules.insert(modules.end(), shading_with.begin(), shading_with.end());
+    return modules;
+}
+
+std::function<void(Raster&)> DeferredScene::often_by(const SurfacePipelines& both) const {
+    return [this, draw = by(both)](Raster& pass) {
+        for (int i = 0; i < times; ++i) draw(pass);
+    };
+}
+
+// [draw]
+void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
+    if (!canvas.has_depth()) return draw_alone(frame, view, canvas);
+    // What others have drawn has a depth, too, and nothing in the G-buffer: drawn apart, then what is nearer goes in.
+    const auto fit = [&](Image& image, const char* name, VkFormat format) {
+        image.fit(frame.gpu.device, {.name = path() + name, .format = format, .size = view.size});
+    };
+    fit(own_color_, " color", VK_FORMAT_R16G16B16A16_SFLOAT);
+    fit(own_depth_, " depth", VK_FORMAT_D32_SFLOAT);
+    Canvas own(own_color_, own_depth_, glm::vec4(0.0f));
+    draw_alone(frame, view, own);
+    frame.raster(
+        "merge",
+        {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = {own_color_, own_depth_}},
+        [&](Raster& pass) {
+            pass.use(merge_).set("color_map", own_color_, nearest_clamp).set("depth_map", own_depth_, nearest_clamp);
+            pass.draw(3);
+        });
+}
+
+void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
+    // 1. Depth from the lights that cast shadows.
+    record_lights(frame, view);
+
+    // 2. Depth alone, where somebody asks for it.
+    const bool forwards = gbuffer.is_forward() || gbuffer.shows_loss();
+    if (depth_first || (forwards && lights.needs_depth()))
+        frame.raster("depth", {.depth = canvas.depth_target(), .with = with({maps})}, often_by(depth_));
+
+    // 3. Every surface, lit where it is drawn; or what it is, for each pixel, and then light on what is seen in the end,
+    // and what glows by itself.
+    gbuffer.begin(frame, view, canvas.single_depth());
+    if (forwards) return draw_forward(frame, view, canvas);
+    write_gbuffer(frame, view, canvas);
+    deferred_lights_.record(frame, *scene_, view, canvas, gbuffer, lights, {lights, shadow, gbuffer});
+    add_glow(frame, canvas);
+    // What lets light through is lit as it is drawn, by its own cells of lights.
+    if (scene_->transparent().size() > 0) lights.record(frame, *scene_, view, canvas.depth(frame));
+    if (!gbuffer.show.is("picture")) deferred_lights_.show(frame, canvas, gbuffer);
+}
+
+void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas) {
+    lights.record(frame, *scene_, view, canvas.single_depth());
+    const bool loss = gbuffer.shows_loss();
+    const Attachment target = loss ? clear(canvas.color_overwritten(), glm::vec4(-1.0f)) : canvas.color_target();
+    frame.raster(
+        "forward",
+        {.color = {target}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow, gbuffer})},
+        often_by(loss ? lost_ : shading ? *shading : shade_));
+}
+
+void DeferredScene::write_gbuffer(Frame& frame, const View&, Canvas& canvas) {
+    const SurfacePipelines* const pipelines[] = {&write_, &write_culled_, &write_all_};
+    frame.raster("gbuffer",
+                 {.color = gbuffer.targets(), .depth = canvas.depth_target(), .with = with({maps, gbuffer})},
+                 often_by(*pipelines[static_cast<size_t>(cull)]));
+    gbuffer.written();
+}
+
+void DeferredScene::add_glow(Frame& frame, Canvas& canvas) {
+    const std::vector<Batch> glows = glowing(*scene_, opaque_batches());
+    if (glows.empty()) return;
+    frame.raster("glow",
+                 {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps})},
+                 [&](Raster& pass) { maps.draw(pass, *scene_, glows, glow_.loaded, glow_.displaced); });
+}
+// [/draw]
+
+std::vector<Batch> glowing(const Scene& scene, const std::vector<Batch>& batches) {
+    std::vector<Batch> kept;
+    for (const Batch& batch : batches) {
+        bool any = false;
+        for (uint32_t i = 0; i < batch.count; ++i)
+            any |= scene.items[batch.first + i].material.emissive != glm::vec3(0.0f);
+        if (any) kept.push_back(batch);
+    }
+    return kept;
+}
+
+glm::vec2 mean_loss(const ImageRgb& picture) {
+    glm::dvec2 sum(0.0);
+    double count = 0;
+    for (const glm::vec3& pixel : picture.pixels)
+        if (pixel.r >= 0.0f) sum += glm::dvec2(pixel), ++count;
+    return count > 0 ? sum / count : sum;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,54 @@
+// A scene's objects as a drawing whose surfaces are written to a G-buffer first and lit afterwards.
+#pragma once
+#include "05_shadow_maps/lit_scene.h"
+#include "06_deferred/deferred_lights.h"
+#include "common/image/image.h"
+
+namespace lightwalk {
+
+// [deferred_scene]
+/// LitScene through a G-buffer, or as LitScene draws it where gbuffer.method is forward. Transparent surfaces are drawn
+/// as LitScene draws them.
+struct DeferredScene : LitScene {
+    DeferredScene(Module& owner, std::string name) : LitScene(owner, std::move(name)), gbuffer(owner, "gbuffer") {}
+
+    GBuffer gbuffer;
+
+    int times = 1;             ///< how often every surface is drawn
+    bool depth_first = false;  ///< depth alone before, so that each pixel is written once
+    enum class Cull { fixed, geometry, nothing } cull = Cull::fixed;  ///< of triangles that face away, from the G-buffer
+
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
+    // [/deferred_scene]
+
+  private:
+    void draw_alone(Frame& frame, const View& view, Canvas& canvas);
+    void draw_forward(Frame& frame, const View& view, Canvas& canvas);
+    void write_gbuffer(Frame& frame, const View& view, Canvas& canvas);
+    void add_glow(Frame& frame, Canvas& canvas);
+    std::function<void(Raster&)> often_by(const SurfacePipelines& both) const;
+    std::vector<With> with(std::vector<With> modules) const;
+
+    DeferredLights deferred_lights_;
+    Image own_color_, own_depth_;  ///< where others have drawn before
+    Pipeline merge_ = graphics({.vertex = "06_deferred/whole.vert", .fragment = "06_deferred/merge.frag"});
+    SurfacePipelines lost_{{.fragment = "06_deferred/lost.frag"}};
+    SurfacePipelines write_{{.fragment = "06_deferred/write.frag"}};
+    SurfacePipelines write_all_{{.fragment = "06_deferred/write.frag", .cull = VK_CULL_MODE_NONE}};
+    SurfacePipelines write_culled_{{.geometry = "06_deferred/cull.geom",
+                                    .fragment = "06_deferred/write.frag",
+                                    .cull = VK_CULL_MODE_NONE}};
+    // A little nearer: behind other outputs, or a geometry shader, a device may compute depth otherwise in the last bit.
+    SurfacePipelines glow_{{.fragment = "06_deferred/glow.frag",
+                            .depth_write = false,
+                            .depth_bias = {.constant = 16},
+                            .blend = Blend::add}};
+};
+
+/// Those of the batches that have something in them that emits.
+std::vector<Batch> glowing(const Scene& scene, const std::vector<Batch>& batches);
+
+/// Of a picture of what a G-buffer loses: degrees of normals, millimetres of positions, in the mean over what is drawn.
+glm::vec2 mean_loss(const ImageRgb& picture);
+
+}  // namespace lightwalk
