@@ -119,6 +119,8 @@ struct ShadowMaps : ModelChapter {
     }
     // [/frame]
 
+    std::string why_not_finite() const override { return visibility.is("rays") ? rays.why_not_finite() : ""; }
+
     std::vector<std::string> status() const override {
         return {fmt::format("{} shadow maps, {} drawn", shadow.views, shadow.drawn_views)};
     }
