@@ -81,6 +81,8 @@ struct ShadowMaps : ModelChapter {
     }
     // [/frame]
 
+    std::string why_not_finite() const override { return visibility.is("rays") ? rays.why_not_finite() : ""; }
+
     std::vector<std::string> status() const override {
         return {fmt::format("{} shadow maps, {} drawn", objects.shadow.views, objects.shadow.drawn_views)};
     }

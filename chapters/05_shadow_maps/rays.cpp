@@ -1,5 +1,7 @@
 #include "05_shadow_maps/rays.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -108,6 +110,13 @@ Macros Rays::macros() const {
     Macros all = Module::macros();
     if (!has_cutouts_) all.set(cutouts.macro(), "0");
     return all;
+}
+
+std::string Rays::why_not_finite() const {
+    return fmt::format(
+        "{0}.truth_samples {1} may be more rays than the driver's loops have rounds for (lavapipe ends them after "
+        "65,535); take {2}, and {3} times as many --samples",
+        path(), truth_samples.value, std::max(truth_samples / 4, 1), truth_samples >= 4 ? 4 : truth_samples.value);
 }
 
 void Rays::bind(Pass& pass) const {

@@ -34,6 +34,8 @@ struct Rays : Module {
     void bind(Pass& pass) const override;
 
     const Bvh& bvh() const { return bvh_; }
+    /// Of a picture whose visibility was found by rays: what a pixel that is no number means.
+    std::string why_not_finite() const;
     /// How far from a surface its rays begin, in metres: what lies closer casts no shadow on it.
     float offset_m() const { return state_.offset_m; }
     // [/rays]

@@ -9,9 +9,13 @@ namespace {
 
 constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT, float4 = VK_FORMAT_R32G32B32A32_SFLOAT;
 
-Sampler sampler_for(const Choice& border, bool linear) {
-    const Filter filter = linear ? Filter::linear : Filter::nearest;
-    const Wrap wrap = border.is("clamp") ? Wrap::clamp : border.is("mirror") ? Wrap::mirror : Wrap::border;
+// Where a level that is mirrored is read, step.glsl finds.
+Sampler sampler_for(const Choice& border, const Step& step) {
+    const Filter filter = step.linear ? Filter::linear : Filter::nearest;
+    const bool line =
+        step.kind == Step::Kind::line || step.kind == Step::Kind::shared || step.kind == Step::Kind::window;
+    const Wrap mirror = line ? Wrap::mirror : Wrap::clamp;
+    const Wrap wrap = border.is("clamp") ? Wrap::clamp : border.is("mirror") ? mirror : Wrap::border;
     return {.filter = filter, .mip_filter = Filter::nearest, .wrap = wrap};
 }
 
@@ -47,6 +51,12 @@ void Bloom::set_up(Frame& frame, glm::uvec2 size) {
     std::vector<glm::vec2> taps = plan_.taps;
     if (taps.empty()) taps.emplace_back(0.0f);  // a buffer has something in it
     if (taps != taps_made_ || !taps_) taps_ = frame.gpu.upload("bloom taps", taps), taps_made_ = taps;
+}
+
+glm::vec4 Bloom::picture_in(const Image& image) const {
+    for (size_t i = 0; i < images_.size(); ++i)
+        if (&images_[i] == &image) return {glm::vec2(static_cast<float>(plan_.aprons[i])), plan_.extents[i]};
+    return {0.0f, 0.0f, image.desc.size};
 }
 
 // [record]
@@ -85,6 +95,7 @@ void Bloom::record_blur(Frame& frame) {
             const Step& step = plan_.steps[i];
             if (i > 0) pass.wait();  // for the step before
             const Pipeline* const pipelines[] = {plan_.full_floats ? &full_line_ : &line_,
+                                                 &level_line_,
                                                  &shared_,
                                                  &window_,
                                                  step.karis ? &karis_down_ : &down_,
@@ -94,11 +105,14 @@ void Bloom::record_blur(Frame& frame) {
                                                  &copy_};
             pass.use(*pipelines[static_cast<size_t>(step.kind)]);
             if (pass.wants("taps")) pass.set("taps", taps_);
-            pass.set("from", images_[static_cast<size_t>(step.from)], sampler_for(border, step.linear));
+            pass.set("from", images_[static_cast<size_t>(step.from)], sampler_for(border, step));
             pass.set("into", images_[static_cast<size_t>(step.into)]);
             pass.set("step_now", StepParameters{.direction = step.direction,
                                                 .first_tap = static_cast<int>(step.first_tap),
                                                 .taps = static_cast<int>(step.taps),
+                                                .extent = plan_.extents[static_cast<size_t>(step.from)],
+                                                .from_apron = plan_.aprons[static_cast<size_t>(step.from)],
+                                                .apron = plan_.aprons[static_cast<size_t>(step.into)],
                                                 .spread = step.spread,
                                                 .weight = step.weight,
                                                 .keep = step.keep});

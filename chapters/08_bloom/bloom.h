@@ -43,6 +43,8 @@ struct Bloom : Module {
     const Image& cut_out() const { return images_.at(0); }
     const Image& spread() const { return images_.at(1); }
     const Image& level(size_t i) const { return images_.at(std::min(i, images_.size() - 1)); }
+    /// Where in one of them the picture begins, and how large it is there, in texels.
+    glm::vec4 picture_in(const Image& image) const;
 
     const Buffer& dispatches() const { return dispatch_; }
 
@@ -65,6 +67,7 @@ struct Bloom : Module {
     Pipeline decide_ = compute({.shader = "08_bloom/decide.comp"});
     Pipeline line_ = compute({.shader = "08_bloom/line.comp"});
     Pipeline full_line_ = compute({.shader = "08_bloom/line.comp", .macros = {{"FULL_FLOATS", "1"}}});
+    Pipeline level_line_ = compute({.shader = "08_bloom/line.comp", .macros = {{"OF_A_LEVEL", "1"}}});
     Pipeline shared_ = compute({.shader = "08_bloom/shared.comp"});
     Pipeline window_ = compute({.shader = "08_bloom/window.comp"});
     Pipeline down_ = compute({.shader = "08_bloom/down.comp"});

@@ -52,7 +52,9 @@ struct BloomChapter : ModelChapter {
     void look_at(Frame& frame, const Image& image) {
         frame.compute("look", {.reads = {image, bloom.dispatches()}, .writes = {frame.hdr}}, [&](Compute& pass) {
             pass.use(look).set("image", image, nearest_clamp).set("gain", gain.value).set("result", frame.hdr);
-            pass.set("dispatches", bloom.dispatches()).dispatch_threads(frame.size);
+            pass.set("dispatches", bloom.dispatches())
+                .set("picture_in", bloom.picture_in(image))
+                .dispatch_threads(frame.size);
         });
     }
 

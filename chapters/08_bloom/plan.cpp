@@ -13,7 +13,9 @@ using Kind = Step::Kind;
 constexpr int pingpong_rounds = 10;  // each horizontal and vertical: twenty passes
 constexpr double widest_kawase = 1.75;
 
-glm::uvec2 halved(glm::uvec2 size) { return (size + 1u) / 2u; }
+// Texels that a level has beyond each of the picture's borders. A level's light is spread by little more than a texel,
+// so that what lies farther out matters to no pixel.
+constexpr int level_apron = 4;
 
 // Seven weights, for taps that lie `spacing` texels apart: ±3 are at 2.5 sigma.
 std::vector<float> seven_weights() {
@@ -50,6 +52,8 @@ class Planner {
   public:
     explicit Planner(const BlurWish& wish) : wish_(wish) {
         plan_.sizes = {wish.size, wish.size};
+        plan_.extents = {wish.size, wish.size};
+        plan_.aprons = {0, 0};
         plan_.full_floats = wish.method == "exact";
     }
 
@@ -79,9 +83,16 @@ class Planner {
         return levels;
     }
 
-    int image(glm::uvec2 size) {
-        plan_.sizes.push_back(size);
+    int image(glm::vec2 extent, int apron = 0) {
+        plan_.sizes.push_back(glm::uvec2(glm::ceil(extent)) + 2u * static_cast<uint32_t>(apron));
+        plan_.extents.push_back(extent);
+        plan_.aprons.push_back(apron);
         return static_cast<int>(plan_.sizes.size()) - 1;
+    }
+    // An image for the level below. Of an odd number of texels the last one lies half over the border.
+    int half_of(int above) { return image(0.5f * plan_.extents[static_cast<size_t>(above)], level_apron); }
+    int as_large_as(int other) {
+        return image(plan_.extents[static_cast<size_t>(other)], plan_.aprons[static_cast<size_t>(other)]);
     }
     int between() { return between_ ? between_ : between_ = image(wish_.size); }
     int second() { return second_ ? second_ : second_ = image(wish_.size); }
@@ -167,7 +178,7 @@ class Planner {
             solve(0, widest_kawase, sigma * sigma, [&](double offset) { return kawase_variance(levels, offset); }));
         std::vector<int> chain{0};
         for (int level = 1; level <= levels; ++level) {
-            chain.push_back(image(halved(plan_.sizes[static_cast<size_t>(chain.back())])));
+            chain.push_back(half_of(chain.back()));
             plan_.steps.push_back(
                 {.kind = Kind::kawase_down, .from = chain[chain.size() - 2], .into = chain.back(), .spread = spread});
         }
@@ -193,24 +204,28 @@ class Planner {
         std::vector<int> chain{0};
         for (int level = 1; level <= levels; ++level) {
             const int above = chain.back();
-            chain.push_back(image(halved(plan_.sizes[static_cast<size_t>(above)])));
+            chain.push_back(half_of(above));
             plan_.steps.push_back({.kind = copies ? Kind::copy : Kind::down,
                                    .from = above,
                                    .into = chain.back(),
+                                   .spread = 2.0f,
                                    .karis = wish_.karis && level == 1});
         }
         const double missing_texels = std::sqrt(sigma * sigma - pyramid_variance(levels)) / std::pow(2.0, levels);
         const int smallest = levels == 0 ? 1 : chain.back();
         if (!copies || levels == 0) {
             const auto taps = taps_of(gaussian_weights(static_cast<float>(missing_texels), 3.0f), 1);
-            const Step blur = with_taps({.from = chain.back(), .into = smallest, .linear = false}, taps);
-            two_lines(blur, image(plan_.sizes[static_cast<size_t>(smallest)]), false);
+            const Kind kind = levels == 0 ? Kind::line : Kind::level_line;
+            const Step blur =
+                with_taps({.kind = kind, .from = chain.back(), .into = smallest, .linear = levels > 0}, taps);
+            two_lines(blur, as_large_as(smallest), false);
         }
         for (int level = levels; level > 0; --level) {
             const bool first = level == levels, adds = wish_.sum && level > 1;
             plan_.steps.push_back({.kind = copies ? Kind::copy : Kind::up,
                                    .from = chain[size_t(level)],
                                    .into = level == 1 ? 1 : chain[size_t(level) - 1],
+                                   .spread = 0.5f,
                                    .weight = first ? share : 1.0f,
                                    .keep = adds ? share : 0.0f});
         }

@@ -19,13 +19,13 @@ struct BlurWish {
 // [step]
 /// One dispatch. Images are by number: 0 is what was cut out of the picture, 1 the result.
 struct Step {
-    enum class Kind { line, shared, window, down, up, kawase_down, kawase_up, copy };
+    enum class Kind { line, level_line, shared, window, down, up, kawase_down, kawase_up, copy };
     Kind kind = Kind::line;
     int from = 0, into = 1;
     glm::ivec2 direction{1, 0};        ///< of lines
     uint32_t first_tap = 0, taps = 0;  ///< of Plan::taps
     bool linear = true;                ///< reads between texels
-    float spread = 1;                  ///< Kawase's offset
+    float spread = 1;                  ///< Kawase's offset; of copy how many texels are read for one that is written
     float weight = 1, keep = 0;        ///< the image becomes weight * what was found + keep * what it held
     bool karis = false;
 };
@@ -35,6 +35,10 @@ struct Plan {
     std::vector<Step> steps;
     std::vector<glm::vec2> taps;    ///< (offset in texels, weight), one side, the middle first
     std::vector<glm::uvec2> sizes;  ///< of the images
+    /// Of each the picture's width and height, in its texels: of levels a fraction. And how many texels it has more on
+    /// each side, for what lies outside of the picture.
+    std::vector<glm::vec2> extents;
+    std::vector<int> aprons;
     std::vector<double> sigmas_px;  ///< the Gaussians that it stands for, all of the same weight
     bool full_floats = false;       ///< 32 bits in every image: the truth
 };

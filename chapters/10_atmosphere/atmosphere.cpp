@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "10_atmosphere/path_parts.h"
 #include "10_atmosphere/skylight.h"
 #include "common/scene/view.h"
 
@@ -142,10 +143,22 @@ void Atmosphere::set_lasting(Compute& pass) const {
     pass.offer("air_multiple", multiple_, linear_clamp);  // not wanted for single scattering
 }
 
+// What the two methods whose loops may turn too often are asked for, cut up.
+std::vector<PathPart> Atmosphere::parts() const {
+    if (method.is("truth"))
+        return path_parts({.places = 32 * steps, .light_places = 48, .walks = orders.is("multiple") ? paths.value : 0},
+                          air());
+    if (method.is("march")) return path_parts({.places = steps, .light_places = light_steps}, air());
+    return {{.begins = 1, .ends = 1}};
+}
+
 // [record]
 void Atmosphere::record(Frame& frame, const Image& hdr, const Image& depth, const Camera& camera) {
-    const Pipeline* const looks[] = {&none_, &preetham_, &polynomial_, &chapman_, &march_, &look_tables_, &truth_};
     const bool tables = method.is("tables"), truth = method.is("truth");
+    const std::vector<PathPart> parts = this->parts();
+    const bool in_parts = truth || parts.size() > 1;
+    const Pipeline* const looks[] = {
+        &none_, &preetham_, &polynomial_, &chapman_, in_parts ? &march_parts_ : &march_, &look_tables_, &truth_};
     const float reach_m = tables ? volume_reach_m(camera) : 0.0f;
     ComputeAccess access{.reads = {depth, hdr}, .writes = {hdr}, .with = {*this}};
     if (tables) {
@@ -158,19 +171,32 @@ void Atmosphere::record(Frame& frame, const Image& hdr, const Image& depth, cons
         make(frame.gpu.device, doubt_, {.name = path() + " standard error", .size = frame.size});
         access.writes.push_back(doubt_);
     }
+    if (in_parts) {
+        const auto so_far = [&](Image& image, const char* name) {
+            make(frame.gpu.device, image,
+                 {.name = path() + name, .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = frame.size});
+            access.reads.push_back(image), access.writes.push_back(image);
+        };
+        so_far(light_so_far_, " light so far"), so_far(through_so_far_, " through so far");
+    }
     frame.compute("atmosphere", access, [&](Compute& pass) {
-        pass.use(*looks[method.index]).set("result", hdr).set("depth", depth, nearest_clamp);
-        pass.set("rays", view_rays(camera, frame));
-        if (tables) {
-            set_lasting(pass);
-            pass.set("air_sky", sky_, linear_clamp).set("air_light", light_, linear_clamp);
-            pass.set("air_through", through_, linear_clamp).set("reach_m", reach_m);
+        for (const PathPart& part : parts) {
+            if (!part.begins) pass.wait();
+            pass.use(*looks[method.index]).set("result", hdr).set("depth", depth, nearest_clamp);
+            pass.set("rays", view_rays(camera, frame));
+            if (in_parts)
+                pass.set("part", part).set("light_so_far", light_so_far_).set("through_so_far", through_so_far_);
+            if (tables) {
+                set_lasting(pass);
+                pass.set("air_sky", sky_, linear_clamp).set("air_light", light_, linear_clamp);
+                pass.set("air_through", through_, linear_clamp).set("reach_m", reach_m);
+            }
+            if (truth) {
+                pass.offer("doubt", doubt_);
+                pass.offer("seed", frame.seed * 4096u + static_cast<unsigned>(frame.samples.index));
+            }
+            pass.dispatch_threads(frame.size);
         }
-        if (truth) {
-            pass.offer("doubt", doubt_);
-            pass.offer("seed", frame.seed * 4096u + static_cast<unsigned>(frame.samples.index));
-        }
-        pass.dispatch_threads(frame.size);
     });
 }
 // [/record]

@@ -1,6 +1,7 @@
 // A planet's air as a module: what it scatters into a picture, and what it lets through.
 #pragma once
 #include "10_atmosphere/air_data.h"
+#include "10_atmosphere/path_part.h"
 #include "common/app/module.h"
 #include "common/app/target.h"
 #include "common/gpu/frame.h"
@@ -96,12 +97,13 @@ struct Atmosphere : Module {
     void make_images(Device& device);
     void record_tables(Frame& frame, const Camera& camera, float reach_m);
     void set_lasting(Compute& pass) const;
+    std::vector<PathPart> parts() const;
     float height_of(glm::vec3 position) const;
     float volume_reach_m(const Camera& camera) const;
 
     Buffer skylight_;
     std::vector<std::byte> skylight_of_;  ///< what it was made from
-    Image doubt_, transmittance_, multiple_, sky_, light_, through_;
+    Image light_so_far_, through_so_far_, doubt_, transmittance_, multiple_, sky_, light_, through_;
     std::vector<std::byte> made_of_;  ///< what the two lasting tables were made from
     Pipeline make_transmittance_ = compute({.shader = "10_atmosphere/make_transmittance.comp"});
     Pipeline make_multiple_ = compute({.shader = "10_atmosphere/make_multiple.comp"});
@@ -112,6 +114,7 @@ struct Atmosphere : Module {
     Pipeline polynomial_ = compute({.shader = "10_atmosphere/look_closed.comp", .macros = {{"ONEIL", "1"}}});
     Pipeline chapman_ = compute({.shader = "10_atmosphere/look_closed.comp"});
     Pipeline march_ = compute({.shader = "10_atmosphere/look_march.comp"});
+    Pipeline march_parts_ = compute({.shader = "10_atmosphere/look_march.comp", .macros = {{"IN_PARTS", "1"}}});
     Pipeline look_tables_ = compute({.shader = "10_atmosphere/look_tables.comp"});
     Pipeline truth_ = compute({.shader = "10_atmosphere/look_truth.comp"});
 };

@@ -50,6 +50,9 @@ class Chapter : public Module {
     /// a Frame of its own, and finds its knobs put back afterwards.
     virtual void measure(Gpu& /*gpu*/, glm::uvec2 /*size*/, nlohmann::json& /*error*/) {}
 
+    /// For the error where the picture is not finite: what may have caused that, and what to do.
+    virtual std::string why_not_finite() const { return {}; }
+
     /// What the panel shows of the last frame beside the times, and --timings writes: a line each.
     virtual std::vector<std::string> status() const { return {}; }
 

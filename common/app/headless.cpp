@@ -17,11 +17,13 @@ namespace {
 using nlohmann::json;
 
 // A NaN, or an infinity, in the linear light of the picture.
-void report_non_finite(Gpu& gpu, const Image& linear) {
+void report_non_finite(Gpu& gpu, const Image& linear, const std::string& why) {
     size_t nan = 0, infinite = 0;
     for (const glm::vec3& pixel : read_linear(gpu, linear).pixels)
         for (int i = 0; i < 3; ++i) std::isnan(pixel[i]) ? ++nan : infinite += std::isinf(pixel[i]);
-    if (nan || infinite) throw Failure("the HDR target holds {} NaN and {} infinite values", nan, infinite);
+    if (nan || infinite)
+        throw Failure("the HDR target holds {} NaN and {} infinite values{}{}", nan, infinite, why.empty() ? "" : ": ",
+                      why);
 }
 
 json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter,
@@ -93,7 +95,7 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
         recording_ms.push_back(frame.recording_ms);
     }
     // First: a picture that is wrong does not take the place of one that was right.
-    report_non_finite(gpu, frame.linear());
+    report_non_finite(gpu, frame.linear(), chapter.why_not_finite());
     if (!options.screenshot.empty()) write_png(options.screenshot, read_picture(gpu, frame.output));
     if (!options.timings.empty())
         write_file(options.timings, timings_json(gpu, options, chapter, times, recording_ms)

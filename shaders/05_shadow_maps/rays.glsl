@@ -27,9 +27,17 @@ void basis_of(vec3 n, out vec3 x, out vec3 y) {
 // Rays begin a little above the surface, so that it does not shadow itself. `facing` is the normal of the mesh.
 vec3 above(vec3 position, vec3 facing) { return position + rays_state.offset_m * facing; }
 
+// Lavapipe ends all loops of an invocation once they have turned 65,535 times together, and each that begins afterwards turns
+// once. False: that has happened, and what loops have found may be wrong. Compilers must not see that it is two.
+bool loops_turn() {
+    uint two = 2u * min(uint(rays.truth_samples), 1u), turned = 0u;
+    for (; turned < two; ++turned) {}
+    return turned == two;
+}
+
 // [lamp_visibility]
-// The share of the lamp's disc that is seen from `origin`, 0 to 1: the mean of as many rays as the knob says. Lavapipe
-// ends all loops of an invocation once they have turned 65,535 times together: NaN, rather than a wrong number.
+// The share of the lamp's disc that is seen from `origin`, 0 to 1: the mean of as many rays as the knob says. NaN,
+// rather than a wrong number, where a driver has ended their loops.
 float lamp_visibility(Lamp lamp, vec3 origin, uint seed) {
     float away = length(lamp.to_middle);
     if (away == 0.0) return 1.0;  // in the lamp itself

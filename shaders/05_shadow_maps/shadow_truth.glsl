@@ -29,6 +29,7 @@ ShadowTruth shadow_truth(ShadowLight light, vec3 position, vec3 facing, vec3 to_
     Lamp lamp = lamp_of(light, origin, to_light);
     bool blocked = closest_hit(Ray(origin, 0.0, lamp.to_middle, lamp.most), hit);
     truth.blocker_m = blocked ? hit.t * length(lamp.to_middle) : -1.0;
+    if (!loops_turn()) truth.visibility = uintBitsToFloat(0x7fc00000u);
     return truth;
 }
 // [/shadow_truth]

@@ -19,6 +19,6 @@ vec3 weighed(ivec2 at) {
 }
 
 void main() {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (!is_outside(at)) put(at, weighed(at));
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_outside(texel)) put(texel, weighed(place_of(texel)));
 }

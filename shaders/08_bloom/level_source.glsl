@@ -1,4 +1,5 @@
 // For 08.down_filter: the level above, twice as wide and high.
+#define OF_A_LEVEL
 #include "08_bloom/step.glsl"
 
 #ifdef IMPULSE_X

@@ -10,8 +10,23 @@ layout(rgba32f) uniform image2D into;
 layout(rgba16f) uniform image2D into;
 #endif
 
-// In texels of `from`, texels' middles at halves; outside it is what the border says.
-vec3 read(vec2 position) { return textureLod(from, position / vec2(textureSize(from, 0)), 0.0).rgb; }
+// [read]
+// In texels of `from`, 0 at the picture's left and top border, texels' middles at halves. Outside of the picture it is what
+// the border says: a level has an apron of texels there, computed like all others. Farther out it ends, is clamped, or is
+// mirrored where the picture is: at its own border, which may lie within a texel.
+vec3 read(vec2 position) {
+    vec2 size = vec2(textureSize(from, 0)), at = position;
+#if defined(OF_A_LEVEL) && BLOOM_BORDER == BLOOM_BORDER_MIRROR
+    vec2 extent = step_now.extent, last = size - float(step_now.from_apron) - 0.5;
+    vec2 mirrored = extent - abs(2.0 * extent * fract(at / (2.0 * extent)) - extent);
+    at = mix(at, mirrored, notEqual(at, clamp(at, vec2(0.5 - float(step_now.from_apron)), last)));
+#endif
+    return textureLod(from, (at + float(step_now.from_apron)) / size, 0.0).rgb;
+}
+// [/read]
+
+// Where a texel of the image that is written lies: 0 is the picture's first.
+ivec2 place_of(ivec2 texel) { return texel - step_now.apron; }
 
 bool is_outside(ivec2 texel) { return any(greaterThanEqual(texel, imageSize(into))); }
 

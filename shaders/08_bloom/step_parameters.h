@@ -7,8 +7,11 @@ struct StepParameters {
     ivec2 direction;  // of a line: (1, 0) or (0, 1)
     int first_tap;    // in taps[]: (offset in texels, weight), one side, the middle first
     int taps;
-    float spread;  // of Kawase's taps
-    float weight;  // the image becomes weight * what was found + keep * what it held
+    vec2 extent;     // the picture's size in texels of `from`: of a level a fraction
+    int from_apron;  // texels that `from` has before the picture's first, and after its last
+    int apron;       // and the image that is written
+    float spread;    // of Kawase's taps; of copy how many texels are read for one that is written
+    float weight;    // the image becomes weight * what was found + keep * what it held
     float keep;
 };
 

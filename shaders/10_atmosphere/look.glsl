@@ -13,6 +13,7 @@ layout(scalar) uniform AtmosphereBlock {
 } atmosphere;
 
 const float endless = 1e12;
+bool unfinished = false;  // along() has found part of the light, and another dispatch goes on
 
 // What each pass defines: light and transmittance of a path within the air, to what is `distance` metres from the eye.
 Along along(Path path, vec3 direction, ivec2 pixel, float distance);
@@ -44,6 +45,7 @@ void look(ivec2 pixel) {
         light += sun_disc(path.cos_angle, length(cross(direction, to_sun)), length(rays.right) / (stretch * stretch));
     if (clip_to_air(path, distance)) {
         Along air_before = along(path, direction, pixel, distance);
+        if (unfinished) return;
         light = light * air_before.transmittance + air_before.light;
     }
     imageStore(result, pixel, vec4(finite(light), seen.a));

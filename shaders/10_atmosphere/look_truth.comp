@@ -1,8 +1,10 @@
 // The air before a picture with so many steps that more of them change nothing that is seen, and random walks for what is
 // scattered more than once.
+#define IN_PARTS
 #include "10_atmosphere/look.glsl"
 #include "10_atmosphere/sun_marched.glsl"
 #include "10_atmosphere/in_scatter.glsl"
+#include "10_atmosphere/path_parts.glsl"
 #include "10_atmosphere/random_paths.glsl"
 
 layout(rgba16f) writeonly uniform image2D doubt;  // the light's standard error, over the light
@@ -13,18 +15,25 @@ bool light_steps_grow() { return true; }
 
 // [along]
 Along along(Path path, vec3 direction, ivec2 pixel, float distance) {
-    Along result = in_scatter(32 * atmosphere.steps, path);
+    SoFar found = so_far(pixel);
 #if ATMOSPHERE_ORDERS == ATMOSPHERE_ORDERS_MULTIPLE
-    start_random(uvec2(pixel), seed);
-    float squares, once = result.light.r + result.light.g + result.light.b;
-    vec3 often = scattered_often(path, atmosphere.paths, squares);
-    // Walks begin one in each part of the path: their sum varies less than this, which takes them for a random choice.
-    float sum = often.r + often.g + often.b, n = float(atmosphere.paths);
-    float deviation = sqrt(max(squares - sum * sum / n, 0.0) * n / max(n - 1.0, 1.0));
-    imageStore(doubt, pixel, vec4(deviation / max(once + sum, 1e-9)));
-    result.light += often;
+    if (part.first_walk < part.end_walk) {
+        start_random(uvec2(pixel), seed + 65537u * uint(part.first_walk));
+        Path piece = between(path, part.first_walk, part.end_walk, atmosphere.paths);
+        vec3 often = scattered_often(piece, part.end_walk - part.first_walk, found.through.rgb, found.light.a);
+        found.light.rgb += often;
+        found.through.a += often.r + often.g + often.b;
+    }
 #endif
-    return result;
+    add_places(found, path, 32 * atmosphere.steps);
+#if ATMOSPHERE_ORDERS == ATMOSPHERE_ORDERS_MULTIPLE
+    // Walks begin one in each part of the path: their sum varies less than this, which takes them for a random choice.
+    float sum = found.through.a, n = float(atmosphere.paths), all = found.light.r + found.light.g + found.light.b;
+    float deviation = sqrt(max(found.light.a - sum * sum / n, 0.0) * n / max(n - 1.0, 1.0));
+    if (part.ends != 0) imageStore(doubt, pixel, vec4(deviation / max(all, 1e-9)));
+#endif
+    keep(found, pixel);
+    return Along(found.light.rgb, found.through.rgb);
 }
 // [/along]
 
@@ -32,7 +41,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
 #if ATMOSPHERE_ORDERS == ATMOSPHERE_ORDERS_MULTIPLE
-    imageStore(doubt, pixel, vec4(0.0));
+    if (part.ends != 0) imageStore(doubt, pixel, vec4(0.0));
 #endif
     look(pixel);
 }

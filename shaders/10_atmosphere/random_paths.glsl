@@ -80,15 +80,15 @@ float walk(vec3 position, vec3 direction, vec3 to_sun, int c) {
 }
 // [/walk]
 
-// What `walks` of them, spread over the path, say; `squares` becomes the sum of the squares of what each has added.
-vec3 scattered_often(Path path, int walks, out float squares) {
+// What `walks` of them, spread over the path, say; `squares` grows by the squares of what each has added. `through` is what
+// gets from the path's start to the eye, and becomes what gets there from its end.
+vec3 scattered_often(Path path, int walks, inout vec3 through, inout float squares) {
     // Where the path is, in a world of its own: +y is up at its start.
     float sine = sqrt(max(1.0 - path.slope * path.slope, 0.0)), sun_sine = sqrt(max(1.0 - path.sun * path.sun, 0.0));
     float sun_x = sine > 1e-4 ? clamp((path.cos_angle - path.slope * path.sun) / sine, -sun_sine, sun_sine) : sun_sine;
     vec3 to_sun = vec3(sun_x, path.sun, sqrt(max(sun_sine * sun_sine - sun_x * sun_x, 0.0)));
     vec3 start = vec3(0.0, path.height, 0.0), direction = vec3(sine, path.slope, 0.0), depth = vec3(0.0), light = vec3(0.0);
     float part = path.way / float(walks * places_of_a_walk);
-    squares = 0.0;
     for (int i = 0; i < walks; ++i) {
         int chosen = int(random() * float(places_of_a_walk)), c = int(3.0 * random());
         for (int k = 0; k < places_of_a_walk; ++k) {
@@ -98,12 +98,13 @@ vec3 scattered_often(Path path, int walks, out float squares) {
             vec2 scatters = scattering_at(there, c);
             float all = scatters.x + scatters.y;
             if (k != chosen || all <= 0.0) continue;
-            float weight = 3.0 * float(places_of_a_walk) * part * all * exp(0.5 * taken[c] - depth[c]) * air.sun[c];
+            float weight = 3.0 * float(places_of_a_walk) * part * all * exp(0.5 * taken[c] - depth[c]) * air.sun[c] * through[c];
             vec3 next = turned(direction, draw_cosine(random() * all < scatters.y, weight), 6.2831853 * random());
             float sent = weight * walk(start + t * direction, next, to_sun, c);
             light[c] += sent;
             squares += sent * sent;
         }
     }
+    through *= exp(-depth);
     return light;
 }

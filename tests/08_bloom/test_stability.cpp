@@ -88,9 +88,8 @@ TEST_CASE_METHOD(OnBloom, "sigma from 0.1 to 200 pixels: finite, and no light is
                 const ImageRgb found = spread_of(method, sigma, {64, 48}, spot_at(32, 24));
                 INFO(method << " " << shape << " " << sigma);
                 CHECK(is_finite(found));
-                // Kawase's levels become smaller than its reach, and each mirrors at its own rounded edge.
-                const bool rounded = method == "dual_kawase" && sigma >= 30;
-                CHECK(sum(found) == Approx(1000).epsilon(rounded ? 0.15 : 0.01));
+                // A Kawase filter far wider than the picture is folded into it at a few texels.
+                CHECK(sum(found) == Approx(1000).epsilon(method == "dual_kawase" && sigma >= 30 ? 0.03 : 0.01));
             }
 }
 
@@ -115,10 +114,10 @@ TEST_CASE_METHOD(OnBloom, "energy is kept within 1 percent away from the border;
         bloom.border.set("clamp");
         fmt::print("light kept of a pixel at the border, {:16} clamp {:.2f} mirror {:.2f} black {:.2f}\n", method,
                    kept[0], kept[1], kept[2]);
-        CHECK(kept[0] > 1.01);  // the edge's pixel stands for all outside it: light is made
-        CHECK(kept[0] < 2.5);
-        CHECK(kept[1] == Approx(1).margin(0.06));  // light that leaves comes back
-        CHECK(kept[2] < 0.65);                     // half of it leaves
+        const bool anew = method == "pingpong" || method == "three_pass_7tap";     // each pass has its border anew
+        CHECK(kept[0] == Approx(anew ? 1.4 : 2.13).epsilon(anew ? 0.15 : 0.02));   // the edge's pixel stands for all
+        CHECK(kept[1] == Approx(1).margin(0.06));                                  // light that leaves comes back
+        CHECK(kept[2] == Approx(anew ? 0.32 : 0.55).epsilon(anew ? 0.25 : 0.05));  // half of it leaves, and more
     }
 }
 

@@ -1,0 +1,21 @@
+// How the light of a picture's paths is found in several dispatches, where one would take too long.
+#pragma once
+#include <vector>
+
+#include "10_atmosphere/air_data.h"
+#include "10_atmosphere/path_part.h"
+
+namespace lightwalk {
+
+/// What is asked for on each path.
+struct PathWork {
+    int places = 1;        ///< for light scattered once, 1 or more
+    int light_places = 1;  ///< from each of them towards the sun
+    int walks = 0;         ///< random ones, for light scattered more often
+};
+
+/// In order, one part if it can be. llvmpipe ends all loops of an invocation once they have turned 65,535 times
+/// together, and gives what they have found until then. Throws InputError where a single random walk may take longer.
+std::vector<PathPart> path_parts(const PathWork& work, const Air& air);
+
+}  // namespace lightwalk

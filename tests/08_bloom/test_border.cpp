@@ -1,0 +1,67 @@
+// A lamp at the picture's border, at sizes of which most halve to odd numbers: its light is there once.
+#include <fmt/core.h>
+
+#include "bloom_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+const std::vector<std::string> over_levels{"pyramid", "dual_kawase"};
+
+/// That many pixels in a row; from 88 on nothing of a sigma of 16 gets from the first to the last.
+constexpr int first_size = 88, last_size = 127;
+
+}  // namespace
+
+// Of a lamp at the border a mirrored picture keeps what one half of the halo has, twice: so much is lost or made as the
+// two halves differ. Kawase's do, by where the lamp is on its levels.
+TEST_CASE_METHOD(OnBloom, "a lamp in the middle: dual_kawase's halo leans to one side, the pyramid's does not",
+                 "[figures]") {
+    for (const std::string& method : over_levels) {
+        double most = 0;
+        for (int x = 60; x < 68; ++x) {
+            const ImageRgb found = spread_of(method, 7, {128, 64}, spot_at(x, 32, 20000));
+            double left = 0, right = 0;
+            for (int v = 0; v < 64; ++v)
+                for (int u = 0; u < 128; ++u)
+                    if (u != x) (u < x ? left : right) += double(found.at(u, v).g);
+            most = std::max(most, std::fabs(right / left - 1));
+        }
+        fmt::print("a lamp inside, {:12}: its halo's halves differ by up to {:.3f}\n", method, most);
+        CHECK((method == "pyramid" ? most < 0.01 : most > 0.1));
+        CHECK(most < 0.2);
+    }
+}
+
+TEST_CASE_METHOD(OnBloom, "a lamp in the last column, row or corner, at 40 sizes: as the truth, its light once",
+                 "[figures]") {
+    for (const std::string border : {"mirror", "clamp", "black"}) {
+        bloom.border.set(border);
+        struct Worst {
+            double light = 0, off = 0;
+        } worst[2];
+        for (int side = first_size; side <= last_size; ++side) {
+            const glm::uvec2 sizes[] = {{side, 24}, {24, side}, {side, 215 - side}};
+            const glm::ivec2 places[] = {{side - 1, 12}, {12, side - 1}, {side - 1, 214 - side}};
+            for (int i = 0; i < 3; ++i) {
+                const auto lamp = spot_at(places[i].x, places[i].y, 20000);
+                const float sigma = side % 2 ? 16.0f : 7.0f;
+                const ImageRgb exact = spread_of("exact", sigma, sizes[i], lamp);
+                for (size_t m = 0; m < over_levels.size(); ++m) {
+                    const ImageRgb found = spread_of(over_levels[m], sigma, sizes[i], lamp);
+                    INFO(over_levels[m] << " " << border << " " << sizes[i].x << "x" << sizes[i].y << " sigma "
+                                        << sigma);
+                    const double light = sum(found) / sum(exact), off = relative_l2(found, exact);
+                    CHECK(light == Approx(1).margin(m == 0 ? 0.01 : 0.15));
+                    CHECK(off < (m == 0 ? 0.015 : 0.2));
+                    worst[m].light = std::max(worst[m].light, std::fabs(light - 1));
+                    worst[m].off = std::max(worst[m].off, off);
+                }
+            }
+        }
+        for (size_t m = 0; m < over_levels.size(); ++m)
+            fmt::print("a lamp at the last border, {:12} {:6}: light off by at most {:.4f}, picture by {:.4f}\n",
+                       over_levels[m], border, worst[m].light, worst[m].off);
+    }
+}
