@@ -5,6 +5,7 @@
 #include <set>
 
 #include "09_post_effects/truth.h"
+#include "common/check/barriers.h"
 #include "common/check/check.h"
 #include "common/gpu/frame.h"
 
@@ -96,23 +97,27 @@ constexpr const char* harness = R"(
 layout(local_size_x = 256) in;
 #include "09_post_effects/histogram_bin.glsl"
 layout(scalar) readonly buffer GivenBuffer { uint given[]; };
+layout(scalar) writeonly buffer PassedBuffer { uint passed[]; };
 void main() {
     own_bins[gl_LocalInvocationIndex] = 1000u + gl_LocalInvocationIndex;
     barrier();
     uint word = given[gl_GlobalInvocationID.x];
     count_together(word & 255u, word < 256u);
+    passed[gl_GlobalInvocationID.x] = barriers_passed;
 }
 )";
 
 void count(Check& check, const std::string& what, const std::vector<uint32_t>& given, uint32_t most_groups) {
     Gpu& gpu = check_device();
-    const Pipeline pipeline =
-        compute({.shader = "check of histogram_bin", .macros = {{"COUNTED", "1"}}, .source = harness});
+    const Pipeline pipeline = compute(
+        {.shader = "check of histogram_bin", .macros = {{"COUNTED", "1"}}, .source = traced_barriers() + harness});
     const Buffer words = gpu.upload("given", given), bins = gpu.upload("bins", std::vector<uint32_t>(512, 0));
+    const Buffer passed(gpu.device, {.name = "passed", .bytes = 4 * given.size()});
     Frame frame(gpu);
     frame.begin({4, 4}, 0);
-    frame.compute("count", {.reads = {words, bins}, .writes = {bins}}, [&](Compute& pass) {
-        pass.use(pipeline).set("given", words).set("picture_bins", bins).dispatch({most_groups, 1, 1});
+    frame.compute("count", {.reads = {words, bins}, .writes = {bins, passed}}, [&](Compute& pass) {
+        pass.use(pipeline).set("given", words).set("picture_bins", bins).set("passed", passed);
+        pass.dispatch({most_groups, 1, 1});
     });
     frame.end();
     const auto bytes = gpu.read_back(bins);
@@ -135,6 +140,13 @@ void count(Check& check, const std::string& what, const std::vector<uint32_t>& g
                                  found[256 + bin], expected[256 + bin]),
                      "a workgroup adds to a bin once, and only where it counted something");
         if (check.failed > 0) return;
+    }
+    const auto raw = gpu.read_back(passed);
+    std::vector<uint32_t> barriers(given.size());
+    std::memcpy(barriers.data(), raw.data(), raw.size());
+    for (uint32_t group = 0; group < most_groups; ++group) {
+        const std::string wrong = barriers_wrong(std::span(barriers).subspan(256 * group, 256));
+        check.expect(wrong.empty(), fmt::format("count_together, {}: {}", what, wrong), barrier_hint);
     }
 }
 
