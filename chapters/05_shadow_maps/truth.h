@@ -39,7 +39,7 @@ inline double pcf(int field, glm::dvec2 uv, double depth, glm::dvec2 slope, int 
             const double area = (std::min(end.x, x + 1.0) - std::max(begin.x, double(x))) *
                                 (std::min(end.y, y + 1.0) - std::max(begin.y, double(y)));
             const double plane = depth + glm::dot(slope, (glm::dvec2(x, y) + 0.5) / 64.0 - uv);
-            if (plane >= field_depth(field, x, y)) lit += area;
+            if (std::max(plane, 0.0) >= field_depth(field, x, y)) lit += area;
         }
     return lit / (kernel * kernel);
 }
@@ -51,8 +51,8 @@ inline double chebyshev(glm::dvec2 moments, double depth, double least) {
 }
 
 inline double penumbra_width(double receiver, double blocker, double size, bool parallel) {
-    const double gap = std::max(receiver - blocker, 0.0);
-    return parallel ? size * gap : size * gap / std::max(blocker, 1e-3);
+    const double from = parallel ? blocker : std::max(blocker, 1e-3), gap = std::max(receiver - from, 0.0);
+    return parallel ? size * gap : size * gap / from;
 }
 
 inline double cascade_split(double near_m, double far_m, int i, int count, double lambda) {

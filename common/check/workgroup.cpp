@@ -4,6 +4,7 @@
 #include <numeric>
 #include <random>
 
+#include "common/check/barriers.h"
 #include "common/gpu/frame.h"
 #include "common/gpu/glsl.h"
 
@@ -32,7 +33,7 @@ void replace_all(std::string& text, const std::string& old, const std::string& w
 
 }  // namespace
 
-WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run) : puts_(run.puts) {
+WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run) : cases_(run.cases), stride_(run.puts + 1) {
     const std::string size = std::to_string(workgroup_size);
     std::string text = flatten_text(
                            "uint case_index, put_at, stands_for;\n"
@@ -45,17 +46,18 @@ WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run) : puts_(ru
     text = text.substr(text.find("#line 1 "));
     replace_all(text, "gl_LocalInvocationIndex", "stands_for");
     replace_all(text, "gl_LocalInvocationID", "uvec3(stands_for, 0, 0)");
-    text = "layout(local_size_x = " + size + ") in;\n" + text +
+    text = "layout(local_size_x = " + size + ") in;\n" + traced_barriers() + text +
            "\nlayout(scalar) readonly buffer OrderBuffer { uint orders[]; };\nvoid main() {\n"
            "    uint local = orders[gl_WorkGroupID.y * " +
            size +
            "u + gl_LocalInvocationIndex];\n"
            "    stands_for = local;\n    case_index = gl_WorkGroupID.x;\n"
            "    put_at = ((gl_WorkGroupID.x * gl_NumWorkGroups.y + gl_WorkGroupID.y) * " +
-           size + "u + local) * " + std::to_string(puts_) + "u;\n" + run.call + "\n}\n";
+           size + "u + local) * " + std::to_string(stride_) + "u;\n" + run.call + "\nput(" + std::to_string(run.puts) +
+           "u, barriers_passed);\n}\n";
     const Pipeline pipeline = compute({.shader = "workgroup", .macros = run.macros, .source = text});
     const Buffer given = gpu.upload("given", run.given), order = gpu.upload("orders", orders());
-    words_.resize(size_t(run.cases) * workgroup_orders * workgroup_size * puts_);
+    words_.resize(size_t(run.cases) * workgroup_orders * workgroup_size * stride_);
     const Buffer results(gpu.device, {.name = "puts", .bytes = 4 * words_.size()});
     Frame frame(gpu);
     frame.begin({1, 1}, 0.0f);
@@ -65,6 +67,17 @@ WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run) : puts_(ru
     });
     frame.end();
     std::memcpy(words_.data(), gpu.read_back(results).data(), 4 * words_.size());
+}
+
+std::string WorkgroupResults::barriers() const {
+    for (uint32_t which = 0; which < cases_; ++which)
+        for (uint32_t order = 0; order < workgroup_orders; ++order) {
+            std::vector<uint32_t> passed;
+            for (uint32_t local = 0; local < workgroup_size; ++local)
+                passed.push_back(at(which, order, local, stride_ - 1));
+            if (const std::string wrong = barriers_wrong(passed); !wrong.empty()) return wrong;
+        }
+    return "";
 }
 
 }  // namespace lightwalk

@@ -29,11 +29,14 @@ class WorkgroupResults {
   public:
     WorkgroupResults(Gpu& gpu, const WorkgroupRun& run);
     uint32_t at(uint32_t which, uint32_t order, uint32_t local, uint32_t i) const {
-        return words_[((size_t(which) * workgroup_orders + order) * workgroup_size + local) * puts_ + i];
+        return words_[((size_t(which) * workgroup_orders + order) * workgroup_size + local) * stride_ + i];
     }
+    /// As barriers_wrong() says it, of the first workgroup with something wrong. Behind each of a WorkgroupRun's texts
+    /// memoryBarrierShared() and its like do nothing (traced_barriers()).
+    std::string barriers() const;
 
   private:
-    uint32_t puts_;
+    uint32_t cases_, stride_;
     std::vector<uint32_t> words_;
 };
 

@@ -19,6 +19,8 @@ The numbers come first. Where they are right the exercise's pictures are drawn t
 drawn here and now, so that no processor and no driver makes a difference. The limits are wide: what a right answer may
 choose, such as which side a doubtful case is rounded to, shows in a picture too.
 
+GLSL cannot crash a driver without a fault of the driver's own: what does is judged by its numbers, and the note says so.
+
 In a handout there is no reference to draw with. There a picture shows the student's version of every exercise of the
 chapter and the earlier ones. It is compared with the golden, within the same limits, once the numbers of all of those
 are right; until then the numbers decide, and what is waited for is said.
@@ -33,7 +35,7 @@ from pathlib import Path
 
 from build import build
 from progress import Progress
-from rendering import render_shot
+from rendering import Crashed, render_shot
 from shots import compare, exceeded, golden_path, unfit
 from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, relative, say,
                   shots)
@@ -194,13 +196,13 @@ def check_pictures(chapter: str, exercise: str, result: dict):
             return
     build([chapter, "compare"])
     for shot in wanted:
-        picture = BUILD / "check" / chapter / f"{shot['name']}.{exercise}.png"
-        heatmap = picture.with_suffix(".flip.png")
         try:
-            render_shot(chapter, shot, picture, f"solution,{exercise}=exercise" if has_solutions() else "exercise")
-            metrics = compare(reference_picture(chapter, shot["name"]), picture, heatmap)
-            why = picture_words(shot["name"], metrics, picture, heatmap)
-        except Failure as failure:
+            why = wrong_picture(chapter, exercise, shot)
+        except Crashed as failure:
+            if exercises(chapter)[exercise].suffix == ".glsl":  # C++ of a student's crashes by itself
+                note = f"judged by its numbers alone: there is no picture of {shot['name']}, with which the driver crashed"
+                result["note"] = "; ".join(filter(None, (result.get("note"), note)))
+                continue
             why = str(failure)
         if why:
             result |= {"ok": False, "failed": result["failed"] + 1, "first_failure": why,
@@ -208,6 +210,21 @@ def check_pictures(chapter: str, exercise: str, result: dict):
                                "the file that ends in .flip.png is bright where the picture is wrong"}
             return
         result["passed"] += 1
+
+
+def wrong_picture(chapter: str, exercise: str, shot: dict, **environment) -> str:
+    """What is wrong with the exercise's picture; empty where nothing is. Raises Crashed."""
+    picture = BUILD / "check" / chapter / f"{shot['name']}.{exercise}.png"
+    heatmap = picture.with_suffix(".flip.png")
+    try:
+        use = f"solution,{exercise}=exercise" if has_solutions() else "exercise"
+        render_shot(chapter, shot, picture, use, **environment)
+        metrics = compare(reference_picture(chapter, shot["name"]), picture, heatmap)
+        return picture_words(shot["name"], metrics, picture, heatmap)
+    except Crashed:
+        raise
+    except Failure as failure:
+        return str(failure)
 
 
 def picture_words(name: str, metrics: dict, picture: Path, heatmap: Path) -> str:

@@ -3,23 +3,41 @@
 tests/NN_name/variants/EXERCISE.WHAT.glsl or .cpp is an exercise as somebody could hand it in. Its first line says what the
 check must make of it: "// right", or "// wrong: " and words that the first failure must hold. A shader stands in for the
 student's by LIGHTWALK_OVERLAY; of each C++ one the build makes a check program, build/tests/variants/NN.EXERCISE.WHAT.
+A shader with "// right, in its pictures too" is drawn as well, in every shot that shows its exercise.
 """
 
 import os
 import tempfile
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from check import check_numbers
-from tree import BUILD, ROOT, exercises, run_on_chapter
+from check import check_numbers, wrong_picture
+from tree import BUILD, ROOT, Failure, exercises, run_on_chapter, shots
+
+DRAWN = "right, in its pictures too"
+drawing = threading.Lock()  # the pictures of an exercise have one place
 
 
 def verdict_of(path: Path) -> tuple[bool, str]:
     """Whether it is right, and what must be said where it is not."""
     kind, _, words = path.read_text().partition("\n")[0].removeprefix("// ").partition(": ")
-    if kind not in ("right", "wrong") or (kind == "wrong") != bool(words):
+    if kind not in ("right", DRAWN, "wrong") or (kind == "wrong") != bool(words):
         raise ValueError(f"{path.name}: the first line is '// right' or '// wrong: WORDS'")
-    return kind == "right", words
+    return kind != "wrong", words
+
+
+def drawn_wrong(chapter: str, exercise: str, overlay: str) -> str:
+    """What is wrong with its pictures; empty where nothing is. One at a time."""
+    for shot in shots(chapter):
+        if exercise in shot.get("exercises", []):
+            try:
+                why = wrong_picture(chapter, exercise, shot, LIGHTWALK_OVERLAY=overlay)
+            except Failure as failure:
+                why = str(failure)
+            if why:
+                return why
+    return ""
 
 
 def run_variant(chapter: str, path: Path, known: dict[str, Path]) -> str:
@@ -36,6 +54,11 @@ def run_variant(chapter: str, path: Path, known: dict[str, Path]) -> str:
             overlaid.parent.mkdir(parents=True)
             overlaid.write_text(path.read_text())
             found = check_numbers(chapter, exercise, LIGHTWALK_OVERLAY=made, LIGHTWALK_PROBE_STRICT="1")
+            if found.get("ok") is True and path.read_text().startswith(f"// {DRAWN}\n"):
+                with drawing:
+                    why = drawn_wrong(chapter, exercise, made)
+                if why:
+                    return f"{path.name} is right, but {why}"
     ok, said = found.get("ok") is True, found.get("first_failure") or ""
     if ok != is_right:
         return f"{path.name} is {'right' if is_right else 'wrong'}, but the check " + \

@@ -37,6 +37,8 @@ def wrong_pictures(chapter: str, shot: dict) -> list[tuple[str, str, list, Path]
     wrong = [(f"{exercise} as handed out", chapter, [*same, "--use", f"solution,{exercise}=exercise"])
              for exercise in shot.get("exercises", []) if exercise not in files or not is_edited(files[exercise])]
     for entry in shot.get("rejects", []):
+        if any(f"{exercise}=exercise" in entry.get("use", "") and is_edited(path) for exercise, path in files.items()):
+            continue
         sets = [word for knob, value in entry.get("set", {}).items() for word in ("--set", f"{knob}={text(value)}")]
         if "chapter" in entry:
             scene = ["--scene", shot["scene"]] if "scene" in shot else []

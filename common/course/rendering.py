@@ -6,11 +6,16 @@ A program that draws one picture spends most of its time starting a device, comp
 import json
 import os
 import select
+import signal
 import subprocess
 import tempfile
 from pathlib import Path
 
 from tree import ROOT, Failure, chapter_program, relative
+
+class Crashed(Failure):
+    """The program ended as one does that reads or writes where it must not: it, or the driver within it."""
+
 
 TIMEOUT_S = 300  # under a sanitizer; a picture takes a second or two
 # The C library fills what it hands out with a byte: on lavapipe, whose images are memory like any other, a picture that
@@ -41,11 +46,12 @@ def render(chapter: str, options: list, picture: Path, **environment):
     picture.unlink(missing_ok=True)
     done = run_program([chapter_program(chapter), *options, "--screenshot", picture], **environment)
     if done.returncode or not picture.exists():
-        raise Failure(f"{chapter} ended with {done.returncode}: {last_words(done.stderr, done.stdout)}")
+        crashed = done.returncode == -signal.SIGSEGV or "stack smashing" in done.stderr
+        raise (Crashed if crashed else Failure)(f"{chapter} ended with {done.returncode}: {last_words(done.stderr, done.stdout)}")
 
 
-def render_shot(chapter: str, shot: dict, picture: Path, use: str = "solution"):
-    render(chapter, ["--shot", shot["name"], "--use", use, "--validate", "on"], picture)
+def render_shot(chapter: str, shot: dict, picture: Path, use: str = "solution", **environment):
+    render(chapter, ["--shot", shot["name"], "--use", use, "--validate", "on"], picture, **environment)
 
 
 class Drawing:

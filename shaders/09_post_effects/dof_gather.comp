@@ -1,6 +1,6 @@
 // What discs of other pixels bring here: behind the focus into one image, in front of it into another.
 #include "09_post_effects/dof_disc.glsl"
-#include "09_post_effects/film_grain.glsl"
+#include "09_post_effects/noise.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(scalar) uniform DofBlock { int taps; } dof;
@@ -20,7 +20,7 @@ void main() {
     if (any(greaterThanEqual(at, imageSize(far_field)))) return;
     vec2 middle = vec2(at) + 0.5;
     vec4 own = read(middle);
-    float turn = 3.14159265 * film_grain(uvec2(at), 0u);
+    float turn = 3.14159265 * noise_of(uvec2(at), 0u);
     vec2 widest = texelFetch(reached, at / 8, 0).rg;
 
     // Behind the focus: those whose disc, no wider than this pixel's own, reaches here. Each spreads its light over its disc.

@@ -1,6 +1,6 @@
 // One of the effects that look at other pixels: each needs the whole picture of the one before.
 #include "09_post_effects/chromatic_aberration.glsl"
-#include "09_post_effects/film_grain.glsl"
+#include "09_post_effects/noise.glsl"
 #include "09_post_effects/post_block.glsl"
 #include "09_post_effects/radial_blur.glsl"
 #include "09_post_effects/sharpen.glsl"
@@ -10,7 +10,7 @@ layout(rgba32f) writeonly uniform image2D into;
 
 // Each channel is read elsewhere; and rows are torn to the sides by noise, red one way and blue the other.
 vec3 split_channels(vec2 uv, ivec2 pixel) {
-    float torn = post.aberration_rows * film_grain(uvec2(7u, uint(pixel.y) / 3u), post_now.grain_frame);
+    float torn = post.aberration_rows * noise_of(uvec2(7u, uint(pixel.y) / 3u), post_now.grain_frame);
     vec3 color;
     for (int i = 0; i < 3; ++i)
         color[i] = picture(aberrated(uv, post.aberration_shift[i]) + vec2(torn * float(1 - i), 0.0))[i];

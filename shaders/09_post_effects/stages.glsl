@@ -5,6 +5,7 @@
 #include "09_post_effects/contrast_saturation.glsl"
 #include "09_post_effects/exposure_gamma.glsl"
 #include "09_post_effects/film_grain.glsl"
+#include "09_post_effects/noise.glsl"
 #include "09_post_effects/tone.glsl"
 #include "09_post_effects/vignette.glsl"
 
@@ -35,8 +36,8 @@ float stops_now() {
 
 float grain_at(ivec2 pixel) {
 #if POST_GRAIN == POST_GRAIN_TEXTURE
-    uvec2 moved = uvec2(vec2(0.5 + 0.5 * film_grain(uvec2(0u), post_now.grain_frame),
-                             0.5 + 0.5 * film_grain(uvec2(1u), post_now.grain_frame)) * vec2(textureSize(grain_tile, 0)));
+    uvec2 moved = uvec2(vec2(0.5 + 0.5 * noise_of(uvec2(0u), post_now.grain_frame),
+                             0.5 + 0.5 * noise_of(uvec2(1u), post_now.grain_frame)) * vec2(textureSize(grain_tile, 0)));
     return texelFetch(grain_tile, ivec2((uvec2(pixel) + moved) % uvec2(textureSize(grain_tile, 0))), 0).r;
 #else
     return film_grain(uvec2(pixel), post_now.grain_frame);

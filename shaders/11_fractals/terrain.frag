@@ -14,6 +14,8 @@ layout(scalar) uniform TerrainMixLookBlock {
     vec2 snow_begins, snow_ends;
 } terrain_mix_look;
 
+bool is_drawn() { return gl_FragCoord.x >= 0.0; }
+
 // A texture twice, at scales that do not fit each other, so that its repetition does not show.
 vec3 photographed(sampler2D map, vec2 uv) { return texture(map, uv).rgb * (0.4 + 1.8 * texture(map, uv.yx * 0.137).g); }
 
@@ -53,7 +55,7 @@ float sun_visible(vec3 from) {
 // Waves from 90 m down, which break the snow's edge up; without derivatives, for nobody asks for them.
 float edge_noise(vec2 place, float octaves) {
     ivec2 cell = terrain_now.cell;
-    vec2 offset = terrain_now.offset + place / terrain.wave_m;
+    vec2 offset = opaque(terrain_now.offset + place / terrain.wave_m);
     float sum = 0.0, amplitude = 1.0;
     for (int k = 0; k < 9 && float(k) < octaves; ++k) {
         settle(cell, offset);
@@ -74,7 +76,8 @@ void main() {
     return;
 #endif
     float rough = clamp(edge_noise(position.xz, octaves) + (position.y - terrain.snow_line_m) / (0.5 * terrain.height_m), -1.0, 1.0);
-    float snow = terrain_mix(normal.y, rough, terrain_mix_look.snow_begins, terrain_mix_look.snow_ends, 1.0);
+    vec2 begins = opaque(terrain_mix_look.snow_begins), ends = opaque(terrain_mix_look.snow_ends);
+    float snow = terrain_mix(normal.y, rough, begins, ends, 1.0);
 
     // [shade]
     // Land where it is flat, rock where it is steep: there the texture runs down the wall.

@@ -6,6 +6,8 @@ layout(scalar) uniform ViewBlock { CameraView view; };
 
 layout(location = 0) out vec3 position;
 
+bool is_drawn() { return gl_VertexIndex >= 0; }
+
 // [place]
 // A ring's outer edge has twice as many vertices as the ring around it. Those that the other has not move onto their
 // neighbours: what is left of their triangles closes without a crack.

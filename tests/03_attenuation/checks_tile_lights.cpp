@@ -1,6 +1,7 @@
 // What ./course check runs for 03.tile_lights: tiles and lights from a table, in several orders of the invocations.
 #include <bit>
 
+#include "common/check/barriers.h"
 #include "common/check/check.h"
 #include "common/check/guard.h"
 #include "common/check/workgroup.h"
@@ -162,4 +163,6 @@ CHECK_EXERCISE("03.tile_lights", hint_barrier) {
                 });
         }
     }
+    const std::string wrong = seen.barriers();
+    check.expect(wrong.empty(), "tile_lights: " + wrong, barrier_hint);
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "common/check/barriers.h"
 #include "common/check/check.h"
 #include "common/check/guard.h"
 #include "common/check/workgroup.h"
@@ -118,4 +119,6 @@ CHECK_EXERCISE(
                          number_text(kept) + " of " + std::to_string(all[i].alphas.size()) + " are kept; wanted are " +
                          number_text(all[i].count()) + ", and a scale can come as near as " + number_text(least));
     }
+    const std::string wrong = seen.barriers();
+    check.expect(wrong.empty(), "alpha_scale: " + wrong, barrier_hint);
 }

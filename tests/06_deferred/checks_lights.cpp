@@ -7,6 +7,7 @@
 #include "06_deferred/exercises.h"
 #include "06_deferred/light_volumes.h"
 #include "06_deferred/truth.h"
+#include "common/check/barriers.h"
 #include "common/check/check.h"
 #include "common/gpu/frame.h"
 
@@ -29,7 +30,7 @@ bool counted(LightData light, Cell cell) {
 }
 #define light_reaches_cell counted
 #include "06_deferred/accumulate_lights.glsl"
-struct Answer { float got, expected; uint got_lights, expected_lights, asked; };
+struct Answer { float got, expected; uint got_lights, expected_lights, asked, barriers; };
 layout(scalar) writeonly buffer AnswerBuffer { Answer answers[]; };
 void main() {
     if (gl_LocalInvocationIndex == 0u) asked = 0u;
@@ -45,19 +46,21 @@ void main() {
     Surface surface = Surface(vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0), 20.0);
     bool has_surface = gl_LocalInvocationIndex % 16u != 5u;
     Lit got = accumulate_lights(surface, surface.normal, position, cell, has_surface);
+    uint barriers = barriers_passed;
     barrier();
     Lit expected = Lit(vec3(0.0), vec3(0.0), 0u);
     for (uint i = 0u; i < lights_data.length(); ++i)
         if (reaches(lights_data[i], cell)) add_light(expected, i, surface, surface.normal, position);
     if (!has_surface) got = expected;
     answers[gl_WorkGroupID.x * 256u + gl_LocalInvocationIndex] =
-        Answer(got.diffuse.r + got.specular.r, expected.diffuse.r + expected.specular.r, got.lights, expected.lights, asked);
+        Answer(got.diffuse.r + got.specular.r, expected.diffuse.r + expected.specular.r, got.lights, expected.lights, asked,
+               barriers);
 }
 )";
 
 struct Answer {
     float got, expected;
-    uint32_t got_lights, expected_lights, asked;
+    uint32_t got_lights, expected_lights, asked, barriers;
 };
 
 std::vector<Answer> answers(uint32_t lights) {
@@ -74,7 +77,7 @@ std::vector<Answer> answers(uint32_t lights) {
     const Lights module(owner, "lights");
     const Pipeline pipeline = compute({.shader = "check of accumulate_lights",
                                        .macros = {{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}},
-                                       .source = harness});
+                                       .source = traced_barriers() + harness});
     const Buffer buffer = gpu.upload("lights", data);
     const Buffer results(gpu.device, {.name = "answers", .bytes = 1024 * sizeof(Answer)});
     const GridView axes{.eye = {}, .right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, 1}};
@@ -129,6 +132,12 @@ CHECK_EXERCISE("06.accumulate_lights",
             fmt::format("with {} lights, a tile asked {} times whether a light reaches it: once for each is enough",
                         lights, all[asked].asked),
             "each invocation asks about its share of the lights alone");
+        for (size_t tile = 0; tile < 4; ++tile) {
+            std::vector<uint32_t> passed;
+            for (size_t i = 0; i < 256; ++i) passed.push_back(all[256 * tile + i].barriers);
+            const std::string wrong = barriers_wrong(passed);
+            check.expect(wrong.empty(), fmt::format("with {} lights, of a tile's 256 {}", lights, wrong), barrier_hint);
+        }
     }
 }
 

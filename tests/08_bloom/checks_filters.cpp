@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
+#include "common/check/barriers.h"
 #include "common/check/check.h"
 #include "common/gpu/frame.h"
 
@@ -61,7 +62,7 @@ constexpr const char* harness = R"(
 layout(local_size_x = 256) in;
 #include "08_bloom/blur_line.glsl"
 layout(scalar) uniform RadiusBlock { int radius; };
-struct Answer { float got, expected; };
+struct Answer { float got, expected; uint barriers; };
 layout(scalar) writeonly buffer AnswerBuffer { Answer answers[]; };
 void main() {
     check_base = 256 * int(gl_WorkGroupID.x);
@@ -72,18 +73,19 @@ void main() {
     int own = check_base + int(gl_LocalInvocationIndex);
     for (int k = -radius; k <= radius; ++k)
         expected += weight_at(abs(k)) * texelFetch(known, ivec2(own + k + 1024, 0), 0).g;
-    answers[own] = Answer(got.g, expected);
+    answers[own] = Answer(got.g, expected, barriers_passed);
 }
 )";
 
 struct Answer {
     float got, expected;
+    uint32_t barriers;
 };
 
 void compare(Check& check, uint32_t group, int radius) {
     Gpu& gpu = check_device();
-    const Pipeline pipeline =
-        compute({.shader = "check of blur_line", .macros = {{"COUNTED", "900"}}, .source = harness});
+    const Pipeline pipeline = compute(
+        {.shader = "check of blur_line", .macros = {{"COUNTED", "900"}}, .source = traced_barriers() + harness});
     const Image known(gpu.device, {.name = "known", .size = {3072, 1}});
     std::vector<uint64_t> texels;
     uint32_t n = 7;
@@ -116,7 +118,12 @@ void compare(Check& check, uint32_t group, int radius) {
                          : "slot s holds texel(start - radius + s): thread t's own is in slot t + radius");
         if (!right) return;
     }
-    if (group > 0) return;
+    std::vector<uint32_t> passed;
+    for (uint32_t i = 256 * group; i < 256 * (group + 1); ++i) passed.push_back(found[i].barriers);
+    const std::string wrong = barriers_wrong(passed);
+    check.expect(wrong.empty(), fmt::format("blur_line(start = {}, radius = {}): {}", 256 * group, radius, wrong),
+                 barrier_hint);
+    if (group > 0 || !wrong.empty()) return;
     const auto raw = gpu.read_back(counts);
     std::vector<uint32_t> reads(2100);
     std::memcpy(reads.data(), raw.data(), reads.size() * 4);

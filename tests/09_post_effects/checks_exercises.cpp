@@ -156,52 +156,6 @@ CHECK_EXERCISE("09.chromatic_aberration", "r squared is a dot product over that 
     });
 }
 
-CHECK_EXERCISE("09.bayer_dither", "the lowest bits of x and y weigh most: neighbours must differ most") {
-    for (int bits = 1; bits <= 4; ++bits) {
-        const int side = 1 << bits, all = side * side;
-        Probe probe{.include = "09_post_effects/bayer_dither.glsl",
-                    .signature = "float bayer(uvec2 pixel, int bits)",
-                    .truth = [](std::span<const double>) { return Row{0.5}; },
-                    .bound = {.absolute = 0.5}};
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x)
-                probe.inputs.push_back({double(x + 64 * side), double(y + 32 * side), double(bits)});
-        const Table results = check.probe(probe);
-        if (results.empty()) return;
-        std::vector<int> ranks(size_t(all), -1);
-        std::vector<char> taken(size_t(all), 0);
-        for (int i = 0; i < all; ++i) {
-            const double rank = results[size_t(i)][0] * all - 0.5;
-            const auto whole = std::lround(rank);
-            const bool right =
-                std::fabs(rank - double(whole)) < 1e-3 && whole >= 0 && whole < all && !taken[size_t(whole)];
-            check.expect(
-                right,
-                fmt::format("bayer(pixel = ({}, {}), bits = {}) gave {:.6f}, expected (0.5 + i) / {} with another i "
-                            "for each pixel of the square",
-                            i % side, i / side, bits, results[size_t(i)][0], all),
-                "each threshold once: then their mean is a half, and no shade is lost");
-            if (!right) return;
-            taken[size_t(whole)] = 1, ranks[size_t(i)] = int(whole);
-        }
-        for (int k = 1; k < bits; ++k) {
-            const int small = side >> k;
-            std::vector<int> most(size_t(1) << (2 * k), 0);
-            for (int i = 0; i < all; ++i)
-                if (ranks[size_t(i)] >= all - (1 << (2 * k)))
-                    ++most[size_t((i / side / small) << k | (i % side / small))];
-            const bool even = std::all_of(most.begin(), most.end(), [](int n) { return n == 1; });
-            check.expect(
-                even,
-                fmt::format("bayer(.., bits = {}): the {} largest thresholds do not lie in {} different squares of "
-                            "{} by {} pixels",
-                            bits, 1 << (2 * k), 1 << (2 * k), small, small),
-                "which bits of x and y come first? Pixels beside each other differ in the lowest");
-            if (!even) return;
-        }
-    }
-}
-
 CHECK_EXERCISE("09.circle_of_confusion", "(z - f) / z is 1 - f / z, which an infinite z does not break") {
     Random random;
     const double infinity = std::numeric_limits<double>::infinity();
@@ -216,6 +170,12 @@ CHECK_EXERCISE("09.circle_of_confusion", "(z - f) / z is 1 - f / z, which an inf
                            {1, 0.01, 0.05, 2, 0.024, 1080, 100},
                            {0.5, 2, 0.05, 2, 0.024, 1080, 1000},
                            {8, 2, 0.05, 2, 0.024, 1080, 0},
+                           // Nearer than 1.01 F, and so small a disc that nothing is clamped.
+                           {infinity, 0.005, 0.01, 22, 0.05, 100, 1000},
+                           {infinity, 0.01, 0.01, 22, 0.05, 100, 1000},
+                           {infinity, 0.01005, 0.01, 22, 0.05, 100, 1000},
+                           {0.02, 0.01, 0.01, 22, 0.05, 100, 1000},
+                           {0.009, 0.005, 0.01, 22, 0.05, 100, 1000},
                            {1e-3, 2, 0.05, 1.4, 0.024, 2160, 300}},
                 .truth =
                     [](std::span<const double> in) {
@@ -232,6 +192,11 @@ CHECK_EXERCISE("09.circle_of_confusion", "(z - f) / z is 1 - f / z, which an inf
         probe.inputs.push_back({random.logarithmic(0.1, 1000), random.logarithmic(0.1, 100), random.uniform(0.01, 0.2),
                                 random.uniform(0.7, 22), random.uniform(0.01, 0.05), random.uniform(100, 4320),
                                 random.uniform(1, 1000)});
+    for (int i = 0; i < 200; ++i) {  // around the nearest focus, where few pixels leave something to see of the disc
+        const double focal = random.uniform(0.008, 0.02);
+        probe.inputs.push_back({focal * random.logarithmic(0.5, 100), double(float(focal * random.uniform(0.5, 1.1))),
+                                focal, random.uniform(11, 22), 0.05, random.uniform(20, 60), 1000});
+    }
     check.probe(probe);
 }
 

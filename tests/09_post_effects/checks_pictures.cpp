@@ -1,85 +1,15 @@
-// What ./course check runs for chapter 09's functions that look at more than a pixel: noise, kernels, a whole
-// workgroup.
+// What ./course check runs for chapter 09's functions that look at more than a pixel: kernels, a whole workgroup.
 #include <fmt/core.h>
 
 #include <cmath>
 #include <set>
 
 #include "09_post_effects/truth.h"
+#include "common/check/barriers.h"
 #include "common/check/check.h"
 #include "common/gpu/frame.h"
 
 using namespace lightwalk;
-
-namespace {
-
-// How much of one row of numbers is known from another: 0 for noise, 1 for the same.
-double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0, squares_a = 0, squares_b = 0;
-    for (size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i], squares_a += a[i] * a[i], squares_b += b[i] * b[i];
-    return squares_a * squares_b > 0 ? sum / std::sqrt(squares_a * squares_b) : 1;
-}
-
-}  // namespace
-
-CHECK_EXERCISE("09.film_grain", "a hash of three whole numbers: multiply, exclusive or with itself shifted, again") {
-    constexpr int side = 48;
-    constexpr size_t all = side * side;
-    // 2,304 numbers: a mean of 0 has a standard error of 0.012, a correlation one of 0.021. Five of them are a proof.
-    for (const double frame : {0.0, 5.0, 24e6, 4.2e9}) {
-        const std::string when = fmt::format("frame {:.0f}", frame);
-        const auto look = [&](double x0, double y0, double at) {
-            Probe probe{.include = "09_post_effects/film_grain.glsl",
-                        .signature = "float film_grain(uvec2 pixel, uint frame)",
-                        .truth = [](std::span<const double>) { return Row{0}; },
-                        .bound = {.absolute = 1.0}};
-            for (int y = 0; y < side; ++y)
-                for (int x = 0; x < side; ++x) probe.inputs.push_back({x0 + x, y0 + y, at});
-            std::vector<double> numbers;
-            for (const Row& row : check.probe(probe)) numbers.push_back(row[0]);
-            return numbers;
-        };
-        const std::vector<double> here = look(700, 300, frame);
-        if (here.empty()) return;
-        double mean = 0, square = 0;
-        for (const double n : here) mean += n / all, square += n * n / all;
-        check.expect(std::fabs(mean) < 0.06,
-                     fmt::format("{}: the mean over 48 by 48 pixels is {:.3f}, expected 0", when, mean),
-                     "from -1 to 1: twice the number from 0 to 1, minus 1");
-        check.expect(std::fabs(square - 1.0 / 3.0) < 0.035,
-                     fmt::format("{}: the mean square is {:.3f}, expected 0.333", when, square),
-                     "evenly from -1 to 1: all numbers are as frequent");
-        const size_t different = std::set<double>(here.begin(), here.end()).size();
-        check.expect(different > all * 97 / 100,
-                     fmt::format("{}: of {} numbers only {} are different", when, all, different),
-                     "a large time leaves no digits to a sum or a sine: mix whole numbers");
-        const std::tuple<double, double, double, const char*> others[] = {
-            {701, 300, frame, "the pixel to the right"},       {700, 301, frame, "the pixel below"},
-            {701, 301, frame, "the pixel below on the right"}, {700, 300, frame + 1, "the next frame"},
-            {300, 700, frame, "the pixel mirrored"},           {701, 299, frame, "the pixel above on the right"}};
-        for (const auto& [x, y, at, name] : others) {
-            std::vector<double> other = look(x, y, at);
-            if (x < 600)  // rows become columns
-                for (size_t row = 0; row < side; ++row)
-                    for (size_t i = 0; i < row; ++i) std::swap(other[row * side + i], other[i * side + row]);
-            const double alike = correlation(here, other);
-            check.expect(std::fabs(alike) < 0.11,
-                         fmt::format("{}: {} has a correlation of {:.2f}, expected 0", when, name, alike),
-                         "each of x, y and frame must go through the mixing");
-        }
-        for (const bool rows : {true, false}) {
-            double worst = 0;
-            for (int line = 0; line < side; ++line) {
-                double sum = 0;
-                for (int i = 0; i < side; ++i) sum += here[size_t(rows ? line * side + i : i * side + line)] / side;
-                worst = std::max(worst, std::fabs(sum));
-            }
-            check.expect(worst < 0.4, fmt::format("{}: a {} has a mean of {:.2f}, expected 0", when,
-                                                  rows ? "row" : "column", worst));
-        }
-        if (check.failed > 0) return;
-    }
-}
 
 CHECK_EXERCISE("09.radial_blur", "taps of them have taps - 1 gaps; the first is the pixel itself") {
     Random random;
@@ -167,23 +97,27 @@ constexpr const char* harness = R"(
 layout(local_size_x = 256) in;
 #include "09_post_effects/histogram_bin.glsl"
 layout(scalar) readonly buffer GivenBuffer { uint given[]; };
+layout(scalar) writeonly buffer PassedBuffer { uint passed[]; };
 void main() {
     own_bins[gl_LocalInvocationIndex] = 1000u + gl_LocalInvocationIndex;
     barrier();
     uint word = given[gl_GlobalInvocationID.x];
     count_together(word & 255u, word < 256u);
+    passed[gl_GlobalInvocationID.x] = barriers_passed;
 }
 )";
 
 void count(Check& check, const std::string& what, const std::vector<uint32_t>& given, uint32_t most_groups) {
     Gpu& gpu = check_device();
-    const Pipeline pipeline =
-        compute({.shader = "check of histogram_bin", .macros = {{"COUNTED", "1"}}, .source = harness});
+    const Pipeline pipeline = compute(
+        {.shader = "check of histogram_bin", .macros = {{"COUNTED", "1"}}, .source = traced_barriers() + harness});
     const Buffer words = gpu.upload("given", given), bins = gpu.upload("bins", std::vector<uint32_t>(512, 0));
+    const Buffer passed(gpu.device, {.name = "passed", .bytes = 4 * given.size()});
     Frame frame(gpu);
     frame.begin({4, 4}, 0);
-    frame.compute("count", {.reads = {words, bins}, .writes = {bins}}, [&](Compute& pass) {
-        pass.use(pipeline).set("given", words).set("picture_bins", bins).dispatch({most_groups, 1, 1});
+    frame.compute("count", {.reads = {words, bins}, .writes = {bins, passed}}, [&](Compute& pass) {
+        pass.use(pipeline).set("given", words).set("picture_bins", bins).set("passed", passed);
+        pass.dispatch({most_groups, 1, 1});
     });
     frame.end();
     const auto bytes = gpu.read_back(bins);
@@ -206,6 +140,13 @@ void count(Check& check, const std::string& what, const std::vector<uint32_t>& g
                                  found[256 + bin], expected[256 + bin]),
                      "a workgroup adds to a bin once, and only where it counted something");
         if (check.failed > 0) return;
+    }
+    const auto raw = gpu.read_back(passed);
+    std::vector<uint32_t> barriers(given.size());
+    std::memcpy(barriers.data(), raw.data(), raw.size());
+    for (uint32_t group = 0; group < most_groups; ++group) {
+        const std::string wrong = barriers_wrong(std::span(barriers).subspan(256 * group, 256));
+        check.expect(wrong.empty(), fmt::format("count_together, {}: {}", what, wrong), barrier_hint);
     }
 }
 

@@ -33,6 +33,23 @@ struct Balls {
             if (distance_at(t) <= epsilon + slope * t) return t;
         return -1;
     }
+    struct Walk {
+        double t, distance;  ///< of the last place that was asked
+        int steps, ended;
+        double doubt;  ///< how near a comparison was to going the other way
+    };
+    /// What a march by whole distances asks.
+    Walk walk(double t, double end, double epsilon, double slope, int most) const {
+        Walk walk{.t = t, .distance = 0, .steps = 0, .ended = 2, .doubt = 1};
+        while (walk.steps < most && walk.ended == 2) {
+            walk.t = t, walk.distance = distance_at(t), ++walk.steps;
+            const double above = walk.distance - epsilon - slope * t, beyond = t + walk.distance - end;
+            walk.doubt = std::min({walk.doubt, std::fabs(above), above > 0 ? std::fabs(beyond) : 1});
+            walk.ended = above <= 0 ? 1 : beyond >= 0 ? 0 : 2;
+            t += walk.distance;
+        }
+        return walk;
+    }
     std::string glsl() const {
         std::string text;
         for (const auto& b : ball)
@@ -119,26 +136,29 @@ CHECK_EXERCISE("11.march", "remember the distance at the point before, and how f
                             {"a grain at the end", {{4, 3, 1}, {9.94, 0, 0.04}, {0, 0, 0}}},
                             {"nothing", {{50, 30, 1}, {0, 0, 0}, {0, 0, 0}}}};
     for (const Balls& balls : scenes) {
-        Probe probe{
-            .include = "11_fractals/march.glsl",
-            .signature = "March march(float start, float end, float epsilon, float slope, float relaxation, int most)",
-            .truth =
-                [](auto) {
-                    return Row{0, 0, 0};
-                },
-            .bound = {.absolute = 1e9},
-            .macros = {{"BALLS", balls.glsl()}}};
+        Probe probe{.include = "11_fractals/march_counted.glsl",
+                    .signature =
+                        "MarchCounted march_counted(float start, float end, float epsilon, float slope, float "
+                        "relaxation, int most)",
+                    .truth =
+                        [](auto) {
+                            return Row{0, 0, 0, 0, 0};
+                        },
+                    .bound = {.absolute = 1e30},
+                    .macros = {{"BALLS", balls.glsl()}}};
         for (const double relaxation : {1.0, 1.2, 1.5, 1.8, 2.0})
             for (const double start : {0.0, 0.35, 0.7})
                 for (const double slope : {0.0, 0.004})
                     probe.inputs.push_back({start, 10, 0.001, slope, relaxation, 400});
-        for (const int most : {1, 2, 5}) probe.inputs.push_back({0, 10, 1e-6, 0, 1, double(most)});
+        for (const int most : {1, 2, 5, 400})
+            for (const double slope : {0.0, double(0.05f)})
+                for (const double start : {0.0, 0.7}) probe.inputs.push_back({start, 10, 1e-6, slope, 1, double(most)});
         const Table results = check.probe(probe);
         if (results.empty()) return;
         for (size_t i = 0; i < results.size(); ++i) {
             const Row& in = probe.inputs[i];
             const double right = balls.hit(in[0], in[1], in[2], in[3]), t = results[i][0];
-            const int steps = whole(results[i][1]), ended = whole(results[i][2]);
+            const int steps = whole(results[i][1]), ended = whole(results[i][2]), asked = whole(results[i][3]);
             const std::string what = fmt::format(
                 "march(start = {}, end = {}, epsilon = {}, slope = {}, relaxation = {}, "
                 "most = {}) towards {}",
@@ -148,6 +168,34 @@ CHECK_EXERCISE("11.march", "remember the distance at the point before, and how f
                 return fmt::format("{} ended with {} at t = {:.4f} after {} distances", what,
                                    ended >= 0 && ended < 3 ? names[ended] : "a number that is no end", t, steps);
             };
+            check.expect(steps == asked, said() + fmt::format("; it asked for {}", asked),
+                         "`steps` is how often distance_at() was called, those of a leap that was taken back too");
+            check.expect(
+                results[i][4] < 1e-3,
+                said() + fmt::format(": after a leap over a gap it went on {:.4f} m from where the step without "
+                                     "relaxation would have led",
+                                     results[i][4]),
+                "back by the whole leap, and on by the distance at the point before");
+            if (in[4] == 1) {
+                const Balls::Walk walk = balls.walk(in[0], in[1], in[2], in[3], int(in[5]));
+                if (walk.doubt > 1e-4) {
+                    check.expect(ended == walk.ended,
+                                 said() + fmt::format(", expected {} after {}", names[walk.ended], walk.steps),
+                                 walk.ended == 2
+                                     ? "a ray that was stopped on its way has neither hit nor missed: MARCH_CAPPED"
+                                     : "");
+                    check.expect(
+                        steps == walk.steps, said() + fmt::format(", expected {}", walk.steps),
+                        "at a relaxation of 1 each step is as long as the distance, and a hit is where that is at "
+                        "most epsilon + slope * t");
+                    const bool right_place = walk.ended == 0   ? std::fabs(t - in[1]) < 1e-3
+                                             : walk.ended == 1 ? std::fabs(t - walk.t) < 1e-3
+                                                               : t > walk.t - 1e-3 && t < walk.t + walk.distance + 1e-3;
+                    check.expect(right_place, said() + fmt::format(", expected {:.4f}", walk.ended ? walk.t : in[1]));
+                }
+            }
+            if (check.failed) return;
+            if (in[3] > 0.04) continue;  // a wide cone: what it passes by and still touches is each march's own
             if (in[5] < 10) {
                 check.expect(ended == 2 || steps <= int(in[5]), said() + ", more than it may ask for");
                 check.expect(ended != 2 || steps == int(in[5]), said() + ": it had distances left");
@@ -178,20 +226,21 @@ CHECK_EXERCISE("11.march", "remember the distance at the point before, and how f
         }
     }
     // What relaxation is for: along an edge, fewer distances.
-    Probe edge{
-        .include = "11_fractals/march.glsl",
-        .signature = "March march(float start, float end, float epsilon, float slope, float relaxation, int most)",
-        .inputs = {{0, 10, 1e-4, 0, 1, 400}, {0, 10, 1e-4, 0, 1.6, 400}},
-        .truth =
-            [](auto) {
-                return Row{0, 0, 0};
-            },
-        .bound = {.absolute = 1e9},
-        .macros = {{"BALLS", Balls{"", {{5, 3.03, 3}, {0, 0, 0}, {0, 0, 0}}}.glsl()}}};
+    Probe edge{.include = "11_fractals/march_counted.glsl",
+               .signature =
+                   "MarchCounted march_counted(float start, float end, float epsilon, float slope, float relaxation, "
+                   "int most)",
+               .inputs = {{0, 10, 1e-4, 0, 1, 400}, {0, 10, 1e-4, 0, 1.6, 400}},
+               .truth =
+                   [](auto) {
+                       return Row{0, 0, 0, 0, 0};
+                   },
+               .bound = {.absolute = 1e30},
+               .macros = {{"BALLS", Balls{"", {{5, 3.03, 3}, {0, 0, 0}, {0, 0, 0}}}.glsl()}}};
     const Table results = check.probe(edge);
     if (results.size() == 2)
         check.expect(whole(results[1][1]) < 0.85 * whole(results[0][1]),
                      fmt::format("past an edge it took {} distances with a relaxation of 1, and {} with 1.6",
-                                 results[0][1], whole(results[1][1])),
+                                 whole(results[0][1]), whole(results[1][1])),
                      "steps are relaxation times the distance");
 }

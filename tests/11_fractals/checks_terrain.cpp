@@ -104,6 +104,12 @@ CHECK_EXERCISE("11.eroded_fbm",
         probe.inputs.push_back({std::floor(random.uniform(-1e6, 1e6)), std::floor(random.uniform(-90, 90)),
                                 random.uniform(-2, 2), random.uniform(-2, 2), std::floor(random.uniform(1, 7)),
                                 random.uniform(0, 2), random.uniform(0.3, 0.6)});
+    // As many octaves as there can be. At places that are sixteenths of a cell nothing is rounded on the way from one
+    // to the next, and so there are many left to compare.
+    for (const double octaves : {0.0, 0.25, 7.0, 8.5, 11.0, 12.0, 12.5, 13.0, 14.75, 15.0, 16.0})
+        for (const double erosion : {0.0, 0.15, 1.0})
+            for (const glm::dvec2 at : {glm::dvec2{0.3125, 0.5625}, {0.9375, -1.1875}})
+                probe.inputs.push_back({std::floor(random.uniform(-1e5, 1e5)), -5, at.x, at.y, octaves, erosion, 0.5});
     check.probe(probe);
 }
 
@@ -151,7 +157,10 @@ CHECK_EXERCISE("11.terrain_mix", "ask first which of the two lines is lower at t
                    {0.5, 0, 0.5, 1, 0.5, 1, 1},
                    {1, 0.9, 0.5, 0, 0.9, 1, 1},
                    {1, 0.2, 0.5, 0, 0.9, 1, 1},
-                   {0.7, 0.1, 1.3, 1.5, 1.6, 1.6, 1}},
+                   {0.7, 0.1, 1.3, 1.5, 1.6, 1.6, 1},
+                   {0.5, 0.5, 0.5, 1, 0.5, 1, 0},
+                   {0.5, 0.5, 0.5, 1, 1.5, 1, 0},
+                   {0.75, 0.5, 0.5, 1, 1.5, 1, 0.5}},
         .truth =
             [](auto in) {
                 return Row{truth::terrain_mix(in[0], in[1], {in[2], in[3]}, {in[4], in[5]}, in[6])};
@@ -167,9 +176,9 @@ CHECK_EXERCISE("11.terrain_mix", "ask first which of the two lines is lower at t
         const double ny = random.uniform(0, 1), a = random.uniform(0, 2), b = random.uniform(0, 2),
                      c = random.uniform(0, 2), d = random.uniform(0, 2);
         if (std::fabs(a - b * ny - c + d * ny) < 0.02) continue;  // too steep for rounding
-        const double at = random.uniform(-1, 1);
-        if (a - b * ny >= c - d * ny && std::fabs(at - a + b * ny) < 1e-4) continue;
-        probe.inputs.push_back({ny, at, a, b, c, d, 1});
+        const double roughness = random.uniform(-1, 1), strength = i % 2 ? random.uniform(0, 2) : 1.0;
+        if (a - b * ny >= c - d * ny && std::fabs(strength * roughness - a + b * ny) < 1e-4) continue;
+        probe.inputs.push_back({ny, roughness, a, b, c, d, strength});
     }
     check.probe(probe);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "common/check/barriers.h"
 #include "common/check/check.h"
 #include "common/check/workgroup.h"
 
@@ -93,4 +94,6 @@ CHECK_EXERCISE("13.lab_edges",
                 if (times > 1 || (!wanted && times > 0)) return;
             }
         }
+    const std::string wrong = results.barriers();
+    check.expect(wrong.empty(), "lab_edges: " + wrong, barrier_hint);
 }

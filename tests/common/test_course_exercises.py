@@ -5,11 +5,14 @@ import shutil
 import sys
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from small_course import REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
+import check  # noqa: E402
 from check_teeth import with_bodies  # noqa: E402
+from rendering import Crashed  # noqa: E402
 from study_file import Study, markdown_table  # noqa: E402
 
 
@@ -149,6 +152,20 @@ class Exercises(Course):
         self.assertEqual((found["title"], found["ok"], found["table"]), ("Once more", True, None))
         self.put("docs/studies/01_obj.cpu1.json", "{}")
         self.assertIn('has no "chapter"', self.run_program(charts, code=1))
+
+    def test_a_driver_that_crashes_is_no_mistake_of_the_students(self):
+        def checked(exercise: str, chapter: str) -> dict:
+            result = {"ok": True, "passed": 7, "failed": 0, "first_failure": None}
+            shots = [{"name": "relief", "exercises": [exercise]}]
+            with mock.patch.multiple(check, build=mock.DEFAULT, has_solutions=lambda: True, shots=lambda _: shots,
+                                     wrong_picture=mock.Mock(side_effect=Crashed(f"{chapter} ended with -11"))):
+                check.check_pictures(chapter, exercise, result)
+            return result
+        glsl = checked("04.parallax_occlusion", "04_surface_maps")
+        self.assertEqual((glsl["ok"], glsl["passed"], glsl["first_failure"]), (True, 7, None))
+        self.assertRegex(glsl["note"], "judged by its numbers alone: .* relief, with which the driver crashed")
+        cpp = checked("04.tangent_frame", "04_surface_maps")  # C++ of a student's crashes by itself
+        self.assertEqual((cpp["ok"], cpp["first_failure"]), (False, "04_surface_maps ended with -11"))
 
     def test_functions_without_bodies(self):
         text = ("// f(x) {\nfloat f(vec3 a,\n        float b) {\n    if (b > 0.0) { return 1.0; }\n    return b;\n}\n"

@@ -8,6 +8,7 @@
 // thresholds lie in 4^k different squares of 2^(bits - k) by 2^(bits - k) pixels. Bayer builds the square from smaller ones:
 //     B(0) = [0],   B(n + 1) = [ 4 B(n)      4 B(n) + 2 ]
 //                              [ 4 B(n) + 3  4 B(n) + 1 ]
+// Turned or mirrored it is as good.
 // A shader wants no table: what does each bit of x and of y say about i?
 // [/bayer_dither]
 float bayer(uvec2 pixel, int bits) {

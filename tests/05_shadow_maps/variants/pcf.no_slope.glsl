@@ -1,4 +1,4 @@
-// wrong: expected 1 from
+// wrong: pcf_counted(
 #include "05_shadow_maps/map_reads.glsl"
 float pcf(Receiver r, uint layer, int kernel) {
     r.slope = vec2(0.0);

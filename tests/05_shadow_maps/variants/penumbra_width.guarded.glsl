@@ -2,5 +2,6 @@
 float penumbra_width(float receiver, float blocker, float size, bool parallel) {
     if (blocker >= receiver) return 0.0;
     if (parallel) return size * (receiver - blocker);
-    return (receiver - blocker) * size / max(blocker, 0.001);
+    float d = blocker < 0.001 ? 0.001 : blocker;
+    return receiver > d ? (receiver - d) * size / d : 0.0;
 }

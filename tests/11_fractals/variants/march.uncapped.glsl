@@ -1,4 +1,4 @@
-// wrong: more than it may ask
+// wrong: expected MARCH_CAPPED
 #include "11_fractals/march_along.glsl"
 
 March march(float start, float end, float epsilon, float slope, float relaxation, int most) {

@@ -1,0 +1,10 @@
+// wrong: repeats
+float bayer(uvec2 pixel, int bits) {
+    if ((pixel.x >> uint(bits) & 1u) != 0u) pixel = pixel.yx;
+    uint i = 0u;
+    for (int bit = 0; bit < bits; ++bit) {
+        uint x = pixel.x >> uint(bit) & 1u, y = pixel.y >> uint(bit) & 1u;
+        i = 4u * i + 2u * (x ^ y) + y;
+    }
+    return (float(i) + 0.5) / float(1 << 2 * bits);
+}
