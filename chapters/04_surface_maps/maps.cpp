@@ -120,7 +120,7 @@ void Maps::draw(Raster& pass, const Scene& scene, const std::vector<Batch>& batc
     const bool cut_finely = mesh.is("displaced") && &loaded != &displaced;
     for (const Batch& batch : batches) {
         pass.use(cut_finely ? displaced : loaded, variant(batch.item()));
-        pass.offer("ambient", scene.file.ambient);
+        pass.offer("ambient", scene.ambient());
         if (cut_finely)
             draw_displaced(pass, batch, static_cast<uint32_t>(subdivide.value));
         else

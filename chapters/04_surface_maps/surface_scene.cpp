@@ -20,7 +20,7 @@ SurfacePipelines SurfaceScene::see_through(const char* fragment, Macros macros) 
 }
 
 void SurfaceScene::update(Frame& frame) {
-    lights.update(frame, *scene_, all_lights ? all_lights(frame) : scene_->file.lights);
+    lights.update(frame, *scene_, all_lights ? all_lights(frame) : scene_->lights());
 }
 
 std::vector<With> SurfaceScene::given() const {
@@ -37,13 +37,16 @@ std::function<void(Raster&)> SurfaceScene::by(const SurfacePipelines& both) cons
     };
 }
 
+void SurfaceScene::record_light(Frame& frame, const View& view, const ImageView& depth) {
+    lights.record(frame, *scene_, view, depth);
+}
+
 // [draw]
 void SurfaceScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
     // 1. Lights into the view's tiles or clusters, where those are the method. Tiles ask the depth what they hold.
     if (lights.needs_depth())
         frame.raster("depth", {.depth = canvas.single_depth_target(), .with = {maps}}, by(depth_));
-    lights.record(frame, *scene_, view, canvas.single_depth());
-    record_lights(frame, view);
+    record_light(frame, view, canvas.single_depth());
 
     // 2. Every surface that is opaque.
     frame.raster("shade",

@@ -27,6 +27,8 @@ struct SurfaceScene : Drawing {
     void draw(Frame& frame, const View& view, Canvas& canvas) override { draw_lit(frame, view, canvas); }
     /// Opaque surfaces, lit as they are drawn, into a canvas of any colour format.
     void draw_lit(Frame& frame, const View& view, Canvas& canvas);
+    /// What of the lights depends on the view: their cells, and whatever else. `depth`: the view's, for tiles.
+    virtual void record_light(Frame& frame, const View& view, const ImageView& depth = {});
     std::vector<Transparent> transparent(const View& view) const override;
     std::vector<With> transparent_with() const override { return given(); }
     std::vector<Resource> transparent_reads() const override { return shading_reads; }
@@ -39,8 +41,6 @@ struct SurfaceScene : Drawing {
 
     /// The modules that shading reads.
     virtual std::vector<With> given() const;
-    /// What of the lights depends on the view, besides their cells.
-    virtual void record_lights(Frame&, const View&) {}
 
     /// What draws the opaque surfaces by the pipelines given.
     std::function<void(Raster&)> by(const SurfacePipelines& both) const;

@@ -8,9 +8,14 @@ std::vector<With> LitScene::given() const {
     return with;
 }
 
+void LitScene::record_light(Frame& frame, const View& view, const ImageView& depth) {
+    SurfaceScene::record_light(frame, view, depth);
+    record_shadows(frame, view);
+}
+
 // [casters]
-// Depth from each light that casts a shadow. What textures cut holes into is drawn with its maps; all else is solid.
-void LitScene::record_lights(Frame& frame, const View& view) {
+// What textures cut holes into is drawn with its maps; all else is solid.
+void LitScene::record_shadows(Frame& frame, const View& view) {
     const auto has_holes = [&](const DrawItem& item) { return maps.has_holes(item); };
     shadow.record(frame, *scene_, lights, view,
                   {.with = {maps}, .draw = [&](Raster& pass, const DrawList& casters) {

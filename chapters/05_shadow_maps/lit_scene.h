@@ -14,9 +14,12 @@ struct LitScene : SurfaceScene {
     Shadow shadow;
     // [/lit_scene]
 
+    void record_light(Frame& frame, const View& view, const ImageView& depth = {}) override;
+    /// Maps of depth alone, from each light that casts a shadow.
+    void record_shadows(Frame& frame, const View& view);
+
   protected:
     std::vector<With> given() const override;
-    void record_lights(Frame& frame, const View& view) override;
 
   private:
     Pipeline caster_ = graphics({.vertex = "04_surface_maps/surface.vert",

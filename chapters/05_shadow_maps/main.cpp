@@ -49,7 +49,7 @@ struct ShadowMaps : ModelChapter {
     }
 
     std::vector<Light> lamps() const {
-        std::vector<Light> all = scene.file.lights;
+        std::vector<Light> all = scene.lights();
         for (Light& light : all) light.size_m *= lamp, light.size_rad = std::min(light.size_rad * lamp, 1.5f);
         return all;
     }

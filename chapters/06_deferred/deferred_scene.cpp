@@ -35,7 +35,7 @@ void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
 
 void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
     // 1. Depth from the lights that cast shadows.
-    record_lights(frame, view);
+    record_shadows(frame, view);
 
     // 2. Depth alone, where somebody asks for it.
     const bool forwards = gbuffer.is_forward() || gbuffer.shows_loss();

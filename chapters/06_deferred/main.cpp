@@ -35,7 +35,7 @@ struct Deferred : ModelChapter {
     void prepare(Gpu&, Scene&) override { lit = scene.bounds; }
 
     std::vector<Light> all_lights(unsigned seed) const {
-        std::vector<Light> all = scene.file.lights;
+        std::vector<Light> all = scene.lights();
         const std::vector<Light> more = scatter_lights(lit, scattered, seed);
         all.insert(all.end(), more.begin(), more.end());
         return all;

@@ -1,21 +1,13 @@
 #include "10_atmosphere/atmosphere.h"
 
 #include <cmath>
-#include <cstring>
+#include <glm/gtc/constants.hpp>
 
 #include "10_atmosphere/path_parts.h"
 #include "10_atmosphere/skylight.h"
-#include "common/scene/view.h"
 
 namespace lightwalk {
 namespace {
-
-// Whether it was another image before.
-bool make(Device& device, Image& image, const Image::Desc& desc) {
-    if (image && image.desc == desc) return false;
-    image = Image(device, desc);
-    return true;
-}
 
 }  // namespace
 
@@ -58,12 +50,29 @@ void Atmosphere::bind(Pass& pass) const {
     if (skylight_) pass.offer("skylight", skylight_);
 }
 
-void Atmosphere::light_ground(Frame& frame) {
+// What it was made from, as bytes.
+static std::vector<std::byte> bytes_of(const Air& air) {
+    const auto bytes = std::as_bytes(std::span(&air, 1));
+    return {bytes.begin(), bytes.end()};
+}
+
+bool Atmosphere::make_sky_table() {
     const Air now = air();
-    const auto bytes = std::as_bytes(std::span(&now, 1));
-    if (std::equal(bytes.begin(), bytes.end(), skylight_of_.begin(), skylight_of_.end())) return;
-    skylight_of_.assign(bytes.begin(), bytes.end());
-    frame.upload("skylight", skylight_, skylight_table(now));
+    std::vector<std::byte> from = bytes_of(now);
+    if (from == sky_table_of_) return false;
+    sky_table_of_ = std::move(from);
+    sky_table_ = skylight_table(now);
+    return true;
+}
+
+void Atmosphere::update(Frame& frame) {
+    if (make_sky_table() || !skylight_) frame.upload("skylight", skylight_, sky_table_);
+}
+
+Sun Atmosphere::sun() {
+    if (make_sky_table()) skylight_ = {};
+    const float up = to_sun().y;
+    return {to_sun(), sunlight_of(air(), up), skylight_of(sky_table_, up) / glm::pi<float>()};
 }
 
 // Above the ground, at most that of the air's edge.
@@ -85,7 +94,10 @@ void Atmosphere::make_images(Device& device) {
     const auto scaled = [&](float x) { return static_cast<uint32_t>(std::max(2.0f, std::round(x * table_scale))); };
     const auto table = [&](Image& image, const char* name, glm::vec2 size, float depth) {
         const uint32_t slices = depth > 0 ? scaled(depth) : 0;
-        if (make(device, image, {.name = path() + name, .size = {scaled(size.x), scaled(size.y)}, .depth = slices}))
+        if (image.fit(device, {.name = path() + name,
+                               .size = {scaled(size.x), scaled(size.y)},
+                               .depth = slices,
+                               .kept = true}))
             made_of_.clear();
     };
     table(transmittance_, " transmittance", {256, 64}, 0);
@@ -96,12 +108,11 @@ void Atmosphere::make_images(Device& device) {
 }
 
 // [tables]
-void Atmosphere::record_tables(Frame& frame, const Camera& camera, float reach_m) {
+void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
     // 1. What depends on the air alone: made again where a knob of it was turned.
     const bool often = orders.is("multiple");  // else nothing reads the second table
     const Air now = air();
-    const auto bytes = std::as_bytes(std::span(&now, 1));
-    std::vector<std::byte> from(bytes.begin(), bytes.end());
+    std::vector<std::byte> from = bytes_of(now);
     from.push_back(std::byte(often));
     if (refresh.is("always") || from != made_of_) {
         made_of_ = std::move(from);
@@ -119,8 +130,8 @@ void Atmosphere::record_tables(Frame& frame, const Camera& camera, float reach_m
     if (reach_m <= 0.0f) return;  // nothing of the rest is read from space
 
     // 2. What depends on the eye and the sun.
-    const float height = height_of(camera.position);
-    const glm::vec3 up = (camera.position + glm::vec3(0.0f, radius_m.value, 0.0f)) / (radius_m + height);
+    const float height = height_of(view.eye);
+    const glm::vec3 up = (view.eye + glm::vec3(0.0f, radius_m.value, 0.0f)) / (radius_m + height);
     frame.compute("sky table", {.reads = {transmittance_, multiple_}, .writes = {sky_}, .with = {*this}},
                   [&](Compute& pass) {
                       pass.use(make_sky_).set("result", sky_).set("eye", glm::vec2(height, glm::dot(up, to_sun())));
@@ -132,7 +143,7 @@ void Atmosphere::record_tables(Frame& frame, const Camera& camera, float reach_m
                   [&](Compute& pass) {
                       pass.use(make_aerial_).set("result", light_).set("transmitted", through_);
                       set_lasting(pass);
-                      pass.set("rays", view_rays(camera, frame)).set("reach", glm::vec3(frame.size, reach_m));
+                      pass.set("rays", view_rays(view)).set("reach", glm::vec3(view.size, reach_m));
                       pass.dispatch_threads(light_.desc.size);
                   });
 }
@@ -153,28 +164,29 @@ std::vector<PathPart> Atmosphere::parts() const {
 }
 
 // [record]
-void Atmosphere::record(Frame& frame, const Image& hdr, const Image& depth, const Camera& camera) {
+void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas) {
+    const ImageView hdr = canvas.color(frame), depth = canvas.depth(frame);
     const bool tables = method.is("tables"), truth = method.is("truth");
     const std::vector<PathPart> parts = this->parts();
     const bool in_parts = truth || parts.size() > 1;
     const Pipeline* const looks[] = {
         &none_, &preetham_, &polynomial_, &chapman_, in_parts ? &march_parts_ : &march_, &look_tables_, &truth_};
-    const float reach_m = tables ? volume_reach_m(camera) : 0.0f;
+    const float reach_m = tables ? volume_reach_m(view.camera) : 0.0f;
     ComputeAccess access{.reads = {depth, hdr}, .writes = {hdr}, .with = {*this}};
     if (tables) {
         make_images(frame.gpu.device);
-        record_tables(frame, camera, reach_m);
+        record_tables(frame, view, reach_m);
         for (const Image* table : {&transmittance_, &multiple_, &sky_, &light_, &through_})
             access.reads.push_back(*table);
     }
     if (truth) {
-        make(frame.gpu.device, doubt_, {.name = path() + " standard error", .size = frame.size});
+        doubt_.fit(frame.gpu.device, {.name = path() + " standard error", .size = view.size});
         access.writes.push_back(doubt_);
     }
     if (in_parts) {
         const auto so_far = [&](Image& image, const char* name) {
-            make(frame.gpu.device, image,
-                 {.name = path() + name, .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = frame.size});
+            image.fit(frame.gpu.device,
+                      {.name = path() + name, .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = view.size});
             access.reads.push_back(image), access.writes.push_back(image);
         };
         so_far(light_so_far_, " light so far"), so_far(through_so_far_, " through so far");
@@ -183,7 +195,7 @@ void Atmosphere::record(Frame& frame, const Image& hdr, const Image& depth, cons
         for (const PathPart& part : parts) {
             if (!part.begins) pass.wait();
             pass.use(*looks[method.index]).set("result", hdr).set("depth", depth, nearest_clamp);
-            pass.set("rays", view_rays(camera, frame));
+            pass.set("rays", view_rays(view));
             if (in_parts)
                 pass.set("part", part).set("light_so_far", light_so_far_).set("through_so_far", through_so_far_);
             if (tables) {
@@ -195,7 +207,7 @@ void Atmosphere::record(Frame& frame, const Image& hdr, const Image& depth, cons
                 pass.offer("doubt", doubt_);
                 pass.offer("seed", frame.seed * 4096u + static_cast<unsigned>(frame.samples.index));
             }
-            pass.dispatch_threads(frame.size);
+            pass.dispatch_threads(view.size);
         }
     });
 }

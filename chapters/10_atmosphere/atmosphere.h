@@ -2,23 +2,21 @@
 #pragma once
 #include "10_atmosphere/air_data.h"
 #include "10_atmosphere/path_part.h"
-#include "common/app/module.h"
-#include "common/app/target.h"
-#include "common/gpu/frame.h"
-#include "common/scene/camera.h"
+#include "common/app/drawing.h"
+#include "common/scene/scene.h"
 
 namespace lightwalk {
 
 // [atmosphere]
-/// In a frame, when all that is solid was drawn into an RGBA16F image, in linear light without air:
+/// A drawing that comes after all that is solid, in linear light without air:
 ///
-///     atmosphere.record(frame, frame.hdr, frame.depth, camera);
+///     draw(frame, view, canvas, {mountains, planet, atmosphere});
 ///
 /// The planet's middle lies `radius_m` below the world's origin. Where depth is 0 the image holds the planet's ground,
 /// if the pixel's ray meets it, else what lies beyond the air. Lights and colours are the module's own: to_sun(), and
 /// in a pass that states it in `.with` and includes 10_atmosphere/ground_light.glsl, sunlight_on() and skylight_on().
-struct Atmosphere : Module {
-    Atmosphere(Module& owner, std::string name) : Module(owner, std::move(name), "atmosphere") {}
+struct Atmosphere : Drawing {
+    Atmosphere(Module& owner, std::string name) : Drawing(owner, std::move(name), "atmosphere") {}
     // [/atmosphere]
 
     Choice method{*this,
@@ -73,10 +71,12 @@ struct Atmosphere : Module {
     Knob<glm::vec3> ground{
         *this, "ground", glm::vec3(0.1f), {glm::vec3(0.0f), glm::vec3(1.0f)}, "albedo of the ground, for its light"};
 
-    /// What falls on the ground under this air, for sunlight_on() and skylight_on(): before passes that call them.
-    void light_ground(Frame& frame);
+    /// What falls on the ground under this air, for sunlight_on() and skylight_on().
+    void update(Frame& frame) override;
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
-    void record(Frame& frame, const Image& hdr, const Image& depth, const Camera& camera);
+    /// At the world's origin, exposed: for Scene::set_sun(), where this is the sky of other drawings.
+    Sun sun();
 
     glm::vec3 to_sun() const;  ///< unit length, world space
     Air air() const;           ///< the knobs, as shaders read them
@@ -95,14 +95,16 @@ struct Atmosphere : Module {
 
   private:
     void make_images(Device& device);
-    void record_tables(Frame& frame, const Camera& camera, float reach_m);
+    void record_tables(Frame& frame, const View& view, float reach_m);
     void set_lasting(Compute& pass) const;
     std::vector<PathPart> parts() const;
     float height_of(glm::vec3 position) const;
     float volume_reach_m(const Camera& camera) const;
 
+    bool make_sky_table();  ///< true where it is another one than before
     Buffer skylight_;
-    std::vector<std::byte> skylight_of_;  ///< what it was made from
+    std::vector<glm::vec3> sky_table_;
+    std::vector<std::byte> sky_table_of_;  ///< what it was made from
     Image light_so_far_, through_so_far_, doubt_, transmittance_, multiple_, sky_, light_, through_;
     std::vector<std::byte> made_of_;  ///< what the two lasting tables were made from
     Pipeline make_transmittance_ = compute({.shader = "10_atmosphere/make_transmittance.comp"});

@@ -1,23 +1,18 @@
 // Fog that gets thinner with height, as a module for any picture in linear light.
 #pragma once
-#include "common/app/module.h"
-#include "common/gpu/frame.h"
-#include "common/scene/camera.h"
+#include "common/app/drawing.h"
+#include "common/scene/scene.h"
 
 namespace lightwalk {
 
 // [height_fog]
-/// In a frame, when what is solid was drawn:
-///
-///     fog.record(frame, frame.hdr, frame.depth, camera, to_sun);
-///
-/// or in a shader of a pass that states it in `.with`, with 10_atmosphere/height_fog_inputs.glsl:
+/// A drawing that comes after all that is solid, under the scene's sun; or in a shader of a pass that states it in `.with`, with 10_atmosphere/height_fog_inputs.glsl:
 ///
 ///     vec3 through_fog(vec3 radiance, vec3 eye, vec3 direction, float distance, vec3 to_sun)
 ///
 /// which is what arrives of a point's light, or its parts fog_transmittance() and fog_color().
-struct HeightFog : Module {
-    HeightFog(Module& owner, std::string name) : Module(owner, std::move(name), "fog") {}
+struct HeightFog : Drawing {
+    HeightFog(Module& owner, std::string name) : Drawing(owner, std::move(name), "fog") {}
 
     Choice method{*this, "method", {"none", "uniform", "height"}, "height", "uniform is height with a falloff of 0"};
     Knob<float> density{*this, "density", 2e-4f, {0.0f, 10.0f}, "optical depth of a metre of fog at its base", "1/m"};
@@ -30,14 +25,16 @@ struct HeightFog : Module {
         *this, "sun_color", {1.0f, 0.85f, 0.6f}, {glm::vec3(0.0f), glm::vec3(1e4f)}, "the same towards the sun"};
     Knob<float> sun_power{*this, "sun_power", 8.0f, {0.1f, 1e3f}, "how narrow the light towards the sun is"};
 
-    /// Adds fog to an RGBA16F image, by the depth of what it shows; where depth is 0 it reaches `sky_m` far, or down to
-    /// base_m, as if there were ground. Both have the frame's size. `to_sun` has unit length. One pass, none with
-    /// method none. Alpha stays.
-    void record(Frame& frame, const Image& hdr, const Image& depth, const Camera& camera, glm::vec3 to_sun,
-                float sky_m = 1e5f);
+    float sky_m = 1e5f;  ///< how far fog reaches where nothing is drawn, unless it meets base_m before
+
+    void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
+
+    /// Adds fog to the canvas, by the depth of what it shows. One pass, none with method none. Alpha stays.
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
     // [/height_fog]
 
   private:
+    const Scene* scene_ = nullptr;
     Pipeline fog_ = compute({.shader = "10_atmosphere/fog.comp"});
 };
 

@@ -2,12 +2,11 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "common/scene/view.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {
 
-void Planet::prepare(Gpu& gpu) {
+void Planet::prepare(Gpu& gpu, Scene&) {
     if (!images_) images_ = std::make_unique<ImagePool>(gpu);
     const auto load = [&](const char* file, TextureKind kind) { return images_->load(find_asset(file), kind); };
     stars_ = load("textures/stars.jpg", TextureKind::color);
@@ -33,13 +32,13 @@ void Planet::bind(Pass& pass) const {
         if (image) pass.offer(name, *image, Sampler{.wrap = Wrap::repeat});
 }
 
-void Planet::record(Frame& frame, const Atmosphere& atmosphere, const Camera& camera) {
-    frame.compute("ground", {.reads = {frame.depth}, .writes = {frame.hdr}, .with = {atmosphere, *this}},
-                  [&](Compute& pass) {
-                      pass.use(ground_).set("depth", frame.depth, nearest_clamp).set("result", frame.hdr);
-                      pass.set("rays", view_rays(camera, frame)).set("strength", atmosphere.exposure.value);
-                      pass.dispatch_threads(frame.size);
-                  });
+void Planet::draw(Frame& frame, const View& view, Canvas& canvas) {
+    const ImageView depth = canvas.depth(frame), hdr = canvas.color(frame);
+    frame.compute("ground", {.reads = {depth}, .writes = {hdr}, .with = {atmosphere_, *this}}, [&](Compute& pass) {
+        pass.use(ground_).set("depth", depth, nearest_clamp).set("result", hdr);
+        pass.set("rays", view_rays(view)).set("strength", atmosphere_.exposure.value);
+        pass.dispatch_threads(view.size);
+    });
 }
 
 }  // namespace lightwalk

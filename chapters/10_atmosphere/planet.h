@@ -6,8 +6,9 @@
 namespace lightwalk {
 
 /// Draws what the air lies before: where no depth was drawn, the planet's ground, or the stars. A sea shines.
-struct Planet : Module {
-    Planet(Module& owner, std::string name) : Module(owner, std::move(name), "planet") {}
+struct Planet : Drawing {
+    Planet(Module& owner, std::string name, Atmosphere& atmosphere)
+        : Drawing(owner, std::move(name), "planet"), atmosphere_(atmosphere) {}
 
     Choice map{*this, "map", {"plain", "earth", "mars"}, "earth", "what its ground looks like; plain: one colour"};
     Knob<float> latitude_deg{*this,    "latitude_deg", 0.0f, {-90.0f, 90.0f}, "of the world's origin on the map",
@@ -28,12 +29,13 @@ struct Planet : Module {
 
     Knob<float> snow_m{*this, "snow_m", 1300.0f, {-1e5f, 1e5f}, "height from which mountains are white", "m"};
 
-    /// Loads the maps; again where another one was chosen.
-    void prepare(Gpu& gpu);
-    void record(Frame& frame, const Atmosphere& atmosphere, const Camera& camera);
+    void prepare(Gpu& gpu, Scene&) override;
+    std::string load_key() const override { return map.text(); }
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
     void bind(Pass& pass) const override;
 
   private:
+    const Atmosphere& atmosphere_;
     std::unique_ptr<ImagePool> images_;
     std::shared_ptr<Image> day_, night_, clouds_, water_, stars_;
     Pipeline ground_ = compute({.shader = "10_atmosphere/ground.comp"});

@@ -69,4 +69,32 @@ std::vector<glm::vec3> skylight_table(const Air& air) {
     return table;
 }
 
+glm::vec3 skylight_of(const std::vector<glm::vec3>& table, float sun) {
+    const float last = static_cast<float>(table.size() - 1);
+    const float at = std::clamp(0.5f + 0.5f * std::copysign(std::sqrt(std::abs(sun)), sun), 0.0f, 1.0f) * last;
+    const float first = std::min(std::floor(at), last - 1.0f);
+    const auto i = static_cast<size_t>(first);
+    return glm::mix(table[i], table[i + 1], at - first);
+}
+
+glm::vec3 sunlight_of(const Air& air, float sun) {
+    if (sun <= 0.0f) return glm::vec3(0.0f);
+    constexpr int samples = 512;
+    const double r = double(air.radius), slope = double(sun), b = r * slope, top = r + double(air.top);
+    const double way = -b + std::sqrt(b * b + top * top - r * r);
+    glm::dvec3 depth(0);
+    for (int i = 0; i < samples; ++i) {  // the nearer the ground, the denser
+        const double from = double(i) * i / (samples * samples), to = (i + 1.0) * (i + 1.0) / (samples * samples);
+        const double t = 0.5 * (from + to) * way, height = std::sqrt(r * r + 2 * r * slope * t + t * t) - r;
+        const double layer = air.layer_width > 0 ? std::max(0.0, 1 - std::fabs(height - double(air.layer_center)) /
+                                                                         double(air.layer_width))
+                                                 : 0.0;
+        depth += (to - from) * way *
+                 (glm::dvec3(air.rayleigh) * thinning(height, double(air.rayleigh_height)) +
+                  glm::dvec3(air.mie_extinction) * thinning(height, double(air.mie_height)) +
+                  glm::dvec3(air.layer) * layer);
+    }
+    return glm::dvec3(air.sun) * glm::exp(-depth);
+}
+
 }  // namespace lightwalk

@@ -11,4 +11,11 @@ namespace lightwalk {
 /// sunlight by Smith and Smith's fit; in double precision, in some milliseconds.
 std::vector<glm::vec3> skylight_table(const Air& air);
 
+/// Between the table's entries: of a sun whose direction has that upward part, -1 to 1.
+glm::vec3 skylight_of(const std::vector<glm::vec3>& table, float sun);
+
+/// What of the sun reaches a surface at a height of 0 that faces it, in the unit of air.sun; nothing once its middle is
+/// below the horizon. 512 samples of the way, in double precision.
+glm::vec3 sunlight_of(const Air& air, float sun);
+
 }  // namespace lightwalk

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "common/scene/view.h"
+#include "01_obj/camera_view.h"
 #include "11_fractals/truth.h"
 
 namespace lightwalk {
@@ -21,10 +21,7 @@ void DepthError::measure(Gpu& gpu, const Julia& julia, const Camera& camera, dou
     std::vector<glm::vec4> found(bytes.size() / sizeof(glm::vec4));
     std::memcpy(found.data(), bytes.data(), bytes.size());
 
-    Frame frame(gpu);
-    frame.size = size;
-    frame.crop.whole = size;
-    const ViewRays rays = view_rays(camera, frame);
+    const ViewRays rays = view_rays(view_of(camera, size));
     const truth::JuliaRay exact{.c = glm::dvec4(julia.constant_at(time_s)), .slice = double(julia.slice)};
     const double bound = double(julia_bound(glm::vec4(exact.c)));
     const auto direction = [&](double x, double y) {

@@ -1,6 +1,5 @@
 #include "11_fractals/julia.h"
 
-#include "common/scene/view.h"
 #include "11_fractals/exercises.h"
 
 namespace lightwalk {
@@ -34,35 +33,52 @@ glm::vec4 Julia::constant_at(double time_s) const {
     return along_curve(at(-1), at(0), at(1), at(2), turn - whole);
 }
 
-// [record]
-void Julia::record(Frame& frame, const Scene& scene, const Camera& camera, EnvironmentLight& environment) {
-    const glm::vec4 c = constant_at(double(frame.time_s));
-    now_ = {.rays = view_rays(camera, frame),
-            .pixel_rad = 2.0f * std::tan(0.5f * camera.fov_y_rad) / static_cast<float>(frame.crop.whole.y),
-            .constant = c,
-            .bound = julia_bound(c),
-            .tile = tile};
-    for (const Light& light : scene.file.lights)
-        if (light.kind == Light::Kind::directional) {
-            now_.to_light = -glm::normalize(light.direction);
-            now_.light = light.intensity * light.color;
-            break;
-        }
-
-    // 1. Where the rays meet the set. For cones, first how far a whole tile of pixels may go.
+// Where the rays meet the set. For cones, first how far a whole tile of pixels may go.
+void Julia::march(Frame& frame, const View& view) {
+    constexpr VkFormat float4 = VK_FORMAT_R32G32B32A32_SFLOAT;
+    Device& device = frame.gpu.device;
+    found.fit(device, {.name = path() + " found", .format = float4, .size = view.size});
+    starts_.fit(device, {.name = path() + " starts", .format = float4, .size = (view.size + tile - 1u) / tile});
     if (method.is("cone"))
         record_cones(frame, {cone_, march_, starts_, found, {*this}});
     else
         frame.compute("julia march", {.writes = {found}, .with = {*this}},
-                      [&](Compute& pass) { pass.use(march_).set("found", found).dispatch_threads(frame.size); });
-
-    // 2. What light they find there.
-    frame.compute("julia shade", {.reads = {found}, .writes = {frame.hdr}, .with = {*this, environment}},
-                  [&](Compute& pass) {
-                      pass.use(shade_).set("found", found, nearest_clamp).set("result", frame.hdr);
-                      pass.dispatch_threads(frame.size);
-                  });
+                      [&](Compute& pass) { pass.use(march_).set("found", found).dispatch_threads(view.size); });
 }
-// [/record]
+
+// [draw]
+void Julia::draw(Frame& frame, const View& view, Canvas& canvas) {
+    const glm::vec4 c = constant_at(double(frame.time_s));
+    const Sun sun = scene_->sun();
+    now_ = {.rays = view_rays(view),
+            .pixel_rad = view.pixel_rad(),
+            .constant = c,
+            .bound = julia_bound(c),
+            .to_light = sun.to_sun,
+            .light = sun.light,
+            .tile = static_cast<int>(tile)};
+    march(frame, view);
+
+    // What light they find there; alone in the picture, the set has its surroundings behind it.
+    const bool alone = !canvas.has_color() && !canvas.has_depth();
+    if (!alone) own_color_.fit(frame.gpu.device, {.name = path() + " color", .size = view.size});
+    const ImageView into = alone ? canvas.color_overwritten() : own_color_;
+    frame.compute("julia shade", {.reads = {found}, .writes = {into}, .with = {*this, environment_}},
+                  [&](Compute& pass) {
+                      pass.use(shade_).set("found", found, nearest_clamp).set("result", into);
+                      pass.dispatch_threads(view.size);
+                  });
+    if (alone) return;
+    frame.raster("julia merge",
+                 {.color = {canvas.color_target()},
+                  .depth = canvas.depth_target(),
+                  .reads = {found, own_color_},
+                  .with = {*this}},
+                 [&](Raster& pass) {
+                     pass.use(merge_).set("found", found, nearest_clamp).set("color_map", own_color_, nearest_clamp);
+                     pass.draw(3);
+                 });
+}
+// [/draw]
 
 }  // namespace lightwalk

@@ -2,8 +2,7 @@
 #pragma once
 #include "11_fractals/environment.h"
 #include "11_fractals/julia_data.h"
-#include "common/app/module.h"
-#include "common/app/target.h"
+#include "common/app/drawing.h"
 
 namespace lightwalk {
 
@@ -33,9 +32,11 @@ struct JuliaLook : Module {
 };
 
 // [julia]
-/// In each frame record(): where each pixel's ray meets the set, into `found`, and then its light into frame.hdr.
-struct Julia : Module {
-    Julia(Module& owner, std::string name) : Module(owner, std::move(name), "julia") {}
+/// A drawing under the scene's sun and what surrounds it: where each pixel's ray meets the set, and then its light. What
+/// lies beyond it is the environment, or what others have drawn.
+struct Julia : Drawing {
+    Julia(Module& owner, std::string name, EnvironmentLight& environment)
+        : Drawing(owner, std::move(name), "julia"), environment_(environment) {}
 
     Choice method{*this,
                   "method",
@@ -73,21 +74,27 @@ struct Julia : Module {
     Knob<int> most_steps{*this, "most_steps", 256, {1, 4096}, "distances after which a ray is stopped"};
     JuliaLook look{*this, "look", "julia_look"};
 
-    void record(Frame& frame, const Scene& scene, const Camera& camera, EnvironmentLight& environment);
+    void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
+    void update(Frame& frame) override { environment_.record(frame, *scene_); }
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
     /// c at a time; with constants that do not move, at any.
     glm::vec4 constant_at(double time_s) const;
-    bool animated() const { return constant.is("morph"); }
+    bool animated() const override { return constant.is("morph"); }
 
     std::vector<Resource> reads() const override { return {}; }
     void bind(Pass& pass) const override { pass.offer("julia_now", now_); }
 
     /// Of each pixel: metres along the ray, distances asked for, and MARCH_... of 11_fractals/march_along.glsl.
-    Target found{*this, {.name = "found", .format = VK_FORMAT_R32G32B32A32_SFLOAT}};
+    Image found;
 
   private:
-    Target starts_{*this, {.name = "starts", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .scale = 1.0f / tile}};
-    static constexpr int tile = 8;  ///< pixels
+    void march(Frame& frame, const View& view);
+    static constexpr uint32_t tile = 8;  ///< pixels
+    EnvironmentLight& environment_;
+    const Scene* scene_ = nullptr;
+    Image starts_, own_color_;
+    Pipeline merge_ = graphics({.vertex = "06_deferred/whole.vert", .fragment = "11_fractals/julia_merge.frag"});
     Pipeline cone_ = compute({.shader = "11_fractals/julia_cone.comp"});
     Pipeline march_ = compute({.shader = "11_fractals/julia_march.comp"});
     Pipeline shade_ = compute({.shader = "11_fractals/julia_shade.comp"});

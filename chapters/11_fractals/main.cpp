@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
+#include "09_post_effects/encode_film.h"
 #include "11_fractals/depth_error.h"
 #include "11_fractals/normal_error.h"
 #include "common/window/run.h"
@@ -16,15 +17,16 @@ struct Fractals : ModelChapter {
                   "as_set",
                   "julia.method of a Julia set, terrain.method of terrain; exact: the truth of both"};
     EnvironmentLight environment{*this, "environment"};
-    Julia julia{*this, "julia"};
+    Julia julia{*this, "julia", environment};
     Terrain terrain{*this, "terrain"};
     DepthError depth_error;
-    Pipeline tone = compute({.shader = "10_atmosphere/tone.comp"});
 
-    Fractals() { method.alone = true; }
+    Fractals() {
+        method.alone = true;
+        julia.in_use = [this] { return world.is("julia"); };
+        terrain.in_use = [this] { return world.is("terrain"); };
+    }
     std::string default_scene() const override { return "scenes/julia_sunset.json"; }
-    bool animated() const override { return world.is("julia") ? julia.animated() : terrain.animated(); }
-    void prepare(Gpu& gpu) override { terrain.prepare(gpu); }
 
     // For the study: where rays end, and how normals lie, against double precision.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
@@ -52,19 +54,15 @@ struct Fractals : ModelChapter {
     // [frame]
     void frame(Frame& frame) override {
         choose_method();
-        if (world.is("julia")) {
-            environment.record(frame, scene);
-            julia.record(frame, scene, camera, environment);
-        } else {
-            terrain.record(frame, scene, camera);
-        }
+        const View view = set_view(frame);
+        Canvas canvas(frame.hdr, frame.depth);
+        if (world.is("julia"))
+            draw(frame, view, canvas, {julia});
+        else
+            draw(frame, view, canvas, {terrain});
 
         // Linear light to codes; what is brighter than white fades into it.
-        accumulate(frame);
-        frame.compute("tone", {.reads = {frame.linear()}, .writes = {frame.output}}, [&](Compute& pass) {
-            pass.use(tone).set("hdr", frame.linear(), nearest_clamp).set("result", frame.output);
-            pass.dispatch_threads(frame.size);
-        });
+        encode_film(frame);
     }
     // [/frame]
 };

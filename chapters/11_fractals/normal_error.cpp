@@ -4,7 +4,6 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "common/scene/view.h"
 #include "11_fractals/truth.h"
 #include "common/app/read_picture.h"
 
@@ -15,7 +14,7 @@ void measure_normals(Gpu& gpu, const Terrain& terrain, const Frame& frame, nlohm
     std::vector<float> depths(bytes.size() / sizeof(float));
     std::memcpy(depths.data(), bytes.data(), bytes.size());
     const ImageRgb picture = read_linear(gpu, frame.hdr);
-    const ViewRays rays = view_rays(terrain.eye(), frame);
+    const ViewRays rays = view_rays(terrain.from());
     const TerrainNow& now = terrain.now();
     constexpr double lacunarity = 2.23606797749978969;
     double sum = 0;

@@ -1,8 +1,6 @@
 #include "11_fractals/terrain.h"
 
-#include "01_obj/exercises.h"
-#include "common/scene/view.h"
-#include "common/scene/view.h"
+#include "01_obj/camera_view.h"
 
 namespace lightwalk {
 namespace {
@@ -21,7 +19,8 @@ void add_cells(std::vector<uint32_t>& indices, uint32_t cells, bool hollow) {
 
 }  // namespace
 
-void Terrain::prepare(Gpu& gpu) {
+void Terrain::prepare(Gpu& gpu, Scene& loaded) {
+    scene_ = &loaded;
     if (images_) return;
     images_ = std::make_unique<ImagePool>(gpu);
     land_ = images_->load(find_asset("textures/bark_albedo.jpg"), TextureKind::color);
@@ -42,28 +41,25 @@ glm::dvec2 Terrain::flight_m(const Camera& camera, double time_s) const {
 // [place]
 // The grid stays where it is, below the eye; what moves is the place of its middle in the noise, by whole cells of the
 // grid, so that no vertex slides over the ground. What is left of the way the eye goes itself.
-void Terrain::place(Frame& frame, const Scene& scene, const Camera& camera) {
+void Terrain::place(const Frame& frame, const View& view) {
+    const Camera& camera = view.camera;
     const glm::dvec2 flight = flight_m(camera, double(frame.time_s)), spacing(static_cast<double>(spacing_m));
     const glm::dvec2 middle = glm::floor(flight / spacing) * spacing, rest = flight - middle;
     const NoisePlace noise = NoisePlace::at(middle / double(wave_m));
     const double ground = ground_m(flight + glm::dvec2(camera.position.x, camera.position.z), 4);
     const glm::vec3 moved(rest.x, ground, rest.y);
-    eye_ = camera;
-    eye_.position += moved;
-    eye_.target += moved;
+    Camera eye = camera;
+    eye.position += moved;
+    eye.target += moved;
+    from_ = view_of(eye, view.size, view.crop);
     now_ = {.cell = noise.cell,
             .offset = glm::vec2(noise.offset),
-            .eye = eye_.position,
-            .pixel_rad = 2.0f * std::tan(0.5f * camera.fov_y_rad) / static_cast<float>(frame.crop.whole.y),
-            .to_sun = {0, 1, 0},
+            .eye = eye.position,
+            .pixel_rad = view.pixel_rad(),
+            .to_sun = scene_->sun().to_sun,
             .cells = std::max(4, cells / 4 * 4),
             .spacing_m = spacing_m,
             .rings = rings};
-    for (const Light& light : scene.file.lights)
-        if (light.kind == Light::Kind::directional) {
-            now_.to_sun = -glm::normalize(light.direction);
-            break;
-        }
 }
 // [/place]
 
@@ -80,38 +76,44 @@ void Terrain::bind(Pass& pass) const {
                                         {look.ends.value, look.ends_slope.value}});
 }
 
-// [record]
-void Terrain::record(Frame& frame, const Scene& scene, const Camera& camera) {
-    place(frame, scene, camera);
-    const glm::vec2 whole(frame.crop.whole);
-    look_from({part_of(frame.crop, frame.size) * view_projection(eye_, whole.x / whole.y), eye_.position}, frame);
-    if (const auto side = static_cast<uint32_t>(now_.cells); side != made_cells_) {
-        std::vector<uint32_t> indices;
-        add_cells(indices, side, false);
-        whole_ = static_cast<uint32_t>(indices.size());
-        add_cells(indices, side, true);
-        hollow_ = static_cast<uint32_t>(indices.size()) - whole_;
-        indices_ = frame.gpu.upload("terrain indices", indices);
-        made_cells_ = side;
-    }
+void Terrain::make_grid(Frame& frame) {
+    const auto side = static_cast<uint32_t>(now_.cells);
+    if (side == made_cells_) return;
+    std::vector<uint32_t> indices;
+    add_cells(indices, side, false);
+    whole_ = static_cast<uint32_t>(indices.size());
+    add_cells(indices, side, true);
+    hollow_ = static_cast<uint32_t>(indices.size()) - whole_;
+    indices_ = frame.gpu.upload("terrain indices", indices);
+    made_cells_ = side;
+}
+
+// [draw]
+void Terrain::draw(Frame& frame, const View& view, Canvas& canvas) {
+    place(frame, view);
+    make_grid(frame);
+    const ViewScope scope(frame, from_);
 
     // 1. The ground: the innermost ring whole, the others hollow.
-    frame.raster("terrain", {.color = {frame.hdr}, .depth = frame.depth, .with = {*this}}, [&](Raster& pass) {
-        pass.use(ground_);
-        if (pass.wants("land_map")) pass.set("land_map", *land_);
-        if (pass.wants("rock_map")) pass.set("rock_map", *rock_);
-        pass.draw_indexed(indices_, 0, whole_);
-        if (now_.rings > 1) pass.draw_indexed(indices_, whole_, hollow_, static_cast<uint32_t>(now_.rings) - 1, 1);
-    });
-    if (!show.is("picture")) return;
+    frame.raster("terrain", {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = {*this}},
+                 [&](Raster& pass) {
+                     pass.use(ground_);
+                     if (pass.wants("land_map")) pass.set("land_map", *land_);
+                     if (pass.wants("rock_map")) pass.set("rock_map", *rock_);
+                     pass.draw_indexed(indices_, 0, whole_);
+                     const auto others = static_cast<uint32_t>(now_.rings) - 1;
+                     if (others > 0) pass.draw_indexed(indices_, whole_, hollow_, others, 1);
+                 });
+    if (!show.is("picture") || !own_sky) return;
 
     // 2. The sky behind it, and chapter 10's fog before both.
-    frame.compute("terrain sky", {.reads = {frame.depth}, .writes = {frame.hdr}, .with = {sky}}, [&](Compute& pass) {
-        pass.use(sky_).set("depth", frame.depth, nearest_clamp).set("result", frame.hdr);
-        pass.set("rays", view_rays(eye_, frame)).set("to_sun", now_.to_sun).dispatch_threads(frame.size);
+    const ImageView depth = canvas.depth(frame), color = canvas.color(frame);
+    frame.compute("terrain sky", {.reads = {depth}, .writes = {color}, .with = {sky}}, [&](Compute& pass) {
+        pass.use(sky_).set("depth", depth, nearest_clamp).set("result", color);
+        pass.set("rays", view_rays(from_)).set("to_sun", now_.to_sun).dispatch_threads(view.size);
     });
-    fog.record(frame, frame.hdr, frame.depth, eye_, now_.to_sun);
+    fog.draw(frame, from_, canvas);
 }
-// [/record]
+// [/draw]
 
 }  // namespace lightwalk

@@ -4,9 +4,7 @@
 #include "10_atmosphere/preetham.h"
 #include "11_fractals/noise.h"
 #include "11_fractals/terrain_data.h"
-#include "common/app/module.h"
 #include "common/scene/image_pool.h"
-#include "common/scene/scene.h"
 
 namespace lightwalk {
 
@@ -23,9 +21,10 @@ struct TerrainLook : Module {
 };
 
 // [terrain]
-/// In each frame record(): ground and sky into frame.hdr and frame.depth, and fog over both.
-struct Terrain : Module {
-    Terrain(Module& owner, std::string name) : Module(owner, std::move(name), "terrain") {}
+/// A drawing under the scene's sun: the ground, a sky of its own where nothing else is drawn, and fog over both. The
+/// view's x and z count from where the flight has come to, and its y from the ground there, as four octaves have it.
+struct Terrain : Drawing {
+    Terrain(Module& owner, std::string name) : Drawing(owner, std::move(name), "terrain") {}
 
     Choice method{*this,
                   "method",
@@ -67,24 +66,25 @@ struct Terrain : Module {
     Preetham sky{*this, "sky"};
     HeightFog fog{*this, "fog"};
 
-    void prepare(Gpu& gpu);
+    bool own_sky = true;  ///< false: whoever composes draws one, and fog
 
-    /// The scene's first directional light is where the sun stands; the camera's x and z count from where the flight
-    /// has come to, and its y from the ground there, as four octaves have it.
-    void record(Frame& frame, const Scene& scene, const Camera& camera);
+    void prepare(Gpu& gpu, Scene& loaded) override;
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
     /// The ground's height in metres at a place of the flight's world, in double precision.
     double ground_m(glm::dvec2 world_m, double octaves) const;
     /// Where the flight is at a time, x and z in metres.
     glm::dvec2 flight_m(const Camera& camera, double time_s) const;
-    bool animated() const { return speed_m_s > 0; }
+    bool animated() const override { return speed_m_s > 0; }
 
     void bind(Pass& pass) const override;
     const TerrainNow& now() const { return now_; }
-    const Camera& eye() const { return eye_; }  ///< the camera of the last frame, from the grid's middle
+    const View& from() const { return from_; }  ///< the view drawn last, from the grid's middle
 
   private:
-    void place(Frame& frame, const Scene& scene, const Camera& camera);
+    void place(const Frame& frame, const View& view);
+    void make_grid(Frame& frame);
+    const Scene* scene_ = nullptr;
     Pipeline ground_ = graphics({.vertex = "11_fractals/terrain.vert", .fragment = "11_fractals/terrain.frag"});
     Pipeline sky_ = compute({.shader = "11_fractals/terrain_sky.comp"});
     std::unique_ptr<ImagePool> images_;
@@ -92,7 +92,7 @@ struct Terrain : Module {
     Buffer indices_;
     uint32_t made_cells_ = 0, whole_ = 0, hollow_ = 0;
     TerrainNow now_{};
-    Camera eye_;
+    View from_;
 };
 
 }  // namespace lightwalk

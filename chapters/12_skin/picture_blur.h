@@ -1,8 +1,7 @@
 // The blur over the picture in place of one over the texture.
 #pragma once
 #include "12_skin/screen_kernel.h"
-#include "common/app/target.h"
-#include "common/gpu/frame.h"
+#include "common/app/drawing.h"
 
 namespace lightwalk {
 
@@ -11,18 +10,17 @@ namespace lightwalk {
 /// out exactly.
 class PictureBlur {
   public:
-    explicit PictureBlur(Module& owner)
-        : light(owner, {.name = "light"}), after(owner, {.name = "after"}), half_(owner, {.name = "half"}) {}
+    Image light;  ///< what is blurred; a: how far away, in metres, 0 where there is nothing
+    Image after;  ///< by what it is then multiplied
 
-    Target light;  ///< what is blurred; a: how far away, in metres, 0 where there is nothing
-    Target after;  ///< by what it is then multiplied
+    /// Before something is drawn into the two.
+    void fit(Device& device, glm::uvec2 size);
 
-    /// Blurs `light` along both directions, and adds it to the picture. `fov_y_rad` and the picture's height say how
-    /// wide a pixel is.
-    void record(Frame& frame, float fov_y_rad);
+    /// Blurs `light` along both directions, and adds it to the picture.
+    void record(Frame& frame, const View& view, Canvas& canvas);
 
   private:
-    Target half_;
+    Image half_;
     Buffer kernel_;
     Pipeline line_ = compute({.shader = "12_skin/separable.comp"});
     Pipeline add_ = compute({.shader = "12_skin/add_screen.comp"});

@@ -12,8 +12,7 @@ namespace {
 constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 void make(Frame& frame, Image& image, const char* name, uint32_t size, VkFormat format = half4) {
-    const Image::Desc desc{.name = name, .format = format, .size = glm::uvec2(size)};
-    if (!image || image.desc != desc) image = Image(frame.gpu.device, desc);
+    image.fit(frame.gpu.device, {.name = name, .format = format, .size = glm::uvec2(size), .kept = true});
 }
 
 }  // namespace
@@ -29,7 +28,7 @@ int Skin::sum_count() const {
     return name.starts_with(prefix) ? std::stoi(name.substr(prefix.size())) : 0;
 }
 
-void Skin::prepare(Gpu& gpu, const Scene& scene) {
+void Skin::prepare(Gpu& gpu, Scene& scene) {
     add_charts(gpu, scene);
     for (Unwrapped* unwrapped : {&coarse_, &fine_, &eye_}) unwrapped->forget();
 }
@@ -67,7 +66,7 @@ void Skin::make_tables(Frame& frame) {
 }
 
 // [record]
-void Skin::record(Frame& frame, const Scene& scene, const Camera& camera, const Lit& lit) {
+void Skin::record(Frame& frame, const Scene& scene, const View& view, const Lit& lit) {
     const DrawItem *skin = skin_of(scene), *eye = part(scene, "eye");
     if (empty_ = !skin; empty_) return;
     make_tables(frame);
@@ -80,7 +79,7 @@ void Skin::record(Frame& frame, const Scene& scene, const Camera& camera, const 
     if (!on_map()) return;
 
     // 2. The surface laid out as large as the screen needs; the light that enters it; how that spreads.
-    fine_.record(frame, scene, lit.maps, *skin, size_for(*skin, camera, frame.crop.whole.y));
+    fine_.record(frame, scene, lit.maps, *skin, size_for(*skin, view.camera, view.crop.whole.y));
     light_map(frame, lit);
     spread_.record(frame, {irradiance_, fine_.stretch, fine_.position}, sum_count());
 }
@@ -102,7 +101,7 @@ void Skin::light_map(Frame& frame, const Lit& lit) {
 }
 
 // [draw]
-void Skin::draw(Frame& frame, const Scene& scene, const Lit& lit, Shown shown) {
+void Skin::draw(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit, Shown shown) {
     if (empty_) return;
     const bool on_screen = method.is("separable") && shown == Shown::all;
     shown_ = static_cast<int>(shown) - 1;
@@ -123,23 +122,24 @@ void Skin::draw(Frame& frame, const Scene& scene, const Lit& lit, Shown shown) {
     const auto draw = [&](Raster& pass, const auto& predicate, const Pipeline& pipeline) {
         lit.maps.draw(pass, scene, scene.all().where(predicate), pipeline, pipeline);
     };
-    frame.raster("matt", {.color = {keep(frame.hdr)}, .depth = clear(frame.depth, 0.0f), .with = with},
+    frame.raster("matt", {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with},
                  [&](Raster& pass) { draw(pass, is_other, matt_), draw(pass, is_eye, eye_pass_); });
-    RasterTargets targets{.color = {keep(frame.hdr)}, .depth = keep(frame.depth), .with = with};
+    RasterTargets targets{.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with};
     if (on_screen) {
+        screen_.fit(frame.gpu.device, canvas.size());
         targets.color.push_back(clear(screen_.light, glm::vec4(0)));
         targets.color.push_back(clear(screen_.after, glm::vec4(0)));
     }
     frame.raster("skin", targets, [&](Raster& pass) { draw(pass, is_skin, look); });
     if (!part(scene, "cornea")) return;
     with.push_back(lit.rays);
-    frame.raster("cornea", {.color = {keep(frame.hdr)}, .depth = keep(frame.depth), .with = with},
+    frame.raster("cornea", {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with},
                  [&](Raster& pass) { draw(pass, is_cornea, cornea_); });
 }
 // [/draw]
 
-void Skin::finish(Frame& frame, const Camera& camera) {
-    if (method.is("separable") && !empty_) screen_.record(frame, camera.fov_y_rad);
+void Skin::finish(Frame& frame, const View& view, Canvas& canvas) {
+    if (method.is("separable") && !empty_) screen_.record(frame, view, canvas);
 }
 
 std::vector<Resource> Skin::reads() const {

@@ -3,14 +3,13 @@
 #include "12_skin/picture_blur.h"
 #include "12_skin/spread.h"
 #include "12_skin/unwrapped.h"
-#include "common/app/target.h"
+#include "common/app/drawing.h"
 
 namespace lightwalk {
 
 // [skin]
 /// Draws the items of a scene: those whose material is called "skin", "eye" or "cornea" as such, others as matt.
-/// prepare() when a scene was loaded and its maps are made. In each frame record(), then draw() into the frame's
-/// picture, then finish(). Without a "skin" the first item is it.
+/// In each frame record(), then draw() into a canvas, then finish(). Without a "skin" the first item is it.
 struct Skin : Module {
     Skin(Module& owner, std::string name) : Module(owner, std::move(name), "skin") {}
 
@@ -35,7 +34,7 @@ struct Skin : Module {
     Knob<int> sky_size{*this, "sky_size", 128, {16, 2048}, "of the map of ambient occlusion", "texels"};
     Knob<int> sky_rays{*this, "sky_rays", 32, {1, 1024}, "from each of its texels"};
 
-    void prepare(Gpu& gpu, const Scene& scene);
+    void prepare(Gpu& gpu, Scene& scene) override;
 
     /// What lights it: modules that give 03's lights, 05's shadows and rays, and what surrounds it.
     struct Lit {
@@ -43,10 +42,10 @@ struct Skin : Module {
         const Rays& rays;
         std::vector<With> with;
     };
-    void record(Frame& frame, const Scene& scene, const Camera& camera, const Lit& lit);
+    void record(Frame& frame, const Scene& scene, const View& view, const Lit& lit);
     enum class Shown { all, specular, thickness, seams };
-    void draw(Frame& frame, const Scene& scene, const Lit& lit, Shown shown = Shown::all);
-    void finish(Frame& frame, const Camera& camera);
+    void draw(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit, Shown shown = Shown::all);
+    void finish(Frame& frame, const View& view, Canvas& canvas);
 
     void bind(Pass& pass) const override;
     std::vector<Resource> reads() const override;
@@ -76,7 +75,7 @@ struct Skin : Module {
     void light_map(Frame& frame, const Lit& lit);
 
     Unwrapped coarse_, fine_, eye_;
-    PictureBlur screen_{*this};
+    PictureBlur screen_;
     Spread spread_;
     Image irradiance_;
     Image facets_, reflected_, preintegrated_;

@@ -1,28 +1,31 @@
 #include "13_mlaa/four_samples.h"
 
+#include "01_obj/camera_view.h"
+
 namespace lightwalk {
 
-RasterTargets FourSamples::multisampled(Frame& frame, const Image& into, const glm::vec4& background) {
-    const glm::uvec2 size = into.desc.size;
-    if (!color_ || color_.desc.size != size) {
-        color_ = Image(frame.gpu.device, {.name = "four colours", .size = size, .samples = 4});
-        depth_ = Image(frame.gpu.device,
-                       {.name = "four depths", .format = VK_FORMAT_D32_SFLOAT, .size = size, .samples = 4});
-    }
-    return {.color = {resolve(clear(color_, background), into)}, .depth = depth_};
+void FourSamples::multisample(Frame& frame, Canvas& canvas) {
+    Device& device = frame.gpu.device;
+    color_.fit(device, {.name = "four colours", .size = canvas.size(), .samples = 4});
+    depth_.fit(device,
+               {.name = "four depths", .format = VK_FORMAT_D32_SFLOAT, .size = canvas.size(), .samples = 4});
+    canvas.multisampled(color_, depth_);
 }
 
-void FourSamples::supersample(Frame& frame, const std::function<void()>& draw) {
+void FourSamples::supersample(Frame& frame, const View& view, const std::function<void(const View&)>& draw) {
     const glm::vec2 places[] = {{-0.125f, -0.375f}, {0.375f, -0.125f}, {-0.375f, 0.125f}, {0.125f, 0.375f}};
-    const glm::vec2 shift = frame.crop.shift;
     for (int i = 0; i < 4; ++i) {
-        frame.crop.shift = shift + places[i];
-        draw();
-        frame.compute("add sample", {.reads = {frame.hdr, sum_}, .writes = {frame.hdr, sum_}}, [&](Compute& pass) {
-            pass.use(add_).set("sample_index", i).set("hdr", frame.hdr).set("sum", sum_).dispatch_threads(frame.size);
+        Crop crop = view.crop;
+        crop.shift += places[i];
+        View shifted = view_of(view.camera, view.size, crop);
+        shifted.id = view.id;
+        draw(shifted);
+        ComputeAccess access{.reads = {frame.hdr}, .writes = {frame.hdr, sum_}};
+        if (i > 0) access.reads.push_back(sum_);
+        frame.compute("add sample", access, [&](Compute& pass) {
+            pass.use(add_).set("sample_index", i).set("hdr", frame.hdr).set("sum", sum_).dispatch_threads(view.size);
         });
     }
-    frame.crop.shift = shift;
 }
 
 }  // namespace lightwalk

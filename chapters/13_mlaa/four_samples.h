@@ -2,9 +2,8 @@
 #pragma once
 #include <functional>
 
-#include "common/app/module.h"
+#include "common/app/drawing.h"
 #include "common/app/target.h"
-#include "common/gpu/frame.h"
 
 namespace lightwalk {
 
@@ -12,13 +11,13 @@ class FourSamples {
   public:
     explicit FourSamples(Module& owner) : sum_(owner, {.name = "sum", .format = VK_FORMAT_R32G32B32A32_SFLOAT}) {}
 
-    /// Multisampling: each triangle covers some of a pixel's four samples and is shaded once for them. Targets of a
-    /// raster pass whose mean, when it ends, is in `into`; what was cleared is `background`.
-    RasterTargets multisampled(Frame& frame, const Image& into, const glm::vec4& background);
+    /// Multisampling: each triangle covers some of a pixel's four samples and is shaded once for them. What is drawn into
+    /// the canvas from now on.
+    void multisample(Frame& frame, Canvas& canvas);
 
-    /// Supersampling: `draw` four times, each with frame.crop shifted to another of the pixel's samples, which lie in
-    /// four rows and four columns. Then frame.hdr is the mean.
-    void supersample(Frame& frame, const std::function<void()>& draw);
+    /// Supersampling: the view four times, each shifted to another of the pixel's samples, which lie in four rows and
+    /// four columns; `draw` draws one into frame.hdr. Then frame.hdr is the mean.
+    void supersample(Frame& frame, const View& view, const std::function<void(const View&)>& draw);
 
   private:
     Image color_, depth_;

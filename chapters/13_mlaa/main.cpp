@@ -4,22 +4,20 @@
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
-#include "05_shadow_maps/shadow.h"
-#include "06_deferred/surfaces.h"
+#include "11_fractals/julia.h"
+#include "11_fractals/terrain.h"
+#include "12_skin/head.h"
 #include "13_mlaa/edge_error.h"
 #include "13_mlaa/four_samples.h"
 #include "13_mlaa/half_plane.h"
 #include "13_mlaa/mlaa.h"
-#include "13_mlaa/other_pictures.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct MlaaChapter : ModelChapter {
     Mlaa antialias{*this, "mlaa"};
-    Maps maps{*this, "maps"};
-    Lights lights{*this, "lights"};
-    Shadow shadow{*this, "shadow"};
+    LitScene objects{*this, "objects"};
     HalfPlane half_plane{*this, "half_plane"};
     Choice world{*this,
                  "world",
@@ -29,79 +27,52 @@ struct MlaaChapter : ModelChapter {
     Choice clip{*this, "clip", {"before", "after"}, "before", "when what a screen cannot show is cut off: pixels mix"};
     Choice show{*this, "show", {"picture", "edges", "lengths"}, "picture", "or the edges that were found in it"};
 
-    const SurfacePipelines depth{{.fragment = "04_surface_maps/depth.frag"}};
-    Pipeline caster = graphics({.vertex = "04_surface_maps/surface.vert",
-                                .fragment = "04_surface_maps/depth.frag",
-                                .cull = VK_CULL_MODE_NONE,
-                                .depth_clamp = true});
+    EnvironmentLight environment{*this, "environment"};
+    Julia julia{*this, "julia", environment};
+    Terrain terrain{*this, "terrain"};
+    Head head{*this, "head", objects, environment};
     const SurfacePipelines surface{{.fragment = "13_mlaa/surface.frag"}};
     Pipeline look = compute({.shader = "13_mlaa/look.comp"});
     Pipeline cut_off = compute({.shader = "13_mlaa/clip.comp"});
-    OtherPictures others{*this};
     FourSamples four_samples{*this};
     EdgeError edge_error;
 
     MlaaChapter() {
         antialias.method.alone = true;  // --method is about edges here
-        maps.method.change_default("normal");
-        lights.method.change_default("every_light");
+        objects.maps.method.change_default("normal");
+        objects.lights.method.change_default("every_light");
+        objects.shading = &surface;
+        julia.in_use = [this] { return world.is("julia"); };
+        terrain.in_use = [this] { return world.is("terrain"); };
+        head.skin.in_use = [this] { return world.is("head"); };
     }
     std::string default_scene() const override { return "scenes/city.json"; }
-    std::string load_key() const override { return maps.load_key() + world.text(); }
-    bool animated() const override { return maps.animated() || scene.moves() || world.is("terrain"); }
-    void prepare(Gpu& gpu) override {
-        maps.prepare(gpu, scene);
-        shadow.forget();
-        if (world.is("head")) others.prepare_head(gpu, scene);
-    }
 
     // For the study: the error of those pixels alone through which an outline runs, and how many were mixed.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         edge_error.measure(*this, antialias, gpu, size, error);
     }
 
-    // Into a map of shadows: what textures cut holes into is drawn with its maps.
-    Shadow::Casters casters() const {
-        return {{maps}, [this](Raster& pass, const DrawList& all) {
-                    const auto has_holes = [this](const DrawItem& item) { return maps.has_holes(item); };
-                    pass.use(shadow.solid).draw(all.where(std::not_fn(has_holes)));
-                    maps.draw(pass, scene, all.where(has_holes), caster, caster);
-                }};
+    Drawings drawn() {
+        if (world.is("julia")) return {julia};
+        if (world.is("terrain")) return {terrain};
+        if (world.is("head")) return {head};
+        if (world.is("half_plane")) return {half_plane};
+        return {objects};
     }
 
-    // Chapter 04's surfaces under chapter 03's lights with chapter 05's shadows, seen through one sample of each pixel,
-    // or four.
-    void draw_objects(Frame& frame) {
-        const auto draw = [&](const SurfacePipelines& by) {
-            return [&](Raster& pass) { maps.draw(pass, scene, by.loaded, by.displaced); };
-        };
-        if (lights.needs_depth()) frame.raster("depth", {.depth = frame.depth, .with = {maps}}, draw(depth));
-        lights.record(frame, scene, camera);
-        const glm::vec4 background(scene.file.background, 1.0f);
-        RasterTargets targets = antialias.method.is("msaa_4x")
-                                    ? four_samples.multisampled(frame, frame.hdr, background)
-                                    : RasterTargets{.color = {clear(frame.hdr, background)}, .depth = frame.depth};
-        targets.with = {maps, lights, shadow};
-        frame.raster("shade", targets, draw(surface));
-    }
-
-    void draw_world(Frame& frame) {
-        if (world.is("julia")) return others.draw_julia(frame, scene, camera);
-        if (world.is("terrain")) return others.draw_terrain(frame, scene, camera);
-        if (world.is("half_plane")) return half_plane.draw(frame);
-        set_view(frame);
-        if (world.is("head")) return others.draw_head(frame, scene, camera, {maps, lights, shadow});
-        draw_objects(frame);
-    }
-
+    // The world, seen through one sample of each pixel, or four.
     void draw_light(Frame& frame) {
-        set_view(frame);
-        lights.update(frame, scene, scene.file.lights);
-        if (world.is("objects")) shadow.record(frame, scene, lights, camera, casters());
+        const View view = set_view(frame);
+        const auto draw_from = [&](const View& from) {
+            Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
+            if (antialias.method.is("msaa_4x") && world.is("objects")) four_samples.multisample(frame, canvas);
+            draw(frame, from, canvas, drawn());
+        };
         if (antialias.method.is("supersample_4"))
-            four_samples.supersample(frame, [&] { draw_world(frame); });
+            four_samples.supersample(frame, view, draw_from);
         else
-            draw_world(frame);
+            draw_from(view);
         if (clip.is("before") && !world.is("objects"))
             frame.compute("clip", {.reads = {frame.hdr}, .writes = {frame.hdr}},
                           [&](Compute& pass) { pass.use(cut_off).set("hdr", frame.hdr).dispatch_threads(frame.size); });

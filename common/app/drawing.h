@@ -39,6 +39,7 @@ class Canvas {
     /// For a pass that writes depth itself.
     const ImageView& depth_overwritten();
 
+    bool has_color() const { return color_begun_; }
     bool has_depth() const { return depth_begun_; }
     glm::uvec2 size() const { return color_.size(); }
     const glm::vec4& background() const { return background_; }

@@ -140,6 +140,24 @@ void Scene::load_environment() {
 }
 
 DrawList Scene::all() const { return {*this, places(0, items.size())}; }
+Sun Scene::sun() const {
+    if (sky_sun_) return *sky_sun_;
+    const auto directional = [](const Light& light) { return light.kind == Light::Kind::directional; };
+    const auto found = std::find_if(file.lights.begin(), file.lights.end(), directional);
+    if (found == file.lights.end()) return {.sky = file.ambient};
+    return {-glm::normalize(found->direction), found->intensity * found->color, file.ambient};
+}
+
+std::vector<Light> Scene::lights() const {
+    std::vector<Light> all = file.lights;
+    if (!sky_sun_) return all;
+    const auto directional = [](const Light& light) { return light.kind == Light::Kind::directional; };
+    auto found = std::find_if(all.begin(), all.end(), directional);
+    if (found == all.end()) found = all.insert(all.begin(), Light{.shadow = true});
+    found->direction = -sky_sun_->to_sun, found->color = sky_sun_->light, found->intensity = 1.0f;
+    return all;
+}
+
 DrawList Scene::opaque() const { return {*this, places(0, first_transparent_)}; }
 DrawList Scene::transparent() const { return {*this, places(first_transparent_, items.size())}; }
 

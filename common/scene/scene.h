@@ -29,6 +29,13 @@ Instance instance_of(const DrawItem& item, size_t index);
 /// For Scene::placed.
 uint64_t next_placement();
 
+/// The light that comes from one direction, as whoever is drawn sees it: in the scene's unit, exposed.
+struct Sun {
+    glm::vec3 to_sun{0.0f, 1.0f, 0.0f};  ///< unit length, world space
+    glm::vec3 light{0.0f};               ///< what falls on a surface that faces it; its radiance if white, times pi
+    glm::vec3 sky{0.0f};                 ///< radiance from everywhere else, in the mean
+};
+
 class Scene : public Drawable {
   public:
     SceneFile file;
@@ -44,6 +51,15 @@ class Scene : public Drawable {
 
     /// Loads models and textures and places them as at 0 s. Throws InputError.
     void load(Gpu& gpu, SceneFile scene, const ModelLoader& loader);
+
+    /// One sun for whatever is drawn together: the file's first directional light and its ambient light, unless a sky
+    /// has said otherwise. Black without either.
+    Sun sun() const;
+    void set_sun(const Sun& sun) { sky_sun_ = sun; }
+
+    /// The file's, the first directional one as sun() has it.
+    std::vector<Light> lights() const;
+    glm::vec3 ambient() const { return sun().sky; }
 
     /// Draws every item, as DrawList::draw.
     void draw(Raster& pass) const override { all().draw(pass); }
@@ -92,6 +108,7 @@ class Scene : public Drawable {
     void sort_items();
     void find_batches();
     std::vector<Placed> objects_;
+    std::optional<Sun> sky_sun_;
     std::vector<std::shared_ptr<GpuModel>> moving_models_;
     std::vector<uint32_t> moving_items_, batch_of_;
     std::vector<bool> to_upload_;

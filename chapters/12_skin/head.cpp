@@ -1,0 +1,32 @@
+#include "12_skin/head.h"
+
+namespace lightwalk {
+
+// [draw]
+void Head::update(Frame& frame) {
+    objects_.update_once(frame);
+    rays.record(frame, *scene_);
+    environment_.record(frame, *scene_);
+}
+
+void Head::draw(Frame& frame, const View& view, Canvas& canvas) {
+    // 1. The lights, and depth from those that cast shadows.
+    objects_.record_light(frame, view);
+    const Skin::Lit lit{objects_.maps, rays, {objects_.lights, objects_.shadow, environment_}};
+
+    // 2. The light on the skin's map, and how it spreads there.
+    skin.record(frame, *scene_, view, lit);
+
+    // 3. What surrounds it, where nothing else was drawn; then the head.
+    if (!canvas.has_color() && !canvas.has_depth()) {
+        const ImageView behind = canvas.color_overwritten();
+        frame.compute("backdrop", {.writes = {behind}, .with = {environment_}}, [&](Compute& pass) {
+            pass.use(backdrop_).set("backdrop", backdrop.value).set("result", behind).dispatch_threads(view.size);
+        });
+    }
+    skin.draw(frame, *scene_, canvas, lit, shown);
+    skin.finish(frame, view, canvas);
+}
+// [/draw]
+
+}  // namespace lightwalk

@@ -1,0 +1,39 @@
+// A head as a drawing: skin, eyes and what is matt, under lights, their shadows and what surrounds it.
+#pragma once
+#include "05_shadow_maps/lit_scene.h"
+#include "11_fractals/environment.h"
+#include "12_skin/skin.h"
+
+namespace lightwalk {
+
+// [head]
+/// The scene of `objects`, drawn as skin under its lights; they are not drawn themselves. Its modules are the owner's:
+/// skin.*, rays.*, and backdrop.
+struct Head : Drawing {
+    Head(Module& owner, std::string name, LitScene& objects, EnvironmentLight& environment)
+        : Drawing(owner, std::move(name)),
+          skin(owner, "skin"),
+          rays(owner, "rays"),
+          backdrop(owner, "backdrop", 4.5f, {0.0f, 8.0f},
+                   "which level of the environment is seen behind: more is blurrier"),
+          objects_(objects),
+          environment_(environment) {}
+
+    Skin skin;
+    Rays rays;
+    Knob<float> backdrop;
+    Skin::Shown shown = Skin::Shown::all;
+
+    void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
+    void update(Frame& frame) override;
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
+    // [/head]
+
+  private:
+    LitScene& objects_;
+    EnvironmentLight& environment_;
+    const Scene* scene_ = nullptr;
+    Pipeline backdrop_ = compute({.shader = "12_skin/backdrop.comp"});
+};
+
+}  // namespace lightwalk
