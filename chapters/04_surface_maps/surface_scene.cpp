@@ -45,7 +45,8 @@ void SurfaceScene::record_light(Frame& frame, const View& view, const ImageView&
 void SurfaceScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
     // 1. Lights into the view's tiles or clusters, where those are the method. Tiles ask the depth what they hold.
     if (lights.needs_depth())
-        frame.raster("depth", {.depth = canvas.single_depth_target(), .with = {maps}}, by(depth_));
+        frame.raster("depth",
+                     {.depth = canvas.single_depth_target(), .reads = shading_reads, .with = {maps}}, by(depth_));
     record_light(frame, view, canvas.single_depth());
 
     // 2. Every surface that is opaque.

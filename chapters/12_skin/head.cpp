@@ -10,8 +10,8 @@ void Head::update(Frame& frame) {
 }
 
 void Head::draw(Frame& frame, const View& view, Canvas& canvas) {
-    // 1. The lights, and depth from those that cast shadows.
-    objects_.record_light(frame, view);
+    // 1. Depth from the lights that cast shadows. Texels of the skin's map are in no tile: loops go over all lights.
+    objects_.record_shadows(frame, view);
     const Skin::Lit lit{objects_.maps, rays, {objects_.lights, objects_.shadow, environment_}};
 
     // 2. The light on the skin's map, and how it spreads there.

@@ -87,8 +87,11 @@ struct Skin : Module {
     Pipeline facets_table_ = compute({.shader = "12_skin/facets.comp"});
     Pipeline reflected_table_ = compute({.shader = "12_skin/reflected.comp"});
     Pipeline preintegrated_table_ = compute({.shader = "12_skin/preintegrated.comp"});
-    Pipeline irradiance_pass_ = compute({.shader = "12_skin/irradiance.comp"});
+    // A texel of the skin's map is in no tile and no cluster.
+    const Macros all_lights_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}};
+    Pipeline irradiance_pass_ = compute({.shader = "12_skin/irradiance.comp", .macros = all_lights_});
     static Pipeline shading(const char* fragment, Macros macros, Blend blend = Blend::opaque) {
+        macros.set("LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT");
         return graphics({.vertex = "04_surface_maps/surface.vert",
                          .fragment = fragment,
                          .depth_write = blend == Blend::opaque,

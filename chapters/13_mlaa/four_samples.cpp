@@ -20,9 +20,7 @@ void FourSamples::supersample(Frame& frame, const View& view, const std::functio
         View shifted = view_of(view.camera, view.size, crop);
         shifted.id = view.id;
         draw(shifted);
-        ComputeAccess access{.reads = {frame.hdr}, .writes = {frame.hdr, sum_}};
-        if (i > 0) access.reads.push_back(sum_);
-        frame.compute("add sample", access, [&](Compute& pass) {
+        frame.compute("add sample", {.reads = {frame.hdr, sum_}, .writes = {frame.hdr, sum_}}, [&](Compute& pass) {
             pass.use(add_).set("sample_index", i).set("hdr", frame.hdr).set("sum", sum_).dispatch_threads(view.size);
         });
     }

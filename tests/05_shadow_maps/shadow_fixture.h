@@ -57,11 +57,10 @@ void main() {
     /// 0 to 1 for each point.
     std::vector<float> visibility(const std::vector<TestPoint>& points) {
         Frame frame(gpu);
-        frame.crop.whole = {64, 64};
         chapter.begin_frame(gpu, {4, 4});
         frame.begin({4, 4}, 0);
         lights.update(frame, scene, scene.file.lights);
-        shadow.record(frame, scene, lights, camera);
+        shadow.record(frame, scene, lights, {.eye = camera.position, .camera = camera, .crop = {.whole = {64, 64}}});
         const Buffer out(gpu.device, {.name = "visibilities", .bytes = 4 * points.size()});
         const Buffer in = gpu.upload("points", points);
         frame.compute("ask", {.writes = {out}, .with = {lights, shadow}}, [&](Compute& pass) {

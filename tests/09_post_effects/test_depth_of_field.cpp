@@ -1,6 +1,7 @@
 // Depth of field: where it must hold, and how far what was first taught is off.
 #include <fmt/core.h>
 
+#include "01_obj/camera_view.h"
 #include "09_post_effects/depth_of_field.h"
 #include "post_fixture.h"
 
@@ -32,21 +33,29 @@ struct OnLens {
         return std::isinf(far) ? near / z : near * (far - z) / (z * (far - near));
     }
 
+    struct CardsDrawing : Drawing {
+        CardsDrawing(OnLens& l, const std::vector<Card>& c) : Drawing(l.owner, "cards"), lens(l), cards(c) {}
+        void draw(Frame& one, const View&, Canvas& canvas) override {
+            one.raster("cards", {.color = {canvas.color_target()}, .depth = canvas.depth_target()}, [&](Raster& pass) {
+                for (const Card& card : cards) {
+                    const glm::vec4 place = 2.0f * card.rectangle - 1.0f;
+                    const float depth = std::isinf(card.distance_m) ? 0.0f : float(lens.depth_at(card.distance_m));
+                    const glm::vec4 light(card.light, 1.0f);
+                    pass.use(lens.quad).set("quad", Quad{place, depth, depth}).set("paint", Paint{light, light}).draw(6);
+                }
+            });
+        }
+        OnLens& lens;
+        const std::vector<Card>& cards;
+    };
+
     /// The picture of cards, the last in front.
     ImageRgb picture(const std::string& method, const std::vector<Card>& cards) {
         dof.method.set(method);
         frame.begin(size, 0);
-        frame.crop.whole = size;
-        dof.record(frame, camera, [&](Frame& one, const Camera&) {
-            one.raster("cards", {.color = {clear(one.hdr, glm::vec4(0))}, .depth = one.depth}, [&](Raster& pass) {
-                for (const Card& card : cards) {
-                    const glm::vec4 place = 2.0f * card.rectangle - 1.0f;
-                    const float depth = std::isinf(card.distance_m) ? 0.0f : float(depth_at(card.distance_m));
-                    const glm::vec4 light(card.light, 1.0f);
-                    pass.use(quad).set("quad", Quad{place, depth, depth}).set("paint", Paint{light, light}).draw(6);
-                }
-            });
-        });
+        CardsDrawing drawn(*this, cards);
+        Canvas canvas(frame.hdr, frame.depth, glm::vec4(0));
+        dof.record(frame, view_of(camera, size), canvas, {drawn});
         frame.end();
         return read_linear(gpu, frame.hdr);
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../common/gpu_fixture.h"
+#include "01_obj/camera_view.h"
 #include "10_atmosphere/atmosphere.h"
 #include "common/app/read_picture.h"
 
@@ -30,11 +31,9 @@ struct OnAtmosphere {
     /// Of the air before black, or before a ground of that light.
     ImageRgb picture(const std::string& method, float ground = 0) {
         atmosphere.method.set(method);
-        frame.crop.whole = size;
         frame.begin(size, 0);
-        frame.raster("clear", {.color = {clear(frame.hdr, glm::vec4(glm::vec3(ground), 1))}, .depth = frame.depth},
-                     [](Raster&) {});
-        atmosphere.record(frame, frame.hdr, frame.depth, camera);
+        Canvas canvas(frame.hdr, frame.depth, glm::vec4(glm::vec3(ground), 1));
+        lightwalk::draw(frame, view_of(camera, size), canvas, {atmosphere});
         frame.end();
         return read_linear(gpu, frame.hdr);
     }

@@ -104,10 +104,9 @@ TEST_CASE_METHOD(OnAtmosphere,
     const auto through = [&](glm::vec3 from, glm::vec3 to) {
         look(from, to, {0, 0, -1});
         camera.fov_y_rad = 0.01f;
-        frame.crop.whole = size;
         frame.begin(size, 0);
-        frame.raster("clear", {.color = {clear(frame.hdr, glm::vec4(1.0f))}, .depth = frame.depth}, [](Raster&) {});
-        fog.record(frame, frame.hdr, frame.depth, camera, {0, 1, 0});
+        Canvas canvas(frame.hdr, frame.depth, glm::vec4(1.0f));
+        lightwalk::draw(frame, view_of(camera, size), canvas, {fog});
         frame.end();
         return mean(read_linear(gpu, frame.hdr)).g;
     };

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "../common/gpu_fixture.h"
-#include "common/scene/view.h"
+#include "01_obj/camera_view.h"
 #include "11_fractals/julia.h"
 #include "11_fractals/truth.h"
 #include "common/app/read_picture.h"
@@ -15,22 +15,24 @@ struct OnJulia {
     struct Owner : Module {
     } owner;
     EnvironmentLight environment{owner, "environment"};
-    Julia julia{owner, "julia"};
+    Julia julia{owner, "julia", environment};
     Scene scene;
     Camera camera{.position = {0.9f, 0.55f, 2.9f}, .fov_y_rad = 0.73f};
     Gpu& gpu = validated_device();
     Frame frame{gpu};
     glm::uvec2 size{96, 54};
 
-    OnJulia() { scene.file.ambient = glm::vec3(0.5f); }
+    OnJulia() {
+        scene.file.ambient = glm::vec3(0.5f);
+        julia.prepare(gpu, scene);
+    }
     ~OnJulia() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
     void draw(float time_s = 0) {
         owner.begin_frame(gpu, size);
-        frame.crop.whole = size;
         frame.begin(size, time_s);
-        environment.record(frame, scene);
-        julia.record(frame, scene, camera, environment);
+        Canvas canvas(frame.hdr, frame.depth);
+        lightwalk::draw(frame, view_of(camera, size), canvas, {julia});
         frame.end();
     }
 
@@ -40,7 +42,7 @@ struct OnJulia {
     ImageRgb picture() { return read_linear(gpu, frame.hdr); }
 
     glm::dvec3 direction(size_t pixel) const {
-        const ViewRays rays = view_rays(camera, frame);
+        const ViewRays rays = view_rays(view_of(camera, size));
         return glm::normalize(glm::dvec3(rays.corner) + (double(pixel % size.x) + 0.5) * glm::dvec3(rays.right) +
                               (double(pixel / size.x) + 0.5) * glm::dvec3(rays.down));
     }

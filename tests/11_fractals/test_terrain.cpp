@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../common/gpu_fixture.h"
+#include "01_obj/camera_view.h"
 #include "11_fractals/terrain.h"
 #include "11_fractals/truth.h"
 #include "common/app/read_picture.h"
@@ -30,7 +31,7 @@ struct OnTerrain : OnDevice {
     glm::uvec2 size{96, 54};
 
     OnTerrain() {
-        terrain.prepare(gpu);
+        terrain.prepare(gpu, scene);
         terrain.cells.value = 32, terrain.rings.value = 6, terrain.spacing_m.value = 4;
         scene.file.lights = {Light{.direction = {0.7f, -0.4f, 0.5f}}};
         frame.end();
@@ -38,9 +39,9 @@ struct OnTerrain : OnDevice {
     ~OnTerrain() { frame.begin({4, 4}, 0); }
     void draw(float time_s = 0) {
         owner.begin_frame(gpu, size);
-        frame.crop.whole = size;
         frame.begin(size, time_s);
-        terrain.record(frame, scene, camera);
+        Canvas canvas(frame.hdr, frame.depth);
+        lightwalk::draw(frame, view_of(camera, size), canvas, {terrain});
         frame.end();
     }
     /// Pixels that show no ground.
@@ -75,6 +76,7 @@ std::vector<glm::dvec2> some_places(int count, double wide) {
 
 TEST_CASE_METHOD(OnDevice, "normals of nine octaves: what d, half a chain rule and differences are off by",
                  "[figures]") {
+    frame.end();  // probes have frames of their own
     const double erosion = 1, gain = 0.5;
     const int octaves = 9;
     struct Sum {
@@ -136,6 +138,7 @@ TEST_CASE_METHOD(OnDevice, "the second derivative at a cell's edge: the cubic's 
 TEST_CASE_METHOD(OnDevice,
                  "the same ground at negative places, after 10,000 km, and where a cell's number wraps around",
                  "[figures]") {
+    frame.end();  // probes have frames of their own
     const double wave = 5000;
     for (const double far_m : {0.0, -3e5, 1e7, 1e9, wave * 4294967296.0}) {
         std::vector<NoisePlace> places;

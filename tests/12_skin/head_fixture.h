@@ -3,13 +3,12 @@
 #include <cmath>
 
 #include "../common/gpu_fixture.h"
-#include "01_obj/exercises.h"
+#include "01_obj/camera_view.h"
 #include "01_obj/obj.h"
 #include "05_shadow_maps/shadow.h"
 #include "11_fractals/environment.h"
 #include "12_skin/skin.h"
 #include "common/app/read_picture.h"
-#include "common/scene/view.h"
 
 namespace lightwalk {
 
@@ -43,16 +42,17 @@ struct OnHead {
         owner.begin_frame(gpu, size);
         frame.begin(size, 0);
         frame.crop = {.whole = size, .origin = {0, 0}, .shift = {0, 0}};
-        look_from({view_projection(camera, float(size.x) / float(size.y)), camera.position}, frame);
+        const View view = view_of(camera, size);
+        look_from(view, frame);
         lights.update(frame, scene, scene.file.lights);
-        shadow.record(frame, scene, lights, camera);
+        shadow.record(frame, scene, lights, view);
         rays.record(frame, scene);
         environment.record(frame, scene);
         const Skin::Lit lit{maps, rays, {lights, shadow, environment}};
-        skin.record(frame, scene, camera, lit);
-        frame.raster("black", {.color = {clear(frame.hdr, glm::vec4(0, 0, 0, 1))}}, [](Raster&) {});
-        skin.draw(frame, scene, lit);
-        skin.finish(frame, camera);
+        skin.record(frame, scene, view, lit);
+        Canvas canvas(frame.hdr, frame.depth);
+        skin.draw(frame, scene, canvas, lit);
+        skin.finish(frame, view, canvas);
         frame.end();
         return read_linear(gpu, frame.hdr);
     }

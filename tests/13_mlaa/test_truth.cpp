@@ -1,4 +1,5 @@
 // The truth: 64 samples against the exact coverage of a half-plane, and four samples where they are said to lie.
+#include "01_obj/camera_view.h"
 #include "13_mlaa/edge_error.h"
 #include "13_mlaa/four_samples.h"
 #include "13_mlaa/half_plane.h"
@@ -19,13 +20,16 @@ struct OnHalfPlane : OnDevice {
 
     ImageRgb drawn(glm::vec2 shift, bool four_times = false) {
         owner.begin_frame(gpu, size);
-        frame.crop = {.whole = size, .shift = shift};
         frame.begin(size, 0);
+        const auto draw_from = [&](const View& view) {
+            Canvas canvas(frame.hdr, frame.depth);
+            lightwalk::draw(frame, view, canvas, {half_plane});
+        };
+        const View view = view_of(Camera(), size, {.whole = size, .shift = shift});
         if (four_times)
-            four.supersample(frame, [&] { half_plane.draw(frame); });
+            four.supersample(frame, view, draw_from);
         else
-            half_plane.draw(frame);
-        CHECK(frame.crop.shift == shift);
+            draw_from(view);
         frame.end();
         return read_linear(gpu, frame.hdr);
     }

@@ -108,16 +108,62 @@ TEST_CASE_METHOD(OnDevice, "what recorded passes use lives until the frame has e
     CHECK(gpu.device.doomed_count() == 0);
     CHECK(read<uint32_t>(out)[0] == 10);
 
-    // Two frames at once: what the first may use stays until it has ended, whatever the second does.
-    Frame second(gpu);
     frame.begin({4, 4}, 0);
     { const Buffer gone(gpu.device, {.name = "gone", .bytes = 16}); }
-    second.begin({4, 4}, 0);
-    second.end();
     CHECK(gpu.device.doomed_count() == 1);
-    second.begin({4, 4}, 0);
     frame.end();
     CHECK(gpu.device.doomed_count() == 0);
+}
+
+TEST_CASE_METHOD(OnDevice, "a frame within another one is refused: it would run before what the first has recorded") {
+    Frame second(gpu);
+    CHECK(failure_of([&] { second.begin({4, 4}, 0); }) == "a frame begins while another one is being recorded");
+    frame.end();
+    second.begin({4, 4}, 0);
+    second.end();
+}
+
+TEST_CASE_METHOD(OnDevice, "what no pass of this frame wrote is not read, unless it was uploaded or is kept") {
+    const Image now = image({.format = one_float, .size = {4, 4}}), into = image({.format = one_float});
+    const Image kept = image({.name = "kept", .format = one_float, .size = {4, 4}, .kept = true});
+    Image given = image({.name = "given", .format = one_float, .size = {4, 4}});
+    gpu.upload(given, std::vector<std::byte>(4 * 16));
+    const auto reading = [&](const Image& image) {
+        return failure_of([&] { frame.compute("look", {.reads = {image}, .writes = {into}}, [](Compute&) {}); });
+    };
+    const auto drawing_on = [&](const Image& image) {
+        return failure_of([&] { frame.raster("go on", {.color = {keep(image)}}, [](Raster&) {}); });
+    };
+    const auto write = [&](const Image& image) {
+        frame.raster("write", {.color = {clear(image, glm::vec4(1))}}, [](Raster&) {});
+    };
+    CHECK(reading(now) == "pass 'look' reads test, which no pass of this frame wrote");
+    CHECK(drawing_on(now) == "pass 'go on' reads test, which no pass of this frame wrote");
+    CHECK(reading(given) == "");
+    write(now), write(kept);
+    CHECK(reading(now) == "");
+    CHECK(drawing_on(now) == "");
+    frame.end();
+    frame.begin({4, 4}, 0);
+    CHECK(reading(now) == "pass 'look' reads test, which no pass of this frame wrote");
+    CHECK(reading(kept) == "");
+    CHECK(reading(given) == "");
+    frame.end();
+}
+
+TEST_CASE_METHOD(OnDevice, "a frame of more passes than one submission holds runs them all, in order") {
+    const Image counted = image({.format = one_float});
+    frame.raster("zero", {.color = {clear(counted, glm::vec4(0))}}, [](Raster&) {});
+    const Pipeline add = compute_pipeline("add", R"(
+layout(local_size_x = 1) in;
+layout(r32f) uniform image2D counted;
+void main() { imageStore(counted, ivec2(0), imageLoad(counted, ivec2(0)) + 1.0); })");
+    for (int i = 0; i < 3000; ++i)
+        frame.compute("add", {.reads = {counted}, .writes = {counted}},
+                      [&](Compute& pass) { pass.use(add).set("counted", counted).dispatch({1, 1, 1}); });
+    frame.end();
+    CHECK(frame.times.size() == 3001);
+    CHECK(value(counted) == 3000.0f);
 }
 
 namespace {

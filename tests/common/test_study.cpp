@@ -31,7 +31,7 @@ struct Grey : Chapter {
     Grey() { name = "99_grey"; }
     std::string default_scene() const override { return ""; }
     Model load_model(const std::filesystem::path&) override { return {}; }
-    void prepare(Gpu&) override {
+    void prepare(Gpu&, Scene&) override {
         const std::string file = scene.file.file.stem().string();
         if (file == fails_at) throw Failure("interrupted");
         prepared.emplace_back(file, light.value);
