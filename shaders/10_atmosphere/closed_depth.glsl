@@ -1,5 +1,5 @@
 // Optical depth from a place out of the air without a loop: of molecules and dust by Smith and Smith's fit, or with ONEIL by
-// O'Neil's; of the layer by its thickness over the cosine where a ray goes through its middle.
+// O'Neil's; of the layer, whose density is linear in height, by the length of the ray on either side of its middle.
 #include "10_atmosphere/air.glsl"
 #include "10_atmosphere/optical_depth.glsl"
 
@@ -14,19 +14,29 @@ float polynomial_depth(float height, float slope, float scale_height) {
 }
 // [/polynomial]
 
-// Vertically, from a height on, in metres as dense as the middle.
-float layer_above(float height) {
-    if (air.layer_width <= 0.0) return 0.0;
-    float x = clamp((height - air.layer_center) / air.layer_width, -1.0, 1.0);
-    return air.layer_width * (x < 0.0 ? 0.5 - x - 0.5 * x * x : 0.5 - x + 0.5 * x * x);
+// [layer]
+float layer_at(float height) { return density_at(height).z; }
+
+// Through one side of the layer, between two heights, on a ray that rises: in metres as dense as the middle. What counts is how
+// far a place on the ray lies from where the ray's line is lowest. By that length heights grow nearly as a parabola, density
+// with them, and Simpson's rule is exact.
+float layer_between(float height, float slope, float lower, float upper) {
+    lower = max(lower, height);
+    upper = min(upper, air.top);
+    if (upper <= lower) return 0.0;
+    float start = (air.radius + height) * slope;
+    vec2 shells = vec2(lower, upper);
+    vec2 ways = sqrt(max(start * start + (shells - height) * (2.0 * air.radius + shells + height), 0.0));
+    float middle = height_at(height, slope, 0.5 * (ways.x + ways.y) - start);
+    return (ways.y - ways.x) / 6.0 * (layer_at(lower) + 4.0 * layer_at(middle) + layer_at(upper));
 }
 
 float layer_upwards(float height, float slope) {
-    float middle = max(height, air.layer_center);
-    float sine = (air.radius + height) / (air.radius + middle);
-    float squared = 1.0 - sine * sine * (1.0 - slope * slope);
-    return layer_above(height) / max(sqrt(max(squared, 0.0)), 0.03);
+    if (air.layer_width <= 0.0) return 0.0;
+    return layer_between(height, slope, air.layer_center - air.layer_width, air.layer_center) +
+           layer_between(height, slope, air.layer_center, air.layer_center + air.layer_width);
 }
+// [/layer]
 
 float layer_depth(float height, float slope) {
     if (slope >= 0.0) return layer_upwards(height, slope);
