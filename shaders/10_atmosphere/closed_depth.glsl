@@ -15,34 +15,31 @@ float polynomial_depth(float height, float slope, float scale_height) {
 // [/polynomial]
 
 // [layer]
-float layer_at(float height) { return density_at(height).z; }
+vec3 layer_at(vec3 heights) { return max(1.0 - abs(heights - air.layer_center) / air.layer_width, 0.0); }
 
-// Through one side of the layer, between two heights, on a ray that rises: in metres as dense as the middle. What counts is how
-// far a place on the ray lies from where the ray's line is lowest. By that length heights grow nearly as a parabola, density
-// with them, and Simpson's rule is exact.
-float layer_between(float height, float slope, float lower, float upper) {
-    lower = max(lower, height);
-    upper = min(upper, air.top);
-    if (upper <= lower) return 0.0;
-    float start = (air.radius + height) * slope;
-    vec2 shells = vec2(lower, upper);
-    vec2 ways = sqrt(max(start * start + (shells - height) * (2.0 * air.radius + shells + height), 0.0));
-    float middle = height_at(height, slope, 0.5 * (ways.x + ways.y) - start);
-    return (ways.y - ways.x) / 6.0 * (layer_at(lower) + 4.0 * layer_at(middle) + layer_at(upper));
+// What of the layer lies on a ray's line on one side of where it is lowest, from a place `from` metres away from there on, whose
+// height is `lower`. By that length heights grow nearly as a parabola, the density with them, and Simpson's rule for each half
+// of the layer is exact. `height` and `start` are of any place on the line.
+float layer_beyond(float height, float start, float from, float lower) {
+    vec3 shells = clamp(air.layer_center + air.layer_width * vec3(-1.0, 0.0, 1.0), lower, air.top);
+    vec3 ways = max(sqrt(max(start * start + (shells - height) * (2.0 * air.radius + shells + height), 0.0)), from);
+    vec2 middles = 0.5 * (ways.xy + ways.yz);
+    vec2 k = height * (2.0 * air.radius + height) + (middles - start) * (middles + start);
+    vec2 between = layer_at((k / (air.radius + sqrt(max(air.radius * air.radius + k, 0.0)))).xyy).xy;
+    vec3 ends = layer_at(shells);
+    return dot(ways.yz - ways.xy, ends.xy + ends.yz + 4.0 * between) / 6.0;
 }
 
-float layer_upwards(float height, float slope) {
+// Along a ray out of the air, in metres as dense as the middle.
+float layer_depth(float height, float slope) {
     if (air.layer_width <= 0.0) return 0.0;
-    return layer_between(height, slope, air.layer_center - air.layer_width, air.layer_center) +
-           layer_between(height, slope, air.layer_center, air.layer_center + air.layer_width);
+    float start = (air.radius + height) * slope, away = abs(start);
+    float beyond = layer_beyond(height, start, away, height);
+    if (slope >= 0.0) return beyond;
+    float down = (air.radius + height) * slope * slope / (1.0 + sqrt(max(1.0 - slope * slope, 0.0)));
+    return max(2.0 * layer_beyond(height, start, 0.0, max(height - down, 0.0)) - beyond, 0.0);
 }
 // [/layer]
-
-float layer_depth(float height, float slope) {
-    if (slope >= 0.0) return layer_upwards(height, slope);
-    float down = (air.radius + height) * slope * slope / (1.0 + sqrt(max(1.0 - slope * slope, 0.0)));
-    return max(2.0 * layer_upwards(max(height - down, 0.0), 0.0) - layer_upwards(height, -slope), 0.0);
-}
 
 // The slope is above the horizon's.
 vec3 closed_depth(float height, float slope) {
