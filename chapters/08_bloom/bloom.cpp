@@ -113,6 +113,7 @@ void Bloom::record_blur(Frame& frame) {
                                                 .extent = plan_.extents[static_cast<size_t>(step.from)],
                                                 .from_apron = plan_.aprons[static_cast<size_t>(step.from)],
                                                 .apron = plan_.aprons[static_cast<size_t>(step.into)],
+                                                .mirrors = border.is("mirror") ? 1 : 0,
                                                 .spread = step.spread,
                                                 .weight = step.weight,
                                                 .keep = step.keep});

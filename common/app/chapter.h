@@ -40,9 +40,12 @@ class Chapter : public Module {
     /// Records one frame; what it leaves in frame.output is the picture.
     virtual void frame(Frame& frame) = 0;
 
-    /// What a study and the need rule look at of the frame drawn last: linear light, the encoded picture, or a level of
-    /// an image of either format.
+    /// What a study looks at of the frame drawn last: linear light, the encoded picture, or a level of an image of
+    /// either format.
     virtual ImageView judged(const Frame& frame) const { return frame.linear(); }
+
+    /// What the need rule looks at of it: the picture as the program would write it, encoded, rounded, with its tones.
+    virtual ImageView written(const Frame& frame) const { return frame.output; }
 
     /// Errors of the chapter's own for a point of its study: adds numbers by name to `error`, beside those of the
     /// picture; NaN counts as an error that is not finite, and a name left out as not measured. Called when the point's

@@ -66,10 +66,10 @@ double NeedPictures::draw(const KnobValues& values, Frame& frame, glm::uvec2 siz
     return clock_(frame);
 }
 
-// As it is judged.
+// As it would be written: a budget is one of the picture that a person gets.
 ImageRgb NeedPictures::picture(const KnobValues& values, Frame& frame, glm::uvec2 size, const Crop& crop, double& ms) {
     ms += draw(values, frame, size, crop);
-    return read_linear(frame.gpu, chapter_.judged(frame));
+    return read_linear(frame.gpu, chapter_.written(frame));
 }
 
 NeedPictures::Measured NeedPictures::small(size_t candidate, std::vector<double>* by_place) {

@@ -102,7 +102,8 @@ class SceneStudy {
     }
     ImageRgb render_picture() {
         render(chapter_, frame_, picture_);
-        return read_linear(frame_.gpu, chapter_.judged(frame_));
+        // With budgets it is the need rule that is studied, by what it looks at.
+        return read_linear(frame_.gpu, plan_.budgets.empty() ? chapter_.judged(frame_) : chapter_.written(frame_));
     }
     // What the chapter itself measures of the picture just rendered. Every picture sets all knobs, whatever this sets.
     json measured() {

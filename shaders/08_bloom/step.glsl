@@ -16,10 +16,12 @@ layout(rgba16f) uniform image2D into;
 // mirrored where the picture is: at its own border, which may lie within a texel.
 vec3 read(vec2 position) {
     vec2 size = vec2(textureSize(from, 0)), at = position;
-#if defined(OF_A_LEVEL) && BLOOM_BORDER == BLOOM_BORDER_MIRROR
-    vec2 extent = step_now.extent, last = size - float(step_now.from_apron) - 0.5;
-    vec2 mirrored = extent - abs(2.0 * extent * fract(at / (2.0 * extent)) - extent);
-    at = mix(at, mirrored, notEqual(at, clamp(at, vec2(0.5 - float(step_now.from_apron)), last)));
+#ifdef OF_A_LEVEL
+    if (step_now.mirrors != 0) {
+        vec2 extent = step_now.extent, last = size - float(step_now.from_apron) - 0.5;
+        vec2 mirrored = extent - abs(2.0 * extent * fract(at / (2.0 * extent)) - extent);
+        at = mix(at, mirrored, notEqual(at, clamp(at, vec2(0.5 - float(step_now.from_apron)), last)));
+    }
 #endif
     return textureLod(from, (at + float(step_now.from_apron)) / size, 0.0).rgb;
 }

@@ -10,6 +10,7 @@ struct StepParameters {
     vec2 extent;     // the picture's size in texels of `from`: of a level a fraction
     int from_apron;  // texels that `from` has before the picture's first, and after its last
     int apron;       // and the image that is written
+    int mirrors;     // whether a level that is read is mirrored at the picture's border
     float spread;    // of Kawase's taps; of copy how many texels are read for one that is written
     float weight;    // the image becomes weight * what was found + keep * what it held
     float keep;

@@ -1,5 +1,5 @@
 // Optical depth from a place out of the air without a loop: of molecules and dust by Smith and Smith's fit, or with ONEIL by
-// O'Neil's; of the layer by its thickness over the cosine where a ray goes through its middle.
+// O'Neil's; of the layer, whose density is linear in height, by the length of the ray on either side of its middle.
 #include "10_atmosphere/air.glsl"
 #include "10_atmosphere/optical_depth.glsl"
 
@@ -14,25 +14,32 @@ float polynomial_depth(float height, float slope, float scale_height) {
 }
 // [/polynomial]
 
-// Vertically, from a height on, in metres as dense as the middle.
-float layer_above(float height) {
-    if (air.layer_width <= 0.0) return 0.0;
-    float x = clamp((height - air.layer_center) / air.layer_width, -1.0, 1.0);
-    return air.layer_width * (x < 0.0 ? 0.5 - x - 0.5 * x * x : 0.5 - x + 0.5 * x * x);
+// [layer]
+vec3 layer_at(vec3 heights) { return max(1.0 - abs(heights - air.layer_center) / air.layer_width, 0.0); }
+
+// What of the layer lies on a ray's line on one side of where it is lowest, from a place `from` metres away from there on, whose
+// height is `lower`. By that length heights grow nearly as a parabola, the density with them, and Simpson's rule for each half
+// of the layer is exact. `height` and `start` are of any place on the line.
+float layer_beyond(float height, float start, float from, float lower) {
+    vec3 shells = clamp(air.layer_center + air.layer_width * vec3(-1.0, 0.0, 1.0), lower, air.top);
+    vec3 ways = max(sqrt(max(start * start + (shells - height) * (2.0 * air.radius + shells + height), 0.0)), from);
+    vec2 middles = 0.5 * (ways.xy + ways.yz);
+    vec2 k = height * (2.0 * air.radius + height) + (middles - start) * (middles + start);
+    vec2 between = layer_at((k / (air.radius + sqrt(max(air.radius * air.radius + k, 0.0)))).xyy).xy;
+    vec3 ends = layer_at(shells);
+    return dot(ways.yz - ways.xy, ends.xy + ends.yz + 4.0 * between) / 6.0;
 }
 
-float layer_upwards(float height, float slope) {
-    float middle = max(height, air.layer_center);
-    float sine = (air.radius + height) / (air.radius + middle);
-    float squared = 1.0 - sine * sine * (1.0 - slope * slope);
-    return layer_above(height) / max(sqrt(max(squared, 0.0)), 0.03);
-}
-
+// Along a ray out of the air, in metres as dense as the middle.
 float layer_depth(float height, float slope) {
-    if (slope >= 0.0) return layer_upwards(height, slope);
+    if (air.layer_width <= 0.0) return 0.0;
+    float start = (air.radius + height) * slope, away = abs(start);
+    float beyond = layer_beyond(height, start, away, height);
+    if (slope >= 0.0) return beyond;
     float down = (air.radius + height) * slope * slope / (1.0 + sqrt(max(1.0 - slope * slope, 0.0)));
-    return max(2.0 * layer_upwards(max(height - down, 0.0), 0.0) - layer_upwards(height, -slope), 0.0);
+    return max(2.0 * layer_beyond(height, start, 0.0, max(height - down, 0.0)) - beyond, 0.0);
 }
+// [/layer]
 
 // The slope is above the horizon's.
 vec3 closed_depth(float height, float slope) {

@@ -24,7 +24,7 @@ Along along(Path path, vec3 direction, ivec2 pixel, float distance);
 vec3 sun_disc(float cos_angle, float sine, float pixel_rad) {
     float away = atan(sine, cos_angle), edge = clamp((air.sun_rad - away) / pixel_rad + 0.5, 0.0, 1.0);
     float inside = clamp(away / air.sun_rad, 0.0, 1.0), mu = sqrt(max(1.0 - inside * inside, 1e-6));
-    float middle = 1.0 / (3.14159265 * air.sun_rad * air.sun_rad * 0.8);
+    float middle = 1.2 / (3.14159265 * air.sun_rad * air.sun_rad);  // of the disc the mean of mu to the power of 0.4 is 1 / 1.2
     return atmosphere.disc * middle * edge * pow(mu, 0.4) * air.sun;
 }
 // [/sun_disc]

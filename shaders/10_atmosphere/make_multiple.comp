@@ -1,6 +1,9 @@
 // The table of what was scattered more than once. S. Hillaire, "A scalable and production ready sky and atmosphere rendering
 // technique", Computer Graphics Forum 39(4), 2020, section 5: from the second scattering on light comes from all sides
-// alike, and what a place gets of its surroundings it has given a share of, again and again: a geometric series.
+// alike, and what a place gets of its surroundings it has given a share of, again and again: a geometric series. The ground is
+// part of the surroundings. The first scattering by molecules keeps its own phase function: taken as even, as there, the sky
+// is some percent too dark. Dust's is too narrow for 64 directions.
+#include "10_atmosphere/phase_rayleigh.glsl"
 #include "10_atmosphere/read_tables.glsl"
 
 layout(local_size_x = 64) in;
@@ -37,13 +40,15 @@ void main() {
         place.height = clamp(place.height, 0.0, air.top);
         vec3 there = density_at(place.height), taken = part * extinction(there);
         vec3 scattered = part * (air.rayleigh * there.x + air.mie * there.y) * exp(-depth - 0.5 * taken);
-        once += scattered * sunlight_at(place) * (0.25 / 3.14159265);
+        vec3 turned = air.rayleigh * there.x * phase_rayleigh(path.cos_angle) + air.mie * there.y * (0.25 / 3.14159265);
+        once += part * turned * exp(-depth - 0.5 * taken) * sunlight_at(place);
         passed_on += scattered;
         depth += taken;
     }
     if (meets_ground) {
         Place end = Place(0.0, place_at(path, path.way).sun);
         once += exp(-depth) * air.ground / 3.14159265 * max(end.sun, 0.0) * sunlight_at(end);
+        passed_on += exp(-depth) * air.ground;
     }
     second[own] = once / 64.0, share[own] = passed_on / 64.0;
     for (int half_of = 32; half_of > 0; half_of /= 2) {

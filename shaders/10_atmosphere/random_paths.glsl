@@ -1,7 +1,7 @@
 // Light that was scattered twice and more often, by random walks from places on a path towards where the light comes from:
 // without a table. Every walk has a colour of its own, red, green or blue. Sunlight by a formula that is good to 0.3% of the
-// depth: a loop for each turn would be too many, as llvmpipe ends all loops of an invocation after 65,535 rounds in all, and
-// says nothing.
+// depth: a loop for each turn would be too many, as llvmpipe ends all loops of an invocation after 65,535 rounds in all
+// (path_parts.glsl).
 #include "10_atmosphere/closed_depth.glsl"
 #include "10_atmosphere/phase.glsl"
 #include "10_atmosphere/random.glsl"

@@ -59,6 +59,42 @@ TEST_CASE("two occluders, at 0 and 0.9, above a receiver at 1: VSM lets 40% of t
     CHECK(weak < 0.05f);
 }
 
+TEST_CASE("an even occluder has no variance: the least one says how much light is left behind it, in vsm and evsm") {
+    // In evsm the least variance is one of depth: in what is warped it is as much as the warp's slope makes of it.
+    for (const double least : {1e-5, 1e-3})
+        for (const double behind : {0.003, 0.02}) {
+            const double at = 0.6, a = 8, b = 3, w = std::exp(a * (2 * at - 1)), n = -std::exp(-b * (2 * at - 1));
+            const auto seen = [&](double exponent, double occluder, double receiver) {
+                const double variance = least * std::pow(2 * exponent * receiver, 2), d = receiver - occluder;
+                return d <= 0 ? 1 : variance / (variance + d * d);
+            };
+            const double right = std::min(seen(a, w, std::exp(a * (2 * (at + behind) - 1))),
+                                          seen(b, n, -std::exp(-b * (2 * (at + behind) - 1))));
+            const float found = ask(
+                "evsm", "float evsm(vec4 moments, float depth, float exponent, float exponent_negative, float least)",
+                {w, n, w * w, n * n, at + behind, a, b, least});
+            INFO(least << " " << behind);
+            CHECK(double(found) == Approx(right).epsilon(5e-3));
+        }
+    ShadowScene test({object_at(quad_file, {0, 0, -1}, glm::vec3(8)), object_at(quad_file, {0, 0, 1}, glm::vec3(2))},
+                     {sun_at(2)});
+    for (const char* method : {"vsm", "evsm"}) {
+        std::vector<double> squares;  // of how far the receiver is behind, by the Chebyshev bound
+        for (const char* least : {"1e-3", "1e-2", "1e-1"}) {
+            test.set({{"method", method}, {"format", "fp32"}, {"blur", "0"}, {"mips", "off"}, {"resolution", "256"}});
+            test.set({{"cascades", "1"}, {"exponent", "1"}, {"exponent_negative", "0.5"}, {"min_variance", least}});
+            test.set({{"bleed", "0"}});
+            const double seen = double(test.visibility({{0, 0, -1}, {0, 0, 1}}));
+            INFO(method << " with a least variance of " << least << ": " << seen);
+            CHECK(seen > 1e-4);
+            CHECK(seen < 0.9999);
+            squares.push_back(std::stod(least) * (1 / seen - 1));
+        }
+        CHECK(squares[1] == Approx(squares[0]).epsilon(0.02));
+        CHECK(squares[2] == Approx(squares[0]).epsilon(0.02));
+    }
+}
+
 TEST_CASE("three occluders are more than four moments tell apart: MSM leaks, too") {
     Row row;
     for (int power = 1; power <= 4; ++power)

@@ -173,6 +173,21 @@ TEST_CASE_METHOD(OnBloom, "nothing above the threshold: no blur runs, and the pi
     }
 }
 
+TEST_CASE_METHOD(OnBloom, "a hard cut goes by luminance, whatever the colour, and takes all of it") {
+    bloom.cut.set("hard");
+    bloom.method.set("pyramid");
+    const glm::vec3 colors[] = {{4, 0.1f, 0.1f},  {0.2f, 1.5f, 0.2f}, {0.1f, 0.1f, 9},
+                                {0.1f, 0.1f, 20}, {5, 0, 0},          {0, 1.3f, 0}};
+    record({6, 1}, [&](int x, int) { return colors[x]; });
+    const ImageRgb out = read_linear(gpu, bloom.cut_out());
+    for (int x = 0; x < 6; ++x) {
+        const bool passes = truth::luminance(glm::dvec3(colors[x])) > 1;
+        INFO(x << ", luminance " << truth::luminance(glm::dvec3(colors[x])));
+        for (int c = 0; c < 3; ++c)
+            CHECK(double(out.at(x, 0)[c]) == Approx(passes ? double(colors[x][c]) : 0).epsilon(1e-3));
+    }
+}
+
 TEST_CASE_METHOD(OnBloom, "added light is added, mixed light is moved; alpha stays") {
     bloom.method.set("pyramid");
     bloom.sigma_px.value = 4;

@@ -154,6 +154,28 @@ TEST_CASE_METHOD(OnAtmosphere, "a sun that sinks: finite and never brighter, and
     }
 }
 
+TEST_CASE_METHOD(OnAtmosphere,
+                 "the sun's disc: darker towards its edge as measured, and all of it is the sun's light") {
+    atmosphere.disc.value = 1;
+    atmosphere.exposure.value = 1e-3f;
+    size = {128, 128};
+    look({0, 2, 0}, glm::vec3(0, 2, 0) + 1000.0f * atmosphere.to_sun());
+    const double radius = glm::radians(0.5 * double(atmosphere.sun_deg)), wide = 2.4 * radius;
+    camera.fov_y_rad = float(wide);
+    const ImageRgb seen = picture("none");
+    const double pixel = wide / 128, middle = double(seen.at(64, 64).g);
+    double all = 0;
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 128; ++x) {
+            const double away = std::hypot(x - 63.5, y - 63.5) * pixel / radius, found = double(seen.at(x, y).g);
+            all += found * pixel * pixel;
+            if (away > 1.02) CHECK(found == 0);
+            // Hestroffer and Magnan, 1998: to the power of 0.4 of the cosine, in green.
+            if (away < 0.97) CHECK(found / middle == Approx(std::pow(1 - away * away, 0.2)).epsilon(0.01));
+        }
+    CHECK(all == Approx(double(atmosphere.air().sun.g)).epsilon(0.01));
+}
+
 TEST_CASE_METHOD(OnAtmosphere, "the sky's table: no band at the horizon, and nothing of the ground in it") {
     size = {24, 60};
     for (const float height : {2.0f, 3000.0f, 30000.0f}) {

@@ -105,6 +105,16 @@ TEST_CASE_METHOD(OnMlaa, "edges of 0.5 to 89 degrees against their exact coverag
     }
 }
 
+TEST_CASE_METHOD(OnMlaa,
+                 "fxaa_like takes of what is smaller than a pixel as much as it stands out: half of a lone pixel") {
+    // A lone pixel differs from its neighbours' mean by all of the contrast, a line of one pixel by two thirds.
+    const ImageRgb lone = filter("fxaa_like", {32, 32}, [](int x, int y) { return x == 15 && y == 15 ? 1.0f : 0.0f; });
+    CHECK(double(lone.at(15, 15).g) == Approx(0.5).epsilon(2e-3));
+    const double stands_out = 2.0 / 3, lobe = stands_out * stands_out * (3 - 2 * stands_out);
+    const ImageRgb line = filter("fxaa_like", {32, 64}, [](int x, int) { return x == 15 ? 1.0f : 0.0f; });
+    CHECK(double(line.at(15, 32).g) == Approx(1 - 0.5 * lobe * lobe).epsilon(2e-3));
+}
+
 TEST_CASE_METHOD(OnMlaa, "a rotating edge: over 360 angles its pixels flicker less than without a filter",
                  "[figures]") {
     struct Found {

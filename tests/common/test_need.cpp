@@ -2,6 +2,7 @@
 #include <random>
 
 #include "catch.h"
+#include "common/app/read_picture.h"
 #include "common/app/target.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
@@ -43,7 +44,7 @@ struct Patch : Chapter {
     Patch() { name = "99_patch"; }
     std::string default_scene() const override { return ""; }
     Model load_model(const std::filesystem::path&) override { return {}; }
-    ImageView judged(const Frame& frame) const override { return codes ? frame.output : frame.linear(); }
+    ImageView written(const Frame& frame) const override { return codes ? Chapter::written(frame) : frame.linear(); }
     void frame(Frame& frame) override {
         sizes.push_back(frame.size);
         const float light = 0.3f + (method.is("coarse") ? excess / float(detail.value) : 0.0f);
@@ -188,11 +189,27 @@ TEST_CASE_METHOD(NeedTest, "need: what is set on the command line and a candidat
     CHECK_THROWS_WITH(choose(1), Catch::Matchers::Contains("no candidate of chapter 99_patch agrees"));
 }
 
-TEST_CASE_METHOD(NeedTest, "need: the encoded picture can be what is judged") {
+TEST_CASE_METHOD(NeedTest,
+                 "need: the error is that of the pictures that would be written: rounded, and white at most") {
     question.picture.size = {320, 180};
-    const double linear = error(choose(0));
-    chapter.codes = true;
-    CHECK(error(choose(0)) == Approx(linear).epsilon(0.05));
+    for (const float excess : {0.2f, 0.011f, 0.001f, 3.0f}) {
+        chapter.excess.value = excess;
+        const auto written = [&](const char* method) {
+            const std::string before = chapter.method.text();
+            chapter.method.set(method), chapter.detail.value = 1;
+            Frame frame(check_device());
+            render(chapter, frame, question.picture);
+            chapter.method.set(before);
+            return to_linear(read_picture(check_device(), frame.output));
+        };
+        chapter.codes = true;
+        const double found = error(choose(0)), right = summarize(flip_ldr(written("exact"), written("coarse"))).mean;
+        chapter.codes = false;
+        INFO("excess " << excess << ": " << found << ", written " << right << ", in linear light " << error(choose(0)));
+        CHECK(found == Approx(right).margin(1e-7));
+        if (excess == 0.001f) CHECK(error(choose(0)) > found + 1e-5);  // no code, or a whole one
+        if (excess == 3.0f) CHECK(right == Approx(error(choose(0))).epsilon(0.5));
+    }
 }
 
 TEST_CASE_METHOD(NeedTest, "need: the time is the GPU's of all passes, where no clock is given") {
