@@ -20,11 +20,12 @@ struct Deferred : ModelChapter {
     Shadow shadow{*this, "shadow"};
     GBuffer gbuffer{*this, "gbuffer"};
     Screens screens{*this, "screens"};
-    Choice cull{*this,
-                "cull",
-                {"fixed", "geometry", "none"},
-                "fixed",
-                "what leaves out triangles that face away from the G-buffer"};
+    Choice cull{
+        *this,
+        "cull",
+        {"fixed", "geometry", "none", "left_out"},
+        "fixed",
+        "what leaves triangles that face away out of the G-buffer; left_out: those alone that geometry leaves out"};
     Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "how many more lights are scattered over the scene"};
     Knob<int> overdraw{*this, "overdraw", 1, {1, 64}, "how often every surface is drawn"};
     Knob<bool> prepass{*this, "prepass", false, "depth alone first, so that each pixel is drawn once"};
@@ -89,8 +90,9 @@ struct Deferred : ModelChapter {
             // 3. or what it is, for each pixel; then light on what is seen in the end; then what glows by itself.
             frame.raster("gbuffer",
                          {.color = gbuffer.targets(), .depth = depth_buffer, .with = {maps, gbuffer, screens}},
-                         cull.is("geometry") ? draw(by.write_culled, by.write_culled)
-                                             : draw_with(cull.is("none") ? by.write_all : by.write));
+                         cull.is("geometry")   ? draw(by.write_culled, by.write_culled)
+                         : cull.is("left_out") ? draw(by.write_left_out, by.write_left_out)
+                                               : draw_with(cull.is("none") ? by.write_all : by.write));
             gbuffer.written();
             deferred_lights.record(frame, scene, camera, gbuffer, lights, {lights, shadow, gbuffer});
             if (const auto glows = glowing(scene, surfaces); !glows.empty())

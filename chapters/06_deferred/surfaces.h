@@ -29,6 +29,11 @@ struct SurfacePasses {
                                       .geometry = "06_deferred/cull.geom",
                                       .fragment = "06_deferred/write.frag",
                                       .cull = VK_CULL_MODE_NONE});
+    Pipeline write_left_out = graphics({.vertex = "04_surface_maps/surface.vert",
+                                        .geometry = "06_deferred/cull.geom",
+                                        .fragment = "06_deferred/write.frag",
+                                        .cull = VK_CULL_MODE_NONE,
+                                        .macros = {{"LEFT_OUT", "1"}}});
     // A little nearer: behind a geometry shader a device may compute depth otherwise in the last bit.
     SurfacePipelines glow{{.fragment = "06_deferred/glow.frag",
                            .depth_write = false,
