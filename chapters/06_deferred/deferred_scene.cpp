@@ -65,7 +65,7 @@ void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas)
 }
 
 void DeferredScene::write_gbuffer(Frame& frame, const View&, Canvas& canvas) {
-    const SurfacePipelines* const pipelines[] = {&write_, &write_culled_, &write_all_};
+    const SurfacePipelines* const pipelines[] = {&write_, &write_culled_, &write_all_, &write_left_out_};
     frame.raster("gbuffer",
                  {.color = gbuffer.targets(), .depth = canvas.depth_target(), .with = with({maps, gbuffer})},
                  often_by(*pipelines[static_cast<size_t>(cull)]));

@@ -15,11 +15,12 @@ using namespace lightwalk;
 struct Deferred : ModelChapter {
     DeferredScene objects{*this, "objects"};
     Screens screens{*this, "screens"};
-    Choice cull{*this,
-                "cull",
-                {"fixed", "geometry", "none"},
-                "fixed",
-                "what leaves out triangles that face away from the G-buffer"};
+    Choice cull{
+        *this,
+        "cull",
+        {"fixed", "geometry", "none", "left_out"},
+        "fixed",
+        "what leaves triangles that face away out of the G-buffer; left_out: those alone that geometry leaves out"};
     Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "how many more lights are scattered over the scene"};
     Knob<int> overdraw{*this, "overdraw", 1, {1, 64}, "how often every surface is drawn"};
     Knob<bool> prepass{*this, "prepass", false, "depth alone first, so that each pixel is drawn once"};

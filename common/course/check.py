@@ -173,12 +173,12 @@ def still_open(chapter: str, exercise: str) -> list[str]:
 
 
 @functools.cache
-def reference_picture(chapter: str, name: str) -> Path:
+def reference_picture(chapter: str, name: str, **environment) -> Path:
     """The shot as the references draw it, here and now; in a handout the golden."""
     if not has_solutions():
         return golden_path(chapter, name)
     picture = BUILD / "check" / chapter / f"{name}.png"
-    render_shot(chapter, next(shot for shot in shots(chapter) if shot["name"] == name), picture)
+    render_shot(chapter, next(shot for shot in shots(chapter) if shot["name"] == name), picture, **environment)
     return picture
 
 
@@ -212,14 +212,16 @@ def check_pictures(chapter: str, exercise: str, result: dict):
         result["passed"] += 1
 
 
-def wrong_picture(chapter: str, exercise: str, shot: dict, **environment) -> str:
-    """What is wrong with the exercise's picture; empty where nothing is. Raises Crashed."""
+def wrong_picture(chapter: str, exercise: str, shot: dict, overlay: str = "", **environment) -> str:
+    """What is wrong with the exercise's picture; empty where nothing is. `overlay` is the folder of another answer than the
+    student's. Raises Crashed."""
     picture = BUILD / "check" / chapter / f"{shot['name']}.{exercise}.png"
     heatmap = picture.with_suffix(".flip.png")
     try:
         use = f"solution,{exercise}=exercise" if has_solutions() else "exercise"
-        render_shot(chapter, shot, picture, use, **environment)
-        metrics = compare(reference_picture(chapter, shot["name"]), picture, heatmap)
+        instead = {"LIGHTWALK_OVERLAY": overlay} if overlay else {}
+        render_shot(chapter, shot, picture, use, **environment, **instead)
+        metrics = compare(reference_picture(chapter, shot["name"], **environment), picture, heatmap)
         return picture_words(shot["name"], metrics, picture, heatmap)
     except Crashed:
         raise

@@ -32,7 +32,8 @@ def drawn_wrong(chapter: str, exercise: str, overlay: str) -> str:
     for shot in shots(chapter):
         if exercise in shot.get("exercises", []):
             try:
-                why = wrong_picture(chapter, exercise, shot, LIGHTWALK_OVERLAY=overlay)
+                # What makes shaders of checks compile fast makes those of pictures slow.
+                why = wrong_picture(chapter, exercise, shot, overlay, GALLIVM_PERF="")
             except Failure as failure:
                 why = str(failure)
             if why:

@@ -1,4 +1,5 @@
-// Lets triangles through that face the eye: what the device's own culling does, before it is asked.
+// Lets triangles through that face the eye: what the device's own culling does, before it is asked. With LEFT_OUT all others
+// instead.
 #include "common/structs.h"
 #include "06_deferred/cull_back_face.glsl"
 
@@ -34,7 +35,11 @@ invariant gl_Position;
 // [main]
 void main() {
     bool mirrored = determinant(mat3(instances[item_in[0]].model)) < 0.0;
-    if (is_back_face(position_in[0] - view.eye, position_in[1] - view.eye, position_in[2] - view.eye, mirrored)) return;
+    bool culled = is_back_face(position_in[0] - view.eye, position_in[1] - view.eye, position_in[2] - view.eye, mirrored);
+#ifdef LEFT_OUT
+    culled = !culled;
+#endif
+    if (culled) return;
     for (int i = 0; i < 3; ++i) {
         gl_Position = gl_in[i].gl_Position;
         world_position = position_in[i];

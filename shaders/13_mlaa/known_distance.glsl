@@ -2,12 +2,12 @@
 #include "13_mlaa/distance_bits.glsl"
 
 #ifdef KNOWN_DISTANCES
-// For checks: what is known along a line of 16 pixels. Whoever asks too often is told nonsense.
+// For checks: what is known along a line of pixels, whose last number goes on. Whoever asks too often is told nonsense.
 const uint check_distances[] = uint[](KNOWN_DISTANCES);
 uint check_asked = 0u;
 uint known(uint steps) {
     if (++check_asked > MOST_READS) return 99u;
-    return steps < 16u ? check_distances[steps] : 0u;
+    return check_distances[min(steps, uint(check_distances.length() - 1))];
 }
 #else
 uniform usampler2D from;

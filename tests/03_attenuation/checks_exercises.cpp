@@ -107,6 +107,13 @@ CHECK_EXERCISE("03.spot_cone",
         if (std::fabs(cosine - edge) > 1e-3) probe.inputs.push_back({cosine, edge, edge, random.uniform(0, 1)});
     }
     const Table results = check.probe(probe);
+    // Upon a hard edge, which is at both angles, it is one or the other.
+    Probe edge = probe;
+    edge.inputs = {{0.9, 0.9, 0.9, 0}, {0.9, 0.9, 0.9, 1}, {1, 1, 1, 0.5}, {-1, -1, -1, 0.5}, {0, 0, 0, 0.5}};
+    edge.truth = [](std::span<const double>) { return Row{0.5}; };
+    edge.bound = {.absolute = 0.5};
+    check.property(edge, check.probe(edge), "but a hard edge is 0 or 1",
+                   [](auto, auto out) { return out[0] == 0 || out[0] == 1; });
     check.property(probe, results, "but it must be between 0 and 1",
                    [](auto, auto out) { return out[0] >= 0 && out[0] <= 1; });
     Probe softer = probe;

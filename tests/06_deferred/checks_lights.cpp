@@ -116,15 +116,16 @@ CHECK_EXERCISE("06.accumulate_lights",
         };
         const auto repeats = [&](const Answer& a) { return a.asked > lights; };
         const size_t counted = first(miscounts), summed = first(missums), asked = first(repeats);
-        check.expect(!miscounts(all[counted]),
-                     fmt::format("{} added {} lights where {} reach the tile", who(counted), all[counted].got_lights,
-                                 all[counted].expected_lights),
-                     all[counted].got_lights == lights ? "it adds lights that do not reach the cell"
-                     : lights > 1024
-                         ? "there are more lights than bits: are all of them taken, 1,024 at a time, and does "
-                           "nobody clear bits that others still read?"
-                         : "somebody read before all had written: a barrier is missing, or some invocations "
-                           "never came to it");
+        check.expect(
+            !miscounts(all[counted]),
+            fmt::format("{} added {} lights where {} reach the tile", who(counted), all[counted].got_lights,
+                        all[counted].expected_lights),
+            all[counted].got_lights == lights ? "it adds lights that do not reach the cell"
+            : lights > 1024
+                ? "there are more lights than bits: are all of them taken, 1,024 at a time, and does "
+                  "nobody clear bits that others still read?"
+                : "somebody read before all had written: a barrier() is missing (memoryBarrierShared() waits for "
+                  "nobody), or some invocations never came to it");
         check.expect(!missums(all[summed]), fmt::format("{} got {} where a plain loop gets {}", who(summed),
                                                         all[summed].got, all[summed].expected));
         check.expect(

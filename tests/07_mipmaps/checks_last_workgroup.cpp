@@ -1,9 +1,11 @@
 // What ./course check runs for 07.last_workgroup: the whole single pass, and the order of its barriers.
+#include <cstring>
 #include <functional>
 #include <map>
 
 #include "07_mipmaps/mip_chain.h"
 #include "07_mipmaps/texels.h"
+#include "common/check/barriers.h"
 #include "common/check/check.h"
 
 using namespace lightwalk;
@@ -142,6 +144,58 @@ void check_order(Check& check) {
         "reads can come early, too: the second memoryBarrierBuffer() holds them back");
 }
 
+// What each thread of each workgroup is told, layer by layer, and which barriers it came to.
+constexpr const char* harness = R"(
+layout(local_size_x = 256) in;
+#include "07_mipmaps/last_workgroup.glsl"
+layout(scalar) writeonly buffer ToldBuffer { uint told[]; };
+void main() {
+    bool last = is_last_workgroup(int(gl_WorkGroupID.z), gl_NumWorkGroups.x * gl_NumWorkGroups.y);
+    uint group = (gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y) * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    told[512u * group + gl_LocalInvocationIndex] = last ? 1u : 0u;
+    told[512u * group + 256u + gl_LocalInvocationIndex] = barriers_passed;
+}
+)";
+
+void count_last(Check& check, glm::uvec2 groups) {
+    constexpr uint32_t layers = 3;
+    const uint32_t of_layer = groups.x * groups.y;
+    Gpu& gpu = check_device();
+    const Pipeline pipeline = compute({.shader = "check of last_workgroup", .source = traced_barriers() + harness});
+    const Buffer finished = gpu.upload("finished", std::vector<uint32_t>(layers, 0));
+    std::vector<uint32_t> told(size_t(512) * of_layer * layers);
+    const Buffer buffer(gpu.device, {.name = "told", .bytes = 4 * told.size()});
+    Frame frame(gpu);
+    frame.begin({4, 4}, 0);
+    frame.compute("last", {.reads = {finished}, .writes = {finished, buffer}}, [&](Compute& pass) {
+        pass.use(pipeline).set("told", buffer);
+        pass.offer("finished", finished);  // as handed out it is not asked for
+        pass.dispatch({groups.x, groups.y, layers});
+    });
+    frame.end();
+    std::memcpy(told.data(), gpu.read_back(buffer).data(), 4 * told.size());
+    for (uint32_t layer = 0; layer < layers; ++layer) {
+        uint32_t last = 0;
+        for (uint32_t group = layer * of_layer; group < (layer + 1) * of_layer; ++group) {
+            const std::span<const uint32_t> threads = std::span(told).subspan(size_t(512) * group, 256);
+            const auto yes = std::count(threads.begin(), threads.end(), 1u);
+            check.expect(
+                yes == 0 || yes == 256,
+                fmt::format("is_last_workgroup gave true to {} of a workgroup's 256 threads, expected all or none",
+                            yes),
+                "one thread's number reaches the others through shared memory, after a barrier()");
+            const std::string wrong = barriers_wrong(std::span(told).subspan(size_t(512) * group + 256, 256));
+            check.expect(wrong.empty(), "is_last_workgroup: " + wrong, barrier_hint);
+            if (check.failed) return;
+            last += yes == 256;
+        }
+        check.expect(last == 1,
+                     fmt::format("of {} workgroups on layer {}, {} were told that they are the last, expected one",
+                                 of_layer, layer, last),
+                     "atomicAdd() returns the number before: the last one finds workgroups - 1, and nobody else does");
+    }
+}
+
 }  // namespace
 
 CHECK_EXERCISE(
@@ -150,4 +204,6 @@ CHECK_EXERCISE(
     compare(check, check_device(), {512, 384}, 1);
     compare(check, check_device(), {130, 257}, 3);
     check_order(check);
+    if (check.failed) return;
+    for (const glm::uvec2 groups : {glm::uvec2(1, 1), glm::uvec2(2, 1), glm::uvec2(3, 5)}) count_last(check, groups);
 }

@@ -123,7 +123,7 @@ CHECK_EXERCISE("08.combine", "what is moved is no longer where it was; and the p
 
 CHECK_EXERCISE("08.gaussian_weights",
                "compute all of them, then divide each by the first and twice the sum of the others") {
-    for (const float sigma : {0.0f, 1e-20f, 0.1f, 0.3f, 1.0f, 2.5f, 10.0f, 33.3f, 200.0f})
+    for (const float sigma : {0.0f, 1e-30f, 1e-20f, 0.1f, 0.3f, 1.0f, 2.5f, 10.0f, 33.3f, 200.0f})
         for (const float truncation : {1.0f, 2.5f, 3.0f, 5.0f}) {
             const std::string what = fmt::format("gaussian_weights({}, {})", sigma, truncation);
             check.call(what, [&]() -> std::string {
@@ -160,6 +160,13 @@ CHECK_EXERCISE("08.pair_taps",
         for (float& weight : weights) weight /= 2.6f * sigma;  // about what a Gaussian's add up to
         tables.push_back(weights);
     }
+    for (const float sigma : {2.0f, 7.0f})  // far beyond what a Gaussian has above 0 in a float
+        for (const int reach : {5, 16}) {
+            std::vector<float> weights;
+            for (float d = 0; d <= float(reach) * sigma; ++d)
+                weights.push_back(std::exp(-0.5f * d * d / (sigma * sigma)) / (2.6f * sigma));
+            tables.push_back(weights);
+        }
     for (const std::vector<float>& weights : tables) {
         std::string list;
         for (size_t i = 0; i < std::min<size_t>(weights.size(), 6); ++i)

@@ -114,7 +114,7 @@ void compare(Check& check, uint32_t group, int radius) {
                                  256 * group, radius, i - 256 * group, found[i].got, found[i].expected),
                      found[i].got < 0
                          ? "a slot was read before anybody had kept a texel in it: a barrier() between the "
-                           "two, and somebody for every slot"
+                           "two (memoryBarrierShared() waits for nobody), and somebody for every slot"
                          : "slot s holds texel(start - radius + s): thread t's own is in slot t + radius");
         if (!right) return;
     }

@@ -130,11 +130,12 @@ void count(Check& check, const std::string& what, const std::vector<uint32_t>& g
         for (const uint32_t bin : seen) ++expected[256 + bin];
     }
     for (uint32_t bin = 0; bin < 256; ++bin) {
-        check.expect(
-            found[bin] == expected[bin],
-            fmt::format("count_together, {}: bin {} of the picture has {} pixels, expected {}", what, bin, found[bin],
-                        expected[bin]),
-            "own_bins to 0, barrier(), atomicAdd to one's own bin, barrier(), then each thread takes one bin along");
+        check.expect(found[bin] == expected[bin],
+                     fmt::format("count_together, {}: bin {} of the picture has {} pixels, expected {}", what, bin,
+                                 found[bin], expected[bin]),
+                     "own_bins to 0, barrier(), atomicAdd to one's own bin, barrier(), then each thread takes one bin "
+                     "along; memoryBarrierShared() "
+                     "is no barrier(), it waits for nobody");
         check.expect(found[256 + bin] <= expected[256 + bin],
                      fmt::format("count_together, {}: bin {} was added to {} times, at most {} are needed", what, bin,
                                  found[256 + bin], expected[256 + bin]),

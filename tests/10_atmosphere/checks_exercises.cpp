@@ -9,16 +9,6 @@
 
 using namespace lightwalk;
 
-namespace {
-
-// The least slope that clears the ground, and a little more.
-double above_horizon(double height, double share, double radius = earth) {
-    const double horizon = -std::sqrt(height * (2 * radius + height)) / (radius + height);
-    return double(float(horizon + (1 - horizon) * share + 1e-6));
-}
-
-}  // namespace
-
 CHECK_EXERCISE("10.ray_sphere", "c = (height - shell)(2 radius + height + shell); one root is q, the other c / q") {
     Probe probe{.include = "10_atmosphere/ray_sphere.glsl",
                 .signature = "vec2 ray_sphere(float height, float slope, float radius, float shell)",
@@ -132,39 +122,6 @@ CHECK_EXERCISE("10.phase_mie", "(1 + g² - 2 g c)^1.5 is x sqrt(x); and 1 over 4
     for (int i = 0; i < 600; ++i) probe.inputs.push_back({random.uniform(-1, 1), random.uniform(-0.95, 0.95)});
     const Table results = check.probe(probe);
     check.property(probe, results, "but a share of light is above 0", [](auto, auto out) { return out[0] > 0; });
-}
-
-CHECK_EXERCISE("10.optical_depth", "below level: twice the level ray through the lowest point, less what lies behind") {
-    const double scales[] = {8000, 1200, 11100};
-    Probe probe{
-        .include = "10_atmosphere/optical_depth.glsl",
-        .signature = "float optical_depth(float height, float slope, float radius, float scale_height)",
-        .inputs = {{0, 1, earth, 8000},
-                   {0, 0, earth, 8000},
-                   {0, 0, earth, 1200},
-                   {0, 0.05, earth, 1200},
-                   {20000, above_horizon(20000, 0.0005), earth, 8000},
-                   {90000, above_horizon(90000, 0.02), earth, 1200},
-                   {0, 0.5, earth, 0},
-                   {0, 0, earth, 0},
-                   {4000, -0.02, earth, 0}},
-        .truth = [](std::span<const double> in) { return Row{truth::optical_depth(in[0], in[1], in[2], in[3], 1500)}; },
-        // The fit is good to 0.3%; below level what is left is a difference of two.
-        .bound = {.absolute = 1e-3, .relative = 0.012},
-        .hint = [](auto in, auto) -> std::string {
-            if (in[3] == 0) return "a scale height of 0 says that there is nothing";
-            return in[1] < 0 ? "" : "for a slope of 0 or more it is the formula as it stands";
-        }};
-    Random random;
-    for (int i = 0; i < 160; ++i) {
-        const double height = random.uniform(0, 60000), scale = scales[i % 3];
-        probe.inputs.push_back({height, i % 2 ? random.uniform(0, 1) : above_horizon(height, random.uniform(0, 0.12)),
-                                i % 5 ? earth : 3389500, scale});
-    }
-    std::erase_if(probe.inputs, [](const Row& in) {  // on Mars the horizon lies lower, and the ray may hit the ground
-        return in[1] < -std::sqrt(in[0] * (2 * in[2] + in[0])) / (in[2] + in[0]);
-    });
-    check.probe(probe);
 }
 
 CHECK_EXERCISE("10.in_scatter", "each part's light goes through the parts before it and half of its own") {

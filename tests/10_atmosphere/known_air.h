@@ -2,6 +2,8 @@
 #pragma once
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "10_atmosphere/air_data.h"
 #include "common/gpu/macros.h"
 
@@ -39,6 +41,12 @@ inline Macros known_air(const Air& air) {
         {"ATMOSPHERE_PHASE_ISOTROPIC", "0"},
         {"ATMOSPHERE_PHASE_HENYEY_GREENSTEIN", "1"},
         {"ATMOSPHERE_PHASE_CORNETTE_SHANKS", "2"}};
+}
+
+// The least slope that clears the ground, and a little more.
+inline double above_horizon(double height, double share, double radius = earth) {
+    const double horizon = -std::sqrt(height * (2 * radius + height)) / (radius + height);
+    return double(float(horizon + (1 - horizon) * share + 1e-6));
 }
 
 }  // namespace lightwalk

@@ -75,7 +75,7 @@ CHECK_EXERCISE("13.lab_edges",
                     fmt::format("lab_edges(corner = ({}, {})): thread {}, for pixel ({}, {}), gave {}, expected {}",
                                 corner_x, corner_y, i, x, y, in_words(got), in_words(right)),
                     order > 0 ? "with the threads in another order: is there a barrier() between what one keeps and "
-                                "what others read, and is every slot filled?"
+                                "what others read (memoryBarrierShared() waits for nobody), and is every slot filled?"
                               : "slot (y + 1) * 18 + x + 1 holds the pixel (x, y) of the square");
                 if (got != right) return;
             }

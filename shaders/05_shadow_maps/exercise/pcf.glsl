@@ -4,10 +4,9 @@
 
 // [pcf]
 // The part of a square of the map around r.place.xy, `kernel` texels wide (odd), from which the light's way to the point
-// is free: 0 to 1. A texel whose depth is greater than the surface's own in that texel's middle is in the way, one of
-// the same depth is not; where the surface's plane goes on beyond the far plane its depth counts as 0. The square seldom
-// begins at a texel's edge: it lies on kernel + 1 texels along u and along v, and counts the outer ones by the part
-// of them that it covers. So it moves smoothly with the point.
+// is free: 0 to 1. A texel whose depth is greater than the surface's own in that texel's middle, which is never below 0, is
+// in the way. The square seldom begins at a texel's edge: it lies on kernel + 1 texels along u and along v, and counts the
+// outer ones by the part of them that it covers. So it moves smoothly with the point.
 //
 // gather_depths() reads the four texels that meet in a corner, for the price of one; plane_depths() says where the surface
 // is in the middle of each, in the same order. No texel may be gathered twice: (kernel + 1)² / 4 gathers in all. A corner

@@ -1,4 +1,4 @@
-// right
+// right, in its pictures too
 #include "04_surface_maps/height_field.glsl"
 
 float first_layer_below(vec2 uv, vec2 shift, int steps) {

@@ -1,4 +1,4 @@
-// right
+// right, in its pictures too
 float penumbra_width(float receiver, float blocker, float size, bool parallel) {
     if (blocker >= receiver) return 0.0;
     if (parallel) return size * (receiver - blocker);

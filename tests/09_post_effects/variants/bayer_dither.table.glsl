@@ -1,4 +1,4 @@
-// right
+// right, in its pictures too
 float bayer(uvec2 pixel, int bits) {
     const int square[4] = int[](0, 2, 3, 1);
     int i = 0, weight = 1;

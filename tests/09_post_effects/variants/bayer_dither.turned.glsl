@@ -1,4 +1,4 @@
-// right
+// right, in its pictures too
 float bayer(uvec2 pixel, int bits) {
     uint i = 0u;
     for (int bit = 0; bit < bits; ++bit) {

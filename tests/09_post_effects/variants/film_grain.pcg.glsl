@@ -1,4 +1,4 @@
-// right
+// right, in its pictures too
 // M. Jarzynski and M. Olano, Hash Functions for GPU Rendering, 2020: pcg3d.
 float film_grain(uvec2 pixel, uint frame) {
     uvec3 v = uvec3(pixel, frame) * 1664525u + 1013904223u;

@@ -1,4 +1,4 @@
-// right
+// right, in its pictures too
 float film_grain(uvec2 pixel, uint frame) {
     uint h = frame + 374761393u + pixel.x * 3266489917u;
     h = 668265263u * (h << 17 | h >> 15);

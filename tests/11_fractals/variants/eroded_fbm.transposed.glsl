@@ -1,4 +1,4 @@
-// right
+// right, in its pictures too
 #include "11_fractals/noise_jet.glsl"
 
 vec3 eroded_fbm(ivec2 cell, vec2 offset, float octaves, float erosion, float gain) {

@@ -1,4 +1,4 @@
-// right
+// right, in its pictures too
 float integrate_octaves(float first_m, float lacunarity, float footprint_m, float most) {
     // log(first / (2 footprint)) / log(lacunarity) + 1: the octave whose wave is two footprints long.
     if (footprint_m <= 0.5 * first_m * pow(lacunarity, -most)) return most;

@@ -1,4 +1,4 @@
-// right
+// right, in its pictures too
 #include "11_fractals/quaternion_square.glsl"
 
 float julia_distance(vec4 z, vec4 c, int iterations, float escape) {

@@ -1,4 +1,4 @@
-// right
+// right, in its pictures too
 #include "11_fractals/march_along.glsl"
 
 March march(float start, float end, float epsilon, float slope, float relaxation, int most) {

@@ -1,4 +1,4 @@
-// right
+// right, in its pictures too
 #include "11_fractals/lattice.glsl"
 
 vec3 noise_derivative(ivec2 cell, vec2 f) {

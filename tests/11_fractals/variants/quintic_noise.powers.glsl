@@ -1,4 +1,4 @@
-// right
+// right, in its pictures too
 #include "11_fractals/lattice.glsl"
 
 float quintic_noise(ivec2 cell, vec2 f) {

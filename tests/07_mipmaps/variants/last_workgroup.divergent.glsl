@@ -1,0 +1,14 @@
+// wrong: barriers
+layout(scalar) coherent buffer FinishedBuffer { uint finished[]; };
+
+shared bool is_last;
+
+bool is_last_workgroup(int layer, uint workgroups) {
+    if (gl_LocalInvocationIndex == 0) {
+        memoryBarrierBuffer(); barrier();
+        is_last = atomicAdd(finished[layer], 1u) == workgroups - 1u;
+    }
+    barrier();              // all threads know
+    memoryBarrierBuffer();  // and read after the count, not before
+    return is_last;
+}

@@ -1,0 +1,14 @@
+// wrong: has no barrier() after the count
+layout(scalar) coherent buffer FinishedBuffer { uint finished[]; };
+
+shared bool is_last;
+
+bool is_last_workgroup(int layer, uint workgroups) {
+    if (gl_LocalInvocationIndex == 0) {
+        memoryBarrierBuffer();  // what this thread has written is there before it is counted
+        is_last = atomicAdd(finished[layer], 1u) == workgroups - 1u;
+    }
+    memoryBarrierShared();
+    memoryBarrierBuffer();  // and read after the count, not before
+    return is_last;
+}
