@@ -50,8 +50,7 @@ void LightGrid::set_view(const Device& device, const View& seen, const Bounds& s
     view.slices_per_log = static_cast<float>(view.slices) / std::log(depths.y / depths.x);
 
     const auto divide = [&] { view.tiles = (seen.size + view.tile_px - 1u) / view.tile_px; };
-    for (divide();
-         view.tiles.x * view.tiles.y > 1 && 4 * mask_words() > device.properties.limits.maxStorageBufferRange;
+    for (divide(); view.tiles.x * view.tiles.y > 1 && 4 * mask_words() > device.properties.limits.maxStorageBufferRange;
          divide())
         view.tile_px *= 2;
 }

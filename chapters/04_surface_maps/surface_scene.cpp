@@ -45,17 +45,15 @@ void SurfaceScene::record_light(Frame& frame, const View& view, const ImageView&
 void SurfaceScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
     // 1. Lights into the view's tiles or clusters, where those are the method. Tiles ask the depth what they hold.
     if (lights.needs_depth())
-        frame.raster("depth",
-                     {.depth = canvas.single_depth_target(), .reads = shading_reads, .with = {maps}}, by(depth_));
+        frame.raster("depth", {.depth = canvas.single_depth_target(), .reads = shading_reads, .with = {maps}},
+                     by(depth_));
     record_light(frame, view, canvas.single_depth());
 
     // 2. Every surface that is opaque.
-    frame.raster("shade",
-                 {.color = {canvas.color_target()},
-                  .depth = canvas.depth_target(),
-                  .reads = shading_reads,
-                  .with = given()},
-                 by(shading ? *shading : shade_));
+    frame.raster(
+        "shade",
+        {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = shading_reads, .with = given()},
+        by(shading ? *shading : shade_));
 }
 // [/draw]
 
@@ -63,8 +61,7 @@ void SurfaceScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
 std::vector<Drawing::Transparent> SurfaceScene::transparent(const View& view) const {
     std::vector<Transparent> all;
     const DrawList list = scene_->transparent();
-    for (const uint32_t i : list.items())
-        all.push_back({glm::length(scene_->items[i].bounds.center() - view.eye), i});
+    for (const uint32_t i : list.items()) all.push_back({glm::length(scene_->items[i].bounds.center() - view.eye), i});
     return all;
 }
 

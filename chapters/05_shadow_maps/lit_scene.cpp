@@ -17,11 +17,11 @@ void LitScene::record_light(Frame& frame, const View& view, const ImageView& dep
 // What textures cut holes into is drawn with its maps; all else is solid.
 void LitScene::record_shadows(Frame& frame, const View& view) {
     const auto has_holes = [&](const DrawItem& item) { return maps.has_holes(item); };
-    shadow.record(frame, *scene_, lights, view,
-                  {.with = {maps}, .draw = [&](Raster& pass, const DrawList& casters) {
-                       pass.use(shadow.solid).draw(casters.where(std::not_fn(has_holes)));
-                       maps.draw(pass, *scene_, casters.where(has_holes), caster_, caster_);
-                   }});
+    shadow.record(frame, *scene_, lights, view, {.with = {maps}, .draw = [&](Raster& pass, const DrawList& casters) {
+                                                     pass.use(shadow.solid).draw(casters.where(std::not_fn(has_holes)));
+                                                     maps.draw(pass, *scene_, casters.where(has_holes), caster_,
+                                                               caster_);
+                                                 }});
 }
 // [/casters]
 

@@ -25,8 +25,7 @@ void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
     Canvas own(own_color_, own_depth_, glm::vec4(0.0f));
     draw_alone(frame, view, own);
     frame.raster(
-        "merge",
-        {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = {own_color_, own_depth_}},
+        "merge", {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = {own_color_, own_depth_}},
         [&](Raster& pass) {
             pass.use(merge_).set("color_map", own_color_, nearest_clamp).set("depth_map", own_depth_, nearest_clamp);
             pass.draw(3);
@@ -58,16 +57,16 @@ void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas)
     lights.record(frame, *scene_, view, canvas.single_depth());
     const bool loss = gbuffer.shows_loss();
     const Attachment target = loss ? clear(canvas.color_overwritten(), glm::vec4(-1.0f)) : canvas.color_target();
-    frame.raster(
-        "forward",
-        {.color = {target}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow, gbuffer})},
-        often_by(loss ? lost_ : shading ? *shading : shade_));
+    frame.raster("forward",
+                 {.color = {target}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow, gbuffer})},
+                 often_by(loss      ? lost_
+                          : shading ? *shading
+                                    : shade_));
 }
 
 void DeferredScene::write_gbuffer(Frame& frame, const View&, Canvas& canvas) {
     const SurfacePipelines* const pipelines[] = {&write_, &write_culled_, &write_all_, &write_left_out_};
-    frame.raster("gbuffer",
-                 {.color = gbuffer.targets(), .depth = canvas.depth_target(), .with = with({maps, gbuffer})},
+    frame.raster("gbuffer", {.color = gbuffer.targets(), .depth = canvas.depth_target(), .with = with({maps, gbuffer})},
                  often_by(*pipelines[static_cast<size_t>(cull)]));
     gbuffer.written();
 }
@@ -75,8 +74,7 @@ void DeferredScene::write_gbuffer(Frame& frame, const View&, Canvas& canvas) {
 void DeferredScene::add_glow(Frame& frame, Canvas& canvas) {
     const std::vector<Batch> glows = glowing(*scene_, opaque_batches());
     if (glows.empty()) return;
-    frame.raster("glow",
-                 {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps})},
+    frame.raster("glow", {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps})},
                  [&](Raster& pass) { maps.draw(pass, *scene_, glows, glow_.loaded, glow_.displaced); });
 }
 // [/draw]

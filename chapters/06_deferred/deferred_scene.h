@@ -16,7 +16,12 @@ struct DeferredScene : LitScene {
 
     int times = 1;             ///< how often every surface is drawn
     bool depth_first = false;  ///< depth alone before, so that each pixel is written once
-    enum class Cull { fixed, geometry, nothing, left_out } cull = Cull::fixed;  ///< of triangles that face away, from the G-buffer
+    enum class Cull {
+        fixed,
+        geometry,
+        nothing,
+        left_out
+    } cull = Cull::fixed;  ///< of triangles that face away, from the G-buffer
 
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     // [/deferred_scene]
@@ -35,9 +40,8 @@ struct DeferredScene : LitScene {
     SurfacePipelines lost_{{.fragment = "06_deferred/lost.frag"}};
     SurfacePipelines write_{{.fragment = "06_deferred/write.frag"}};
     SurfacePipelines write_all_{{.fragment = "06_deferred/write.frag", .cull = VK_CULL_MODE_NONE}};
-    SurfacePipelines write_culled_{{.geometry = "06_deferred/cull.geom",
-                                    .fragment = "06_deferred/write.frag",
-                                    .cull = VK_CULL_MODE_NONE}};
+    SurfacePipelines write_culled_{
+        {.geometry = "06_deferred/cull.geom", .fragment = "06_deferred/write.frag", .cull = VK_CULL_MODE_NONE}};
     SurfacePipelines write_left_out_{{.geometry = "06_deferred/cull.geom",
                                       .fragment = "06_deferred/write.frag",
                                       .cull = VK_CULL_MODE_NONE,

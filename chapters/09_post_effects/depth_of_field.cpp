@@ -110,11 +110,10 @@ void DepthOfField::record(Frame& frame, const View& view, Canvas& canvas, const 
     const ImageView hdr = canvas.color(frame), depth = canvas.depth(frame);
     const glm::uvec2 size = (view.size + 1u) / 2u;
     Image& small = image(frame, "half", half4, size);
-    frame.compute("dof half", {.reads = {hdr, depth}, .writes = {small}, .with = {*this}},
-                  [&](Compute& pass) {
-                      pass.use(half_).set("hdr", hdr, nearest_clamp).set("depth", depth, nearest_clamp);
-                      pass.set("result", small).set("dof_now", now_).dispatch_threads(size);
-                  });
+    frame.compute("dof half", {.reads = {hdr, depth}, .writes = {small}, .with = {*this}}, [&](Compute& pass) {
+        pass.use(half_).set("hdr", hdr, nearest_clamp).set("depth", depth, nearest_clamp);
+        pass.set("result", small).set("dof_now", now_).dispatch_threads(size);
+    });
     method.is("gather") ? gather(frame) : blur(frame);
     const Image& far_field = images_["far"];
     const bool gathers = method.is("gather");

@@ -7,9 +7,7 @@
 #include "10_atmosphere/skylight.h"
 
 namespace lightwalk {
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 float cornette_shanks_g(float mean_cosine) {
     const double wanted = double(std::fabs(mean_cosine));
@@ -94,10 +92,8 @@ void Atmosphere::make_images(Device& device) {
     const auto scaled = [&](float x) { return static_cast<uint32_t>(std::max(2.0f, std::round(x * table_scale))); };
     const auto table = [&](Image& image, const char* name, glm::vec2 size, float depth) {
         const uint32_t slices = depth > 0 ? scaled(depth) : 0;
-        if (image.fit(device, {.name = path() + name,
-                               .size = {scaled(size.x), scaled(size.y)},
-                               .depth = slices,
-                               .kept = true}))
+        if (image.fit(device,
+                      {.name = path() + name, .size = {scaled(size.x), scaled(size.y)}, .depth = slices, .kept = true}))
             made_of_.clear();
     };
     table(transmittance_, " transmittance", {256, 64}, 0);

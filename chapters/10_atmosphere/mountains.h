@@ -10,10 +10,9 @@ struct Mountains : Drawing {
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
     void draw(Frame& frame, const View&, Canvas& canvas) override {
-        frame.raster(
-            "mountains",
-            {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = {atmosphere_, planet_}},
-            [&](Raster& pass) { pass.use(surface_).draw(*scene_); });
+        frame.raster("mountains",
+                     {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = {atmosphere_, planet_}},
+                     [&](Raster& pass) { pass.use(surface_).draw(*scene_); });
     }
 
   private:

@@ -86,13 +86,14 @@ glm::vec3 sunlight_of(const Air& air, float sun) {
     for (int i = 0; i < samples; ++i) {  // the nearer the ground, the denser
         const double from = double(i) * i / (samples * samples), to = (i + 1.0) * (i + 1.0) / (samples * samples);
         const double t = 0.5 * (from + to) * way, height = std::sqrt(r * r + 2 * r * slope * t + t * t) - r;
-        const double layer = air.layer_width > 0 ? std::max(0.0, 1 - std::fabs(height - double(air.layer_center)) /
-                                                                         double(air.layer_width))
-                                                 : 0.0;
-        depth += (to - from) * way *
-                 (glm::dvec3(air.rayleigh) * thinning(height, double(air.rayleigh_height)) +
-                  glm::dvec3(air.mie_extinction) * thinning(height, double(air.mie_height)) +
-                  glm::dvec3(air.layer) * layer);
+        const double layer =
+            air.layer_width > 0
+                ? std::max(0.0, 1 - std::fabs(height - double(air.layer_center)) / double(air.layer_width))
+                : 0.0;
+        depth +=
+            (to - from) * way *
+            (glm::dvec3(air.rayleigh) * thinning(height, double(air.rayleigh_height)) +
+             glm::dvec3(air.mie_extinction) * thinning(height, double(air.mie_height)) + glm::dvec3(air.layer) * layer);
     }
     return glm::dvec3(air.sun) * glm::exp(-depth);
 }

@@ -32,7 +32,8 @@ struct EnvironmentLight : Module {
     void bind(Pass& pass) const override;
 
     /// Linear RGBA16F; the module's GLSL applies turn and intensity when they are read.
-    Target radiance{*this, {.name = "radiance", .size = {256, 256}, .mips = 0, .layers = 6, .cube = true, .kept = true}};
+    Target radiance{*this,
+                    {.name = "radiance", .size = {256, 256}, .mips = 0, .layers = 6, .cube = true, .kept = true}};
     Target irradiance{*this, {.name = "irradiance", .size = {24, 24}, .layers = 6, .cube = true, .kept = true}};
 
   private:

@@ -59,10 +59,8 @@ bool Unwrapped::record(Frame& frame, const Scene& scene, const Maps& maps, const
     const MadeOf wanted{&item, scene.placed, size, Exercises::version()};
     if (wanted == made_of_) return false;
     const auto image = [&](Image& made, const char* name, VkFormat format) {
-        made.fit(frame.gpu.device, {.name = std::string("skin ") + name,
-                                    .format = format,
-                                    .size = glm::uvec2(size),
-                                    .kept = true});
+        made.fit(frame.gpu.device,
+                 {.name = std::string("skin ") + name, .format = format, .size = glm::uvec2(size), .kept = true});
     };
     constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT, float4 = VK_FORMAT_R32G32B32A32_SFLOAT;
     image(raw_position_, "raw position", float4), image(position, "position", float4);

@@ -69,7 +69,7 @@ class Module : public Given {
     bool any_animated() const;
     std::string load_state() const;  ///< all load keys, and the toggles of all load exercises
     bool loads_exercise() const;     ///< some exercise runs at load, in the student's version
-    // [/life]
+                                     // [/life]
 
   protected:
     Module() = default;  ///< a chapter: it has no owner and no name

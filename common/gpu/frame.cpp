@@ -48,12 +48,11 @@ void Frame::begin(glm::uvec2 size_in_pixels, float time_in_seconds) {
         hdr = Image(gpu.device, {.name = "hdr", .format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = size});
         depth = Image(gpu.device, {.name = "depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
         mean_ = Image();
-        output = Image(gpu.device,
-                       {.name = "output", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size, .kept = true});
+        output = Image(gpu.device, {.name = "output", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size, .kept = true});
     }
     if (samples.count > 1 && !mean_)
-        mean_ = Image(gpu.device,
-                      {.name = "mean", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size, .kept = true});
+        mean_ =
+            Image(gpu.device, {.name = "mean", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size, .kept = true});
     time_s = time_in_seconds;
     outputs.clear();
     times.clear();
@@ -155,7 +154,8 @@ void Frame::check_reads(const std::string& pass, const std::vector<Stated>& stat
         throw Failure("pass '{}' reads {}, which no pass of this frame wrote", pass, view.name());
     };
     for (const Stated& one : stated)
-        if (one.read && !one.writable && one.resource.view && !holds(one.resource.view, use_)) refuse(one.resource.view);
+        if (one.read && !one.writable && one.resource.view && !holds(one.resource.view, use_))
+            refuse(one.resource.view);
     if (!targets) return;
     for (const ImageView& view : targets->loaded)
         if (!holds(view, use_)) refuse(view);

@@ -89,7 +89,7 @@ class Image {
     VkImage handle = VK_NULL_HANDLE;
     Desc desc;
     mutable ImageHistory history;
-    mutable bool constant = false;  ///< uploaded, not written since: every pass may read it without saying so
+    mutable bool constant = false;    ///< uploaded, not written since: every pass may read it without saying so
     mutable uint64_t written_in = 0;  ///< Frame::number() of the frame whose pass wrote it last
     explicit operator bool() const { return handle != VK_NULL_HANDLE; }
     bool is_depth() const { return desc.format == VK_FORMAT_D32_SFLOAT || desc.format == VK_FORMAT_D16_UNORM; }

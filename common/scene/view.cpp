@@ -5,9 +5,7 @@
 
 namespace lightwalk {
 
-float View::pixel_rad() const {
-    return 2.0f * std::tan(0.5f * camera.fov_y_rad) / static_cast<float>(crop.whole.y);
-}
+float View::pixel_rad() const { return 2.0f * std::tan(0.5f * camera.fov_y_rad) / static_cast<float>(crop.whole.y); }
 
 View camera_view(const Camera& camera, const glm::mat4& world_to_clip, glm::uvec2 size, Crop crop) {
     if (crop.whole == glm::uvec2(0)) crop.whole = size;

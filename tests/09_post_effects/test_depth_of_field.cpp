@@ -41,7 +41,10 @@ struct OnLens {
                     const glm::vec4 place = 2.0f * card.rectangle - 1.0f;
                     const float depth = std::isinf(card.distance_m) ? 0.0f : float(lens.depth_at(card.distance_m));
                     const glm::vec4 light(card.light, 1.0f);
-                    pass.use(lens.quad).set("quad", Quad{place, depth, depth}).set("paint", Paint{light, light}).draw(6);
+                    pass.use(lens.quad)
+                        .set("quad", Quad{place, depth, depth})
+                        .set("paint", Paint{light, light})
+                        .draw(6);
                 }
             });
         }

@@ -159,8 +159,9 @@ layout(local_size_x = 1) in;
 layout(r32f) uniform image2D counted;
 void main() { imageStore(counted, ivec2(0), imageLoad(counted, ivec2(0)) + 1.0); })");
     for (int i = 0; i < 3000; ++i)
-        frame.compute("add", {.reads = {counted}, .writes = {counted}},
-                      [&](Compute& pass) { pass.use(add).set("counted", counted).dispatch({1, 1, 1}); });
+        frame.compute("add", {.reads = {counted}, .writes = {counted}}, [&](Compute& pass) {
+            pass.use(add).set("counted", counted).dispatch({1, 1, 1});
+        });
     frame.end();
     CHECK(frame.times.size() == 3001);
     CHECK(value(counted) == 3000.0f);

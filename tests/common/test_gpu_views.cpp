@@ -275,7 +275,8 @@ TEST_CASE_METHOD(OnDevice, "what was uploaded may be copied from, and read again
 
 TEST_CASE_METHOD(OnDevice,
                  "the codes of an sRGB image are written and read as they are, and decoded where it is sampled") {
-    const Image target = image({.format = VK_FORMAT_R8G8B8A8_SRGB, .kept = true}), seen = image({.format = four_floats});
+    const Image target = image({.format = VK_FORMAT_R8G8B8A8_SRGB, .kept = true}),
+                seen = image({.format = four_floats});
     const ImageView codes = ImageView(target).codes();
     CHECK(ImageView(seen).codes() == ImageView(seen));
     CHECK(codes.mip(0) == codes);
