@@ -29,7 +29,7 @@ void GBuffer::begin(Frame& frame) {
     images_.clear();
     for (const Texture& t : textures()) {
         Image& image = kept_[t.name];
-        if (image.desc.format != t.format || image.desc.size != frame.size)
+        if (!image || image.desc.format != t.format || image.desc.size != frame.size)
             image = Image(frame.gpu.device, {.name = "gbuffer " + t.name, .format = t.format, .size = frame.size});
         images_.emplace_back("gbuffer_" + t.name, &image);
     }
