@@ -1,7 +1,6 @@
 // Files that are none, writes that are cut short at any moment, what is said of names that are not fit to print, and of
 // a crash.
 #include <fcntl.h>
-#include <malloc.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -279,8 +278,10 @@ TEST_CASE("a JPEG for which there is no memory is not called broken") {
     if (sanitized) return;
     const std::string file = (course_root() / "assets/textures/portrait_albedo.jpg").string();
     const auto [said, status] = crash_of([&] {
-        mallopt(M_MMAP_THRESHOLD, 1 << 16);  // what is large does not come from what others have freed
-        leave_memory(3);                     // the file's bytes, and not its texels'
+        void* const left = std::malloc(1 << 20);  // for the file's bytes, and not for its texels
+        leave_memory(1);
+        while (std::malloc(1 << 19)) {}  // what others have freed is taken, too
+        std::free(left);
         try {
             read_image8(file);
         } catch (const std::bad_alloc&) { _exit(7); } catch (const std::exception& e) {
