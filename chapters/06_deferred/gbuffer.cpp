@@ -27,8 +27,7 @@ void GBuffer::begin(Frame& frame, const View& view, const ImageView& depth) {
     images_.clear();
     for (const Texture& t : textures()) {
         Image& image = made_[{view.id, t.name}];
-        if (image.desc.format != t.format || image.desc.size != view.size)
-            image = Image(frame.gpu.device, {.name = "gbuffer " + t.name, .format = t.format, .size = view.size});
+        image.fit(frame.gpu.device, {.name = "gbuffer " + t.name, .format = t.format, .size = view.size});
         images_.emplace_back("gbuffer_" + t.name, &image);
     }
 }

@@ -79,7 +79,7 @@ struct Skin : Module {
     Spread spread_;
     Image irradiance_;
     Image facets_, reflected_, preintegrated_;
-    bool empty_ = true;
+    bool empty_ = true, spread_out_ = false;  ///< in this frame
     int shown_ = -1;  ///< what draw() shows in place of the picture, as skin.frag counts
     float tables_f0_ = -1;
     unsigned tables_toggles_ = 0;

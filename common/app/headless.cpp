@@ -9,6 +9,7 @@
 #include "common/app/render.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/patience.h"
 #include "common/measure/statistics.h"
 
 namespace lightwalk {
@@ -86,10 +87,12 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     const int warm_up = options.timings.empty() ? 0 : 1;
     std::vector<std::vector<PassTime>> times;
     std::vector<double> recording_ms;
+    Patience patience("drawing", "frames");
     for (int i = 0; i < options.frames + warm_up; ++i) {
         const int counted = std::max(i - warm_up, 0);
         if (!options.timings.empty()) load.run();
         render(chapter, frame, {options.size, options.time_s + static_cast<float>(counted) / 60.0f, options.seed, {}});
+        patience.show(i + 1, options.frames + warm_up);
         if (i < warm_up) continue;
         add_times(times.emplace_back(), frame.times);  // a pass may have been recorded more than once
         recording_ms.push_back(frame.recording_ms);

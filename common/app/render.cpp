@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <ctime>
 
+#include "common/base/patience.h"
+
 namespace lightwalk {
 namespace {
 
@@ -37,6 +39,7 @@ void add_times(std::vector<PassTime>& sum, const std::vector<PassTime>& times) {
 void render(Chapter& chapter, Frame& frame, const Picture& picture) {
     const int samples = chapter.samples;
     std::vector<PassTime> times;
+    Patience patience("drawing", "samples");
     for (int sample = 0; sample < samples; ++sample) {
         frame.root = &chapter;
         frame.samples = {sample, samples};
@@ -56,6 +59,7 @@ void render(Chapter& chapter, Frame& frame, const Picture& picture) {
         frame.recording_ms = processor_ms() - started_ms;
         frame.end();
         if (samples > 1) add_times(times, frame.times);
+        patience.show(sample + 1, samples);
     }
     if (samples > 1) frame.times = std::move(times);
 }

@@ -54,8 +54,17 @@ def build(targets: list[str] = (), preset: str = "default") -> Path:
 def is_configured(folder: Path) -> bool:
     """True where ninja can go on by itself; it runs cmake again where a file of the build changed."""
     cache = folder / "CMakeCache.txt"
-    return (folder / "build.ninja").exists() and cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in \
-        cache.read_text(errors="replace")
+    return all(begins_as_written(folder / name) for name in ("build.ninja", "CMakeFiles/rules.ninja")) and \
+        cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text(errors="replace")
+
+
+def begins_as_written(path: Path) -> bool:
+    """False for a file that a power cut left empty or filled with zeros: CMake begins its own with a comment."""
+    try:
+        with open(path, "rb") as file:
+            return file.read(1) == b"#"
+    except FileNotFoundError:
+        return False
 
 
 def configure(preset: str, folder: Path, lock: int | None = None):

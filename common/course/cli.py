@@ -92,7 +92,7 @@ if __name__ == "__main__":
         sys.exit(128 + signal.SIGPIPE)
     except OSError as error:  # a disk that is full, a folder that is another's: no fault of the course
         where = f"{error.filename}: " if error.filename is not None else ""
-        advice = "; what is built goes below the course, so copy it to a folder of yours" if \
-            error.errno in (errno.EROFS, errno.EACCES, errno.EPERM) else ""
+        closed = error.errno in (errno.EROFS, errno.EACCES, errno.EPERM)
+        advice = "; what is built goes below the course, so copy it to a folder of yours" if closed else ""
         warn(f"course: {where}{error.strerror or error}{advice}")
-        sys.exit(2 if error.errno in (errno.ENAMETOOLONG, errno.ELOOP) else 1)
+        sys.exit(2 if closed or error.errno in (errno.ENAMETOOLONG, errno.ELOOP) else 1)

@@ -17,7 +17,8 @@ def add_arguments(parser):
 
 def run(arguments, _rest) -> int:
     if not formatter():
-        raise Failure(f"there is no clang-format {VERSION} (Debian: apt-get install clang-format-{VERSION})")
+        raise Failure(f"there is no clang-format {VERSION} here; Debian 12 has it, and other versions "
+                      "lay out some things differently")
     names = unformatted()
     if names and not arguments.check:
         subprocess.run([formatter(), "-i", *names], cwd=ROOT, check=True)

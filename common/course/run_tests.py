@@ -10,6 +10,7 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 from build import build
+from container import test_on
 from draw_shots import RUN
 from report import write_report
 from tree import BUILD, Failure, UsageError, relative, say
@@ -21,6 +22,8 @@ HELP = """Builds everything, runs every test and writes build/report/index.html.
   ./course test shot.02          those whose name matches this regular expression
   ./course test --sanitize       all, then again under the address and undefined-behaviour sanitizers, but for windows
   ./course test -L window        other options go to ctest
+  ./course test --on trixie      ./course run and then all of them on a bare Debian 13, in a container in build/on/trixie;
+                                 bookworm is Debian 12. With a pattern or options, those tests. It takes root.
 
 With CI=true in the environment studies, need rules, stretch tasks, the teeth of pictures and the test of all knobs, which
 draw most, are left out, and of each chapter's charts and each kind of page one is looked at. The last line counts all tests
@@ -32,6 +35,7 @@ CI = ["-LE", "study", "-E", r"^teeth\.[0-9]+\.|\.(knobs|need|stretch)$"]  # a CI
 
 def add_arguments(parser):
     parser.add_argument("pattern", nargs="?", metavar="PATTERN", help="a regular expression for the tests' names")
+    parser.add_argument("--on", metavar="SYSTEM", help="on a bare bookworm or trixie, in a container of its own")
     parser.add_argument("--sanitize", action="store_true", help="all but window tests and studies under the sanitizers as well")
 
 
@@ -41,6 +45,9 @@ def run(arguments, rest) -> int:
             re.compile(arguments.pattern)
         except re.error as error:
             raise UsageError(f"'{arguments.pattern}' is no regular expression: {error}") from None
+    if arguments.on:
+        return test_on(arguments.on, [word for word in (arguments.pattern, "--sanitize" if arguments.sanitize else None)
+                                      if word] + rest)
     selection = (["-R", arguments.pattern] if arguments.pattern else []) + rest
     results = BUILD / "results"
     if not selection:

@@ -104,10 +104,15 @@ def files() -> list[Path]:
     if (ROOT / ".git").exists():
         listed = os.fsdecode(git("ls-files", "-z", "--cached", "--others", "--exclude-standard")).split("\0")
         return sorted(Path(name) for name in listed if name and (ROOT / name).is_file())
+    return walk(ROOT)
+
+
+def walk(root: Path) -> list[Path]:
+    """The files below a folder, relative to it, without what is built."""
     found = []
-    for folder, folders, names in os.walk(ROOT):
+    for folder, folders, names in os.walk(root):
         folders[:] = [name for name in folders if name not in ("build", "__pycache__", ".git")]
-        found += [(Path(folder) / name).relative_to(ROOT) for name in names]
+        found += [(Path(folder) / name).relative_to(root) for name in names]
     return sorted(found)
 
 

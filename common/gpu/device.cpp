@@ -152,6 +152,7 @@ Device::Device(const DeviceOptions& options) : Device() {
         load(instance, create_messenger, "vkCreateDebugUtilsMessengerEXT");
         check(create_messenger(instance, &create, nullptr, &messenger_), "vkCreateDebugUtilsMessengerEXT");
     }
+    timeout_ns();  // refuses what is no time before anything is drawn
     physical = choose(physical_devices(instance), options.name);
     vkGetPhysicalDeviceProperties(physical, &properties);
     const Limits limits(physical);
@@ -229,8 +230,13 @@ void Device::check_validation(size_t heard) const {
 
 uint64_t Device::timeout_ns() const {
     const char* given = std::getenv("LIGHTWALK_TIMEOUT_S");
-    const double seconds = given ? std::atof(given) : 60.0;
-    return static_cast<uint64_t>((seconds > 0 ? seconds : 60.0) * 1e9);
+    const std::string text = given && *given ? given : "60";
+    char* end = nullptr;
+    const double seconds = std::strtod(text.c_str(), &end);
+    if (*end || !(seconds > 0))
+        throw InputError("LIGHTWALK_TIMEOUT_S is '{}'; it takes a number of seconds above 0", text);
+    // Thirty years are as good as more, and their nanoseconds still fit into 64 bits, with today's date added.
+    return static_cast<uint64_t>(std::min(seconds, 1e9) * 1e9);
 }
 
 }  // namespace lightwalk

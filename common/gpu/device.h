@@ -84,7 +84,7 @@ class Device {
     VkDeviceMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags properties,
                             const std::string& name) const;
 
-    /// How long one pass may take before it counts as one that never ends. $LIGHTWALK_TIMEOUT_S, else 60 s.
+    /// How long one pass may take before it counts as endless. $LIGHTWALK_TIMEOUT_S, else 60 s. May throw InputError.
     uint64_t timeout_ns() const;
 
     /// Between the two a frame is recorded or runs: what destroy() gets meanwhile is destroyed when all frames that

@@ -55,7 +55,9 @@ void Gpu::submit_now(const std::function<void(VkCommandBuffer)>& record) {
                                    .pCommandBufferInfos = &command_info};
         check(vkQueueSubmit2(device.queue, 1, &submit, fence_), "vkQueueSubmit2");
         const VkResult waited = vkWaitForFences(device.handle, 1, fence_.address(), VK_TRUE, device.timeout_ns());
-        if (waited == VK_TIMEOUT) abandon_device("a transfer did not finish");
+        if (waited == VK_TIMEOUT)
+            abandon_device(fmt::format("a transfer did not finish within {:.4g} s",
+                                       static_cast<double>(device.timeout_ns()) / 1e9));
         check(waited, "vkWaitForFences");
     } catch (...) {
         vkDeviceWaitIdle(device.handle);  // what it used is destroyed next

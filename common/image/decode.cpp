@@ -3,6 +3,7 @@
 #include <stb_image.h>
 
 #include <cstring>
+#include <new>
 
 #include "common/base/bytes.h"
 #include "common/base/error.h"
@@ -63,13 +64,21 @@ struct Source {
     static constexpr stbi_io_callbacks calls{read, skip, at_end};
 };
 
+/// Throws what stb has against a file: `what` where it gives no reason, and std::bad_alloc where memory ended, of which
+/// the file is innocent.
+[[noreturn]] void reject_as(const fs::path& path, const std::string& what) {
+    const char* why = stbi_failure_reason();
+    if (why && std::string_view(why) == "outofmem") throw std::bad_alloc();
+    reject(path, why ? fmt::format("{} ({})", what, why) : what);
+}
+
 Decoded read_header(const fs::path& path, const std::string& bytes) {
     Decoded picture;
     Source source{bytes};
     if (!stbi_info_from_callbacks(&Source::calls, &source, &picture.width, &picture.height, &picture.channels)) {
         const bool known = bytes.starts_with("\x89PNG") || bytes.starts_with("\xFF\xD8");
-        const char* why = stbi_failure_reason();
-        reject(path, known ? fmt::format("has a broken header ({})", why ? why : "cut off") : "is not an image");
+        if (known) reject_as(path, "has a broken header");
+        reject(path, "is not an image");
     }
     check_image_size(path, picture.width, picture.height);
     return picture;
@@ -86,10 +95,7 @@ std::string decode_here(const fs::path& path, const std::string& bytes, int want
     void* const pixels = has_16 ? static_cast<void*>(stbi_load_16_from_callbacks(&Source::calls, &source, &width,
                                                                                  &height, channels, wanted))
                                 : stbi_load_from_callbacks(&Source::calls, &source, &width, &height, channels, wanted);
-    if (!pixels) {
-        const char* why = stbi_failure_reason();
-        reject(path, why ? fmt::format("is broken or cut off ({})", why) : "is broken or cut off");
-    }
+    if (!pixels) reject_as(path, "is broken or cut off");
     const bool has_end = bytes.starts_with("\x89PNG") || bytes.starts_with("\xFF\xD8");  // which stb or we look for
     if (width != picture.width || height != picture.height || (source.ran_out && !has_end)) {
         stbi_image_free(pixels);

@@ -176,8 +176,7 @@ class Menu {
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         const float foot = size.y - 34.0f * display_.scale();
         ImGui::BeginGroup();
-        const bool clicked = ImGui::InvisibleButton(entry.chapter.c_str(), size);
-        ImGui::SetItemAllowOverlap();  // by what leads to the lesson
+        const bool clicked = button_under_others(entry.chapter.c_str(), size);  // the link to the lesson
         log_place("chapter." + entry.chapter);
         const bool hovered = ImGui::IsItemHovered();
         ImDrawList& list = *ImGui::GetWindowDrawList();

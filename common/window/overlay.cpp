@@ -4,6 +4,7 @@
 #include <backends/imgui_impl_vulkan.h>
 
 #include <filesystem>
+#include <iterator>
 
 #include "common/base/error.h"
 #include "common/window/event_log.h"
@@ -63,16 +64,36 @@ void set_style(float scale) {
 
 void check_imgui(VkResult result) { check(result, "the panel"); }
 
+// Dear ImGui's Vulkan backend, whose interface changed with its versions 1.90, 1.90.3 and 1.92.4; one sample a pixel.
+void start_imgui(ImGui_ImplVulkan_InitInfo& info, VkRenderPass render_pass, [[maybe_unused]] Gpu& gpu) {
+#if IMGUI_VERSION_NUM >= 19240
+    info.PipelineInfoMain.RenderPass = render_pass;
+    ImGui_ImplVulkan_Init(&info);
+#elif IMGUI_VERSION_NUM >= 19030
+    info.RenderPass = render_pass;
+    ImGui_ImplVulkan_Init(&info);
+#else
+    ImGui_ImplVulkan_Init(&info, render_pass);
+#endif
+#if IMGUI_VERSION_NUM < 19000  // later ones upload their fonts by themselves, with the first frame
+    gpu.submit_now([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
+    ImGui_ImplVulkan_DestroyFontUploadObjects();
+#endif
+}
+
 }  // namespace
 
 Overlay::Overlay(Gpu& gpu, Display& display, Swapchain& swapchain) : gpu_(gpu), swapchain_(swapchain) {
     make_render_pass();
-    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 8};
+    // Dear ImGui up to 1.92.7 binds the first kind, later ones the other two.
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 8},
+                                          {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, 8},
+                                          {VK_DESCRIPTOR_TYPE_SAMPLER, 8}};
     const VkDescriptorPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                           .flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT,
-                                          .maxSets = 8,
-                                          .poolSizeCount = 1,
-                                          .pPoolSizes = &size};
+                                          .maxSets = 24,
+                                          .poolSizeCount = std::size(sizes),
+                                          .pPoolSizes = sizes};
     check(vkCreateDescriptorPool(gpu.device.handle, &pool, nullptr, &descriptors_), "vkCreateDescriptorPool");
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // nothing is left behind in the current folder
@@ -93,11 +114,8 @@ Overlay::Overlay(Gpu& gpu, Display& display, Swapchain& swapchain) : gpu_(gpu), 
     info.DescriptorPool = descriptors_;
     info.MinImageCount = 2;
     info.ImageCount = 2;
-    info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
     info.CheckVkResultFn = check_imgui;
-    ImGui_ImplVulkan_Init(&info, render_pass_);
-    gpu.submit_now([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
-    ImGui_ImplVulkan_DestroyFontUploadObjects();
+    start_imgui(info, render_pass_, gpu);
 }
 
 Overlay::~Overlay() {

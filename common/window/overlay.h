@@ -33,6 +33,27 @@ class Overlay {
     int generation_ = 0;
 };
 
+/// A child window without a border, with padding: Dear ImGui spells that anew since 1.90.
+inline void begin_padded_child(const char* id, ImVec2 size) {
+#if IMGUI_VERSION_NUM >= 19000
+    ImGui::BeginChild(id, size, ImGuiChildFlags_AlwaysUseWindowPadding);
+#else
+    ImGui::BeginChild(id, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+#endif
+}
+
+/// An invisible button on which items that follow may lie and be clicked; true where it was clicked itself.
+inline bool button_under_others(const char* id, ImVec2 size) {
+#if IMGUI_VERSION_NUM >= 18970
+    ImGui::SetNextItemAllowOverlap();
+    return ImGui::InvisibleButton(id, size);
+#else
+    const bool clicked = ImGui::InvisibleButton(id, size);
+    ImGui::SetItemAllowOverlap();
+    return clicked;
+#endif
+}
+
 /// The course's colours: what is mine, what is the reference, what went wrong and what is right.
 inline const ImVec4 mine_color{0.96f, 0.65f, 0.24f, 1.0f};
 inline const ImVec4 reference_color{0.38f, 0.72f, 0.98f, 1.0f};

@@ -66,8 +66,7 @@ void check_words(const std::string& id, const CheckVerdict& check) {
     if (!open) return;
     float& height = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("height"), ImGui::GetTextLineHeight());
     ImGui::PushStyleColor(ImGuiCol_ChildBg, {0.055f, 0.062f, 0.075f, 1.0f});
-    ImGui::BeginChild("said", {0.0f, std::min(height, 10.5f * ImGui::GetTextLineHeight())}, false,
-                      ImGuiWindowFlags_AlwaysUseWindowPadding);
+    begin_padded_child("said", {0.0f, std::min(height, 10.5f * ImGui::GetTextLineHeight())});
     ImGui::PushTextWrapPos();
     ImGui::TextUnformatted(shortened(check.words).c_str());
     if (!check.hint.empty()) {

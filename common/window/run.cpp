@@ -4,6 +4,7 @@
 #include "common/app/headless.h"
 #include "common/app/lists.h"
 #include "common/app/pictures.h"
+#include "common/base/crash.h"
 #include "common/base/text.h"
 #include "common/study/study.h"
 #include "common/window/window.h"
@@ -11,6 +12,7 @@
 namespace lightwalk {
 
 int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make) {
+    say_crashes();
     try {
         std::unique_ptr<Gpu> gpu;  // before the chapter, whose images and buffers it must outlive
         const std::unique_ptr<Chapter> chapter = make();

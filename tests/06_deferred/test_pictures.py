@@ -62,6 +62,12 @@ class PicturesTest(ChapterPictures):
                     picture = self.draw(scene, "--method", method, "--volumes", "off")
                     self.assertLess(self.flip(truth, picture), most)
 
+    def test_one_pixel(self):
+        """A size that an image has before it is made."""
+        for method in ("forward", "fat", "depth", "packed", "tiled"):
+            with self.subTest(method=method):
+                self.draw(self.lamps(), "--method", method, size="1x1")
+
     def test_volumes_light_what_full_screen_lights_light(self):
         """The camera in a volume, at its surface, in all of them; lights that reach beyond the far plane; lights that
         reach nothing. Adding in halves, light by light, may round by a step."""

@@ -19,7 +19,7 @@ inline DeviceOptions validated(std::optional<uint32_t> max_push_descriptors = {}
 }
 
 inline Gpu& validated_device() {
-    static Gpu gpu(validated());
+    static Gpu& gpu = *new Gpu(validated());  // stays: at the program's end the layers may have gone before it
     return gpu;
 }
 

@@ -128,9 +128,10 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     "reads the system": (
         box('for (const char* name : {"/etc/passwd", "/etc/shadow", "/root/.bashrc", "/home", "/var/tmp", "/dev/kmsg"}) '
             '{ struct stat about; if (!stat(name, &about)) BROKE_OUT(name); }'), GAVE_TRUE),
+    # The sandbox has a /tmp of its own: of a course below /tmp, the test looks afterwards whether ROOT/x is there.
     "writes outside": (
         box(f'for (const char* name : {{"{OUTSIDE}", "CLASS/x", "ROOT/x", "/usr/x", "/x", "/grade/x"}}) '
-            'if (std::ofstream(name) << "x" << std::flush) BROKE_OUT(name);'), GAVE_TRUE),
+            'if (std::ofstream(name) << "x" << std::flush && std::strncmp(name, "/tmp/", 5)) BROKE_OUT(name);'), GAVE_TRUE),
     "leaves a process behind": (
         box(f'if (fork() == 0) {{ sleep(3); std::ofstream("{OUTSIDE}"); sleep(600); }} '
             'if (fork() >= 0 || vfork() >= 0) BROKE_OUT("fork");'), GAVE_TRUE),

@@ -3,6 +3,7 @@
 Exit code 2; 1 where the input is fine and the work fails: a shader that does not compile or does not end.
 """
 import json
+import subprocess
 import unittest
 
 from bad_input import BUILD, CHAPTERS, ROOT, BadInput
@@ -120,6 +121,40 @@ class Options(BadInput):
         self.refuse(CHAPTERS["02"], "--size", "1920x1080", "--screenshot", self.picture, code=1,
                     says="pass 'shade' did not end within 2", LIGHTWALK_TIMEOUT_S="2",
                     LIGHTWALK_OVERLAY=self.overlay(self.SOLUTION, endless))
+
+    def test_a_time_limit_that_is_none(self):
+        for limit in ("soon", "-1", "0", "nan", "5s"):
+            self.draw("02", says=f"LIGHTWALK_TIMEOUT_S is '{limit}'; it takes a number of seconds", LIGHTWALK_TIMEOUT_S=limit)
+        for limit in ("1e300", "inf"):
+            done = self.run_program(CHAPTERS["02"], "--size", "64x48", "--screenshot", self.picture, LIGHTWALK_TIMEOUT_S=limit)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+
+class Trouble(BadInput):
+    @unittest.skipIf("sanitizer" in str(BUILD), "a sanitizer takes more addresses than any limit would leave")
+    def test_little_memory_is_one_line(self):
+        """Whatever the driver does where memory ends: no silence, and no file is blamed."""
+        for program in (CHAPTERS["02"], BUILD / "chapters" / "06_deferred"):
+            for mebibytes in range(200, 700, 40):
+                with self.subTest(program=program.name, mebibytes=mebibytes):
+                    self.picture.unlink(missing_ok=True)
+                    done = self.run_program("prlimit", f"--as={mebibytes << 20}", program, "--size", "320x180",
+                                            "--screenshot", self.picture)
+                    self.assertIn(done.returncode, (0, 1, 2), done.stderr)
+                    self.assertEqual(self.picture.exists(), done.returncode == 0)
+                    self.assertNotRegex(done.stderr, "broken|cut off")
+                    if done.returncode:
+                        self.assertRegex(done.stderr, "(?m)^error: .{15,}$")
+
+    def test_whoever_waits_is_told(self):
+        """The first words come after 3 s; what is drawn by then needs none."""
+        drawing = subprocess.Popen([CHAPTERS["02"], "--set", "samples=4096", "--screenshot", self.picture], cwd=ROOT,
+                                   stderr=subprocess.PIPE, text=True)
+        with drawing:
+            said = drawing.stderr.readline()
+            drawing.kill()
+        self.assertRegex(said or "drawing: 1 of 4096 samples", r"\Adrawing: \d+ of 4096 samples\n?\Z")
+        self.assertFalse(self.picture.exists() and said)
 
 
 if __name__ == "__main__":

@@ -53,8 +53,9 @@ class Trouble(Course):
     @unittest.skipUnless(can(*READ_ONLY, "true"), "bubblewrap makes a folder read-only for this test, and cannot here")
     def test_a_tree_that_cannot_be_written(self):
         self.try_all(*READ_ONLY, "--ro-bind", str(self.root), str(self.root))
-        printed = self.run_program([*READ_ONLY, "--ro-bind", str(self.root), str(self.root), self.root / "course", "check"], 1)
-        self.assertRegex(printed, "course: .*Read-only file system; what is built goes below the course")
+        for folder in (self.root, self.root / "build"):
+            printed = self.run_program([*READ_ONLY, "--ro-bind", str(folder), str(folder), self.root / "course", "check"], 2)
+            self.assertRegex(printed, r"\Acourse: .*Read-only file system; what is built goes below the course.*\n\Z")
 
     @unittest.skipUnless(can(*AS_OTHER, "true"), "only root can be another user")
     def test_a_tree_of_another_user(self):
@@ -64,6 +65,14 @@ class Trouble(Course):
         for words in (["format", "--check"], ["handout", "/tmp/lightwalk.never"]):
             printed = self.run_program([*AS_OTHER, self.root / "course", *words], 1, HOME="/nonexistent")
             self.assertRegex(printed, r"\Acourse: git does not trust this copy, which is another user's: git config .*\n\Z")
+
+    def test_a_power_cut_leaves_empty_files(self):
+        self.course("check", "01", code=1)
+        for name, left in (("build.ninja", ""), ("build.ninja", "\0" * 4096), ("CMakeFiles/rules.ninja", "")):
+            with self.subTest(name, left=left[:1]):
+                (self.root / "build" / name).write_text(left)
+                self.assertIn("configuring build", self.course("check", "01", code=1))
+                self.assertNotIn("configuring", self.course("check", "01", code=1))
 
     def test_clean_removes_what_is_its_own(self):
         precious = self.outside / "precious"

@@ -1,4 +1,5 @@
-// Files that are none, writes that are cut short at any moment, and what is said of names that are not fit to print.
+// Files that are none, writes that are cut short at any moment, what is said of names that are not fit to print, and of
+// a crash.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -9,14 +10,19 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
+#include <new>
 
 #include "catch.h"
 #include "common/base/bytes.h"
+#include "common/base/crash.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/base/guarded.h"
+#include "common/base/sanitized.h"
 #include "common/base/text.h"
+#include "common/image/image.h"
 
 using namespace lightwalk;
 namespace fs = std::filesystem;
@@ -57,6 +63,44 @@ int in_child(const std::function<void()>& work, useconds_t killed_after_us = 0) 
     int status = 0;
     waitpid(child, &status, 0);
     return status;
+}
+
+// What `work` says on stderr in a copy of this process, and how that ends, as waitpid() has it.
+std::pair<std::string, int> crash_of(const std::function<void()>& work) {
+    int ends[2];
+    REQUIRE(pipe(ends) == 0);
+    const pid_t copy = fork();
+    if (copy == 0) {
+        dup2(ends[1], STDERR_FILENO);
+        const rlimit none{0, 0};
+        setrlimit(RLIMIT_CORE, &none);
+        say_crashes();
+        work();
+        _exit(0);
+    }
+    close(ends[1]);
+    std::string said;
+    char bytes[256];
+    for (ssize_t count = 0; (count = read(ends[0], bytes, sizeof bytes)) > 0;)
+        said.append(bytes, static_cast<size_t>(count));
+    close(ends[0]);
+    int status = 0;
+    waitpid(copy, &status, 0);
+    return {said, status};
+}
+
+// From now on this process gets no more than so many MiB.
+void leave_memory(size_t mib) {
+    size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlim_t most = pages * static_cast<size_t>(sysconf(_SC_PAGESIZE)) + (mib << 20);
+    const rlimit limit{most, most};
+    setrlimit(RLIMIT_AS, &limit);
+}
+
+void end_without_catching() noexcept {
+    [[maybe_unused]] static void* volatile kept;  // or the compiler leaves it out
+    kept = ::operator new (size_t{1} << 60);
 }
 
 }  // namespace
@@ -206,4 +250,44 @@ TEST_CASE("bytes: what is written is read back, and what is cut off is noticed")
         ByteReader cut(std::string_view(writer.bytes).substr(0, length));
         CHECK_THROWS_AS(cut(number, text, read_names, floats, path), Failure);
     }
+}
+
+TEST_CASE("a crash says one line, and its signal ends the program") {
+    if (sanitized) return;
+    for (const auto& [signal, name] : {std::pair{SIGSEGV, "Segmentation fault"}, std::pair{SIGABRT, "Aborted"}}) {
+        const auto [said, status] = crash_of([signal = signal] { raise(signal); });
+        CHECK(said == std::string("error: crashed (") + name + ")\n");
+        CHECK((WIFSIGNALED(status) && WTERMSIG(status) == signal));
+    }
+}
+
+TEST_CASE("where memory has ended a crash says that, and the exit code is 1") {
+    if (sanitized) return;
+    const auto crash = [] {
+        leave_memory(16);
+        raise(SIGSEGV);
+    };
+    for (const auto& work : {std::function<void()>(crash), std::function<void()>(end_without_catching)}) {
+        const auto [said, status] = crash_of(work);
+        CHECK(said == "error: there is not enough memory for this\n");
+        CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 1));
+    }
+}
+
+TEST_CASE("a JPEG for which there is no memory is not called broken") {
+    if (sanitized) return;
+    const std::string file = (course_root() / "assets/textures/portrait_albedo.jpg").string();
+    const auto [said, status] = crash_of([&] {
+        void* const left = std::malloc(1 << 20);  // for the file's bytes, and not for its texels
+        leave_memory(1);
+        while (std::malloc(1 << 19)) {}  // what others have freed is taken, too
+        std::free(left);
+        try {
+            read_image8(file);
+        } catch (const std::bad_alloc&) { _exit(7); } catch (const std::exception& e) {
+            [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, e.what(), std::strlen(e.what()));
+        }
+    });
+    CHECK(said == "");
+    CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 7));
 }

@@ -91,9 +91,9 @@ TEST_CASE_METHOD(OnDevice, "alpha to coverage covers as many samples as alpha sa
 TEST_CASE_METHOD(OnDevice, "read-only depth is tested against and sampled at once, and stays as it is") {
     const Image depth = image({.name = "depth", .format = VK_FORMAT_D32_SFLOAT, .size = {4, 4}});
     const Image color = image({.name = "color", .format = four_floats, .size = {4, 4}});
+    const Pipeline depth_only = quad_pipeline({}, "depth_only.frag");
     frame.raster("depth", {.depth = clear(depth, 0.25f)}, [&](Raster& pass) {
-        pass.use(paint).set("quad", Quad{.rectangle = left_half, .depth = 0.75f, .depth_right = 0.75f});
-        pass.set("paint", Paint{}).draw(6);
+        pass.use(depth_only).set("quad", Quad{.rectangle = left_half, .depth = 0.75f, .depth_right = 0.75f}).draw(6);
     });
     frame.raster("seen", {.color = {clear(color, glm::vec4(-1))}, .depth = read_only(depth)}, [&](Raster& pass) {
         pass.use(read_depth).set("quad", Quad{}).set("depth", depth, nearest_clamp).draw(6);  // at 0.5
@@ -160,10 +160,10 @@ TEST_CASE_METHOD(OnDevice, "depth is compared, written, clamped and moved as the
     const Image depth = image({.name = "depth", .format = VK_FORMAT_D32_SFLOAT, .size = {4, 4}});
     // The depth left by a rectangle over one of 0.5.
     const auto left_by = [&](const Pipeline::Graphics& states, const Quad& quad) {
-        const Pipeline pipeline = quad_pipeline(states);
+        const Pipeline pipeline = quad_pipeline(states, "depth_only.frag");
         frame.begin({4, 4}, 0);
         frame.raster("depth", {.depth = clear(depth, 0.5f)},
-                     [&](Raster& pass) { pass.use(pipeline).set("quad", quad).set("paint", Paint{}).draw(6); });
+                     [&](Raster& pass) { pass.use(pipeline).set("quad", quad).draw(6); });
         frame.end();
         return read<float>(depth)[5];
     };

@@ -1,0 +1,133 @@
+"""Tests of ./course test --on: where it cannot, one line says why; and what it would run."""
+
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from small_course import REAL, Course
+
+sys.path.insert(0, str(REAL / "common/course"))
+import container  # noqa: E402
+from tree import UsageError  # noqa: E402
+from test_course_trouble import AS_OTHER, can  # noqa: E402
+
+
+class Refusals(Course):
+    def refuse(self, expected: str, *words, **environment):
+        command = [sys.executable, self.root / "common/course/cli.py", "test", "--on", *words]
+        printed = self.run_program(command, 2, **environment)
+        self.assertRegex(printed, rf"\Acourse: [^\n]*{expected}[^\n]*\n\Z")
+        self.assertFalse((self.root / "build/on/trixie/root").exists())
+
+    def only(self, **programs: str) -> str:
+        """A PATH on which there are these programs alone: their texts."""
+        folder = self.outside / "bin"
+        folder.mkdir(exist_ok=True)
+        for name, text in programs.items():
+            (folder / name).write_text(f"#!/bin/sh\n{text}\n")
+            (folder / name).chmod(0o755)
+            self.addCleanup((folder / name).unlink)
+        return str(folder)
+
+    def test_an_unknown_system(self):
+        self.refuse("'woody' is no system to test on; there are bookworm, trixie", "woody")
+
+    @unittest.skipUnless(can(*AS_OTHER, "true"), "only root can be another user")
+    def test_not_root(self):
+        self.outside.chmod(0o755)
+        shutil.rmtree(self.root / "build", ignore_errors=True)
+        (self.root / "build").mkdir(mode=0o777)
+        (self.root / "build").chmod(0o777)
+        printed = self.run_program([*AS_OTHER, self.root / "course", "test", "--on", "trixie"], 2, HOME="/nonexistent")
+        self.assertEqual(printed, "course: only root can make a container of another system: sudo ./course test --on trixie\n")
+
+    @unittest.skipIf(os.geteuid(), "as root")
+    def test_what_is_missing(self):
+        self.refuse("there is no debootstrap .*: apt-get install debootstrap", "trixie", PATH=self.only())
+        self.refuse("there is no bwrap .*: apt-get install bubblewrap", "trixie", PATH=self.only(debootstrap=""))
+
+    @unittest.skipIf(os.geteuid(), "as root")
+    def test_no_network(self):
+        path = self.only(bwrap="", debootstrap="echo I: Retrieving; echo E: Failed getting release file; exit 1")
+        command = [sys.executable, self.root / "common/course/cli.py", "test", "--on", "trixie"]
+        printed = self.run_program(command, 2, PATH=path)
+        self.assertIn("course: debootstrap could not make Debian 13 from http", printed)
+        self.assertIn("E: Failed getting release file; all it said is in build/on/trixie/debootstrap.log", printed)
+        self.assertEqual(printed.count("\n"), 2)  # what it is about to do, and that
+        self.assertFalse((self.root / "build/on/trixie/root").exists())
+
+
+class Runs(Course):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        for words in ("init -q", "add -A", "-c user.name=x -c user.email=x commit -qm x"):
+            subprocess.run(["git", "-C", cls.root, *words.split()], check=True)
+
+    def commands(self, *words, code=0):
+        """What it runs, with `code` as the exit code of each."""
+        ran = []
+
+        def run(command, **_):
+            ran.append([str(word) for word in command])
+            return subprocess.CompletedProcess(command, code)
+        with mock.patch.multiple(container, BUILD=self.root / "build", require=lambda _: None, copy_tree=lambda _: None), \
+                mock.patch.object(container.subprocess, "run", run):
+            (self.root / "build/on/trixie/root").mkdir(parents=True, exist_ok=True)
+            result = container.test_on("trixie", list(words))
+        return result, ran
+
+    def test_its_two_commands_in_a_container(self):
+        result, [first, second] = self.commands()
+        self.assertEqual(result, 0)
+        root = str(self.root / "build/on/trixie/root")
+        self.assertEqual(first[:4], ["bwrap", "--bind", root, "/"])
+        self.assertEqual(first[-4:], [container.TREE, "--", "./course", "run"])
+        self.assertEqual(second[-4:], [container.TREE, "--", "./course", "test"])
+        self.assertNotIn(str(self.root), first[4:])
+
+    def test_a_selection_is_one_command_and_a_failure_is_its_code(self):
+        result, [only] = self.commands("shot", "-E", "07")
+        self.assertEqual(only[-5:], ["./course", "test", "shot", "-E", "07"])
+        result, ran = self.commands(code=1)
+        self.assertEqual((result, len(ran)), (1, 1))
+
+    def test_the_tree_there_is_the_tree_here(self):
+        there = self.outside / "there"
+        self.put("new.txt", "not committed")
+        self.put("docs/02_lambert.md", "# Changed\n")
+        self.remove("assets/models/b.obj")
+        self.put("build/built", "left out")
+
+        def copied():
+            with mock.patch.multiple(container, ROOT=self.root), mock.patch("tree.ROOT", self.root):
+                container.copy_tree(there)
+            return {str(path.relative_to(there)): path.stat().st_mtime_ns for path in there.rglob("*")
+                    if path.is_file() and ".git" not in path.parts}
+        first = copied()
+        self.assertEqual((there / "new.txt").read_text(), "not committed")
+        self.assertEqual((there / "docs/02_lambert.md").read_text(), "# Changed\n")
+        self.assertNotIn("assets/models/b.obj", first)
+        self.assertNotIn("build/built", first)
+        self.assertTrue(os.access(there / "course", os.X_OK))
+        (there / "build").mkdir()
+        (there / "build/kept").write_text("")
+        (self.root / "new.txt").unlink()
+        self.put("docs/01_obj.md", "# Again\n")
+        second = copied()
+        self.assertNotIn("new.txt", second)
+        self.assertIn("build/kept", second)
+        changed = {name for name in second if second[name] != first.get(name)} - {"build/kept"}
+        self.assertEqual(changed, {"docs/01_obj.md"})
+
+    def test_a_system_there_is_not(self):
+        with self.assertRaisesRegex(UsageError, "there are bookworm, trixie"):
+            container.require("sid")
+
+
+if __name__ == "__main__":
+    unittest.main()
