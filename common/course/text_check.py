@@ -31,7 +31,6 @@ QUOTE = re.compile(r"\s*<!-- quote: (\S+?)#(\S+) -->\s*$")
 FENCE = re.compile(r"\s*(```+|~~~+)")
 MARKER = re.compile(r"\s*(?://|#) \[(/?)([\w.-]+)\]\s*$")
 LINK = re.compile(r"!?\[[^\]]*\]\(<?([^)\s>]+)>?[^)]*\)|(?:src|href)=[\"']([^\"']+)[\"']")
-LESSON_WORDS = 4000  # at most, before "Further reading", counted as `wc -w` does
 # Paths that mean something on one machine only.
 PRIVATE = re.compile(r"(?<![\w.])/(?:%s)/\w" % "|".join(["work", "root", "home", "Users"]))
 
@@ -191,15 +190,12 @@ def check_private_paths(name: Path) -> list[str]:
 
 
 def check_lesson(chapter: str) -> list[str]:
-    """A lesson can be read in one sitting, names no chapter that is not there, and states its exercises in full."""
+    """A lesson names no chapter that is not there, and states its exercises in full."""
     name = Path(f"docs/{chapter}.md")
     if not (ROOT / name).exists():
         return []
     lines = (ROOT / name).read_text().splitlines()
-    end = next((i for i, line in enumerate(lines) if line.startswith("## Further reading")), len(lines))
-    count = sum(len(line.split()) for line in lines[:end])
-    wrong = [f"{name}: {count} words before its further reading; a lesson has at most {LESSON_WORDS}"] \
-        if count > LESSON_WORDS else []
+    wrong = []
     text = "\n".join(lines)
     if "## Exercises" in lines:
         graded = grades(chapter)
