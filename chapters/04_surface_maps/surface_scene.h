@@ -35,6 +35,9 @@ struct SurfaceScene : Drawing {
     void draw_transparent(Raster& pass, std::span<const Transparent> items, const Macros& variant) const override;
     // [/surface_scene]
 
+    /// For transparent_shading: the fragment shader with TRANSPARENT, which writes alpha and cuts nothing out.
+    static SurfacePipelines see_through(const char* fragment, Macros macros);
+
   protected:
     /// With the fragment shader that shades them.
     SurfaceScene(Module& owner, std::string name, const char* fragment);
@@ -51,7 +54,6 @@ struct SurfaceScene : Drawing {
     SurfacePipelines shade_;
 
   private:
-    static SurfacePipelines see_through(const char* fragment, Macros macros);
     // A tile knows the lights of what is opaque in it alone.
     SurfacePipelines see_through_, see_through_tiles_;
 };

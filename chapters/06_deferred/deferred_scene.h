@@ -24,6 +24,10 @@ struct DeferredScene : LitScene {
     } cull = Cull::fixed;  ///< of triangles that face away, from the G-buffer
 
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
+    /// None before what a G-buffer holds.
+    std::vector<Transparent> transparent(const View& view) const override {
+        return gbuffer.show.is("picture") ? LitScene::transparent(view) : std::vector<Transparent>{};
+    }
     // [/deferred_scene]
 
   private:

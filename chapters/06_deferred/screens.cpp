@@ -63,9 +63,15 @@ void Screens::record(Frame& frame, Scene& scene, const Draw& draw) {
         const Image& picture = screen->picture.now();
         View view = view_of(camera_of(scene.file, screen->camera, frame.time_s, fov_deg), picture.desc.size);
         view.id = ++id;
-        Canvas canvas(picture, screen->depth, glm::vec4(scene.file.background, 1.0f));
+        light_.fit(frame.gpu.device, {.name = path() + " light", .size = view.size});
+        Canvas canvas(light_, screen->depth, glm::vec4(scene.file.background, 1.0f));
         const ViewScope scope(frame, view);
         draw(view, canvas);
+        frame.compute(scene.file.objects[screen->object].name,
+                      {.reads = {canvas.color(frame)}, .writes = {ImageView(picture).codes()}}, [&](Compute& pass) {
+                          pass.use(encode_).set("hdr", light_, nearest_clamp);
+                          pass.set("result", ImageView(picture).codes()).dispatch_threads(view.size);
+                      });
     }
     show(scene, false);
 }

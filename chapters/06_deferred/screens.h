@@ -46,7 +46,8 @@ struct Screens : Module {
     void show(Scene& scene, bool before);
     bool is_screen(const DrawItem& item) const;
     std::vector<std::unique_ptr<Screen>> screens_;
-    Image black_;
+    Image black_, light_;
+    Pipeline encode_ = compute({.shader = "common/encode_srgb.comp"});
 };
 
 }  // namespace lightwalk

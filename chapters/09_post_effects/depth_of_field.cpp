@@ -80,7 +80,7 @@ void DepthOfField::sample_lens(Frame& frame, const View& view, Canvas& canvas, c
 Image& DepthOfField::image(Frame& frame, const char* name, VkFormat format, glm::uvec2 size) {
     Image& found = images_[name];
     const Image::Desc desc{.name = path() + " " + name, .format = format, .size = size};
-    if (!found || found.desc != desc) found = Image(frame.gpu.device, desc);
+    found.fit(frame.gpu.device, desc);
     return found;
 }
 

@@ -70,7 +70,7 @@ void Post::set_up(Frame& frame, glm::uvec2 size, size_t images) {
     between_.resize(std::min<size_t>(images, 2));
     for (Image& image : between_) {
         const Image::Desc desc{.name = path() + " between", .format = format, .size = size};
-        if (!image || image.desc != desc) image = Image(frame.gpu.device, desc);
+        image.fit(frame.gpu.device, desc);
     }
     if (dither.is("blue_noise") && !blue_noise_) blue_noise_ = upload_tile(frame.gpu, "blue noise", blue_noise(64));
     if (grain.is("texture") && !grain_tile_) grain_tile_ = upload_tile(frame.gpu, "grain", film_clumps(256));

@@ -5,7 +5,7 @@ namespace {
 
 void make(Frame& frame, Image& image, const char* name, glm::uvec2 size, VkFormat format) {
     const Image::Desc desc{.name = name, .format = format, .size = size};
-    if (!image || image.desc != desc) image = Image(frame.gpu.device, desc);
+    image.fit(frame.gpu.device, desc);
 }
 
 }  // namespace

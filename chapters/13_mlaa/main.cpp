@@ -32,6 +32,8 @@ struct MlaaChapter : ModelChapter {
     Terrain terrain{*this, "terrain"};
     Head head{*this, "head", objects, environment};
     const SurfacePipelines surface{{.fragment = "13_mlaa/surface.frag"}};
+    const SurfacePipelines glass =
+        LitScene::see_through("13_mlaa/surface.frag", {{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}});
     Pipeline look = compute({.shader = "13_mlaa/look.comp"});
     Pipeline cut_off = compute({.shader = "13_mlaa/clip.comp"});
     FourSamples four_samples{*this};
@@ -42,6 +44,7 @@ struct MlaaChapter : ModelChapter {
         objects.maps.method.change_default("normal");
         objects.lights.method.change_default("every_light");
         objects.shading = &surface;
+        objects.transparent_shading = &glass;
         julia.in_use = [this] { return world.is("julia"); };
         terrain.in_use = [this] { return world.is("terrain"); };
         head.skin.in_use = [this] { return world.is("head"); };

@@ -34,7 +34,7 @@ void Mlaa::set_up(Frame& frame, glm::uvec2 size) {
     Device& device = frame.gpu.device;
     const auto fit = [&](Image& image, const char* name, VkFormat format = VK_FORMAT_R32_UINT) {
         const Image::Desc desc{.name = path() + name, .format = format, .size = size};
-        if (!image || image.desc != desc) image = Image(device, desc);
+        image.fit(device, desc);
     };
     fit(mixed_, " mixed", VK_FORMAT_R16G16B16A16_SFLOAT);
     if (follows_edges()) fit(distances_[0], " distances"), fit(distances_[1], " longer distances");
@@ -46,7 +46,9 @@ void Mlaa::set_up(Frame& frame, glm::uvec2 size) {
     if (!list_ || list_.bytes != 4 * pixels) list_ = Buffer(device, {.name = "mlaa list", .bytes = 4 * pixels});
     if (std::exchange(toggles_, Exercises::version()) == Exercises::version()) return;
     const auto table = [&](Image& image, const char* name, uint32_t side, const std::vector<float>& values) {
-        if (!image) image = Image(device, {.name = name, .format = VK_FORMAT_R32_SFLOAT, .size = glm::uvec2(side)});
+        if (!image)
+            image = Image(device,
+                          {.name = name, .format = VK_FORMAT_R32_SFLOAT, .size = glm::uvec2(side), .kept = true});
         frame.upload(name, image, std::as_bytes(std::span(values)));
     };
     table(areas_, "mlaa areas", longest_reach, area_table());

@@ -10,4 +10,7 @@ void main() {
     radiance = min(radiance, 1.0);
 #endif
     color = vec4(min(radiance, 65504.0), 1.0);
+#ifdef TRANSPARENT
+    color.a = m.alpha;
+#endif
 }
