@@ -3,6 +3,7 @@
 #include <cstring>
 #include <numeric>
 #include <random>
+#include <regex>
 
 #include "common/gpu/frame.h"
 #include "common/gpu/glsl.h"
@@ -25,6 +26,13 @@ std::vector<uint32_t> orders() {
     return all;
 }
 
+// Names of the check's own: an answer that could name them could answer in the place of others. No answer that is
+// graded has a name with this beginning (common/course/glsl_answer.py).
+std::string hidden(std::string text) {
+    static const std::regex own(R"(\b(case_index|put_at|stands_for|given|puts|put|orders)\b)");
+    return std::regex_replace(text, own, "check_$1");
+}
+
 // A name that would go round the order.
 void replace_all(std::string& text, const std::string& old, const std::string& with) {
     for (size_t at = 0; (at = text.find(old, at)) != text.npos; at += with.size()) text.replace(at, old.size(), with);
@@ -34,25 +42,30 @@ void replace_all(std::string& text, const std::string& old, const std::string& w
 
 WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run) : puts_(run.puts) {
     const std::string size = std::to_string(workgroup_size);
-    std::string text = flatten_text(
-                           "uint case_index, put_at, stands_for;\n"
-                           "layout(scalar) readonly buffer GivenBuffer { uint given[]; };\n"
-                           "layout(scalar) writeonly buffer PutBuffer { uint puts[]; };\n"
-                           "void put(uint i, uint word) { puts[put_at + i] = word; }\n" +
-                               run.before + "\n#include \"" + run.include + "\"\n",
-                           "probe", "99", run.macros)
-                           .text;
+    const std::string before = hidden(
+        "uint case_index, put_at, stands_for;\n"
+        "layout(scalar) readonly buffer GivenBuffer { uint given[]; };\n"
+        "layout(scalar) writeonly buffer PutBuffer { uint puts[]; };\n"
+        "void put(uint i, uint word) { puts[put_at + i] = word; }\n"
+        "void check_barrier() { barrier(); }\n" +
+        run.before);
+    std::string text = flatten_text(before + "\n#include \"" + run.include + "\"\n", "probe", "99", run.macros).text;
     text = text.substr(text.find("#line 1 "));
-    replace_all(text, "gl_LocalInvocationIndex", "stands_for");
-    replace_all(text, "gl_LocalInvocationID", "uvec3(stands_for, 0, 0)");
+    replace_all(text, "gl_LocalInvocationIndex", "check_stands_for");
+    replace_all(text, "gl_LocalInvocationID", "uvec3(check_stands_for, 0, 0)");
+    // A function of GLSL's own may have been given another meaning by now, but for where it stands before.
+    static const std::regex wait(R"(\bbarrier\b)");
+    const std::string call = hidden(std::regex_replace(run.call, wait, "check_barrier"));
     text = "layout(local_size_x = " + size + ") in;\n" + text +
-           "\nlayout(scalar) readonly buffer OrderBuffer { uint orders[]; };\nvoid main() {\n"
-           "    uint local = orders[gl_WorkGroupID.y * " +
-           size +
-           "u + gl_LocalInvocationIndex];\n"
-           "    stands_for = local;\n    case_index = gl_WorkGroupID.x;\n"
-           "    put_at = ((gl_WorkGroupID.x * gl_NumWorkGroups.y + gl_WorkGroupID.y) * " +
-           size + "u + local) * " + std::to_string(puts_) + "u;\n" + run.call + "\n}\n";
+           hidden(
+               "\nlayout(scalar) readonly buffer OrderBuffer { uint orders[]; };\nvoid main() {\n"
+               "    uint local = orders[gl_WorkGroupID.y * " +
+               size +
+               "u + gl_LocalInvocationIndex];\n"
+               "    stands_for = local;\n    case_index = gl_WorkGroupID.x;\n"
+               "    put_at = ((gl_WorkGroupID.x * gl_NumWorkGroups.y + gl_WorkGroupID.y) * " +
+               size + "u + local) * " + std::to_string(puts_) + "u;\n") +
+           call + "\n}\n";
     const Pipeline pipeline = compute({.shader = "workgroup", .macros = run.macros, .source = text});
     const Buffer given = gpu.upload("given", run.given), order = gpu.upload("orders", orders());
     words_.resize(size_t(run.cases) * workgroup_orders * workgroup_size * puts_);
@@ -60,7 +73,7 @@ WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run) : puts_(ru
     Frame frame(gpu);
     frame.begin({1, 1}, 0.0f);
     frame.compute(run.include, {.writes = {results}}, [&](Compute& pass) {
-        pass.use(pipeline).set("given", given).set("orders", order).set("puts", results);
+        pass.use(pipeline).set("check_given", given).set("check_orders", order).set("check_puts", results);
         pass.dispatch({run.cases, workgroup_orders, 1});
     });
     frame.end();

@@ -13,32 +13,32 @@ namespace {
 
 const std::string before = R"(
 #define KNOWN_LAB
-shared uint asked[484];
+shared uint check_asked[484];
 int corner_x() { return 16 * int(case_index) - 16; }
 int corner_y() { return 16 - 16 * int(case_index); }
 vec3 lab_at(ivec2 pixel) {
     ivec2 place = clamp(pixel - ivec2(corner_x(), corner_y()) + 3, ivec2(0), ivec2(21));
-    atomicAdd(asked[place.y * 22 + place.x], 1u);
+    atomicAdd(check_asked[place.y * 22 + place.x], 1u);
     uint n = uint(pixel.x + 64) * 73856093u ^ uint(pixel.y + 64) * 19349663u;
-    n = (n ^ n >> 13) * 0x5bd1e995u;
+    n = ((n ^ n >> 13) + given[0]) * 0x5bd1e995u;
     n ^= n >> 15;
     return vec3(n & 63u, n >> 8 & 31u, n >> 16 & 31u);
 }
 )";
 const char* const call = R"(
-for (uint i = local; i < 484u; i += 256u) asked[i] = 0u;
+for (uint i = local; i < 484u; i += 256u) check_asked[i] = 0u;
 for (int slot = int(local); slot < 18 * 18; slot += 256) keep_lab(slot, vec3(-777.0));
 barrier();
 uint edges = lab_edges(ivec2(corner_x(), corner_y()), 24.6);
 put(0u, edges);
 barrier();
-put(1u, asked[local]);
-put(2u, local + 256u < 484u ? asked[local + 256u] : 0u);
+put(1u, check_asked[local]);
+put(2u, local + 256u < 484u ? check_asked[local + 256u] : 0u);
 )";
 
 glm::dvec3 lab_at(int x, int y) {
     uint32_t n = (uint32_t(x + 64) * 73856093u) ^ (uint32_t(y + 64) * 19349663u);
-    n = (n ^ n >> 13) * 0x5bd1e995u;
+    n = ((n ^ n >> 13) + check_seed()) * 0x5bd1e995u;
     n ^= n >> 15;
     return {double(n & 63u), double(n >> 8 & 31u), double(n >> 16 & 31u)};
 }
@@ -60,9 +60,12 @@ std::string in_words(uint32_t edges) {
 
 CHECK_EXERCISE("13.lab_edges",
                "a loop in which each thread keeps every 256th of 18 by 18 pixels, a barrier(), then four distances") {
-    const WorkgroupResults results(
-        check_device(),
-        {.include = "13_mlaa/lab_edges.glsl", .before = before, .call = call, .given = {0}, .cases = 3, .puts = 3});
+    const WorkgroupResults results(check_device(), {.include = "13_mlaa/lab_edges.glsl",
+                                                    .before = before,
+                                                    .call = call,
+                                                    .given = {check_seed()},
+                                                    .cases = 3,
+                                                    .puts = 3});
     for (uint32_t which = 0; which < 3; ++which)
         for (uint32_t order = 0; order < workgroup_orders; ++order) {
             const int corner_x = 16 * int(which) - 16, corner_y = 16 - 16 * int(which);

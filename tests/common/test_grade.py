@@ -18,13 +18,13 @@ import zlib
 from pathlib import Path
 from unittest import mock
 
-from grading import CHAPTERS, PLACES, REAL, Class, right
+from grading import CHAPTERS, OF, PLACES, REAL, Class, right
 from alike import alike
-from grade import cell, grade, groups, table, write_files
+from glsl_answer import Refused, macros_of_checks, plain
+from grade import grade, groups, table, write_files
 from judge import Judge, same_text
-from macros import foreign_macro
-from submission import find, printable, read
-from tree import Failure, UsageError, exercises
+from submission import cell, find, printable, read
+from tree import Failure, UsageError
 
 LAMBERT, FADE = PLACES["02.lambert"], PLACES["03.range_fade"]
 RIGHT = right("02.lambert").encode()
@@ -39,6 +39,13 @@ def zipped(path: Path, members: dict, compression=zipfile.ZIP_DEFLATED, **attrib
             for key, value in attributes.items():
                 setattr(info, key, value)
             archive.writestr(info, data)
+
+
+def repeated(path: Path, data: bytes, times: int):
+    """A zip that has one exercise many times, each of another name to zipfile's eyes and the same to ours."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for i in range(times):
+            archive.writestr(f"{i}/{LAMBERT}", data)
 
 
 def tarred(path: Path, members: dict, mode="w:gz", **attributes):
@@ -65,7 +72,7 @@ class Submissions(Class):
         cls.student("starter in dos", {"02.lambert": OPEN.replace(b"\n", b"\r\n")})
         cls.student("nested/course", {"02.lambert": RIGHT})
         zipped(at / "zip.zip", member)
-        zipped(at / "zip with lzma.zip", member, zipfile.ZIP_LZMA)
+        zipped(at / "stored.zip", member, zipfile.ZIP_STORED)
         zipped(at / "dots.zip", {**member, f"../../{LAMBERT}": OPEN, f"/{LAMBERT}": OPEN})
         zipped(at / "of links.zip", member, external_attr=0o120777 << 16)
         for kind in ("gz", "bz2", "xz"):
@@ -121,6 +128,11 @@ class Submissions(Class):
                 data += pack.compress(bytes(1 << 20))
             (at / name).write_bytes(data + pack.flush())
         zipped(at / "bomb.zip", {f"course/{LAMBERT}": bytes(64 << 20)})
+        # These two methods unpack all of a member at once, however little of it is asked for.
+        zipped(at / "bomb by bzip2.zip", {f"course/{LAMBERT}": bytes(300 << 20)}, zipfile.ZIP_BZIP2)
+        zipped(at / "bomb by lzma.zip", {f"course/{LAMBERT}": bytes(300 << 20)}, zipfile.ZIP_LZMA)
+        zipped(at / "many.zip", {f"{i}": b"" for i in range(21000)})
+        repeated(at / "again and again.zip", bytes(1 << 18), 1100)
         tarred(at / "many.tar.gz", {f"{i}": b"" for i in range(21000)}, "w:gz")
         (at / "greedy.tar.xz").write_bytes(xz_of_large_dictionary())
 
@@ -129,7 +141,7 @@ class Submissions(Class):
         self.assertTrue(self.result(student, "02.lambert")["ok"], self.result(student, "02.lambert"))
 
     def test_what_can_be_read_is_judged(self):
-        for student in ("plain", "bom", "dos", "nested", "zip", "zip with lzma", "dots", "tar.gz", "tar.bz2", "tar.xz",
+        for student in ("plain", "bom", "dos", "nested", "zip", "stored", "dots", "tar.gz", "tar.bz2", "tar.xz",
                         "tar", "not utf8", r"a name\u000ahonest 2 of 2\u001b[2J", "=cmd|calc!A0", r"\xff\xfe latin"):
             with self.subTest(student):
                 self.right(student)
@@ -145,6 +157,8 @@ class Submissions(Class):
                                ("large", "larger than 256 KiB"), ("bomb", "unpacks to more|larger than 256 KiB"),
                                ("bomb (2)", "unpacks to more|larger than 256 KiB"),
                                ("bomb (3)", "unpacks to more|larger than 256 KiB"), ("many", "more than 20000 files"),
+                               ("many (2)", "more than 20000 files"), ("bomb by bzip2", "packed by method 12"),
+                               ("bomb by lzma", "packed by method 14"), ("again and again", "unpacks to more than 256 MiB"),
                                ("greedy", "cannot be read: .*[Mm]emory")):
             with self.subTest(student):
                 self.assertRegex(self.grades[student]["error"] or "nothing", words)
@@ -157,6 +171,17 @@ class Submissions(Class):
 
     def test_two_of_one_name_are_two(self):
         self.assertEqual(self.grades["plain (2)"]["right"], 0)
+
+    def test_no_two_students_are_one_row(self):
+        """Whatever their files are called: the second "ann" is not the folder "ann (2)"."""
+        at = self.outside / "names"
+        for name in ("ann", "ann (2)", "ann (2) (2)", "=b", "'=b"):
+            (at / name).mkdir(parents=True)
+        for name in ("ann.zip", "ann.tar", "ann (2).zip"):
+            (at / name).touch()
+        found = [one.student for one in find([at])]
+        self.assertEqual(len({cell(name) for name in found}), 8, found)
+        self.assertEqual(len(set(found)), 8, found)
 
     def test_files_and_table(self):
         out = self.outside / "out"
@@ -217,22 +242,39 @@ class Pictures(Class):
         cls.student("honest", {name: right(name) for name in cls.wanted})
         two_faces = right("02.lambert").replace("{\n", "{\n#ifdef METHOD\n    return 0.3;\n#endif\n", 1)
         writes = """{
-    const int out = open("/out/picture.png", O_CREAT | O_WRONLY, 0600);
-    if (out >= 0) { (void)!write(out, "no picture", 10); _exit(0); }
+    struct stat about;
+    for (int fd = 3; fd < 64; ++fd)
+        if (!fstat(fd, &about) && S_ISREG(about.st_mode) && write(fd, "no picture", 10) == 10) _exit(0);
 """
-        linked = """{
-    if (!symlink("/grade/expected.png", "/out/picture.png") || !symlink("CLASS/golden.png", "/out/picture.png")) _exit(0);
+        # 3,000 folders in one another wherever it may write, and as much as that takes: nobody walks through them.
+        nests = """{
+    for (const char* where : {"/out", "/tmp", "/grade", "/dev", "."})
+        if (!chdir(where)) for (int i = 0; i < 3000 && !mkdir("x", 0777) && !chdir("x"); ++i) {}
+    for (const char* where : {"/out/", "/grade/", "/dev/", "/"})
+        for (int i = 0; i < 3; ++i)
+            if (open((where + std::to_string(i)).c_str(), O_CREAT | O_WRONLY, 0600) >= 0) _exit(3);
 """
-        head = "#include <fcntl.h>\n#include <unistd.h>\n#include <cstdlib>\n"
+        fills = """{
+    static char all[1 << 20];
+    struct stat about;
+    for (int fd = 3; fd < 64; ++fd)
+        if (!fstat(fd, &about) && S_ISREG(about.st_mode)) {
+            while (write(fd, all, sizeof all) > 0) {}
+            _exit(0);
+        }
+"""
+        head = "#include <fcntl.h>\n#include <sys/stat.h>\n#include <unistd.h>\n#include <cstdlib>\n#include <string>\n"
         cls.student("two faces", {"02.lambert": two_faces})
         cls.student("own picture", {"01.triangulate": head + body(right("01.triangulate"), writes)})
-        cls.student("a link", {"01.triangulate": head + body(right("01.triangulate"), linked)})
+        cls.student("nests", {"01.triangulate": head + body(right("01.triangulate"), nests)})
+        cls.student("fills", {"01.triangulate": head + body(right("01.triangulate"), fills)})
 
     def test_pictures(self):
         self.assertEqual(self.grades["honest"]["right"], 3, self.grades["honest"])
+        self.assertTrue(self.result("nests", "01.triangulate")["ok"], self.result("nests", "01.triangulate"))
         for student, exercise, words in (("two faces", "02.lambert", "pixels differ|one colour"),
                                          ("own picture", "01.triangulate", "cannot be compared"),
-                                         ("a link", "01.triangulate", "no picture came out")):
+                                         ("fills", "01.triangulate", "no picture came out|it ended with")):
             result = self.result(student, exercise)
             self.assertFalse(result["ok"], result)
             self.assertRegex(result["first_failure"], f"the numbers are right, the picture of .* is not: .*({words})")
@@ -256,7 +298,11 @@ class Words(unittest.TestCase):
     def test_names_are_one_printable_word(self):
         self.assertEqual(printable("a\nb\x1b\u202e\udcff"), r"a\u000ab\u001b\u202e\xff")
         self.assertEqual(len(printable("x" * 1000)), 200)
-        self.assertEqual([cell(text) for text in ("ann", "=1", "@x", "-1")], ["ann", "'=1", "'@x", "'-1"])
+        for text, meant in (("ann", "ann"), ("a=b-c", "a=b-c"), ("=1", "'=1"), ("@x", "'@x"), ("-1", "'-1"), (" =1", " '=1"),
+                            ("a;=cmd", "a;'=cmd"), ("a; +1", "a; '+1"), ("\uff1d1", "'\uff1d1"), ("\uff0b1", "'\uff0b1"),
+                            ("\u00a0\uff201", "\u00a0'\uff201"), ("a,\ufe63", "a,'\ufe63"), ("\u22121", "'\u22121"),
+                            ('"=1', "\"'=1")):
+            self.assertEqual(cell(text), meant)
 
     def test_what_is_no_class_is_one_line(self):
         for path, words in (("/dev/null", "neither a folder nor an archive"), ("/no/such", "no such file"),
@@ -266,13 +312,28 @@ class Words(unittest.TestCase):
 
     def test_a_macro_of_another_is_refused(self):
         path = REAL / LAMBERT
-        self.assertEqual(foreign_macro(b"#define MY_OWN 1\nfloat lambert() {}", path), "")
-        for name in ("probe_outputs", "case_index", "main", "gl_WorkGroupID", "put"):
-            self.assertIn(name, foreign_macro(f"#define {name} 1".encode(), path))
-        for chapter in CHAPTERS:
-            for exercise, place in exercises(chapter).items():
-                if place.suffix == ".glsl":
-                    self.assertEqual(foreign_macro(right(exercise).encode(), place), "")
+        self.assertEqual(plain(b"#define MY_OWN 1\nfloat lambert() {}", path), "#define MY_OWN 1\nfloat lambert() {}")
+        for name in ("probe_outputs", "case_index", "main", "gl_WorkGroupID", "put", "LIGHTS_METHOD"):
+            with self.assertRaisesRegex(Refused, name):
+                plain(f"#define {name} 1".encode(), path)
+
+    def test_what_is_right_is_not_refused(self):
+        for exercise, chapter in OF.items():
+            if (place := REAL / PLACES[exercise]).suffix == ".glsl":
+                for text in (right(exercise), place.read_text(), right(exercise).replace("\n", "\r\n")):
+                    self.assertEqual(len(plain(text.encode(), place).split("\n")), text.count("\n") + 1)
+        for name in ("COUNTED", "KNOWN_LAB", "KNOWN_AIR", "MOST_READS", "FIELD_WIDTH"):
+            self.assertIn(name, macros_of_checks())
+
+    def test_plain_is_what_the_compiler_reads(self):
+        path = REAL / LAMBERT
+        for text, meant in (("a /* b\n */ c", "a  \n c"), ("a // b\nc", "a \nc"), ("a // b \\\nc\nd", "a \n\nd"),
+                            ("a\\\r\nb", "ab\n"), ("a\rb\r\nc", "a\nb\nc"), ("// /*\nb // */", "\nb "),
+                            ("/* // */ b", "  b"), ('/* " */ b // "', "  b ")):
+            self.assertEqual(plain(text.encode(), path), meant)
+        for text in ("a \0 b", "a \x0b b", "float \u00e9;", 'a "b"', "a # b", "#\\\nline 1", "/*", "#extension a : b"):
+            with self.assertRaises(Refused, msg=text):
+                plain(text.encode(), path)
 
     def test_alike(self):
         starters = {"01.a": b"int f() {\n    return 0;\n}\n"}
