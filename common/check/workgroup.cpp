@@ -1,5 +1,6 @@
 #include "common/check/workgroup.h"
 
+#include <algorithm>
 #include <cstring>
 #include <numeric>
 #include <random>
@@ -33,6 +34,15 @@ std::string hidden(std::string text) {
     return std::regex_replace(text, own, "check_$1");
 }
 
+// In a buffer of its own: shared memory could be overwritten from an array beside it.
+std::string counting(uint32_t counts) {
+    if (counts == 0) return "";
+    return "layout(scalar) buffer CountBuffer { uint check_counts[]; };\n"
+           "void check_count(uint i) { atomicAdd(check_counts[(gl_WorkGroupID.x * gl_NumWorkGroups.y + "
+           "gl_WorkGroupID.y) * " +
+           std::to_string(counts) + "u + i], 1u); }\n";
+}
+
 // A name that would go round the order.
 void replace_all(std::string& text, const std::string& old, const std::string& with) {
     for (size_t at = 0; (at = text.find(old, at)) != text.npos; at += with.size()) text.replace(at, old.size(), with);
@@ -40,7 +50,7 @@ void replace_all(std::string& text, const std::string& old, const std::string& w
 
 }  // namespace
 
-WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run) : puts_(run.puts) {
+WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run) : puts_(run.puts), counts_(run.counts) {
     const std::string size = std::to_string(workgroup_size);
     const std::string before = hidden(
         "uint case_index, put_at, stands_for;\n"
@@ -48,7 +58,7 @@ WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run) : puts_(ru
         "layout(scalar) writeonly buffer PutBuffer { uint puts[]; };\n"
         "void put(uint i, uint word) { puts[put_at + i] = word; }\n"
         "void check_barrier() { barrier(); }\n" +
-        run.before);
+        counting(counts_) + run.before);
     std::string text = flatten_text(before + "\n#include \"" + run.include + "\"\n", "probe", "99", run.macros).text;
     text = text.substr(text.find("#line 1 "));
     replace_all(text, "gl_LocalInvocationIndex", "check_stands_for");
@@ -70,14 +80,18 @@ WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run) : puts_(ru
     const Buffer given = gpu.upload("given", run.given), order = gpu.upload("orders", orders());
     words_.resize(size_t(run.cases) * workgroup_orders * workgroup_size * puts_);
     const Buffer results(gpu.device, {.name = "puts", .bytes = 4 * words_.size()});
+    counted_.resize(size_t(run.cases) * workgroup_orders * std::max(counts_, 1u));
+    const Buffer counters = gpu.upload("counts", counted_);
     Frame frame(gpu);
     frame.begin({1, 1}, 0.0f);
-    frame.compute(run.include, {.writes = {results}}, [&](Compute& pass) {
+    frame.compute(run.include, {.reads = {counters}, .writes = {results, counters}}, [&](Compute& pass) {
         pass.use(pipeline).set("check_given", given).set("check_orders", order).set("check_puts", results);
+        if (counts_ > 0) pass.set("check_counts", counters);
         pass.dispatch({run.cases, workgroup_orders, 1});
     });
     frame.end();
     std::memcpy(words_.data(), gpu.read_back(results).data(), 4 * words_.size());
+    std::memcpy(counted_.data(), gpu.read_back(counters).data(), 4 * counted_.size());
 }
 
 }  // namespace lightwalk

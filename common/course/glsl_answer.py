@@ -80,7 +80,7 @@ def without_comments(text: str) -> str:
             end = min((i for i in (text.find('"', at + 1), text.find("\n", at + 1)) if i >= 0), default=len(text))
             out.append(text[at:end + 1])
             at = end + 1
-        elif text[at] in "\t\n" or " " <= text[at] <= "~":
+        elif text[at] in "\t\n" or (" " <= text[at] <= "~" and text[at] != "\\"):
             out.append(text[at])
             at += 1
         else:

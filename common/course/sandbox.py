@@ -11,6 +11,7 @@ import dataclasses
 import functools
 import os
 import platform
+import re
 import selectors
 import shutil
 import signal
@@ -155,11 +156,16 @@ class Running:
         with tempfile.TemporaryFile() as filter_file:
             filter_file.write(seccomp(limits.processes))
             filter_file.seek(0)
-            words = wrapped(command, mounts, limits, environment or {}, filter_file.fileno())
-            self.process = subprocess.Popen(words, stdin=subprocess.DEVNULL, pass_fds=(*pass_fds, filter_file.fileno()),
-                                            stdout=subprocess.PIPE if out else subprocess.DEVNULL, cwd="/",
-                                            stderr=subprocess.STDOUT if out else subprocess.DEVNULL,
-                                            start_new_session=True)
+            told, tells = os.pipe()
+            words = wrapped(command, mounts, limits, environment or {}, filter_file.fileno(), tells)
+            self.process = subprocess.Popen(words, stdin=subprocess.DEVNULL, cwd="/", start_new_session=True,
+                                            pass_fds=(*pass_fds, filter_file.fileno(), tells),
+                                            stdout=subprocess.PIPE if out else subprocess.DEVNULL,
+                                            stderr=subprocess.STDOUT if out else subprocess.DEVNULL)
+            os.close(tells)
+            with os.fdopen(told) as words:
+                found = re.search(r'"child-pid": *(\d+)', words.read())
+            self.first = int(found[1]) if found else 0
 
     def finish(self) -> Done:
         """Waits for its end, or for the end of its time or of our patience with its output."""
@@ -192,15 +198,21 @@ class Running:
         return Done(128 - code if code < 0 else code, text, late, long)
 
     def kill(self):
-        """Its first process takes all others with it. For any thread: whoever waits for its output sees the end of it."""
-        if self.process.returncode is None:
+        """Its first process takes all others with it, and not all of them end with bubblewrap: whoever becomes another
+        user, or asks the kernel to, is forgotten by --die-with-parent. For any thread: whoever waits for its output sees
+        the end of it."""
+        if self.process.returncode is None or self.process.returncode < 0:
+            with contextlib.suppress(ProcessLookupError):
+                if self.first:
+                    os.kill(self.first, signal.SIGKILL)
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(self.process.pid, signal.SIGKILL)
 
     def close(self):
-        if self.process.poll() is None:
+        if self.process.poll() is None or self.process.returncode < 0:
             self.kill()
             self.process.wait()
+        self.first = 0
         if self.process.stdout:
             self.process.stdout.close()
 
@@ -209,7 +221,7 @@ def run(command, mounts: Mounts, limits: Limits, environment=None) -> Done:
     return Running(command, mounts, limits, environment).finish()
 
 
-def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_fd: int) -> list[str]:
+def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_fd: int, told_fd: int) -> list[str]:
     """The whole command line: limits, then the sandbox, then the command."""
     words = ["prlimit", f"--as={limits.memory_bytes}", f"--cpu={int(limits.wall_s) + 1}", f"--fsize={64 << 20}",
              "--core=0", "--nofile=256", "--", "bwrap", *own_world(), "--die-with-parent", "--new-session", "--as-pid-1",
@@ -230,7 +242,7 @@ def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_f
         if os.path.isdir(path):
             words += ["--size", "4096", "--tmpfs", path, "--remount-ro", path]
     words += ["--perms", "1777", "--size", str(TMP_BYTES), "--tmpfs", "/tmp"]
-    return words + mounts.words + ["--remount-ro", "/", "--chdir", "/tmp", "--seccomp", str(filter_fd), "--",
+    return words + mounts.words + ["--remount-ro", "/", "--chdir", "/tmp", "--seccomp", str(filter_fd), "--info-fd", str(told_fd), "--",
                     *becoming_nobody(), *[str(word) for word in command]]
 
 
@@ -243,5 +255,4 @@ def own_world() -> list[str]:
 
 
 def becoming_nobody() -> list[str]:
-    # Another user would outlive bubblewrap: the kernel forgets the signal of --die-with-parent with the user.
-    return ["setpriv", f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups", "--pdeathsig=KILL"] if drops_root() else []
+    return ["setpriv", f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups"] if drops_root() else []

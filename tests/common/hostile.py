@@ -171,6 +171,8 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     "never returns, deaf": (
         box("sigset_t all; sigfillset(&all); sigprocmask(SIG_SETMASK, &all, nullptr); signal(SIGALRM, SIG_IGN); "
             "for (volatile int i = 0;; i = i + 1) {}"), "did not return within 2 s"),
+    "never returns, for nobody": (
+        box("prctl(PR_SET_PDEATHSIG, 0); for (;;) pause();", "#include <sys/prctl.h>\n"), "did not return within 2 s"),
     "never ends": (box("std::atexit([] { for (;;) pause(); }); std::exit(0);"), "did not return within 2 s"),
     "takes all memory": (
         box('for (size_t got = 0;; got += 1 << 24) std::memset(std::malloc(1 << 24), 1, 1 << 24);'),
@@ -210,7 +212,7 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     "GLSL: includes the users": (lambert('#include "../../../../../../etc/passwd"\n'), "a path below shaders/"),
     "GLSL: includes itself": (lambert('#include "02_lambert_phong/lambert.glsl"\n' + GLSL % "0.5"), "gave 0.5"),
     "GLSL: defines the check": (lambert("#define value what\n" + GLSL % "0.5"), "a name that others use"),
-    "GLSL: defines it in two lines": (lambert("#/* */define \\\n probe_outputs mine\n" + GLSL % "0.5"), "a name that others"),
+    "GLSL: defines it in two lines": (lambert("#/* */define \\\n main mine\n" + GLSL % "0.5"), "a name that others"),
     "GLSL: defines main": (lambert("#define main other\n" + GLSL % "0.5"), "a name that others use"),
     "GLSL: defines main behind a comment": (
         lambert("// /*\n#define main other\n// */\n" + GLSL % "0.5"), "a name that others use"),

@@ -331,7 +331,7 @@ class Words(unittest.TestCase):
                             ("a\\\r\nb", "ab\n"), ("a\rb\r\nc", "a\nb\nc"), ("// /*\nb // */", "\nb "),
                             ("/* // */ b", "  b"), ('/* " */ b // "', "  b ")):
             self.assertEqual(plain(text.encode(), path), meant)
-        for text in ("a \0 b", "a \x0b b", "float \u00e9;", 'a "b"', "a # b", "#\\\nline 1", "/*", "#extension a : b"):
+        for text in ("a \0 b", "a \x0b b", "float \u00e9;", 'a "b"', "a # b", "a \\\\\n\nb", "a \\ b", "#\\\nline 1", "/*", "#extension a : b"):
             with self.assertRaises(Refused, msg=text):
                 plain(text.encode(), path)
 
