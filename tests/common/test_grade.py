@@ -1,4 +1,4 @@
-"""Tests of ./course grade: what is read of a submission, what is written about it, and that it refuses without a sandbox."""
+"""Tests of ./course grade: what is read of a submission, and what is written about it."""
 
 import bz2
 import csv
@@ -7,8 +7,6 @@ import json
 import lzma
 import os
 import struct
-import subprocess
-import sys
 import tarfile
 import threading
 import time
@@ -18,13 +16,10 @@ import zlib
 from pathlib import Path
 from unittest import mock
 
-from grading import CHAPTERS, OF, PLACES, REAL, Class, right
-from alike import alike
-from glsl_answer import Refused, macros_of_checks, plain
-from grade import grade, groups, table, write_files
+from grading import CHAPTERS, PLACES, REAL, Class, right
+from grade import grade, table, write_files
 from judge import Judge, same_text
-from submission import cell, find, printable, read
-from tree import Failure, UsageError
+from submission import cell, find
 
 LAMBERT, FADE = PLACES["02.lambert"], PLACES["03.range_fade"]
 RIGHT = right("02.lambert").encode()
@@ -292,83 +287,6 @@ def xz_of_large_dictionary() -> bytes:
     stream = b"\xfd7zXZ\x00" + flags + struct.pack("<I", zlib.crc32(flags))
     block = b"\x02\x00\x21\x01\x25\x00\x00\x00"
     return stream + block + struct.pack("<I", zlib.crc32(block)) + b"\x01\x00\x00x\x00\x00\x00\x00"
-
-
-class Words(unittest.TestCase):
-    def test_names_are_one_printable_word(self):
-        self.assertEqual(printable("a\nb\x1b\u202e\udcff"), r"a\u000ab\u001b\u202e\xff")
-        self.assertEqual(len(printable("x" * 1000)), 200)
-        for text, meant in (("ann", "ann"), ("a=b-c", "a=b-c"), ("=1", "'=1"), ("@x", "'@x"), ("-1", "'-1"), (" =1", " '=1"),
-                            ("a;=cmd", "a;'=cmd"), ("a; +1", "a; '+1"), ("\uff1d1", "'\uff1d1"), ("\uff0b1", "'\uff0b1"),
-                            ("\u00a0\uff201", "\u00a0'\uff201"), ("a,\ufe63", "a,'\ufe63"), ("\u22121", "'\u22121"),
-                            ('"=1', "\"'=1")):
-            self.assertEqual(cell(text), meant)
-
-    def test_what_is_no_class_is_one_line(self):
-        for path, words in (("/dev/null", "neither a folder nor an archive"), ("/no/such", "no such file"),
-                            ("x" * 300, "too long"), ("a\0b", "no such file")):
-            with self.assertRaisesRegex(UsageError, words):
-                find([Path(path)])
-
-    def test_a_macro_of_another_is_refused(self):
-        path = REAL / LAMBERT
-        self.assertEqual(plain(b"#define MY_OWN 1\nfloat lambert() {}", path), "#define MY_OWN 1\nfloat lambert() {}")
-        for name in ("probe_outputs", "case_index", "main", "gl_WorkGroupID", "put", "LIGHTS_METHOD"):
-            with self.assertRaisesRegex(Refused, name):
-                plain(f"#define {name} 1".encode(), path)
-
-    def test_what_is_right_is_not_refused(self):
-        for exercise, chapter in OF.items():
-            if (place := REAL / PLACES[exercise]).suffix == ".glsl":
-                for text in (right(exercise), place.read_text(), right(exercise).replace("\n", "\r\n")):
-                    self.assertEqual(len(plain(text.encode(), place).split("\n")), text.count("\n") + 1)
-        for name in ("COUNTED", "KNOWN_LAB", "KNOWN_AIR", "MOST_READS", "FIELD_WIDTH"):
-            self.assertIn(name, macros_of_checks())
-
-    def test_plain_is_what_the_compiler_reads(self):
-        path = REAL / LAMBERT
-        for text, meant in (("a /* b\n */ c", "a  \n c"), ("a // b\nc", "a \nc"), ("a // b \\\nc\nd", "a \n\nd"),
-                            ("a\\\r\nb", "ab\n"), ("a\rb\r\nc", "a\nb\nc"), ("// /*\nb // */", "\nb "),
-                            ("/* // */ b", "  b"), ('/* " */ b // "', "  b ")):
-            self.assertEqual(plain(text.encode(), path), meant)
-        for text in ("a \0 b", "a \x0b b", "float \u00e9;", 'a "b"', "a # b", "a \\\\\n\nb", "a \\ b", "#\\\nline 1", "/*", "#extension a : b"):
-            with self.assertRaises(Refused, msg=text):
-                plain(text.encode(), path)
-
-    def test_alike(self):
-        starters = {"01.a": b"int f() {\n    return 0;\n}\n"}
-        long = b"int f() {\n" + b"".join(b"    x%d = y[%d] + %d;\n" % (i, i, i) for i in range(60)) + b"}\n"
-        renamed = long.replace(b"    x7 = y", b"    z7 = y") + b"// mine\n"
-        short = b"int f() {\n    return 1;\n}\n"
-        other = long.replace(b"y", b"w")
-        found = alike({"ann": {"01.a": long}, "ben": {"01.a": long}, "cat": {"01.a": renamed}, "dan": {"01.a": short},
-                       "eve": {"01.a": short}, "fay": {"01.a": other}}, starters)
-        self.assertEqual({(a, b): what for a, b, what in found},
-                         {("ann", "ben"): "all that they added is the same",
-                          ("ann", "cat"): "all that they added is the same to 98 %",
-                          ("ben", "cat"): "all that they added is the same to 98 %"})
-
-    def test_who_is_alike_is_said_once(self):
-        def one(student, *others):
-            return {"student": student, "alike": [{"student": other, "what": "all"} for other in others]}
-        found = groups([one("a", "b"), one("b", "a"), one("c"), one("d", "e", "f"), one("e", "d"), one("f", "d")])
-        self.assertEqual(found, ["a, b: all", "d, e, f: grades.json says what"])
-
-    def test_without_a_sandbox_it_refuses(self):
-        """And names the package, before a submission is opened or anything is built."""
-        with mock.patch("shutil.which", lambda name: None), mock.patch("judge.build", side_effect=AssertionError):
-            with self.assertRaisesRegex(Failure, "bubblewrap alone, and it is not there.*apt-get install bubblewrap"):
-                Judge({"02.lambert": "02_lambert_phong"})
-        with mock.patch("sandbox.run", side_effect=Failure("no namespaces")):
-            with self.assertRaisesRegex(Failure, "cannot contain anything here.*no namespaces"):
-                Judge({"02.lambert": "02_lambert_phong"})
-        self.assertIn("bubblewrap", (REAL / "common/course/packages/grade").read_text().split())
-
-    def test_a_bad_word_is_one_line_and_2(self):
-        for words in (["/dev/null"], ["/no/such"], ["x" * 300]):
-            done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "grade", *words], text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            self.assertEqual((done.returncode, done.stdout.count("\n")), (2, 1), done.stdout)
 
 
 if __name__ == "__main__":
