@@ -27,6 +27,9 @@ HELP = """Checks the exercises that students handed in, against this tree's chec
 Prints a table and writes grades.csv and grades.json (what is wrong with each exercise) to build/grades, or to --out. What
 was judged before is not judged again: an interrupted run goes on where it was.
 
+A ? in grades.csv and "look at" in the table is an exercise whose numbers are right and with whose picture the driver
+crashed: it has no mark until you have looked at it.
+
 Students' code is compiled and run in a sandbox (bubblewrap): it sees no network, no other student, no reference and no
 check, and has limits of time, memory and output. Without bubblewrap nothing runs. Exit code 0 whatever the grades are."""
 

@@ -90,8 +90,8 @@ class Pictures:
 
     def drawn_wrong(self, exercise: str, source: Path, program: Path, shot: str, expected: Path, judge) -> str:
         """What is wrong with one shot; empty for nothing. Raises DriverEnded."""
-        picture = source.parent / "picture.png"
-        with picture.open("w+b") as out:
+        picture = source.parent / f"{shot}.png"
+        with picture.open("x+b") as out:
             with judge.started(["/grade/program", "--shot", shot, "--size", SIZE, "--use",
                                 f"solution,{exercise}=exercise", "--screenshot", f"/dev/fd/{out.fileno()}"],
                                self.drawing_mounts(exercise, source, program, judge), DRAWING,

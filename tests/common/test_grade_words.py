@@ -88,6 +88,15 @@ class Words(unittest.TestCase):
         found = groups([one("a", "b"), one("b", "a"), one("c"), one("d", "e", "f"), one("e", "d"), one("f", "d")])
         self.assertEqual(found, ["a, b: all", "d, e, f: grades.json says what"])
 
+    def test_what_goes_wrong_with_one_answer_is_that_ones(self):
+        """Whatever it is: the grading of the others goes on, and the same command tries this one again."""
+        judge = Judge.__new__(Judge)
+        judge.wanted, judge.starters, judge.versions = {"02.lambert": "02"}, {"02.lambert": b""}, {"02": "1"}
+        judge.verdicts, judge.judge = Path("/nonexistent"), mock.Mock(side_effect=RecursionError("too deep"))
+        found = judge.verdict("02.lambert", b"x")
+        self.assertEqual((found["state"], found["ok"]), ("failed", False))
+        self.assertIn("too deep", found["first_failure"])
+
     def test_without_a_sandbox_it_refuses(self):
         """And names the package, before a submission is opened or anything is built."""
         with mock.patch("shutil.which", lambda name: None), mock.patch("judge.build", side_effect=AssertionError):
