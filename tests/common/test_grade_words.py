@@ -1,13 +1,16 @@
 """Tests of what ./course grade makes of words: names, cells of a table, macros, and what it says where it refuses."""
 
+import re
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 from unittest import mock
 
-from grading import OF, PLACES, REAL, right
+from grading import OF, PLACES, REAL, right, why_not
+import sandbox
 from alike import alike
 from check import note_what_grading_refuses
 from glsl_answer import Refused, macros_of_checks, plain
@@ -112,6 +115,38 @@ class Words(unittest.TestCase):
             done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "grade", *words], text=True,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             self.assertEqual((done.returncode, done.stdout.count("\n")), (2, 1), done.stdout)
+
+
+@unittest.skipIf(why_not(), why_not())
+class Contained(unittest.TestCase):
+    def test_nobody_is_root_and_nothing_outlives_it(self):
+        """Looked at from outside, where a user's number is what the kernel goes by."""
+        running = sandbox.Running(["/bin/sleep", "60"], sandbox.Mounts(), sandbox.Limits(1 << 30, 60))
+        first = Path(f"/proc/{running.first}")
+        self.addCleanup(running.close)
+        while first.joinpath("cmdline").read_bytes() != b"/bin/sleep\x0060\0":  # on its way there
+            time.sleep(0.01)
+        users = re.search(r"^Uid:\s*(.*)$", (first / "status").read_text(), re.M)[1].split()
+        self.assertNotIn("0", users)
+        self.assertRegex((first / "status").read_text(), r"CapEff:\s*0+\n")
+        running.close()
+        for _ in range(500):
+            if not first.exists() or (first / "cmdline").read_bytes() == b"":
+                return
+            time.sleep(0.01)
+        self.fail("it lives")
+
+    def test_what_root_alone_can_read_is_said(self):
+        path = Path(self.enterContext(tempfile.TemporaryDirectory())) / "library"
+        path.touch(0o600)
+        with mock.patch("sandbox.drops_root", lambda: True), self.assertRaisesRegex(Failure, "chmod -R o.rX"):
+            sandbox.require_readable([path])
+        with mock.patch("sandbox.drops_root", lambda: False):
+            sandbox.require_readable([path])
+
+    def test_who_is_mapped(self):
+        self.assertTrue(sandbox.is_mapped(65534, "         0          0 4294967295\n"))
+        self.assertFalse(sandbox.is_mapped(65534, "         0       1000          1\n"))
 
 
 if __name__ == "__main__":
