@@ -152,7 +152,8 @@ function(lightwalk_add_trials target name)
 endfunction()
 
 # What ./course grade needs, built when it asks. judge_NN is check_NN whose C++ exercises ask another process; serve_NN is
-# what that process is linked from, with the student's object: it has neither the checks nor the references.
+# what that process is linked from, with the student's object: it has neither the checks nor the references, but the trials
+# (common/check/trial.h), compiled without references too.
 function(lightwalk_judge name folder library)
   foreach(side remote serve)
     set(text "#include \"common/check/${side}.h\"\n")
@@ -167,7 +168,7 @@ function(lightwalk_judge name folder library)
   add_executable(judge_${name} EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/grade/remote_${name}.cpp
                  $<TARGET_OBJECTS:checks_${name}>)
   target_link_libraries(judge_${name} PRIVATE check_main ${library})
-  add_library(serve_${name} OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/grade/serve_${name}.cpp)
+  add_library(serve_${name} OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/grade/serve_${name}.cpp ${ARGN})
   target_link_libraries(serve_${name} PRIVATE ${library})
   target_compile_definitions(serve_${name} PRIVATE LIGHTWALK_NO_SOLUTION)
   foreach(target judge_${name} serve_${name})
@@ -237,7 +238,7 @@ function(lightwalk_tests)
         lightwalk_precompiled(trials_${name})
         target_link_libraries(trials_${name} PUBLIC ${library})
       endif()
-      lightwalk_judge(${name} ${folder} ${library})
+      lightwalk_judge(${name} ${folder} ${library} ${trials})
       add_executable(check_${name} $<TARGET_OBJECTS:checks_${name}>)
       lightwalk_add_trials(check_${name} ${name})
       target_link_libraries(check_${name} PRIVATE check_main ${library})

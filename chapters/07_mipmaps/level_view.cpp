@@ -1,5 +1,7 @@
 #include "07_mipmaps/level_view.h"
 
+#include "07_mipmaps/truth.h"
+
 namespace lightwalk {
 
 void LevelView::record(Frame& frame, const LevelledMaps& maps, const MipChain& chain) {

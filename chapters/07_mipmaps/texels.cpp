@@ -3,6 +3,7 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
+#include "07_mipmaps/truth.h"
 #include "common/base/error.h"
 
 namespace lightwalk {

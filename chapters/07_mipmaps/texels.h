@@ -1,7 +1,21 @@
 // Levels of an image on the host, as numbers: for measuring and for looking at them.
 #pragma once
-#include "07_mipmaps/truth.h"
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "07_mipmaps/mip_chain.h"
 #include "common/gpu/gpu.h"
+
+namespace lightwalk::truth {
+
+/// Numbers of four channels, rows from the top.
+struct Texels {
+    glm::uvec2 size{1};
+    std::vector<glm::dvec4> values;
+    const glm::dvec4& at(uint32_t x, uint32_t y) const { return values[size_t(y) * size.x + x]; }
+};
+
+}  // namespace lightwalk::truth
 
 namespace lightwalk {
 

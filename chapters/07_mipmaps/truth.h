@@ -1,19 +1,10 @@
 // This chapter's references in double precision.
 #pragma once
 #include <cmath>
-#include <glm/glm.hpp>
-#include <vector>
 
-#include "07_mipmaps/mip_chain.h"
+#include "07_mipmaps/texels.h"
 
 namespace lightwalk::truth {
-
-/// Numbers of four channels, rows from the top.
-struct Texels {
-    glm::uvec2 size{1};
-    std::vector<glm::dvec4> values;
-    const glm::dvec4& at(uint32_t x, uint32_t y) const { return values[size_t(y) * size.x + x]; }
-};
 
 /// Which texels of a row of `from` lie under texel i of a row of `to`, and what share of it each covers.
 struct Span {

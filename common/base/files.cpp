@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
 
@@ -127,6 +128,27 @@ Place place_of(const fs::path& path) {
     return place;
 }
 
+void write_all(int descriptor, const fs::path& path, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) fail_to_write(path, std::strerror(errno));
+        bytes.remove_prefix(static_cast<size_t>(count));
+    }
+}
+
+// Of "/dev/fd/N" the N, where whoever started this program has left a file open for writing there; else -1.
+int open_descriptor(const fs::path& path) {
+    const std::string text = path.string(), folder = "/dev/fd/";
+    int number = -1;
+    if (!text.starts_with(folder)) return -1;
+    const auto [end, error] = std::from_chars(text.data() + folder.size(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size() || number < 3) return -1;
+    struct stat status;
+    if (fstat(number, &status) != 0 || !S_ISREG(status.st_mode)) return -1;
+    return (fcntl(number, F_GETFL) & O_ACCMODE) == O_RDONLY ? -1 : number;
+}
+
 // A file of another name in the same folder, which is renamed or is gone when this ends.
 class Part {
   public:
@@ -142,14 +164,7 @@ class Part {
     }
     Part(const Part&) = delete;
 
-    void write_all(std::string_view bytes) {
-        while (!bytes.empty()) {
-            const ssize_t count = write(descriptor_, bytes.data(), bytes.size());
-            if (count < 0 && errno == EINTR) continue;
-            if (count < 0) fail();
-            bytes.remove_prefix(static_cast<size_t>(count));
-        }
-    }
+    void write_all(std::string_view bytes) { lightwalk::write_all(descriptor_, path_, bytes); }
     void rename_to(const fs::path& target) {
         if (const int open_one = std::exchange(descriptor_, -1); close(open_one) != 0) fail();
         if (rename(name_.c_str(), target.c_str()) != 0) fail();
@@ -167,13 +182,16 @@ class Part {
 }  // namespace
 
 void write_file(const fs::path& path, std::string_view bytes) {
+    if (const int open_one = open_descriptor(path); open_one >= 0) return write_all(open_one, path, bytes);
     const Place place = place_of(path);
     Part part(path, place);
     part.write_all(bytes);
     part.rename_to(place.path);
 }
 
-void check_writable(const fs::path& path) { Part(path, place_of(path)); }
+void check_writable(const fs::path& path) {
+    if (open_descriptor(path) < 0) Part(path, place_of(path));
+}
 
 uint64_t hash_bytes(std::string_view bytes, uint64_t seed) {
     for (const char c : bytes) seed = (seed ^ static_cast<unsigned char>(c)) * 1099511628211ull;

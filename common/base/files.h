@@ -39,6 +39,7 @@ bool lies_below(const std::filesystem::path& path, const std::filesystem::path& 
 
 /// Writes beside `path` and renames, so that a reader sees the old file or the whole new one, whenever the program
 /// ends. Links are followed; what is there keeps its permissions, and must be a regular file that may be written.
+/// "/dev/fd/N", a regular file that whoever started the program has left open for writing, is written to as it is.
 /// Throws InputError where it cannot be written.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 

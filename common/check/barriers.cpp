@@ -6,12 +6,13 @@ namespace lightwalk {
 
 std::string traced_barriers() {
     std::string text =
-        "uint barriers_passed = 0u;  // a hash of the lines, 24 bits, and their number\n"
-        "void pass_barrier(uint line) {\n"
-        "    uint lines = (barriers_passed >> 8u) * 0x5bd1e995u + line + 1u;\n"
-        "    barriers_passed = (lines ^ lines >> 15u) << 8u | min((barriers_passed & 255u) + 1u, 255u);\n"
-        "    barrier();\n}\n"
-        "#define barrier() pass_barrier(uint(__LINE__))\n";
+        "uint check_barriers_passed = 0u;  // a hash of the lines, 24 bits, and their number\n"
+        "void check_barrier() { barrier(); }\n"
+        "void check_pass_barrier(uint line) {\n"
+        "    uint lines = (check_barriers_passed >> 8u) * 0x5bd1e995u + line + 1u;\n"
+        "    check_barriers_passed = (lines ^ lines >> 15u) << 8u | min((check_barriers_passed & 255u) + 1u, 255u);\n"
+        "    check_barrier();\n}\n"
+        "#define barrier() check_pass_barrier(uint(__LINE__))\n";
     for (const char* name :
          {"memoryBarrier", "memoryBarrierShared", "memoryBarrierBuffer", "memoryBarrierImage", "groupMemoryBarrier"})
         text += fmt::format("#define {}()\n", name);

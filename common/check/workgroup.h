@@ -17,7 +17,8 @@ struct WorkgroupRun {
     std::string call;  ///< GLSL: calls its functions for `local`, and says put(i, uint) of what it got
     std::vector<uint32_t> given;
     uint32_t cases = 1;
-    uint32_t puts = 1;  ///< i is below this
+    uint32_t puts = 1;    ///< i is below this
+    uint32_t counts = 0;  ///< `before` may say check_count(i) of so many i: how often it was said in a case and order
     Macros macros = {};
 };
 
@@ -35,9 +36,13 @@ class WorkgroupResults {
     /// memoryBarrierShared() and its like do nothing (traced_barriers()).
     std::string barriers() const;
 
+    uint32_t count(uint32_t which, uint32_t order, uint32_t i) const {
+        return counted_[(size_t(which) * workgroup_orders + order) * counts_ + i];
+    }
+
   private:
-    uint32_t cases_, stride_;
-    std::vector<uint32_t> words_;
+    uint32_t cases_, stride_, counts_;
+    std::vector<uint32_t> words_, counted_;
 };
 
 }  // namespace lightwalk

@@ -34,6 +34,7 @@ import subprocess
 from pathlib import Path
 
 from build import build
+from glsl_answer import Refused, plain
 from progress import Progress
 from rendering import Crashed, render_shot
 from shots import compare, exceeded, golden_path, unfit
@@ -120,8 +121,17 @@ def check(chapter: str, exercise: str, use: str = "exercise", root=ROOT) -> dict
     if use == "exercise" and (said := compiler_said(chapter, exercise, root)):
         result["first_failure"] = f"it does not compile: {said}"
     if result["ok"] and use == "exercise" and root == ROOT:
+        note_what_grading_refuses(exercises(chapter)[exercise], result)
         check_pictures(chapter, exercise, result)
     return result | {"chapter": chapter, "file": relative(exercises(chapter)[exercise])}
+
+
+def note_what_grading_refuses(path: Path, result: dict):
+    try:
+        if path.suffix == ".glsl":
+            plain(path.read_bytes(), path)
+    except Refused as why:
+        result["note"] = "; ".join(filter(None, (result.get("note"), f"handed in like this it would be refused: {why}")))
 
 
 def compiler_said(chapter: str, exercise: str, root: Path) -> str:

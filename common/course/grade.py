@@ -13,9 +13,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from alike import alike
-from judge import NOT_DRAWN, Judge
+from judge import Judge
 from progress import Progress
-from submission import find, printable, read
+from submission import cell, find, printable, read
 from tree import BUILD, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, say, warn, write_atomically
 
 HELP = """Checks the exercises that students handed in, against this tree's checks.
@@ -26,6 +26,9 @@ HELP = """Checks the exercises that students handed in, against this tree's chec
 
 Prints a table and writes grades.csv and grades.json (what is wrong with each exercise) to build/grades, or to --out. What
 was judged before is not judged again: an interrupted run goes on where it was.
+
+A ? in grades.csv and "look at" in the table is an exercise whose numbers are right and with whose picture the driver
+crashed: it has no mark until you have looked at it.
 
 Students' code is compiled and run in a sandbox (bubblewrap): it sees no network, no other student, no reference and no
 check, and has limits of time, memory and output. Without bubblewrap nothing runs. Exit code 0 whatever the grades are."""
@@ -109,19 +112,14 @@ def grade(submissions, judge: Judge) -> list[dict]:
 def write_files(out: Path, grades: list[dict], wanted: dict[str, str]):
     write_atomically(out / "grades.json", json.dumps(grades, indent=1, ensure_ascii=True) + "\n")
     text = io.StringIO()
-    rows = csv.writer(text)
+    rows = csv.writer(text, quoting=csv.QUOTE_ALL)
     rows.writerow(["student", "right", "of", *wanted, "error", "alike"])
     for one in grades:
-        marks = {result["exercise"]: int(result["ok"]) for result in one["results"]}
+        marks = {result["exercise"]: "?" if result["state"] == "undecided" else int(result["ok"]) for result in one["results"]}
         same = "; ".join(f"{other['student']}: {other['what']}" for other in one["alike"][:MOST_NAMES])
         rows.writerow([cell(one["student"]), one["right"], one["of"], *[marks.get(name, 0) for name in wanted],
                        cell(one["error"] or ""), cell(same)])
     write_atomically(out / "grades.csv", text.getvalue())
-
-
-def cell(text: str) -> str:
-    """No formula of a spreadsheet."""
-    return f"'{text}" if text[:1] in ("=", "+", "-", "@") else text
 
 
 def table(grades: list[dict], named: list[str]) -> list[str]:
@@ -133,12 +131,12 @@ def table(grades: list[dict], named: list[str]) -> list[str]:
         for chapter in named:
             results = [result for result in one["results"] if result["chapter"] == chapter]
             counts.append(f"{sum(result['ok'] for result in results)}/{len(results)}" if results else "-")
-        said = one["error"] or ("" if any(result["state"] == "judged" for result in one["results"]) else
+        said = one["error"] or ("" if any(result["state"] in ("judged", "undecided") for result in one["results"]) else
                                 "nothing was changed")
         lines.append(f"{printable(one['student'], width):{width}}  {one['right']:3}/{one['of']:<2} " +
                      " ".join(f"{count:>5}" for count in counts) + (f"  {said}" if said else ""))
-    undrawn = [f"look at: {printable(one['student'])}, {result['exercise']}: {result['note']}" for one in grades
-               for result in one["results"] if (result.get("note") or "").startswith(NOT_DRAWN)]
+    undrawn = [f"look at: {printable(one['student'])}, {result['exercise']}, which has no mark yet: {result['first_failure']}"
+               for one in grades for result in one["results"] if result["state"] == "undecided"]
     return lines + undrawn + [f"alike: {line}" for line in groups(grades)]
 
 

@@ -3,6 +3,7 @@
 import json
 import os
 import platform
+import re
 import shlex
 import shutil
 import subprocess
@@ -24,9 +25,11 @@ What would give answers away (the checks and what they measure against) is compi
 same kind of processor and the same release of the system as this one. --sources hands it out as it is."""
 
 # Compiled on this machine, as an object beside where the source was.
-COMPILED = ("tests/*/checks_*.cpp", "chapters/01_obj/scan.cpp", "chapters/01_obj/load_bench.cpp")
-# Not handed out: what the above includes, what tests those, and answers with their verdicts.
-LEFT_OUT = ("chapters/*/truth.h", "tests/*/variants/*", "tests/*/test_stability.cpp", "tests/01_obj/test_exercises.cpp",
+COMPILED = ("tests/*/checks_*.cpp", "chapters/01_obj/scan.cpp", "chapters/01_obj/load_bench.cpp",
+            "chapters/07_mipmaps/level_view.cpp", "chapters/07_mipmaps/texels.cpp",
+            "chapters/09_post_effects/white_point.cpp")
+# Not handed out: what the above includes, what tests those (and whatever test includes it), and answers with their verdicts.
+LEFT_OUT = ("chapters/*/*truth.h", "tests/*/variants/*", "tests/*/test_stability.cpp", "tests/01_obj/test_exercises.cpp",
             "tests/01_obj/test_floats.cpp", "tests/01_obj/test_loaders.cpp", "tests/common/*grad*.py",
             "tests/common/hostile.py")
 
@@ -77,9 +80,30 @@ def what_is_handed_out(sources: bool) -> dict[Path, Path | bytes]:
     for name, compiled in objects(hidden).items():
         del contents[name]
         contents[name.with_suffix(".o")] = compiled
-    contents = {name: source for name, source in contents.items()
-                if not any(name.match(pattern) for pattern in LEFT_OUT)}
+    left_out = {name for name in contents if any(name.match(pattern) for pattern in LEFT_OUT)}
+    left_out |= tests_that_include(left_out, contents)
+    contents = {name: source for name, source in contents.items() if name not in left_out}
     return contents | ({Path("compiled_for"): f"{platform.machine()}\n".encode()} if hidden else {})
+
+
+def tests_that_include(left_out: set[Path], contents) -> set[Path]:
+    """Tests that would not compile without what is left out, nor without one of these."""
+    found = set()
+    while more := {name for name in contents if name.parts[0] == "tests" and name.suffix in (".cpp", ".h")
+                   and name not in left_out | found
+                   and any(meant_by(name, one) & (left_out | found) for one in includes((ROOT / name).read_text()))}:
+        found |= more
+    return found
+
+
+def includes(text: str) -> list[str]:
+    return re.findall(r'^\s*#\s*include\s*"([^"]+)"', text, re.M)
+
+
+def meant_by(name: Path, include: str) -> set[Path]:
+    """The files of the course that a file may mean by what it includes."""
+    return {Path(os.path.normpath(folder / include))
+            for folder in (name.parent, *map(Path, ("chapters", "tests", "shaders", ".")))}
 
 
 def tracked() -> list[Path]:

@@ -21,10 +21,10 @@ from pathlib import Path
 
 import sandbox
 from build import build
+from glsl_answer import Refused, plain
 from handout import starters
 from judge_picture import DriverEnded, Pictures
 from judge_tree import copy_without_answers, library, objects
-from macros import foreign_macro
 from sandbox import Limits, Mounts
 from submission import printable
 from tree import BUILD, ROOT, Failure, exercises, write_atomically
@@ -34,7 +34,18 @@ JUDGE_S = 60  # of a whole check, on a busy machine; a call that does not return
 CALL_S = 5  # of one call
 COMPILER = Limits(3 * GIB, 30, processes=True)
 WORDS_MOST = 600
-NOT_DRAWN = "judged by its numbers alone: there is no picture"
+NOT_DRAWN = "its numbers are right, and there is no picture"
+
+
+def targets(chapters: list[str]) -> list[str]:
+    """What judging these chapters takes of the build."""
+    return ["serve_main", *[f"{side}_{chapter}" for side in ("judge", "serve") for chapter in chapters]]
+
+
+def parts(chapter: str) -> list[Path]:
+    """What a student's object is linked with, but for the library. It comes before it: of a function that several objects
+    have, the first one's is taken."""
+    return [*objects("serve_main"), *objects(f"serve_{chapter}")]
 
 
 class Judge:
@@ -44,7 +55,7 @@ class Judge:
         self.wanted, self.call_s = wanted, call_s  # chapter by exercise
         self.chapters = sorted(set(wanted.values()))
         sandbox.require()
-        build(["serve_main", *[f"{side}_{chapter}" for side in ("judge", "serve") for chapter in self.chapters]])
+        build(targets(self.chapters))
         self.folder = BUILD / "grade"
         self.verdicts = self.folder / "verdicts"
         self.paths = {name: path for chapter in self.chapters for name, path in exercises(chapter).items()}
@@ -61,7 +72,10 @@ class Judge:
         self.running, self.stopped = set(), False
 
     def __enter__(self):
+        # What is copied and drawn here is read by whom root becomes in the sandbox.
+        self.kept.callback(os.umask, os.umask(0o022))
         self.tree = Path(self.kept.enter_context(tempfile.TemporaryDirectory(prefix="lightwalk.grade.")))
+        sandbox.require_readable([BUILD / "liblightwalk.so", *[self.folder / f"judge_{name}" for name in self.chapters]])
         copy_without_answers(self.tree, {path: self.starters[name] for name, path in self.paths.items()})
         self.libraries = {chapter: library(self.tree, chapter) for chapter in self.chapters
                           if (BUILD / f"libchapter_{chapter}.a").exists()}
@@ -123,14 +137,15 @@ class Judge:
             if found.get("killed"):  # by whom is not known: perhaps the machine had no memory left
                 found = self.judge(exercise, data)
             # With these inputs the reference itself may lie beside a bound.
-            if not found["ok"] and not self.reference_is_right(exercise):
+            if not found["ok"] and found.get("state") != "undecided" and not self.reference_is_right(exercise):
                 found = self.judge(exercise, data, seed=0)
             if self.stopped:  # what was ended says nothing
                 raise Failure("grading was stopped")
-        except (Failure, OSError) as error:  # this machine's fault: not kept, and said at the end
-            return base | {"state": "failed", "first_failure": f"could not be judged: {clean(str(error))}"}
+        except Exception as error:  # this machine's fault, or ours: not kept, said at the end, and no other student's
+            said = clean(str(error) if isinstance(error, (Failure, OSError)) else repr(error))
+            return base | {"state": "failed", "first_failure": f"could not be judged: {said}"}
         found = {name: clean(value) for name, value in found.items()
-                 if name in ("ok", "passed", "failed", "first_failure", "hint", "note")}
+                 if name in ("ok", "passed", "failed", "first_failure", "hint", "note", "state")}
         write_atomically(kept, json.dumps(found))
         return base | found
 
@@ -148,13 +163,18 @@ class Judge:
     def judge(self, exercise: str, data: bytes, seed: int | None = None) -> dict:
         with tempfile.TemporaryDirectory(prefix="lightwalk.grade.") as made:
             source = Path(made) / self.paths[exercise].name
-            source.write_bytes(data)
+            try:
+                source.write_bytes(plain(data, self.paths[exercise]).encode() if source.suffix == ".glsl" else data)
+            except Refused as why:
+                return {"ok": False, "first_failure": str(why)}
             found = self.numbers(exercise, source, self.seed if seed is None else seed)
             if found["ok"] and self.pictures:
                 try:
                     why = self.pictures.wrong(exercise, source, self)
-                except DriverEnded as shot:
-                    return found | {"note": f"{NOT_DRAWN} of {shot}, with which the driver crashed"}
+                except DriverEnded as shots:
+                    return found | {"ok": False, "state": "undecided", "first_failure":
+                                    f"{NOT_DRAWN} of {shots}, with which the driver crashed",
+                                    "hint": "every number that was tried is right: whoever grades looks at the source"}
                 if why:
                     found |= {"ok": False, "failed": found["failed"] + 1, "first_failure": why,
                               "hint": "every number that was tried is right, so look for an input that only the picture has"}
@@ -165,8 +185,6 @@ class Judge:
     def numbers(self, exercise: str, source: Path, seed: int) -> dict:
         """The checks' verdict on a source that is alone in its folder."""
         if source.suffix == ".glsl":
-            if why := foreign_macro(source.read_bytes(), self.paths[exercise]):
-                return {"ok": False, "first_failure": why}
             return self.decide(exercise, seed, source)
         if why := self.compile(exercise, source):
             return {"ok": False, "first_failure": why}
@@ -177,10 +195,8 @@ class Judge:
                           pass_fds=(ends[0], ends[3]), out=False):
             return self.decide(exercise, seed, None, worker=(ends[1], ends[2]), ours=ends)
 
-    def parts(self, chapter: str) -> list[Path]:
-        """What a student's object is linked with, of which the first two come before it."""
-        library = [self.libraries[chapter]] if chapter in self.libraries else []
-        return [*objects("serve_main"), *objects(f"serve_{chapter}"), *objects(f"trials_{chapter}"), *library]
+    def library(self, chapter: str) -> list[Path]:
+        return [self.libraries[chapter]] if chapter in self.libraries else []
 
     def has_trial(self, exercise: str) -> bool:
         path = ROOT / "tests" / self.wanted[exercise] / "trials.h"
@@ -193,11 +209,11 @@ class Judge:
         words[words.index("-o") + 1] = "/grade/student.o"
         header = next(word for word in words if word.endswith("cmake_pch.hxx"))
         link = [words[0], *(["-fuse-ld=mold"] if shutil.which("mold") else []), "-o", "/grade/worker",
-                *self.parts(chapter)[:2], "/grade/student.o", *self.parts(chapter)[2:], f"-L{BUILD}", "-llightwalk", "-lfmt",
+                *parts(chapter), "/grade/student.o", *self.library(chapter), f"-L{BUILD}", "-llightwalk", "-lfmt",
                 f"-Wl,-rpath,{BUILD}", "-Wl,--warn-unresolved-symbols"]
         script = f"{shlex.join([*words, '-DLIGHTWALK_NO_SOLUTION', '-g0'])} && {shlex.join(map(str, link))}"
         mounts = self.mounts()
-        for path in (BUILD / "visible", header, f"{header}.gch", *self.parts(chapter)):
+        for path in (BUILD / "visible", header, f"{header}.gch", *parts(chapter), *self.library(chapter)):
             mounts.read(path)
         mounts.read(source, place)
         mounts.write(source.parent, Path("/grade"))

@@ -3,7 +3,8 @@
 The reference's picture is drawn outside, once for a class. The student's version of this one exercise is drawn in a
 sandbox, with the references of all others, and without its own: a GLSL file is not there, and in C++ the chapter's program
 is linked anew with the student's object, in which the name of the reference means the student's function. What comes out
-is a PNG, which is compared in a sandbox as well: whoever wrote it may have written what no reader expects.
+is a PNG, which is compared in a sandbox as well: whoever wrote it may have written what no reader expects. It comes out
+through one open file, so that a student's code has no folder of this machine to fill.
 """
 
 import contextlib
@@ -30,11 +31,13 @@ GIB = 1 << 30
 DRAWING = Limits(6 * GIB, 60)
 PASS_S = 20  # of one pass of a frame, on a busy machine
 COMPARING = Limits(2 * GIB, 20)
+MOST_PICTURE_BYTES = 16 << 20
 
 
 class DriverEnded(Exception):
-    """The driver crashed while it drew the shot that this names. GLSL cannot do that to a driver without a fault of its
-    own, and one that is right has: Mesa 22.3 does not survive some loops in which one uniform decides twice where they end."""
+    """The driver crashed with every shot that shows the exercise; this names them. One that is right has done that to it:
+    Mesa 22.3 does not survive some loops in which one uniform decides twice where they end. One that is wrong can do so
+    on purpose, to be seen in no picture."""
 
 
 class Pictures:
@@ -49,9 +52,9 @@ class Pictures:
         self.links = {chapter: link_command(chapter) for chapter in named}
         self.locks = {chapter: threading.Lock() for chapter in named}
 
-    def reference(self, exercise: str) -> tuple[str, Path] | None:
-        """A shot that shows the exercise, of several the one that is drawn in the least time, and its picture, drawn
-        outside when it is first asked for. None where no shot does."""
+    def references(self, exercise: str) -> list[tuple[str, Path]]:
+        """The shots that show the exercise, the one first that is drawn in the least time, and their pictures, drawn
+        outside when they are first asked for."""
         chapter = self.wanted[exercise]
         folder = BUILD / "grade" / "pictures" / f"{chapter}.{self.versions[chapter][:16]}"
         with self.locks[chapter]:
@@ -63,39 +66,47 @@ class Pictures:
                     render(chapter, ["--shot", name, "--size", SIZE], picture)
                     write_atomically(took, f"{time.monotonic() - start_s:.3f}\n")
                 times_s[name] = float(took.read_text())
-        if not times_s:
-            return None
-        name = min(times_s, key=times_s.get)
-        return name, folder / f"{name}.png"
+        return [(name, folder / f"{name}.png") for name in sorted(times_s, key=times_s.get)]
 
     def wrong(self, exercise: str, source: Path, judge) -> str | None:
         """What is wrong with the picture; empty where nothing is, None where there is none. The source is alone in its
         folder. Raises DriverEnded."""
-        shot = self.reference(exercise)
-        if not shot:
-            return None
-        name, expected = shot
-        program, out = chapter_program(self.wanted[exercise]), source.parent / "out"
-        if source.suffix == ".cpp":
+        program = chapter_program(self.wanted[exercise])
+        references, crashed = self.references(exercise), []
+        if source.suffix == ".cpp" and references:
             if why := self.link(exercise, source.parent, judge):
                 return why
             program = source.parent / "program"
-        out.mkdir()
-        with judge.started(["/grade/program", "--shot", name, "--size", SIZE, "--use", f"solution,{exercise}=exercise",
-                            "--screenshot", "/out/picture.png"], self.drawing_mounts(exercise, source, program, judge),
-                           DRAWING, {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_TIMEOUT_S": PASS_S}) as running:
-            done = running.finish()
+        for name, expected in references:
+            try:
+                why = self.drawn_wrong(exercise, source, program, name, expected, judge)
+            except DriverEnded:
+                crashed.append(name)
+                continue
+            return why and f"the numbers are right, the picture of {name} is not: {why}"
+        if crashed:
+            raise DriverEnded(", ".join(crashed))
+        return None
+
+    def drawn_wrong(self, exercise: str, source: Path, program: Path, shot: str, expected: Path, judge) -> str:
+        """What is wrong with one shot; empty for nothing. Raises DriverEnded."""
+        picture = source.parent / f"{shot}.png"
+        with picture.open("x+b") as out:
+            with judge.started(["/grade/program", "--shot", shot, "--size", SIZE, "--use",
+                                f"solution,{exercise}=exercise", "--screenshot", f"/dev/fd/{out.fileno()}"],
+                               self.drawing_mounts(exercise, source, program, judge), DRAWING,
+                               {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_TIMEOUT_S": PASS_S},
+                               pass_fds=(out.fileno(),)) as running:
+                done = running.finish()
         if done.late:
-            why = f"it was not drawn within {DRAWING.wall_s:g} s"
-        elif done.code == 128 + signal.SIGSEGV and source.suffix == ".glsl":
-            raise DriverEnded(name)
-        elif done.code:
-            why = done.said()
-        elif not is_ordinary(out / "picture.png"):
-            why = "no picture came out"
-        else:
-            why = self.compare(expected, out / "picture.png", judge)
-        return why and f"the numbers are right, the picture of {name} is not: {why}"
+            return f"it was not drawn within {DRAWING.wall_s:g} s"
+        if done.code == 128 + signal.SIGSEGV and source.suffix == ".glsl":
+            raise DriverEnded(shot)
+        if done.code:
+            return done.said()
+        if not 0 < picture.stat().st_size < MOST_PICTURE_BYTES:
+            return "no picture came out"
+        return self.compare(expected, picture, judge)
 
     def drawing_mounts(self, exercise: str, source: Path, program: Path, judge) -> Mounts:
         mounts = judge.mounts()
@@ -114,7 +125,6 @@ class Pictures:
             mounts.read(source, judge.paths[exercise])
         if (BUILD / "shader_cache").is_dir():
             mounts.read(BUILD / "shader_cache")
-        mounts.write(source.parent / "out", Path("/out"))
         return mounts
 
     def link(self, exercise: str, folder: Path, judge) -> str:
@@ -155,11 +165,6 @@ class Pictures:
             most = metrics["max_diff"]
             return f"{most['pixels']} pixels differ from the reference's, most the one at ({most['x']}, {most['y']})"
         return f"it cannot be compared: {done.said()}"
-
-
-def is_ordinary(path: Path) -> bool:
-    """A file, of a size that a picture can have; nothing that a name may stand for."""
-    return path.is_file() and not path.is_symlink() and path.stat().st_size < 16 << 20
 
 
 @functools.cache

@@ -1,13 +1,17 @@
 """Runs a program that is not trusted, in bubblewrap: no network, a system that cannot be written, a /tmp and process
 numbers of its own, and limits of memory, time, processes and output. Without bubblewrap nothing runs.
 
-Inside there is what Mounts names and no more; at its end nothing of it is left.
+Inside there is what Mounts names and no more; at its end nothing of it is left. It never runs as root: bubblewrap alone
+gives a process of root's another number inside, but to the kernel, which owns /proc/sys and the device nodes, it stays
+root. So where root grades, root makes the sandbox and its program becomes NOBODY before it starts.
 """
 
 import contextlib
 import dataclasses
+import functools
 import os
 import platform
+import re
 import selectors
 import shutil
 import signal
@@ -17,11 +21,13 @@ import tempfile
 import time
 from pathlib import Path
 
-from tree import Failure
+from tree import BUILD, ROOT, Failure
 
 PACKAGE = "bubblewrap"
 SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/alternatives", "/etc/ld.so.cache", "/etc/vulkan")
 DEVICES = ("/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom")
+COVERED = ("/proc/sys", "/proc/irq", "/proc/bus", "/proc/fs", "/proc/acpi", "/proc/scsi")  # the machine's own settings
+NOBODY = 65534  # who runs it where root asks for it
 TMP_BYTES = 256 << 20
 OUTPUT_BYTES = 1 << 20
 
@@ -57,14 +63,43 @@ class Mounts:
 
     def read(self, where: Path, seen: Path | None = None):
         """A file or folder that can be read, at the same place or at another."""
-        self.words += ["--ro-bind", str(where), str(seen or where)]
+        self.words += [*parents(seen or where), "--ro-bind", str(where), str(seen or where)]
 
     def write(self, where: Path, seen: Path):
-        self.words += ["--bind", str(where), str(seen)]
+        """A folder that can be written. It is given to whoever writes there."""
+        if drops_root():
+            os.chown(where, NOBODY, NOBODY)
+        self.words += [*parents(seen), "--bind", str(where), str(seen)]
 
     def empty(self, seen: Path):
         """A folder that is empty, whatever lies there."""
-        self.words += ["--size", str(1 << 20), "--tmpfs", str(seen)]
+        self.words += [*parents(seen), "--size", str(1 << 20), "--tmpfs", str(seen)]
+
+
+def parents(seen: Path) -> list[str]:
+    """The folders on the way to a place: of itself bubblewrap makes them for root alone."""
+    return [word for folder in reversed(Path(seen).parents[:-1]) for word in ("--perms", "0755", "--dir", str(folder))]
+
+
+@functools.cache
+def drops_root() -> bool:
+    """Whether it is root that asks, of a system in which there is a NOBODY to become."""
+    return os.geteuid() == 0 and all(is_mapped(NOBODY, Path(f"/proc/self/{kind}_map").read_text()) for kind in ("uid", "gid"))
+
+
+def is_mapped(number: int, table: str) -> bool:
+    """Of a user namespace's table: whether this user is somebody outside."""
+    rows = [[int(word) for word in line.split()] for line in table.splitlines()]
+    return any(first <= number < first + count for first, _, count in rows)
+
+
+def require_readable(paths):
+    """Raises Failure where what is to be seen in a sandbox can be read by root alone."""
+    for path in paths if drops_root() else ():
+        wanted = 0o005 if path.is_dir() else 0o004
+        if path.stat().st_mode & wanted != wanted:
+            raise Failure(f"{path} cannot be read by others, and students' code does not run as root: "
+                          f"chmod -R o+rX {BUILD if path.is_relative_to(BUILD) else ROOT}")
 
 
 def require():
@@ -121,11 +156,16 @@ class Running:
         with tempfile.TemporaryFile() as filter_file:
             filter_file.write(seccomp(limits.processes))
             filter_file.seek(0)
-            words = wrapped(command, mounts, limits, environment or {}, filter_file.fileno())
-            self.process = subprocess.Popen(words, stdin=subprocess.DEVNULL, pass_fds=(*pass_fds, filter_file.fileno()),
-                                            stdout=subprocess.PIPE if out else subprocess.DEVNULL, cwd="/",
-                                            stderr=subprocess.STDOUT if out else subprocess.DEVNULL,
-                                            start_new_session=True)
+            told, tells = os.pipe()
+            words = wrapped(command, mounts, limits, environment or {}, filter_file.fileno(), tells)
+            self.process = subprocess.Popen(words, stdin=subprocess.DEVNULL, cwd="/", start_new_session=True,
+                                            pass_fds=(*pass_fds, filter_file.fileno(), tells),
+                                            stdout=subprocess.PIPE if out else subprocess.DEVNULL,
+                                            stderr=subprocess.STDOUT if out else subprocess.DEVNULL)
+            os.close(tells)
+            with os.fdopen(told) as words:
+                found = re.search(r'"child-pid": *(\d+)', words.read())
+            self.first = int(found[1]) if found else 0
 
     def finish(self) -> Done:
         """Waits for its end, or for the end of its time or of our patience with its output."""
@@ -158,15 +198,21 @@ class Running:
         return Done(128 - code if code < 0 else code, text, late, long)
 
     def kill(self):
-        """Its first process takes all others with it. For any thread: whoever waits for its output sees the end of it."""
-        if self.process.returncode is None:
+        """Its first process takes all others with it, and not all of them end with bubblewrap: whoever becomes another
+        user, or asks the kernel to, is forgotten by --die-with-parent. For any thread: whoever waits for its output sees
+        the end of it."""
+        if self.process.returncode is None or self.process.returncode < 0:
+            with contextlib.suppress(ProcessLookupError):
+                if self.first:
+                    os.kill(self.first, signal.SIGKILL)
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(self.process.pid, signal.SIGKILL)
 
     def close(self):
-        if self.process.poll() is None:
+        if self.process.poll() is None or self.process.returncode < 0:
             self.kill()
             self.process.wait()
+        self.first = 0
         if self.process.stdout:
             self.process.stdout.close()
 
@@ -175,12 +221,11 @@ def run(command, mounts: Mounts, limits: Limits, environment=None) -> Done:
     return Running(command, mounts, limits, environment).finish()
 
 
-def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_fd: int) -> list[str]:
+def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_fd: int, told_fd: int) -> list[str]:
     """The whole command line: limits, then the sandbox, then the command."""
     words = ["prlimit", f"--as={limits.memory_bytes}", f"--cpu={int(limits.wall_s) + 1}", f"--fsize={64 << 20}",
-             "--core=0", "--nofile=256", "--", "bwrap", "--unshare-all", "--unshare-user", "--uid", "1000", "--gid", "1000",
-             "--die-with-parent", "--new-session", "--as-pid-1",
-             "--cap-drop", "ALL", "--hostname", "grade", "--clearenv"]
+             "--core=0", "--nofile=256", "--", "bwrap", *own_world(), "--die-with-parent", "--new-session", "--as-pid-1",
+             "--hostname", "grade", "--clearenv"]
     for name, value in ({"PATH": "/usr/bin:/bin", "HOME": "/tmp", "LANG": "C.UTF-8", "TMPDIR": "/tmp",
                         "LIGHTWALK_SANDBOXED": "1"} | environment).items():
         words += ["--setenv", name, str(value)]
@@ -188,9 +233,26 @@ def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_f
         if os.path.islink(path):
             words += ["--symlink", os.readlink(path), path]
         elif os.path.exists(path):
-            words += ["--ro-bind", path, path]
+            words += [*parents(Path(path)), "--ro-bind", path, path]
+    words += ["--perms", "0755", "--dir", "/dev"]
     for path in DEVICES:
         words += ["--dev-bind", path, path]
-    words += ["--proc", "/proc", "--size", str(TMP_BYTES), "--tmpfs", "/tmp"]
-    return words + mounts.words + ["--remount-ro", "/", "--chdir", "/tmp", "--seccomp", str(filter_fd), "--",
-                    *[str(word) for word in command]]
+    words += ["--proc", "/proc"]
+    for path in COVERED:
+        if os.path.isdir(path):
+            words += ["--size", "4096", "--tmpfs", path, "--remount-ro", path]
+    words += ["--perms", "1777", "--size", str(TMP_BYTES), "--tmpfs", "/tmp"]
+    return words + mounts.words + ["--remount-ro", "/", "--chdir", "/tmp", "--seccomp", str(filter_fd), "--info-fd", str(told_fd), "--",
+                    *becoming_nobody(), *[str(word) for word in command]]
+
+
+def own_world() -> list[str]:
+    """Namespaces. Root needs none of users, in which it would stay root; it keeps what it takes to become somebody."""
+    if drops_root():
+        return ["--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup-try",
+                "--cap-drop", "ALL", "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"]
+    return ["--unshare-all", "--unshare-user", "--uid", "1000", "--gid", "1000", "--cap-drop", "ALL"]
+
+
+def becoming_nobody() -> list[str]:
+    return ["setpriv", f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups"] if drops_root() else []

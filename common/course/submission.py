@@ -7,7 +7,9 @@ each as an exercise may have. Whatever is wrong with one submission is that one'
 import bz2
 import dataclasses
 import gzip
+import itertools
 import lzma
+import mmap
 import os
 import re
 import stat
@@ -38,11 +40,11 @@ def find(paths: list[Path]) -> list[Submission]:
     found = [one for path in paths for one in _find(path)]
     if len(found) > MOST_STUDENTS:
         raise UsageError(f"{len(found)} submissions; {MOST_STUDENTS} at most")
-    taken = {}
+    taken = set()
     for one in found:
-        taken[one.student] = taken.get(one.student, 0) + 1
-        if taken[one.student] > 1:
-            one.student += f" ({taken[one.student]})"
+        names = itertools.chain([one.student], (f"{one.student} ({number})" for number in itertools.count(2)))
+        one.student = next(name for name in names if cell(name) not in taken)
+        taken.add(cell(one.student))
     return found
 
 
@@ -91,6 +93,13 @@ def printable(text: str, most: int = 200) -> str:
     shown = "".join(c if unicodedata.category(c)[0] not in "C" and c not in "\u2028\u2029" else
                     f"\\x{ord(c) - 0xdc00:02x}" if 0xdc80 <= ord(c) <= 0xdcff else f"\\u{ord(c):04x}" for c in text)
     return shown if len(shown) <= most else shown[:most - 3] + "..."
+
+
+def cell(text: str) -> str:
+    """Text that no spreadsheet takes for a formula, whatever it takes for the end of a cell."""
+    def guarded(found):
+        return found[0] + "'" * (unicodedata.normalize("NFKC", found[2]) in "=+-@\u2212|%")
+    return re.sub(r"""((?:^|[;,|"'\t\n])\s*)(?=(\S))""", guarded, text)
 
 
 def read(submission: Submission, wanted: set[str]) -> dict[str, bytes]:
@@ -185,18 +194,36 @@ def _archive(path: Path):
 
 
 def _zip(file):
+    refuse_many_members(file)
     with zipfile.ZipFile(file) as archive:
-        if len(archive.infolist()) > MOST_MEMBERS:
-            raise Failure(f"holds more than {MOST_MEMBERS} files")
+        left = [MOST_UNPACKED_BYTES]
         for info in archive.infolist():
             kind = stat.S_IFMT(info.external_attr >> 16)
             if not info.is_dir() and kind in (0, stat.S_IFREG):
-                yield info.filename.removeprefix("./"), lambda most, info=info: _start(archive, info, most)
+                yield info.filename.removeprefix("./"), lambda most, info=info: _start(archive, info, most, left)
 
 
-def _start(archive, info, most: int) -> bytes:
+def _start(archive, info, most: int, left: list[int]) -> bytes:
+    """`left`: how many bytes the members of this archive may still be unpacked to."""
+    # The other methods unpack as much at once as the archive says, whatever it is asked for.
+    if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+        raise Failure(f"{printable(info.filename)} is packed by method {info.compress_type}; a .zip is stored or deflated here")
     with archive.open(info) as stream:
-        return stream.read(most)
+        data = stream.read(most)
+    left[0] -= len(data)
+    if left[0] < 0:
+        raise Failure(f"unpacks to more than {MOST_UNPACKED_BYTES >> 20} MiB")
+    return data
+
+
+def refuse_many_members(file):
+    """Before a list of them is made, which can be a thousand times their headers' size."""
+    with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as all_bytes:
+        count, at = 0, all_bytes.find(b"PK\x01\x02")
+        while at >= 0:
+            count, at = count + 1, all_bytes.find(b"PK\x01\x02", at + 4)
+            if count > MOST_MEMBERS:
+                raise Failure(f"holds more than {MOST_MEMBERS} files")
 
 
 def _tar(file):

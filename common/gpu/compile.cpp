@@ -2,6 +2,7 @@
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <regex>
@@ -29,6 +30,23 @@ EShLanguage language(Stage stage) {
     return EShLangVertex;
 }
 
+// Line `number` of a shader, for a message about it; nothing where the file is none of the course's shaders: any text
+// may say "#line 3" and name any file.
+std::string line_of(const std::string& file, int number) {
+    const fs::path path = fs::path(file).lexically_normal();
+    const std::string room = path.empty() ? "" : path.begin()->string();
+    std::error_code error;
+    if (path.is_absolute() || (room != "shaders" && room != "tests") ||
+        !fs::is_regular_file(course_root() / path, error) || !lies_below(course_root() / path, course_root() / room))
+        return "";
+    static constexpr std::string_view endings[] = {".glsl", ".h", ".vert", ".geom", ".frag", ".comp"};
+    if (std::ranges::find(endings, path.extension().string()) == std::end(endings)) return "";
+    std::ifstream source(course_root() / path);
+    std::string text;
+    for (int i = 0; i < number && std::getline(source, text); ++i) {}
+    return !source ? "" : "\n    " + (text.size() > 200 ? text.substr(0, 200) + " ..." : text);
+}
+
 // "file:line: message" and the line itself, from glslang's "ERROR: file:line: message".
 std::string readable(const std::string& log) {
     static const std::regex pattern(R"(ERROR: ("?)([^:"]+)\1:(\d+): (.*))");
@@ -42,10 +60,7 @@ std::string readable(const std::string& log) {
         const std::string message = match[4];
         if (message.find("compilation terminated") != message.npos) continue;
         result += fmt::format("{}{}:{}: {}", result.empty() ? "" : "\n", file, number, message);
-        std::ifstream source(course_root() / file);
-        std::string text;
-        for (int i = 0; i < number && std::getline(source, text); ++i) {}
-        if (source) result += "\n    " + (text.size() > 200 ? text.substr(0, 200) + " ..." : text);
+        result += line_of(file, number);
     }
     return result.empty() ? log : result;
 }

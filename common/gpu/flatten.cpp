@@ -28,6 +28,15 @@ fs::path overlaid(const fs::path& file) {
     return fs::exists(other) ? other : file;
 }
 
+// A file that gives its lines other numbers and another name would put its mistakes down to that one.
+void refuse_line_numbers(const std::string& text, const std::string& shown) {
+    static const std::regex directive(R"re(^\s*#\s*line\b.*)re");
+    std::istringstream in(text);
+    std::string line;
+    for (int number = 1; std::getline(in, line); ++number)
+        if (std::regex_match(line, directive)) throw ShaderError("{}:{}: no shader has a #line", shown, number);
+}
+
 class Flattener {
   public:
     FlatShader result;
@@ -42,7 +51,9 @@ class Flattener {
         try {
             text = read_file(overlaid(file));
         } catch (const InputError& e) { throw ShaderError(e.what()); }
-        add(text, fs::relative(file, course_root()).string(), chapter_of(name));
+        const std::string shown = fs::relative(file, course_root()).string();
+        refuse_line_numbers(text, shown);
+        add(text, shown, chapter_of(name));
     }
 
     void add(const std::string& text, const std::string& shown, const std::string& chapter) {

@@ -12,12 +12,12 @@ vec3 kept_texel(int slot) { return vec3(line[0][slot], line[1][slot], line[2][sl
 
 #ifdef COUNTED
 // For checks: a line whose texels are known, and how often each was read.
-layout(scalar) buffer CountBuffer { uint counts[]; };
-uniform sampler2D known;
+layout(scalar) buffer CountBuffer { uint check_counts[]; };
+uniform sampler2D check_known;
 int check_base;
 vec3 texel(int i) {
-    atomicAdd(counts[clamp(i - check_base + COUNTED, 0, counts.length() - 1)], 1u);
-    return texelFetch(known, ivec2(i + 1024, 0), 0).rgb;
+    atomicAdd(check_counts[clamp(i - check_base + COUNTED, 0, check_counts.length() - 1)], 1u);
+    return texelFetch(check_known, ivec2(i + 1024, 0), 0).rgb;
 }
 float weight_at(int distance) { return 1.0 / float(1 + distance); }
 #else

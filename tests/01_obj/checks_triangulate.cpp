@@ -116,6 +116,20 @@ void check_triangulate(Check& check, std::vector<glm::uvec3> (*attempt)(std::spa
         "a square with a hole and a bridge to it",
         {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}});
     covers("a slightly bent quadrilateral", {{0, 0, 0}, {1, 0, 0.05f}, {1, 1, 0}, {0, 1, 0.05f}});
+    // As nobody has seen them before: around a point in any plane, nearer and farther corners in turn.
+    Random random(3);
+    for (int i = 0; i < 12; ++i) {
+        const int corners = 11 + static_cast<int>(random.uniform(0, 30));
+        const glm::vec3 normal = random.direction(), other = random.direction();
+        const glm::vec3 u = glm::normalize(glm::cross(normal, other)), v = glm::cross(normal, u);
+        Polygon drawn;
+        for (int k = 0; k < corners; ++k) {
+            const double angle = 6.283185307 * (k + random.uniform(0, 0.7)) / corners, radius = random.uniform(0.3, 2);
+            drawn.push_back(static_cast<float>(radius * std::cos(angle)) * u +
+                            static_cast<float>(radius * std::sin(angle)) * v);
+        }
+        covers("a random star of " + std::to_string(corners) + " corners", drawn, dent);
+    }
     check.call(
         "triangulate(a circle of 100 corners)",
         [&]() -> std::string {

@@ -4,6 +4,7 @@
 
 #include "../common/gpu_fixture.h"
 #include "07_mipmaps/texels.h"
+#include "07_mipmaps/truth.h"
 
 namespace lightwalk {
 

@@ -28,16 +28,11 @@ std::string size_text(glm::uvec2 size) { return fmt::format("{}x{}", size.x, siz
 }  // namespace
 
 CHECK_EXERCISE("07.level_sizes", "halve both sides, rounded down and never below 1, until both are 1") {
-    for (const glm::uvec2 size : {glm::uvec2{4, 4},
-                                  {1, 1},
-                                  {1, 7},
-                                  {1023, 1},
-                                  {3, 5},
-                                  {1366, 683},
-                                  {1080, 1920},
-                                  {4096, 4096},
-                                  {4097, 2},
-                                  {16384, 1}}) {
+    std::vector<glm::uvec2> all{{4, 4},      {1, 1},       {1, 7},       {1023, 1}, {3, 5},
+                                {1366, 683}, {1080, 1920}, {4096, 4096}, {4097, 2}, {16384, 1}};
+    Random random(2);
+    for (int i = 0; i < 8; ++i) all.emplace_back(random.logarithmic(1, 9000), random.logarithmic(1, 9000));
+    for (const glm::uvec2 size : all) {
         const std::string what = "level_sizes(" + size_text(size) + ")";
         check.call(what, [&]() -> std::string {
             const std::vector<glm::uvec2> sizes = level_sizes(size);
@@ -199,7 +194,10 @@ CHECK_EXERCISE("07.odd_size_weights",
                     if (std::fabs(got[0] + got[1] + got[2] - 1) > 1e-5) return "the three must add up to 1";
                     return int(in[1]) % 2 == 0 ? "an even size has halves" : "";
                 }};
-    for (const int size : {1, 2, 3, 5, 7, 8, 255, 683, 1023, 1366, 4097})
+    std::vector<int> sizes{1, 2, 3, 5, 7, 8, 255, 683, 1023, 1366, 4097};
+    Random random(3);
+    for (int i = 0; i < 8; ++i) sizes.push_back(static_cast<int>(random.logarithmic(9, 4096)));
+    for (const int size : sizes)
         for (int i = 0; i < std::max(size / 2, 1); i += std::max(size / 40, 1))
             probe.inputs.push_back({double(i), double(size)});
     const Table results = check.probe(probe);

@@ -153,7 +153,7 @@ void main() {
     bool last = is_last_workgroup(int(gl_WorkGroupID.z), gl_NumWorkGroups.x * gl_NumWorkGroups.y);
     uint group = (gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y) * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     told[512u * group + gl_LocalInvocationIndex] = last ? 1u : 0u;
-    told[512u * group + 256u + gl_LocalInvocationIndex] = barriers_passed;
+    told[512u * group + 256u + gl_LocalInvocationIndex] = check_barriers_passed;
 }
 )";
 

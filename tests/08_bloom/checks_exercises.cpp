@@ -123,7 +123,10 @@ CHECK_EXERCISE("08.combine", "what is moved is no longer where it was; and the p
 
 CHECK_EXERCISE("08.gaussian_weights",
                "compute all of them, then divide each by the first and twice the sum of the others") {
-    for (const float sigma : {0.0f, 1e-30f, 1e-20f, 0.1f, 0.3f, 1.0f, 2.5f, 10.0f, 33.3f, 200.0f})
+    std::vector<float> sigmas{0.0f, 1e-30f, 1e-20f, 0.1f, 0.3f, 1.0f, 2.5f, 10.0f, 33.3f, 200.0f};
+    Random random(2);
+    for (int i = 0; i < 4; ++i) sigmas.push_back(static_cast<float>(random.logarithmic(0.2, 60)));
+    for (const float sigma : sigmas)
         for (const float truncation : {1.0f, 2.5f, 3.0f, 5.0f}) {
             const std::string what = fmt::format("gaussian_weights({}, {})", sigma, truncation);
             check.call(what, [&]() -> std::string {
@@ -167,6 +170,12 @@ CHECK_EXERCISE("08.pair_taps",
                 weights.push_back(std::exp(-0.5f * d * d / (sigma * sigma)) / (2.6f * sigma));
             tables.push_back(weights);
         }
+    Random random(3);
+    for (size_t count = 2; count < 26; count += 3) {
+        std::vector<float> weights;
+        for (size_t d = 0; d < count; ++d) weights.push_back(static_cast<float>(random.uniform(0.01, 0.1)));
+        tables.push_back(weights);
+    }
     for (const std::vector<float>& weights : tables) {
         std::string list;
         for (size_t i = 0; i < std::min<size_t>(weights.size(), 6); ++i)

@@ -100,10 +100,10 @@ layout(scalar) readonly buffer GivenBuffer { uint given[]; };
 layout(scalar) writeonly buffer PassedBuffer { uint passed[]; };
 void main() {
     own_bins[gl_LocalInvocationIndex] = 1000u + gl_LocalInvocationIndex;
-    barrier();
+    check_barrier();
     uint word = given[gl_GlobalInvocationID.x];
     count_together(word & 255u, word < 256u);
-    passed[gl_GlobalInvocationID.x] = barriers_passed;
+    passed[gl_GlobalInvocationID.x] = check_barriers_passed;
 }
 )";
 

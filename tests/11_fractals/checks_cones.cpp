@@ -10,7 +10,9 @@ using namespace lightwalk;
 
 CHECK_EXERCISE("11.record_cones",
                "passes.cone, wait(), passes.march; `starts` is written by the first and read by the second dispatch") {
-    for (const glm::ivec2 size : {glm::ivec2(40, 24), glm::ivec2(61, 43)}) {
+    Random random;
+    const glm::ivec2 drawn(random.uniform(9, 90), random.uniform(9, 90));
+    for (const glm::ivec2 size : {glm::ivec2(40, 24), glm::ivec2(61, 43), drawn}) {
         const ConesSeen seen = try_record_cones(size);
         const std::string what = fmt::format("{}x{} pixels: ", size.x, size.y);
         if (!seen.error.empty()) {

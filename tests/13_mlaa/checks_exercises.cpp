@@ -96,14 +96,23 @@ CHECK_EXERCISE("13.lab_distance", "f() of each component first; then L, a and b 
 
 CHECK_EXERCISE("13.propagate_distance",
                "a sum that begins with known(0); each further number is read where the sum ends by then") {
-    const std::vector<std::vector<uint32_t>> lines{{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0},
-                                                   {4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 3, 2, 1, 0},
-                                                   {3, 2, 1, 0, 5, 4, 3, 2, 1, 0, 4, 3, 2, 1, 0, 0},
-                                                   {2, 2, 2, 2, 2, 2, 1, 0, 2, 2, 2, 2, 2, 2, 1, 0},
-                                                   {0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0},
-                                                   {200, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0},
-                                                   std::vector<uint32_t>(16, 254),
-                                                   std::vector<uint32_t>(16, 100)};  // sums that no byte holds
+    std::vector<std::vector<uint32_t>> lines{{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0},
+                                             {4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 3, 2, 1, 0},
+                                             {3, 2, 1, 0, 5, 4, 3, 2, 1, 0, 4, 3, 2, 1, 0, 0},
+                                             {2, 2, 2, 2, 2, 2, 1, 0, 2, 2, 2, 2, 2, 2, 1, 0},
+                                             {0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0},
+                                             {200, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0},
+                                             std::vector<uint32_t>(16, 254),
+                                             std::vector<uint32_t>(16, 100)};  // sums that no byte holds
+    // Lines that end somewhere, of which each place knows no more than a number of steps.
+    Random random(2);
+    for (int i = 0; i < 2; ++i) {
+        const auto most = static_cast<uint32_t>(random.uniform(3, 9));
+        std::vector<uint32_t> line(16, 0);
+        for (size_t at = 15; at-- > 0;)
+            if (random.uniform(0, 1) < 0.85) line[at] = std::min(line[at + 1] + 1, most);
+        lines.push_back(line);
+    }
     for (const std::vector<uint32_t>& line : lines)
         for (const int reads : {2, 3, 4}) {
             std::string words;
@@ -166,7 +175,10 @@ CHECK_EXERCISE(
 }
 
 CHECK_EXERCISE("13.area", "a trapezium as wide as the pixel, or a triangle that ends in the middle of the line") {
-    for (const int length : {1, 2, 3, 4, 5, 7, 8, 31, 64, 255, 256, 509})
+    std::vector<int> lengths{1, 2, 3, 4, 5, 7, 8, 31, 64, 255, 256, 509};
+    Random random(2);
+    for (int i = 0; i < 8; ++i) lengths.push_back(static_cast<int>(random.uniform(9, 509)));
+    for (const int length : lengths)
         for (int position = 0; position < length; ++position) {
             const std::string what = fmt::format("area({}, {})", position, length);
             check.call(what, [&]() -> std::string {

@@ -19,7 +19,8 @@ from submission import find  # noqa: E402
 from tree import Failure, chapters, exercises, find_chapter  # noqa: E402
 
 CHAPTERS = ("01_obj", "02_lambert_phong", "03_attenuation")
-PLACES = {exercise: str(path.relative_to(REAL)) for chapter in CHAPTERS for exercise, path in exercises(chapter).items()}
+OF = {exercise: chapter for chapter in chapters() for exercise in exercises(chapter)}
+PLACES = {exercise: str(exercises(chapter)[exercise].relative_to(REAL)) for exercise, chapter in OF.items()}
 
 
 def why_not() -> str:
@@ -43,7 +44,7 @@ def right(exercise: str, place: str = "") -> str:
 class Class(unittest.TestCase):
     """Subclasses fill `folder` in fill() and read `grades`, by student."""
 
-    wanted = list(PLACES)
+    wanted = [exercise for exercise, chapter in OF.items() if chapter in CHAPTERS]
     pictures = False
 
     @classmethod
@@ -54,8 +55,7 @@ class Class(unittest.TestCase):
         cls.folder = cls.outside / "class"
         cls.folder.mkdir()
         cls.fill()
-        of = {chapter[:2]: chapter for chapter in CHAPTERS}
-        with Judge({name: of[name[:2]] for name in cls.wanted}, 2, cls.pictures) as judge:
+        with Judge({name: OF[name] for name in cls.wanted}, 2, cls.pictures) as judge:
             judge.verdicts = cls.outside / "verdicts"
             cls.grades = {one["student"]: one for one in grade(find([cls.folder]), judge)}
 

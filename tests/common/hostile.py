@@ -132,6 +132,13 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     "writes outside": (
         box(f'for (const char* name : {{"{OUTSIDE}", "CLASS/x", "ROOT/x", "/usr/x", "/x", "/grade/x"}}) '
             'if (std::ofstream(name) << "x" << std::flush && std::strncmp(name, "/tmp/", 5)) BROKE_OUT(name);'), GAVE_TRUE),
+    "writes the machine's settings": (
+        box('for (const char* name : {"/proc/sys/kernel/core_pattern", "/proc/sys/vm/overcommit_memory", '
+            '"/proc/sys/kernel/hostname", "/proc/sysrq-trigger"}) if (open(name, O_WRONLY) >= 0) BROKE_OUT(name);'), GAVE_TRUE),
+    "changes the machine's devices": (
+        box('for (const char* name : {"/dev/null", "/dev/zero", "/dev/urandom"}) if (!chmod(name, 0666)) BROKE_OUT(name);'
+            'if (!mknod("/tmp/x", S_IFCHR | 0666, makedev(1, 1))) BROKE_OUT("mknod");', "#include <sys/sysmacros.h>\n"),
+        GAVE_TRUE),
     "leaves a process behind": (
         box(f'if (fork() == 0) {{ sleep(3); std::ofstream("{OUTSIDE}"); sleep(600); }} '
             'if (fork() >= 0 || vfork() >= 0) BROKE_OUT("fork");'), GAVE_TRUE),
@@ -165,6 +172,8 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     "never returns, deaf": (
         box("sigset_t all; sigfillset(&all); sigprocmask(SIG_SETMASK, &all, nullptr); signal(SIGALRM, SIG_IGN); "
             "for (volatile int i = 0;; i = i + 1) {}"), "did not return within 2 s"),
+    "never returns, for nobody": (
+        box("prctl(PR_SET_PDEATHSIG, 0); for (;;) pause();", "#include <sys/prctl.h>\n"), "did not return within 2 s"),
     "never ends": (box("std::atexit([] { for (;;) pause(); }); std::exit(0);"), "did not return within 2 s"),
     "takes all memory": (
         box('for (size_t got = 0;; got += 1 << 24) std::memset(std::malloc(1 << 24), 1, 1 << 24);'),
@@ -193,15 +202,43 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     "answers another exercise": (
         {"01.parse_face": '#include "01_obj/exercises.h"\nnamespace lightwalk::exercise {\n'
          "std::vector<glm::uvec3> triangulate(std::span<const glm::vec3>) { return {}; }\n}\n"}, "crashed"),
-    "GLSL: includes the reference": (lambert('#include "02_lambert_phong/solution/lambert.glsl"\n'), "no file"),
+    "GLSL: includes the reference": (lambert('#include "02_lambert_phong/solution/lambert.glsl"\n'), "no file of that name"),
+    "GLSL: includes another reference": (
+        lambert('#include "02_lambert_phong/solution/phong.glsl"\n' + GLSL % "0.5"), "no file of that name"),
+    "GLSL: includes another exercise": (
+        lambert('#include "02_lambert_phong/phong.glsl"\n' + GLSL % "0.5"), "an exercise that the starter does not build on"),
     "GLSL: goes round to the reference": (
         lambert('#include "common/../02_lambert_phong/solution/lambert.glsl"\n'), "a path below shaders/"),
     "GLSL: includes a device": (lambert('#include "/dev/zero"\n'), "a path below shaders/"),
     "GLSL: includes the users": (lambert('#include "../../../../../../etc/passwd"\n'), "a path below shaders/"),
     "GLSL: includes itself": (lambert('#include "02_lambert_phong/lambert.glsl"\n' + GLSL % "0.5"), "gave 0.5"),
     "GLSL: defines the check": (lambert("#define value what\n" + GLSL % "0.5"), "a name that others use"),
-    "GLSL: defines it in two lines": (lambert("#/* */define \\\n probe_outputs mine\n" + GLSL % "0.5"), "a name that others"),
+    "GLSL: defines it in two lines": (lambert("#/* */define \\\n main mine\n" + GLSL % "0.5"), "a name that others"),
     "GLSL: defines main": (lambert("#define main other\n" + GLSL % "0.5"), "a name that others use"),
+    "GLSL: defines main behind a comment": (
+        lambert("// /*\n#define main other\n// */\n" + GLSL % "0.5"), "a name that others use"),
+    "GLSL: defines main behind a comment that goes on": (
+        lambert("// \\\n/*\n#define main other\n" + GLSL % "0.5" + "// */\n"), "a name that others use"),
+    "GLSL: defines main behind a lone CR": (
+        lambert("// a\r#define main other\n" + GLSL % "0.5"), "a name that others use"),
+    "GLSL: defines main within a comment's end": (
+        lambert("/* \n */ # /* */ define /* */ main other\n" + GLSL % "0.5"), "a name that others use"),
+    "GLSL: makes a name of two": (
+        lambert("#define JOIN(a, b) a##b\n" + GLSL % "float(JOIN(probe_in, puts).length())"), "no # within a line"),
+    "GLSL: names the check's inputs": (lambert(GLSL % "float(probe_inputs.length())"), "the checks' own"),
+    "GLSL: asks what operations gave": (lambert(GLSL % "float(undefined_what)"), "the checks' own"),
+    "GLSL: takes a buffer by its number": (
+        lambert("layout(set = 0, binding = 1) buffer Mine { float all[]; } mine;\n" + GLSL % "mine.all[0]"), "that its starter"),
+    "GLSL: takes memory by its address": (
+        lambert("#extension GL_EXT_buffer_reference : require\n"
+                "layout(buffer_reference) buffer Any { float all[]; };\n" + GLSL % "Any(uvec2(4096u, 0u)).all[0]"),
+        "no exercise needs #extension"),
+    "GLSL: shows a file of the host": (
+        lambert('#line 1 "/etc/passwd"\n' + GLSL % "syntax error"), "no exercise needs #line"),
+    "GLSL: shows a file of the host, by a comment": (
+        lambert('/* */ #/* */line 1 "../../../../../etc/passwd"\n' + GLSL % "syntax error"), "no exercise needs #line"),
+    "GLSL: is a pragma": (lambert("#pragma use_storage_buffer\n" + GLSL % "0.5"), "no exercise needs #pragma"),
+    "GLSL: a comment without an end": (lambert(GLSL % "0.5" + "/* "), "a comment does not end"),
     "GLSL: has a main": (lambert("void main() {}\n" + GLSL % "0.5"), "function already has a body|redefinition|error"),
     "GLSL: never returns": (
         lambert("float lambert(vec3 normal, vec3 to_light) { float x = 0.0; for (;;) { x += normal.x; "

@@ -151,6 +151,25 @@ TEST_CASE("files: a write keeps what is no file, follows links and keeps permiss
     CHECK_FALSE(fs::exists(folder / "another"));
 }
 
+TEST_CASE("files: what was left open for writing is written to as it is, and anything else of that name is not") {
+    const Folder folder;
+    const int open_one = open((folder / "open").c_str(), O_RDWR | O_CREAT, 0600);
+    const int read_only = open((folder / "open").c_str(), O_RDONLY);
+    fs::remove(folder / "open");
+    const std::string name = fmt::format("/dev/fd/{}", open_one);
+    check_writable(name);
+    write_file(name, "all of it");
+    char read_back[16] = {};
+    CHECK(pread(open_one, read_back, sizeof read_back, 0) == 9);
+    CHECK(std::string(read_back) == "all of it");
+    CHECK(folder.count() == 0);
+    int ends[2];
+    REQUIRE(pipe(ends) == 0);
+    for (const int other : {1, read_only, ends[1], 999})
+        CHECK(!message([&] { write_file(fmt::format("/dev/fd/{}", other), "x"); }).empty());
+    for (const int one : {open_one, read_only, ends[0], ends[1]}) close(one);
+}
+
 TEST_CASE("files: whenever a write is killed, the old file or the new one is there") {
     const Folder folder;
     const fs::path file = folder / "file";

@@ -1,4 +1,4 @@
-"""Tests of ./course grade: what is read of a submission, what is written about it, and that it refuses without a sandbox."""
+"""Tests of ./course grade: what is read of a submission, and what is written about it."""
 
 import bz2
 import csv
@@ -7,8 +7,6 @@ import json
 import lzma
 import os
 import struct
-import subprocess
-import sys
 import tarfile
 import threading
 import time
@@ -19,12 +17,9 @@ from pathlib import Path
 from unittest import mock
 
 from grading import CHAPTERS, PLACES, REAL, Class, right
-from alike import alike
-from grade import cell, grade, groups, table, write_files
+from grade import grade, table, write_files
 from judge import Judge, same_text
-from macros import foreign_macro
-from submission import find, printable, read
-from tree import Failure, UsageError, exercises
+from submission import cell, find
 
 LAMBERT, FADE = PLACES["02.lambert"], PLACES["03.range_fade"]
 RIGHT = right("02.lambert").encode()
@@ -39,6 +34,13 @@ def zipped(path: Path, members: dict, compression=zipfile.ZIP_DEFLATED, **attrib
             for key, value in attributes.items():
                 setattr(info, key, value)
             archive.writestr(info, data)
+
+
+def repeated(path: Path, data: bytes, times: int):
+    """A zip that has one exercise many times, each of another name to zipfile's eyes and the same to ours."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for i in range(times):
+            archive.writestr(f"{i}/{LAMBERT}", data)
 
 
 def tarred(path: Path, members: dict, mode="w:gz", **attributes):
@@ -65,7 +67,7 @@ class Submissions(Class):
         cls.student("starter in dos", {"02.lambert": OPEN.replace(b"\n", b"\r\n")})
         cls.student("nested/course", {"02.lambert": RIGHT})
         zipped(at / "zip.zip", member)
-        zipped(at / "zip with lzma.zip", member, zipfile.ZIP_LZMA)
+        zipped(at / "stored.zip", member, zipfile.ZIP_STORED)
         zipped(at / "dots.zip", {**member, f"../../{LAMBERT}": OPEN, f"/{LAMBERT}": OPEN})
         zipped(at / "of links.zip", member, external_attr=0o120777 << 16)
         for kind in ("gz", "bz2", "xz"):
@@ -121,6 +123,11 @@ class Submissions(Class):
                 data += pack.compress(bytes(1 << 20))
             (at / name).write_bytes(data + pack.flush())
         zipped(at / "bomb.zip", {f"course/{LAMBERT}": bytes(64 << 20)})
+        # These two methods unpack all of a member at once, however little of it is asked for.
+        zipped(at / "bomb by bzip2.zip", {f"course/{LAMBERT}": bytes(300 << 20)}, zipfile.ZIP_BZIP2)
+        zipped(at / "bomb by lzma.zip", {f"course/{LAMBERT}": bytes(300 << 20)}, zipfile.ZIP_LZMA)
+        zipped(at / "many.zip", {f"{i}": b"" for i in range(21000)})
+        repeated(at / "again and again.zip", bytes(1 << 18), 1100)
         tarred(at / "many.tar.gz", {f"{i}": b"" for i in range(21000)}, "w:gz")
         (at / "greedy.tar.xz").write_bytes(xz_of_large_dictionary())
 
@@ -129,7 +136,7 @@ class Submissions(Class):
         self.assertTrue(self.result(student, "02.lambert")["ok"], self.result(student, "02.lambert"))
 
     def test_what_can_be_read_is_judged(self):
-        for student in ("plain", "bom", "dos", "nested", "zip", "zip with lzma", "dots", "tar.gz", "tar.bz2", "tar.xz",
+        for student in ("plain", "bom", "dos", "nested", "zip", "stored", "dots", "tar.gz", "tar.bz2", "tar.xz",
                         "tar", "not utf8", r"a name\u000ahonest 2 of 2\u001b[2J", "=cmd|calc!A0", r"\xff\xfe latin"):
             with self.subTest(student):
                 self.right(student)
@@ -145,6 +152,8 @@ class Submissions(Class):
                                ("large", "larger than 256 KiB"), ("bomb", "unpacks to more|larger than 256 KiB"),
                                ("bomb (2)", "unpacks to more|larger than 256 KiB"),
                                ("bomb (3)", "unpacks to more|larger than 256 KiB"), ("many", "more than 20000 files"),
+                               ("many (2)", "more than 20000 files"), ("bomb by bzip2", "packed by method 12"),
+                               ("bomb by lzma", "packed by method 14"), ("again and again", "unpacks to more than 256 MiB"),
                                ("greedy", "cannot be read: .*[Mm]emory")):
             with self.subTest(student):
                 self.assertRegex(self.grades[student]["error"] or "nothing", words)
@@ -157,6 +166,17 @@ class Submissions(Class):
 
     def test_two_of_one_name_are_two(self):
         self.assertEqual(self.grades["plain (2)"]["right"], 0)
+
+    def test_no_two_students_are_one_row(self):
+        """Whatever their files are called: the second "ann" is not the folder "ann (2)"."""
+        at = self.outside / "names"
+        for name in ("ann", "ann (2)", "ann (2) (2)", "=b", "'=b"):
+            (at / name).mkdir(parents=True)
+        for name in ("ann.zip", "ann.tar", "ann (2).zip"):
+            (at / name).touch()
+        found = [one.student for one in find([at])]
+        self.assertEqual(len({cell(name) for name in found}), 8, found)
+        self.assertEqual(len(set(found)), 8, found)
 
     def test_files_and_table(self):
         out = self.outside / "out"
@@ -217,22 +237,39 @@ class Pictures(Class):
         cls.student("honest", {name: right(name) for name in cls.wanted})
         two_faces = right("02.lambert").replace("{\n", "{\n#ifdef METHOD\n    return 0.3;\n#endif\n", 1)
         writes = """{
-    const int out = open("/out/picture.png", O_CREAT | O_WRONLY, 0600);
-    if (out >= 0) { (void)!write(out, "no picture", 10); _exit(0); }
+    struct stat about;
+    for (int fd = 3; fd < 64; ++fd)
+        if (!fstat(fd, &about) && S_ISREG(about.st_mode) && write(fd, "no picture", 10) == 10) _exit(0);
 """
-        linked = """{
-    if (!symlink("/grade/expected.png", "/out/picture.png") || !symlink("CLASS/golden.png", "/out/picture.png")) _exit(0);
+        # 3,000 folders in one another wherever it may write, and as much as that takes: nobody walks through them.
+        nests = """{
+    for (const char* where : {"/out", "/tmp", "/grade", "/dev", "."})
+        if (!chdir(where)) for (int i = 0; i < 3000 && !mkdir("x", 0777) && !chdir("x"); ++i) {}
+    for (const char* where : {"/out/", "/grade/", "/dev/", "/"})
+        for (int i = 0; i < 3; ++i)
+            if (open((where + std::to_string(i)).c_str(), O_CREAT | O_WRONLY, 0600) >= 0) _exit(3);
 """
-        head = "#include <fcntl.h>\n#include <unistd.h>\n#include <cstdlib>\n"
+        fills = """{
+    static char all[1 << 20];
+    struct stat about;
+    for (int fd = 3; fd < 64; ++fd)
+        if (!fstat(fd, &about) && S_ISREG(about.st_mode)) {
+            while (write(fd, all, sizeof all) > 0) {}
+            _exit(0);
+        }
+"""
+        head = "#include <fcntl.h>\n#include <sys/stat.h>\n#include <unistd.h>\n#include <cstdlib>\n#include <string>\n"
         cls.student("two faces", {"02.lambert": two_faces})
         cls.student("own picture", {"01.triangulate": head + body(right("01.triangulate"), writes)})
-        cls.student("a link", {"01.triangulate": head + body(right("01.triangulate"), linked)})
+        cls.student("nests", {"01.triangulate": head + body(right("01.triangulate"), nests)})
+        cls.student("fills", {"01.triangulate": head + body(right("01.triangulate"), fills)})
 
     def test_pictures(self):
         self.assertEqual(self.grades["honest"]["right"], 3, self.grades["honest"])
+        self.assertTrue(self.result("nests", "01.triangulate")["ok"], self.result("nests", "01.triangulate"))
         for student, exercise, words in (("two faces", "02.lambert", "pixels differ|one colour"),
                                          ("own picture", "01.triangulate", "cannot be compared"),
-                                         ("a link", "01.triangulate", "no picture came out")):
+                                         ("fills", "01.triangulate", "no picture came out|it ended with")):
             result = self.result(student, exercise)
             self.assertFalse(result["ok"], result)
             self.assertRegex(result["first_failure"], f"the numbers are right, the picture of .* is not: .*({words})")
@@ -250,64 +287,6 @@ def xz_of_large_dictionary() -> bytes:
     stream = b"\xfd7zXZ\x00" + flags + struct.pack("<I", zlib.crc32(flags))
     block = b"\x02\x00\x21\x01\x25\x00\x00\x00"
     return stream + block + struct.pack("<I", zlib.crc32(block)) + b"\x01\x00\x00x\x00\x00\x00\x00"
-
-
-class Words(unittest.TestCase):
-    def test_names_are_one_printable_word(self):
-        self.assertEqual(printable("a\nb\x1b\u202e\udcff"), r"a\u000ab\u001b\u202e\xff")
-        self.assertEqual(len(printable("x" * 1000)), 200)
-        self.assertEqual([cell(text) for text in ("ann", "=1", "@x", "-1")], ["ann", "'=1", "'@x", "'-1"])
-
-    def test_what_is_no_class_is_one_line(self):
-        for path, words in (("/dev/null", "neither a folder nor an archive"), ("/no/such", "no such file"),
-                            ("x" * 300, "too long"), ("a\0b", "no such file")):
-            with self.assertRaisesRegex(UsageError, words):
-                find([Path(path)])
-
-    def test_a_macro_of_another_is_refused(self):
-        path = REAL / LAMBERT
-        self.assertEqual(foreign_macro(b"#define MY_OWN 1\nfloat lambert() {}", path), "")
-        for name in ("probe_outputs", "case_index", "main", "gl_WorkGroupID", "put"):
-            self.assertIn(name, foreign_macro(f"#define {name} 1".encode(), path))
-        for chapter in CHAPTERS:
-            for exercise, place in exercises(chapter).items():
-                if place.suffix == ".glsl":
-                    self.assertEqual(foreign_macro(right(exercise).encode(), place), "")
-
-    def test_alike(self):
-        starters = {"01.a": b"int f() {\n    return 0;\n}\n"}
-        long = b"int f() {\n" + b"".join(b"    x%d = y[%d] + %d;\n" % (i, i, i) for i in range(60)) + b"}\n"
-        renamed = long.replace(b"    x7 = y", b"    z7 = y") + b"// mine\n"
-        short = b"int f() {\n    return 1;\n}\n"
-        other = long.replace(b"y", b"w")
-        found = alike({"ann": {"01.a": long}, "ben": {"01.a": long}, "cat": {"01.a": renamed}, "dan": {"01.a": short},
-                       "eve": {"01.a": short}, "fay": {"01.a": other}}, starters)
-        self.assertEqual({(a, b): what for a, b, what in found},
-                         {("ann", "ben"): "all that they added is the same",
-                          ("ann", "cat"): "all that they added is the same to 98 %",
-                          ("ben", "cat"): "all that they added is the same to 98 %"})
-
-    def test_who_is_alike_is_said_once(self):
-        def one(student, *others):
-            return {"student": student, "alike": [{"student": other, "what": "all"} for other in others]}
-        found = groups([one("a", "b"), one("b", "a"), one("c"), one("d", "e", "f"), one("e", "d"), one("f", "d")])
-        self.assertEqual(found, ["a, b: all", "d, e, f: grades.json says what"])
-
-    def test_without_a_sandbox_it_refuses(self):
-        """And names the package, before a submission is opened or anything is built."""
-        with mock.patch("shutil.which", lambda name: None), mock.patch("judge.build", side_effect=AssertionError):
-            with self.assertRaisesRegex(Failure, "bubblewrap alone, and it is not there.*apt-get install bubblewrap"):
-                Judge({"02.lambert": "02_lambert_phong"})
-        with mock.patch("sandbox.run", side_effect=Failure("no namespaces")):
-            with self.assertRaisesRegex(Failure, "cannot contain anything here.*no namespaces"):
-                Judge({"02.lambert": "02_lambert_phong"})
-        self.assertIn("bubblewrap", (REAL / "common/course/packages/grade").read_text().split())
-
-    def test_a_bad_word_is_one_line_and_2(self):
-        for words in (["/dev/null"], ["/no/such"], ["x" * 300]):
-            done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "grade", *words], text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            self.assertEqual((done.returncode, done.stdout.count("\n")), (2, 1), done.stdout)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-"""A driver that crashes with a right shader is no mistake of the student's, and is not kept quiet."""
+"""A driver that crashes with a shader whose numbers are right: that may be its own fault or the student's purpose, so whoever
+grades is told, and there is no mark until then."""
 
 import contextlib
 import tempfile
@@ -6,8 +7,8 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-import grading  # noqa: F401  which makes the course's modules importable
-from grade import table
+from grading import right, why_not
+from grade import table, write_files
 from judge import Judge
 from judge_picture import DriverEnded, Pictures
 from sandbox import Done
@@ -15,40 +16,55 @@ from sandbox import Done
 EXERCISE = "04.parallax_occlusion"
 
 
+@unittest.skipIf(why_not(), why_not())
 class Crash(unittest.TestCase):
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name)
 
-    def drawn(self, code: int, name: str) -> str | None:
-        """What Pictures says of a source whose drawing ended so."""
+    def drawn(self, codes, name: str) -> str | None:
+        """What Pictures says of a source with which the drawing of one shot after the other ended so."""
         pictures = Pictures.__new__(Pictures)
         pictures.wanted, pictures.link = {EXERCISE: "04_surface_maps"}, lambda *_: ""
-        pictures.reference, pictures.drawing_mounts = lambda _: ("relief", self.folder / "relief.png"), lambda *_: None
-        running = mock.Mock(finish=lambda: Done(code, "", False, False))
-        judge = mock.Mock(started=lambda *_: contextlib.nullcontext(running))
+        shots = [(shot, self.folder / f"{shot}.png") for shot in ("relief", "wall")]
+        pictures.references, pictures.drawing_mounts = lambda _: shots[:len(codes)], lambda *_: None
+        ends = iter(codes)
+        running = mock.Mock(finish=lambda: Done(next(ends), "", False, False))
+        judge = mock.Mock(started=lambda *_, **__: contextlib.nullcontext(running))
         with tempfile.TemporaryDirectory(dir=self.folder) as folder:
             return pictures.wrong(EXERCISE, Path(folder) / name, judge)
 
     def test_which_end_is_the_drivers(self):
-        with self.assertRaisesRegex(DriverEnded, "relief"):
-            self.drawn(139, "a.glsl")
-        self.assertRegex(self.drawn(1, "a.glsl"), "the picture of relief is not: it ended with 1")
-        self.assertRegex(self.drawn(134, "a.glsl"), "it ended with 134")
-        self.assertRegex(self.drawn(139, "a.cpp"), "it ended with 139")  # C++ of a student's crashes by itself
+        with self.assertRaisesRegex(DriverEnded, "relief, wall"):
+            self.drawn((139, 139), "a.glsl")
+        self.assertRegex(self.drawn((1,), "a.glsl"), "the picture of relief is not: it ended with 1")
+        self.assertRegex(self.drawn((134,), "a.glsl"), "it ended with 134")
+        self.assertRegex(self.drawn((139,), "a.cpp"), "it ended with 139")  # C++ of a student's crashes by itself
+        # One picture without a crash is enough to judge by.
+        self.assertRegex(self.drawn((139, 1), "a.glsl"), "the picture of wall is not: it ended with 1")
+        self.assertIsNone(self.drawn((), "a.glsl"))
 
-    def test_the_verdict_is_that_of_the_numbers_and_says_so(self):
+    def test_there_is_no_mark_and_it_is_said(self):
         judge = Judge.__new__(Judge)
-        judge.paths, judge.seed = {EXERCISE: Path("a.glsl")}, 0
+        judge.paths, judge.seed = {EXERCISE: Path("04_surface_maps/exercise/a.glsl")}, 0
         judge.numbers = lambda *_: {"ok": True, "passed": 7, "failed": 0}
         judge.pictures = mock.Mock(wrong=mock.Mock(side_effect=DriverEnded("relief")))
         found = judge.judge(EXERCISE, b"")
-        self.assertEqual((found["ok"], found["passed"]), (True, 7))
-        result = {"exercise": EXERCISE, "chapter": "04_surface_maps", "state": "judged", **found}
-        lines = table([{"student": "ann", "error": None, "right": 1, "of": 1, "alike": [], "results": [result]}],
-                      ["04_surface_maps"])
-        self.assertRegex("\n".join(lines), r"look at: ann, 04\.parallax_occlusion: judged by its numbers alone: .* relief")
+        self.assertEqual((found["ok"], found["state"], found["passed"]), (False, "undecided", 7))
+        result = {"exercise": EXERCISE, "chapter": "04_surface_maps", **found}
+        grades = [{"student": "ann", "error": None, "right": 0, "of": 1, "alike": [], "results": [result]}]
+        self.assertRegex("\n".join(table(grades, ["04_surface_maps"])),
+                         r"look at: ann, 04\.parallax_occlusion, which has no mark yet: its numbers are right, .* relief")
+        write_files(self.folder, grades, {EXERCISE: "04_surface_maps"})
+        self.assertIn('"ann","0","1","?"', (self.folder / "grades.csv").read_text())
+
+    def test_it_is_said_of_a_verdict_that_was_kept(self):
+        with Judge({"02.lambert": "02_lambert_phong"}, 2, False) as judge:
+            judge.verdicts = self.folder
+            judge.pictures = mock.Mock(wrong=mock.Mock(side_effect=DriverEnded("bunny")))
+            states = {judge.verdict("02.lambert", right("02.lambert").encode() + b"// crash")["state"] for _ in range(2)}
+        self.assertEqual(states, {"undecided"})
 
 
 if __name__ == "__main__":

@@ -1,0 +1,153 @@
+"""Tests of what ./course grade makes of words: names, cells of a table, macros, and what it says where it refuses."""
+
+import re
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from grading import OF, PLACES, REAL, right, why_not
+import sandbox
+from alike import alike
+from check import note_what_grading_refuses
+from glsl_answer import Refused, macros_of_checks, plain
+from grade import groups
+from judge import Judge
+from submission import cell, find, printable
+from tree import Failure, UsageError
+
+LAMBERT = PLACES["02.lambert"]
+
+
+class Words(unittest.TestCase):
+    def test_names_are_one_printable_word(self):
+        self.assertEqual(printable("a\nb\x1b\u202e\udcff"), r"a\u000ab\u001b\u202e\xff")
+        self.assertEqual(len(printable("x" * 1000)), 200)
+        for text, meant in (("ann", "ann"), ("a=b-c", "a=b-c"), ("=1", "'=1"), ("@x", "'@x"), ("-1", "'-1"), (" =1", " '=1"),
+                            ("a;=cmd", "a;'=cmd"), ("a; +1", "a; '+1"), ("\uff1d1", "'\uff1d1"), ("\uff0b1", "'\uff0b1"),
+                            ("\u00a0\uff201", "\u00a0'\uff201"), ("a,\ufe63", "a,'\ufe63"), ("\u22121", "'\u22121"),
+                            ('"=1', "\"'=1")):
+            self.assertEqual(cell(text), meant)
+
+    def test_what_is_no_class_is_one_line(self):
+        for path, words in (("/dev/null", "neither a folder nor an archive"), ("/no/such", "no such file"),
+                            ("x" * 300, "too long"), ("a\0b", "no such file")):
+            with self.assertRaisesRegex(UsageError, words):
+                find([Path(path)])
+
+    def test_a_macro_of_another_is_refused(self):
+        path = REAL / LAMBERT
+        self.assertEqual(plain(b"#define MY_OWN 1\nfloat lambert() {}", path), "#define MY_OWN 1\nfloat lambert() {}")
+        for name in ("probe_outputs", "case_index", "main", "gl_WorkGroupID", "put", "LIGHTS_METHOD"):
+            with self.assertRaisesRegex(Refused, name):
+                plain(f"#define {name} 1".encode(), path)
+
+    def test_what_is_right_is_not_refused(self):
+        for exercise, chapter in OF.items():
+            if (place := REAL / PLACES[exercise]).suffix == ".glsl":
+                for text in (right(exercise), place.read_text(), right(exercise).replace("\n", "\r\n")):
+                    self.assertEqual(len(plain(text.encode(), place).split("\n")), text.count("\n") + 1)
+        for name in ("COUNTED", "KNOWN_LAB", "KNOWN_AIR", "MOST_READS", "FIELD_WIDTH"):
+            self.assertIn(name, macros_of_checks())
+
+    def test_plain_is_what_the_compiler_reads(self):
+        path = REAL / LAMBERT
+        for text, meant in (("a /* b\n */ c", "a  \n c"), ("a // b\nc", "a \nc"), ("a // b \\\nc\nd", "a \n\nd"),
+                            ("a\\\r\nb", "ab\n"), ("a\rb\r\nc", "a\nb\nc"), ("// /*\nb // */", "\nb "),
+                            ("/* // */ b", "  b"), ('/* " */ b // "', "  b ")):
+            self.assertEqual(plain(text.encode(), path), meant)
+        for text in ("a \0 b", "a \x0b b", "float \u00e9;", 'a "b"', "a # b", "a \\\\\n\nb", "a \\ b", "#\\\nline 1", "/*", "#extension a : b"):
+            with self.assertRaises(Refused, msg=text):
+                plain(text.encode(), path)
+
+    def test_a_student_is_told_beforehand(self):
+        result, path = {"note": "first"}, Path(self.enterContext(tempfile.TemporaryDirectory())) / "lambert.glsl"
+        path.write_text(right("02.lambert"))
+        note_what_grading_refuses(path, result)
+        self.assertEqual(result["note"], "first")
+        path.write_text("#extension all : warn\n" + right("02.lambert"))
+        note_what_grading_refuses(path, result)
+        self.assertRegex(result["note"], "first; handed in like this it would be refused: .*#extension")
+
+    def test_alike(self):
+        starters = {"01.a": b"int f() {\n    return 0;\n}\n"}
+        long = b"int f() {\n" + b"".join(b"    x%d = y[%d] + %d;\n" % (i, i, i) for i in range(60)) + b"}\n"
+        renamed = long.replace(b"    x7 = y", b"    z7 = y") + b"// mine\n"
+        short = b"int f() {\n    return 1;\n}\n"
+        other = long.replace(b"y", b"w")
+        found = alike({"ann": {"01.a": long}, "ben": {"01.a": long}, "cat": {"01.a": renamed}, "dan": {"01.a": short},
+                       "eve": {"01.a": short}, "fay": {"01.a": other}}, starters)
+        self.assertEqual({(a, b): what for a, b, what in found},
+                         {("ann", "ben"): "all that they added is the same",
+                          ("ann", "cat"): "all that they added is the same to 98 %",
+                          ("ben", "cat"): "all that they added is the same to 98 %"})
+
+    def test_who_is_alike_is_said_once(self):
+        def one(student, *others):
+            return {"student": student, "alike": [{"student": other, "what": "all"} for other in others]}
+        found = groups([one("a", "b"), one("b", "a"), one("c"), one("d", "e", "f"), one("e", "d"), one("f", "d")])
+        self.assertEqual(found, ["a, b: all", "d, e, f: grades.json says what"])
+
+    def test_what_goes_wrong_with_one_answer_is_that_ones(self):
+        """Whatever it is: the grading of the others goes on, and the same command tries this one again."""
+        judge = Judge.__new__(Judge)
+        judge.wanted, judge.starters, judge.versions = {"02.lambert": "02"}, {"02.lambert": b""}, {"02": "1"}
+        judge.verdicts, judge.judge = Path("/nonexistent"), mock.Mock(side_effect=RecursionError("too deep"))
+        found = judge.verdict("02.lambert", b"x")
+        self.assertEqual((found["state"], found["ok"]), ("failed", False))
+        self.assertIn("too deep", found["first_failure"])
+
+    def test_without_a_sandbox_it_refuses(self):
+        """And names the package, before a submission is opened or anything is built."""
+        with mock.patch("shutil.which", lambda name: None), mock.patch("judge.build", side_effect=AssertionError):
+            with self.assertRaisesRegex(Failure, "bubblewrap alone, and it is not there.*apt-get install bubblewrap"):
+                Judge({"02.lambert": "02_lambert_phong"})
+        with mock.patch("sandbox.run", side_effect=Failure("no namespaces")):
+            with self.assertRaisesRegex(Failure, "cannot contain anything here.*no namespaces"):
+                Judge({"02.lambert": "02_lambert_phong"})
+        self.assertIn("bubblewrap", (REAL / "common/course/packages/grade").read_text().split())
+
+    def test_a_bad_word_is_one_line_and_2(self):
+        for words in (["/dev/null"], ["/no/such"], ["x" * 300]):
+            done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "grade", *words], text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.assertEqual((done.returncode, done.stdout.count("\n")), (2, 1), done.stdout)
+
+
+@unittest.skipIf(why_not(), why_not())
+class Contained(unittest.TestCase):
+    def test_nobody_is_root_and_nothing_outlives_it(self):
+        """Looked at from outside, where a user's number is what the kernel goes by."""
+        running = sandbox.Running(["/bin/sleep", "60"], sandbox.Mounts(), sandbox.Limits(1 << 30, 60))
+        first = Path(f"/proc/{running.first}")
+        self.addCleanup(running.close)
+        while first.joinpath("cmdline").read_bytes() != b"/bin/sleep\x0060\0":  # on its way there
+            time.sleep(0.01)
+        users = re.search(r"^Uid:\s*(.*)$", (first / "status").read_text(), re.M)[1].split()
+        self.assertNotIn("0", users)
+        self.assertRegex((first / "status").read_text(), r"CapEff:\s*0+\n")
+        running.close()
+        for _ in range(500):
+            if not first.exists() or (first / "cmdline").read_bytes() == b"":
+                return
+            time.sleep(0.01)
+        self.fail("it lives")
+
+    def test_what_root_alone_can_read_is_said(self):
+        path = Path(self.enterContext(tempfile.TemporaryDirectory())) / "library"
+        path.touch(0o600)
+        with mock.patch("sandbox.drops_root", lambda: True), self.assertRaisesRegex(Failure, "chmod -R o.rX"):
+            sandbox.require_readable([path])
+        with mock.patch("sandbox.drops_root", lambda: False):
+            sandbox.require_readable([path])
+
+    def test_who_is_mapped(self):
+        self.assertTrue(sandbox.is_mapped(65534, "         0          0 4294967295\n"))
+        self.assertFalse(sandbox.is_mapped(65534, "         0       1000          1\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
