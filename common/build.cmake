@@ -171,9 +171,9 @@ function(lightwalk_judge name folder library)
   set_target_properties(judge_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/grade)
 endfunction()
 
-# Answers whose verdict is known (common/course/variants.py). Those that are listed as changes of a C++ solution become files
-# here, again whenever the list or the solution changes. A C++ one comes before the student's in the link, and so takes its
-# place: both are weak.
+# Variants of C++ exercises (common/course/variants.py), a check program each. Those listed as changes are written here as
+# files, again when their list or the solution changes. A variant comes before the student's file in the link and so takes
+# its place: both are weak.
 function(lightwalk_variants name folder library)
   file(GLOB variants CONFIGURE_DEPENDS ${folder}/variants/*.cpp)
   file(GLOB lists CONFIGURE_DEPENDS ${folder}/variants/*.changes)

@@ -1,7 +1,7 @@
-"""Tests the checks with answers whose verdict is known: check_variants.py NN_name. A failure is exit code 1 and a line.
+"""Tests the checks with variants (variants.py): check_variants.py NN_name. A failure is exit code 1 and a line.
 
-variants.py says where they stand and how. A shader stands in for the student's by LIGHTWALK_OVERLAY; of each C++ one the
-build makes a check program, build/tests/variants/NN.EXERCISE.WHAT.
+A shader replaces the student's through LIGHTWALK_OVERLAY; for each C++ variant the build makes a check program,
+build/tests/variants/NN.EXERCISE.WHAT.
 """
 
 import os

@@ -1,21 +1,23 @@
-"""Answers whose verdict is known, of tests/NN_name/variants.
+"""Variants: right and wrong answers to each exercise, with the verdict that its check must reach (tests/NN_name/variants).
 
-EXERCISE.WHAT.glsl or .cpp is an exercise as somebody could hand it in. Its first line says what the check must make of
-it: "// right", "// right, in its pictures too" (it is drawn as well, in every shot that shows its exercise), or
-"// wrong: " and words that the first failure must hold.
+A variant is either a whole file, EXERCISE.WHAT.glsl or EXERCISE.WHAT.cpp, whose first line is its verdict:
 
-EXERCISE.changes lists answers that are the solution but for a few lines, each below a line with its name and verdict:
+    // right
+    // right, in its pictures too     every shot that shows the exercise is drawn with it as well
+    // wrong: WORDS                   the check's first failure must contain these words
+
+or an entry in EXERCISE.changes, which lists the few lines in which it differs from the solution:
 
     == half: wrong: expected 0.5
     - return max(dot(normal, to_light), 0.0);
     + return 0.5 * dot(normal, to_light) + 0.5;
 
-Lines after "-" follow one another in the solution, and do so in one place; those after "+" take their place. For what is
-left out, a "+" stands alone; for what is added, the line beside it is named and repeated. Comments, lines without code
-and indentation are not compared, and a line after "#" is a comment of the list. So these answers follow the solution: a
-change that no longer fits is an error with its line.
+The "-" lines are consecutive lines of the solution and must occur there exactly once; the "+" lines replace them. A lone "+"
+deletes them. To insert a line, repeat the line beside it after "-" and "+". Comments, lines without code and indentation are
+ignored when lines are compared. A line that begins with "#" is a comment. Variants in a list thus follow the solution, and
+one that no longer fits is an error with its file and line.
 
-As a program, for the build: variants.py NN_name FOLDER writes those in C++ as files, and removes others from there.
+The build runs variants.py NN_name FOLDER: it writes the listed C++ variants to FOLDER and removes outdated ones from there.
 """
 
 import re
@@ -112,8 +114,10 @@ def entries(text: str, name: str) -> list[tuple[int, str, str, list[Change]]]:
         else:
             raise Failure(f"{name}:{number}: '{line}' has no meaning here; write == WHAT: VERDICT, then - OLD and + NEW")
         before = sign
-    for change, old in [(one, one[1]) for entry in found for one in entry[3] if not one[2]]:
-        raise Failure(f"{name}:{change[0]}: nothing takes the place of '{old[0]}'; write + NEW, or + alone to leave it out")
+    for *_, changes in found:
+        for number, old, new in changes:
+            if not new:
+                raise Failure(f"{name}:{number}: nothing replaces '{old[0]}'; write + NEW, or a lone + to delete it")
     return found
 
 
@@ -127,7 +131,8 @@ def changed(solution: str, changes: list[Change], name: str) -> str:
         found = [i for i in range(len(code)) if [text for _, text in code[i:i + len(wanted)]] == wanted]
         if len(found) != 1:
             count = f"{len(found)} times; name a line beside it too" if found else "nowhere"
-            raise Failure(f"{name}:{number}: '{old[0].strip()}'{' and what follows' * (len(old) > 1)} is in the solution {count}")
+            lines_said = f"'{old[0].strip()}'" + " and what follows" * (len(old) > 1)
+            raise Failure(f"{name}:{number}: {lines_said} is in the solution {count}")
         first, last = code[found[0]][0], code[found[0] + len(wanted) - 1][0]
         if taken & set(range(first, last + 1)):
             raise Failure(f"{name}:{number}: '{old[0].strip()}' is changed already")

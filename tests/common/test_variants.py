@@ -1,4 +1,4 @@
-"""Answers whose verdict is known: what a list of changes makes of a solution, and what is said of one that does not fit."""
+"""Variants of exercises: applying a list of changes to a solution, and the errors for lists that do not fit."""
 
 import sys
 import tempfile
@@ -38,8 +38,9 @@ class Lists(unittest.TestCase):
         self.assertEqual(made, SOLUTION.replace("return all;", "return all + 1.0;"))
 
     def test_comments_and_indentation_are_not_compared(self):
-        made = applied("== from_one: wrong: x\n# Begins late.\n- float all = 0.0;\n- barrier();\n- for (int i = 0; i < count; ++i)\n"
-                       "-     all += value(i);\n+ float all = 1.0;\n+ for (int i = 1; i < count; ++i)\n+     all += value(i);\n")
+        made = applied("== from_one: wrong: x\n# Begins late.\n- float all = 0.0;\n- barrier();\n"
+                       "- for (int i = 0; i < count; ++i)\n-     all += value(i);\n"
+                       "+ float all = 1.0;\n+ for (int i = 1; i < count; ++i)\n+     all += value(i);\n")
         code = [line for line in made.splitlines() if line]
         self.assertEqual(code[2:6], ["    float all = 1.0;", "    for (int i = 1; i < count; ++i)",
                                      "        all += value(i);", "    barrier();"])
@@ -60,11 +61,13 @@ class Lists(unittest.TestCase):
             self.assertIn(words, str(refusal.exception))
 
     def test_what_does_not_fit_is_named_by_its_line(self):
-        self.refused("== a: right\n- return none;\n+ return 0;\n", "sum.changes:2: 'return none;' is in the solution nowhere")
+        self.refused("== a: right\n- return none;\n+ return 0;\n",
+                     "sum.changes:2: 'return none;' is in the solution nowhere")
         self.refused("== a: right\n\n- barrier();\n+\n", "sum.changes:3: 'barrier();' is in the solution 2 times")
         self.refused("== a: right\n- all;\n+ 0.0;\n", "sum.changes:2:", "nowhere")  # part of a line
-        self.refused("== a: right\n- return all;\n+ return 0;\n- return all;\n+\n", "sum.changes:4: 'return all;' is changed already")
-        self.refused("== a: right\n- return all;\n== b: right\n", "sum.changes:2: nothing takes the place of 'return all;'")
+        self.refused("== a: right\n- return all;\n+ return 0;\n- return all;\n+\n",
+                     "sum.changes:4: 'return all;' is changed already")
+        self.refused("== a: right\n- return all;\n== b: right\n", "sum.changes:2: nothing replaces 'return all;'")
         self.refused("== a: right\n+ return 0;\n", "sum.changes:2: '+ return 0;' has no meaning here")
         self.refused("- return all;\n", "sum.changes:1:")
         self.refused("== a is right\n", "sum.changes:1: '== a is right' has no meaning here")
@@ -80,7 +83,8 @@ class Chapter(unittest.TestCase):
         self.write("shaders/02_sums/exercise/sum.glsl", "float sum(int count) { return 0.0; }\n")
         self.write("shaders/02_sums/solution/sum.glsl", SOLUTION)
         for kind in ("exercise", "solution"):
-            self.write(f"chapters/02_sums/{kind}/twice.cpp", f"namespace lightwalk::{kind} {{\nint twice(int a) {{\n    return 2 * a;\n}}\n}}\n")
+            self.write(f"chapters/02_sums/{kind}/twice.cpp",
+                       f"namespace lightwalk::{kind} {{\nint twice(int a) {{\n    return 2 * a;\n}}\n}}\n")
         for module in (tree, variants):
             patch = mock.patch.object(module, "ROOT", self.root)
             patch.start()
@@ -104,7 +108,8 @@ class Chapter(unittest.TestCase):
     def test_mistakes_are_lines_and_the_others_are_read(self):
         self.write("tests/02_sums/variants/sum.whole.glsl", "// perhaps\n")
         self.write("tests/02_sums/variants/other.changes", "== a: right\n")
-        self.write("tests/02_sums/variants/sum.changes", "== a: right\n- no such line\n+\n== b: wrong: \n== c: right\n== c: right\n")
+        self.write("tests/02_sums/variants/sum.changes",
+                   "== a: right\n- no such line\n+\n== b: wrong: \n== c: right\n== c: right\n")
         found, mistakes = variants.variants("02_sums")
         self.assertEqual([one.name for one in found], ["sum.c.glsl"])
         for line, words in zip(mistakes, ("other.changes:1: there is no exercise 02.other", "sum.changes:2: 'no such line'",
