@@ -177,10 +177,28 @@ function(lightwalk_judge name folder library)
   set_target_properties(judge_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/grade)
 endfunction()
 
-# Answers whose verdict is known (check_variants.py). A C++ one comes before the student's in the link, and so takes its
-# place: both are weak.
+# Variants of C++ exercises (common/course/variants.py), a check program each. Those listed as changes are written here as
+# files, again when their list or the solution changes. A variant comes before the student's file in the link and so takes
+# its place: both are weak.
 function(lightwalk_variants name folder library)
   file(GLOB variants CONFIGURE_DEPENDS ${folder}/variants/*.cpp)
+  file(GLOB lists CONFIGURE_DEPENDS ${folder}/variants/*.changes)
+  set(sources)
+  foreach(list ${lists})
+    get_filename_component(exercise ${list} NAME_WE)
+    set(solution ${PROJECT_SOURCE_DIR}/chapters/${name}/solution/${exercise}.cpp)
+    if(EXISTS ${solution}) # not in a handout
+      list(APPEND sources ${list} ${solution})
+    endif()
+  endforeach()
+  if(sources)
+    set(script ${PROJECT_SOURCE_DIR}/common/course/variants.py)
+    set(made ${PROJECT_BINARY_DIR}/variants/${name})
+    execute_process(COMMAND python3 ${script} ${name} ${made} COMMAND_ERROR_IS_FATAL ANY)
+    file(GLOB changed ${made}/*.cpp)
+    list(APPEND variants ${changed})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${script} ${sources})
+  endif()
   string(SUBSTRING ${name} 0 2 number)
   foreach(variant ${variants})
     get_filename_component(answer ${variant} NAME_WLE)

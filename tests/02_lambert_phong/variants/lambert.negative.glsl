@@ -1,4 +1,0 @@
-// wrong: lambert(
-float lambert(vec3 normal, vec3 to_light) {
-    return dot(normal, to_light);
-}

@@ -1,8 +1,0 @@
-// wrong: takes pow(-
-float wrapped_diffuse(float cosine, float wrap, float power) {
-    return max(pow((cosine + wrap) / (1.0 + wrap), power), 0.0);
-}
-
-vec3 wrapped_tint(float cosine, vec3 tint) {
-    return mix(tint, vec3(1.0), clamp(cosine, 0.0, 1.0));
-}

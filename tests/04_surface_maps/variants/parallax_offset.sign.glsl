@@ -1,8 +1,0 @@
-// wrong: parallax_offset(
-vec2 parallax_offset(float depth, vec3 to_eye, vec2 deepest) {
-    return depth * deepest * to_eye.xy / to_eye.z;
-}
-
-vec2 parallax_offset_limited(float depth, vec3 to_eye, vec2 deepest) {
-    return -depth * deepest * to_eye.xy;
-}

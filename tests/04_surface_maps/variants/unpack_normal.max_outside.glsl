@@ -1,6 +1,0 @@
-// wrong: takes the square root of -
-vec3 unpack_normal(vec2 code, float strength) {
-    vec2 xy = 2.0 * code - 1.0;
-    vec3 normal = vec3(strength * xy, max(sqrt(1.0 - dot(xy, xy)), 0.0));
-    return dot(normal, normal) > 0.0 ? normalize(normal) : vec3(0.0, 0.0, 1.0);
-}

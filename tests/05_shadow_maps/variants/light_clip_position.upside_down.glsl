@@ -1,6 +1,0 @@
-// wrong: light_clip_position
-vec3 light_clip_position(mat4 to_clip, vec3 position) {
-    vec4 clip = to_clip * vec4(position, 1.0);
-    if (clip.w <= 0.0) return vec3(-1.0);
-    return vec3(0.5 + 0.5 * vec2(clip.x, -clip.y) / clip.w, clip.z / clip.w);
-}

@@ -1,5 +1,0 @@
-// wrong: blocker = 0
-float penumbra_width(float receiver, float blocker, float size, bool parallel) {
-    float gap = max(receiver - blocker, 0.0);
-    return parallel ? size * gap : blocker < 0.0 ? size * gap / 1e-3 : size * gap / blocker;
-}

@@ -1,5 +1,0 @@
-// wrong: penumbra_width(receiver = 2
-float penumbra_width(float receiver, float blocker, float size, bool parallel) {
-    float gap = max(receiver - blocker, 0.0);
-    return parallel ? size * gap : size * gap / max(receiver, 1e-3);
-}

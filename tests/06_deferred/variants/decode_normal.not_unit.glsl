@@ -1,6 +1,0 @@
-// wrong: decode_normal(code
-vec3 decode_normal(vec2 code) {
-    vec3 n = vec3(code, 1.0 - abs(code.x) - abs(code.y));
-    if (n.z < 0.0) n.xy = (1.0 - abs(code.yx)) * vec2(code.x < 0.0 ? -1.0 : 1.0, code.y < 0.0 ? -1.0 : 1.0);
-    return n;
-}

@@ -1,5 +1,0 @@
-// wrong: expected (
-vec3 position_from_depth(uvec2 pixel, float depth, vec2 size, mat4 clip_to_world) {
-    vec4 world = clip_to_world * vec4(2.0 * vec2(pixel) / size - 1.0, depth, 1.0);
-    return world.xyz / world.w;
-}

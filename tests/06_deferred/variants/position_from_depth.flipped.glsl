@@ -1,6 +1,0 @@
-// wrong: expected (
-vec3 position_from_depth(uvec2 pixel, float depth, vec2 size, mat4 clip_to_world) {
-    vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / size - 1.0;
-    vec4 world = clip_to_world * vec4(ndc.x, -ndc.y, depth, 1.0);
-    return world.xyz / world.w;
-}

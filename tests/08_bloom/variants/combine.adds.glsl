@@ -1,5 +1,0 @@
-// wrong: combine(radiance =
-#include "08_bloom/finite_light.glsl"
-vec3 combine(vec3 radiance, vec3 spread, float strength, bool mixes) {
-    return finite_light(finite_light(radiance) + strength * spread);
-}

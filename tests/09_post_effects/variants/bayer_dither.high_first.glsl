@@ -1,9 +1,0 @@
-// wrong: largest thresholds
-float bayer(uvec2 pixel, int bits) {
-    uint i = 0u;
-    for (int bit = bits - 1; bit >= 0; --bit) {
-        uint x = pixel.x >> uint(bit) & 1u, y = pixel.y >> uint(bit) & 1u;
-        i = 4u * i + 2u * (x ^ y) + y;
-    }
-    return (float(i) + 0.5) / float(1 << 2 * bits);
-}

@@ -1,0 +1,140 @@
+"""Variants of exercises: applying a list of changes to a solution, and the errors for lists that do not fit."""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "common" / "course"))
+
+import tree  # noqa: E402
+import variants  # noqa: E402
+from tree import Failure  # noqa: E402
+
+SOLUTION = """// Solution of 02.sum.
+float sum(int count) {
+    float all = 0.0;  // of none
+    barrier();
+
+    // From the first on.
+    for (int i = 0; i < count; ++i)
+        all += value(i);
+    barrier();
+    return all;
+}
+"""
+
+
+def applied(text: str) -> str:
+    [(_, _, _, changes)] = variants.entries(text, "sum.changes")
+    return variants.changed(SOLUTION, changes, "sum.changes")
+
+
+class Lists(unittest.TestCase):
+    def test_lines_take_the_place_of_lines(self):
+        made = applied("== one: wrong: expected 1\n- return all;\n+ return all + 1.0;\n")
+        self.assertEqual(made, SOLUTION.replace("return all;", "return all + 1.0;"))
+
+    def test_comments_and_indentation_are_not_compared(self):
+        made = applied("== from_one: wrong: x\n# Begins late.\n- float all = 0.0;\n- barrier();\n"
+                       "- for (int i = 0; i < count; ++i)\n-     all += value(i);\n"
+                       "+ float all = 1.0;\n+ for (int i = 1; i < count; ++i)\n+     all += value(i);\n")
+        code = [line for line in made.splitlines() if line]
+        self.assertEqual(code[2:6], ["    float all = 1.0;", "    for (int i = 1; i < count; ++i)",
+                                     "        all += value(i);", "    barrier();"])
+
+    def test_a_line_alone_is_left_out_and_one_is_added(self):
+        made = applied("== other: right\n- float all = 0.0;\n- barrier();\n+ float all = 0.0;\n- return all;\n+\n")
+        self.assertEqual((made.count("barrier"), made.count("return")), (1, 0))
+        made = applied("== other: right\n- return all;\n+ all *= 2.0;\n+ return all;\n")
+        self.assertIn("    all *= 2.0;\n    return all;\n", made)
+
+    def test_a_solution_in_cpp_is_handed_in_as_the_exercise(self):
+        self.assertEqual(variants.handed_in("namespace lightwalk::solution {}"), "namespace lightwalk::exercise {}")
+
+    def refused(self, text: str, *said: str):
+        with self.assertRaises(Failure) as refusal:
+            applied(text)
+        for words in said:
+            self.assertIn(words, str(refusal.exception))
+
+    def test_what_does_not_fit_is_named_by_its_line(self):
+        self.refused("== a: right\n- return none;\n+ return 0;\n",
+                     "sum.changes:2: 'return none;' is in the solution nowhere")
+        self.refused("== a: right\n\n- barrier();\n+\n", "sum.changes:3: 'barrier();' is in the solution 2 times")
+        self.refused("== a: right\n- all;\n+ 0.0;\n", "sum.changes:2:", "nowhere")  # part of a line
+        self.refused("== a: right\n- return all;\n+ return 0;\n- return all;\n+\n",
+                     "sum.changes:4: 'return all;' is changed already")
+        self.refused("== a: right\n- return all;\n== b: right\n", "sum.changes:2: nothing replaces 'return all;'")
+        self.refused("== a: right\n+ return 0;\n", "sum.changes:2: '+ return 0;' has no meaning here")
+        self.refused("- return all;\n", "sum.changes:1:")
+        self.refused("== a is right\n", "sum.changes:1: '== a is right' has no meaning here")
+
+
+class Chapter(unittest.TestCase):
+    """A whole chapter's, with a file beside a list."""
+
+    def setUp(self):
+        made = tempfile.TemporaryDirectory()
+        self.addCleanup(made.cleanup)
+        self.root = Path(made.name)
+        self.write("shaders/02_sums/exercise/sum.glsl", "float sum(int count) { return 0.0; }\n")
+        self.write("shaders/02_sums/solution/sum.glsl", SOLUTION)
+        for kind in ("exercise", "solution"):
+            self.write(f"chapters/02_sums/{kind}/twice.cpp",
+                       f"namespace lightwalk::{kind} {{\nint twice(int a) {{\n    return 2 * a;\n}}\n}}\n")
+        for module in (tree, variants):
+            patch = mock.patch.object(module, "ROOT", self.root)
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def write(self, name: str, text: str):
+        (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.root / name).write_text(text)
+
+    def test_files_and_lists_are_one(self):
+        self.write("tests/02_sums/variants/sum.whole.glsl", "// right\nfloat sum(int count) { return all_of(count); }\n")
+        self.write("tests/02_sums/variants/sum.changes", "== none: wrong: expected 1: got 0\n- return all;\n+ return 0.0;\n"
+                   "== same: right, in its pictures too\n")
+        found, mistakes = variants.variants("02_sums")
+        self.assertEqual(mistakes, [])
+        self.assertEqual([(one.name, one.verdict, one.words) for one in found],
+                         [("sum.none.glsl", "wrong: expected 1: got 0", "expected 1: got 0"),
+                          ("sum.same.glsl", "right, in its pictures too", ""), ("sum.whole.glsl", "right", "")])
+        self.assertIn("return 0.0;", found[0].text)
+
+    def test_mistakes_are_lines_and_the_others_are_read(self):
+        self.write("tests/02_sums/variants/sum.whole.glsl", "// perhaps\n")
+        self.write("tests/02_sums/variants/other.changes", "== a: right\n")
+        self.write("tests/02_sums/variants/sum.changes",
+                   "== a: right\n- no such line\n+\n== b: wrong: \n== c: right\n== c: right\n")
+        found, mistakes = variants.variants("02_sums")
+        self.assertEqual([one.name for one in found], ["sum.c.glsl"])
+        for line, words in zip(mistakes, ("other.changes:1: there is no exercise 02.other", "sum.changes:2: 'no such line'",
+                                          "sum.changes:4: 'wrong: ' is no verdict", "sum.changes:6: sum.c.glsl is at",
+                                          "sum.whole.glsl:1: 'perhaps' is no verdict"), strict=True):
+            self.assertIn(words, line)
+
+    def test_the_build_gets_the_cpp_ones(self):
+        self.write("tests/02_sums/variants/twice.changes", "== thrice: wrong: 3\n- return 2 * a;\n+ return 3 * a;\n")
+        self.write("tests/02_sums/variants/twice.other.cpp", "// right\n")
+        self.write("tests/02_sums/variants/sum.changes", "== a: right\n")
+        self.write("made/twice.gone.cpp", "")
+        folder = self.root / "made"
+        self.assertEqual(variants.main("02_sums", folder), 0)
+        self.assertEqual([path.name for path in folder.iterdir()], ["twice.thrice.cpp"])
+        made = folder / "twice.thrice.cpp"
+        self.assertEqual(made.read_text(), "namespace lightwalk::exercise {\nint twice(int a) {\n    return 3 * a;\n}\n}\n")
+        before = made.stat().st_mtime_ns
+        variants.main("02_sums", folder)
+        self.assertEqual(made.stat().st_mtime_ns, before)  # nothing is compiled again for nothing
+        solution = self.root / "chapters/02_sums/solution/twice.cpp"
+        solution.write_text(solution.read_text().replace("int a", "long a"))
+        variants.main("02_sums", folder)
+        self.assertIn("int twice(long a)", made.read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
