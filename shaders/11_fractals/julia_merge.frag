@@ -1,6 +1,8 @@
 // A Julia set into a picture that others have drawn into: where it is met, with the depth at which it is.
-#include "11_fractals/julia.glsl"
+#include "11_fractals/julia_data.h"
+#include "11_fractals/march_along.glsl"
 
+layout(scalar) uniform JuliaNowBlock { JuliaNow julia_now; };
 uniform sampler2D found;
 uniform sampler2D color_map;
 
