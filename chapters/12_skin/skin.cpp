@@ -68,6 +68,7 @@ void Skin::make_tables(Frame& frame) {
 // [record]
 void Skin::record(Frame& frame, const Scene& scene, const View& view, const Lit& lit) {
     const DrawItem *skin = skin_of(scene), *eye = part(scene, "eye");
+    spread_out_ = false;
     if (empty_ = !skin; empty_) return;
     make_tables(frame);
 
@@ -82,6 +83,7 @@ void Skin::record(Frame& frame, const Scene& scene, const View& view, const Lit&
     fine_.record(frame, scene, lit.maps, *skin, size_for(*skin, view.camera, view.crop.whole.y));
     light_map(frame, lit);
     spread_.record(frame, {irradiance_, fine_.stretch, fine_.position}, sum_count());
+    spread_out_ = true;
 }
 // [/record]
 
@@ -146,7 +148,7 @@ std::vector<Resource> Skin::reads() const {
     std::vector<Resource> all{facets_,           reflected_,      preintegrated_,
                               coarse_.occlusion, coarse_.stretch, coarse_.position};
     if (eye_.occlusion) all.push_back(eye_.occlusion);
-    if (on_map() && spread_.result()) all.push_back(diffused());
+    if (spread_out_) all.push_back(diffused());
     return all;
 }
 
@@ -159,7 +161,7 @@ void Skin::bind(Pass& pass) const {
     pass.offer("eye_occlusion", eye_.occlusion ? eye_.occlusion : coarse_.occlusion, linear_clamp);
     pass.offer("skin_stretch", coarse_.stretch, linear_clamp);
     if (pass.name != "skin irradiance") pass.offer("skin_position", coarse_.position, nearest_clamp);
-    pass.offer("skin_diffused", on_map() && spread_.result() ? diffused() : coarse_.occlusion, linear_clamp);
+    pass.offer("skin_diffused", spread_out_ ? diffused() : coarse_.occlusion, linear_clamp);
 }
 
 }  // namespace lightwalk

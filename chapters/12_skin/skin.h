@@ -79,8 +79,8 @@ struct Skin : Module {
     Spread spread_;
     Image irradiance_;
     Image facets_, reflected_, preintegrated_;
-    bool empty_ = true;
-    int shown_ = -1;  ///< what draw() shows in place of the picture, as skin.frag counts
+    bool empty_ = true, spread_out_ = false;  ///< in this frame
+    int shown_ = -1;                          ///< what draw() shows in place of the picture, as skin.frag counts
     float tables_f0_ = -1;
     unsigned tables_toggles_ = 0;
     const void* sky_of_ = nullptr;
