@@ -50,7 +50,8 @@ USED_WITH = {
     "shadow.min_variance": ["shadow.method=vsm"], "shadow.moment_bias": ["shadow.method=msm"],
     "shadow.taps": ["shadow.method=pcss"], "shadow.search_taps": ["shadow.method=pcss"],
     "shadow.slope": ["shadow.receiver_plane=off"], "shadow.normal_offset": ["shadow.receiver_plane=off"],
-    "lights.fade_k": ["lights.falloff=range_fade"], "lights.threshold": ["lights.falloff=inverse_square"],
+    "lights.fade_k": ["lights.falloff=range_fade"],
+    "lights.threshold": ["lights.falloff=inverse_square", "lights.method=clustered"],
     "wrap": ["diffuse=wrapped"], "bloom.": ["bloom.cut=none"], "bloom.knee": [], "bloom.threshold": [],
     "bloom.truncation": ["bloom.method=separable", "bloom.cut=none"],
     "bloom.border": ["bloom.method=separable", "bloom.cut=none"], "bloom.method": ["bloom.cut=none"],
@@ -83,7 +84,6 @@ SILENT = {
     "01 loader": "all read one file alike",
     "lights.method": "they draw equal pictures (test_equal_methods.py)",
     "lights.slices": "says how many lights a pixel computes, not what they shed",
-    "04 lights.threshold": "its lights end nowhere in the picture",
     "maps.scroll": "nothing has flowed at 0 s",
 } | {f"04 maps.{name}": "no material of its scene has such a map"
      for name in ("displacement", "displacement_m", "detail_normal", "detail_tiles", "opacity", "coverage", "cutoff",
