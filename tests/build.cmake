@@ -94,7 +94,7 @@ foreach(script ${scripts})
     endif()
   else()
     lightwalk_python_test(python.${name} unit ${script})
-    if(name MATCHES "knobs$")
+    if(name MATCHES "(knobs|equal_methods)$")
       set_tests_properties(python.${name} PROPERTIES COST 800 TIMEOUT 900)  # minutes: beside all others, not behind them
     endif()
   endif()

@@ -38,6 +38,7 @@ Content content_of_slot(MapSlot slot, bool holes) {
 void LevelledMaps::prepare(Gpu& gpu, const Scene& scene) {
     entries_.clear();
     uses_.clear();
+    recorded_ = false;
     std::map<std::pair<const Image*, size_t>, std::shared_ptr<Entry>> made;
     for (uint32_t i = 0; i < scene.items.size(); ++i)
         for (size_t slot = 0; slot < map_slot_count; ++slot) {
@@ -68,6 +69,7 @@ void LevelledMaps::prepare(Gpu& gpu, const Scene& scene) {
 
 void LevelledMaps::record(Frame& frame, MipChain& chain, float cutoff) {
     for (const auto& entry : entries_) chain.record(frame, entry->levels.all_mips(), entry->content, cutoff);
+    recorded_ = true;
 }
 
 void LevelledMaps::use(Scene& scene, bool levels) const {

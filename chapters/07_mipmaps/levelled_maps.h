@@ -18,6 +18,8 @@ class LevelledMaps {
 
     /// Records the levels of every texture.
     void record(Frame& frame, MipChain& chain, float cutoff);
+    /// Whether they were recorded since prepare(): until then all but the first are black.
+    bool recorded() const { return recorded_; }
 
     /// Makes the scene draw with levels, or with the first alone; until the next call.
     void use(Scene& scene, bool levels) const;
@@ -35,6 +37,7 @@ class LevelledMaps {
     };
     std::vector<std::shared_ptr<Entry>> entries_;
     std::vector<Use> uses_;
+    bool recorded_ = false;
 };
 
 }  // namespace lightwalk

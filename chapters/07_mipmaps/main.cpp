@@ -86,7 +86,7 @@ struct Mipmaps : ModelChapter {
         const View view = set_view(frame, walked(walk_m_s * frame.time_s));
 
         // 1. The levels of every texture.
-        if (remake) textures.record(frame, mips, objects.maps.cutoff);
+        if (remake || !textures.recorded()) textures.record(frame, mips, objects.maps.cutoff);
 
         // 2. What is seen of them.
         if (show.is("level") && !textures.entries().empty())

@@ -48,10 +48,15 @@ class RandomScenes(unittest.TestCase):
         done = self.drawn("12_", "--show", "occlusion")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
-    def test_knobs_that_do_not_go_together(self):
+    def test_a_chapter_draws_by_every_method_of_its_modules(self):
+        """Forward is for a chapter whose objects go through a G-buffer what it is for the chapter that has them."""
         done = self.drawn("09_", "--set", "gbuffer.method=forward")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_a_refused_knob_is_one_line(self):
+        done = self.drawn("08_", "--set", "bloom.method=window")
         self.assertEqual(done.returncode, 2)
-        self.assertRegex(done.stderr, r"\Aerror: gbuffer\.method forward [^\n]*\n\Z")
+        self.assertRegex(done.stderr, r"\Aerror: bloom\.\w+ [^\n]*\n\Z")
 
     def test_nothing_at_all(self):
         """Every view of a scene without objects: what nothing has made is not read."""

@@ -1,0 +1,171 @@
+"""Methods whose results are documented as equal draw equal pictures, in every chapter that has their module, in the first
+frame after a start: a frame that reads what only a frame before has written differs.
+"""
+import json
+import tempfile
+import unittest
+from dataclasses import dataclass
+from pathlib import Path
+
+from picture_drawing import BUILT, CHAPTERS, EVERYTHING, HAS_SOLUTION, ROOT, Drawer, cheap, knobs_of, pixels_beyond, sets, steps
+
+
+@dataclass(frozen=True)
+class Equal:
+    """The knob's values draw one picture, but for steps of at most `codes` of 255. Where they are two approximations of
+    one thing a `share` of the pixels may differ by more. `sets`: what makes the chapter use the knob. `frames`: drawn
+    before the picture that is compared, and it."""
+    knob: str
+    values: tuple
+    codes: int = 0
+    share: float = 0.0
+    sets: tuple = ()
+    frames: int = 1
+    scenes: tuple = ("default", "everything")
+
+
+LIGHTS = ("every_light", "per_object", "tiled", "clustered")
+# A height map moves the point that is lit, and a depth buffer holds the mesh (docs/06_deferred.md).
+MESH = "maps.method=normal"
+EQUAL = [
+    # docs/03: to the last bit, where a falloff ends.
+    Equal("lights.method", LIGHTS),
+    Equal("lights.method", LIGHTS, sets=("gbuffer.method=forward",)),
+    # docs/05: single gives the same picture; a workgroup's shared memory changes who reads, and not what.
+    Equal("shadow.fetch", ("single", "gather"), codes=1, share=0.0001, sets=("shadow.method=pcf",)),
+    Equal("shadow.blur_by", ("naive", "shared"), sets=("shadow.method=evsm", "shadow.resolution=256")),
+    Equal("shadow.keep", ("on", "off"), frames=3),
+    # docs/06: fat holds all as floats; the others lose bits of normals. Volumes add lights in another order.
+    Equal("gbuffer.method", ("forward", "fat"), codes=1, share=0.0005, sets=(MESH,)),
+    Equal("gbuffer.method", ("forward", "depth", "packed", "tiled"), codes=4, share=0.01, sets=(MESH,)),
+    Equal("gbuffer.method", ("packed", "tiled"), codes=1, sets=(MESH,)),
+    Equal("gbuffer.volumes", ("on", "off"), codes=1),
+    Equal("cull", ("fixed", "geometry"), codes=1),
+    Equal("prepass", ("on", "off")),
+    Equal("overdraw", ("1", "3")),
+    # docs/07: of a texture whose sides are powers of two, 2x2 means; single_pass rounds to codes later than box does.
+    Equal("mips.method", ("box", "polyphase")),
+    Equal("mips.method", ("box", "single_pass"), codes=4),
+    Equal("mips.bilinear", ("on", "off"), codes=1, sets=("mips.method=single_pass",)),
+    Equal("remake", ("on", "off"), frames=2),
+    Equal("remake", ("on", "off")),
+    # docs/08: one Gaussian, read in four ways.
+    Equal("bloom.method", ("separable", "paired", "shared", "window"), codes=1, sets=("bloom.sigma_px=4",)),
+    # docs/09: to the last bit.
+    Equal("post.method", ("fused", "pass_each")),
+    Equal("post.method", ("fused", "pass_each"),
+          sets=("post.contrast=on", "post.saturation=on", "post.vignette=on", "post.dither=bayer_8", "post.exposure=fixed")),
+    Equal("atmosphere.refresh", ("changed", "always"), frames=2),
+    # uniform is height with a falloff of 0.
+    Equal("fog.method", ("uniform", "height"), sets=("fog.falloff=0", "fog.density=0.00003")),
+    Equal("terrain.fog.method", ("uniform", "height"), sets=("terrain.fog.falloff=0", "world=terrain"), scenes=("default",)),
+    # docs/13: distances double, or quadruple.
+    Equal("mlaa.reads", ("two", "four")),
+    # docs/01: they read one file; assimp rounds a normal otherwise.
+    Equal("loader", ("textbook", "tinyobjloader", "assimp", "scan", "parallel"), codes=1, scenes=("default",)),
+]
+# (options, the picture's size); every chapter's own scene, and one with many lights and what lets light through, at a
+# size that no tile divides. Where things move, the time is one at which they have.
+SCENES = {"default": ["--size", "240x135"], "everything": ["--size", "127x71", "--time", "0.5"]}
+# Of these the other scene is nothing: they draw no objects, or those alone that are skin.
+OWN_SCENE_ALONE = ("01", "02", "10", "11", "12")
+
+
+def usable(equal: Equal, knobs: dict) -> tuple | None:
+    """What is set beside the knob; None where the chapter has not what is needed."""
+    if equal.knob not in knobs or not set(equal.values) <= set(knobs[equal.knob].get("options", equal.values)):
+        return None
+    needed = tuple(one for one in equal.sets if one != MESH)
+    return equal.sets if all(one.split("=")[0] in knobs for one in needed) else None
+
+
+@unittest.skipUnless(BUILT and HAS_SOLUTION, "the chapters are not built, or there is no reference")
+class EqualMethods(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name)
+        self.scene = self.folder / "everything.json"
+        self.scene.write_text(json.dumps(EVERYTHING))
+
+    def picture(self, drawer: Drawer, *options) -> Path:
+        picture, wrong = drawer.draw(*options)
+        self.assertEqual(wrong, "", f"{drawer.chapter} {' '.join(map(str, options))}")
+        return picture
+
+    def compare(self, drawer: Drawer, equal: Equal, scene: str):
+        options = [*SCENES[scene], *cheap(drawer.chapter), *(["--scene", str(self.scene)] if scene == "everything" else []),
+                   "--frames", str(equal.frames), *sets(*equal.sets)]
+        first, *others = [(value, self.picture(drawer, *options, *sets(f"{equal.knob}={value}"))) for value in equal.values]
+        for value, picture in others:
+            with self.subTest(chapter=drawer.chapter, scene=scene, knob=equal.knob, values=(first[0], value), sets=equal.sets):
+                if equal.share:
+                    self.assertLessEqual(pixels_beyond(first[1], picture, equal.codes), equal.share)
+                else:
+                    self.assertLessEqual(steps(first[1], picture), equal.codes)
+
+    def test_equal_methods_draw_equal_pictures(self):
+        compared = set()
+        for chapter in CHAPTERS:
+            knobs = knobs_of(chapter)
+            with Drawer(chapter, self.folder) as drawer:
+                for equal in EQUAL:
+                    if usable(equal, knobs) is None:
+                        continue
+                    for scene in equal.scenes:
+                        if scene == "default" or not chapter.startswith(OWN_SCENE_ALONE):
+                            compared.add(equal)
+                            self.compare(drawer, equal, scene)
+        self.assertEqual([equal for equal in EQUAL if equal not in compared], [])  # a knob that no chapter has any more
+
+    def test_the_scene_shows_what_methods_could_get_wrong(self):
+        """Without its lights, its shadows or what lets light through the scene is another picture: it would show."""
+        def less(name, change):
+            scene = json.loads(json.dumps(EVERYTHING))
+            change(scene)
+            file = self.folder / f"{name}.json"
+            file.write_text(json.dumps(scene))
+            return file
+        with Drawer(next(chapter for chapter in CHAPTERS if chapter.startswith("05_")), self.folder) as drawer:
+            whole = self.picture(drawer, "--scene", self.scene, *SCENES["everything"])
+            for file in (less("dim", lambda s: s["lights"].__delitem__(slice(3, None))),
+                         less("shadowless", lambda s: [light.pop("shadow", None) for light in s["lights"]]),
+                         less("solid", lambda s: [o.get("material", {}).pop("opacity", None) for o in s["objects"]])):
+                picture = self.picture(drawer, "--scene", file, *SCENES["everything"])
+                self.assertGreater(pixels_beyond(whole, picture, 4), 0.005, file.name)
+
+    def test_a_lens_of_no_width_shows_what_moves_where_a_pinhole_does(self):
+        """A screenshot is one frame: what the lens's pictures need of it stands in its place before they are drawn."""
+        options = ["--scene", ROOT / "assets/scenes/control_room.json", "--size", "240x135", "--time", "1.5"]
+        lens = sets("dof.method=lens", "dof.views=3", "dof.f_number=64")
+        with Drawer(next(chapter for chapter in CHAPTERS if chapter.startswith("09_")), self.folder) as drawer:
+            pinhole = self.picture(drawer, *options, *sets("dof.method=off"))
+            before = self.picture(drawer, *options[:-1], "0", *sets("dof.method=off"))
+            self.assertGreater(pixels_beyond(pinhole, before, 8), LENS_SHARE)  # so that it matters where things stand
+            self.assertLess(pixels_beyond(pinhole, self.picture(drawer, *options, *lens), 8), LENS_SHARE)
+
+    def test_what_a_scene_is_loaded_with_follows_an_exercise(self):
+        """A tangent frame is computed while a scene is loaded: toggling its exercise loads the scene again. Two pictures
+        of one process show one scene where nothing that loading depends on has changed."""
+        changed = []
+        for chapter in CHAPTERS:
+            if "maps.method" not in knobs_of(chapter):
+                continue
+            own = chapter.startswith(OWN_SCENE_ALONE)
+            options = ["--size", "127x71", *cheap(chapter), *([] if own else ["--scene", self.scene]), *sets(MESH)]
+            student, reference = ["--use", "solution,04.tangent_frame=exercise"], ["--use", "solution"]
+            with self.subTest(chapter=chapter), Drawer(chapter, self.folder) as drawer:
+                right = self.picture(drawer, *options, *reference)
+                after = self.picture(drawer, *options, *student)
+                with Drawer(chapter, self.folder / "cold") as cold:
+                    cold.folder.mkdir(exist_ok=True)
+                    self.assertEqual(steps(self.picture(cold, *options, *student), after), 0)
+                if steps(right, after) > 0:
+                    changed.append(chapter[:2])
+        self.assertEqual(changed, [chapter[:2] for chapter in CHAPTERS if "maps.method" in knobs_of(chapter)])
+
+
+LENS_SHARE = 0.004  # of the pixels: measured 0.015 for 1.5 s of motion
+
+if __name__ == "__main__":
+    unittest.main()
