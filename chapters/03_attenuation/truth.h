@@ -46,17 +46,4 @@ inline double misses_box_by(const Light& light, double radius_m, const Bounds& b
     return std::max(miss, cone - 0.5 * glm::length(upper - lower));
 }
 
-/// What arrives of a point or spot light whose inverse square never ends; `to_light` is set to the way to it, unit
-/// length.
-inline glm::dvec3 arriving_inverse_square(const Light& light, glm::dvec3 position, glm::dvec3& to_light) {
-    const glm::dvec3 way = glm::dvec3(light.position) - position;
-    const double distance = glm::length(way);
-    to_light = distance > 0.0 ? way / distance : glm::dvec3(0.0);
-    double factor = 1.0 / std::max(distance * distance, 1e-4);
-    if (light.kind == Light::Kind::spot)
-        factor *= spot_cone(-glm::dot(to_light, glm::dvec3(light.direction)), std::cos(double(light.inner_rad)),
-                            std::cos(double(light.outer_rad)), double(light.softness));
-    return factor * glm::dvec3(light.color * light.intensity);
-}
-
 }  // namespace lightwalk::truth

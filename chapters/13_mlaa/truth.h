@@ -27,12 +27,6 @@ inline double area(int position, int length) {
     return below(to) - below(from);
 }
 
-/// The formula as published (V. Biri, A. Herubel and S. Deverly, 2010): the same but where the outline ends within a
-/// pixel.
-inline double published_area(int position, int length) {
-    return std::max(0.0, 0.5 * (1 - (2.0 * position + 1) / length));
-}
-
 /// What of the unit square around (0, 0) lies where dot(p - point, normal) is above 0: the square cut by a line (I. E.
 /// Sutherland and G. W. Hodgman, 1974), and the area of what is left.
 inline double half_plane_coverage(glm::dvec2 point, glm::dvec2 normal) {

@@ -74,8 +74,9 @@ class Toggle<Result(Arguments...)> {
 #endif
 
 /// Declares exercise::name and solution::name and the toggle `name` that calls one of them, within namespace
-/// lightwalk. The exercise is a weak symbol, null where the student's file did not compile. EXERCISE("01.triangulate",
-/// void, triangulate, int a, int b);
+/// lightwalk. The exercise is a weak symbol, null where the student's file did not compile.
+///
+///     EXERCISE("01.triangulate", void, triangulate, int a, int b);
 #define EXERCISE(id, result, name, ...)     \
     namespace exercise {                    \
     [[gnu::weak]] result name(__VA_ARGS__); \

@@ -1,12 +1,10 @@
-// Scene files: JSON that places models, a camera and lights. Every error names file, line and key; an unknown key is
-// one.
+// Scene files: JSON that places models, a camera and lights. Every error names file, line and key. An unknown key is an
+// error.
 //
-//   include      list of scene files, relative to this one, read before it. Objects and lights of all are kept, of
-//   other
-//                keys what was read last.
+//   include      list of scene files, relative to this one, read before it. Objects and lights of all are kept; of
+//                other keys, what was read last.
 //   camera       position [0, 0, 3] and target [0, 0, 0] in metres, up [0, 1, 0] (each -1 to 1), fov_deg 45.8 (1 to
-//   170,
-//                the whole vertical angle), near_m 0.05 (1e-5 to 1e5), far_m 1000 (above near_m, to 1e9)
+//                170, the whole vertical angle), near_m 0.05 (1e-5 to 1e5), far_m 1000 (above near_m, to 1e9)
 //   ambient      [0.05, 0.05, 0.05], linear radiance from everywhere, 0 to 1e4
 //   background   [0.02, 0.02, 0.02], linear, 0 to 1e4
 //   environment  a file name, or
@@ -21,7 +19,8 @@
 //     scale          1, or [1, 1, 1]; -1e6 to 1e6 but not 0; an odd number of negative ones mirrors
 //     material       what it says stands in for the model's: diffuse and specular [r, g, b] (linear, 0 to 1), emissive
 //                    (0 to 1e4), shininess (0 to 1e5), opacity (0 to 1; below 1 it is transparent), blend (true: alpha
-//                    and the opacity map let through what lies behind; false: they cut holes), roughness, metalness
+//                    and the opacity map let through what lies behind; false: they cut holes; what is transparent is
+//                    drawn last, the farthest object first, and casts no shadow), roughness, metalness
 //                    (0 to 1), maps {slot: file} (diffuse, specular, emissive, opacity, normal, height, orm, occlusion,
 //                    gloss, detail_normal, displacement)
 //     motion         at least one of

@@ -30,7 +30,6 @@ class ExerciseChecks {
     /// True where one has ended since the last call.
     bool poll();
 
-    bool any_running() const { return !jobs_.empty(); }
 
     /// The last check of an exercise; null where there was none.
     const CheckVerdict* find(const std::string& exercise) const;
