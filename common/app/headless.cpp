@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/app/gpu_load.h"
+#include "common/app/look.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
 #include "common/base/error.h"
@@ -82,6 +83,9 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     const size_t said_before = gpu.device.validation_message_count();
     load_scene(chapter, gpu, options.scene.empty() ? chapter.default_scene() : options.scene, loading);
     Frame frame(gpu);
+    const Look look{.output = options.look};
+    Image looked_at;
+    look.attach(frame, looked_at, chapter.camera, chapter.scene.bounds);
     // The first frame of a timing run compiles and warms up, and is not counted.
     GpuLoad load(gpu);
     const int warm_up = options.timings.empty() ? 0 : 1;
@@ -97,9 +101,10 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
         add_times(times.emplace_back(), frame.times);  // a pass may have been recorded more than once
         recording_ms.push_back(frame.recording_ms);
     }
+    look.check(frame);
     // First: a picture that is wrong does not take the place of one that was right.
     report_non_finite(gpu, frame.linear(), chapter.why_not_finite());
-    if (!options.screenshot.empty()) write_png(options.screenshot, read_picture(gpu, frame.output));
+    if (!options.screenshot.empty()) write_png(options.screenshot, read_picture(gpu, look.picture(frame, looked_at)));
     if (!options.timings.empty())
         write_file(options.timings, timings_json(gpu, options, chapter, times, recording_ms)
                                             .dump(1, ' ', false, json::error_handler_t::replace) +

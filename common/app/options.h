@@ -7,7 +7,7 @@
 namespace lightwalk {
 
 struct Options {
-    std::string scene, use = "solution", shot, screenshot, timings, study, list, device, compile_shaders;
+    std::string scene, use = "solution", shot, look, screenshot, timings, study, list, device, compile_shaders;
     std::vector<std::string> set;  ///< NAME=VALUE
     glm::uvec2 size{960, 540};
     bool size_given = false;

@@ -4,7 +4,7 @@
 
 #include "common/image/image.h"
 #include "common/window/live_chapter.h"
-#include "common/window/look.h"
+#include "common/app/look.h"
 
 namespace lightwalk {
 

@@ -53,6 +53,7 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
       screen_(gpu),
       clock_runs_(chapter_.any_animated()),
       time_s_(options.time_s) {
+    look_.output = options.look;
     remember_scene();
 }
 

@@ -1,8 +1,9 @@
-#include "common/window/look.h"
+#include "common/app/look.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "common/base/error.h"
 #include "common/look_parameters.h"
 
 namespace lightwalk {
@@ -16,6 +17,15 @@ const Pipeline plain = view_pipeline("0"), layered = view_pipeline("1"), cube = 
 
 std::string name_of(const std::pair<std::string, ImageView>& output) {
     return output.first + ": " + output.second.name();
+}
+
+// The place of what is looked at, or the end.
+size_t find(const Frame& frame, const std::string& wanted) {
+    const auto& all = frame.outputs;
+    auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return name_of(one) == wanted; });
+    if (found == all.end())
+        found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first == wanted; });
+    return static_cast<size_t>(found - all.begin());
 }
 
 const Pipeline& pipeline_for(const ImageView& view) {
@@ -56,15 +66,18 @@ void Look::attach(Frame& frame, Image& copy, const Camera& camera, const Bounds&
     frame.after_pass = [this, &frame, &copy, camera, bounds, seen = size_t(0)]() mutable {
         const size_t end = frame.outputs.size();
         if (seen > end) seen = 0;  // the next of several pictures
-        for (; seen < end; ++seen)
-            if (name_of(frame.outputs[seen]) == output) record(frame, copy, frame.outputs[seen].second, camera, bounds);
+        for (; seen < end; ++seen) {
+            const auto [pass, view] = frame.outputs[seen];
+            if (name_of({pass, view}) == output || (pass == output && find(frame, output) == seen))
+                record(frame, copy, view, camera, bounds);
+        }
         frame.outputs.resize(end);  // without what was recorded here
     };
 }
 
 void Look::record(Frame& frame, Image& copy, ImageView view, const Camera& camera, const Bounds& bounds) const {
-    if (copy.desc.size != frame.size || !copy)
-        copy = Image(frame.gpu.device, {.name = "look", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size});
+    copy.fit(frame.gpu.device,
+             {.name = "look", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size, .kept = true});
     const float radius = bounds.empty() ? 1.0f : 0.5f * glm::length(bounds.extent());
     const float middle = glm::distance(camera.position, bounds.empty() ? camera.target : bounds.center());
     const LookParameters parameters{.image_size = glm::uvec2(view.size()),
@@ -82,10 +95,17 @@ void Look::record(Frame& frame, Image& copy, ImageView view, const Camera& camer
     });
 }
 
+void Look::check(const Frame& frame) const {
+    if (output.empty() || find(frame, output) < frame.outputs.size()) return;
+    std::string all;
+    for (const auto& [pass, view] : frame.outputs)
+        if (all.find("'" + pass + "'") == std::string::npos) all += (all.empty() ? "'" : ", '") + pass + "'";
+    throw InputError("--look: no pass '{}' wrote an image in this frame; there are {}", output, all);
+}
+
 const Image& Look::picture(const Frame& frame, const Image& copy) const {
     // What was chosen a moment ago has no copy yet.
-    const auto all = names(frame);
-    const bool copied = copy && copy.desc.size == frame.size && std::find(all.begin(), all.end(), output) != all.end();
+    const bool copied = copy && copy.desc.size == frame.size && find(frame, output) < frame.outputs.size();
     return copied ? copy : frame.output;
 }
 

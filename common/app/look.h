@@ -7,7 +7,7 @@
 namespace lightwalk {
 
 struct Look {
-    std::string output;  ///< one of names(); empty: the picture itself
+    std::string output;  ///< one of names(), or a pass, for the first image it writes; empty: the picture itself
     float stops = 0.0f;  ///< brighter by 2^stops
     int channel = 0;     ///< 0 all, 1 to 4 one of red, green, blue, alpha
 
@@ -18,6 +18,9 @@ struct Look {
     /// is none of the frame's size. Call it before recording. `camera` and `bounds` (metres) say which depths there are
     /// to see.
     void attach(Frame& frame, Image& copy, const Camera& camera, const Bounds& bounds) const;
+
+    /// Throws InputError, which names what there is, where the frame has not recorded what is looked at.
+    void check(const Frame& frame) const;
 
     /// The picture to show of a recorded frame: its output, or the copy of what is looked at.
     const Image& picture(const Frame& frame, const Image& copy) const;
