@@ -47,23 +47,24 @@ void Shadow::reserve(Frame& frame, uint32_t layers) {
     const Image::Desc wanted{.name = path() + ".map",
                              .format = VK_FORMAT_D32_SFLOAT,
                              .size = glm::uvec2(static_cast<uint32_t>(resolution.value)),
-                             .layers = std::max({layers, map_ ? map_.desc.layers : 0u, 1u}),
+                             .layers = std::max({layers, now_->map ? now_->map.desc.layers : 0u, 1u}),
                              .kept = true};
-    if (!map_ || map_.desc != wanted) {
-        map_ = Image(frame.gpu.device, wanted);
-        drawn_.assign(wanted.layers, {});
-        frame.raster("clear_shadows", {.depth = clear(map_.as_array(), 0.0f), .layers = wanted.layers}, [](Raster&) {});
+    if (!now_->map || now_->map.desc != wanted) {
+        now_->map = Image(frame.gpu.device, wanted);
+        now_->drawn.assign(wanted.layers, {});
+        frame.raster("clear_shadows", {.depth = clear(now_->map.as_array(), 0.0f), .layers = wanted.layers},
+                     [](Raster&) {});
     }
     if (!has_moments()) return;
-    if (moments_.reserve(frame.gpu, map_,
-                         format.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT))
-        forget();
+    if (now_->moments.reserve(frame.gpu, now_->map,
+                              format.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT))
+        now_->drawn.assign(now_->drawn.size(), {});
 }
 
 // [draw_view]
 void Shadow::draw_view(Frame& frame, const Wanted& wanted, const Casters& casters) {
     const ViewScope scope(frame, wanted.view.view);
-    frame.raster("shadow_map", {.depth = clear(map_.layer(wanted.view.data.layer), 0.0f), .with = casters.with},
+    frame.raster("shadow_map", {.depth = clear(now_->map.layer(wanted.view.data.layer), 0.0f), .with = casters.with},
                  [&](Raster& pass) {
                      if (casters.draw)
                          casters.draw(pass, wanted.casters);
@@ -72,6 +73,10 @@ void Shadow::draw_view(Frame& frame, const Wanted& wanted, const Casters& caster
                  });
 }
 // [/draw_view]
+
+void Shadow::forget() {
+    for (auto& [id, maps] : by_view_) maps.drawn.assign(maps.drawn.size(), {});
+}
 
 // What moments depend on beside the depths.
 std::string Shadow::moments_key() const {
@@ -85,43 +90,47 @@ std::string Shadow::moments_key() const {
 
 // [record]
 void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters) {
+    const auto has_cascades = [](const Light& light) { return light.shadow && light.kind == Light::Kind::directional; };
+    const std::vector<Light>& all = lights.buffer().lights();
+    now_ = &by_view_[std::any_of(all.begin(), all.end(), has_cascades) ? view.id : 0];
     if (std::exchange(toggles_, Exercises::version()) != Exercises::version()) forget();
-    eye_ = {view.eye, view.pixel_rad()};
+    now_->eye = {view.eye, view.pixel_rad()};
     const std::vector<Wanted> wanted = find_views(scene, lights, view.camera);
     std::vector<ShadowView> data;
     views = drawn_views = 0;
     for (const Wanted& w : wanted) data.push_back(w.view.data), views += w.view.data.layer != NO_LAYER;
     reserve(frame, static_cast<uint32_t>(views));
-    frame.upload("shadow_lights", lights_, shadow_lights_);
-    frame.upload("shadow_views", views_, data);
-    if (std::exchange(blurred_, moments_key()) != moments_key()) forget();
+    frame.upload("shadow_lights", now_->lights, shadow_lights_);
+    frame.upload("shadow_views", now_->views, data);
+    if (std::exchange(now_->blurred, moments_key()) != moments_key()) now_->drawn.assign(now_->drawn.size(), {});
     for (uint32_t i = 0; i < wanted.size(); ++i) {
         const Wanted& w = wanted[i];
         const uint32_t layer = w.view.data.layer;
-        if (layer == NO_LAYER || (keep && drawn_[layer] == w.key)) continue;
+        if (layer == NO_LAYER || (keep && now_->drawn[layer] == w.key)) continue;
         draw_view(frame, w, casters);
         if (has_moments())
-            moments_.record(frame, map_.layer(layer), views_, i, blur_of(blur, exponent, exponent_negative), macros());
-        drawn_[layer] = w.key;
+            now_->moments.record(frame, now_->map.layer(layer), now_->views, i,
+                                 blur_of(blur, exponent, exponent_negative), macros());
+        now_->drawn[layer] = w.key;
         ++drawn_views;
     }
 }
 // [/record]
 
 std::vector<Resource> Shadow::reads() const {
-    std::vector<Resource> reads{map_, lights_, views_};
-    if (has_moments()) reads.push_back(moments_.moments);
+    std::vector<Resource> reads{now_->map, now_->lights, now_->views};
+    if (has_moments()) reads.push_back(now_->moments.moments);
     return reads;
 }
 
 void Shadow::bind(Pass& pass) const {
     constexpr Sampler of_depth{.filter = Filter::nearest, .mip_filter = Filter::nearest, .wrap = Wrap::border};
-    pass.offer("shadow_lights", lights_);
-    pass.offer("shadow_views", views_);
-    pass.offer("shadow_eye", eye_);
-    pass.offer("shadow_map", map_.as_array(), of_depth);
+    pass.offer("shadow_lights", now_->lights);
+    pass.offer("shadow_views", now_->views);
+    pass.offer("shadow_eye", now_->eye);
+    pass.offer("shadow_map", now_->map.as_array(), of_depth);
     // A method without moments names them all the same, and reads none.
-    pass.offer("shadow_moments", has_moments() ? moments_.moments.as_array() : map_.as_array(), linear_clamp);
+    pass.offer("shadow_moments", has_moments() ? now_->moments.moments.as_array() : now_->map.as_array(), linear_clamp);
 }
 
 }  // namespace lightwalk

@@ -1,5 +1,7 @@
 // Shadows of a scene's lights as a module: depth from each light that casts one, and how it is asked.
 #pragma once
+#include <map>
+
 #include "03_attenuation/lights.h"
 #include "05_shadow_maps/light_view.h"
 #include "05_shadow_maps/moments.h"
@@ -74,9 +76,9 @@ struct Shadow : Module {
     void prepare(Gpu&, Scene&) override { forget(); }
 
     /// What is not seen from the scene's placement has changed: another scene, textures that cut other holes.
-    void forget() { drawn_.assign(drawn_.size(), {}); }
+    void forget();
 
-    const Image& moments() const { return moments_.moments; }
+    const Image& moments() const { return now_->moments.moments; }
 
     int views = 0, drawn_views = 0;  ///< of the last frame: maps that exist, and those of them that were drawn
 
@@ -99,14 +101,20 @@ struct Shadow : Module {
     bool has_moments() const { return method.is("vsm") || method.is("evsm") || method.is("msm"); }
     std::string moments_key() const;
 
-    Image map_;
-    MomentMaps moments_;
-    std::string blurred_;       ///< how
-    std::vector<Drawn> drawn_;  ///< by layer
+    /// Cascades follow the eye. So that two views of one frame do not draw each other's maps again and again, each
+    /// View::id has maps of its own where a light has cascades; else all views share those of id 0.
+    struct ViewMaps {
+        Image map;
+        MomentMaps moments;
+        std::string blurred;       ///< how
+        std::vector<Drawn> drawn;  ///< by layer
+        Buffer lights, views;
+        ShadowEye eye{};
+    };
+    std::map<uint32_t, ViewMaps> by_view_;
+    ViewMaps* now_ = &by_view_[0];  ///< of the view recorded last
     unsigned toggles_ = 0;
     std::vector<ShadowLight> shadow_lights_;
-    Buffer lights_, views_;
-    ShadowEye eye_{};
 };
 
 }  // namespace lightwalk

@@ -156,6 +156,31 @@ TEST_CASE("a map is drawn again only where its light or a caster in its view has
     CHECK(test.shadow.views == 1);
 }
 
+TEST_CASE("two views of a light with cascades have maps of their own, and draw them once") {
+    const Light sun{.kind = Light::Kind::directional, .direction = {0.3f, 0, -1}};
+    ShadowScene test({object_at(quad_file, {0, 0, 0}, glm::vec3(40.0f)), object_at(quad_file, {0, 0, 1})}, {sun});
+    test.set({{"distance_m", "8"}});
+    const auto drawn = [&](uint32_t id, glm::vec3 from) {
+        Camera camera = test.camera;
+        camera.position += from, camera.target += from;
+        Frame frame(test.gpu);
+        test.chapter.begin_frame(test.gpu, {4, 4});
+        frame.begin({4, 4}, 0);
+        test.lights.update(frame, test.scene, test.scene.file.lights);
+        test.shadow.record(frame, test.scene, test.lights,
+                           {.eye = camera.position, .camera = camera, .crop = {.whole = {64, 64}}, .id = id});
+        frame.end();
+        return test.shadow.drawn_views;
+    };
+    const glm::vec3 here(0), there(9, 0, 0);
+    CHECK(drawn(0, here) > 0);
+    CHECK(drawn(1, there) > 0);
+    CHECK(drawn(0, here) == 0);
+    CHECK(drawn(1, there) == 0);
+    CHECK(drawn(0, there) > 0);  // with one id they would take turns
+    CHECK(drawn(0, here) > 0);
+}
+
 TEST_CASE("a spot that is too wide for one view has six, and the same shadow") {
     Light spot{.kind = Light::Kind::spot, .position = {0, 0, 2}, .direction = {0, 0, -1}, .outer_rad = 1.0f};
     std::vector<float> narrow, wide;

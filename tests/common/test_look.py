@@ -29,7 +29,8 @@ class LookedAt(BadInput):
             self.assertGreater(len(image.getcolors(96 * 54)), 20)
 
     def test_a_pass_that_there_is_not(self):
-        self.refuse(DEFERRED, "--size", "96x54", "--look", "gbufer", says="gbufer.*'gbuffer', 'gbuffer depth'")
+        self.refuse(DEFERRED, "--size", "96x54", "--screenshot", self.picture, "--look", "gbufer",
+                    says="gbufer.*'gbuffer', 'gbuffer depth'")
 
 
 if __name__ == "__main__":
