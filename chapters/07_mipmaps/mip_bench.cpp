@@ -61,8 +61,9 @@ class Bench {
                  Content content, bool by_level = false) {
         show_progress(scene, done_++, 12);
         result_["scenes"][scene] = {{"file", ""}, {"set", knobs}};
-        const Image image(gpu_.device,
-                          {.name = scene, .format = format, .size = texels.size, .mips = full_mip_count(texels.size)});
+        const Image image(
+            gpu_.device,
+            {.name = scene, .format = format, .size = texels.size, .mips = full_mip_count(texels.size), .kept = true});
         Frame frame(gpu_);
         frame.begin({4, 4}, 0);
         frame.upload("first level", ImageView(image).mip(0), to_bytes(texels, format));

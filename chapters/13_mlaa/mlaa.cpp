@@ -47,8 +47,8 @@ void Mlaa::set_up(Frame& frame, glm::uvec2 size) {
     if (std::exchange(toggles_, Exercises::version()) == Exercises::version()) return;
     const auto table = [&](Image& image, const char* name, uint32_t side, const std::vector<float>& values) {
         if (!image)
-            image = Image(device,
-                          {.name = name, .format = VK_FORMAT_R32_SFLOAT, .size = glm::uvec2(side), .kept = true});
+            image =
+                Image(device, {.name = name, .format = VK_FORMAT_R32_SFLOAT, .size = glm::uvec2(side), .kept = true});
         frame.upload(name, image, std::as_bytes(std::span(values)));
     };
     table(areas_, "mlaa areas", longest_reach, area_table());

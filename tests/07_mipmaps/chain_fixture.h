@@ -23,7 +23,8 @@ struct OnChain {
                                 .size = size,
                                 .mips = full_mip_count(size),
                                 .layers = layers,
-                                .cube = cube});
+                                .cube = cube,
+                                .kept = true});
         std::vector<std::byte> all;
         for (uint32_t layer = 0; layer < layers; ++layer) {
             truth::Texels texels{size, {}};
