@@ -76,8 +76,7 @@ void Look::attach(Frame& frame, Image& copy, const Camera& camera, const Bounds&
 }
 
 void Look::record(Frame& frame, Image& copy, ImageView view, const Camera& camera, const Bounds& bounds) const {
-    copy.fit(frame.gpu.device,
-             {.name = "look", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size, .kept = true});
+    copy.fit(frame.gpu.device, {.name = "look", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size, .kept = true});
     const float radius = bounds.empty() ? 1.0f : 0.5f * glm::length(bounds.extent());
     const float middle = glm::distance(camera.position, bounds.empty() ? camera.target : bounds.center());
     const LookParameters parameters{.image_size = glm::uvec2(view.size()),

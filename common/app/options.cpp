@@ -68,7 +68,8 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--time", o.time_given, "seconds on the chapter's clock")->check(CLI::Range(-1e6, 1e6));
     auto* frames =
         app.add_option("--frames", o.frames, "frames to render; the last one is kept")->check(CLI::Range(1, 100000));
-    app.add_option("--look", o.look, "a pass whose output is shown in place of the picture: its name, or 'pass: image'");
+    app.add_option("--look", o.look,
+                   "a pass whose output is shown in place of the picture: its name, or 'pass: image'");
     app.add_option("--screenshot", o.screenshot, "render without a window, write a PNG, exit");
     app.add_option("--timings", o.timings, "GPU milliseconds per pass, as JSON, to this file");
     app.add_option("--study", o.study, "run the chapter's study, as JSON, to this file");

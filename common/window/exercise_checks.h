@@ -30,7 +30,6 @@ class ExerciseChecks {
     /// True where one has ended since the last call.
     bool poll();
 
-
     /// The last check of an exercise; null where there was none.
     const CheckVerdict* find(const std::string& exercise) const;
 

@@ -2,9 +2,9 @@
 #pragma once
 #include <future>
 
+#include "common/app/look.h"
 #include "common/image/image.h"
 #include "common/window/live_chapter.h"
-#include "common/app/look.h"
 
 namespace lightwalk {
 
