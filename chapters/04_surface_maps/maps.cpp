@@ -118,9 +118,10 @@ void Maps::draw(Raster& pass, const Scene& scene, const std::vector<Batch>& batc
                 const Pipeline& displaced) const {
     // Shadow casters have one pipeline for both: they are drawn as loaded.
     const bool cut_finely = mesh.is("displaced") && &loaded != &displaced;
+    const glm::vec3 ambient = scene.ambient();
     for (const Batch& batch : batches) {
         pass.use(cut_finely ? displaced : loaded, variant(batch.item()));
-        pass.offer("ambient", scene.ambient());
+        pass.offer("ambient", ambient);
         if (cut_finely)
             draw_displaced(pass, batch, static_cast<uint32_t>(subdivide.value));
         else

@@ -72,11 +72,15 @@ void Frame::start_anew() {
     vkResetQueryPool(gpu.device.handle, queries_, 0, 2 * max_passes);
 }
 
+// For one more pass, before anything is copied for it. Of a lens with a thousand places, what is recorded so far runs.
+void Frame::make_room() {
+    if (passes_.size() < max_passes) return;
+    submit(VK_NULL_HANDLE, VK_NULL_HANDLE);
+    start_anew();
+}
+
 VkCommandBuffer Frame::begin_pass(const std::string& name, const char* stage) {
-    if (passes_.size() >= max_passes) {  // a lens of a thousand places: what is recorded runs, and the frame goes on
-        submit(VK_NULL_HANDLE, VK_NULL_HANDLE);
-        start_anew();
-    }
+    make_room();
     if (in_pass_) throw Failure("pass '{}' begins within pass '{}'", name, passes_.back().name);
     VkCommandBuffer commands = VK_NULL_HANDLE;
     if (!free_commands_.empty()) {

@@ -121,6 +121,7 @@ class Frame {
     ReadBack::State& staging_for(ReadBack& into, const std::string& name, VkDeviceSize bytes);
     void submit(VkSemaphore wait, VkSemaphore signal);
     void start_anew();
+    void make_room();
     void wait_for_passes();
     void read_times();
     std::vector<Recorded> passes_;

@@ -18,6 +18,7 @@ void Frame::upload(const std::string& name, Buffer& buffer, std::span<const std:
         buffer = Buffer(gpu.device, {.name = name, .bytes = std::max(needed, buffer.capacity + buffer.capacity / 2)});
     buffer.bytes = needed;
     buffer.constant = true;
+    make_room();
     const VkDescriptorBufferInfo from = uploads_.copy(bytes, 16);
     gpu.uploaded_bytes += bytes.size();
     transfer(name, {.reads = {}, .writes = {buffer}}, [&](VkCommandBuffer commands) {
@@ -29,6 +30,7 @@ void Frame::upload(const std::string& name, Buffer& buffer, std::span<const std:
 void Frame::upload(const std::string& name, const ImageView& view, std::span<const std::byte> texels) {
     if (texels.size() != byte_count(view))
         throw Failure("upload of {} bytes into {}, which holds {}", texels.size(), view.name(), byte_count(view));
+    make_room();
     const VkDescriptorBufferInfo from = uploads_.copy(texels, 4 * texel_bytes(view.image->desc.format));
     gpu.uploaded_bytes += texels.size();
     transfer(name, {.reads = {}, .writes = {view.mip(0)}},

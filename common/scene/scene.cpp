@@ -43,6 +43,7 @@ void Scene::load(Gpu& gpu, SceneFile scene, const ModelLoader& loader) {
     white_ = images_->constant(glm::vec4(1.0f));
     flat_ = images_->constant({0.5f, 0.5f, 1.0f, 1.0f});
     file = std::move(scene);
+    sky_sun_.reset();
     load_environment();
     items.clear();
     objects_.clear();
@@ -141,6 +142,7 @@ void Scene::load_environment() {
 }
 
 DrawList Scene::all() const { return {*this, places(0, items.size())}; }
+
 Sun Scene::sun() const {
     if (sky_sun_) return *sky_sun_;
     const auto directional = [](const Light& light) { return light.kind == Light::Kind::directional; };

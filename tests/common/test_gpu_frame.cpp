@@ -165,6 +165,15 @@ void main() { imageStore(counted, ivec2(0), imageLoad(counted, ivec2(0)) + 1.0);
     frame.end();
     CHECK(frame.times.size() == 3001);
     CHECK(value(counted) == 3000.0f);
+
+    // What is uploaded is copied for the pass that takes it, also where that pass begins the next submission.
+    frame.begin({4, 4}, 0);
+    std::vector<Buffer> buffers(2100);
+    for (uint32_t i = 0; i < buffers.size(); ++i) frame.upload("numbers", buffers[i], std::vector<uint32_t>(8, i));
+    frame.end();
+    int wrong = 0;
+    for (uint32_t i = 0; i < buffers.size(); ++i) wrong += read<uint32_t>(buffers[i])[7] != i;
+    CHECK(wrong == 0);
 }
 
 namespace {
