@@ -48,7 +48,7 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
     write_gbuffer(frame, view, canvas);
     deferred_lights_.record(frame, *scene_, view, canvas, gbuffer, lights, {lights, shadow, gbuffer});
     add_glow(frame, canvas);
-    // What lets light through is lit as it is drawn, by its own cells of lights.
+    // Transparent surfaces are lit as they are drawn, by the lights of their own cells.
     if (scene_->transparent().size() > 0) lights.record(frame, *scene_, view, canvas.depth(frame));
     if (!gbuffer.show.is("picture")) deferred_lights_.show(frame, canvas, gbuffer);
 }

@@ -66,7 +66,7 @@ struct Terrain : Drawing {
     Preetham sky{*this, "sky"};
     HeightFog fog{*this, "fog"};
 
-    bool own_sky = true;  ///< false: whoever composes draws one, and fog
+    bool own_sky = true;  ///< false: the caller draws the sky and the fog
 
     void prepare(Gpu& gpu, Scene& loaded) override;
     void draw(Frame& frame, const View& view, Canvas& canvas) override;

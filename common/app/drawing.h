@@ -26,7 +26,7 @@ class Canvas {
     Attachment depth_target();
     Attachment depth_read_only() const;
 
-    /// Depth with one sample a pixel, for whoever asks it before the surfaces are shaded.
+    /// Depth with one sample per pixel, for passes that read it before the surfaces are shaded.
     Attachment single_depth_target() { return depths_ ? clear(depth_, 0.0f) : depth_target(); }
     const ImageView& single_depth() const { return depth_; }
 
@@ -63,7 +63,7 @@ class Drawing : public Module {
     /// Draws into the canvas what the view sees. Shaders have the block `view` already.
     virtual void draw(Frame&, const View&, Canvas&) = 0;
 
-    /// Surfaces that let light through. Whoever composes draws them last, the farthest first.
+    /// Transparent surfaces. They are drawn after all opaque ones, the farthest first.
     struct Transparent {
         float distance_m;  ///< from the eye
         uint32_t item;     ///< the drawing's own number

@@ -11,7 +11,7 @@
 
 namespace lightwalk {
 
-/// Axis-aligned box, in the space that whoever holds it says; empty when lower > upper.
+/// Axis-aligned box, in the space that its owner states; empty when lower > upper.
 struct Bounds {
     glm::vec3 lower{1e30f}, upper{-1e30f};
     void add(glm::vec3 p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }

@@ -29,7 +29,7 @@ Instance instance_of(const DrawItem& item, size_t index);
 /// For Scene::placed.
 uint64_t next_placement();
 
-/// The light that comes from one direction, as whoever is drawn sees it: in the scene's unit, exposed.
+/// Directional light and the mean sky, exposed, in the unit of the scene.
 struct Sun {
     glm::vec3 to_sun{0.0f, 1.0f, 0.0f};  ///< unit length, world space
     glm::vec3 light{0.0f};               ///< what falls on a surface that faces it; its radiance if white, times pi
