@@ -58,11 +58,16 @@ class Class(unittest.TestCase):
         cls.fill()
         with Judge({name: OF[name] for name in cls.wanted}, 2, cls.pictures) as judge:
             judge.verdicts = cls.outside / "verdicts"
+            cls.judges_are_built()
             cls.grades = {one["student"]: one for one in grade(find([cls.folder]), judge)}
 
     @classmethod
     def fill(cls):
         raise NotImplementedError
+
+    @classmethod
+    def judges_are_built(cls):
+        """Called before the first answer is judged."""
 
     @classmethod
     def student(cls, name: str, answers: dict[str, str | bytes]) -> Path:

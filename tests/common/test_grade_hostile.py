@@ -20,7 +20,6 @@ class Hostile(Class):
     @classmethod
     def fill(cls):
         Path(OUTSIDE).unlink(missing_ok=True)
-        cls.before = {path: path.read_bytes() for path in cls.guarded()}
         cls.heard = []
         listening = [socket.socket(socket.AF_INET), socket.socket(socket.AF_UNIX)]
         listening[0].bind(("127.0.0.1", 0))
@@ -45,6 +44,10 @@ class Hostile(Class):
             cls.heard.append("a connection")
         except OSError:
             pass
+
+    @classmethod
+    def judges_are_built(cls):
+        cls.before = {path: path.read_bytes() for path in cls.guarded()}
 
     @staticmethod
     def guarded():
@@ -74,7 +77,7 @@ class Hostile(Class):
             self.assertEqual(self.grades[name]["right"], len(HONEST))
 
     def test_nothing_is_left_behind(self):
-        self.assertEqual({path: path.read_bytes() for path in self.before}, self.before)
+        self.assertEqual([path for path, text in self.before.items() if path.read_bytes() != text], [])
         self.assertEqual(self.heard, [])
         for path in (OUTSIDE, self.folder / "x", REAL / "x", "/x", "/usr/x"):
             self.assertFalse(os.path.exists(path), path)
