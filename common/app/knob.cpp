@@ -1,5 +1,8 @@
 #include "common/app/knob.h"
 
+#include <fmt/core.h>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -7,6 +10,7 @@
 
 #include "common/app/module.h"
 #include "common/base/error.h"
+#include "common/base/names.h"
 
 namespace lightwalk {
 namespace {
@@ -20,6 +24,11 @@ std::string format(double value) {
     char buffer[32];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(value)).ptr;
     return {buffer, end};
+}
+
+// 16777216 rather than 1.6777216e+07.
+std::string short_number(double value) {
+    return value == std::floor(value) && std::abs(value) < 1e9 ? fmt::format("{:.0f}", value) : format(value);
 }
 
 // How a value type maps to components.
@@ -115,6 +124,15 @@ nlohmann::json Knob<T>::describe() const {
             {"help", help}};
 }
 
+template <class T>
+std::string Knob<T>::usage() const {
+    using C = Components<T>;
+    std::string initial;
+    for (int i = 0; i < C::count; ++i) initial += (i ? "," : "") + short_number(C::get(default_value, i));
+    return fmt::format("{}..{}{} ({})", short_number(C::get(range.lower, 0)), short_number(C::get(range.upper, 0)),
+                       unit.empty() ? "" : " " + unit, initial);
+}
+
 template class Knob<float>;
 template class Knob<int>;
 template class Knob<glm::vec3>;
@@ -155,6 +173,10 @@ nlohmann::json Choice::describe() const {
             {"help", help}};
 }
 
+std::string Choice::usage() const {
+    return fmt::format("{{{}}} ({})", fmt::join(options, ","), options[default_index_]);
+}
+
 void Choice::add_macros(Macros& macros) const {
     const std::string prefix = macro();
     macros.set(prefix, std::to_string(index));
@@ -174,9 +196,9 @@ KnobList called(const KnobList& knobs, const std::string& name) {
     return same;
 }
 
-std::string listed(const KnobList& knobs, const char* between) {
+std::string either(const KnobList& knobs) {
     std::string text;
-    for (const KnobBase* knob : knobs) text += (text.empty() ? "" : between) + knob->path();
+    for (const KnobBase* knob : knobs) text += (text.empty() ? "" : " or ") + knob->path();
     return text;
 }
 
@@ -187,8 +209,10 @@ KnobBase& find_knob(const KnobList& knobs, const std::string& name) {
         if (knob->path() == name) return *knob;
     const KnobList same = called(knobs, name);
     if (same.size() == 1) return *same[0];
-    if (!same.empty()) throw InputError("knob '{}' could be {}", name, listed(same, " or "));
-    throw InputError("unknown knob '{}'; this chapter has: {}", name, listed(knobs, ", "));
+    if (!same.empty()) throw InputError("knob '{}' could be {}", name, either(same));
+    std::vector<std::string> known;
+    for (const KnobBase* knob : knobs) known.push_back(knob->path());
+    throw unknown_name("knob", name, known, "--list knobs lists all");
 }
 
 bool has_short_name(const KnobList& knobs, const KnobBase& knob) {

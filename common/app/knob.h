@@ -26,6 +26,12 @@ class KnobBase {
     virtual void reset() = 0;
     virtual nlohmann::json describe() const = 0;
 
+    /// What set() takes and what holds unless it is set, for --help: "{none,hard,pcf} (pcf)", "0..1 m (0.01)".
+    virtual std::string usage() const = 0;
+
+    /// Whether its value is another than the default.
+    virtual bool changed() const = 0;
+
     /// Adds what shaders compare, for knobs that are compiled in: SHADOW_FILTER, SHADOW_FILTER_PCF ... of the knob
     /// `filter` of a module of the kind `shadow`.
     virtual void add_macros(Macros&) const {}
@@ -61,6 +67,8 @@ class Knob : public KnobBase {
     std::string text() const override;
     void reset() override { value = default_value; }
     nlohmann::json describe() const override;
+    std::string usage() const override;
+    bool changed() const override { return value != default_value; }
     std::vector<float> numbers() const override;
     operator T() const { return value; }
     T value;
@@ -77,6 +85,8 @@ class Knob<bool> : public KnobBase {
     std::string text() const override { return value ? "on" : "off"; }
     void reset() override { value = default_value; }
     nlohmann::json describe() const override;
+    std::string usage() const override { return default_value ? "{on,off} (on)" : "{on,off} (off)"; }
+    bool changed() const override { return value != default_value; }
     void add_macros(Macros& macros) const override { macros.set(macro(), value ? "1" : "0"); }
     std::vector<std::string> variants() const override { return {"on", "off"}; }
     operator bool() const { return value; }
@@ -93,6 +103,8 @@ class Choice : public KnobBase {
     std::string text() const override { return options[index]; }
     void reset() override { index = default_index_; }
     nlohmann::json describe() const override;
+    std::string usage() const override;
+    bool changed() const override { return index != default_index_; }
     void add_macros(Macros& macros) const override;
     std::vector<std::string> variants() const override { return options; }
     bool is(std::string_view option) const { return options[index] == option; }

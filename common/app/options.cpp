@@ -7,6 +7,7 @@
 #include "common/app/shots.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
+#include "common/base/names.h"
 #include "common/image/image.h"
 
 namespace lightwalk {
@@ -39,9 +40,9 @@ void set_knob(Options& options, Chapter& chapter, const std::string& name, const
 }
 
 void apply_shot(Options& options, Chapter& chapter) {
-    std::string known;
+    std::vector<std::string> known;
     for (const Shot& shot : read_shots(chapter.name)) {
-        known += (known.empty() ? "" : ", ") + shot.name;
+        known.push_back(shot.name);
         if (shot.name != options.shot) continue;
         if (options.scene.empty()) options.scene = shot.scene;
         if (!options.size_given) options.size = shot.size;
@@ -50,7 +51,32 @@ void apply_shot(Options& options, Chapter& chapter) {
         for (const auto& [name, value] : shot.set) set_knob(options, chapter, name, value);
         return;
     }
-    throw InputError("unknown shot '{}'; {} has: {}", options.shot, chapter.name, known);
+    throw unknown_name("shot", options.shot, known, "--list shots lists all");
+}
+
+// Grouped by module, the chapter's own first.
+void add_knobs(CLI::App& app, const KnobList& knobs, std::map<std::string, std::string>& values) {
+    const auto add = [&](const KnobBase& knob, const std::string& group) {
+        std::string names = "--" + knob.path();
+        if (has_short_name(knobs, knob)) names += ",--" + knob.name;
+        app.add_option(names, values[knob.path()], knob.help)->type_name(knob.usage())->group(group);
+    };
+    for (const KnobBase* knob : knobs)
+        if (knob->owner.path().empty()) add(*knob, "Knobs of the chapter");
+    for (const KnobBase* knob : knobs)
+        if (!knob->owner.path().empty()) add(*knob, "Knobs of '" + knob->owner.path() + "'");
+}
+
+// The first argument that is no option, or belongs to none.
+InputError unrecognised(const CLI::App& app) {
+    std::vector<std::string> known, left = app.remaining();
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    const auto dashed =
+        std::find_if(left.begin(), left.end(), [](const auto& word) { return word.rfind("-", 0) == 0; });
+    if (dashed == left.end())
+        return InputError("unrecognised argument '{}': options begin with --; --help lists all", left.front());
+    return unknown_name("option", dashed->substr(0, dashed->find('=')), known, "--help lists all");
 }
 
 }  // namespace
@@ -59,43 +85,47 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     Options o;
     std::string size, validate = "off", method;
     CLI::App app("Lightwalk, chapter " + chapter.name);
-    app.add_option("--scene", o.scene, "a scene file or any model file; default: " + chapter.default_scene());
-    app.add_option("--use", o.use, "solution (default), exercise, or a list such as exercise,02.phong=solution");
-    app.add_option("--set", o.set, "NAME=VALUE sets a knob; may be repeated")->allow_extra_args(false);
-    app.add_option("--budget", o.budget, "with --method auto: the greatest error allowed, mean FLIP for pictures");
-    app.add_option("--shot", o.shot, "a named shot of the chapter: --list shots");
-    app.add_option("--size", size, "WIDTHxHEIGHT in pixels; default 960x540");
-    app.add_option("--time", o.time_given, "seconds on the chapter's clock")->check(CLI::Range(-1e6, 1e6));
+    app.add_option("--scene", o.scene, "Scene file or model file (" + chapter.default_scene() + ")")->type_name("FILE");
+    app.add_option("--use", o.use,
+                   "Whose exercises run: solution (default), exercise, or a list such as exercise,02.phong=solution")
+        ->type_name("WHICH");
+    app.add_option("--set", o.set, "Sets a knob; repeatable")->allow_extra_args(false)->type_name("NAME=VALUE");
+    app.add_option("--budget", o.budget, "Greatest error allowed with --method auto; mean FLIP for pictures")
+        ->type_name("E");
+    app.add_option("--shot", o.shot, "Named picture of the chapter; --list shots names them")->type_name("NAME");
+    app.add_option("--size", size, "Picture size in pixels (960x540)")->type_name("WxH");
+    app.add_option("--time", o.time_given, "Time on the chapter's clock, from -1e6 to 1e6 (0)")
+        ->check(CLI::Range(-1e6, 1e6).description(""))
+        ->type_name("SECONDS");
     auto* frames =
-        app.add_option("--frames", o.frames, "frames to render; the last one is kept")->check(CLI::Range(1, 100000));
-    app.add_option("--look", o.look,
-                   "a pass whose output is shown in place of the picture: its name, or 'pass: image'");
-    app.add_option("--screenshot", o.screenshot, "render without a window, write a PNG, exit");
-    app.add_option("--timings", o.timings, "GPU milliseconds per pass, as JSON, to this file");
-    app.add_option("--study", o.study, "run the chapter's study, as JSON, to this file");
-    app.add_flag("--explain", o.explain, "with --method auto: print what was measured, the rule and the choice");
-    app.add_option("--list", o.list, "print and exit")
-        ->check(CLI::IsMember({"knobs", "shots", "exercises", "devices"}));
-    app.add_flag("--json", o.json, "lists and reports as JSON");
-    app.add_option("--device", o.device, "a part of a device's name, or hardware's type; --list devices");
-    app.add_option("--validate", validate, "Vulkan validation, core and synchronisation; a message is a failure")
-        ->check(CLI::IsMember({"on", "off"}));
-    app.add_option("--seed", o.seed, "seed for what is random");
-    app.add_option("--compile-shaders", o.compile_shaders,
-                   "compile and validate all shaders in all variants; for the build")
+        app.add_option("--frames", o.frames, "Number of frames to draw, from 1 to 100000; the last is kept (1)")
+            ->check(CLI::Range(1, 100000).description(""))
+            ->type_name("N");
+    app.add_option("--look", o.look, "Pass whose output is shown in place of the picture: its name, or 'pass: image'")
+        ->type_name("PASS");
+    app.add_option("--screenshot", o.screenshot, "Draw without a window, write a PNG, exit")->type_name("FILE");
+    app.add_option("--timings", o.timings, "Write GPU milliseconds per pass as JSON, exit")->type_name("FILE");
+    app.add_option("--study", o.study, "Run the chapter's study, write it as JSON, exit")->type_name("FILE");
+    app.add_flag("--explain", o.explain, "With --method auto: print the measurements, the rule and the choice");
+    app.add_option("--list", o.list, "Print a list, exit")
+        ->check(CLI::IsMember({"knobs", "shots", "exercises", "devices"}).description(""))
+        ->type_name("{knobs,shots,exercises,devices}");
+    app.add_flag("--json", o.json, "Print lists and reports as JSON");
+    app.add_option("--device", o.device, "Part of a device's name, or 'hardware'; --list devices names them")
+        ->type_name("NAME");
+    app.add_option("--validate", validate, "Vulkan core and synchronisation validation; a message is a failure (off)")
+        ->check(CLI::IsMember({"on", "off"}).description(""))
+        ->type_name("{on,off}");
+    app.add_option("--seed", o.seed, "Seed of everything random (0)")->type_name("N");
+    app.add_option("--compile-shaders", o.compile_shaders, "For the build: compile and validate every shader variant")
         ->type_name("STAMP");
     app.add_flag("--pictures", o.pictures,
-                 "draw what each line of standard input asks for, words as a JSON list; for tests");
+                 "For tests: draw a picture for each line of standard input, its arguments as a JSON list");
     std::map<std::string, std::string> by_knob, by_command;
     const KnobList knobs = chapter.all_knobs();
-    for (const KnobBase* knob : knobs) {
-        const std::string path = knob->path();
-        std::string names = "--" + path;
-        if (has_short_name(knobs, *knob)) names += ",--" + knob->name;
-        app.add_option(names, by_knob[path], knob->help)->group("Knobs");
-    }
+    add_knobs(app, knobs, by_knob);
     const bool own_method = chapter.method_knob != "method";
-    if (own_method) app.add_option("--method", method, "the same as --" + chapter.method_knob);
+    if (own_method) app.add_option("--method", method, "Same as --" + chapter.method_knob)->type_name("NAME");
     for (const Command& command : chapter.commands)
         app.add_option("--" + command.flag, by_command[command.flag], command.help)->type_name(command.argument);
     try {
@@ -103,11 +133,14 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     } catch (const CLI::CallForHelp&) {
         std::printf("%s", app.help().c_str());
         return std::nullopt;
-    } catch (const CLI::ParseError& e) { throw InputError("{}; --help lists what there is", e.what()); }
+    } catch (const CLI::ExtrasError&) { throw unrecognised(app); } catch (const CLI::ArgumentMismatch& e) {
+        const std::string_view said = e.what();
+        throw InputError("{}: expected one value; --help says which", said.substr(0, said.find(':')));
+    } catch (const CLI::ParseError& e) { throw InputError("{}; --help lists all options", e.what()); }
     for (const CLI::Option* option : app.get_options())
         for (const std::string& value : option->results())
             if (value.empty())
-                throw InputError("{} is given an empty text; --help says what it takes", option->get_name());
+                throw InputError("{}: the value is empty; --help says what it takes", option->get_name());
     // CLI11's ranges let a NaN through: it is neither below nor above them.
     if (o.budget && !(*o.budget >= 0)) throw InputError("--budget: the greatest error allowed is 0 or more");
     if (o.time_given && std::isnan(*o.time_given)) throw InputError("--time nan: expected seconds from -1e6 to 1e6");

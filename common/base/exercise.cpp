@@ -6,6 +6,7 @@
 
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/names.h"
 #include "common/base/text.h"
 
 namespace lightwalk {
@@ -49,9 +50,9 @@ Table& scanned_table() {
 State& find(std::string_view id) {
     auto& exercises = scanned_table().exercises;
     if (const auto it = exercises.find(id); it != exercises.end()) return it->second;
-    std::string known;
-    for (const auto& [name, state] : exercises) known += (known.empty() ? "" : ", ") + name;
-    throw InputError("unknown exercise '{}'; there are: {}", id, known);
+    std::vector<std::string> known;
+    for (const auto& [name, state] : exercises) known.push_back(name);
+    throw unknown_name("exercise", id, known, "--list exercises lists all");
 }
 
 // Where a lesson's heading "### 02.phong (medium)" stands in it; what has none comes last.

@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "common/base/files.h"
+#include "common/base/names.h"
 #include "common/scene/scene_reader.h"
 
 namespace lightwalk {
@@ -130,6 +131,28 @@ SceneFile parse_scene(const std::string& text, const fs::path& path) {
     return scene;
 }
 
+namespace {
+
+// "; the nearest are A and B", from the folder in which the file was looked for.
+std::string nearest_files(const fs::path& path) {
+    constexpr size_t most_looked_at = 10000;
+    std::vector<std::string> names;
+    for (const fs::path& folder : {path.parent_path(), course_root() / "assets" / path.parent_path()}) {
+        std::error_code error;
+        for (fs::directory_iterator file(folder.empty() ? "." : folder, error), end;
+             !error && file != end && names.size() < most_looked_at; file.increment(error))
+            if (std::error_code none; file->is_regular_file(none)) names.push_back(file->path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    std::string nearest;
+    for (const std::string& name : nearest_names(path.filename().string(), names))
+        nearest += (nearest.empty() ? "; the nearest are " : " and ") + (path.parent_path() / name).string();
+    return nearest;
+}
+
+}  // namespace
+
 fs::path find_asset(const fs::path& path) {
     std::string why = "neither here nor below assets/";
     for (const fs::path& candidate : {path, course_root() / "assets" / path, course_root() / path}) {
@@ -137,7 +160,7 @@ fs::path find_asset(const fs::path& path) {
         if (fs::exists(candidate, error)) return candidate;
         if (error) why = error.message();
     }
-    throw InputError("no file {}, {}", path.string(), why);
+    throw InputError("no file {}, {}{}", path.string(), why, nearest_files(path));
 }
 
 // [local_transform]

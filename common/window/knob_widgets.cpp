@@ -2,8 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "common/window/event_log.h"
 #include "common/window/overlay.h"
@@ -53,6 +54,15 @@ bool widget(Knob<glm::vec3>& knob, const char* id) {
                                ImGuiSliderFlags_AlwaysClamp);
 }
 
+void wrapped_tooltip(const std::string& text, const std::string& facts = "") {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
+    ImGui::TextUnformatted(text.c_str());
+    if (!facts.empty()) ImGui::TextColored(quiet_color, "%s", facts.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
 bool widget(Knob<bool>& knob, const char* id) { return ImGui::Checkbox(id, &knob.value); }
 
 bool widget(Choice& knob, const char* id) {
@@ -63,7 +73,9 @@ bool widget(Choice& knob, const char* id) {
             changed = i != knob.index;
             knob.index = i;
         }
-        log_place("option." + knob.name + "." + knob.options[i]);
+        if (const std::string words = option_help(knob.help, knob.options[i]); !words.empty() && ImGui::IsItemHovered())
+            wrapped_tooltip(words);
+        log_place("option." + knob.path() + "." + knob.options[i]);
     }
     ImGui::EndCombo();
     return changed;
@@ -79,43 +91,101 @@ bool widget(KnobBase& knob, const char* id) {
     return false;
 }
 
-void tooltip(const KnobBase& knob) {
-    const nlohmann::json described = knob.describe();
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
-    ImGui::TextUnformatted(knob.help.c_str());
-    std::string facts;
-    if (described.contains("range"))
-        facts = described["range"][0].dump() + " to " + described["range"][1].dump() + " " + knob.unit + "; ";
-    const auto& initial = described["default"];
-    facts += "default " + (initial.is_string() ? initial.get<std::string>() : initial.dump()) + " (right click)";
-    ImGui::TextColored(quiet_color, "%s", facts.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+// The name in words. The unit, which some names end with, stands in the widget.
+std::string label_of(const KnobBase& knob) {
+    std::string label = knob.name, suffix = "_" + knob.unit;
+    std::replace(suffix.begin(), suffix.end(), '/', '_');
+    if (!knob.unit.empty() && label.size() > suffix.size() &&
+        label.compare(label.size() - suffix.size(), suffix.size(), suffix) == 0)
+        label.resize(label.size() - suffix.size());
+    std::replace(label.begin(), label.end(), '_', ' ');
+    return label;
+}
+
+// An arrow that turns back, drawn, because not every font has one. True where it was clicked.
+bool reset_button(const KnobBase& knob) {
+    const float side = ImGui::GetFrameHeight();
+    const bool clicked = ImGui::InvisibleButton("##reset", {side, side});
+    log_place("reset." + knob.path());
+    const ImVec2 from = ImGui::GetItemRectMin(), middle{from.x + 0.5f * side, from.y + 0.5f * side};
+    const ImU32 color =
+        ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : mine_color);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float radius = 0.24f * side;
+    list.PathArcTo(middle, radius, -2.2f, 2.6f, 16);
+    list.PathStroke(color, 0, 0.07f * side);
+    const ImVec2 tip{middle.x + radius * std::cos(-2.2f), middle.y + radius * std::sin(-2.2f)};
+    const float wing = 0.17f * side;
+    list.AddTriangleFilled({tip.x - wing, tip.y + 0.3f * wing}, {tip.x + 0.7f * wing, tip.y - wing},
+                           {tip.x + 0.7f * wing, tip.y + wing}, color);
+    if (ImGui::IsItemHovered()) wrapped_tooltip("Sets the default again.");
+    return clicked;
 }
 
 }  // namespace
 
-bool knob_widget(KnobBase& knob, const std::string& beside) {
-    const float label_width = ImGui::GetFontSize() * 6.6f;
-    std::string label = knob.name;
-    for (char& c : label)
-        if (c == '_') c = ' ';
+std::string option_help(const std::string& help, const std::string& option) {
+    const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    const auto names = [&](std::string_view part) {
+        for (size_t at = part.find(option); at != part.npos; at = part.find(option, at + 1)) {
+            const size_t end = at + option.size();
+            if ((at == 0 || !in_word(part[at - 1])) && (end == part.size() || !in_word(part[end]))) return true;
+        }
+        return false;
+    };
+    size_t begin = help.find(": ");
+    begin = begin == help.npos ? 0 : begin + 2;
+    int depth = 0;
+    for (size_t at = begin; at <= help.size(); ++at) {
+        const char c = at < help.size() ? help[at] : ';';
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (depth > 0 || (c != ',' && c != ';')) continue;
+        std::string_view part = std::string_view(help).substr(begin, at - begin);
+        begin = at + 1;
+        while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
+        for (const std::string_view joint : {"or ", "and "})
+            if (part.substr(0, joint.size()) == joint) part.remove_prefix(joint.size());
+        if (names(part) && part.size() > option.size()) return std::string(part);
+    }
+    return {};
+}
+
+float label_column(const KnobList& knobs) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x, most = 0.5f * ImGui::GetContentRegionAvail().x;
+    float widest = 0;
+    for (const KnobBase* knob : knobs)
+        if (const float width = ImGui::CalcTextSize(label_of(*knob).c_str()).x + gap; width <= most)
+            widest = std::max(widest, width);
+    return widest;
+}
+
+bool knob_widget(KnobBase& knob, float label_width, const std::string& beside) {
     ImGui::PushID(&knob);
+    const float left = ImGui::GetCursorPosX(), gap = ImGui::GetStyle().ItemSpacing.x;
+    const std::string label = label_of(knob);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label.c_str());
+    ImGui::TextColored(knob.changed() ? mine_color : ImGui::GetStyleColorVec4(ImGuiCol_Text), "%s", label.c_str());
+    log_place("label." + knob.path());
     bool hovered = ImGui::IsItemHovered();
-    ImGui::SameLine(label_width);
-    const float room = ImGui::CalcTextSize(beside.c_str()).x;
-    ImGui::SetNextItemWidth(beside.empty() ? -1.0f : -room - ImGui::GetStyle().ItemSpacing.x);
+    if (ImGui::CalcTextSize(label.c_str()).x + gap <= label_width)
+        ImGui::SameLine(left + label_width);
+    else
+        ImGui::SetCursorPosX(left + label_width);
+    const float cost = beside.empty() ? 0.0f : ImGui::CalcTextSize(beside.c_str()).x + gap;
+    const float reset = knob.changed() ? ImGui::GetFrameHeight() : 0.0f, right = cost + reset;
+    ImGui::SetNextItemWidth(right == 0.0f ? -1.0f : -right);
     bool changed = widget(knob, "##value");
-    log_place("knob." + knob.name);
+    log_place("knob." + knob.path());
     hovered = hovered || ImGui::IsItemHovered();
+    if (reset > 0.0f) {
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - right);
+        if (reset_button(knob)) knob.reset(), changed = true;
+    }
     if (!beside.empty()) {
-        ImGui::SameLine(ImGui::GetContentRegionMax().x - room);
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - cost + gap);
         ImGui::TextColored(quiet_color, "%s", beside.c_str());
     }
-    if (hovered && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) tooltip(knob);
+    if (hovered && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) wrapped_tooltip(knob.help, knob.usage());
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
         const std::string before = knob.text();
         knob.reset();

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "common/window/event_log.h"
-#include "common/window/knob_widgets.h"
 #include "common/window/titles.h"
 
 namespace lightwalk {
@@ -27,7 +26,7 @@ bool section(const char* name) {
 }  // namespace
 
 Panel::Panel(const Chapter& chapter, const Overlay& overlay)
-    : overlay_(overlay), title_(chapter.name.substr(0, 2) + "  " + chapter_title(chapter.name)) {}
+    : overlay_(overlay), title_(chapter.name.substr(0, 2) + "  " + chapter_title(chapter.name)), knobs_(chapter.name) {}
 
 int Panel::width(float scale, uint32_t window_width) const {
     const float wanted = default_width * scale;
@@ -53,26 +52,13 @@ Requests Panel::draw(PanelState& state, float scale) {
     log_place("lesson");
     help_on_hover("The chapter's lesson as a page, in the browser");
     if (section("Exercises")) exercises(state, requests);
-    if (!state.chapter.all_knobs().empty() && section("Knobs")) knobs(state, requests);
+    if (!state.chapter.all_knobs().empty() && section("Knobs") && knobs_.draw(state.chapter, smooth_))
+        requests.changed = true;
     if (section("Look at")) look(state, requests);
     if (section("GPU time")) times(state);
     footer(state, requests);
     ImGui::End();
     return requests;
-}
-
-// Beside a knob what the pass costs that is called like it.
-void Panel::knobs(PanelState& state, Requests& requests) {
-    const auto cost = [&](const KnobBase& knob) {
-        for (const PassTime& time : smooth_)
-            if (time.name == knob.path()) return fmt::format("{:.2f} ms", time.gpu_ms);
-        return std::string();
-    };
-    for (KnobBase* knob : state.chapter.all_knobs())
-        if (knob_widget(*knob, cost(*knob))) {
-            requests.changed = true;
-            log_event("knob " + knob->name + " " + knob->text());
-        }
 }
 
 void Panel::look(PanelState& state, Requests& requests) {

@@ -1,6 +1,7 @@
 // The panel beside the picture, and what is written over the picture.
 #pragma once
 #include "common/window/exercise_checks.h"
+#include "common/window/knob_sections.h"
 #include "common/window/overlay.h"
 #include "common/window/split_view.h"
 
@@ -57,13 +58,13 @@ class Panel {
 
   private:
     void exercises(PanelState& state, Requests& requests);
-    void knobs(PanelState& state, Requests& requests);
     void split(PanelState& state, Requests& requests);
     void look(PanelState& state, Requests& requests);
     void times(PanelState& state);
     void footer(PanelState& state, Requests& requests);
     const Overlay& overlay_;
     std::string title_;
+    KnobSections knobs_;
     std::vector<PassTime> smooth_;
     int averaged_ = 0;  ///< frames since the passes changed
 };

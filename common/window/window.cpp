@@ -21,6 +21,8 @@ constexpr glm::ivec2 default_size{1480, 660};
 int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& holder, const MakeChapter& make,
                const Loading& loading) {
     // With --size the picture has that size, as it has without a window.
+    const std::filesystem::path scene = options.scene.empty() ? chapter.default_scene() : options.scene;
+    find_asset(scene);  // a wrong name is said even where there is no display
     const glm::ivec2 size =
         options.size_given ? glm::ivec2(options.size) + glm::ivec2(Panel::default_width, 0) : default_size;
     Display display("Lightwalk " + chapter.name.substr(0, 2) + " · " + chapter_title(chapter.name), size,
@@ -29,7 +31,6 @@ int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& h
         .name = options.device, .validate = options.validate, .surface_extensions = Display::surface_extensions()});
     Gpu& gpu = *holder;
     gpu.pipelines.keep_last_good = true;
-    const std::filesystem::path scene = options.scene.empty() ? chapter.default_scene() : options.scene;
     LiveChapter live(chapter, gpu, scene);
     live.load(loading);
     Window(options, live, gpu, display, make, scene).run();

@@ -39,7 +39,7 @@ class Scenes(BadInput):
             "own_parent.json": ({"objects": [cube | {"parent": "cube"}]}, "cycle"),
             "parents.json": ({"objects": [cube | {"parent": "b"}, cube | {"name": "b", "parent": "cube"}]}, "cycle"),
             "twins.json": ({"objects": [cube, cube]}, "two objects"),
-            "knob.json": ({"objects": [cube], "knobs": {"speed": 1}}, "speed.*has"),
+            "knob.json": ({"objects": [cube], "knobs": {"speed": 1}}, "unknown knob 'speed'; the nearest are"),
             "knob_value.json": ({"objects": [cube], "knobs": {"wrap": "much"}}, "wrap.*expected"),
             "knob_type.json": ({"objects": [cube], "knobs": {"wrap": [1]}}, "wrap.*expected"),
             "rough.json": ({"objects": [cube | {"material": {"roughness": 1.5}}]}, "roughness.*1.5.*0.*1"),

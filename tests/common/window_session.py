@@ -34,6 +34,18 @@ class XServer:
             raise RuntimeError("Xvfb did not start")
         self.display = ":" + number
 
+    def set_text_scale(self, scale: float):
+        """What a desktop does for screens of many dots: the resource Xft.dpi."""
+        resources = f"Xft.dpi:\t{96 * scale:.0f}\n".encode()
+        x11 = ctypes.CDLL("libX11.so.6")
+        for function in (x11.XOpenDisplay, x11.XDefaultRootWindow):
+            function.restype = ctypes.c_void_p
+        display = ctypes.c_void_p(x11.XOpenDisplay(self.display.encode()))
+        root = ctypes.c_ulong(x11.XDefaultRootWindow(display))
+        resource_manager, string = ctypes.c_ulong(23), ctypes.c_ulong(31)  # predefined atoms, Xatom.h
+        x11.XChangeProperty(display, root, resource_manager, string, 8, 0, resources, len(resources))
+        x11.XCloseDisplay(display)
+
     def close(self):
         self.process.terminate()
         self.process.wait(10)
@@ -57,11 +69,13 @@ class Session:
 
     def __init__(self, server: XServer, program: Path, options: list[str], folder: Path, **environment: str):
         self.server = server
-        self.environment = {**os.environ, "DISPLAY": server.display, "LIGHTWALK_LOG": "1", **environment}
+        self.environment = {**os.environ, "DISPLAY": server.display, "LIGHTWALK_LOG": "1",
+                            "XDG_STATE_HOME": str(folder / "state"), **environment}
         self.environment.pop("WAYLAND_DISPLAY", None)
         self.lines: list[str] = []
         self.errors: list[str] = []
         self.places: dict[str, tuple[float, float]] = {}
+        self.areas: dict[str, tuple[int, int, int, int]] = {}  # left, top, right, bottom
         self.mouse = (0, 0, 0, 0)  # x, y, buttons and wheel, as the frame drawn last has read them
         self.process = subprocess.Popen([str(program), *options], cwd=folder, env=self.environment, text=True,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -92,7 +106,7 @@ class Session:
             if line.startswith("mouse "):
                 self.mouse = tuple(map(int, line.split()[1:]))
             elif place:
-                left, top, right, bottom = map(int, place.groups()[1:])
+                left, top, right, bottom = self.areas[place[1]] = tuple(map(int, place.groups()[1:]))
                 self.places[place[1]] = ((left + right) / 2, (top + bottom) / 2)
             else:
                 target.append(line)

@@ -1,0 +1,128 @@
+#include "common/window/knob_sections.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "common/window/event_log.h"
+#include "common/window/knob_widgets.h"
+#include "common/window/overlay.h"
+#include "common/window/panel_memory.h"
+
+namespace lightwalk {
+namespace {
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+// Over the header drawn last, at its right end.
+void write_at_right(const std::string& text) {
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    ImGui::GetWindowDrawList()->AddText(
+        {to.x - size.x - ImGui::GetStyle().FramePadding.x, from.y + 0.5f * (to.y - from.y - size.y)},
+        ImGui::GetColorU32(quiet_color), text.c_str());
+}
+
+std::string cost_of_knob(const KnobBase& knob, const std::vector<PassTime>& times) {
+    for (const PassTime& time : times)
+        if (time.name == knob.path()) return fmt::format("{:.2f} ms", time.gpu_ms);
+    return {};
+}
+
+// What the chapter is about: its own knobs, and the module whose method answers to --method alone.
+bool is_own(const std::string& path, const KnobList& knobs) {
+    return path.empty() || std::any_of(knobs.begin(), knobs.end(), [](const KnobBase* knob) { return knob->alone; });
+}
+
+}  // namespace
+
+bool matches_filter(const KnobBase& knob, std::string_view filter) {
+    const std::string text = lower(knob.path() + " " + knob.help), words = lower(filter);
+    for (size_t at = 0; at < words.size();) {
+        const size_t end = std::min(words.find(' ', at), words.size());
+        if (text.find(words.substr(at, end - at)) == text.npos) return false;
+        at = end + 1;
+    }
+    return true;
+}
+
+double module_ms(std::string_view module, const std::vector<PassTime>& times) {
+    double sum = 0;
+    for (const PassTime& time : times) {
+        const std::string_view name = time.name;
+        const bool begins = name.substr(0, module.size()) == module;
+        const bool ends = name.size() >= module.size() && name.substr(name.size() - module.size()) == module;
+        if (begins || ends) sum += time.gpu_ms;
+    }
+    return sum;
+}
+
+KnobSections::KnobSections(std::string chapter) : chapter_(std::move(chapter)), open_(read_panel_memory(chapter_)) {}
+
+void KnobSections::remember(const std::string& path, bool open) {
+    open_[path] = open;
+    write_panel_memory(chapter_, open_);
+    log_event(fmt::format("section {} {}", path.empty() ? "chapter" : path, open ? "open" : "closed"));
+}
+
+bool KnobSections::section(const std::string& path, const KnobList& knobs, const std::vector<PassTime>& times) {
+    const bool filtered = filter_[0] != 0;
+    const std::string title = path.empty() ? "this chapter" : path;
+    const auto stored = open_.find(path);
+    const bool was_open = stored != open_.end() ? stored->second : is_own(path, knobs);
+    ImGui::SetNextItemOpen(filtered || was_open);
+    const bool open = ImGui::CollapsingHeader(title.c_str());
+    log_place("knobs." + (path.empty() ? "chapter" : path));
+    if (!filtered && open != was_open) remember(path, open);
+    const auto changed_count =
+        std::count_if(knobs.begin(), knobs.end(), [](const auto* knob) { return knob->changed(); });
+    const double ms = path.empty() ? 0.0 : module_ms(path.substr(path.rfind('.') + 1), times);
+    std::string beside = changed_count ? fmt::format("{} changed", changed_count) : "";
+    if (ms > 0) beside += fmt::format("{}{:.2f} ms", beside.empty() ? "" : "   ", ms);
+    write_at_right(beside);
+    if (!open) return false;
+    ImGui::PushID(path.c_str());
+    bool changed = false;
+    const float label_width = label_column(knobs);
+    for (KnobBase* knob : knobs)
+        if (knob_widget(*knob, label_width, cost_of_knob(*knob, times))) {
+            changed = true;
+            log_event("knob " + knob->path() + " " + knob->text());
+        }
+    if (changed_count) {
+        if (ImGui::Button("reset this section", {-1.0f, 0.0f})) {
+            for (KnobBase* knob : knobs) knob->reset();
+            changed = true;
+            log_event("reset " + title);
+        }
+        log_place("reset." + (path.empty() ? "chapter" : path));
+    }
+    ImGui::PopID();
+    return changed;
+}
+
+bool KnobSections::draw(Chapter& chapter, const std::vector<PassTime>& times) {
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::InputTextWithHint("##filter", "filter by name or help", filter_, sizeof filter_);
+    log_place("filter");
+    std::vector<std::pair<std::string, KnobList>> sections{{"", {}}};
+    for (KnobBase* knob : chapter.all_knobs()) {
+        const std::string path = knob->owner.path();
+        auto at = std::find_if(sections.begin(), sections.end(), [&](const auto& one) { return one.first == path; });
+        if (at == sections.end()) at = sections.insert(at, {path, {}});
+        if (matches_filter(*knob, filter_)) at->second.push_back(knob);
+    }
+    bool changed = false, any = false;
+    for (const auto& [path, knobs] : sections)
+        if (!knobs.empty()) any = true, changed |= section(path, knobs, times);
+    if (!any) ImGui::TextColored(quiet_color, "no knob matches");
+    return changed;
+}
+
+}  // namespace lightwalk

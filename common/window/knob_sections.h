@@ -1,0 +1,34 @@
+// The panel's knobs in folding sections, one for each module.
+#pragma once
+#include <map>
+#include <string>
+
+#include "common/app/chapter.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+/// Draws a filter field and the sections below it. At first the chapter's own knobs and those of the module that it
+/// teaches are open, and borrowed modules are closed; what a person opens or closes holds for the chapter's next runs too.
+class KnobSections {
+  public:
+    explicit KnobSections(std::string chapter);
+
+    /// True where a knob has changed. `times`: of the passes, for the costs beside sections and knobs.
+    bool draw(Chapter& chapter, const std::vector<PassTime>& times);
+
+  private:
+    bool section(const std::string& path, const KnobList& knobs, const std::vector<PassTime>& times);
+    void remember(const std::string& path, bool open);
+    std::string chapter_;
+    std::map<std::string, bool> open_;  ///< by the module's path
+    char filter_[64] = "";
+};
+
+/// Whether a knob is meant by a filter's text: each of its words occurs in the knob's path or help, case aside.
+bool matches_filter(const KnobBase& knob, std::string_view filter);
+
+/// Milliseconds of all passes named after a module: "shadow_map" and "clear_shadow" are the module `shadow`'s.
+double module_ms(std::string_view module, const std::vector<PassTime>& times);
+
+}  // namespace lightwalk

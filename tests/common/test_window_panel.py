@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""The panel's knobs: sections that fold and are remembered, a filter, resets, labels that are never cut. Under Xvfb."""
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+from window_session import BUILD, ROOT, Session, XServer
+
+CHAPTER = BUILD / "chapters" / "05_shadow_maps"
+SECTIONS = ("chapter", "maps", "lights", "shadow", "rays", "sphere_shadow")
+
+
+class Panel(unittest.TestCase):
+    def setUp(self):
+        made = tempfile.TemporaryDirectory()
+        self.addCleanup(made.cleanup)
+        self.folder = Path(made.name)
+        self.server = XServer(3840, 2160)
+        self.addCleanup(self.server.close)
+        # Little to draw: a frame is soon there.
+        self.scene = self.folder / "scene.json"
+        self.scene.write_text(json.dumps({"objects": [{"model": str(ROOT / "assets/models/cube.obj")}]}))
+
+    def start(self, width: int = 300, height: int = 700) -> Session:
+        session = Session(self.server, CHAPTER, ["--scene", str(self.scene), "--size", f"{width}x{height}"], self.folder)
+        self.addCleanup(session.close)
+        return session
+
+    def end(self, session: Session):
+        session.key("Escape")
+        self.assertEqual((session.end(), session.errors), (0, []))
+
+    def remember(self, **sections: bool):
+        file = self.folder / "state" / "lightwalk" / "05_shadow_maps.panel.json"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(json.dumps(sections))
+
+    def test_sections_fold_and_are_remembered(self):
+        session = self.start()
+        session.wait(lambda: "knob.shadow.method" in session.areas, "the section of what the chapter teaches")
+        self.assertIn("knob.visibility", session.areas)
+        self.assertNotIn("knob.maps.method", session.areas)
+        session.click("section.Exercises")
+        session.click("knobs.shadow")
+        session.click("knobs.maps")
+        session.wait(lambda: "knob.maps.method" in session.areas, "maps' knobs")
+        self.end(session)
+        session = self.start()
+        session.wait(lambda: "knob.maps.method" in session.areas, "what was open")
+        self.assertNotIn("knob.shadow.method", session.areas)
+        self.end(session)
+
+    def test_a_broken_memory_is_none(self):
+        self.remember()
+        (self.folder / "state/lightwalk/05_shadow_maps.panel.json").write_text('{"maps": tru')
+        session = self.start()
+        session.wait(lambda: "knob.shadow.method" in session.areas, "the panel as at first")
+        self.end(session)
+
+    def test_filter_changes_and_resets(self):
+        session = self.start()
+        session.click("section.Exercises")
+        session.click("filter")
+        session.xdotool("type", "--delay", "50", "cutoff")
+        session.wait(lambda: "knob.maps.cutoff" in session.areas, "a knob of a folded section")
+        self.assertNotIn("reset.maps.cutoff", session.areas)
+        since = session.said()
+        session.click("knob.maps.cutoff")  # its middle is its default: to the left of it
+        left, top, right, bottom = session.areas["knob.maps.cutoff"]
+        session.drag(((left + right) // 2, (top + bottom) // 2), (left + 12, (top + bottom) // 2))
+        session.wait_for_line(r"knob maps\.cutoff 0(\.0\d*)?", since)
+        since = session.said()
+        session.click("reset.maps.cutoff")
+        session.wait_for_line(r"knob maps\.cutoff 0\.5", since)
+        session.drag(((left + right) // 2, (top + bottom) // 2), (left + 12, (top + bottom) // 2))
+        since = session.said()
+        session.click("reset.maps")
+        session.wait_for_line("reset maps", since)
+        session.key("Escape")  # leaves the field, not the program
+        self.end(session)
+
+    def test_no_label_is_cut_at_any_scale(self):
+        self.remember(**{name: True for name in ("maps", "lights", "shadow", "rays", "sphere_shadow")})
+        for scale, width, height in ((1.0, 940, 720), (1.5, 940, 720), (2.0, 3160, 2160)):
+            with self.subTest(scale=scale):
+                self.server.set_text_scale(scale)
+                session = self.start(width, height)
+                session.wait(lambda: "label.sphere_shadow.power" in session.areas, "all sections")
+                labels = {name[6:]: area for name, area in session.areas.items() if name.startswith("label.")}
+                self.assertGreater(len(labels), 50)
+                window = session.geometry()[2]
+                for name, (left, top, right, bottom) in labels.items():
+                    self.assertLess(right, window - 8 * scale, name)
+                    knob = session.areas["knob." + name]
+                    self.assertTrue(right < knob[0] or bottom <= knob[1], f"{name}: the label lies under its widget")
+                    knob_width, knob_height = knob[2] - knob[0], knob[3] - knob[1]
+                    checkbox = abs(knob_width - knob_height) < 3
+                    self.assertTrue(checkbox or knob_width >= 90 * scale, f"{name}: {knob_width} pixels for its widget")
+                self.assertGreater(labels["shadow.method"][3] - labels["shadow.method"][1], 11 * scale)
+                self.end(session)
+
+    def test_a_window_too_small_for_a_panel_shows_the_picture(self):
+        session = self.start(16, 200)
+        session.xdotool("windowsize", "--sync", session.window, "300", "200")
+        picture = session.settled(0, 0, 300, 200)
+        self.assertGreater(len({picture[i:i + 3] for i in range(0, len(picture), 3)}), 1)
+        self.end(session)
+
+
+if __name__ == "__main__":
+    unittest.main()
