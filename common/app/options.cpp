@@ -84,6 +84,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--compile-shaders", o.compile_shaders,
                    "compile and validate all shaders in all variants; for the build")
         ->type_name("STAMP");
+    app.add_flag("--default-variants", o.default_variants, "with --compile-shaders: the default knobs alone");
     app.add_flag("--pictures", o.pictures,
                  "draw what each line of standard input asks for, words as a JSON list; for tests");
     std::map<std::string, std::string> by_knob, by_command;

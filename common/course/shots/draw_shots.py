@@ -1,4 +1,6 @@
-"""Draws what the tests of a chapter's shots and teeth compare: python3 common/course shots.draw_shots NN_name, as a test that comes before them.
+"""Draws what the tests of a chapter's shots and teeth compare, as a test that comes before them:
+
+    python3 common/course shots.draw_shots NN_name [--no-teeth]    the latter: only what the shots are compared with
 
 All pictures of a program are drawn by one process (rendering.render_many). What went wrong with one is for its own test to
 say, which finds it in build/shots/NN_name/drawn.json:
@@ -10,6 +12,7 @@ The run is one of ./course test; a test that is run alone, or after another such
 
 import json
 import os
+import sys
 import time
 from pathlib import Path
 
@@ -67,11 +70,11 @@ def render_unless_drawn(chapter: str, program: str, options: list, picture: Path
         raise Failure(words)
 
 
-def main(chapter: str) -> list[str]:
+def main(chapter: str, teeth: bool) -> list[str]:
     by_program, found, start = {}, {}, time.monotonic()
     # Those of one scene one after the other: it is read once.
     for _, shot in sorted(find_shots(chapter), key=lambda entry: entry[1].get("scene", "")):
-        wrong = wrong_pictures(chapter, shot) if os.environ.get("CI") != "true" else []
+        wrong = wrong_pictures(chapter, shot) if teeth else []
         for _, program, options, picture in [right_picture(chapter, shot), *wrong]:
             by_program.setdefault(program, []).append((options, picture))
     for program, pictures in by_program.items():
@@ -82,4 +85,6 @@ def main(chapter: str) -> list[str]:
 
 
 if __name__ == "__main__":
-    run_on_chapter(main)
+    with_teeth = "--no-teeth" not in sys.argv
+    sys.argv = [word for word in sys.argv if word != "--no-teeth"]
+    run_on_chapter(lambda chapter: main(chapter, with_teeth))

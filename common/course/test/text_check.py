@@ -17,6 +17,8 @@ from shots.golden import measured_distances
 from test.order import check_order
 from tree import ROOT, chapters, exercises, files, relative, say, shots
 
+# An environment variable where code reads it.
+VARIABLE = re.compile(r"[\"'](LIGHTWALK_[A-Z_]+)[\"']")
 # Paths that mean something on one machine only.
 PRIVATE = re.compile(r"(?<![\w.])/(?:%s)/\w" % "|".join(["work", "root", "home", "Users"]))
 
@@ -156,6 +158,17 @@ def check_figures() -> list[str]:
     return wrong
 
 
+def check_variables() -> list[str]:
+    """README names each of the environment variables that something reads, and no other."""
+    if not (ROOT / "README.md").exists():
+        return []
+    code = [name for name in files() if name.suffix in (".cpp", ".h", ".py")]
+    read = {variable: name for name in code for variable in VARIABLE.findall((ROOT / name).read_text(errors="replace"))}
+    named = set(re.findall(r"`(LIGHTWALK_\w+)`", (ROOT / "README.md").read_text()))
+    return [f"{read[variable]}: README.md does not name {variable}" for variable in sorted(read.keys() - named)] + \
+           [f"README.md: nothing reads {variable}" for variable in sorted(named - read.keys())]
+
+
 def braces(pattern: str) -> list[str]:
     """a_{b,c}.png as a_b.png and a_c.png."""
     match = re.search(r"\{([^}]*)\}", pattern)
@@ -193,7 +206,7 @@ def check_all() -> list[str]:
         wrong += check_private_paths(name)
     wrong += [f"{name}: not as clang-format writes it; ./course format does" for name in unformatted()]
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
-    return wrong + check_order(files()) + check_chapters() + check_credits() + check_figures()
+    return wrong + check_order(files()) + check_chapters() + check_credits() + check_variables() + check_figures()
 
 
 if __name__ == "__main__":
