@@ -30,7 +30,7 @@ std::string role_names(bool of_material) {
 Role role_named(std::string_view name, bool of_material) {
     for (const Named& one : known)
         if (one.name == name && (one.of_material || !of_material)) return one.role;
-    return Role::none;
+    return Role::plain;
 }
 
 const char* name_of(Role role) {

@@ -6,23 +6,23 @@
 
 namespace lightwalk {
 
-enum class Role { none, planet, ring, screen, skin, eye, cornea };
+enum class Role { plain, planet, ring, screen, skin, eye, cornea };
 
 /// "planet, ring, screen, skin, eye, cornea"; `of_material`: those that a material may have.
 std::string role_names(bool of_material = false);
 
-/// The role of that name; Role::none where there is none, or none that a material may have.
+/// The role of that name; Role::plain where there is none, or none that a material may have.
 Role role_named(std::string_view name, bool of_material = false);
 
-/// The word of a scene file; "" for Role::none.
+/// The word of a scene file; "" for Role::plain.
 const char* name_of(Role role);
 
 /// `role` of an object in a scene file: one for the object, or one for each material of its model that has one.
 struct GivenRole {
-    Role object = Role::none;
+    Role object = Role::plain;
     std::map<std::string, Role> materials;
     std::string where{};  ///< "file:line: key 'role'", for what is only found when the model is loaded
-    explicit operator bool() const { return object != Role::none || !materials.empty(); }
+    explicit operator bool() const { return object != Role::plain || !materials.empty(); }
 };
 
 struct SceneFile;

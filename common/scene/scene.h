@@ -20,7 +20,7 @@ struct DrawItem {
     bool transparent = false;
     MaterialMaps maps;
     Material material;
-    Role role = Role::none;
+    Role role = Role::plain;
     float roughness = -1, metalness = -1;  ///< the scene file's, instead of a map's; below 0: it says nothing
 };
 

@@ -119,7 +119,7 @@ Role read_role(const JsonWithLines& source, const json& given, const std::string
     if (!given.is_string())
         throw InputError("{} must be a role in quotes: {}", source.where(pointer), role_names(of_material));
     const Role role = role_named(given.get<std::string>(), of_material);
-    if (role == Role::none)
+    if (role == Role::plain)
         throw InputError("{} is '{}', expected {}", source.where(pointer), given.get<std::string>(),
                          role_names(of_material));
     return role;

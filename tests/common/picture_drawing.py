@@ -56,6 +56,8 @@ class Drawer:
         self.count += 1
         picture = self.folder / f"{self.chapter}_{self.count}.png"
         code, wrong, said = self.drawing.draw(list(options), picture)
+        # How far what takes long has come is said on a busy machine.
+        said = "\n".join(line for line in said.splitlines() if line.strip() and not line.startswith("drawing: "))
         return picture, f"exit code {code}: {wrong or said}" if code or said else ""
 
 

@@ -76,7 +76,8 @@ class Order(unittest.TestCase):
 
 class Variables(unittest.TestCase):
     def wrong(self, readme: str) -> list[str]:
-        files = {"a/x.cpp": 'std::getenv("LIGHTWALK_A"); // LIGHTWALK_COMMENT\n', "b.py": "os.environ['LIGHTWALK_B']\n",
+        # In two parts, so that this file reads none.
+        files = {"a/x.cpp": f'std::getenv("{"LIGHTWALK"}_A"); // LIGHTWALK_COMMENT\n', "b.py": f"os.environ['{'LIGHTWALK'}_B']\n",
                  "README.md": readme}
         with tempfile.TemporaryDirectory() as made:
             for name, text in files.items():

@@ -88,7 +88,7 @@ TEST_CASE("an object's role is that of all its parts, one for a material that of
     const std::string model = "\"model\": \"models/cube.obj\"";
     CHECK(roles_in("{" + model + ", \"role\": \"planet\"}", {"a", "skin"}) == std::vector{planet, planet});
     CHECK(roles_in("{" + model + ", \"role\": {\"a\": \"cornea\", \"b\": \"eye\"}}", {"a", "b", "skin"}) ==
-          std::vector{cornea, eye, none});
+          std::vector{cornea, eye, plain});
 }
 
 TEST_CASE("names count where nothing has a role, and only there") {
@@ -99,10 +99,10 @@ TEST_CASE("names count where nothing has a role, and only there") {
     CHECK(roles_in(named("planet"), {""}) == std::vector{planet});
     CHECK(roles_in(named("ring"), {""}) == std::vector{ring});
     CHECK(roles_in(named("screen left"), {""}) == std::vector{screen});
-    CHECK(roles_in(named("planets"), {""}) == std::vector{none});
-    CHECK(roles_in(named("head"), {"skin", "eye", "cornea", "planet"}) == std::vector{skin, eye, cornea, none});
+    CHECK(roles_in(named("planets"), {""}) == std::vector{plain});
+    CHECK(roles_in(named("head"), {"skin", "eye", "cornea", "planet"}) == std::vector{skin, eye, cornea, plain});
     CHECK(roles_in(named("planet") + ", " + named("ball", ", \"role\": \"ring\""), {"skin"}) ==
-          std::vector{none, ring});
+          std::vector{plain, ring});
 
     const SceneFile old = parse_scene("{\"objects\": [" + named("screen left") + "]}", "s.json");
     CHECK(Roles(old).shown_by(0) == "camera left");
