@@ -1,10 +1,10 @@
 # How the tree becomes targets. A new chapter is a new folder; nothing here names one.
 
 # common: one shared library, so that a chapter's program holds the chapter alone. Its rooms use only those before them:
-# base, image, measure, gpu, scene, app, study, window, check.
+# base, image, gpu, scene, app, measure, study, check, judge, window (common/course/test/order.py).
 function(lightwalk_common)
   set(sources)
-  foreach(room base image measure gpu scene app study window check)
+  foreach(room base image gpu scene app measure study check judge window)
     file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/${room}/*.cpp)
     list(APPEND sources ${found})
   endforeach()
@@ -87,7 +87,7 @@ function(lightwalk_exercises chapter visible)
   target_link_libraries(exercises_${chapter} PRIVATE lightwalk)
   target_compile_options(exercises_${chapter} PRIVATE -Wno-error)
   set_target_properties(exercises_${chapter} PROPERTIES CXX_COMPILER_LAUNCHER
-    "sh;${PROJECT_SOURCE_DIR}/common/course/compile_exercise.sh;${CMAKE_CXX_COMPILER_LAUNCHER}")
+    "sh;${PROJECT_SOURCE_DIR}/common/course/build/compile_exercise.sh;${CMAKE_CXX_COMPILER_LAUNCHER}")
   lightwalk_precompiled(exercises_${chapter})
   target_link_libraries(chapter_${chapter} PUBLIC $<TARGET_OBJECTS:exercises_${chapter}>)
 endfunction()
@@ -135,7 +135,11 @@ function(lightwalk_chapters)
     # Every shader in every variant is compiled and validated as part of the build, which also fills the cache. The
     # program says in chapter.shaders.d which files it read: only an edit of those compiles them again.
     set(stamp ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders)
-    add_custom_command(OUTPUT ${stamp} COMMAND ${chapter} --compile-shaders ${stamp} DEPENDS ${chapter}
+    set(variants)
+    if("$ENV{CI}" STREQUAL "true") # builds from nothing each time: the default knobs must do, tests compile what they draw
+      set(variants --default-variants)
+    endif()
+    add_custom_command(OUTPUT ${stamp} COMMAND ${chapter} --compile-shaders ${stamp} ${variants} DEPENDS ${chapter}
                        DEPFILE ${stamp}.d VERBATIM)
     add_custom_target(shaders_${chapter} ALL DEPENDS ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders)
     list(APPEND earlier ${chapter})
@@ -156,7 +160,7 @@ endfunction()
 # (common/check/trial.h), compiled without references too.
 function(lightwalk_judge name folder library)
   foreach(side remote serve)
-    set(text "#include \"common/check/${side}.h\"\n")
+    set(text "#include \"common/judge/${side}.h\"\n")
     if(EXISTS ${PROJECT_SOURCE_DIR}/chapters/${name}/exercises.h)
       string(APPEND text "\n#include \"${name}/exercises.h\"\n")
       if(EXISTS ${folder}/trials.h)
@@ -177,7 +181,7 @@ function(lightwalk_judge name folder library)
   set_target_properties(judge_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/grade)
 endfunction()
 
-# Variants of C++ exercises (common/course/variants.py), a check program each. Those listed as changes are written here as
+# Variants of C++ exercises (common/course/check/variants.py), a check program each. Those listed as changes are written here as
 # files, again when their list or the solution changes. A variant comes before the student's file in the link and so takes
 # its place: both are weak.
 function(lightwalk_variants name folder library)
@@ -192,9 +196,9 @@ function(lightwalk_variants name folder library)
     endif()
   endforeach()
   if(sources)
-    set(script ${PROJECT_SOURCE_DIR}/common/course/variants.py)
+    set(script ${PROJECT_SOURCE_DIR}/common/course/check/variants.py)
     set(made ${PROJECT_BINARY_DIR}/variants/${name})
-    execute_process(COMMAND python3 ${script} ${name} ${made} COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND python3 ${PROJECT_SOURCE_DIR}/common/course check.variants ${name} ${made} COMMAND_ERROR_IS_FATAL ANY)
     file(GLOB changed ${made}/*.cpp)
     list(APPEND variants ${changed})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${script} ${sources})
@@ -218,7 +222,7 @@ endfunction()
 function(lightwalk_tests)
   add_library(catch_main OBJECT ${PROJECT_SOURCE_DIR}/tests/catch_main.cpp)
   target_compile_options(catch_main PRIVATE -O0)
-  add_library(serve_main OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/common/check/serve_main.cpp)
+  add_library(serve_main OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/common/judge/serve_main.cpp)
   target_compile_options(serve_main PRIVATE -O0)
   target_link_libraries(serve_main PRIVATE lightwalk)
   add_library(check_main OBJECT ${PROJECT_SOURCE_DIR}/common/check/check_main.cpp)

@@ -26,7 +26,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests")]
-from shots import compare, exceeded, golden_path, limits_of  # noqa: E402
+from shots.golden import compare, exceeded, golden_path, limits_of  # noqa: E402
 from mutations import changes  # noqa: E402
 from tree import BUILD, Failure, find_chapter, say, shots, warn  # noqa: E402
 

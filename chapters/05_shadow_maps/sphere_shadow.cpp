@@ -7,9 +7,9 @@
 namespace lightwalk {
 namespace {
 
-const DrawItem* item_of(const Scene& scene, const char* object) {
-    const auto shows = [&](const DrawItem& item) { return scene.file.objects[item.object].name == object; };
-    const auto found = std::find_if(scene.items.begin(), scene.items.end(), shows);
+const DrawItem* item_of(const Scene& scene, Role role) {
+    const auto has = [&](const DrawItem& item) { return item.role == role; };
+    const auto found = std::find_if(scene.items.begin(), scene.items.end(), has);
     return found == scene.items.end() ? nullptr : &*found;
 }
 
@@ -28,12 +28,12 @@ std::pair<float, float> radii(const DrawItem& item) {
 void SphereShadow::update(const Scene& scene) {
     planet = {};
     ring = nullptr;
-    if (const DrawItem* sphere = item_of(scene, "planet")) {
+    if (const DrawItem* sphere = item_of(scene, Role::planet)) {
         planet.center = glm::vec3(sphere->transform[3]);
         planet.radius = radii(*sphere).second;
         ring = &scene.texture(*sphere, MapSlot::diffuse);  // bound, and not read where there is no ring
     }
-    if (const DrawItem* disc = item_of(scene, "ring")) {
+    if (const DrawItem* disc = item_of(scene, Role::ring)) {
         planet.center = glm::vec3(disc->transform[3]);
         planet.normal = glm::normalize(glm::vec3(disc->transform[1]));
         std::tie(planet.inner, planet.outer) = radii(*disc);

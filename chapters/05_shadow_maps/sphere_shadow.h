@@ -22,8 +22,8 @@ struct SphereShadow : Module {
     Knob<float> power{*this, "power", 0.5f, {0.05f, 8.0f}, "of how deep a point is in that edge"};
     Knob<float> sun_deg{*this, "sun_deg", 0.53f, {1e-3f, 60.0f}, "how wide the sun looks, for exact", "degrees"};
 
-    /// Takes the scene's sphere and ring: what objects called "planet" and "ring" show, a ball and a flat ring around
-    /// its middle. Either may be missing.
+    /// Takes the scene's planet and ring, the objects with these roles: a ball and a flat ring around its middle. Either
+    /// may be missing.
     void update(const Scene& scene);
 
     /// Whether update() found a planet.

@@ -6,8 +6,6 @@
 namespace lightwalk {
 namespace {
 
-constexpr std::string_view prefix = "screen ";
-
 size_t find_object(const SceneFile& file, const std::string& name) {
     size_t i = 0;
     while (i < file.objects.size() && file.objects[i].name != name) ++i;
@@ -43,9 +41,10 @@ void Screens::prepare(Gpu& gpu, Scene& scene) {
     gpu.upload(black_, std::as_bytes(std::span(black)));
     const auto& objects = scene.file.objects;
     const auto size = glm::uvec2(width.value, width.value * 9 / 16);
+    const Roles roles(scene.file);
     for (size_t i = 0; i < objects.size(); ++i) {
-        if (!objects[i].name.starts_with(prefix)) continue;
-        const std::string camera = "camera " + objects[i].name.substr(prefix.size());
+        if (!roles.is_screen(i)) continue;
+        const std::string camera = roles.shown_by(i);
         auto& screen = screens_.emplace_back(std::make_unique<Screen>(*this, objects[i].name, size));
         screen->object = i;
         screen->camera = find_object(scene.file, camera);

@@ -7,8 +7,8 @@
 namespace lightwalk {
 
 // [screens]
-/// An object called "screen NAME" shows what "camera NAME" sees: another object, which need not have a model, and which
-/// looks along its -z. The picture takes the place of the screen's colour and emissive textures. In each frame:
+/// An object with the role of a screen shows what the object that its `shows` names sees along its -z; that one need not
+/// have a model. The picture takes the place of the screen's colour and emissive textures. In each frame:
 /// record(); then passes that draw screens state the module in `.with`.
 struct Screens : Module {
     Screens(Module& owner, std::string name) : Module(owner, std::move(name), "screens") {}

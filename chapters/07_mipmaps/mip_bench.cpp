@@ -7,9 +7,9 @@
 #include "common/app/gpu_load.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/statistics.h"
 #include "common/base/text.h"
 #include "common/image/image.h"
-#include "common/measure/statistics.h"
 #include "common/scene/asset_path.h"
 #include "common/study/study.h"
 

@@ -86,6 +86,30 @@ void Bloom::record(Frame& frame, const Image& hdr) {
 }
 // [/record]
 
+const Pipeline& Bloom::pipeline_of(const Step& step) const {
+    switch (step.kind) {
+        case Step::Kind::line:
+            return plan_.full_floats ? full_line_ : line_;
+        case Step::Kind::level_line:
+            return level_line_;
+        case Step::Kind::shared:
+            return shared_;
+        case Step::Kind::window:
+            return window_;
+        case Step::Kind::down:
+            return step.karis ? karis_down_ : down_;
+        case Step::Kind::up:
+            return up_;
+        case Step::Kind::kawase_down:
+            return kawase_down_;
+        case Step::Kind::kawase_up:
+            return kawase_up_;
+        case Step::Kind::copy:
+            break;
+    }
+    return copy_;
+}
+
 // [blur]
 void Bloom::record_blur(Frame& frame) {
     ComputeAccess access{.reads = {dispatch_}, .with = {*this}};
@@ -94,16 +118,7 @@ void Bloom::record_blur(Frame& frame) {
         for (size_t i = 0; i < plan_.steps.size(); ++i) {
             const Step& step = plan_.steps[i];
             if (i > 0) pass.wait();  // for the step before
-            const Pipeline* const pipelines[] = {plan_.full_floats ? &full_line_ : &line_,
-                                                 &level_line_,
-                                                 &shared_,
-                                                 &window_,
-                                                 step.karis ? &karis_down_ : &down_,
-                                                 &up_,
-                                                 &kawase_down_,
-                                                 &kawase_up_,
-                                                 &copy_};
-            pass.use(*pipelines[static_cast<size_t>(step.kind)]);
+            pass.use(pipeline_of(step));
             if (pass.wants("taps")) pass.set("taps", taps_);
             pass.set("from", images_[static_cast<size_t>(step.from)], sampler_for(border, step));
             pass.set("into", images_[static_cast<size_t>(step.into)]);

@@ -62,6 +62,7 @@ struct Bloom : Module {
     Buffer taps_;      ///< of the plan
     Buffer wanted_;    ///< workgroups of each step, were there something to spread
     Buffer dispatch_;  ///< those, or zeros; after them how many texels were cut out, or at least 1
+    const Pipeline& pipeline_of(const Step& step) const;
     Pipeline begin_ = compute({.shader = "08_bloom/begin.comp"});
     Pipeline bright_ = compute({.shader = "08_bloom/bright.comp"});
     Pipeline decide_ = compute({.shader = "08_bloom/decide.comp"});

@@ -165,8 +165,13 @@ void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas) {
     const bool tables = method.is("tables"), truth = method.is("truth");
     const std::vector<PathPart> parts = this->parts();
     const bool in_parts = truth || parts.size() > 1;
-    const Pipeline* const looks[] = {
-        &none_, &preetham_, &polynomial_, &chapman_, in_parts ? &march_parts_ : &march_, &look_tables_, &truth_};
+    const Pipeline& look = method.is("preetham")     ? preetham_
+                           : method.is("polynomial") ? polynomial_
+                           : method.is("chapman")    ? chapman_
+                           : method.is("march")      ? (in_parts ? march_parts_ : march_)
+                           : tables                  ? look_tables_
+                           : truth                   ? truth_
+                                                     : none_;
     const float reach_m = tables ? volume_reach_m(view.camera) : 0.0f;
     ComputeAccess access{.reads = {depth, hdr}, .writes = {hdr}, .with = {*this}};
     if (tables) {
@@ -190,7 +195,7 @@ void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas) {
     frame.compute("atmosphere", access, [&](Compute& pass) {
         for (const PathPart& part : parts) {
             if (!part.begins) pass.wait();
-            pass.use(*looks[method.index]).set("result", hdr).set("depth", depth, nearest_clamp);
+            pass.use(look).set("result", hdr).set("depth", depth, nearest_clamp);
             pass.set("rays", view_rays(view));
             if (in_parts)
                 pass.set("part", part).set("light_so_far", light_so_far_).set("through_so_far", through_so_far_);

@@ -17,9 +17,9 @@ void make(Frame& frame, Image& image, const char* name, uint32_t size, VkFormat 
 
 }  // namespace
 
-const DrawItem* Skin::part(const Scene& scene, const char* material, bool any) {
+const DrawItem* Skin::part(const Scene& scene, Role role, bool any) {
     for (const DrawItem& item : scene.items)
-        if (item.material.name == material) return &item;
+        if (item.role == role) return &item;
     return any && !scene.items.empty() ? &scene.items.front() : nullptr;
 }
 
@@ -67,7 +67,7 @@ void Skin::make_tables(Frame& frame) {
 
 // [record]
 void Skin::record(Frame& frame, const Scene& scene, const View& view, const Lit& lit) {
-    const DrawItem *skin = skin_of(scene), *eye = part(scene, "eye");
+    const DrawItem *skin = skin_of(scene), *eye = part(scene, Role::eye);
     spread_out_ = false;
     if (empty_ = !skin; empty_) return;
     make_tables(frame);
@@ -115,11 +115,10 @@ void Skin::draw(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit
                                                         : by_lambert_;
     std::vector<With> with = lit.with;
     with.insert(with.end(), {*this, lit.maps});
-    const auto is = [](const DrawItem& item, const char* material) { return item.material.name == material; };
     const DrawItem* skin = skin_of(scene);
     const auto is_skin = [&](const DrawItem& item) { return &item == skin; };
-    const auto is_eye = [&](const DrawItem& item) { return is(item, "eye"); };
-    const auto is_cornea = [&](const DrawItem& item) { return is(item, "cornea"); };
+    const auto is_eye = [&](const DrawItem& item) { return item.role == Role::eye; };
+    const auto is_cornea = [&](const DrawItem& item) { return item.role == Role::cornea; };
     const auto is_other = [&](const DrawItem& item) { return !is_skin(item) && !is_eye(item) && !is_cornea(item); };
     const auto draw = [&](Raster& pass, const auto& predicate, const Pipeline& pipeline) {
         lit.maps.draw(pass, scene, scene.all().where(predicate), pipeline, pipeline);
@@ -133,7 +132,7 @@ void Skin::draw(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit
         targets.color.push_back(clear(screen_.after, glm::vec4(0)));
     }
     frame.raster("skin", targets, [&](Raster& pass) { draw(pass, is_skin, look); });
-    if (!part(scene, "cornea")) return;
+    if (!part(scene, Role::cornea)) return;
     with.push_back(lit.rays);
     frame.raster("cornea", {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with},
                  [&](Raster& pass) { draw(pass, is_cornea, cornea_); });
@@ -160,7 +159,7 @@ void Skin::bind(Pass& pass) const {
     pass.offer("skin_occlusion", coarse_.occlusion, linear_clamp);
     pass.offer("eye_occlusion", eye_.occlusion ? eye_.occlusion : coarse_.occlusion, linear_clamp);
     pass.offer("skin_stretch", coarse_.stretch, linear_clamp);
-    if (pass.name != "skin irradiance") pass.offer("skin_position", coarse_.position, nearest_clamp);
+    pass.offer("skin_position", coarse_.position, nearest_clamp);
     pass.offer("skin_diffused", spread_out_ ? diffused() : coarse_.occlusion, linear_clamp);
 }
 

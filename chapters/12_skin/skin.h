@@ -8,8 +8,8 @@
 namespace lightwalk {
 
 // [skin]
-/// Draws the items of a scene: those whose material is called "skin", "eye" or "cornea" as such, others as matt.
-/// In each frame record(), then draw() into a canvas, then finish(). Without a "skin" the first item is it.
+/// Draws the items of a scene: those with the role of skin, an eye or a cornea as such, others as matt.
+/// In each frame record(), then draw() into a canvas, then finish(). Without any skin the first item is it.
 struct Skin : Module {
     Skin(Module& owner, std::string name) : Module(owner, std::move(name), "skin") {}
 
@@ -56,7 +56,7 @@ struct Skin : Module {
     const Image& level(size_t i) const { return spread_.level(i); }
     const Image& diffused() const { return spread_.result(); }
     const Unwrapped& layout() const { return on_map() ? fine_ : coarse_; }
-    const DrawItem* skin_of(const Scene& scene) const { return part(scene, "skin", true); }
+    const DrawItem* skin_of(const Scene& scene) const { return part(scene, Role::skin, true); }
 
     /// A side of the map that the screen needs: the power of two at which a texel is about as wide as a pixel, 64 to
     /// 2048.
@@ -70,7 +70,7 @@ struct Skin : Module {
     int sum_count() const;                 ///< of Gaussians; 0 for other methods
 
   private:
-    static const DrawItem* part(const Scene& scene, const char* material, bool any = false);
+    static const DrawItem* part(const Scene& scene, Role role, bool any = false);
     void make_tables(Frame& frame);
     void light_map(Frame& frame, const Lit& lit);
 

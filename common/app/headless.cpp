@@ -11,7 +11,7 @@
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/base/patience.h"
-#include "common/measure/statistics.h"
+#include "common/base/statistics.h"
 
 namespace lightwalk {
 namespace {

@@ -119,6 +119,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--seed", o.seed, "Seed of everything random (0)")->type_name("N");
     app.add_option("--compile-shaders", o.compile_shaders, "For the build: compile and validate every shader variant")
         ->type_name("STAMP");
+    app.add_flag("--default-variants", o.default_variants, "with --compile-shaders: the default knobs alone");
     app.add_flag("--pictures", o.pictures,
                  "For tests: draw a picture for each line of standard input, its arguments as a JSON list");
     std::map<std::string, std::string> by_knob, by_command;

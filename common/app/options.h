@@ -15,8 +15,9 @@ struct Options {
     std::optional<float> time_given;
     int frames = 1;
     bool frames_given = false, json = false, validate = false, explain = false;
-    bool pictures = false;   ///< standard input says which
-    bool automatic = false;  ///< --method auto: the need rule chooses
+    bool default_variants = false;  ///< of what compile_shaders compiles
+    bool pictures = false;          ///< standard input says which
+    bool automatic = false;         ///< --method auto: the need rule chooses
     std::optional<double> budget;
     unsigned seed = 0;
     std::function<int()> command;  ///< a chapter's own, where one was asked for

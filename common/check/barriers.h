@@ -10,7 +10,7 @@ namespace lightwalk {
 /// has come by, and where; and memoryBarrier(), memoryBarrierShared() and their like do nothing. They order what one
 /// invocation writes and wait for nobody, but software that runs a workgroup on one thread may wait there as well, and
 /// an answer that has them in a barrier's place would be right by accident. A check waits with check_barrier(), which
-/// is not noted. No answer that is graded has names with this beginning (common/course/glsl_answer.py).
+/// is not noted. No answer that is graded has names with this beginning (common/course/check/glsl_answer.py).
 std::string traced_barriers();
 
 /// What is wrong with `check_barriers_passed` of a workgroup's invocations, by their index; empty where all have come

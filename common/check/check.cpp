@@ -24,8 +24,8 @@ std::unique_ptr<Gpu>& device() {
     return gpu;
 }
 
-std::string environment(const char* name) {
-    const char* value = std::getenv(name);
+std::string device_name() {
+    const char* value = std::getenv("LIGHTWALK_DEVICE");
     return value ? value : "";
 }
 
@@ -40,10 +40,7 @@ RegisterCheck::RegisterCheck(const char* id, const char* hint, void (*run)(Check
 const std::vector<ExerciseCheck>& all_checks() { return registry(); }
 
 Gpu& check_device() {
-    if (!device())
-        device() = std::make_unique<Gpu>(DeviceOptions{.name = environment("LIGHTWALK_DEVICE"),
-                                                       .validate = environment("LIGHTWALK_VALIDATE") == "on",
-                                                       .surface_extensions = {}});
+    if (!device()) device() = std::make_unique<Gpu>(DeviceOptions{.name = device_name(), .surface_extensions = {}});
     return *device();
 }
 

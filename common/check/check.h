@@ -41,7 +41,7 @@ const std::vector<ExerciseCheck>& all_checks();
 /// is a failure whose text is the compiler's.
 Check run_check(const ExerciseCheck& exercise, bool solution);
 
-/// The device that probes run on: $LIGHTWALK_DEVICE, else the best there is; with $LIGHTWALK_VALIDATE=on validated.
+/// The device that probes run on: $LIGHTWALK_DEVICE, else the best there is.
 Gpu& check_device();
 /// Ends with the device's destruction; throws Failure where validation has said something.
 void release_check_device();

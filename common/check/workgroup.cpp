@@ -29,7 +29,7 @@ std::vector<uint32_t> orders() {
 }
 
 // Names of the check's own: an answer that could name them could answer in the place of others. No answer that is
-// graded has a name with this beginning (common/course/glsl_answer.py).
+// graded has a name with this beginning (common/course/check/glsl_answer.py).
 std::string hidden(std::string text) {
     static const std::regex own(R"(\b(case_index|put_at|stands_for|given|puts|put|orders)\b)");
     return std::regex_replace(text, own, "check_$1");

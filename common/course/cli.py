@@ -13,26 +13,26 @@ import os
 import signal
 import sys
 
-from build import alone
+from build.build import alone
 from tree import BUILD, Failure, UsageError, warn
 
 # command: its module. The help of all of them is in the shell script, which must print it without Python.
 COMMANDS = {
     "run": "run",
-    "test": "run_tests",
-    "accept": "accept",
-    "check": "check",
-    "progress": "check",
-    "study": "study",
-    "stretch": "stretch",
-    "quote": "text_check",
-    "format": "format_tree",
-    "fuzz": "fuzz",
-    "handout": "handout",
-    "grade": "grade",
-    "docs": "docs",
-    "doctor": "doctor",
-    "clean": "clean",
+    "test": "test.run_tests",
+    "accept": "shots.accept",
+    "check": "check.check",
+    "progress": "check.check",
+    "study": "charts.study",
+    "stretch": "check.stretch",
+    "quote": "pages.quotes",
+    "format": "build.format_tree",
+    "fuzz": "build.fuzz",
+    "handout": "grading.handout",
+    "grade": "grading.grade",
+    "docs": "pages.docs",
+    "doctor": "build.doctor",
+    "clean": "build.clean",
 }
 
 

@@ -7,9 +7,9 @@ import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
-from build import alone, build
+from build.build import alone, build
 from progress import Progress
-from rendering import render
+from shots.rendering import render
 from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, shots,
                   warn, write_atomically)
 
@@ -56,7 +56,7 @@ def execute(program: Path, options: list[str]):
 
 def draw_gallery() -> int:
     """Draws every chapter's shots that are not drawn yet as things stand. Exit code 1 where one failed."""
-    from gallery import write_gallery  # here: a chapter starts without jinja2, too
+    from pages.gallery import write_gallery  # here: a chapter starts without jinja2, too
 
     folder = BUILD / "gallery"
     pictures = [{"chapter": chapter, "name": shot["name"], "caption": shot.get("caption", ""),

@@ -111,7 +111,8 @@ def walk(root: Path) -> list[Path]:
     """The files below a folder, relative to it, without what is built."""
     found = []
     for folder, folders, names in os.walk(root):
-        folders[:] = [name for name in folders if name not in ("build", "__pycache__", ".git")]
+        built = ("__pycache__", ".git", *(["build"] if Path(folder) == root else []))
+        folders[:] = [name for name in folders if name not in built]
         found += [(Path(folder) / name).relative_to(root) for name in names]
     return sorted(found)
 
@@ -144,7 +145,7 @@ def warn(line: str):
 def run_on_chapter(main):
     """A script's whole command line, one chapter's name: main(NN_name) returns a line for each problem."""
     if len(sys.argv) != 2:
-        warn(f"usage: {Path(sys.argv[0]).name} NN_name")
+        warn(f"usage: {Path(sys.argv[0]).stem} NN_name")
         sys.exit(2)
     try:
         problems = main(sys.argv[1])

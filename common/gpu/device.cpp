@@ -104,11 +104,6 @@ VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, const std::str
     throw InputError("--device {}: no usable device of that name; there are: {}", wanted, known);
 }
 
-uint32_t push_descriptors_from_environment() {
-    const char* given = std::getenv("LIGHTWALK_MAX_PUSH_DESCRIPTORS");
-    return given ? static_cast<uint32_t>(std::max(std::atoi(given), 0)) : UINT32_MAX;
-}
-
 template <class F>
 void load(VkInstance instance, F& function, const char* name) {
     function = reinterpret_cast<F>(vkGetInstanceProcAddr(instance, name));
@@ -157,8 +152,7 @@ Device::Device(const DeviceOptions& options) : Device() {
     vkGetPhysicalDeviceProperties(physical, &properties);
     const Limits limits(physical);
     max_buffer_bytes = limits.core13.maxBufferSize;
-    max_push_descriptors =
-        std::min(options.max_push_descriptors.value_or(push_descriptors_from_environment()), limits.push_descriptors);
+    max_push_descriptors = std::min(options.max_push_descriptors.value_or(UINT32_MAX), limits.push_descriptors);
     info = describe_device(physical);
     queue_family = *graphics_family(physical);
 

@@ -35,8 +35,8 @@ struct DeviceOptions {
     bool validate = false;  ///< core and synchronisation validation; every message is kept
     std::vector<const char*> surface_extensions;  ///< what GLFW asks for; empty: headless, no surface at all
 
-    /// How many descriptors a pipeline may have to get them pushed, at most what the device can; 0: none does. Empty:
-    /// $LIGHTWALK_MAX_PUSH_DESCRIPTORS, else what the device can. For tests.
+    /// How many descriptors a pipeline may have to get them pushed, at most what the device can; 0: none does. Empty: what
+    /// the device can. For tests.
     std::optional<uint32_t> max_push_descriptors;
     std::function<void(const char*)> on_message;  ///< also told what validation says, to the end of the destruction
 };

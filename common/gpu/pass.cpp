@@ -187,7 +187,7 @@ void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> byte
     if (!binding) return;
     if (binding->type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
         throw Failure("pass '{}': '{}' is not a uniform block in the shader", name, binding->name);
-    if (bytes.size() < binding->bytes)
+    if (bytes.size() != binding->bytes)
         throw Failure("pass '{}': '{}' is {} bytes in C++ and {} in the shader", name, binding->name, bytes.size(),
                       binding->bytes);
     Bound& bound = bound_[binding->number];

@@ -73,6 +73,7 @@ class Pass {
     void bind(const Pipeline& pipeline, const Macros& variant, const TargetFormats& formats, VkPipelineBindPoint point);
     void set_images(const Name& binding, std::span<const ImageView> views, const Sampler& sampler);
     void set_buffer(const Name& binding, const Buffer& buffer);
+    /// As many bytes as the block has.
     void set_bytes(const Name& binding, std::span<const std::byte> bytes);
     /// Binds what was set and has changed. False where there is no pipeline to draw with.
     bool flush();

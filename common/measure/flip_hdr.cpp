@@ -5,8 +5,8 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/base/statistics.h"
 #include "common/measure/flip.h"
-#include "common/measure/statistics.h"
 
 namespace lightwalk {
 namespace {

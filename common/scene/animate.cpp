@@ -15,7 +15,7 @@ Bounds transformed(const Bounds& box, const glm::mat4& m) {
     return {middle - reach, middle + reach};
 }
 
-// Instances from `first` on, within the frame. Every pass after it may read them without stating so.
+// Records the upload of instances from `first` on.
 void upload(VkCommandBuffer commands, const Buffer& buffer, size_t first, const std::vector<Instance>& data) {
     constexpr size_t most = 65536 / sizeof(Instance);  // vkCmdUpdateBuffer takes 64 KiB
     for (size_t at = 0; at < data.size(); at += most)

@@ -30,6 +30,21 @@ MaterialData material_data(const DrawItem& item) {
             .metalness = item.metalness};
 }
 
+// Each material that `role` names is one of the model's.
+void check_roles(const SceneObject& object, const Model& model) {
+    std::set<std::string> names;
+    for (const Material& material : model.materials) names.insert(material.name);
+    const auto list = [](const std::set<std::string>& words) {
+        std::string text;
+        for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+        return text;
+    };
+    for (const auto& [name, role] : object.role.materials)
+        if (!names.contains(name))
+            throw InputError("{} names '{}', which is no material of {}; it has {}", object.role.where, name,
+                             object.model.string(), list(names));
+}
+
 std::vector<uint32_t> places(size_t from, size_t to) {
     std::vector<uint32_t> result(to - from);
     std::iota(result.begin(), result.end(), static_cast<uint32_t>(from));
@@ -51,6 +66,7 @@ void Scene::load(Gpu& gpu, SceneFile scene, const ModelLoader& loader) {
     moving_items_.clear();
     bounds = {};
     std::map<std::string, int> by_name;
+    const Roles roles(file);
     for (size_t i = 0; i < file.objects.size(); ++i) {
         const SceneObject& object = file.objects[i];
         Placed& placed_object = objects_.emplace_back();
@@ -61,7 +77,7 @@ void Scene::load(Gpu& gpu, SceneFile scene, const ModelLoader& loader) {
         placed_object.world = parent.world * placed_object.local;
         placed_object.moves = object.motion || parent.moves;
         if (!object.name.empty()) by_name[object.name] = static_cast<int>(i);
-        if (!object.model.empty()) add_items(gpu, i, loader);
+        if (!object.model.empty()) add_items(gpu, i, roles, loader);
     }
     for (DrawItem& item : items) place(item);
     sort_items();
@@ -82,10 +98,11 @@ void Scene::load(Gpu& gpu, SceneFile scene, const ModelLoader& loader) {
     materials = gpu.upload("materials", numbers);
 }
 
-void Scene::add_items(Gpu& gpu, size_t object, const ModelLoader& loader) {
+void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLoader& loader) {
     const SceneObject& from = file.objects[object];
     const auto gpu_model = models_.load(gpu, find_asset(from.model), loader);
     const Model& model = gpu_model->model;
+    check_roles(from, model);
     if (!model.motions.empty() &&
         std::find(moving_models_.begin(), moving_models_.end(), gpu_model) == moving_models_.end()) {
         gpu_model->nodes = world_transforms(model, 0.0f);  // the pool's may have been moved
@@ -100,6 +117,7 @@ void Scene::add_items(Gpu& gpu, size_t object, const ModelLoader& loader) {
                 item.object = static_cast<uint32_t>(object);
                 const Material& own = model.materials[model.meshes[mesh].parts[part].material];
                 item.material = overridden(own, from.material);
+                item.role = roles.of(object, own.name);
                 item.transparent = item.material.opacity < 1.0f || item.material.blend;
                 item.roughness = from.material.roughness.value_or(-1.0f);
                 item.metalness = from.material.metalness.value_or(-1.0f);

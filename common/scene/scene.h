@@ -20,6 +20,7 @@ struct DrawItem {
     bool transparent = false;
     MaterialMaps maps;
     Material material;
+    Role role = Role::plain;
     float roughness = -1, metalness = -1;  ///< the scene file's, instead of a map's; below 0: it says nothing
 };
 
@@ -101,7 +102,7 @@ class Scene : public Drawable {
         bool moves = false;
         glm::mat4 local{1.0f}, world{1.0f};  ///< local: of an object without a motion of its own
     };
-    void add_items(Gpu& gpu, size_t object, const ModelLoader& loader);
+    void add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLoader& loader);
     void load_environment();
     bool place(DrawItem& item) const;
     void place_objects(float time_s);

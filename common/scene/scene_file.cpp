@@ -52,6 +52,16 @@ void sort_by_parent(const JsonWithLines& source, std::vector<SceneObject>& objec
     objects = std::move(sorted);
 }
 
+// What a screen shows is an object.
+void check_screens(const std::vector<SceneObject>& objects) {
+    for (const SceneObject& screen : objects)
+        if (!screen.shows.empty() && std::none_of(objects.begin(), objects.end(), [&](const SceneObject& object) {
+                return object.name == screen.shows;
+            }))
+            throw InputError("{} of the screen '{}' shows '{}', which is no object's name", screen.role.where,
+                             screen.name, screen.shows);
+}
+
 // The files that are being read, from the outermost on, and how many there were in all.
 struct Includes {
     std::vector<fs::path> open;
@@ -113,6 +123,7 @@ void read(const std::string& text, const fs::path& path, Includes& includes, Sce
     }
     r.done();
     sort_by_parent(source, scene.objects);
+    check_screens(scene.objects);
 }
 
 }  // namespace

@@ -13,6 +13,11 @@
 //     rotation_deg   0, by what it is turned about +y, counter-clockwise seen from above; -1e6 to 1e6
 //   objects      list of
 //     name, parent   texts; a parent is another object's name; none
+//     role           what the chapters that know it take the object for: planet, ring (of the planet), screen, skin, eye
+//                    or cornea; none. Or {material: role} with skin, eye and cornea for those materials of its model.
+//                    In a file without any role the objects named planet, ring and "screen NAME" (which shows "camera
+//                    NAME") and the materials named skin, eye and cornea have these roles
+//     shows          for a screen: the name of the object whose view it shows, along that object's -z; required
 //     model          a model file, below assets/ or a whole path; none: a group, which places its children
 //     position       [0, 0, 0], metres in the parent's space
 //     rotation_deg   [0, 0, 0], about x, then y, then z
@@ -52,6 +57,7 @@
 #include "common/scene/camera.h"
 #include "common/scene/light.h"
 #include "common/scene/motion.h"
+#include "common/scene/role.h"
 
 namespace lightwalk {
 
@@ -71,6 +77,8 @@ struct SceneObject {
     glm::vec3 scale{1.0f};
     MaterialOverride material;
     Motion motion{};
+    GivenRole role{};
+    std::string shows{};  ///< of a screen: the name of the object whose view it shows
 };
 
 /// Light from far away in every direction, as an image.

@@ -115,6 +115,36 @@ Motion read_motion(const JsonWithLines& source, KeyReader r, const SceneObject& 
     return motion;
 }
 
+Role read_role(const JsonWithLines& source, const json& given, const std::string& pointer, bool of_material) {
+    if (!given.is_string())
+        throw InputError("{} must be a role in quotes: {}", source.where(pointer), role_names(of_material));
+    const Role role = role_named(given.get<std::string>(), of_material);
+    if (role == Role::plain)
+        throw InputError("{} is '{}', expected {}", source.where(pointer), given.get<std::string>(),
+                         role_names(of_material));
+    return role;
+}
+
+// `role` and `shows`.
+void read_roles(const JsonWithLines& source, KeyReader& r, SceneObject& object) {
+    r.string("shows", object.shows);
+    if (const json* role = r.find("role")) {
+        const std::string pointer = r.at("role");
+        object.role.where = source.where(pointer);
+        if (object.model.empty()) r.refuse("role", "is of an object without a model: nothing would have it");
+        if (!role->is_object())
+            object.role.object = read_role(source, *role, pointer, false);
+        else
+            for (const auto& [material, name] : role->items())
+                object.role.materials[material] = read_role(source, name, pointer + "/" + pointer_step(material), true);
+        if (!object.role) r.refuse("role", "names no material: expected { material: role }");
+    }
+    if (object.role.object == Role::screen && object.shows.empty())
+        r.refuse("shows", "is missing: the name of the object whose view the screen shows");
+    if (object.role.object != Role::screen && r.find("shows"))
+        r.refuse("shows", "is of an object that is not a screen; write \"role\": \"screen\"");
+}
+
 }  // namespace
 
 SceneObject read_object(const JsonWithLines& source, KeyReader r, const std::string& pointer) {
@@ -124,6 +154,7 @@ SceneObject read_object(const JsonWithLines& source, KeyReader r, const std::str
     r.string("parent", object.parent);
     r.string("model", model);
     if (!model.empty()) object.model = asset(source, pointer + "/model", model);
+    read_roles(source, r, object);
     r.vector("position", object.position);
     r.vector("rotation_deg", object.rotation_deg);
     read_scale(r, object.scale);

@@ -31,6 +31,9 @@ json object_json(const SceneObject& o) {
     json j = json::object();
     if (!o.name.empty()) j["name"] = o.name;
     if (!o.parent.empty()) j["parent"] = o.parent;
+    if (o.role.object != Role::plain) j["role"] = name_of(o.role.object);
+    for (const auto& [of_material, role] : o.role.materials) j["role"][of_material] = name_of(role);
+    if (!o.shows.empty()) j["shows"] = o.shows;
     if (!o.model.empty()) j["model"] = o.model.generic_string();
     if (o.position != glm::vec3(0.0f)) j["position"] = list(o.position);
     if (o.rotation_deg != glm::vec3(0.0f)) j["rotation_deg"] = list(o.rotation_deg);

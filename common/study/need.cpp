@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "common/measure/statistics.h"
+#include "common/base/statistics.h"
 #include "common/study/need_pictures.h"
 
 namespace lightwalk {

@@ -1,10 +1,10 @@
 #!/bin/sh
-# Makes the pictures of this folder: docs/images/make.sh, after ./course run. Needs ImageMagick.
-# LIGHTWALK_CHAPTERS names another folder of built chapters than build/chapters.
+# Makes the pictures of this folder: docs/images/make.sh [CHAPTERS], after ./course run. Needs ImageMagick.
+# CHAPTERS: another folder of built chapters than build/chapters, from the root or as a whole path.
 set -eu
 cd "$(dirname "$(readlink -f "$0")")/../.."
 export LIGHTWALK_ROOT="$PWD"
-chapters=${LIGHTWALK_CHAPTERS:-build/chapters}
+chapters=${1:-build/chapters}
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 

@@ -10,7 +10,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common" / "course"))
-from results import table  # noqa: E402
+from test.results import table  # noqa: E402
 from tree import BUILD, chapter_program, say  # noqa: E402
 
 FILES = ["cube", "head", "statue", "car"]

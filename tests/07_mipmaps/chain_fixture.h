@@ -2,18 +2,14 @@
 #pragma once
 #include <algorithm>
 
-#include "../common/gpu_fixture.h"
+#include "../common/module_fixture.h"
 #include "07_mipmaps/texels.h"
 #include "07_mipmaps/truth.h"
 
 namespace lightwalk {
 
-struct OnChain {
-    struct Owner : Module {
-    } owner;
+struct OnChain : OnModules {
     MipChain chain{owner, "mips"};
-    Gpu& gpu = validated_device();
-    ~OnChain() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
     /// `layers` images in one, each from value(layer, x, y).
     template <class Value>

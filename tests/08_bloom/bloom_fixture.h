@@ -3,22 +3,17 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
-#include "../common/gpu_fixture.h"
+#include "../common/module_fixture.h"
 #include "08_bloom/bloom.h"
 #include "08_bloom/point_spread.h"
-#include "common/app/read_picture.h"
 
 namespace lightwalk {
 
 inline const std::vector<std::string> blurs{"pyramid", "dual_kawase", "three_pass_7tap", "shared",
                                             "paired",  "separable",   "pingpong",        "window"};
 
-struct OnBloom {
-    struct Owner : Module {
-    } owner;
+struct OnBloom : OnModules {
     Bloom bloom{owner, "bloom"};
-    Gpu& gpu = validated_device();
-    Frame frame{gpu};
     Image hdr;
 
     OnBloom() {
@@ -26,20 +21,11 @@ struct OnBloom {
         bloom.shape.set("gaussian");
         bloom.strength.value = 0.5f;
     }
-    ~OnBloom() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
     /// Records the bloom of a picture of value(x, y); hdr then has the picture with it.
     template <class Value>
     void record(glm::uvec2 size, const Value& value) {
-        std::vector<uint64_t> texels;
-        for (uint32_t y = 0; y < size.y; ++y)
-            for (uint32_t x = 0; x < size.x; ++x)
-                texels.push_back(glm::packHalf4x16(glm::vec4(glm::vec3(value(int(x), int(y))), 0.25f)));
-        if (!hdr || hdr.desc.size != size) hdr = Image(gpu.device, {.name = "picture", .size = size});
-        frame.begin({4, 4}, 0);
-        frame.upload("picture", hdr, std::as_bytes(std::span(texels)));
-        bloom.record(frame, hdr);
-        frame.end();
+        filter_frame(hdr, size, half_texels(size, value, 0.25f), [&] { bloom.record(frame, hdr); });
     }
 
     ImageRgb spread() { return read_linear(gpu, bloom.spread()); }

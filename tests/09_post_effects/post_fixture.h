@@ -1,25 +1,18 @@
 // What tests of the effects share: a picture from numbers, and what a module makes of it.
 #pragma once
 #include <cmath>
-#include <glm/gtc/packing.hpp>
 
-#include "../common/gpu_fixture.h"
+#include "../common/module_fixture.h"
 #include "09_post_effects/post.h"
 #include "09_post_effects/truth.h"
-#include "common/app/read_picture.h"
 
 namespace lightwalk {
 
-struct OnPost {
-    struct Owner : Module {
-    } owner;
+struct OnPost : OnModules {
     Post post{owner, "post"};
-    Gpu& gpu = validated_device();
-    Frame frame{gpu};
     Image hdr;
 
     OnPost() { switch_off(); }
-    ~OnPost() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
     void switch_off() {
         for (KnobBase* effect : post.effects()) effect->set("off");
@@ -28,22 +21,12 @@ struct OnPost {
     /// What the module makes of a picture of value(x, y), a vec3 or a number.
     template <class Value>
     ImageRgb shown(glm::uvec2 size, const Value& value, float time_s = 0) {
-        std::vector<uint64_t> texels;
-        for (uint32_t y = 0; y < size.y; ++y)
-            for (uint32_t x = 0; x < size.x; ++x)
-                texels.push_back(glm::packHalf4x16(glm::vec4(glm::vec3(value(int(x), int(y))), 1.0f)));
-        if (!hdr || hdr.desc.size != size) hdr = Image(gpu.device, {.name = "picture", .size = size});
-        owner_begin(time_s);
-        frame.upload("picture", hdr, std::as_bytes(std::span(texels)));
-        frame.crop.whole = size;
-        post.record(frame, hdr);
-        frame.end();
+        const auto record = [&] {
+            frame.crop.whole = size;
+            post.record(frame, hdr);
+        };
+        filter_frame(hdr, size, half_texels(size, value, 1.0f), record, time_s);
         return read_linear(gpu, hdr);
-    }
-
-    void owner_begin(float time_s) {
-        post.begin_frame(gpu, {4, 4});
-        frame.begin({4, 4}, time_s);
     }
 };
 

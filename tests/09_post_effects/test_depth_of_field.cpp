@@ -15,18 +15,13 @@ struct Card {
     double distance_m;
 };
 
-struct OnLens {
-    struct Owner : Module {
-    } owner;
+struct OnLens : OnModules {
     DepthOfField dof{owner, "dof"};
-    Gpu& gpu = validated_device();
-    Frame frame{gpu};
     Pipeline quad = quad_pipeline();
     Camera camera{.position = {0, 0, 0}, .target = {0, 0, -1}, .fov_y_rad = 0.7f, .near_m = 0.1f, .far_m = 100};
     glm::uvec2 size{160, 90};
 
     OnLens() { dof.focus_m.value = 2, dof.f_number.value = 0.2f, dof.most.value = 0.3f; }
-    ~OnLens() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
     double depth_at(double z) const {
         const double near = double(camera.near_m), far = double(camera.far_m);

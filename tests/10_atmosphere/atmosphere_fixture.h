@@ -2,19 +2,14 @@
 #pragma once
 #include <cmath>
 
-#include "../common/gpu_fixture.h"
+#include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"
 #include "10_atmosphere/atmosphere.h"
-#include "common/app/read_picture.h"
 
 namespace lightwalk {
 
-struct OnAtmosphere {
-    struct Owner : Module {
-    } owner;
+struct OnAtmosphere : OnModules {
     Atmosphere atmosphere{owner, "atmosphere"};
-    Gpu& gpu = validated_device();
-    Frame frame{gpu};
     Camera camera{.position = {0, 2, 0}, .target = {0, 2, -1000}, .fov_y_rad = 1.2f, .near_m = 1, .far_m = 1e9f};
     glm::uvec2 size{32, 24};
 
@@ -22,7 +17,6 @@ struct OnAtmosphere {
         atmosphere.orders.set("single");
         atmosphere.disc.value = 0;
     }
-    ~OnAtmosphere() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
     void look(glm::vec3 from, glm::vec3 to, glm::vec3 up = {0, 1, 0}) {
         camera.position = from, camera.target = to, camera.up = up;
@@ -31,10 +25,7 @@ struct OnAtmosphere {
     /// Of the air before black, or before a ground of that light.
     ImageRgb picture(const std::string& method, float ground = 0) {
         atmosphere.method.set(method);
-        frame.begin(size, 0);
-        Canvas canvas(frame.hdr, frame.depth, glm::vec4(glm::vec3(ground), 1));
-        lightwalk::draw(frame, view_of(camera, size), canvas, {atmosphere});
-        frame.end();
+        draw_frame(view_of(camera, size), atmosphere, 0, glm::vec4(glm::vec3(ground), 1));
         return read_linear(gpu, frame.hdr);
     }
 };

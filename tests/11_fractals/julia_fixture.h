@@ -2,42 +2,30 @@
 #pragma once
 #include <cmath>
 
-#include "../common/gpu_fixture.h"
+#include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"
 #include "11_fractals/julia.h"
 #include "11_fractals/truth.h"
-#include "common/app/read_picture.h"
 #include "common/check/probe.h"
 
 namespace lightwalk {
 
-struct OnJulia {
-    struct Owner : Module {
-    } owner;
+struct OnJulia : OnModules {
     EnvironmentLight environment{owner, "environment"};
     Julia julia{owner, "julia", environment};
     Scene scene;
     Camera camera{.position = {0.9f, 0.55f, 2.9f}, .fov_y_rad = 0.73f};
-    Gpu& gpu = validated_device();
-    Frame frame{gpu};
     glm::uvec2 size{96, 54};
 
     OnJulia() {
         scene.file.ambient = glm::vec3(0.5f);
         julia.prepare(gpu, scene);
     }
-    ~OnJulia() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
-    void draw(float time_s = 0) {
-        owner.begin_frame(gpu, size);
-        frame.begin(size, time_s);
-        Canvas canvas(frame.hdr, frame.depth);
-        lightwalk::draw(frame, view_of(camera, size), canvas, {julia});
-        frame.end();
-    }
+    void draw(float time_s = 0) { draw_frame(view_of(camera, size), julia, time_s); }
 
     /// Of each pixel: metres, distances asked for, how it ended.
-    std::vector<glm::vec4> marched() { return OnDevice::numbers<glm::vec4>(gpu.read_back(julia.found)); }
+    std::vector<glm::vec4> marched() { return read<glm::vec4>(julia.found); }
 
     ImageRgb picture() { return read_linear(gpu, frame.hdr); }
 

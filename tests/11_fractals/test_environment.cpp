@@ -1,7 +1,7 @@
 // The environment's cubes against sums in double precision.
 #include <glm/gtc/packing.hpp>
 
-#include "../common/gpu_fixture.h"
+#include "../common/module_fixture.h"
 #include "11_fractals/environment.h"
 #include "11_fractals/environment_data.h"
 #include "common/image/image.h"
@@ -33,9 +33,7 @@ std::vector<glm::dvec3> irradiance(const ImageRgb& picture, const std::vector<gl
     return sums;
 }
 
-struct OnEnvironment : OnDevice {
-    struct Owner : Module {
-    } owner;
+struct OnEnvironment : OnModules {
     EnvironmentLight environment{owner, "environment"};
     Scene scene;
     Pipeline read_both = compute_pipeline("read environment", R"(
@@ -49,6 +47,8 @@ void main() {
     found[2u * i] = environment_radiance(directions[i], 0.0);
     found[2u * i + 1u] = environment_irradiance(directions[i]);
 })");
+
+    OnEnvironment() { begin({4, 4}); }
 
     void load(const std::string& image) {
         SceneFile file;

@@ -3,11 +3,10 @@
 
 #include <cmath>
 
-#include "../common/gpu_fixture.h"
+#include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"
 #include "11_fractals/terrain.h"
 #include "11_fractals/truth.h"
-#include "common/app/read_picture.h"
 #include "common/check/probe.h"
 
 using namespace lightwalk;
@@ -22,9 +21,7 @@ double angle_deg(glm::dvec2 a, glm::dvec2 b) {
     return glm::degrees(std::acos(std::clamp(glm::dot(normal_of(a), normal_of(b)), -1.0, 1.0)));
 }
 
-struct OnTerrain : OnDevice {
-    struct Owner : Module {
-    } owner;
+struct OnTerrain : OnModules {
     Terrain terrain{owner, "terrain"};
     Scene scene;
     Camera camera{.position = {0, 140, 0}, .target = {0, 100, -1000}, .near_m = 1, .far_m = 60000};
@@ -34,16 +31,8 @@ struct OnTerrain : OnDevice {
         terrain.prepare(gpu, scene);
         terrain.cells.value = 32, terrain.rings.value = 6, terrain.spacing_m.value = 4;
         scene.file.lights = {Light{.direction = {0.7f, -0.4f, 0.5f}}};
-        frame.end();
     }
-    ~OnTerrain() { frame.begin({4, 4}, 0); }
-    void draw(float time_s = 0) {
-        owner.begin_frame(gpu, size);
-        frame.begin(size, time_s);
-        Canvas canvas(frame.hdr, frame.depth);
-        lightwalk::draw(frame, view_of(camera, size), canvas, {terrain});
-        frame.end();
-    }
+    void draw(float time_s = 0) { draw_frame(view_of(camera, size), terrain, time_s); }
     /// Pixels that show no ground.
     int holes() {
         int count = 0;

@@ -2,34 +2,28 @@
 #pragma once
 #include <cmath>
 
-#include "../common/gpu_fixture.h"
+#include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"
 #include "01_obj/obj.h"
 #include "05_shadow_maps/shadow.h"
 #include "11_fractals/environment.h"
 #include "12_skin/skin.h"
-#include "common/app/read_picture.h"
 
 namespace lightwalk {
 
-struct OnHead {
-    struct Owner : Module {
-    } owner;
+struct OnHead : OnModules {
     Skin skin{owner, "skin"};
     Maps maps{owner, "maps"};
     Lights lights{owner, "lights"};
     Shadow shadow{owner, "shadow"};
     Rays rays{owner, "rays"};
     EnvironmentLight environment{owner, "environment"};
-    Gpu& gpu = validated_device();
     Scene scene;
-    Frame frame{gpu};
 
     OnHead() {
         maps.method.set("flat"), lights.method.set("every_light"), shadow.resolution.value = 256;
         skin.sky_size.value = 32, skin.sky_rays.value = 4;
     }
-    ~OnHead() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
     void load(SceneFile file) {
         scene.load(gpu, std::move(file), [](const auto& path) { return load_model(path, Loader::parallel); });
@@ -39,8 +33,7 @@ struct OnHead {
 
     ImageRgb draw(glm::uvec2 size) {
         const Camera& camera = scene.file.camera;
-        owner.begin_frame(gpu, size);
-        frame.begin(size, 0);
+        begin(size);
         frame.crop = {.whole = size, .origin = {0, 0}, .shift = {0, 0}};
         const View view = view_of(camera, size);
         look_from(view, frame);

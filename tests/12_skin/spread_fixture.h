@@ -4,10 +4,9 @@
 #include <functional>
 #include <glm/gtc/packing.hpp>
 
-#include "../common/gpu_fixture.h"
+#include "../common/module_fixture.h"
 #include "12_skin/spread.h"
 #include "12_skin/truth.h"
-#include "common/app/read_picture.h"
 
 namespace lightwalk {
 
@@ -22,11 +21,8 @@ struct FlatMap {
     };
 };
 
-struct OnSpread {
-    Gpu& gpu = validated_device();
-    Frame frame{gpu};
+struct OnSpread : OnModules {
     Spread spread;
-    ~OnSpread() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
     static std::vector<truth::SkinTexel> texels_of(const FlatMap& map) {
         std::vector<truth::SkinTexel> texels;

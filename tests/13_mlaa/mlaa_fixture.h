@@ -3,44 +3,31 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
-#include "../common/gpu_fixture.h"
+#include "../common/module_fixture.h"
 #include "13_mlaa/mlaa.h"
 #include "13_mlaa/truth.h"
-#include "common/app/read_picture.h"
 
 namespace lightwalk {
 
 inline const std::vector<std::string> filters{"fxaa_like", "mlaa", "smaa_like"};
 
-struct OnMlaa {
-    struct Owner : Module {
-    } owner;
+struct OnMlaa : OnModules {
     Mlaa antialias{owner, "mlaa"};
-    Gpu& gpu = validated_device();
-    Frame frame{gpu};
     Image picture;
     std::vector<uint64_t> before;  ///< its texels
 
     OnMlaa() { antialias.count.value = true; }
-    ~OnMlaa() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
     /// Records the filter on a picture of light(x, y), which is a number or a vec3.
     template <class Light>
     ImageRgb filter(const std::string& method, glm::uvec2 size, const Light& light) {
         antialias.method.set(method);
-        before.clear();
-        for (uint32_t y = 0; y < size.y; ++y)
-            for (uint32_t x = 0; x < size.x; ++x)
-                before.push_back(glm::packHalf4x16(glm::vec4(glm::vec3(light(int(x), int(y))), 0.25f)));
-        if (!picture || picture.desc.size != size) picture = Image(gpu.device, {.name = "picture", .size = size});
-        frame.begin({4, 4}, 0);
-        frame.upload("picture", picture, std::as_bytes(std::span(before)));
-        antialias.record(frame, picture);
-        frame.end();
+        before = half_texels(size, light, 0.25f);
+        filter_frame(picture, size, before, [&] { antialias.record(frame, picture); });
         return read_linear(gpu, picture);
     }
 
-    std::vector<uint64_t> after() { return OnDevice::numbers<uint64_t>(gpu.read_back(picture)); }
+    std::vector<uint64_t> after() { return read<uint64_t>(picture); }
 
     size_t changed_texels() {
         const std::vector<uint64_t> now = after();

@@ -9,18 +9,13 @@ using namespace lightwalk;
 
 namespace {
 
-struct OnHalfPlane : OnDevice {
-    struct Owner : Module {
-    } owner;
+struct OnHalfPlane : OnModules {
     HalfPlane half_plane{owner, "half_plane"};
     FourSamples four{owner};
     const glm::uvec2 size{48, 32};
 
-    OnHalfPlane() { frame.end(); }  // which the fixture has begun
-
     ImageRgb drawn(glm::vec2 shift, bool four_times = false) {
-        owner.begin_frame(gpu, size);
-        frame.begin(size, 0);
+        begin(size);
         const auto draw_from = [&](const View& view) {
             Canvas canvas(frame.hdr, frame.depth);
             lightwalk::draw(frame, view, canvas, {half_plane});

@@ -6,7 +6,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common" / "course"))
 
-from study_file import Study  # noqa: E402
+from charts.study_file import Study  # noqa: E402
 
 
 def point(scene, method, error, ms, knobs=None, **more):

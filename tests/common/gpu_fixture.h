@@ -23,12 +23,11 @@ inline Gpu& validated_device() {
     return gpu;
 }
 
-/// For TEST_CASE_METHOD: a frame of 4×4 pixels on a device whose validation says nothing of what a test does.
-struct OnDevice {
+/// A device whose validation says nothing of what a test does, and a frame that is not begun.
+struct DeviceTest {
     Gpu& gpu = validated_device();
     Frame frame{gpu};
-    OnDevice() { frame.begin({4, 4}, 0); }
-    ~OnDevice() { CHECK_NOTHROW(gpu.device.check_validation()); }
+    ~DeviceTest() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
     template <class T>
     std::vector<T> read(const ImageView& view) {
@@ -56,6 +55,11 @@ struct OnDevice {
         std::memcpy(result.data(), bytes.data(), result.size() * sizeof(T));
         return result;
     }
+};
+
+/// For TEST_CASE_METHOD: within a frame of 4×4 pixels.
+struct OnDevice : DeviceTest {
+    OnDevice() { frame.begin({4, 4}, 0); }
 };
 
 struct Quad {

@@ -12,12 +12,12 @@ from pathlib import Path
 
 REAL = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REAL / "common/course"))
-import sandbox  # noqa: E402
-from grade import grade  # noqa: E402
-from judge import Judge  # noqa: E402
-from submission import find  # noqa: E402
+from grading import sandbox  # noqa: E402
+from grading.grade import grade  # noqa: E402
+from grading.judge import Judge  # noqa: E402
+from grading.submission import find  # noqa: E402
 from tree import Failure, chapters, exercises, find_chapter  # noqa: E402
-from variants import handed_in  # noqa: E402
+from check.variants import handed_in  # noqa: E402
 
 CHAPTERS = ("01_obj", "02_lambert_phong", "03_attenuation")
 OF = {exercise: chapter for chapter in chapters() for exercise in exercises(chapter)}

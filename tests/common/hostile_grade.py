@@ -2,7 +2,7 @@
 checks, and that have a table of the inputs everybody can see."""
 
 from grading import PLACES, REAL, right
-from variants import variants
+from check.variants import variants
 
 
 def variant(chapter: str, name: str) -> str:

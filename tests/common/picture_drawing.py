@@ -13,7 +13,7 @@ from PIL import Image, ImageChops
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
 
-from rendering import Drawing  # noqa: E402
+from shots.rendering import Drawing  # noqa: E402
 
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 CHAPTERS = sorted(path.name for path in (ROOT / "chapters").glob("[0-9][0-9]_*"))
@@ -56,6 +56,8 @@ class Drawer:
         self.count += 1
         picture = self.folder / f"{self.chapter}_{self.count}.png"
         code, wrong, said = self.drawing.draw(list(options), picture)
+        # How far what takes long has come is said on a busy machine.
+        said = "\n".join(line for line in said.splitlines() if line.strip() and not line.startswith("drawing: "))
         return picture, f"exit code {code}: {wrong or said}" if code or said else ""
 
 

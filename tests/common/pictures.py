@@ -11,7 +11,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
 
-from rendering import Drawing  # noqa: E402
+from shots.rendering import Drawing  # noqa: E402
 
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 # sRGB codes as linear light.

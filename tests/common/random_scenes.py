@@ -19,7 +19,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
 
-from rendering import UNWRITTEN, surroundings  # noqa: E402
+from shots.rendering import UNWRITTEN, surroundings  # noqa: E402
 
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 CHAPTERS = sorted(path for path in (BUILD / "chapters").glob("[0-9][0-9]_*") if path.is_file() and not path.suffix)

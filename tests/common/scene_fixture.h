@@ -3,16 +3,13 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
-#include "common/app/module.h"
 #include "common/base/files.h"
 #include "common/check/check.h"
 #include "common/scene/import.h"
 #include "common/scene/scene.h"
+#include "module_fixture.h"
 
 namespace lightwalk {
-
-/// What owns the modules of a test.
-struct NoChapter : Module {};
 
 /// Files that there are, whatever is in them: test_model() makes what they stand for.
 inline const char* const quad_file = "models/cube.obj";    ///< from -1 to 1, facing +z

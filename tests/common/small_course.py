@@ -122,14 +122,14 @@ SHOTS_02 = {"shots": [{"name": "bunny", "caption": "Lit.", "set": {"method": "ph
                        "rejects": [{"chapter": "01_obj"}, {"set": {"method": "none"}}]}]}
 FILES = {
     "CMakeLists.txt": CMAKE, "CMakePresets.json": json.dumps(PRESETS), "compile": COMPILE,
-    ".clang-format": "DisableFormat: true\n", ".gitignore": "build/\n__pycache__/\n", "tests/common/test_course.py": "",
+    ".clang-format": "DisableFormat: true\n", ".gitignore": "/build/\n__pycache__/\n", "tests/common/test_course.py": "",
     "programs/compare": COMPARE, "programs/tests/fuzz_obj": FUZZ, "tests/01_obj/fuzz/fuzz_obj.cpp": "",
     "programs/chapters/01_obj": CHAPTER, "programs/chapters/02_lambert": CHAPTER,
     "programs/tests/check_01_obj": CHECK, "programs/tests/check_02_lambert": CHECK,
     "chapters/01_obj/main.cpp": MAIN, "chapters/02_lambert/main.cpp": "",
     "chapters/01_obj/exercise/one.cpp": "open", "chapters/01_obj/solution/one.cpp": "right",
     "chapters/02_lambert/exercise/one.cpp": "open", "chapters/02_lambert/solution/one.cpp": "right",
-    "common/course/chart.py": CHART, "docs/01_obj.md": LESSON, "docs/02_lambert.md": "# Two\n",
+    "common/course/charts/chart.py": CHART, "docs/01_obj.md": LESSON, "docs/02_lambert.md": "# Two\n",
     "assets/CREDITS.md": "| file | what | who |\n|---|---|---|\n| models/{a,b}.obj | x | y |\n",
     "assets/models/a.obj": "v", "assets/models/b.obj": "v",
     "tests/01_obj/shots.json": json.dumps(SHOTS_01), "tests/02_lambert/shots.json": json.dumps(SHOTS_02),

@@ -43,6 +43,12 @@ class Scenes(BadInput):
             "knob_value.json": ({"objects": [cube], "knobs": {"wrap": "much"}}, "wrap.*expected"),
             "knob_type.json": ({"objects": [cube], "knobs": {"wrap": [1]}}, "wrap.*expected"),
             "rough.json": ({"objects": [cube | {"material": {"roughness": 1.5}}]}, "roughness.*1.5.*0.*1"),
+            "role.json": ({"objects": [cube | {"role": "moon"}]}, r"role\.json:1: key 'role' is 'moon', expected planet, ring"),
+            "role_type.json": ({"objects": [cube | {"role": ["planet"]}]}, "key 'role' must be.*planet"),
+            "role_group.json": ({"objects": [{"role": "ring"}]}, "key 'role'.*without a model"),
+            "role_part.json": ({"objects": [cube | {"role": {"nose": "skin"}}]}, "key 'role' names 'nose'.*models/cube.obj"),
+            "shows.json": ({"objects": [cube | {"role": "screen"}]}, "key 'shows' is missing"),
+            "shows_none.json": ({"objects": [cube | {"role": "screen", "shows": "nobody"}]}, "'nobody'.*no object"),
             "metal.json": ({"objects": [cube | {"material": {"metalness": "much"}}]}, "metalness.*number"),
         }
         for name, (content, _) in scenes.items():

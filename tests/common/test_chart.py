@@ -17,11 +17,11 @@ sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
 
 import numpy as np  # noqa: E402
 
-import chart  # noqa: E402
-import chart_labels  # noqa: E402
+from charts import chart  # noqa: E402
+from charts import chart_labels  # noqa: E402
 from chart_fixture import STUDY, over_lights, point, study  # noqa: E402
-from study_charts import charts_of  # noqa: E402
-from study_file import StudyError, load  # noqa: E402
+from charts.study_charts import charts_of  # noqa: E402
+from charts.study_file import StudyError, load  # noqa: E402
 
 
 class Drawing(unittest.TestCase):
@@ -236,7 +236,7 @@ class Drawing(unittest.TestCase):
         seen = set()
         for name in ("first", "second"):
             out = self.folder / name
-            subprocess.run([sys.executable, ROOT / "common/course/chart.py", path, "--out", out], check=True)
+            subprocess.run([sys.executable, ROOT / "common/course", "charts.chart", path, "--out", out], check=True)
             files = sorted(out.iterdir())
             self.assertEqual([f.name for f in files], ["reflection.md", "reflection.png", "reflection.svg"])
             seen.add(tuple(hashlib.sha256(f.read_bytes()).hexdigest() for f in files))

@@ -7,11 +7,11 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
 
-import chart  # noqa: E402
-import chart_panel  # noqa: E402
+from charts import chart  # noqa: E402
+from charts import chart_panel  # noqa: E402
 from chart_fixture import STUDY, over_lights, point, study  # noqa: E402
-from study_charts import charts_of  # noqa: E402
-from study_file import Study, StudyError, markdown_table  # noqa: E402
+from charts.study_charts import charts_of  # noqa: E402
+from charts.study_file import Study, StudyError, markdown_table  # noqa: E402
 
 
 class Reading(unittest.TestCase):

@@ -16,7 +16,7 @@ from small_course import LESSON, REAL, SHOTS_02, Course
 sys.path.insert(0, str(REAL / "common/course"))
 import cli  # noqa: E402
 from progress import Progress  # noqa: E402
-from shots import LIMITS, exceeded  # noqa: E402
+from shots.golden import LIMITS, exceeded  # noqa: E402
 
 
 class Commands(Course):
@@ -128,7 +128,7 @@ class Shots(Course):
         self.course("run", "01")
 
     def shot(self, *words, code=0):
-        return self.run_program([sys.executable, self.root / "common/course/shots.py", *words], code)
+        return self.run_program([sys.executable, self.root / "common/course", "test.shots", *words], code)
 
     def test_missing_golden_fails(self):
         self.assertIn("there is no tests/01_obj/golden/bunny.png", self.shot("check", "01_obj", "bunny", code=1))
@@ -222,7 +222,7 @@ class Shots(Course):
 
 class Text(Course):
     def wrong(self):
-        check = [sys.executable, self.root / "common/course/text_check.py"]
+        check = [sys.executable, self.root / "common/course", "test.text_check"]
         done = subprocess.run(check, stdout=subprocess.PIPE, text=True)
         self.assertEqual(done.returncode, 1 if done.stdout else 0)
         return done.stdout

@@ -11,7 +11,7 @@ from unittest import mock
 from small_course import REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
-import container  # noqa: E402
+from test import container  # noqa: E402
 from tree import UsageError  # noqa: E402
 from test_course_trouble import AS_OTHER, can  # noqa: E402
 

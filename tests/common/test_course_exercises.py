@@ -10,10 +10,10 @@ from unittest import mock
 from small_course import REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
-import check  # noqa: E402
-from check_teeth import with_bodies  # noqa: E402
-from rendering import Crashed  # noqa: E402
-from study_file import Study, markdown_table  # noqa: E402
+from check import check  # noqa: E402
+from test.check_teeth import with_bodies  # noqa: E402
+from shots.rendering import Crashed  # noqa: E402
+from charts.study_file import Study, markdown_table  # noqa: E402
 
 
 class Exercises(Course):
@@ -60,7 +60,7 @@ class Exercises(Course):
         self.assertIn("the picture of bunny is not: 3 pixels differ", self.run_program(check, code=1))
 
     def test_a_file_that_does_not_compile_becomes_an_empty_object(self):
-        script = REAL / "common/course/compile_exercise.sh"
+        script = REAL / "common/course/build/compile_exercise.sh"
         source, made = self.outside / "a.cpp", self.outside / "a.o"
         command = ["sh", script, "c++", "-Wall", "-o", made, "-c", source]
         source.write_text("int f() { int unused; return 1; }")
@@ -111,7 +111,7 @@ class Exercises(Course):
 
     def test_a_check_must_refuse_the_starter_and_take_the_solution(self):
         self.course("run", "01")
-        check = [sys.executable, self.root / "common/course/check_teeth.py", "01_obj"]
+        check = [sys.executable, self.root / "common/course", "test.check_teeth", "01_obj"]
         self.run_program(check)
         self.put("chapters/01_obj/exercise/one.cpp", "right")
         self.assertIn("01.one: it passes as handed out", self.run_program(check, code=1))
@@ -120,7 +120,7 @@ class Exercises(Course):
 
     def test_the_checks_of_the_reference_are_in_the_report(self):
         self.course("run", "01")
-        check = [sys.executable, self.root / "common/course/results.py", "check", "01_obj"]
+        check = [sys.executable, self.root / "common/course", "test.results", "check", "01_obj"]
         self.run_program(check)
         result = json.loads((self.root / "build/results/check.01.json").read_text())
         self.assertEqual((result["kind"], result["test"], len(result["rows"])), ("probe", "check.01", 1))
@@ -129,7 +129,7 @@ class Exercises(Course):
 
     def test_a_chart_is_that_of_its_study(self):
         self.course("run", "01")
-        charts = [sys.executable, self.root / "common/course/results.py", "charts"]
+        charts = [sys.executable, self.root / "common/course", "test.results", "charts"]
         point = {"scene": "a", "method": "b", "error": {"ulp": 1}, "mb_per_s": {"median": 2, "q1": 1, "q3": 3}}
         study = {"chapter": "01_obj", "title": "t", "subject": "loader", "device": "d", "driver": "CPU", "stage": "s",
                  "command": "c", "error_metric": "ulp", "time_unit": "MB/s", "points": [point]}

@@ -90,6 +90,9 @@ TEST_CASE("what a pass does not state it cannot bind; a wrong name lists the rig
           "pass 'test': its shaders have no binding 'valeus'; they have: doubled, scale, values");
     CHECK(failure_of([&](Compute& p) { p.use(twice).set("scale", 1.0f); }, {}) ==
           "pass 'test': 'scale' is 4 bytes in C++ and 8 in the shader");
+    // More than the block has would be lost without a word.
+    CHECK(failure_of([&](Compute& p) { p.use(twice).set("scale", glm::vec4(1)); }, {}) ==
+          "pass 'test': 'scale' is 16 bytes in C++ and 8 in the shader");
     CHECK(failure_of(
               [&](Compute& p) {
                   p.use(twice).set("values", in).dispatch({1, 1, 1});

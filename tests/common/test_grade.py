@@ -17,9 +17,9 @@ from pathlib import Path
 from unittest import mock
 
 from grading import CHAPTERS, PLACES, REAL, Class, right
-from grade import grade, table, write_files
-from judge import Judge, same_text
-from submission import cell, find
+from grading.grade import grade, table, write_files
+from grading.judge import Judge, same_text
+from grading.submission import cell, find
 
 LAMBERT, FADE = PLACES["02.lambert"], PLACES["03.range_fade"]
 RIGHT = right("02.lambert").encode()
@@ -199,7 +199,7 @@ class Submissions(Class):
     def test_again_nothing_is_run(self):
         start_s = time.monotonic()
         with Judge({name: "02_lambert_phong" if name[:2] == "02" else "03_attenuation" for name in self.wanted}, 2, False) as judge, \
-                mock.patch("sandbox.Running", side_effect=AssertionError("it was run")):
+                mock.patch("grading.sandbox.Running", side_effect=AssertionError("it was run")):
             judge.verdicts = self.outside / "verdicts"
             again = grade(find([self.folder / "plain", self.folder / "zip.zip"]), judge)
         self.assertEqual([one["right"] for one in again], [1, 1])

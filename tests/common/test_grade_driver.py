@@ -8,10 +8,10 @@ from pathlib import Path
 from unittest import mock
 
 from grading import right, why_not
-from grade import table, write_files
-from judge import Judge
-from judge_picture import DriverEnded, Pictures
-from sandbox import Done
+from grading.grade import table, write_files
+from grading.judge import Judge
+from grading.judge_picture import DriverEnded, Pictures
+from grading.sandbox import Done
 
 EXERCISE = "04.parallax_occlusion"
 

@@ -5,7 +5,7 @@ from pathlib import Path
 from unittest import mock
 
 from grading import REAL
-import handout
+from grading import handout
 
 GUARDED = "__has_include"  # a file that asks first can do without
 
@@ -13,7 +13,7 @@ GUARDED = "__has_include"  # a file that asks first can do without
 class Handout(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        with mock.patch("handout.objects", lambda names: {name: b"" for name in names}):
+        with mock.patch("grading.handout.objects", lambda names: {name: b"" for name in names}):
             cls.contents = handout.what_is_handed_out(sources=False)
 
     def test_it_has_no_truth_and_no_reference(self):

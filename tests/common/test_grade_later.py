@@ -4,9 +4,9 @@ import subprocess
 import unittest
 
 from grading import OF, Class, right, why_not
-from build import build
+from build.build import build
 from hostile_grade import ATTACKS, TABLES
-from judge import Judge, parts, targets
+from grading.judge import Judge, parts, targets
 from tree import BUILD, chapters
 
 

@@ -10,13 +10,13 @@ from pathlib import Path
 from unittest import mock
 
 from grading import OF, PLACES, REAL, right, why_not
-import sandbox
-from alike import alike
-from check import note_what_grading_refuses
-from glsl_answer import Refused, macros_of_checks, plain
-from grade import groups
-from judge import Judge
-from submission import cell, find, printable
+from grading import sandbox
+from grading.alike import alike
+from check.check import note_what_grading_refuses
+from check.glsl_answer import Refused, macros_of_checks, plain
+from grading.grade import groups
+from grading.judge import Judge
+from grading.submission import cell, find, printable
 from tree import Failure, UsageError
 
 LAMBERT = PLACES["02.lambert"]
@@ -102,10 +102,10 @@ class Words(unittest.TestCase):
 
     def test_without_a_sandbox_it_refuses(self):
         """And names the package, before a submission is opened or anything is built."""
-        with mock.patch("shutil.which", lambda name: None), mock.patch("judge.build", side_effect=AssertionError):
+        with mock.patch("shutil.which", lambda name: None), mock.patch("grading.judge.build", side_effect=AssertionError):
             with self.assertRaisesRegex(Failure, "bubblewrap alone, and it is not there.*apt-get install bubblewrap"):
                 Judge({"02.lambert": "02_lambert_phong"})
-        with mock.patch("sandbox.run", side_effect=Failure("no namespaces")):
+        with mock.patch("grading.sandbox.run", side_effect=Failure("no namespaces")):
             with self.assertRaisesRegex(Failure, "cannot contain anything here.*no namespaces"):
                 Judge({"02.lambert": "02_lambert_phong"})
         self.assertIn("bubblewrap", (REAL / "common/course/packages/grade").read_text().split())
@@ -139,9 +139,9 @@ class Contained(unittest.TestCase):
     def test_what_root_alone_can_read_is_said(self):
         path = Path(self.enterContext(tempfile.TemporaryDirectory())) / "library"
         path.touch(0o600)
-        with mock.patch("sandbox.drops_root", lambda: True), self.assertRaisesRegex(Failure, "chmod -R o.rX"):
+        with mock.patch("grading.sandbox.drops_root", lambda: True), self.assertRaisesRegex(Failure, "chmod -R o.rX"):
             sandbox.require_readable([path])
-        with mock.patch("sandbox.drops_root", lambda: False):
+        with mock.patch("grading.sandbox.drops_root", lambda: False):
             sandbox.require_readable([path])
 
     def test_who_is_mapped(self):

@@ -6,9 +6,9 @@
 
 #include "catch.h"
 #include "common/base/error.h"
+#include "common/base/statistics.h"
 #include "common/measure/metrics.h"
 #include "common/measure/pareto.h"
-#include "common/measure/statistics.h"
 
 using namespace lightwalk;
 

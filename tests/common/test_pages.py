@@ -18,7 +18,7 @@ from PIL import Image
 from small_course import REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
-import docs  # noqa: E402
+from pages import docs  # noqa: E402
 from tree import BUILD, chapters, exercises  # noqa: E402
 
 # Text that ought to be a formula, outside of code: its TeX, or Markdown's sign for it.

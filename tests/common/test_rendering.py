@@ -9,8 +9,8 @@ from unittest import mock
 
 from pictures import ROOT, ChapterPictures
 
-import draw_shots  # which pictures.py has made importable
-from rendering import render, render_many
+from shots import draw_shots  # which pictures.py has made importable
+from shots.rendering import render, render_many
 from tree import Failure
 
 SMALL = ["--size", "48x27"]

@@ -12,8 +12,8 @@ sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
 from PIL import Image  # noqa: E402
 
 from browser import CHROMIUM, Browser  # noqa: E402
-from gallery import write_gallery  # noqa: E402
-from report import write_report  # noqa: E402
+from pages.gallery import write_gallery  # noqa: E402
+from pages.report import write_report  # noqa: E402
 
 LIMITS = {"flip_mean": 0.002, "flip_p99": 0.05, "max_diff": 64}
 JUNIT = """<?xml version="1.0"?>

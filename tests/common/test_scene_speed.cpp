@@ -49,7 +49,7 @@ SceneFile crowd(const Files& files, int items, int meshes) {
 
 }  // namespace
 
-TEST_CASE("a frame of 5,000 items of 200 meshes: placed, culled, sorted and recorded within 2 ms") {
+TEST_CASE("a frame of 5,000 items of 200 meshes: placed, culled, sorted and recorded within 6 ms of one core") {
     Gpu gpu(DeviceOptions{.name = "", .validate = false, .surface_extensions = {}});
     const Files files(200);
     Scene scene;
@@ -90,7 +90,7 @@ TEST_CASE("a frame of 5,000 items of 200 meshes: placed, culled, sorted and reco
         "together %.2f ms of one core\n",
         medians[0], medians[1], medians[2], medians[3]);
 #ifndef __SANITIZE_ADDRESS__  // with it everything takes several times as long
-    CHECK(medians[3] < 3 * 2.0);
+    CHECK(medians[3] < 6.0);
 #endif
 
     // And all of it has arrived where it belongs.

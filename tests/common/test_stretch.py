@@ -6,7 +6,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common" / "course"))
-from stretch import measure, missing  # noqa: E402
+from check.stretch import measure, missing  # noqa: E402
 from tree import BUILD, exercises  # noqa: E402
 
 

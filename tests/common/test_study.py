@@ -11,9 +11,9 @@ import unittest
 from small_course import REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
-from need_test import median_row, row, set_options, sweep  # noqa: E402
-from study import SceneEntry, device_slug  # noqa: E402
-from study_test import curve_row, curve_rows, frame_rows  # noqa: E402
+from test.need_test import median_row, row, set_options, sweep  # noqa: E402
+from charts.study import SceneEntry, device_slug  # noqa: E402
+from test.study_test import curve_row, curve_rows, frame_rows  # noqa: E402
 
 # Writes what it was given and where; with a file "slow" at the root it leaves a part and then takes its time.
 CHAPTER = f"""#!{sys.executable}

@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common" / "course"))
 
 import tree  # noqa: E402
-import variants  # noqa: E402
+from check import variants  # noqa: E402
 from tree import Failure  # noqa: E402
 
 SOLUTION = """// Solution of 02.sum.

@@ -1,0 +1,134 @@
+"""Draws a study as SVG and PNG, with a Markdown table beside them.
+
+    python3 common/course charts.chart STUDY.json [--out FOLDER]
+
+writes FOLDER/STUDY.svg, .png and .md (FOLDER: the study's own), and STUDY.NAME.svg and .png for every chart after the
+first. Without "charts" in the study it is one: time against error on log axes. One panel per scene, all with the same
+axes, or one in all where the x axis is a knob that the scenes set; one curve per method; bars are quartiles. The files
+depend on the study and on matplotlib alone: no date, no random ids, text as outlines. Exit codes: 0; 2 with one line
+where the study cannot be used.
+"""
+
+import argparse
+import io
+import math
+import sys
+import textwrap
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+from charts.chart_panel import INK, QUIET, Limits, Panel  # noqa: E402
+from charts.study_charts import Chart, chart_paths, charts_of  # noqa: E402
+from charts.study_file import StudyError, figures, load, markdown_table  # noqa: E402
+from tree import warn, write_atomically  # noqa: E402
+
+STYLE = {"font.family": "DejaVu Sans", "font.size": 11, "axes.edgecolor": "#9aa3ad", "axes.linewidth": 0.8,
+         "axes.labelcolor": INK, "xtick.color": QUIET, "ytick.color": QUIET, "text.color": INK,
+         "svg.hashsalt": "lightwalk", "svg.fonttype": "path", "axes.spines.top": False, "axes.spines.right": False}
+
+
+def draw(chart: Chart) -> dict:
+    """The chart's files by their suffix."""
+    with plt.rc_context(STYLE):
+        figure = build_figure(chart)
+        files = {}
+        for suffix, options in ((".svg", {"format": "svg", "metadata": {"Date": None, "Creator": None}}),
+                                (".png", {"format": "png", "dpi": 150, "metadata": {"Software": None}})):
+            data = io.BytesIO()
+            figure.savefig(data, facecolor="white", **options)
+            files[suffix] = data.getvalue()
+        plt.close(figure)
+    return files
+
+
+def build_figure(chart: Chart):
+    panels = chart.panels
+    columns = chart.columns
+    rows = math.ceil(len(panels) / columns)
+    height = (4.6 if chart.y.kind == "method" else 6.75) if rows == 1 else 2.0 + 4.9 * rows
+    figure = plt.figure(figsize=(14 if columns == 3 else 12, height))
+    notes = textwrap.wrap("  ".join(notes_of(chart)), 13 * int(figure.get_figwidth()))
+    top, bottom = 1 - 1.05 / height, (1.0 + 0.2 * len(notes)) / height
+    grid = figure.add_gridspec(rows, columns, left=0.125 if chart.y.kind == "method" else 0.085, right=0.975, top=top, bottom=bottom, wspace=0.06,
+                               hspace=0.2)
+    limits = Limits(chart)
+    for i, scenes in enumerate(panels):
+        panel = Panel(figure, grid[i // columns, i % columns], chart, scenes, limits)
+        panel.draw([p for p in chart.drawable if p.scene in scenes], title=chart.panel_title(scenes),
+                   x_label=i + columns >= len(panels), y_label=i % columns == 0)
+    heading(figure, chart, height)
+    for i, line in enumerate(reversed(notes)):
+        figure.text(0.022, (0.40 + 0.2 * i) / height, line, fontsize=9.5, color=QUIET, va="center")
+    return figure
+
+
+def heading(figure, chart: Chart, height: float):
+    """What it shows, where it was measured, and how to measure it again."""
+    study, d = chart.study, chart.study.data
+    figure.text(0.022, 1 - 0.33 / height, chart.title, fontsize=17, weight="bold", va="center")
+    figure.text(0.022, 1 - 0.65 / height, f'{d["device"]} · {d["driver"]} · {d["stage"]}{study.size_text(" · ")}',
+                color=QUIET, va="center")
+    figure.text(0.022, 0.18 / height, d["command"], fontsize=9, color=QUIET, family="DejaVu Sans Mono", va="center")
+
+
+def notes_of(chart: Chart) -> list[str]:
+    """What a reader has to know of the points, a sentence each."""
+    d, kinds = chart.study.data, (chart.x.kind, chart.y.kind)
+    notes = ["Points: median, bars: quartiles."] if "time" in kinds else []
+    if d.get("truth") and "error" in kinds:
+        notes.append(truth_note(chart))
+    if chart.front(chart.points):
+        notes.append("Yellow: the Pareto front, which no other beats in both.")
+    if any(chart.enough_of([p for p in chart.drawable if p.scene in scenes]) for scenes in chart.panels):
+        notes.append(f"Ringed: enough, the fastest {below(chart)}.")
+    if len(chart.point_knobs) == 1 and chart.x.kind == "time" and chart.y.kind != "method":
+        notes.append(f"Small numbers: {chart.point_knobs[0]}.")
+    notes += [f"All with {name} {values[0]}, where it applies." for name, values in chart.kept.items() if len(values) == 1]
+    for why, methods in chart.missing().items():
+        notes.append(f"Not drawn: {', '.join(methods)} ({why}).")
+    return notes
+
+
+def below(chart: Chart) -> str:
+    if not chart.enough:
+        also = " (the 99th percentile, too)" if "flip_mean" in (chart.x.name, chart.y.name) else ""
+        return f"with an error below that of one 8-bit step{also}"
+    return f"with at most {chart.enough_words}" if chart.enough["at"] else f"with {chart.enough_words}"
+
+
+def truth_note(chart: Chart) -> str:
+    """What the errors are measured against, and how sure that is."""
+    truth = chart.study.data["truth"]
+    knobs = ", ".join(f"{name} {value}" for name, value in truth.get("knobs", {}).items())
+    named = f'Truth: {truth["method"]}{" (" + knobs + ")" if knobs else ""}'
+    change = truth.get("doubling_change")
+    if truth.get("exact"):
+        return f"{named}, by definition."
+    return f"{named}, doubling it changes {figures(change)}." if change else f"{named}."
+
+
+def main(words: list[str]) -> int:
+    parser = argparse.ArgumentParser(description="Draws a study as SVG and PNG, with a table in Markdown.")
+    parser.add_argument("study", type=Path)
+    parser.add_argument("--out", type=Path, help="the folder to write to; default: the study's")
+    arguments = parser.parse_args(words)
+    try:
+        study = load(arguments.study)
+        beside = (arguments.out or arguments.study.parent) / arguments.study.stem
+        drawn = [(path, draw(chart)) for path, chart in zip(chart_paths(study.data, beside), charts_of(study))]
+        for path, files in drawn:
+            for suffix, data in files.items():
+                write_atomically(path.with_name(path.name + suffix), data)
+        write_atomically(beside.with_name(beside.name + ".md"), markdown_table(study))
+    except (StudyError, OSError) as error:
+        warn(f"chart: {error}")
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

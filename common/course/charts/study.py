@@ -1,0 +1,160 @@
+"""Measures what chapters teach and draws the charts: time against error.
+
+chapters/NN_name/study.json says what to measure (common/study/study.h); two of its keys are for this file:
+
+    "scenes": ["build/study/grid.obj", ...],
+    "generate": {"build/study/grid.obj": ["tests/01_obj/make_big_obj.py", "104"]}
+
+A file under "generate" that is not there is made by `python3 SCRIPT ARGUMENTS... FILE`, once. Measured is into
+build/study, where what an interrupted study has done waits for the next call, and from there the result goes to the
+folder of the charts as NN_name.DEVICE.json, .svg, .png and .md.
+"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from build.build import build
+from charts.study_charts import chart_paths
+from charts.study_file import SOFTWARE
+from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, warn,
+                  write_atomically)
+
+ALONE = True
+HELP = """Measures every method of a chapter against the truth and draws the chart, as SVG and PNG, with a table.
+
+  ./course study                   every chapter that has a study
+  ./course study 02                one
+  ./course study 02 --device H200 --out FOLDER
+  ./course study 02 --size 480x270  in pixels, in place of the study's own
+
+The files are docs/studies/NN_name.DEVICE.json, .svg, .png and .md; a chart after the first has its name before .svg and
+.png. An interrupted study goes on where it was when it is
+started again. Times mean something on a machine that does nothing else; those of a software driver are labelled as the
+CPU's."""
+# What a device's name says beside the device.
+NOISE = {"nvidia", "geforce", "amd", "radeon", "intel", "graphics", "apple", "mesa"}
+
+
+def add_arguments(parser):
+    parser.add_argument("chapter", nargs="?", metavar="NN", help="its number or its name")
+    parser.add_argument("--device", help="part of a device's name: ./course run 01 --list devices")
+    parser.add_argument("--size", metavar="WxH", help="pixels, such as 1920x1080, in place of what the study says")
+    parser.add_argument("--out", type=Path, default=ROOT / "docs" / "studies", metavar="FOLDER",
+                        help="where the JSON, the charts and the table go (docs/studies)")
+
+
+def run(arguments, _rest) -> int:
+    studied = [name for name in chapters() if study_of(name)]
+    if arguments.size and not re.fullmatch(r"[1-9]\d*x[1-9]\d*", arguments.size):
+        raise UsageError(f"--size is '{arguments.size}', expected WIDTHxHEIGHT, such as 1920x1080")
+    named = [find_chapter(arguments.chapter)] if arguments.chapter else studied
+    for chapter in named:
+        if chapter not in studied:
+            raise UsageError(f"chapter {chapter} has no study; there are {', '.join(studied) or 'none'}")
+    out = arguments.out.absolute()
+    check_writable(out)
+    build(named)
+    for chapter in named:
+        generate(study_of(chapter).get("generate", {}))
+        measured = measure(chapter, arguments.device, arguments.size)
+        draw(chapter, measured, out)
+    return 0
+
+
+def check_writable(folder: Path):
+    """Asks before hours of measuring, not behind them, and makes nothing. Raises UsageError."""
+    there = next(place for place in (folder, *folder.parents) if place.exists())
+    try:
+        with tempfile.TemporaryFile(dir=there):
+            pass
+    except OSError as error:
+        raise UsageError(f"{folder} cannot be written: {error.strerror}") from None
+
+
+def study_of(chapter: str) -> dict:
+    """What the chapter's study.json says; {} where it has none. Raises Failure where it cannot be used."""
+    path = ROOT / "chapters" / chapter / "study.json"
+    try:
+        return json.loads(path.read_text())
+    except FileNotFoundError:
+        return {}
+    except ValueError as error:
+        raise Failure(f"{relative(path)} is not JSON: {error}") from None
+
+
+class SceneEntry:
+    """An entry of "scenes": a file, or {"scene": file, "set": {knob: value}, "label": "100 lights"}."""
+
+    def __init__(self, entry: str | dict):
+        entry = entry if isinstance(entry, dict) else {"scene": entry}
+        self.file, self.set = entry["scene"], entry.get("set", {})
+        self.label = entry.get("label") or Path(self.file).stem
+
+
+def generate(files: dict):
+    """Makes the files that a study reads and that are too large to keep."""
+    for name, (script, *words) in files.items():
+        file = ROOT / name
+        if file.exists():
+            continue
+        warn(f"making {name}")
+        file.parent.mkdir(parents=True, exist_ok=True)
+        beside = file.with_name(f".{file.name}.{os.getpid()}")
+        try:
+            if subprocess.run([sys.executable, ROOT / script, *words, beside], cwd=ROOT).returncode:
+                raise Failure(f"{script} could not make {name}")
+            os.replace(beside, file)
+        finally:
+            beside.unlink(missing_ok=True)
+
+
+def measure(chapter: str, device: str | None = None, size: str | None = None) -> Path:
+    """Runs the study, whose progress goes to the terminal, and returns the file of its result."""
+    key = "." + re.sub(r"[^a-z0-9]+", "_", device.lower()) if device else ""
+    file = BUILD / "study" / f"{chapter}{key}.json"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    partial = file.with_name(file.name + ".partial")
+    if partial.exists():
+        warn(f"going on with the study of {chapter} that was interrupted")
+    command = [chapter_program(chapter), "--study", file, *(["--device", device] if device else []),
+               *(["--size", size] if size else [])]
+    code = None
+    try:
+        code = subprocess.run(command, cwd=ROOT, stdin=subprocess.DEVNULL).returncode
+    except OSError as error:
+        raise Failure(f"{relative(command[0])}: {error.strerror}") from None
+    finally:
+        if code != 0:
+            warn(f"\nwhat was measured is kept: ./course study {chapter[:2]} goes on from there" if partial.exists()
+                 else "\nnothing was finished that could be kept")
+    if code:
+        raise Failure(f"the study of {chapter} ended with {code}")
+    return file
+
+
+def device_slug(study: dict) -> str:
+    """The device in a file's name: lavapipe, h200, rtx4090; for a loader the number of threads: cpu2."""
+    if study.get("subject") == "loader":
+        return "cpu" + (re.findall(r"\d+", study.get("stage", "")) or [""])[0]
+    names = f"{study.get('device', '')} {study.get('driver', '')}".lower()
+    if any(name in names for name in SOFTWARE):
+        return "lavapipe" if "llvmpipe" in names or "lavapipe" in names else "software"
+    words = re.findall(r"[a-z0-9]+", re.sub(r"\(.*?\)", " ", study.get("device", "").lower()))
+    return "".join(word for word in words if word not in NOISE) or "device"
+
+
+def draw(chapter: str, measured: Path, folder: Path):
+    """Puts the result into the folder under the device's name, with the chart and the table beside it."""
+    text = measured.read_text()
+    study = json.loads(text)
+    file = folder / f"{chapter}.{device_slug(study)}.json"
+    write_atomically(file, text)
+    if subprocess.run([sys.executable, ROOT / "common/course", "charts.chart", file]).returncode:
+        raise Failure(f"the chart of {chapter} was not drawn")
+    drawn = [path.with_name(path.name + ".svg") for path in chart_paths(study, file.with_suffix(""))]
+    say("; ".join(relative(path) for path in (file, *drawn)))

@@ -1,0 +1,283 @@
+"""What each chart of a study shows: its axes, its panels and the curves in them. Nothing here draws.
+
+docs/study_format.md has the keys of "charts". A study without them has one chart, its time against its error_metric.
+"""
+import math
+from functools import cached_property
+
+from charts.study_file import METRICS, StudyError, figures, number
+
+KEYS = ("name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale", "x_label", "panel", "enough")
+LOG_FROM = 10  # a knob's axis is logarithmic where its largest value is at least that many times the smallest above 0
+
+
+class Axis:
+    """What one axis shows: "time", a metric (`kind` "error") or "knob NAME"."""
+
+    def __init__(self, study, text, points, scale=None, words=None):
+        self.study, self.text, self.words = study, text, words
+        self.kind = "time" if text == "time" else "knob" if text.startswith("knob ") else "error"
+        self.name = text.removeprefix("knob ")
+        if self.kind == "knob":
+            self.check_knob(points)
+        elif self.kind == "error" and not any(text in p.data["error"] for p in points):
+            raise StudyError(f'no point has the error "{text}"; there are {", ".join(study.metrics)}')
+        self.log = scale == "log" if scale else self.kind != "knob" or self.spans_decades(points)
+
+    def check_knob(self, points):
+        values = [p.knobs[self.name] for p in points if self.name in p.knobs]
+        if not values:
+            raise StudyError(f'no point sets the knob "{self.name}"')
+        for value in values:
+            if isinstance(value, (bool, str)):
+                raise StudyError(f'the knob "{self.name}" has the value "{value}", which no axis can show')
+
+    def spans_decades(self, points):
+        values = [p.knobs[self.name] for p in points if self.name in p.knobs]
+        above = [value for value in values if value > 0]
+        return bool(above) and min(values) >= 0 and max(above) >= LOG_FROM * min(above)
+
+    def has(self, point):
+        """False where the point has no such thing at all."""
+        return {"time": True, "knob": self.name in point.knobs, "error": self.name in point.data["error"]}[self.kind]
+
+    def spread(self, point):
+        """(lower quartile, value, upper quartile); all the same where there is one value, NaN where there is none."""
+        if self.kind == "time":
+            return point.time
+        value = number((point.knobs if self.kind == "knob" else point.data["error"]).get(self.name))
+        return value, value, value
+
+    def value(self, point):
+        return self.spread(point)[1]
+
+    def can_show(self, point):
+        value = self.value(point)
+        return math.isfinite(value) and (value > 0 or not self.log or (value == 0 and self.kind != "time"))
+
+    def is_zero(self, point):
+        """True where the value has no place on a log axis and stands in a strip of its own: 0, and an error of less than a
+        tenth of what the truth is not sure of, which is no more known to differ from 0."""
+        if not self.log or self.kind == "time":
+            return False
+        doubt = self.study.doubling_change(point.scene, self.name) or 0 if self.kind == "error" else 0
+        return self.value(point) == 0 or self.kind == "error" and self.value(point) < doubt / 10
+
+    @property
+    def zero_text(self):
+        """What stands at the strip."""
+        return "≈ 0" if any(self.is_zero(p) and self.value(p) for p in self.study.points if self.has(p)) else "0"
+
+    def label(self, upright=False):
+        better = ("↓", "↑") if upright else ("←", "→")
+        if self.words:
+            return self.words
+        if self.kind == "time":
+            return f"{self.study.time_label}  ({better[self.study.higher_is_faster]} faster)"
+        if self.kind == "knob":
+            return self.name.replace("_", " ")
+        words = f"error: {METRICS[self.name][0]}" if self.name in METRICS else self.study.metric_label(self.name)
+        return f"{words}  ({better[0]} less is better)"
+
+
+class Rows:
+    """The upright axis of a chart that has a row for each method in place of an error."""
+
+    kind, name, log, zero_text = "method", "method", False, "0"
+
+    def __init__(self, methods):
+        self.methods = methods
+
+    def has(self, _):
+        return True
+
+    def value(self, point):
+        return self.methods.index(point.method)
+
+    def spread(self, point):
+        return (self.value(point),) * 3
+
+    def can_show(self, _):
+        return True
+
+    def is_zero(self, _):
+        return False
+
+    def label(self, upright=False):
+        return ""
+
+
+class Chart:
+    """One chart. `points` are those it is about, `drawable` those that have a place on both axes."""
+
+    def __init__(self, study, entry):
+        self.study, self.entry = study, entry
+        try:
+            self.read(entry)
+        except StudyError as error:
+            raise StudyError(f'chart "{entry["name"]}": {error}' if "name" in entry else str(error)) from None
+        self.drawable = [p for p in self.points if self.x.can_show(p) and self.y.can_show(p)]
+
+    def read(self, entry):
+        study = self.study
+        for key in entry:
+            if key not in KEYS:
+                raise StudyError(f'has "{key}", which is unknown here; known: {", ".join(KEYS)}')
+        for key, known in (("scenes", study.scenes), ("methods", study.methods)):
+            for name in entry.get(key, []):
+                if name not in known:
+                    raise StudyError(f'has "{name}" among its {key}; there are {", ".join(known)}')
+        if entry.get("x_scale", "log") not in ("log", "linear"):
+            raise StudyError(f'"x_scale" is "{entry["x_scale"]}", expected "log" or "linear"')
+        self.title = entry.get("title", study.data["title"])
+        # Over a knob that scenes set: those that set it.
+        knob = str(entry.get("x", "")).partition("knob ")[2]
+        default = [scene for scene in study.scenes if knob in study.set_by(scene)] or study.scenes
+        self.scenes = [scene for scene in study.scenes if scene in entry.get("scenes", default)]
+        self.methods = [method for method in study.methods if method in entry.get("methods", study.methods)]
+        self.points = [p for p in study.points if p.scene in self.scenes and p.method in self.methods]
+        for name in self.kept:
+            self.keep(name)
+        if str(entry.get("y", "")).startswith("knob "):
+            raise StudyError(f'"y" is "{entry["y"]}", expected "time" or a metric')
+        self.enough = entry.get("enough")
+        self.x = Axis(study, entry.get("x", "time"), self.points, entry.get("x_scale"), entry.get("x_label"))
+        self.y = Rows(self.methods) if entry.get("y") == "method" else \
+            Axis(study, entry.get("y", study.metric), self.points)
+        if self.y.kind == "method" and self.x.kind != "time":
+            raise StudyError('"y" is "method", which needs "x": "time"')
+        if self.enough is not None and (not isinstance(self.enough, dict) or set(self.enough) != {"at", "text"}):
+            raise StudyError(f'"enough" is {self.enough}, expected {{"at": NUMBER, "text": WORDS}}')
+
+    @property
+    def kept(self):
+        """{knob: the values of it that the chart shows}"""
+        return {name: values if isinstance(values, list) else [values]
+                for name, values in self.entry.get("knobs", {}).items()}
+
+    def keep(self, name):
+        """Leaves out the points that set the knob to another value; those that do not set it stay."""
+        for value in self.kept[name]:
+            if not any(p.knobs.get(name) == value for p in self.points):
+                raise StudyError(f'no point sets the knob "{name}" to {value}')
+        self.points = [p for p in self.points if name not in p.knobs or p.knobs[name] in self.kept[name]]
+
+    @cached_property
+    def over_scenes(self):
+        """True where x is a knob that the scenes set: all of them are in one panel."""
+        return self.x.kind == "knob" and self.x.name in self.study.scene_knobs
+
+    @property
+    def panels(self):
+        """The scenes of each panel."""
+        return [self.scenes] if self.over_scenes else [[scene] for scene in self.scenes]
+
+    @cached_property
+    def point_knobs(self):
+        """The knobs whose values tell points of one panel apart, without the one on the x axis."""
+        if self.over_scenes or self.kept:
+            names = dict.fromkeys(name for p in self.points for name in p.knobs
+                                  if self.over_scenes or name not in self.study.scene_knobs)
+            names = [name for name in names if len({str(p.knobs[name]) for p in self.points if name in p.knobs}) > 1]
+        else:
+            names = self.study.varied_knobs
+        return [name for name in names if (self.x.kind, self.x.name) != ("knob", name)]
+
+    def label_of(self, point):
+        """The values that tell a point from its neighbours: "16", or "taps 16, radius 2.5" where two knobs vary. Over
+        a knob all points of a curve have the same."""
+        values = {name: value for name, value in point.knobs.items() if name in self.point_knobs}
+        short = {name: f"{value:g}" if isinstance(value, float) else str(value) for name, value in values.items()}
+        return ", ".join(short.values() if len(self.point_knobs) == 1 else
+                         (f"{name} {value}" for name, value in short.items()))
+
+    def curves(self, points):
+        """(method, its points in order). Over a knob a method has one for each value of its other knobs, from left to
+        right."""
+        over_knob, found = self.x.kind == "knob", {}
+        for p in points:
+            found.setdefault((p.method, self.label_of(p) if over_knob else ""), []).append(p)
+        return [(method, sorted(curve, key=self.x.value) if over_knob else curve)
+                for (method, _), curve in sorted(found.items(), key=lambda item: self.methods.index(item[0][0]))]
+
+    def front(self, points):
+        """The points that no other beats in time and error, fastest first; none where the axes are not these two."""
+        axes = {axis.kind: axis for axis in (self.x, self.y)}
+        if set(axes) != {"time", "error"}:
+            return []
+        return self.study.front_of([p for p in points if p in self.drawable], axes["error"].value)
+
+    @property
+    def columns(self):
+        """How many panels stand side by side."""
+        count = len(self.panels)
+        return count if count <= 3 else 2 if count == 4 else 3
+
+    def panel_title(self, scenes):
+        """What a panel shows: "panel" with the scene's name put in, the name alone without it."""
+        if len(self.panels) == 1:
+            return ""
+        knobs = next(p.knobs for p in self.points if p.scene == scenes[0])
+        return self.entry.get("panel", "{scene}").format(scene=scenes[0], **knobs)
+
+    def curve_name(self, method, curve):
+        """Over a knob, what stands at a curve's end: a method has several for several values of other knobs."""
+        return ", ".join(word for word in (method, self.label_of(curve[0])) if word)
+
+    def row_text(self, point):
+        """What a row says of its point: its time and its error."""
+        unit = "ULP" if self.study.metric == "ulp" else self.study.metric_label(self.study.metric)
+        error = "no error" if point.error == 0 else f"off by {figures(point.error)} {unit}"
+        return f"{figures(point.time[1])} {self.study.unit}\n{error}"
+
+    @property
+    def enough_words(self):
+        return self.enough["text"] if self.enough else ""
+
+    def enough_of(self, points):
+        """The fastest point whose error is at most the chart's own "enough", or without it below that of one 8-bit step: a
+        mean FLIP hides what is wrong in few pixels, so its 99th percentile has to be, too. None where neither is known,
+        or the axes are not time and error."""
+        if self.y.kind == "method":
+            metrics = [self.study.metric]
+        elif {self.x.kind, self.y.kind} == {"time", "error"}:
+            name = self.x.name if self.x.kind == "error" else self.y.name
+            metrics = [name] if self.enough or name != "flip_mean" else ["flip_mean", "flip_p99"]
+        else:
+            return None
+        good = [p for p in points if p in self.drawable and all(self.is_enough(p, metric) for metric in metrics)]
+        return min(good, key=lambda p: (-1 if self.study.higher_is_faster else 1) * p.time[1], default=None)
+
+    def is_enough(self, point, metric):
+        bound = self.enough["at"] if self.enough else self.study.one_step(point.scene, metric)[0]
+        return bound is not None and number(point.data["error"].get(metric)) <= bound
+
+    def missing(self):
+        """{why: methods} of points that have no place in the chart."""
+        why = {}
+        for p in self.points:
+            if p in self.drawable:
+                continue
+            lacking = [axis.name for axis in (self.x, self.y) if not axis.has(p)]
+            why.setdefault(f"no {lacking[0]}" if lacking else "error is not finite", {})[p.method] = True
+        return {reason: list(methods) for reason, methods in why.items()}
+
+
+def charts_of(study):
+    """The study's charts in order. Raises StudyError where one cannot be drawn."""
+    entries = study.data.get("charts") or [{}]
+    names = [entry.get("name") for entry in entries]
+    if "charts" in study.data and (None in names or len(set(names)) < len(names)):
+        raise StudyError("each chart needs a \"name\" of its own")
+    charts = [Chart(study, entry) for entry in entries]
+    for chart in charts:
+        if not chart.drawable:
+            named = f'chart "{chart.entry["name"]}" ' if "name" in chart.entry else ""
+            raise StudyError(f"{named}has no point with a finite error and time")
+    return charts
+
+
+def chart_paths(data, beside):
+    """Where each chart of a study's JSON goes, without its suffix: FILE for the first, FILE.NAME for the others."""
+    entries = data.get("charts") or [{}]
+    return [beside] + [beside.with_name(f"{beside.name}.{entry['name']}") for entry in entries[1:]]

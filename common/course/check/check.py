@@ -1,0 +1,287 @@
+"""Says which exercises are right, what is wrong with the others, and how far a student is.
+
+A chapter's checks are a program, build/tests/check_NN_name, which tests/NN_name is to give:
+
+    check_NN_name [--exercise NN.name] [--use exercise|solution]
+
+It checks one exercise or all of the chapter, the student's version unless told otherwise, and prints one JSON object
+per exercise on a line of its own:
+
+    {"exercise": "02.phong", "ok": false, "passed": 11, "failed": 3,
+     "first_failure": "phong(n·h = 0, shininess = 0) gave NaN, expected 0", "hint": "a sentence"}
+
+first_failure and hint are null or missing where there is nothing to say; "note" says what was not looked at. A file
+that does not compile is a failure like any other; first_failure then holds the compiler's line. Exit code 0 if all are
+right, 1 if not, 2 if there is no such exercise. A program that prints nothing, or dies, or runs for more than half a minute per exercise, counts as open.
+
+The numbers come first. Where they are right the exercise's pictures are drawn too, those shots that name it in
+"exercises" (shots.py), twice: with the student's version of this one exercise, and with the references alone. Both are
+drawn here and now, so that no processor and no driver makes a difference. The limits are wide: what a right answer may
+choose, such as which side a doubtful case is rounded to, shows in a picture too.
+
+GLSL cannot crash a driver without a fault of the driver's own: what does is judged by its numbers, and the note says so.
+
+In a handout there is no reference to draw with. There a picture shows the student's version of every exercise of the
+chapter and the earlier ones. It is compared with the golden, within the same limits, once the numbers of all of those
+are right; until then the numbers decide, and what is waited for is said.
+"""
+
+import functools
+import json
+import os
+import re
+import subprocess
+from pathlib import Path
+
+from build.build import build
+from check.glsl_answer import Refused, plain
+from progress import Progress
+from shots.golden import compare, exceeded, golden_path, unfit
+from shots.rendering import Crashed, render_shot
+from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, relative, say,
+                  shots)
+
+ALONE = True
+HELP = """Checks your exercises: what is right, and the first thing that is wrong with the others.
+
+  ./course check               all chapters
+  ./course check 02            one chapter
+  ./course check 02.phong      one exercise
+  ./course check 02 --hint     with a hint for each that is still open
+  ./course progress            one line per chapter
+
+Exit code 1 while something is open."""
+TIMEOUT_S = 30  # of a whole check; a call that does not return is found after 5 s
+# Of a picture whose numbers are right. A light more or less per object, which 03.light_reaches_box leaves open, is
+# 0.0018 and 0.055; of the starters' pictures the nearest to the reference is 0.013.
+PICTURE_LIMITS = {"flip_mean": 0.01, "flip_p99": 0.25}
+
+
+def add_arguments(parser):
+    parser.add_argument("what", nargs="?", default="all", metavar="NN | NN.name | all")
+    parser.add_argument("--hint", action="store_true", help="a hint for each exercise that is open")
+    parser.add_argument("--json", action="store_true", help="one JSON object per exercise")
+
+
+def run(arguments, _rest) -> int:
+    selected = select(arguments.what)
+    named = sorted({chapter for chapter, _ in selected})
+    build([f"check_{chapter}" for chapter in named])
+    results = []
+    with Progress("checking") as progress:
+        for number, (chapter, exercise) in enumerate(selected):
+            if progress.terminal or arguments.command == "progress":  # elsewhere each result is a line
+                progress.show(number, len(selected), exercise)
+            results.append(check(chapter, exercise))
+            if arguments.command == "check":
+                progress.clear()
+                show(results[-1], arguments)
+    if arguments.command == "progress":
+        show_progress(named, results, arguments.json)
+    elif not arguments.json:
+        say(summary(results))
+    return 0 if all(result["ok"] for result in results) else 1
+
+
+def select(what: str) -> list[tuple[str, str]]:
+    """(chapter, exercise id) for all, 02 or 02.phong. Raises UsageError."""
+    known = {chapter: in_order(chapter) for chapter in chapters()}
+    if what == "all":
+        selected = [(chapter, exercise) for chapter in known for exercise in known[chapter]]
+    else:
+        word, _, name = what.partition(".")
+        chapter = find_chapter(word)
+        selected = [(chapter, exercise) for exercise in known[chapter]
+                    if not name or exercise == f"{chapter[:2]}.{name}"]
+        if name and not selected:
+            raise UsageError(f"there is no exercise '{what}'; chapter {chapter[:2]} has "
+                             f"{', '.join(known[chapter]) or 'none'}")
+    if not selected:
+        raise UsageError(f"there is no exercise in {what}")
+    return selected
+
+
+@functools.cache
+def grades(chapter: str) -> dict[str, str]:
+    """The exercises in the lesson's order, and how hard it calls each: "### 02.phong (medium)"."""
+    lesson = ROOT / "docs" / f"{chapter}.md"
+    text = lesson.read_text(encoding="utf-8") if lesson.exists() else ""
+    return dict(re.findall(r"^### (\d\d\.\w+) \((easy|medium|hard)\)$", text, re.M))
+
+
+def in_order(chapter: str) -> list[str]:
+    order = list(grades(chapter))
+    return sorted(exercises(chapter), key=lambda name: order.index(name) if name in order else len(order))
+
+
+def check(chapter: str, exercise: str, use: str = "exercise", root=ROOT) -> dict:
+    """What is to be said of one exercise: the protocol's object, with "file" and "chapter"."""
+    result = {"exercise": exercise, "ok": False, "passed": 0, "failed": 0, "first_failure": None, "hint": None}
+    result |= check_numbers(chapter, exercise, use, root)
+    if use == "exercise" and (said := compiler_said(chapter, exercise, root)):
+        result["first_failure"] = f"it does not compile: {said}"
+    if result["ok"] and use == "exercise" and root == ROOT:
+        note_what_grading_refuses(exercises(chapter)[exercise], result)
+        check_pictures(chapter, exercise, result)
+    return result | {"chapter": chapter, "file": relative(exercises(chapter)[exercise])}
+
+
+def note_what_grading_refuses(path: Path, result: dict):
+    try:
+        if path.suffix == ".glsl":
+            plain(path.read_bytes(), path)
+    except Refused as why:
+        result["note"] = "; ".join(filter(None, (result.get("note"), f"handed in like this it would be refused: {why}")))
+
+
+def compiler_said(chapter: str, exercise: str, root: Path) -> str:
+    """The first error in a C++ exercise that does not compile (compile_exercise.sh), else nothing."""
+    folder = (BUILD if root == ROOT else root / "build") / "CMakeFiles" / f"exercises_{chapter}.dir"
+    file = relative(exercises(chapter)[exercise])
+    try:
+        lines = (folder / f"{file}.o.error").read_text(errors="replace").splitlines()
+    except OSError:
+        return ""
+    wrong = next((line for line in lines if "error" in line), lines[0] if lines else "no word why")
+    return file + wrong.partition(file)[2] if file in wrong else wrong
+
+
+def check_numbers(chapter: str, exercise: str, use: str = "exercise", root=ROOT, program: Path | None = None,
+                  **environment) -> dict:
+    """The protocol's object, or what stands in for it where the program (the chapter's own) gave none."""
+    program = program or (BUILD if root == ROOT else root / "build") / "tests" / f"check_{chapter}"
+    try:
+        done = subprocess.run([program, "--exercise", exercise, "--use", use], cwd=root, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace",
+                              env=os.environ | environment, timeout=TIMEOUT_S)
+    except OSError as error:
+        raise Failure(f"{relative(program)}: {error.strerror}") from None
+    except subprocess.TimeoutExpired:
+        return {"first_failure": f"it did not end within {TIMEOUT_S} s"}
+    for line in done.stdout.splitlines():
+        try:
+            found = json.loads(line)
+        except ValueError:
+            continue
+        if isinstance(found, dict) and found.get("exercise") == exercise:
+            return found | {"ok": found.get("ok") is True and done.returncode == 0}
+    words = done.stderr.strip().splitlines()
+    why = f"it was ended by signal {-done.returncode}" if done.returncode < 0 else \
+        f"its check ended with {done.returncode}"
+    return {"first_failure": f"{why}: {words[-1]}" if words else why}
+
+
+@functools.cache
+def numbers_are_right(chapter: str, exercise: str) -> bool:
+    return check_numbers(chapter, exercise)["ok"]
+
+
+def still_open(chapter: str, exercise: str) -> list[str]:
+    """What else a picture of this chapter shows that is not right yet: in a handout nothing stands in for it."""
+    return [other for earlier in chapters() if earlier <= chapter for other in exercises(earlier)
+            if other != exercise and not numbers_are_right(earlier, other)]
+
+
+@functools.cache
+def reference_picture(chapter: str, name: str, **environment) -> Path:
+    """The shot as the references draw it, here and now; in a handout the golden."""
+    if not has_solutions():
+        return golden_path(chapter, name)
+    picture = BUILD / "check" / chapter / f"{name}.png"
+    render_shot(chapter, next(shot for shot in shots(chapter) if shot["name"] == name), picture, **environment)
+    return picture
+
+
+def check_pictures(chapter: str, exercise: str, result: dict):
+    """Where the numbers are right the picture must be."""
+    wanted = [shot for shot in shots(chapter) if exercise in shot.get("exercises", [])]
+    if not wanted:
+        return
+    if not has_solutions():
+        build([f"check_{earlier}" for earlier in chapters() if earlier <= chapter])
+        if waiting := still_open(chapter, exercise):
+            more = f" and of {len(waiting) - 3} more" if len(waiting) > 3 else ""
+            later = f"its picture is compared once the numbers of {', '.join(waiting[:3])}{more} are right"
+            result["note"] = "; ".join(filter(None, (result.get("note"), later)))
+            return
+    build([chapter, "compare"])
+    for shot in wanted:
+        try:
+            why = wrong_picture(chapter, exercise, shot)
+        except Crashed as failure:
+            if exercises(chapter)[exercise].suffix == ".glsl":  # C++ of a student's crashes by itself
+                note = f"judged by its numbers alone: there is no picture of {shot['name']}, with which the driver crashed"
+                result["note"] = "; ".join(filter(None, (result.get("note"), note)))
+                continue
+            why = str(failure)
+        if why:
+            result |= {"ok": False, "failed": result["failed"] + 1, "first_failure": why,
+                       "hint": "every number that was tried is right, so look for an input that only the picture has: "
+                               "the file that ends in .flip.png is bright where the picture is wrong"}
+            return
+        result["passed"] += 1
+
+
+def wrong_picture(chapter: str, exercise: str, shot: dict, overlay: str = "", **environment) -> str:
+    """What is wrong with the exercise's picture; empty where nothing is. `overlay` is the folder of another answer than the
+    student's. Raises Crashed."""
+    picture = BUILD / "check" / chapter / f"{shot['name']}.{exercise}.png"
+    heatmap = picture.with_suffix(".flip.png")
+    try:
+        use = f"solution,{exercise}=exercise" if has_solutions() else "exercise"
+        instead = {"LIGHTWALK_OVERLAY": overlay} if overlay else {}
+        render_shot(chapter, shot, picture, use, **environment, **instead)
+        metrics = compare(reference_picture(chapter, shot["name"], **environment), picture, heatmap)
+        return picture_words(shot["name"], metrics, picture, heatmap)
+    except Crashed:
+        raise
+    except Failure as failure:
+        return str(failure)
+
+
+def picture_words(name: str, metrics: dict, picture: Path, heatmap: Path) -> str:
+    """What is wrong with a picture, in words; empty where nothing is."""
+    look = f"look at {relative(picture)} and, for where it differs, {relative(heatmap)}"
+    wrong = unfit(metrics)
+    if wrong:
+        return f"the numbers are right, the picture of {name} is not: {wrong[0]}; {look}"
+    if not exceeded(metrics, PICTURE_LIMITS):
+        return ""
+    most = metrics["max_diff"]
+    return (f"the numbers are right, the picture of {name} is not: {most['pixels']} pixels differ from the reference's, "
+            f"most the one at ({most['x']}, {most['y']}); {look}")
+
+
+def show(result: dict, arguments):
+    if arguments.json:
+        say(json.dumps(result, ensure_ascii=False))
+        return
+    grade = grades(result["chapter"]).get(result["exercise"])
+    counted = f"{result['passed']} of {result['passed'] + result['failed']} checks"
+    say(f"{'ok  ' if result['ok'] else 'open'}  {result['exercise']}  {counted}  {result['file']}"
+        + (f"  ({grade})" if grade else ""))
+    if not result["ok"] and result["first_failure"]:
+        say(f"      {result['first_failure']}")
+    if result.get("note"):
+        say(f"      {result['note']}")
+    if not result["ok"] and arguments.hint:
+        say(f"      hint: {result['hint'] or 'there is none'}")
+
+
+def show_progress(named: list[str], results: list[dict], as_json: bool):
+    for chapter in named:
+        of_chapter = [result for result in results if result["chapter"] == chapter]
+        done = sum(result["ok"] for result in of_chapter)
+        if as_json:
+            say(json.dumps({"chapter": chapter, "done": done, "exercises": len(of_chapter),
+                            "open": [result["exercise"] for result in of_chapter if not result["ok"]]}))
+        else:
+            say(f"{chapter:24} [{'#' * done}{'.' * (len(of_chapter) - done)}] {done} of {len(of_chapter)}")
+    if not as_json:
+        say(summary(results))
+
+
+def summary(results: list[dict]) -> str:
+    opened = [result["exercise"] for result in results if not result["ok"]]
+    return f"{len(results) - len(opened)} of {len(results)} exercises are right" + \
+        (f"; next: {opened[0]}" if opened else "")

@@ -1,0 +1,160 @@
+"""Checks what students handed in and writes the grades: a table, CSV and JSON.
+
+Of a submission the exercise files alone are read (chapters/NN_name/exercise/*, shaders/NN_name/exercise/*), so that a
+student's checks and framework count for nothing. Each exercise is judged by itself (judge.py), in a sandbox (sandbox.py);
+what was judged before, for whomever, is not judged again.
+"""
+
+import csv
+import io
+import json
+import os
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from grading.alike import alike
+from grading.judge import Judge
+from grading.submission import cell, find, printable, read
+from progress import Progress
+from tree import BUILD, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, say, warn, write_atomically
+
+HELP = """Checks the exercises that students handed in, against this tree's checks.
+
+  ./course grade FOLDER             a class: a folder of folders, .zip and .tar.* files, one for each student
+  ./course grade ann.zip ben        some students
+  ./course grade FOLDER --chapter 02
+
+Prints a table and writes grades.csv and grades.json (what is wrong with each exercise) to build/grades, or to --out. What
+was judged before is not judged again: an interrupted run goes on where it was.
+
+A ? in grades.csv and "look at" in the table is an exercise whose numbers are right and with whose picture the driver
+crashed: it has no mark until you have looked at it.
+
+Students' code is compiled and run in a sandbox (bubblewrap): it sees no network, no other student, no reference and no
+check, and has limits of time, memory and output. Without bubblewrap nothing runs. Exit code 0 whatever the grades are."""
+
+MOST_NAMES = 12  # on one line
+
+
+def add_arguments(parser):
+    parser.add_argument("paths", nargs="+", type=Path, metavar="PATH")
+    parser.add_argument("--chapter", metavar="NN", help="this chapter's exercises alone")
+    parser.add_argument("--json", action="store_true", help="print one JSON object per student in place of the table")
+    parser.add_argument("--out", type=Path, default=None, metavar="FOLDER", help="where the files go (build/grades)")
+
+
+def run(arguments, _rest) -> int:
+    named = [find_chapter(arguments.chapter)] if arguments.chapter else chapters()
+    wanted = {exercise: chapter for chapter in named for exercise in exercises(chapter)}
+    submissions = find(arguments.paths)
+    if not has_solutions():
+        raise UsageError("this copy of the course has no solutions to grade with")
+    out = (arguments.out or BUILD / "grades").absolute()
+    try:
+        write_atomically(out / "grades.json", "[]\n")
+    except OSError as error:
+        raise UsageError(f"{printable(str(out))} cannot be written: {error.strerror}") from None
+    with Judge(wanted) as judge:
+        grades = grade(submissions, judge)
+    write_files(out, grades, wanted)
+    if arguments.json:
+        for one in grades:
+            say(json.dumps(one, ensure_ascii=True))
+    else:
+        for line in table(grades, named):
+            say(line)
+        warn(f"{printable(str(out / 'grades.csv'))} and grades.json say more")
+    failed = [(one["student"], result) for one in grades for result in one["results"] if result["state"] == "failed"]
+    for student, result in failed[:5]:
+        warn(f"{student}, {result['exercise']}: {result['first_failure']}")
+    if failed:
+        raise Failure(f"{len(failed)} exercises could not be judged; the same command tries them again")
+    return 0
+
+
+def grade(submissions, judge: Judge) -> list[dict]:
+    submitted, grades, waiting = {}, {}, {}
+    with Progress("grading") as progress, ThreadPoolExecutor(min(os.cpu_count() or 1, 8)) as pool:
+        try:
+            for one in submissions:
+                grades[one.student] = {"student": one.student, "path": printable(str(one.path)), "error": None,
+                                       "results": [], "alike": []}
+                try:
+                    found = read(one, set(judge.names))
+                except Failure as failure:
+                    grades[one.student]["error"] = str(failure)
+                    continue
+                submitted[one.student] = {judge.names[name]: data for name, data in found.items()}
+                # Equal files are judged once; who else has it does not matter.
+                for exercise in judge.wanted:
+                    work = (exercise, submitted[one.student].get(exercise))
+                    if work not in waiting:
+                        waiting[work] = pool.submit(judge.verdict, *work)
+            for done, one in enumerate(submissions):
+                progress.show(done, len(submissions), one.student)
+                if one.student in submitted:
+                    grades[one.student]["results"] = [
+                        waiting[exercise, submitted[one.student].get(exercise)].result() for exercise in judge.wanted]
+            progress.show(len(submissions), len(submissions))
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            judge.stop()
+            raise
+    for a, b, what in alike(submitted, judge.starters):
+        grades[a]["alike"].append({"student": b, "what": what})
+        grades[b]["alike"].append({"student": a, "what": what})
+    for one in grades.values():
+        one["right"] = sum(result["ok"] for result in one["results"])
+        one["of"] = len(judge.wanted)
+    return list(grades.values())
+
+
+def write_files(out: Path, grades: list[dict], wanted: dict[str, str]):
+    write_atomically(out / "grades.json", json.dumps(grades, indent=1, ensure_ascii=True) + "\n")
+    text = io.StringIO()
+    rows = csv.writer(text, quoting=csv.QUOTE_ALL)
+    rows.writerow(["student", "right", "of", *wanted, "error", "alike"])
+    for one in grades:
+        marks = {result["exercise"]: "?" if result["state"] == "undecided" else int(result["ok"]) for result in one["results"]}
+        same = "; ".join(f"{other['student']}: {other['what']}" for other in one["alike"][:MOST_NAMES])
+        rows.writerow([cell(one["student"]), one["right"], one["of"], *[marks.get(name, 0) for name in wanted],
+                       cell(one["error"] or ""), cell(same)])
+    write_atomically(out / "grades.csv", text.getvalue())
+
+
+def table(grades: list[dict], named: list[str]) -> list[str]:
+    """A line for each student: how many are right, by chapter, and what is to be said."""
+    width = min(max([7, *[len(one["student"]) for one in grades]]), 40)
+    lines = [f"{'student':{width}}  right  " + " ".join(f"{chapter[:2]:>5}" for chapter in named)]
+    for one in grades:
+        counts = []
+        for chapter in named:
+            results = [result for result in one["results"] if result["chapter"] == chapter]
+            counts.append(f"{sum(result['ok'] for result in results)}/{len(results)}" if results else "-")
+        said = one["error"] or ("" if any(result["state"] in ("judged", "undecided") for result in one["results"]) else
+                                "nothing was changed")
+        lines.append(f"{printable(one['student'], width):{width}}  {one['right']:3}/{one['of']:<2} " +
+                     " ".join(f"{count:>5}" for count in counts) + (f"  {said}" if said else ""))
+    undrawn = [f"look at: {printable(one['student'])}, {result['exercise']}, which has no mark yet: {result['first_failure']}"
+               for one in grades for result in one["results"] if result["state"] == "undecided"]
+    return lines + undrawn + [f"alike: {line}" for line in groups(grades)]
+
+
+def groups(grades: list[dict]) -> list[str]:
+    """Who is alike, each group once."""
+    lines, seen = [], set()
+    pairs = {one["student"]: {other["student"]: other["what"] for other in one["alike"]} for one in grades}
+    for first in pairs:
+        group, waiting = [], [first] if pairs[first] and first not in seen else []
+        while waiting:
+            student = waiting.pop()
+            if student not in seen:
+                seen.add(student)
+                group.append(student)
+                waiting += pairs[student]
+        if group:
+            group.sort()
+            more = f" and {len(group) - MOST_NAMES} more" if len(group) > MOST_NAMES else ""
+            what = pairs[group[0]].get(group[1]) if len(group) == 2 else "grades.json says what"
+            lines.append(f"{', '.join(group[:MOST_NAMES])}{more}: {what}")
+    return lines

@@ -1,0 +1,158 @@
+"""Copies the course without its solutions, for students."""
+
+import json
+import os
+import platform
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from build.build import configure, is_configured
+from progress import Progress
+from tree import BUILD, ROOT, Failure, UsageError, chapters, exercises, files, git, say, warn
+
+HELP = """Copies the course to a new FOLDER without the solutions: what students are given.
+
+The copy has the lessons, starters, checks and goldens, and no history. ./course run, check and test work in it; a test
+that needs a reference to draw with is not in it. Only files that git knows are handed out, and of the exercises what was
+committed: your own answers stay here.
+
+What would give answers away (the checks and what they measure against) is compiled: the students' machines need the
+same kind of processor and the same release of the system as this one. --sources hands it out as it is."""
+
+# Compiled on this machine, as an object beside where the source was.
+COMPILED = ("tests/*/checks_*.cpp", "chapters/01_obj/scan.cpp", "chapters/01_obj/load_bench.cpp",
+            "chapters/07_mipmaps/level_view.cpp", "chapters/07_mipmaps/texels.cpp",
+            "chapters/09_post_effects/white_point.cpp")
+# Not handed out: what the above includes, what tests those (and whatever test includes it), and answers with their verdicts.
+LEFT_OUT = ("chapters/*/*truth.h", "tests/*/variants/*", "tests/*/test_stability.cpp", "tests/01_obj/test_exercises.cpp",
+            "tests/01_obj/test_floats.cpp", "tests/01_obj/test_loaders.cpp", "tests/common/*grad*.py",
+            "tests/common/hostile.py")
+
+
+def add_arguments(parser):
+    parser.add_argument("folder", metavar="FOLDER", type=Path)
+    parser.add_argument("--sources", action="store_true", help="the checks as sources, answers and all")
+
+
+def run(arguments, _rest) -> int:
+    folder = arguments.folder.absolute()
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise UsageError(f"{arguments.folder} exists; name a folder that does not")
+    if folder.resolve().is_relative_to(ROOT):
+        raise UsageError(f"{arguments.folder} lies in the course itself; name a folder outside of it")
+    contents = what_is_handed_out(arguments.sources)
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        beside = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", dir=folder.parent))
+    except OSError as error:
+        raise UsageError(f"{arguments.folder} cannot be written: {error.strerror}") from None
+    try:
+        for name, source in contents.items():
+            (beside / name).parent.mkdir(parents=True, exist_ok=True)
+            if isinstance(source, bytes):
+                (beside / name).write_bytes(source)
+            else:
+                shutil.copy2(source, beside / name, follow_symlinks=False)
+        beside.chmod(0o755)
+        os.replace(beside, folder)  # an empty folder there is replaced
+    except BaseException:
+        shutil.rmtree(beside, ignore_errors=True)
+        raise
+    count = sum(len(exercises(chapter)) for chapter in chapters())
+    say(f"{arguments.folder}: {len(contents)} files, {count} exercises, no solutions")
+    return 0
+
+
+def what_is_handed_out(sources: bool) -> dict[Path, Path | bytes]:
+    """Each file, by its place in the copy: where it is copied from, or what it holds."""
+    names = [name for name in tracked() if "solution" not in name.parts[:-1]]
+    contents = {name: ROOT / name for name in names}
+    for name, starter in starters(names).items():
+        contents[name] = starter
+    if sources:
+        return contents
+    hidden = [name for name in names if any(name.match(pattern) for pattern in COMPILED)]
+    for name, compiled in objects(hidden).items():
+        del contents[name]
+        contents[name.with_suffix(".o")] = compiled
+    left_out = {name for name in contents if any(name.match(pattern) for pattern in LEFT_OUT)}
+    left_out |= tests_that_include(left_out, contents)
+    contents = {name: source for name, source in contents.items() if name not in left_out}
+    return contents | ({Path("compiled_for"): f"{platform.machine()}\n".encode()} if hidden else {})
+
+
+def tests_that_include(left_out: set[Path], contents) -> set[Path]:
+    """Tests that would not compile without what is left out, nor without one of these."""
+    found = set()
+    while more := {name for name in contents if name.parts[0] == "tests" and name.suffix in (".cpp", ".h")
+                   and name not in left_out | found
+                   and any(meant_by(name, one) & (left_out | found) for one in includes((ROOT / name).read_text()))}:
+        found |= more
+    return found
+
+
+def includes(text: str) -> list[str]:
+    return re.findall(r'^\s*#\s*include\s*"([^"]+)"', text, re.M)
+
+
+def meant_by(name: Path, include: str) -> set[Path]:
+    """The files of the course that a file may mean by what it includes."""
+    return {Path(os.path.normpath(folder / include))
+            for folder in (name.parent, *map(Path, ("chapters", "tests", "shaders", ".")))}
+
+
+def tracked() -> list[Path]:
+    if not (ROOT / ".git").exists():
+        warn("without git's history all files are handed out, and the exercises as they stand")
+        return files()
+    listed = os.fsdecode(git("ls-files", "-z", "--cached")).split("\0")
+    return sorted(Path(name) for name in listed if name and (ROOT / name).is_file())
+
+
+def starters(names: list[Path]) -> dict[Path, bytes]:
+    """The exercises as they were committed. Says which of them differ here."""
+    if not (ROOT / ".git").exists():
+        return {}
+    found = {name: git("show", f"HEAD:{name.as_posix()}") for name in names
+             if "exercise" in name.parts[:-1] and git("ls-tree", "HEAD", "--", name.as_posix())}
+    for name, starter in found.items():
+        if (ROOT / name).read_bytes() != starter:
+            warn(f"{name}: handed out as committed, not as it stands here")
+    return found
+
+
+def objects(names: list[Path]) -> dict[Path, bytes]:
+    """What each source compiles to in a tree without solutions, without names of this machine."""
+    if not names:
+        return {}
+    if not is_configured(BUILD):
+        configure("default", BUILD)
+    commands = {entry["file"]: entry for entry in json.loads((BUILD / "compile_commands.json").read_text())}
+    with tempfile.TemporaryDirectory() as made, Progress("compiling the checks") as progress, \
+            ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = {}
+        for name, compiled in zip(names, pool.map(lambda name: compile_one(commands[str(ROOT / name)], Path(made)), names)):
+            found[name] = compiled
+            progress.show(len(found), len(names), str(name))
+    return found
+
+
+def compile_one(entry: dict, folder: Path) -> bytes:
+    words = shlex.split(entry["command"])
+    compiled = folder / entry["file"].strip("/").replace("/", ".")
+    words[words.index("-o") + 1] = str(compiled)
+    for word in [word for word in words if "cmake_pch" in word]:  # compiled for a tree with solutions
+        words.remove(word)
+    words = [word for word in words if word not in ("-include", "-Winvalid-pch")]
+    prefix = f"-ffile-prefix-map={ROOT}=."
+    for command in ([*words, "-DLIGHTWALK_NO_SOLUTION", "-g0", prefix], ["strip", "--strip-unneeded", compiled]):
+        done = subprocess.run(command, cwd=entry["directory"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, errors="replace")
+        if done.returncode:
+            raise Failure(f"{entry['file']} could not be compiled for the handout: {done.stdout.strip()}")
+    return compiled.read_bytes()

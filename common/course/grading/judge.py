@@ -1,0 +1,295 @@
+"""Judges one exercise of a submission: compiles it and runs it in a sandbox, and compares outside.
+
+A student's C++ becomes a process of its own, serve_NN (common/judge/serve.h), in a sandbox that holds neither a check nor
+a reference nor the truth. judge_NN, this chapter's checks, asks it for one value after the other and decides; each
+question has a number that the answer must repeat. A student's GLSL is data that judge_NN compiles and runs, in a sandbox
+from which that exercise's reference is missing. The random inputs of the checks are shifted by a seed that is drawn for
+the class, and judge_NN's own line is known by a word that is drawn for the run.
+"""
+
+import contextlib
+import hashlib
+import json
+import os
+import re
+import secrets
+import shlex
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from build.build import build
+from check.glsl_answer import Refused, plain
+from grading import sandbox
+from grading.handout import starters
+from grading.judge_picture import DriverEnded, Pictures
+from grading.judge_tree import copy_without_answers, library, objects
+from grading.sandbox import Limits, Mounts
+from grading.submission import printable
+from tree import BUILD, ROOT, Failure, exercises, write_atomically
+
+GIB = 1 << 30
+JUDGE_S = 60  # of a whole check, on a busy machine; a call that does not return is found before
+CALL_S = 5  # of one call
+COMPILER = Limits(3 * GIB, 30, processes=True)
+WORDS_MOST = 600
+NOT_DRAWN = "its numbers are right, and there is no picture"
+
+
+def targets(chapters: list[str]) -> list[str]:
+    """What judging these chapters takes of the build."""
+    return ["serve_main", *[f"{side}_{chapter}" for side in ("judge", "serve") for chapter in chapters]]
+
+
+def parts(chapter: str) -> list[Path]:
+    """What a student's object is linked with, but for the library. It comes before it: of a function that several objects
+    have, the first one's is taken."""
+    return [*objects("serve_main"), *objects(f"serve_{chapter}")]
+
+
+class Judge:
+    """What is the same for all students. Raises Failure where nothing can be contained here."""
+
+    def __init__(self, wanted: dict[str, str], call_s: int = CALL_S, pictures: bool = True):
+        self.wanted, self.call_s = wanted, call_s  # chapter by exercise
+        self.chapters = sorted(set(wanted.values()))
+        sandbox.require()
+        build(targets(self.chapters))
+        self.folder = BUILD / "grade"
+        self.verdicts = self.folder / "verdicts"
+        self.paths = {name: path for chapter in self.chapters for name, path in exercises(chapter).items()}
+        self.names = {str(path.relative_to(ROOT)): name for name, path in self.paths.items()}
+        committed = starters([path.relative_to(ROOT) for path in self.paths.values()])
+        self.starters = {name: committed.get(path.relative_to(ROOT), path.read_bytes())
+                         for name, path in self.paths.items()}
+        commands = json.loads((BUILD / "compile_commands.json").read_text())
+        self.commands = {entry["file"]: shlex.split(entry["command"]) for entry in commands}
+        self.seed = self.draw_seed()
+        self.versions = {chapter: self.version(chapter, pictures) for chapter in self.chapters}
+        self.pictures = Pictures(wanted, self.versions) if pictures else None
+        self.kept = contextlib.ExitStack()
+        self.running, self.stopped = set(), False
+
+    def __enter__(self):
+        # What is copied and drawn here is read by whom root becomes in the sandbox.
+        self.kept.callback(os.umask, os.umask(0o022))
+        self.tree = Path(self.kept.enter_context(tempfile.TemporaryDirectory(prefix="lightwalk.grade.")))
+        sandbox.require_readable([BUILD / "liblightwalk.so", *[self.folder / f"judge_{name}" for name in self.chapters]])
+        copy_without_answers(self.tree, {path: self.starters[name] for name, path in self.paths.items()})
+        self.libraries = {chapter: library(self.tree, chapter) for chapter in self.chapters
+                          if (BUILD / f"libchapter_{chapter}.a").exists()}
+        return self
+
+    def __exit__(self, *_):
+        self.kept.close()
+
+    def stop(self):
+        """Ends what runs in sandboxes now, and starts no more."""
+        self.stopped = True
+        for one in list(self.running):
+            one.kill()
+
+    @contextlib.contextmanager
+    def started(self, *arguments, **options):
+        if self.stopped:
+            raise Failure("grading was stopped")
+        running = sandbox.Running(*arguments, **options)
+        self.running.add(running)
+        try:
+            if self.stopped:  # just now
+                running.kill()
+            yield running
+        finally:
+            self.running.discard(running)
+            running.close()
+
+    def draw_seed(self) -> int:
+        """Drawn once for a class: with another one results would be another's."""
+        path = self.folder / "seed"
+        if not path.exists():
+            write_atomically(path, f"{1 + secrets.randbelow(1 << 31)}\n")
+            path.chmod(0o600)
+        return int(path.read_text())
+
+    def version(self, chapter: str, with_pictures: bool) -> str:
+        """Changes with whatever a verdict of this chapter depends on, but for the submission."""
+        paths = [self.folder / f"judge_{chapter}", BUILD / "liblightwalk.so", *sorted((ROOT / "common/course").rglob("*.py")),
+                 *sorted((ROOT / "shaders").rglob("*.*")), *sorted(objects(f"serve_{chapter}"))]
+        stats = [(str(path), path.stat().st_size, path.stat().st_mtime_ns) for path in paths]
+        return hashlib.sha256(repr((stats, self.seed, self.call_s, with_pictures)).encode()).hexdigest()
+
+    def verdict(self, exercise: str, data: bytes | None) -> dict:
+        """What is to be said of one file; known ones are not run again. Whatever goes wrong is this file's."""
+        base = {"exercise": exercise, "chapter": self.wanted[exercise], "ok": False, "passed": 0, "failed": 0,
+                "first_failure": None, "hint": None, "state": "judged"}
+        if data is None or same_text(data, self.starters[exercise]):
+            return base | {"state": "missing" if data is None else "unchanged",
+                           "first_failure": "was not handed in" if data is None else "is as it was handed out"}
+        key = hashlib.sha256(f"{self.versions[base['chapter']]} {exercise} ".encode() + data).hexdigest()
+        kept = self.verdicts / f"{key}.json"
+        try:
+            return base | json.loads(kept.read_text())
+        except (OSError, ValueError):
+            pass
+        try:
+            found = self.judge(exercise, data)
+            if found.get("killed"):  # by whom is not known: perhaps the machine had no memory left
+                found = self.judge(exercise, data)
+            # With these inputs the reference itself may lie beside a bound.
+            if not found["ok"] and found.get("state") != "undecided" and not self.reference_is_right(exercise):
+                found = self.judge(exercise, data, seed=0)
+            if self.stopped:  # what was ended says nothing
+                raise Failure("grading was stopped")
+        except Exception as error:  # this machine's fault, or ours: not kept, said at the end, and no other student's
+            said = clean(str(error) if isinstance(error, (Failure, OSError)) else repr(error))
+            return base | {"state": "failed", "first_failure": f"could not be judged: {said}"}
+        found = {name: clean(value) for name, value in found.items()
+                 if name in ("ok", "passed", "failed", "first_failure", "hint", "note", "state")}
+        write_atomically(kept, json.dumps(found))
+        return base | found
+
+    def reference_is_right(self, exercise: str) -> bool:
+        chapter = self.wanted[exercise]
+        kept = self.verdicts / f"{self.versions[chapter][:32]}.{exercise}"
+        if not kept.exists():
+            done = subprocess.run([self.folder / f"judge_{chapter}", "--exercise", exercise, "--use", "solution"],
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                                  env=os.environ | {"LIGHTWALK_CHECK_SEED": str(self.seed)})
+            # Of a trial the reference has no process to run in.
+            write_atomically(kept, "right" if done.returncode == 0 or b"no process to ask" in done.stdout else "wrong")
+        return kept.read_text() == "right"
+
+    def judge(self, exercise: str, data: bytes, seed: int | None = None) -> dict:
+        with tempfile.TemporaryDirectory(prefix="lightwalk.grade.") as made:
+            source = Path(made) / self.paths[exercise].name
+            try:
+                source.write_bytes(plain(data, self.paths[exercise]).encode() if source.suffix == ".glsl" else data)
+            except Refused as why:
+                return {"ok": False, "first_failure": str(why)}
+            found = self.numbers(exercise, source, self.seed if seed is None else seed)
+            if found["ok"] and self.pictures:
+                try:
+                    why = self.pictures.wrong(exercise, source, self)
+                except DriverEnded as shots:
+                    return found | {"ok": False, "state": "undecided", "first_failure":
+                                    f"{NOT_DRAWN} of {shots}, with which the driver crashed",
+                                    "hint": "every number that was tried is right: whoever grades looks at the source"}
+                if why:
+                    found |= {"ok": False, "failed": found["failed"] + 1, "first_failure": why,
+                              "hint": "every number that was tried is right, so look for an input that only the picture has"}
+                elif why is not None:
+                    found["passed"] += 1
+            return found
+
+    def numbers(self, exercise: str, source: Path, seed: int) -> dict:
+        """The checks' verdict on a source that is alone in its folder."""
+        if source.suffix == ".glsl":
+            return self.decide(exercise, seed, source)
+        if why := self.compile(exercise, source):
+            return {"ok": False, "first_failure": why}
+        ends = [*os.pipe(), *os.pipe()]  # questions: read, write; answers: read, write
+        with self.started(["/grade/worker", ends[0], ends[3]], self.worker_mounts(source.parent),
+                          Limits((6 if self.has_trial(exercise) else 2) * GIB, JUDGE_S + 5),
+                          {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_CALL_LIMIT_S": self.call_s},
+                          pass_fds=(ends[0], ends[3]), out=False):
+            return self.decide(exercise, seed, None, worker=(ends[1], ends[2]), ours=ends)
+
+    def library(self, chapter: str) -> list[Path]:
+        return [self.libraries[chapter]] if chapter in self.libraries else []
+
+    def has_trial(self, exercise: str) -> bool:
+        path = ROOT / "tests" / self.wanted[exercise] / "trials.h"
+        return path.exists() and f'"{exercise}"' in path.read_text()
+
+    def compile(self, exercise: str, source: Path) -> str:
+        """Makes `worker` beside the source; what the compiler says against it."""
+        chapter, place = self.wanted[exercise], self.paths[exercise]
+        words = list(self.commands[str(place)])
+        words[words.index("-o") + 1] = "/grade/student.o"
+        header = next(word for word in words if word.endswith("cmake_pch.hxx"))
+        link = [words[0], *(["-fuse-ld=mold"] if shutil.which("mold") else []), "-o", "/grade/worker",
+                *parts(chapter), "/grade/student.o", *self.library(chapter), f"-L{BUILD}", "-llightwalk", "-lfmt",
+                f"-Wl,-rpath,{BUILD}", "-Wl,--warn-unresolved-symbols"]
+        script = f"{shlex.join([*words, '-DLIGHTWALK_NO_SOLUTION', '-g0'])} && {shlex.join(map(str, link))}"
+        mounts = self.mounts()
+        for path in (BUILD / "visible", header, f"{header}.gch", *parts(chapter), *self.library(chapter)):
+            mounts.read(path)
+        mounts.read(source, place)
+        mounts.write(source.parent, Path("/grade"))
+        with self.started(["/bin/sh", "-c", script], mounts, COMPILER) as running:
+            done = running.finish()
+        name = str(place.relative_to(ROOT))
+        if done.late or done.long:
+            return "it does not compile: the compiler " + ("did not end" if done.late else "complains without an end")
+        lines = done.out.replace(f"{ROOT}/", "").splitlines()
+        # What is not there cannot be called: a reference, the truth, a main of its own.
+        missing = [re.sub(r"^.*undefined (?:symbol|reference to)[: ]*", "", line) for i, line in enumerate(lines)
+                   if "undefined" in line and "student.o" in "".join(lines[max(i - 1, 0):i + 3])]
+        if missing:
+            return f"it does not link: there is no {missing[0]}"
+        if done.code:
+            errors = [line for line in lines if "error" in line]
+            what = errors[0] if errors else lines[-1] if lines else f"the compiler ended with {done.code}, without a word"
+            if any(line.startswith(("mold:", "/usr/bin/ld:", "collect2:")) for line in lines):
+                return f"it does not link: {what}"
+            return f"it does not compile: {name + what.partition(name)[2] if name in what else what}"
+        return ""
+
+    def mounts(self) -> Mounts:
+        """The tree without answers, at its usual place, and the library that all programs share."""
+        mounts = Mounts()
+        for name in ("chapters", "common", "shaders", "tests"):
+            mounts.read(self.tree / name, ROOT / name)
+        mounts.read(BUILD / "liblightwalk.so")
+        return mounts
+
+    def worker_mounts(self, folder: Path) -> Mounts:
+        mounts = self.mounts()
+        mounts.read(folder / "worker", Path("/grade/worker"))
+        return mounts
+
+    def judge_mounts(self, exercise: str, source: Path | None) -> Mounts:
+        mounts = self.mounts()
+        mounts.read(self.folder / f"judge_{self.wanted[exercise]}", Path("/grade/judge"))
+        self.mount_references(mounts, exercise)
+        if source:
+            mounts.read(source, self.paths[exercise])
+        return mounts
+
+    def mount_references(self, mounts: Mounts, exercise: str):
+        """Of all GLSL exercises but this one, which others may include."""
+        for folder in sorted((ROOT / "shaders").glob("*/solution")):
+            mounts.empty(folder)
+            for path in folder.glob("*.glsl"):
+                if f"{folder.parent.name[:2]}.{path.stem}" != exercise:
+                    mounts.read(path)
+
+    def decide(self, exercise: str, seed: int, source: Path | None, worker=(), ours=()) -> dict:
+        """Runs the checks, on a shader or on a process that answers, and reads their verdict."""
+        nonce = secrets.token_hex(16)
+        environment = {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_NONCE": nonce,
+                       "LIGHTWALK_CHECK_SEED": seed, "LIGHTWALK_CALL_LIMIT_S": self.call_s, "LIGHTWALK_WORKER": ",".join(map(str, worker))}
+        with self.started(["/grade/judge", "--exercise", exercise], self.judge_mounts(exercise, source),
+                          Limits(6 * GIB, JUDGE_S), environment, pass_fds=worker) as running:
+            for end in ours:  # so that each side sees the other's end
+                os.close(end)
+            done = running.finish()
+        if done.late:
+            return {"ok": False, "first_failure": f"its check did not end within {JUDGE_S} s"}
+        for line in done.out.splitlines():
+            with contextlib.suppress(ValueError, RecursionError):
+                found = json.loads(line)
+                if isinstance(found, dict) and found.get("nonce") == nonce and found.get("exercise") == exercise:
+                    return found | {"ok": found.get("ok") is True and done.code == 0}
+        return {"ok": False, "first_failure": f"its check ended with {done.code}: {done.said()}", "killed": done.code == 137}
+
+
+def clean(value):
+    """A word for a table: one line, no control characters, not too long."""
+    return printable(value, WORDS_MOST) if isinstance(value, str) else value
+
+
+def same_text(a: bytes, b: bytes) -> bool:
+    """But for line ends, and for spaces at them."""
+    return [line.rstrip() for line in a.splitlines()] == [line.rstrip() for line in b.splitlines()]

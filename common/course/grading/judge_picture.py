@@ -1,0 +1,178 @@
+"""Judges the picture of an exercise whose numbers are right: a shot that names it, small.
+
+The reference's picture is drawn outside, once for a class. The student's version of this one exercise is drawn in a
+sandbox, with the references of all others, and without its own: a GLSL file is not there, and in C++ the chapter's program
+is linked anew with the student's object, in which the name of the reference means the student's function. What comes out
+is a PNG, which is compared in a sandbox as well: whoever wrote it may have written what no reader expects. It comes out
+through one open file, so that a student's code has no folder of this machine to fill.
+"""
+
+import contextlib
+import functools
+import json
+import re
+import shlex
+import signal
+import subprocess
+import threading
+import time
+from pathlib import Path
+
+from build.build import build
+from check.check import PICTURE_LIMITS
+from grading import sandbox
+from grading.sandbox import Limits, Mounts
+from shots.golden import exceeded, unfit
+from shots.rendering import render
+from tree import BUILD, ROOT, Failure, chapter_program, shots, write_atomically
+
+SIZE = "480x270"
+GIB = 1 << 30
+DRAWING = Limits(6 * GIB, 60)
+PASS_S = 20  # of one pass of a frame, on a busy machine
+COMPARING = Limits(2 * GIB, 20)
+MOST_PICTURE_BYTES = 16 << 20
+
+
+class DriverEnded(Exception):
+    """The driver crashed with every shot that shows the exercise; this names them. One that is right has done that to it:
+    Mesa 22.3 does not survive some loops in which one uniform decides twice where they end. One that is wrong can do so
+    on purpose, to be seen in no picture."""
+
+
+class Pictures:
+    """What is the same for all students. `version` is a word by chapter that changes with what pictures depend on."""
+
+    def __init__(self, wanted: dict[str, str], versions: dict[str, str]):
+        self.wanted, self.versions = wanted, versions
+        named = sorted(set(wanted.values()))
+        build([*named, "compare"])
+        self.shots = {exercise: [shot["name"] for shot in shots(chapter) if exercise in shot.get("exercises", [])]
+                      for exercise, chapter in wanted.items()}
+        self.links = {chapter: link_command(chapter) for chapter in named}
+        self.locks = {chapter: threading.Lock() for chapter in named}
+
+    def references(self, exercise: str) -> list[tuple[str, Path]]:
+        """The shots that show the exercise, the one first that is drawn in the least time, and their pictures, drawn
+        outside when they are first asked for."""
+        chapter = self.wanted[exercise]
+        folder = BUILD / "grade" / "pictures" / f"{chapter}.{self.versions[chapter][:16]}"
+        with self.locks[chapter]:
+            times_s = {}
+            for name in self.shots[exercise]:
+                picture, took = folder / f"{name}.png", folder / f"{name}.seconds"
+                if not took.exists():
+                    start_s = time.monotonic()
+                    render(chapter, ["--shot", name, "--size", SIZE], picture)
+                    write_atomically(took, f"{time.monotonic() - start_s:.3f}\n")
+                times_s[name] = float(took.read_text())
+        return [(name, folder / f"{name}.png") for name in sorted(times_s, key=times_s.get)]
+
+    def wrong(self, exercise: str, source: Path, judge) -> str | None:
+        """What is wrong with the picture; empty where nothing is, None where there is none. The source is alone in its
+        folder. Raises DriverEnded."""
+        program = chapter_program(self.wanted[exercise])
+        references, crashed = self.references(exercise), []
+        if source.suffix == ".cpp" and references:
+            if why := self.link(exercise, source.parent, judge):
+                return why
+            program = source.parent / "program"
+        for name, expected in references:
+            try:
+                why = self.drawn_wrong(exercise, source, program, name, expected, judge)
+            except DriverEnded:
+                crashed.append(name)
+                continue
+            return why and f"the numbers are right, the picture of {name} is not: {why}"
+        if crashed:
+            raise DriverEnded(", ".join(crashed))
+        return None
+
+    def drawn_wrong(self, exercise: str, source: Path, program: Path, shot: str, expected: Path, judge) -> str:
+        """What is wrong with one shot; empty for nothing. Raises DriverEnded."""
+        picture = source.parent / f"{shot}.png"
+        with picture.open("x+b") as out:
+            with judge.started(["/grade/program", "--shot", shot, "--size", SIZE, "--use",
+                                f"solution,{exercise}=exercise", "--screenshot", f"/dev/fd/{out.fileno()}"],
+                               self.drawing_mounts(exercise, source, program, judge), DRAWING,
+                               {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_TIMEOUT_S": PASS_S},
+                               pass_fds=(out.fileno(),)) as running:
+                done = running.finish()
+        if done.late:
+            return f"it was not drawn within {DRAWING.wall_s:g} s"
+        if done.code == 128 + signal.SIGSEGV and source.suffix == ".glsl":
+            raise DriverEnded(shot)
+        if done.code:
+            return done.said()
+        if not 0 < picture.stat().st_size < MOST_PICTURE_BYTES:
+            return "no picture came out"
+        return self.compare(expected, picture, judge)
+
+    def drawing_mounts(self, exercise: str, source: Path, program: Path, judge) -> Mounts:
+        mounts = judge.mounts()
+        for name in ("assets", "docs"):
+            if (ROOT / name).exists():
+                mounts.read(ROOT / name)
+        mounts.read(program, Path("/grade/program"))
+        for chapter in sorted({path.parent.name for path in (ROOT / "tests").glob("*/shots.json")}):
+            mounts.empty(ROOT / "tests" / chapter)
+            mounts.read(ROOT / "tests" / chapter / "shots.json")
+            for name in ("scenes", "data"):
+                if (ROOT / "tests" / chapter / name).is_dir():
+                    mounts.read(ROOT / "tests" / chapter / name)
+        judge.mount_references(mounts, exercise)
+        if source.suffix == ".glsl":
+            mounts.read(source, judge.paths[exercise])
+        if (BUILD / "shader_cache").is_dir():
+            mounts.read(BUILD / "shader_cache")
+        return mounts
+
+    def link(self, exercise: str, folder: Path, judge) -> str:
+        """Makes `program` beside the student's object; why that is not possible."""
+        chapter, place = self.wanted[exercise], str(judge.paths[exercise].relative_to(ROOT))
+        words = list(self.links[chapter])
+        its = next(i for i, word in enumerate(words) if word.endswith(f"/{place}.o"))
+        words[its] = "/grade/student.o"
+        words[words.index("-o") + 1] = "/grade/program"
+        said = subprocess.run(["nm", folder / "student.o"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                              errors="replace").stdout
+        for name in set(re.findall(r" [TW] (_ZN9lightwalk8exercise\w+)$", said, re.M)):
+            words.append(f"-Wl,--defsym={name.replace('8exercise', '8solution', 1)}={name}")
+        mounts = judge.mounts()
+        for name in ("CMakeFiles", *[path.name for path in BUILD.glob("lib*.a")]):
+            mounts.read(BUILD / name)
+        mounts.write(folder, Path("/grade"))
+        script = f"cd {shlex.quote(str(BUILD))} && {shlex.join(words)}"
+        with judge.started(["/bin/sh", "-c", script], mounts, Limits(3 * GIB, 30, processes=True)) as running:
+            done = running.finish()
+        return f"it does not link into the chapter's program: {done.said()}" if done.code else ""
+
+    def compare(self, expected: Path, actual: Path, judge) -> str:
+        mounts = Mounts()
+        mounts.read(BUILD / "liblightwalk.so")
+        mounts.read(BUILD / "compare", Path("/grade/compare"))
+        mounts.read(expected, Path("/grade/expected.png"))
+        mounts.read(actual, Path("/grade/actual.png"))
+        with judge.started(["/grade/compare", "/grade/expected.png", "/grade/actual.png", "--json"], mounts,
+                           COMPARING) as running:
+            done = running.finish()
+        with contextlib.suppress(ValueError, KeyError, TypeError, RecursionError):
+            metrics = json.loads(done.out)
+            if wrong := unfit(metrics):
+                return wrong[0]
+            if not exceeded(metrics, PICTURE_LIMITS):
+                return ""
+            most = metrics["max_diff"]
+            return f"{most['pixels']} pixels differ from the reference's, most the one at ({most['x']}, {most['y']})"
+        return f"it cannot be compared: {done.said()}"
+
+
+@functools.cache
+def link_command(chapter: str) -> list[str]:
+    """How ninja links the chapter's program, in the build folder."""
+    done = subprocess.run(["ninja", "-C", BUILD, "-t", "commands", f"chapters/{chapter}"], stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True)
+    lines = done.stdout.strip().splitlines()
+    if done.returncode or not lines:
+        raise Failure(f"ninja does not say how {chapter} is linked")
+    return shlex.split(lines[-1].removeprefix(": && ").removesuffix(" && :"))

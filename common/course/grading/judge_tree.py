@@ -1,0 +1,70 @@
+"""What of the course a student's code may see while it is judged: what the handout has as source."""
+
+import functools
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+from pathlib import Path
+
+from grading.handout import COMPILED, LEFT_OUT
+from tree import BUILD, ROOT, files
+
+
+def library(folder: Path, chapter: str) -> Path:
+    """The objects of a chapter and the earlier ones that have neither references nor the truth in them."""
+    path = folder / f"lib{chapter}.a"
+    members = []
+    for name in [name for name in sorted(os.listdir(ROOT / "chapters")) if name <= chapter]:
+        members += [one for one in objects(f"chapter_{name}") if not is_answer(one)]
+    said = subprocess.run(["nm", "-A", "-C", *members], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                          errors="replace").stdout
+    telling = {line.partition(".o:")[0] + ".o" for line in said.splitlines()
+               if "lightwalk::truth::" in line or re.search(r" [TWVDBR] lightwalk::solution::", line)}
+    members = [one for one in members if str(one) not in telling]
+    subprocess.run(["ar", "rc", path, *members], check=True, stdout=subprocess.DEVNULL)
+    return path
+
+
+@functools.cache
+def object_files() -> list[Path]:
+    """All that the build compiles to: what an earlier build has left lies there, too."""
+    found = []
+    for entry in json.loads((BUILD / "compile_commands.json").read_text()):
+        words = shlex.split(entry["command"])
+        found.append(Path(entry["directory"]) / words[words.index("-o") + 1])
+    return sorted(found)
+
+
+def objects(target: str) -> list[Path]:
+    """The object files of a target of the build."""
+    folder = BUILD / "CMakeFiles" / f"{target}.dir"
+    return [path for path in object_files() if path.is_relative_to(folder)]
+
+
+def is_answer(compiled: Path) -> bool:
+    """Whether an object is of a reference, or of what the handout has without its source."""
+    name = str(compiled).partition(".dir/")[2].removesuffix(".o")
+    return "/solution/" in name or "/exercise/" in name or any(Path(name).match(pattern) for pattern in COMPILED)
+
+
+def copy_without_answers(to: Path, starters: dict[Path, bytes]):
+    """The headers and shaders that a student's file may include, and an empty place for each reference."""
+    kept = {".h", ".glsl", ".vert", ".frag", ".geom", ".comp"}
+    for name in files():
+        if name.parts[0] not in ("chapters", "common", "shaders", "tests") or name.suffix not in kept:
+            continue
+        if "solution" in name.parts:
+            (to / name.parent).mkdir(parents=True, exist_ok=True)
+        elif (name.parts[0] != "tests" or name.parts[1] == "common") and \
+                not any(name.match(pattern) for pattern in LEFT_OUT):
+            (to / name.parent).mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(ROOT / name, to / name)
+    for folder in (ROOT / "tests").iterdir():
+        (to / "tests" / folder.name).mkdir(parents=True, exist_ok=True)
+    for path, starter in starters.items():
+        place = to / path.relative_to(ROOT)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.write_bytes(starter)

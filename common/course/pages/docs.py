@@ -1,0 +1,196 @@
+"""Makes the lessons into pages that need no network: build/docs."""
+
+import json
+import logging
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+from check.check import in_order
+from pages.page import TEMPLATES
+from pages.pages_markdown import Site, convert
+from tree import BUILD, ROOT, Failure, chapters, relative, say, shots, write_atomically
+
+ALONE = True
+HELP = """Makes the lessons into pages: build/docs/index.html.
+
+They open without a server and without a network. Formulas are set, code is coloured, and one can search.
+
+  ./course docs            make them
+  ./course docs --open     and show them"""
+KATEX = Path("/usr/share/javascript/katex")
+LATO = Path("/usr/share/fonts/truetype/lato")
+LANGUAGES = {".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
+OWN = Path(__file__).parent / "site"
+
+
+def add_arguments(parser):
+    parser.add_argument("--open", action="store_true", help="show them in the browser")
+
+
+def run(arguments, _rest) -> int:
+    start_s = time.monotonic()
+    index = BUILD / "docs" / "index.html"
+    count = make(index.parent)
+    say(f"{relative(index)}: {count} pages in {time.monotonic() - start_s:.1f} s")
+    if arguments.open:
+        show(index)
+    return 0
+
+
+def show(page: Path):
+    if not shutil.which("xdg-open"):
+        raise Failure(f"there is no xdg-open to show it with; open {page}")
+    if subprocess.run(["xdg-open", page], stdout=subprocess.DEVNULL).returncode:
+        raise Failure(f"xdg-open could not show {page}")
+
+
+def make(folder: Path) -> int:
+    """Writes the pages to a folder, which it replaces. Returns how many there are. The same tree gives the same bytes."""
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=".docs.", dir=folder.parent) as beside:
+        source, made = Path(beside, "source"), Path(beside, "made")
+        write_sources(source)
+        build_site(source, made)
+        finish(made)
+        if folder.exists():
+            folder.rename(Path(beside, "old"))
+        made.rename(folder)
+    return len(list(folder.rglob("*.html")))
+
+
+def write_sources(folder: Path):
+    """What mkdocs reads: texts, the pictures they show, the sources they name."""
+    site = Site()
+    lessons = [Path("docs") / f"{chapter}.md" for chapter in chapters()]
+    for text in [*lessons, Path("README.md"), Path("docs/study_format.md")]:
+        if (ROOT / text).exists():
+            site.target(text)
+    while site.waiting:
+        text = site.waiting.pop()
+        write_atomically(folder / site.texts[text], convert(site, text))
+    write_atomically(folder / "index.md", home(site))
+    for path, target in site.pictures.items():
+        (folder / target).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(ROOT / path, folder / target)
+    for path, target in site.sources.items():
+        write_atomically(folder / target, source_page(path))
+    assets = folder / "assets"
+    shutil.copytree(KATEX / "fonts", assets / "katex" / "fonts", ignore=shutil.ignore_patterns("*.ttf", "*.woff"))
+    for name in ("katex.min.css", "katex.min.js"):
+        shutil.copyfile(KATEX / name, assets / "katex" / name)
+    (assets / "fonts").mkdir()
+    for face in ("Regular", "Italic", "Bold", "BoldItalic"):
+        shutil.copyfile(LATO / f"Lato-{face}.ttf", assets / "fonts" / f"Lato-{face}.ttf")
+    for name in ("favicon.svg", "lesson.css", "lesson.js"):
+        shutil.copyfile(OWN / name, assets / name)
+
+
+def source_page(path: Path) -> str:
+    """A file that a text names, to read; of a folder, what is in it."""
+    head = f"---\nhide:\n  - toc\n---\n\n# {path}\n\n"
+    if (ROOT / path).is_dir():
+        return head + "\n".join(f"- `{one.name}`" for one in sorted((ROOT / path).iterdir())) + "\n"
+    language = "glsl" if path.parts[0] == "shaders" else LANGUAGES.get(path.suffix, "text")
+    text = (ROOT / path).read_text(encoding="utf-8", errors="replace")
+    fence = "`" * max([3, *(len(ticks) + 1 for ticks in re.findall(r"^`{3,}", text, re.M))])
+    return f"{head}{fence}{language}\n{text.rstrip()}\n{fence}\n"
+
+
+def title_and_teaser(chapter: str) -> tuple[str, str]:
+    """The lesson's first heading and its first paragraph, as plain text."""
+    lesson = ROOT / "docs" / f"{chapter}.md"
+    text = lesson.read_text(encoding="utf-8") if lesson.exists() else ""
+    found = re.match(r"# (.*)\n+((?:.+\n)*)", text)
+    title, teaser = found.groups() if found else (chapter, "")
+    return re.sub(r"^\d+ ", "", title), re.sub(r"\[([^\]]*)\]\([^)]*\)|[*`]", r"\1", teaser).replace("\n", " ").strip()
+
+
+def home(site: Site) -> str:
+    """The first page: a card for each chapter with its first picture."""
+    cards = []
+    for chapter in chapters():
+        lesson = Path("docs") / f"{chapter}.md"
+        if not (ROOT / lesson).exists():
+            continue
+        title, teaser = title_and_teaser(chapter)
+        goldens = [Path("tests") / chapter / "golden" / f"{shot['name']}.png" for shot in shots(chapter)]
+        first = next((golden for golden in goldens if (ROOT / golden).exists()), None)
+        cards.append({"number": chapter[:2], "page": site.target(lesson).with_suffix(".html"), "title": title,
+                      "teaser": teaser, "exercises": len(in_order(chapter)),
+                      "picture": site.target(first) if first else None})
+    picture = next((card["picture"] for card in reversed(cards) if card["picture"]), None)
+    return TEMPLATES.get_template("docs_home.jinja").render(cards=cards, picture=picture)
+
+
+def nav() -> list:
+    lessons = [{f"{chapter[:2]} {title_and_teaser(chapter)[0]}": f"{chapter}.md"} for chapter in chapters()
+               if (ROOT / "docs" / f"{chapter}.md").exists()]
+    return [{"Lightwalk": "index.md"}, {"Lessons": lessons},
+            {"Beside them": [{"How to use the course": "course.md"}, {"The study format": "study_format.md"}]}]
+
+
+def build_site(source: Path, made: Path):
+    """Runs mkdocs. Raises Failure with what it complains of."""
+    os.environ["SOURCE_DATE_EPOCH"] = "0"  # else today is in the pages
+    try:
+        from mkdocs.commands import build
+        from mkdocs.config import load_config
+        from mkdocs.exceptions import MkDocsException
+    except ImportError as error:
+        raise Failure(f"there is no {error.name}; the packages are in common/course/packages/docs") from None
+    complaints = []
+    logger = logging.getLogger("mkdocs")
+    logger.handlers, logger.propagate = [Complaints(complaints)], False
+    try:
+        build.build(load_config(str(OWN / "mkdocs.yml"), docs_dir=str(source), site_dir=str(made), nav=nav()))
+    except MkDocsException as error:
+        raise Failure("; ".join(complaints[:3]) or str(error)) from None
+
+
+def finish(made: Path):
+    """What a server would need goes; the search's index and worker become a script, which a page from a file may read."""
+    for name in ("404.html", "sitemap.xml", "sitemap.xml.gz"):
+        (made / name).unlink(missing_ok=True)
+    index = json.loads((made / "search" / "search_index.json").read_text(encoding="utf-8"))
+    index["docs"] = [entry | {"text": plain(entry["text"])} for entry in index["docs"]
+                     if not entry["location"].startswith(("source/", "studies/", "tree/"))]
+    worker = next((made / "assets" / "javascripts" / "workers").glob("search.*.js")).read_text(encoding="utf-8")
+    write_atomically(made / "assets" / "search.js",
+                     f"const worker = {script(worker)};\n"
+                     f"window.__search = {{index: Promise.resolve({script(index)}),\n"
+                     'worker: URL.createObjectURL(new Blob([worker], {type: "text/javascript"}))};\n')
+    shutil.rmtree(made / "search")
+    for chapter in chapters():
+        for exercise in in_order(chapter):
+            write_atomically(made / "open" / f"{exercise}.html", TEMPLATES.get_template("docs_open.html").render(
+                page=f"../{chapter}.html#{exercise}"))
+
+
+def plain(text: str) -> str:
+    """A text of the search's index with its formulas as one reads them aloud: letters and numbers."""
+    return re.sub(r"\\[(\[](.*?)\\[)\]]", lambda found: re.sub(r"\\[a-zA-Z]+|\\.|[{}]", "", found[1]).strip(), text,
+                  flags=re.S)
+
+
+def script(value) -> str:
+    return json.dumps(value, ensure_ascii=False)
+
+
+class Complaints(logging.Handler):
+    """Keeps what mkdocs warns of."""
+
+    def __init__(self, kept: list[str]):
+        super().__init__(logging.WARNING)
+        self.kept = kept
+
+    def emit(self, record):
+        self.kept.append(record.getMessage())
+
+
+if __name__ == "__main__":
+    make(BUILD / "docs")

@@ -1,0 +1,135 @@
+"""The report of a test run on one page, self-contained: build/report/index.html.
+
+It is made of all that lies in a folder of results:
+
+    *.xml    ctest's JUnit files
+    *.json   one result each, an object with "kind" and "chapter":
+
+"shot" and "teeth" are described in shots.py. Tables of cases, from probes and from stability tests:
+
+    {"kind": "probe" | "stability", "chapter", "name", "again": a command that runs them again,
+     "rows": [{"case": "02.phong", "inputs": "4096 random, 12 by hand", "worst": "2 ULP", "bound": "4 ULP",
+               "ok": bool, "text": "one sentence, as a student reads it"}]}
+
+where each cell may be text, a number or null. "test" is the ctest that wrote it, where that is not called like the
+result (KIND.NN.NAME): a failure is told once; "title" stands over the table in place of the kind's. Charts of studies,
+paths counted from the root:
+
+    {"kind": "chart", "chapter", "name", "title", "svg": path, "table": path of a Markdown table or null, "again": a command}
+
+Charts in docs/studies/NN_name*.svg are shown with or without a result. What failed stands first, in full, and says
+what to type to look closer. A file that cannot be read is a failure of its own.
+"""
+
+import re
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+from pages.page import TEMPLATES, data_uri, lesson_link, page
+from pages.report_cards import Pictures, figures, read_result
+from tree import ROOT, relative, write_atomically
+
+LAST_LINES = 60  # of a failed test's output
+KINDS = {"shot": "A picture against its golden.", "teeth": "Wrong pictures that this golden must reject.",
+         "probe": "A function against the truth.", "stability": "Cases where methods fail, against their bounds.",
+         "chart": "A study's chart."}
+
+
+def write_report(results_dir: Path, out: Path):
+    """Writes the page of the results in a folder. A folder without results gives a page that says so."""
+    results = [read_result(path) for path in sorted(results_dir.glob("*.json"))]
+    tests = [test for path in sorted(results_dir.glob("*.xml")) for test in read_junit(path)]
+    write_atomically(out, render(results, tests, out.parent))
+
+
+def read_junit(path: Path) -> list[dict]:
+    """ctest's tests: name, ok, seconds, output, and the run (the file's name) they belong to."""
+    try:
+        suite = xml.parse(path).getroot()
+    except (OSError, xml.ParseError) as error:
+        return [{"name": path.name, "run": path.stem, "ok": False, "seconds": 0.0,
+                 "output": f"{path.name} cannot be read: {error}"}]
+    return [{"name": case.get("name", "?"), "run": path.stem, "seconds": float(case.get("time") or 0),
+             "ok": case.get("status", "run") in ("run", "disabled", "notrun") and case.find("failure") is None,
+             "skipped": case.get("status") in ("disabled", "notrun"),
+             "output": case.findtext("system-out") or ""} for case in suite.iter("testcase")]
+
+
+def is_ok(result: dict) -> bool:
+    return result["ok"] if "ok" in result else all(row.get("ok") for row in result.get("rows", []))
+
+
+def render(results: list[dict], tests: list[dict], folder: Path) -> str:
+    """The page's HTML, for a folder."""
+    failed = [result for result in results if not is_ok(result)]
+    explained = {result.get("test", f"{result['kind']}.{result['chapter'][:2]}.{result.get('name')}")
+                 for result in failed}
+    broken = [test for test in tests if not test["ok"] and test["name"] not in explained]
+    shots = sum(result["kind"] == "shot" for result in results)
+    cases = sum(len(result.get("rows", [])) for result in results)
+    counts = (len(tests), "tests"), (shots, "pictures"), (cases, "cases in tables")
+    names = sorted({result["chapter"] for result in results if re.match(r"\d\d_", result["chapter"])})
+    return page("report.html", results=results, failed=failed, broken=broken, kinds=KINDS, pictures=Pictures(),
+                counted=[f"{count} {what}" for count, what in counts if count],
+                tests=sorted(tests, key=lambda test: (test["ok"], test["name"])),
+                chapters=[chapter(name, [result for result in results if result["chapter"] == name])
+                          | {"lesson": lesson_link(name, folder)} for name in names])
+
+
+def chapter(name: str, results: list[dict]) -> dict:
+    return {"name": name, "results": results, "failed": not all(map(is_ok, results)), "charts": charts(name, results),
+            "teeth": [(result["name"], picture) for result in results if result["kind"] == "teeth"
+                      for picture in result["pictures"]]}
+
+
+def again(result: dict, picture: dict | None) -> str:
+    """What to type to look closer."""
+    lines = [result["again"]] if result.get("again") else []
+    if picture and picture.get("expected") and picture.get("actual"):
+        lines.append(f"build/compare {picture['expected']} {picture['actual']} --heatmap error.png")
+    if result["kind"] == "shot" and picture and picture.get("actual"):
+        lines.append(f"./course accept {result['chapter'][:2]}.{result['name']}    # if the new picture is right")
+    return "\n".join(lines)
+
+
+def key_of(result: dict) -> str:
+    return re.sub(r"[^\w.-]", "_", f"{result['kind']}.{result['chapter']}.{result.get('name', '')}")
+
+
+def last_lines(output: str) -> str:
+    lines = output.rstrip().splitlines()
+    cut = f"... {len(lines) - LAST_LINES} lines before\n" if len(lines) > LAST_LINES else ""
+    return cut + "\n".join(lines[-LAST_LINES:])
+
+
+def charts(chapter_name: str, results: list[dict]) -> list[dict]:
+    """The chapter's studies: those that this run made, and those in docs/studies."""
+    named = {relative(ROOT / result["svg"]): result for result in results if result["kind"] == "chart"}
+    for path in sorted((ROOT / "docs" / "studies").glob(f"{chapter_name}*.svg")):
+        named.setdefault(relative(path), {"name": path.stem, "svg": relative(path)})
+    shown = []
+    for path, result in named.items():
+        chart = {"alt": f"{result['name']}: {result.get('title') or 'time against error'}", "again": result.get("again")}
+        try:
+            chart["uri"] = data_uri(ROOT / path)
+        except OSError as error:
+            chart["error"] = error
+        beside = ROOT / (result.get("table") or Path(path).with_suffix(".md"))
+        if beside.is_file():
+            chart |= markdown_table(beside.read_text(encoding="utf-8"))
+        shown.append(chart)
+    return shown
+
+
+def markdown_table(text: str) -> dict:
+    """The rows of a Markdown file's table, the head first, and which columns are numbers; what chart.py writes, no more
+    of Markdown than that."""
+    lines = [line.strip() for line in text.splitlines() if line.strip().startswith("|")]
+    if len(lines) < 3:
+        return {}
+    rows = [[cell.strip().replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in lines]
+    return {"rows": rows[:1] + rows[2:], "numbers": [cell.endswith("-:") for cell in rows[1]]}
+
+
+TEMPLATES.filters |= {"again": again, "figures": figures, "key_of": key_of, "last_lines": last_lines}
+TEMPLATES.tests["ok"] = is_ok

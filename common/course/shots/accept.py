@@ -1,0 +1,147 @@
+"""Makes the pictures of now the goldens, and measures how far drivers differ from them. The only way to change either."""
+
+import json
+import os
+import sys
+from pathlib import Path
+
+from build.build import build
+from progress import Progress
+from shots.golden import LIMITS, compare, distance_of, distances_path, golden_path, limits_of, measured_distances, unfit
+from shots.rendering import render, render_shot
+from tree import BUILD, Failure, UsageError, find_shots, relative, say, write_atomically
+
+# llvmpipe held to what an older processor can do. Another device passes over it.
+PROCESSORS = {name: {"GALLIUM_OVERRIDE_CPU_CAPS": name} for name in ("avx", "sse4.1")}
+SECOND = "LIGHTWALK_SECOND_DRIVER"
+
+ALONE = True
+HELP = """Renders shots with the reference and makes them the goldens of tests/NN_name/golden, after it said what
+changed and by how much. Look at each picture first: whatever is accepted is what the tests hold to be right.
+
+  ./course accept              every shot
+  ./course accept 02           those of chapter 02
+  ./course accept 02.bunny     one
+
+A picture on which nothing was drawn, or with NaN in it, is refused.
+
+Each shot is drawn again by Mesa's llvmpipe held to AVX and to SSE4.1, and by a second driver: set LIGHTWALK_SECOND_DRIVER
+to its manifest (an ICD's .json, as Vulkan's loader takes it in VK_DRIVER_FILES), for instance another Mesa's lavapipe. How
+far these are from the golden goes to tests/NN_name/golden/distances.json; the tests allow three times as much, and never
+less than what common/course/shots/golden.py says. Where a distance is large, mend the shader or the scene first: a ray that
+just hits or just misses, or texture coordinates far from 0."""
+
+
+def add_arguments(parser):
+    parser.add_argument("shot", nargs="?", default="", metavar="NN[.SHOT]")
+    parser.add_argument("--yes", action="store_true", help="do not ask")
+
+
+def run(arguments, _rest) -> int:
+    found = find_shots(arguments.shot)
+    drivers = other_drivers()
+    build(sorted({chapter for chapter, _ in found} | {"compare"}))
+    pictures, distances, new, refused = {}, {}, [], 0
+    with Progress("rendering") as progress:
+        for number, (chapter, shot) in enumerate(found):
+            name = shot["name"]
+            progress.show(number, len(found), f"{chapter}.{name}")
+            try:
+                line, picture, is_new = judge(chapter, shot)
+                distances[chapter, name] = measure(chapter, name, picture, drivers, is_new)
+                line += "\n  " + farthest(distances[chapter, name])
+                pictures[chapter, name] = picture
+                new += [(chapter, name)] if is_new else []
+            except Failure as failure:
+                line = f"refused: {failure}"
+                refused += 1
+            progress.clear()
+            say(f"{chapter[:2]}.{name}: {line}")
+    accepted = new if new and confirmed(new, arguments.yes) else []
+    for chapter, name in accepted:
+        write_atomically(golden_path(chapter, name), pictures[chapter, name].read_bytes())
+    keep_distances({key: value for key, value in distances.items() if key not in new or key in accepted})
+    if accepted:
+        say(f"accepted {len(accepted)}: look at each before you commit it")
+    for chapter, name in distances:
+        if (limits := limits_of(chapter, name)) != LIMITS:
+            say(f"{chapter[:2]}.{name} is allowed more than others: " +
+                ", ".join(f"{key} {value:.6g}" for key, value in limits.items() if value != LIMITS[key]))
+    return 1 if refused else 0
+
+
+def other_drivers() -> dict:
+    """What to draw with beside the usual driver: a name, and what its environment has. Says so where there is no second."""
+    manifest = os.environ.get(SECOND)
+    if not manifest:
+        say(f"{SECOND} is not set: no second driver is measured (./course accept --help)")
+        return PROCESSORS
+    if not Path(manifest).is_file():
+        raise UsageError(f"{SECOND} is {manifest}, which is no file; it takes a Vulkan driver's manifest (.json)")
+    return PROCESSORS | {"second driver": {"VK_DRIVER_FILES": str(Path(manifest).absolute())}}
+
+
+def judge(chapter: str, shot: dict) -> tuple[str, Path, bool]:
+    """Renders a shot: (what is new about it, the picture, whether it differs from the golden). Raises Failure."""
+    golden = golden_path(chapter, shot["name"])
+    picture = BUILD / "accept" / chapter / f"{shot['name']}.png"
+    render_shot(chapter, shot, picture)
+    old = golden if golden.exists() else picture
+    heatmap = picture.with_suffix(".flip.png")
+    try:
+        metrics = compare(old, picture, heatmap)
+    except Failure as failure:  # another size, or a golden that is no picture
+        old, reason = picture, str(failure)
+        metrics = compare(picture, picture)
+    else:
+        reason = "a new picture"
+    if unfit(metrics):
+        raise Failure("; ".join(unfit(metrics)))
+    if old is picture:
+        return f"{reason}: {relative(picture)}", picture, True
+    if golden.read_bytes() == picture.read_bytes():
+        return "as it was", picture, False
+    flip, step = metrics["flip"], metrics["max_diff"]
+    return (f"FLIP mean {flip['mean']:.6f}, p99 {flip['p99']:.6f}, largest step {step['steps']} at "
+            f"({step['x']}, {step['y']}), {step['pixels']} pixels differ: {relative(picture)}, error "
+            f"{relative(heatmap)}"), picture, True
+
+
+def measure(chapter: str, name: str, picture: Path, drivers: dict, is_new: bool) -> dict:
+    """How far the others' pictures are from this one, by driver. Raises Failure."""
+    # A driver that is not here now said something of the golden as it still is.
+    distances = {} if is_new else dict(measured_distances(chapter).get(name, {}))
+    for driver, environment in drivers.items():
+        other = picture.with_suffix(f".{driver.replace(' ', '_')}.png")
+        # A driver may keep its compiled shaders without regard to what we hold it to.
+        render(chapter, ["--shot", name], other, MESA_SHADER_CACHE_DISABLE="true", **environment)
+        metrics = compare(picture, other)
+        if unfit(metrics):
+            raise Failure(f"{driver}: " + "; ".join(unfit(metrics)))
+        distances[driver] = {key: round(value, 6) for key, value in distance_of(metrics).items()}
+    return distances
+
+
+def farthest(distances: dict) -> str:
+    most = {key: max(distance[key] for distance in distances.values()) for key in LIMITS}
+    return (f"others: FLIP mean {most['flip_mean']:.6f}, p99 {most['flip_p99']:.6f}, largest step {most['max_diff']} "
+            f"({max(distances, key=lambda driver: distances[driver]['max_diff'])})")
+
+
+def keep_distances(distances: dict):
+    for chapter in sorted({chapter for chapter, _ in distances}):
+        # Of a shot that is gone nothing stays.
+        known = {shot["name"] for _, shot in find_shots(chapter)}
+        kept = {name: of for name, of in measured_distances(chapter).items() if name in known}
+        kept |= {name: of for (its, name), of in distances.items() if its == chapter}
+        lines = [f" {json.dumps(name)}: {{\n" + ",\n".join(f"  {json.dumps(driver)}: {json.dumps(distance)}"
+                 for driver, distance in sorted(of.items())) + "\n }" for name, of in sorted(kept.items())]
+        write_atomically(distances_path(chapter), "{\n" + ",\n".join(lines) + "\n}\n")
+
+
+def confirmed(new: list, yes: bool) -> bool:
+    if yes:
+        return True
+    if not sys.stdin.isatty():
+        raise UsageError("nothing was accepted; look at the pictures above, then add --yes")
+    return input(f"Have you looked at {'them' if len(new) > 1 else 'it'}? Accept {len(new)}? [y/N] ").lower() == "y"

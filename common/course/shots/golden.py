@@ -1,0 +1,102 @@
+"""Goldens: what a shot's picture is compared with, and how far it may differ.
+
+tests/NN_name/shots.json lists a chapter's shots. The chapter's executable reads it for --shot, Python for the tests:
+
+    {"shots": [{
+        "name": "bunny",                        the golden is tests/NN_name/golden/bunny.png
+        "caption": "One sentence.",             for the gallery and the report
+        "scene": "assets/models/bunny.obj",     what --scene takes, from the root; without it the chapter's own
+        "size": [960, 540],                     pixels
+        "time_s": 0, "frames": 1,               as --time and --frames
+        "set": {"method": "phong"},             knobs
+                                                -- from here on for the tests alone; the executable passes over it --
+        "exercises": ["02.phong"],              this picture shows these: it must reject the starter of each
+        "rejects": [{"chapter": "01_obj"},      it must also reject the same scene as an earlier chapter draws it,
+                    {"set": {"method": "none"}},         or with other knobs,
+                    {"use": "exercise"}]                 or with another --use
+    }]}
+
+Only "name" and "caption" are required.
+
+How much a picture may differ nobody writes: FLIP's mean and 99th percentile, and the most that any channel of any pixel
+differs, in steps of 1/255, have the limits LIMITS, or MARGIN times what `./course accept` measured between drivers where
+that is more. It keeps what it measured in tests/NN_name/golden/distances.json:
+
+    {"SHOT": {"sse4.1": {"flip_mean": 0.0001, "flip_p99": 0.002, "max_diff": 3}}}
+
+A picture that differs by NEVER_FAILS steps at most is right, whatever FLIP says: so much do the roundings of two makers'
+processors differ.
+"""
+
+import json
+import math
+from pathlib import Path
+
+from shots.rendering import run_program
+from tree import BUILD, ROOT, Failure, relative
+
+LIMITS = {"flip_mean": 0.002, "flip_p99": 0.05, "max_diff": 64}
+MARGIN = 3
+NEVER_FAILS = 2  # steps of 1/255
+
+
+def golden_path(chapter: str, name: str) -> Path:
+    return ROOT / "tests" / chapter / "golden" / f"{name}.png"
+
+
+def distances_path(chapter: str) -> Path:
+    return ROOT / "tests" / chapter / "golden" / "distances.json"
+
+
+def measured_distances(chapter: str) -> dict:
+    """What ./course accept measured, by shot and driver. Empty where it did not."""
+    path = distances_path(chapter)
+    try:
+        return json.loads(path.read_text()) if path.exists() else {}
+    except ValueError as error:
+        raise Failure(f"{relative(path)} cannot be read: {error}; ./course accept {chapter[:2]} writes it") from None
+
+
+def limits_of(chapter: str, name: str) -> dict:
+    found = measured_distances(chapter).get(name, {}).values()
+    return {key: max([limit, *(MARGIN * distance[key] for distance in found)]) for key, limit in LIMITS.items()}
+
+
+def compare(expected: Path, actual: Path, heatmap: Path | None = None) -> dict:
+    """What build/compare --json says of two pictures. Raises Failure where they cannot be compared."""
+    if heatmap:
+        heatmap.parent.mkdir(parents=True, exist_ok=True)
+    done = run_program([BUILD / "compare", expected, actual, "--json", *(["--heatmap", heatmap] if heatmap else [])])
+    if done.returncode:
+        raise Failure(done.stderr.strip() or f"compare ended with {done.returncode}")
+    return json.loads(done.stdout)
+
+
+def unfit(metrics: dict) -> list[str]:
+    """Why a picture can be no golden and equal none, whatever it is compared with."""
+    why = []
+    if metrics["nearly_constant"]["test"]:
+        why.append("the picture is nearly one colour: nothing was drawn")
+    for kind in ("nan", "inf"):
+        if metrics[kind]["test"]:
+            why.append(f"{metrics[kind]['test']} pixels are {kind}")
+    return why
+
+
+def distance_of(metrics: dict) -> dict:
+    """How far apart two pictures are, in the terms of LIMITS."""
+    return {"flip_mean": metrics["flip"]["mean"], "flip_p99": metrics["flip"]["p99"],
+            "max_diff": metrics["max_diff"]["steps"]}
+
+
+def exceeded(metrics: dict, limits: dict) -> list[str]:
+    """The limits that a comparison is over, one line each."""
+    found = distance_of(metrics)
+    if found["max_diff"] <= NEVER_FAILS and not any(math.isnan(value) for value in found.values()):
+        return []
+    why = []
+    for name, limit in limits.items():
+        if not found[name] <= limit:  # a NaN is over every limit
+            where = f" at ({metrics['max_diff']['x']}, {metrics['max_diff']['y']})" if name == "max_diff" else ""
+            why.append(f"{name} is {found[name]:.6g}{where}, at most {limit:.6g}")
+    return why

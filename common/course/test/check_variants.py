@@ -1,0 +1,73 @@
+"""Tests the checks with variants (variants.py): check_variants.py NN_name. A failure is exit code 1 and a line.
+
+A shader replaces the student's through LIGHTWALK_OVERLAY; for each C++ variant the build makes a check program,
+build/tests/variants/NN.EXERCISE.WHAT.
+"""
+
+import os
+import tempfile
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from check.check import check_numbers, wrong_picture
+from check.variants import DRAWN, Variant, variants
+from tree import BUILD, ROOT, Failure, exercises, run_on_chapter, shots
+
+drawing = threading.Lock()  # the pictures of an exercise have one place
+
+
+def drawn_wrong(chapter: str, exercise: str, overlay: str) -> str:
+    """What is wrong with its pictures; empty where nothing is. One at a time."""
+    for shot in shots(chapter):
+        if exercise in shot.get("exercises", []):
+            try:
+                # What makes shaders of checks compile fast makes those of pictures slow.
+                why = wrong_picture(chapter, exercise, shot, overlay, GALLIVM_PERF="")
+            except Failure as failure:
+                why = str(failure)
+            if why:
+                return why
+    return ""
+
+
+def run_variant(chapter: str, variant: Variant, known: dict[str, Path]) -> str:
+    """What is wrong with the check's verdict on it; empty where nothing is."""
+    exercise = f"{chapter[:2]}.{variant.exercise}"
+    if exercise not in known:
+        return f"{variant.where}: there is no exercise {exercise}"
+    if variant.name.endswith(".cpp"):
+        program = BUILD / "tests" / "variants" / f"{chapter[:2]}.{variant.name.removesuffix('.cpp')}"
+        found = check_numbers(chapter, exercise, program=program)
+    else:
+        with tempfile.TemporaryDirectory(prefix="lightwalk.") as made:
+            overlaid = Path(made) / known[exercise].relative_to(ROOT)
+            overlaid.parent.mkdir(parents=True)
+            overlaid.write_text(variant.text)
+            found = check_numbers(chapter, exercise, LIGHTWALK_OVERLAY=made, LIGHTWALK_PROBE_STRICT="1")
+            if found.get("ok") is True and variant.verdict == DRAWN:
+                with drawing:
+                    why = drawn_wrong(chapter, exercise, made)
+                if why:
+                    return f"{variant.where}: {variant.name} is right, but {why}"
+    ok, said = found.get("ok") is True, found.get("first_failure") or ""
+    if ok == bool(variant.words):
+        return f"{variant.where}: {variant.name} is {'wrong' if variant.words else 'right'}, but the check " + \
+            ("lets it pass" if ok else f"says: {said}")
+    return "" if variant.words in said else \
+        f"{variant.where}: {variant.name}: the check says: {said}; not: {variant.words}"
+
+
+def main(chapter: str) -> list[str]:
+    known = exercises(chapter)
+    found, mistakes = variants(chapter)
+    verdicts = {(variant.exercise, bool(variant.words)) for variant in found}
+    without = [exercise for exercise in known if not {(exercise[3:], True), (exercise[3:], False)} <= verdicts]
+    with ThreadPoolExecutor(min(os.cpu_count() or 1, 4)) as pool:
+        wrong = [line for line in pool.map(lambda variant: run_variant(chapter, variant, known), found) if line]
+    return mistakes + wrong + [f"{exercise}: tests/{chapter}/variants has no right and no wrong answer to it"
+                               for exercise in without]
+
+
+if __name__ == "__main__":
+    run_on_chapter(main)

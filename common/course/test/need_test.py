@@ -1,0 +1,151 @@
+"""Tests a chapter's need rule on scenes of its own: need_test.py NN_name. A failure is exit code 1 and a line.
+
+    tests/NN_name/needs.json  {"size": [320, 180], "budgets": [0.002, 0.01], "scenes": ["assets/scenes/bunny.json"],
+                               "more_scenes": ["assets/scenes/lava.json"],
+                               "large": {"size": [640, 360], "scenes": ["assets/scenes/cups.json"]}}
+
+where a scene is written as in study.json: a file, or {"scene": FILE, "set": {KNOB: VALUE}, "label": TEXT}. In one
+process, a study, the chapter chooses for each scene and budget, and every candidate is drawn and timed. The error of the
+choice's whole picture may be above the budget only where the rule said that none would do, and none would. The time of
+the choice over that of the cheapest candidate that would have done is asserted in the median: times on a machine that
+does other things too are noisy. LIGHTWALK_NEEDS=all adds "more_scenes", for which a suite has not the time. Under "large" the rule may not draw whole pictures where crops decide. What the command line
+says (--explain --json) is asked for the first scene.
+"""
+
+import itertools
+import json
+import os
+import statistics
+from pathlib import Path
+
+from charts.study import SceneEntry, study_of
+from shots.golden import compare
+from shots.rendering import render, run_program, text
+from test.results import table
+from tree import BUILD, ROOT, Failure, chapter_program, run_on_chapter, say
+
+AIM = 1.15    # times the cost of the cheapest that would have done, in the median
+SLACK = 1.3  # times that much is not a failure: the rule and this test time frames for themselves
+SAME = 1e-6   # a mean FLIP: how far a picture drawn anew may be from the one that was judged
+
+
+def sweep(study: dict, key: str = "curves", scene: dict | None = None) -> list[dict]:
+    """The study's points, each as the knobs that it sets; without those that are not for a scene that sets `scene`."""
+    points = []
+    for curve in study[key]:
+        if any((scene or {}).get(name, value) != value for name, value in curve.get("where", {}).items()):
+            continue
+        knobs = {name: values if isinstance(values, list) else [values]
+                 for name, values in curve.get("set", {}).items()}
+        points += [{"method": curve["method"], **dict(zip(knobs, values))}
+                   for values in itertools.product(*knobs.values())]
+    return points
+
+
+def label(method: str, knobs: dict) -> str:
+    return " ".join([method, *(f"{name} {text(value)}" for name, value in sorted(knobs.items()))])
+
+
+def set_options(knobs: dict) -> list[str]:
+    return [word for name, value in knobs.items() for word in ("--set", f"{name}={text(value)}")]
+
+
+def measure(chapter: str, needs: dict, crops: bool) -> dict:
+    """The study of the scenes of `needs`: all candidates, and what the rule chooses for each budget."""
+    study = study_of(chapter)
+    asked = {**study, "size": needs["size"], "scenes": needs["scenes"], "budgets": needs["budgets"], "crops": crops,
+             "curves": study.get("candidates", study["curves"]), "error_metric": "flip_mean",
+             "truth": {"set": study["truth"]["set"], "exact": True}}
+    for key in ("charts", "candidates"):
+        asked.pop(key, None)
+    folder = BUILD / "needs"
+    folder.mkdir(parents=True, exist_ok=True)
+    name = f"{chapter}.{'large' if crops else 'small'}"
+    file, out = folder / f"{name}.asked.json", folder / f"{name}.json"
+    file.write_text(json.dumps(asked, indent=1))
+    return run_study(chapter, out, LIGHTWALK_STUDY_FILE=str(file))
+
+
+def run_study(chapter: str, out: Path, *options: str, **environment) -> dict:
+    """A study from its beginning, with one round of timing, which filling unwritten memory would slow. Raises Failure."""
+    out.with_name(out.name + ".partial").unlink(missing_ok=True)
+    done = run_program([chapter_program(chapter), "--study", out, *options], LIGHTWALK_STUDY_ROUNDS="1", MALLOC_PERTURB_="0",
+                       **environment)
+    if done.returncode:
+        raise Failure(f"the study of {chapter} ended with {done.returncode}: {done.stderr.strip()[-500:]}")
+    return json.loads(out.read_text())
+
+
+def rows_of_study(measured: dict) -> list[dict]:
+    rows = []
+    for scene, entry in measured["scenes"].items():
+        points = {label(point["method"], {name: value for name, value in point["knobs"].items()
+                                          if name not in entry["set"]}): point
+                  for point in measured["points"] if point["scene"] == scene}
+        rows += [row(scene, points, choice) for choice in entry["choices"]]
+    return rows
+
+
+def row(scene: str, points: dict, said: dict) -> dict:
+    """How the rule did with a budget, as a row of the report; "ratio" is None where no candidate is within it."""
+    budget, chosen = said["budget"], label(said["choice"]["method"], said["choice"]["knobs"])
+    time = {name: point["time_ms"]["median"] for name, point in points.items()}
+    error = points[chosen]["error"]["flip_mean"]
+    enough = [name for name, point in points.items() if point["error"]["flip_mean"] <= budget]
+    best = min(enough, key=time.get, default=None)
+    ratio = time[chosen] / time[best] if best else None
+    words = f"{chosen}; "
+    words += f"{ratio:.2f}x the time of {best}" if best else "no candidate is within"
+    if said["none_would_do"]:
+        words += "; the rule said that none would do"
+    return {"case": f"{scene}, budget {budget:g}", "inputs": f"{len(points)} candidates, {said['crops']} crops",
+            "worst": error, "bound": budget, "text": words, "ratio": ratio, "choosing_ms": said["choosing_ms"],
+            "crops": said["crops"], "truth_ms": said["truth_ms"],
+            "ok": error <= budget and not said["none_would_do"] if enough else said["none_would_do"]}
+
+
+def median_row(rows: list[dict]) -> dict:
+    ratios = [row["ratio"] for row in rows if row["ratio"] is not None]
+    return {"case": "time over that of the cheapest that would do, median",
+            "inputs": f"{len(ratios)} choices, worst {max(ratios):.2f}x", "worst": statistics.median(ratios),
+            "bound": f"{AIM}, asserted {AIM * SLACK:.2f}", "ok": statistics.median(ratios) <= AIM * SLACK,
+            "text": "each frame timed once"}
+
+
+def command_line_row(chapter: str, needs: dict) -> dict:
+    """--method auto --explain --json chooses what it says, and the picture is of that error."""
+    scene, budget = SceneEntry(needs["scenes"][0]), needs["budgets"][-1]
+    folder = BUILD / "needs" / chapter
+    folder.mkdir(parents=True, exist_ok=True)
+    view = ["--scene", scene.file, "--size", "x".join(map(str, needs["size"])), *set_options(scene.set)]
+    done = run_program([chapter_program(chapter), *view, "--method", "auto", "--budget", budget, "--explain", "--json",
+                        "--screenshot", folder / "auto.png"])
+    if done.returncode:
+        raise Failure(f"{chapter} ended with {done.returncode}: {done.stderr.strip()[-500:]}")
+    said = json.loads(done.stdout)
+    choice = said["choice"]
+    render(chapter, [*view, "--method", choice["method"], *set_options(choice["knobs"])], folder / "chosen.png")
+    error = compare(folder / "auto.png", folder / "chosen.png")["flip"]["mean"]
+    return {"case": f"{scene.label}, budget {budget:g}, from the command line",
+            "inputs": f"{len(said['candidates'])} candidates", "worst": error, "bound": SAME,
+            "ok": error <= SAME and choice in said["candidates"] and choice["enough"],
+            "text": f"draws {label(choice['method'], choice['knobs'])}"}
+
+
+def main(chapter: str) -> list[str]:
+    needs = json.loads((ROOT / "tests" / chapter / "needs.json").read_text())
+    if os.environ.get("LIGHTWALK_NEEDS") == "all":
+        needs["scenes"] += needs.get("more_scenes", [])
+    rows = rows_of_study(measure(chapter, needs, crops=False))
+    if "large" in needs:
+        large = rows_of_study(measure(chapter, {**needs, **needs["large"]}, crops=True))
+        rows += [{**row, "case": row["case"] + ", large"} for row in large]
+    rows += [median_row(rows), command_line_row(chapter, needs)]
+    for row in rows:
+        say(f"{'ok  ' if row['ok'] else 'OVER'}  {row['case']:44} {row['worst']:8.5f}  {row['text']}")
+    again = f"build/chapters/{chapter} --scene FILE --method auto --budget E --explain --screenshot FILE"
+    return table("stability", chapter, "need", again, rows)
+
+
+if __name__ == "__main__":
+    run_on_chapter(main)

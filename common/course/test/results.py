@@ -1,0 +1,134 @@
+"""Tests whose results are tables of the report: build/results/KIND.NN.json, as report.py describes them.
+
+    test.results check NN_name        the chapter's checks on the reference: all must be right
+    test.results stability NN_name    the cases of tests/NN_name/test_stability.cpp
+    test.results charts               the studies in docs/studies: each can be read, and its chart and table are there
+
+A failure is exit code 1 and a line that says why.
+"""
+
+import json
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+from charts.study_charts import chart_paths, charts_of
+from charts.study_file import StudyError, load, markdown_table
+from shots.rendering import run_program
+from tree import BUILD, ROOT, Failure, exercises, relative, say, warn, write_atomically
+
+# What stands over a table where report.py's own words for its kind do not fit.
+TITLES = {"study": "The study, run quickly", "need": "The need rule on other scenes"}
+
+
+def write_result(name: str, result: dict):
+    write_atomically(BUILD / "results" / f"{name}.json", json.dumps(result, indent=1, ensure_ascii=False) + "\n")
+
+
+def table(kind: str, chapter: str, name: str, again: str, rows: list[dict]) -> list[str]:
+    """Writes a table of cases for the test NAME.NN, and returns a line for each that is not ok."""
+    test = f"{name}.{chapter[:2]}"
+    write_result(test, {"kind": kind, "chapter": chapter, "name": name, "title": TITLES.get(name),
+                        "test": test, "again": again, "rows": rows})
+    return [f"{row['case']}: {row.get('text') or 'not ok'}" for row in rows if not row["ok"]]
+
+
+def check(chapter: str) -> list[str]:
+    """Every exercise of the chapter, its reference against the truth."""
+    done = run_program([BUILD / "tests" / f"check_{chapter}", "--use", "solution"])
+    found = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
+    rows = [{"case": result["exercise"], "inputs": f"{result['passed'] + result['failed']} checks",
+             "ok": result["ok"] is True,
+             "text": result.get("first_failure") or f"{result['passed']} passed, {result['failed']} failed"}
+            for result in found]
+    rows += [{"case": exercise, "inputs": "no check", "ok": False, "text": "nothing checks it"}
+             for exercise in exercises(chapter) if exercise not in {result["exercise"] for result in found}]
+    if done.returncode and all(row["ok"] for row in rows):
+        rows.append({"case": f"check_{chapter}", "ok": False,
+                     "text": f"ended with {done.returncode}: {done.stderr.strip()[-500:]}"})
+    return table("probe", chapter, "check", f"build/tests/check_{chapter} --use solution", rows)
+
+
+def stability(chapter: str) -> list[str]:
+    """The test cases as Catch2's XML has them: ok, how many expressions were checked, how long they took."""
+    command = [BUILD / "tests" / f"test_{chapter}", "-#", "[#test_stability]", "-r", "xml", "-d", "yes"]
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder, "counts")
+        done = run_program(command, LIGHTWALK_COUNTS=str(file))
+        lines = file.read_text().splitlines() if file.exists() else []
+    counts = {name: int(count) for count, _, name in (line.partition(" ") for line in lines)}
+    try:
+        rows = [case_row(case, counts) for case in xml.fromstring(done.stdout).iter("TestCase")]
+    except xml.ParseError:  # it died on the way
+        rows = [{"case": f"test_{chapter}", "ok": False,
+                 "text": f"ended with {done.returncode}: {(done.stderr.strip() or done.stdout)[-500:]}"}]
+    if not rows:
+        raise Failure(f"test_{chapter} has no case in test_stability.cpp")
+    if done.returncode and all(row["ok"] for row in rows):
+        rows.append({"case": f"test_{chapter}", "ok": False, "text": f"ended with {done.returncode}"})
+    again = f"build/tests/test_{chapter} '-#' '[#test_stability]'"
+    return table("stability", chapter, "stability", again, rows)
+
+
+def case_row(case, counts: dict[str, int]) -> dict:
+    """Of checks that held there is only the number."""
+    overall = case.find("OverallResult")
+    ok = overall is not None and overall.get("success") == "true"
+    failed = [expression for expression in case.iter("Expression") if expression.get("success") == "false"]
+    wrong = [" ".join(expression.findtext("Expanded", "").split()) for expression in failed]
+    wrong += [" ".join((element.text or "").split()) for kind in ("Failure", "Exception", "FatalErrorCondition")
+              for element in case.iter(kind)]
+    seconds = float(overall.get("durationInSeconds", 0)) if overall is not None else 0
+    return {"case": case.get("name"), "inputs": f"{counts.get(case.get('name'), 0) + len(failed)} checks", "ok": ok,
+            "text": f"{seconds:.2f} s" if ok else wrong[0] if wrong else "it did not end"}
+
+
+def charts() -> list[str]:
+    """One result for each study, and what is wrong with them."""
+    said = []
+    for path in sorted((ROOT / "docs" / "studies").glob("*.json")):
+        why, chapter, again = [], path.name.split(".")[0], ""
+        markdown, charts = path.with_suffix(".md"), [(path.stem, path.with_suffix(""))]
+        try:
+            study = load(path)
+            chapter, again = study.data["chapter"], study.data["command"]
+            beside = chart_paths(study.data, path.with_suffix(""))
+            charts = [(chart.title, place) for chart, place in zip(charts_of(study), beside)]
+            if not markdown.exists() or markdown.read_text(encoding="utf-8") != markdown_table(study):
+                why.append(f"{relative(markdown)} is not the table of {path.name}: python3 common/course charts.chart "
+                           f"{relative(path)} writes it")
+        except StudyError as error:
+            why.append(str(error))
+        for i, (title, place) in enumerate(charts):
+            files = [place.with_name(place.name + suffix) for suffix in (".svg", ".png")]
+            wrong = [] if i else why
+            wrong += [f"there is no {relative(file)}: python3 common/course charts.chart {relative(path)} draws it"
+                      for file in files if not file.exists()]
+            table_path = relative(markdown) if markdown.exists() and not i else None
+            write_result(f"chart.{place.name}", {"kind": "chart", "chapter": chapter, "name": place.name,
+                                                 "title": title, "ok": not wrong, "why": wrong, "test": "text.charts",
+                                                 "svg": relative(files[0]), "table": table_path, "again": again})
+            said += wrong
+    return said
+
+
+def main(words: list[str]) -> int:
+    if words == ["charts"]:
+        wrong = charts()
+    elif len(words) == 2 and words[0] in ("check", "stability"):
+        wrong = {"check": check, "stability": stability}[words[0]](words[1])
+    else:
+        warn(__doc__)
+        return 2
+    for line in wrong:
+        say(line)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except Failure as error:
+        warn(str(error))
+        sys.exit(1)

@@ -1,0 +1,95 @@
+"""Builds everything, runs every test, writes the report."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+from build.build import build
+from pages.report import write_report
+from shots.draw_shots import RUN
+from test.container import test_on
+from tree import BUILD, Failure, UsageError, relative, say
+
+ALONE = True
+HELP = """Builds everything, runs every test and writes build/report/index.html.
+
+  ./course test                  all of them
+  ./course test shot.02          those whose name matches this regular expression
+  ./course test --sanitize       all, then again under the address and undefined-behaviour sanitizers, but for windows
+  ./course test -L window        other options go to ctest
+  ./course test --on trixie      ./course run and then all of them on a bare Debian 13, in a container in build/on/trixie;
+                                 bookworm is Debian 12. With a pattern or options, those tests. It takes root.
+
+With CI=true in the environment studies, need rules, stretch tasks, the teeth of pictures and the test of all knobs, which
+draw most, are left out, and of each chapter's charts and each kind of page one is looked at. The last line counts all tests
+run."""
+PASSES_OPTIONS = True
+SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
+CI = ["-LE", "study", "-E", r"^teeth\.[0-9]+\.|\.(knobs|need|stretch)$"]  # a CI starts from nothing on each commit, and has minutes
+
+
+def add_arguments(parser):
+    parser.add_argument("pattern", nargs="?", metavar="PATTERN", help="a regular expression for the tests' names")
+    parser.add_argument("--on", metavar="SYSTEM", help="on a bare bookworm or trixie, in a container of its own")
+    parser.add_argument("--sanitize", action="store_true", help="all but window tests and studies under the sanitizers as well")
+
+
+def run(arguments, rest) -> int:
+    if arguments.pattern:
+        try:
+            re.compile(arguments.pattern)
+        except re.error as error:
+            raise UsageError(f"'{arguments.pattern}' is no regular expression: {error}") from None
+    if arguments.on:
+        return test_on(arguments.on, [word for word in (arguments.pattern, "--sanitize" if arguments.sanitize else None)
+                                      if word] + rest)
+    selection = (["-R", arguments.pattern] if arguments.pattern else []) + rest
+    results = BUILD / "results"
+    if not selection:
+        shutil.rmtree(results, ignore_errors=True)
+    results.mkdir(parents=True, exist_ok=True)
+    build()
+    in_ci = os.environ.get("CI") == "true" and not selection
+    runs = [run_ctest(BUILD, results / "tests.xml", CI if in_ci else selection)]
+    if arguments.sanitize:
+        say("\nunder the sanitizers:")
+        folder = build(preset="sanitizer")
+        runs.append(run_ctest(folder, results / "sanitizer.xml", SANITIZED + selection))
+    report = BUILD / "report" / "index.html"
+    write_report(results, report)
+    total, failed = (sum(counts) for counts in zip(*runs))
+    if not total:
+        raise UsageError(f"no test matches {' '.join(selection)}; ctest --test-dir build -N lists them")
+    say(f"\nreport: {relative(report)}")
+    say(closing_line(total, failed))
+    return 1 if failed else 0
+
+
+def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:
+    """(tests, failures). Raises Failure where ctest itself failed."""
+    junit.unlink(missing_ok=True)
+    # One more than there are processors: windows wait more than they work.
+    environment = os.environ | {RUN: f"{os.getpid()} {time.time()}"}
+    command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "-j", str((os.cpu_count() or 1) + 1),
+               "--output-junit", str(junit), *(["--progress"] if sys.stdout.isatty() else []), *selection]
+    code = subprocess.run(command, stdin=subprocess.DEVNULL, env=environment).returncode
+    if not junit.exists():
+        if code:
+            raise Failure(f"{' '.join(command)} ended with {code}")
+        return 0, 0
+    suite = xml.parse(junit).getroot()
+    total, failed = int(suite.get("tests")), int(suite.get("failures"))
+    if code and not failed:
+        raise Failure(f"{' '.join(command)} ended with {code} although no test failed")
+    return total, failed
+
+
+def closing_line(total: int, failed: int) -> str:
+    """As ctest ends, which is what a CI reads, over all its runs."""
+    percent = round(100 * (total - failed) / total)
+    return f"{min(percent, 99) if failed else 100}% tests passed, {failed} tests failed out of {total}"

@@ -1,0 +1,216 @@
+"""Checks what is written: lessons' quotes, links, lengths and diagrams, credits, what each chapter must have, the layout of the code.
+
+As a program it prints what is wrong, one "file:line: what" each, and ends with 1 if there is any.
+"""
+
+import contextlib
+import fnmatch
+import importlib.util
+import re
+import sys
+from pathlib import Path
+
+from build.format_tree import unformatted
+from check.check import grades
+from pages.quotes import FENCE, LINK, MARKER, check_quotes, lessons
+from shots.golden import measured_distances
+from test.order import check_order
+from tree import ROOT, chapters, exercises, files, relative, say, shots
+
+# An environment variable where code reads it.
+VARIABLE = re.compile(r"[\"'](LIGHTWALK_[A-Z_]+)[\"']")
+# Paths that mean something on one machine only.
+PRIVATE = re.compile(r"(?<![\w.])/(?:%s)/\w" % "|".join(["work", "root", "home", "Users"]))
+
+
+def prose(name: Path) -> list[tuple[int, str]]:
+    """(line number, text) of a Markdown file without its code."""
+    found, fence = [], None
+    for number, line in enumerate((ROOT / name).read_text().splitlines(), 1):
+        match = FENCE.match(line)
+        if fence:
+            fence = None if line.strip() == fence else fence
+        elif match:
+            fence = match[1]
+        else:
+            found.append((number, re.sub(r"`[^`]*`", "", line)))
+    return found
+
+
+def anchors(name: Path) -> set[str]:
+    """The headings' anchors as GitHub makes them."""
+    found = set()
+    text = (ROOT / name).read_text()
+    for title in re.findall(r"^#+\s+(.*?)\s*#*$", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S), re.M):
+        title = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", title)
+        base = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+        anchor, count = base, 0
+        while anchor in found:
+            count += 1
+            anchor = f"{base}-{count}"
+        found.add(anchor)
+    return found | set(re.findall(r"<a (?:id|name)=\"([^\"]+)\"", text))
+
+
+def check_links(name: Path) -> list[str]:
+    wrong = []
+    for number, line in prose(name):
+        for match in LINK.finditer(line):
+            link = match[1] or match[2]
+            if re.match(r"[a-z]+:", link):
+                continue
+            path, _, anchor = link.partition("#")
+            target = (ROOT / name.parent / path).resolve() if path else ROOT / name
+            if not target.exists() or not target.is_relative_to(ROOT):
+                wrong.append(f"{name}:{number}: the link {link} leads nowhere")
+            elif anchor and target.suffix == ".md" and anchor not in anchors(target.relative_to(ROOT)):
+                wrong.append(f"{name}:{number}: {target.name} has no heading #{anchor}")
+    return wrong
+
+
+def check_chapters() -> list[str]:
+    """Each chapter has a lesson and tests; its shots name what exists; one of them rejects an earlier chapter."""
+    wrong = []
+    known = {exercise for chapter in chapters() for exercise in exercises(chapter)}
+    for number, chapter in enumerate(chapters()):
+        for needed in (f"docs/{chapter}.md", f"tests/{chapter}/shots.json"):
+            if not (ROOT / needed).exists():
+                wrong.append(f"{needed}: chapter {chapter} needs it")
+        file, found = f"tests/{chapter}/shots.json", shots(chapter)
+        names = [shot["name"] for shot in found]
+        wrong += [f"{file}: two shots are called {name}" for name in sorted(set(names)) if names.count(name) > 1]
+        wrong += [f"{file}: there is no exercise {exercise}" for shot in found
+                  for exercise in shot.get("exercises", []) if exercise not in known]
+        earlier = [entry["chapter"] for shot in found for entry in shot.get("rejects", []) if "chapter" in entry]
+        wrong += [f"{file}: {name} is no earlier chapter" for name in earlier if name not in chapters()[:number]]
+        if found and number and not earlier:
+            wrong.append(f"{file}: no golden has to reject the picture of an earlier chapter")
+        goldens = sorted(path.stem for path in (ROOT / "tests" / chapter / "golden").glob("*.png"))
+        wrong += [f"tests/{chapter}/golden/{name}.png: no shot has this name" for name in goldens if name not in names]
+        # Limits are what was measured, and nothing else.
+        measured = measured_distances(chapter)
+        wrong += [f"{file}: {shot['name']} says its own limits; ./course accept measures them" for shot in found
+                  if "limits" in shot]
+        wrong += [f"{file}: nobody measured how far drivers differ on {name}; ./course accept {chapter[:2]}.{name}"
+                  for name in goldens if name in names and not measured.get(name)]
+        wrong += [f"tests/{chapter}/golden/distances.json: {name} has no golden" for name in measured
+                  if name not in goldens]
+    return wrong
+
+
+def check_private_paths(name: Path) -> list[str]:
+    try:
+        lines = (ROOT / name).read_text().splitlines()
+    except UnicodeDecodeError:
+        return []
+    return [f"{name}:{number}: a path of one machine: {line.strip()[:80]}"
+            for number, line in enumerate(lines, 1) if PRIVATE.search(line)]
+
+
+def check_lesson(chapter: str) -> list[str]:
+    """A lesson names no chapter that is not there, and states its exercises in full."""
+    name = Path(f"docs/{chapter}.md")
+    if not (ROOT / name).exists():
+        return []
+    lines = (ROOT / name).read_text().splitlines()
+    wrong = []
+    text = "\n".join(lines)
+    if "## Exercises" in lines:
+        graded = grades(chapter)
+        wrong += [f"{name}: there is no heading '### {exercise} (easy)', or medium, or hard"
+                  for exercise in exercises(chapter) if exercise not in graded]
+        harder = ["easy", "medium", "hard"]
+        if sorted(graded.values(), key=harder.index) != list(graded.values()):
+            wrong.append(f"{name}: a harder exercise stands before an easier one")
+        wrong += [f"{name}: it does not quote {relative(path)}#{marker[2]}, what the exercise asks for"
+                  for path in exercises(chapter).values() for marker in map(MARKER.match, path.read_text().splitlines())
+                  if marker and not marker[1] and f"<!-- quote: {relative(path)}#{marker[2]} -->" not in text]
+    there = {other[:2] for other in chapters()}
+    return wrong + [f"{name}:{number}: there is no chapter {other}" for number, line in prose(name)
+                    for group in re.findall(r"[Cc]hapters? (\d\d(?:(?:, | and | to )\d\d)*)", line)
+                    for other in re.findall(r"\d\d", group) if other not in there]
+
+
+def check_figures() -> list[str]:
+    """docs/images/NAME.svg is what docs/figures/NAME.py draws, and a lesson shows it."""
+    folder, wrong = ROOT / "docs/figures", []
+    shown = "".join((ROOT / name).read_text() for name in lessons())
+    scripts = {path.stem: path for path in sorted(folder.glob("*.py")) if re.search(r"^def draw\(", path.read_text(), re.M)}
+    for image in (name for name in files() if name.match("docs/images/*.svg")):
+        if image.stem not in scripts:
+            wrong.append(f"{image}: no docs/figures/{image.stem}.py draws it")
+        if f"images/{image.name}" not in shown:
+            wrong.append(f"{image}: no lesson shows it")
+    sys.path.insert(0, str(folder))
+    for name, path in scripts.items():
+        spec = importlib.util.spec_from_file_location(f"figure_{name}", path)
+        module, image = importlib.util.module_from_spec(spec), Path(f"docs/images/{name}.svg")
+        try:
+            with contextlib.redirect_stdout(sys.stderr):
+                spec.loader.exec_module(module)
+                drawn = module.draw().svg()
+        except Exception as error:  # whatever a figure's script may do wrong
+            wrong.append(f"docs/figures/{name}.py: {error}")
+            continue
+        if not (ROOT / image).exists() or (ROOT / image).read_text(encoding="utf-8") != drawn:
+            wrong.append(f"{image}: not what its script draws; python3 docs/figures/{name}.py")
+    sys.path.remove(str(folder))
+    return wrong
+
+
+def check_variables() -> list[str]:
+    """README names each of the environment variables that something reads, and no other."""
+    if not (ROOT / "README.md").exists():
+        return []
+    code = [name for name in files() if name.suffix in (".cpp", ".h", ".py")]
+    read = {variable: name for name in code for variable in VARIABLE.findall((ROOT / name).read_text(errors="replace"))}
+    named = set(re.findall(r"`(LIGHTWALK_\w+)`", (ROOT / "README.md").read_text()))
+    return [f"{read[variable]}: README.md does not name {variable}" for variable in sorted(read.keys() - named)] + \
+           [f"README.md: nothing reads {variable}" for variable in sorted(named - read.keys())]
+
+
+def braces(pattern: str) -> list[str]:
+    """a_{b,c}.png as a_b.png and a_c.png."""
+    match = re.search(r"\{([^}]*)\}", pattern)
+    if not match:
+        return [pattern]
+    return [name for part in match[1].split(",")
+            for name in braces(pattern[:match.start()] + part + pattern[match.end():])]
+
+
+def check_credits() -> list[str]:
+    """Each file of assets is in the first column of CREDITS.md's table, and the other way round."""
+    credits = Path("assets/CREDITS.md")
+    present = {str(name.relative_to("assets")) for name in files() if name.parts[0] == "assets"} - {"CREDITS.md"}
+    if not (ROOT / credits).exists():
+        return [f"{credits}: it is missing"] if present else []
+    wrong, credited = [], set()
+    for number, line in enumerate((ROOT / credits).read_text().splitlines(), 1):
+        cells = line.split("|")
+        if len(cells) < 4 or cells[1].strip() in ("file", "") or set(cells[1].strip()) <= set("-: "):
+            continue
+        for pattern in re.split(r",\s+", cells[1].strip()):
+            for name in braces(pattern):
+                found = fnmatch.filter(present, name)
+                credited.update(found)
+                if not found:
+                    wrong.append(f"{credits}:{number}: there is no assets/{name}")
+    return wrong + [f"assets/{name}: {credits} does not name it" for name in sorted(present - credited)]
+
+
+def check_all() -> list[str]:
+    wrong = []
+    for name in files():
+        if name.suffix == ".md":
+            wrong += check_quotes(name) + check_links(name)
+        wrong += check_private_paths(name)
+    wrong += [f"{name}: not as clang-format writes it; ./course format does" for name in unformatted()]
+    wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
+    return wrong + check_order(files()) + check_chapters() + check_credits() + check_variables() + check_figures()
+
+
+if __name__ == "__main__":
+    problems = check_all()
+    for problem in problems:
+        say(problem)
+    sys.exit(1 if problems else 0)
