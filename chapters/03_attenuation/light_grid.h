@@ -1,6 +1,6 @@
 // Lights sorted into the cells of a grid over the screen, on the GPU.
 #pragma once
-#include "03_attenuation/grid_view.h"
+#include "03_attenuation/light_data.h"
 #include "03_attenuation/light_buffer.h"
 #include "common/gpu/frame.h"
 #include "common/scene/mesh.h"
@@ -31,7 +31,7 @@ class LightGrid {
     /// this grid's view.
     void record(Frame& frame, const Given& lights, const ImageView& depth);
 
-    Buffer masks, groups;  ///< grid_view.h says what is in them
+    Buffer masks, groups;  ///< light_data.h says what is in them
     GridView view;
 
   private:

@@ -123,7 +123,7 @@ void Maps::draw(Raster& pass, const Scene& scene, const std::vector<Batch>& batc
         pass.use(cut_finely ? displaced : loaded, variant(batch.item()));
         pass.offer("ambient", ambient);
         if (cut_finely)
-            draw_displaced(pass, batch, static_cast<uint32_t>(subdivide.value));
+            draw_displaced(pass, batch);
         else
             pass.draw(batch);
     }
@@ -171,12 +171,16 @@ double mean_texels(const ImageRgb& picture) {
     return count > 0 ? white_texels * sum / count : 0.0;
 }
 
-void draw_displaced(Raster& pass, const Batch& batch, uint32_t subdivide) {
+void Maps::draw_displaced(Raster& pass, const Batch& batch) const {
     const DrawItem& item = batch.item();
     const Part& part = item.model->model.meshes[item.mesh].parts[item.part];
-    pass.set("indices", item.model->indices[item.mesh]).set("part", glm::uvec2(part.first_index, subdivide));
+    const struct {
+        uint32_t first_index, subdivide;
+        float height_m, wobble, scroll;
+    } of_part{part.first_index, static_cast<uint32_t>(subdivide.value), height_m, wobble, scroll};
+    pass.set("indices", item.model->indices[item.mesh]).set("part", of_part);
     batch.bind(pass);
-    pass.draw(part.index_count * subdivide * subdivide, batch.count, batch.first);
+    pass.draw(part.index_count * of_part.subdivide * of_part.subdivide, batch.count, batch.first);
 }
 
 }  // namespace lightwalk

@@ -82,6 +82,9 @@ struct Maps : Module {
     std::vector<std::string> load_exercises() const override { return {"04.tangent_frame", "04.alpha_scale"}; }
 
   private:
+    /// With each triangle cut into subdivide × subdivide.
+    void draw_displaced(Raster& pass, const Batch& batch) const;
+
     std::set<const Image*> with_holes_;
 };
 
@@ -95,8 +98,5 @@ Level read_level(Gpu& gpu, const Image& image);
 
 /// The mean of a picture of hit errors or of swimming over the pixels where there is one, in texels of the height map.
 double mean_texels(const ImageRgb& picture);
-
-/// Draws the batch with each triangle cut into subdivide × subdivide.
-void draw_displaced(Raster& pass, const Batch& batch, uint32_t subdivide);
 
 }  // namespace lightwalk

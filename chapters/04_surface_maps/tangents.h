@@ -1,6 +1,6 @@
 // Tangent frames of a mesh: what 04.tangent_frame says of every triangle's corner, joined at the vertices.
 #pragma once
-#include "04_surface_maps/tangent_frame.h"
+#include "common/structs.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {

@@ -22,7 +22,7 @@ inline double slope_bias(double cosine, double texel, double reach) {
     return std::sqrt(2.0) * reach * texel * std::tan(angle);
 }
 
-/// The maps of 05_shadow_maps/map_reads.glsl's FIELD, 64 texels wide.
+/// The maps of tests/05_shadow_maps/known_map.glsl's FIELD, 64 texels wide.
 inline double field_depth(int field, int x, int y) {
     if (x < 0 || y < 0 || x >= 64 || y >= 64) return 0;
     if (field == 1) return x < 32 ? 0.75 : 0.25;

@@ -2,7 +2,6 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include "11_fractals/environment_data.h"
 
 namespace lightwalk {
 
@@ -46,9 +45,7 @@ void EnvironmentLight::bind(Pass& pass) const {
     const float turn = glm::radians(scene_turn_deg_ + turn_deg);
     pass.offer("environment_cube", radiance, linear_clamp);
     pass.offer("environment_irradiance_cube", irradiance, linear_clamp);
-    pass.offer(
-        "environment_scale",
-        EnvironmentScale{.cosine = std::cos(turn), .sine = std::sin(turn), .intensity = scene_intensity_ * intensity});
+    pass.offer("environment_scale", glm::vec3(std::cos(turn), std::sin(turn), scene_intensity_ * intensity));
 }
 
 }  // namespace lightwalk

@@ -166,6 +166,8 @@ FlatShader with_header(FlatShader shader, const Macros& macros) {
         "#version 460\n"
         "#extension GL_EXT_scalar_block_layout : require\n"
         "#extension GL_GOOGLE_cpp_style_line_directive : require\n";
+    for (const char* cpp : {"BEGIN_SHARED", "END_SHARED", "SHARED_FUNCTION"})  // for C++ alone: shaders/common/shared.h
+        if (names_macro(shader.text, cpp)) header += fmt::format("#define {}\n", cpp);
     for (const auto& [name, value] : macros)
         if (names_macro(shader.text, name)) header += fmt::format("#define {} {}\n", name, value);
     shader.text.insert(0, header);

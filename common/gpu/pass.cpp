@@ -1,5 +1,6 @@
 #include "common/gpu/pass.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "common/base/error.h"
@@ -54,21 +55,24 @@ Pass::Slot Pass::slot(std::string_view binding) const {
     Slot result;
     if (!pipeline_) return result;
     for (const Binding& b : pipeline_->bindings)
-        if (b.name == binding) {
+        if (b.used && b.name == binding) {
             result.pipeline_ = pipeline_;
             result.number_ = b.number;
         }
     return result;
 }
 
-// Null where there is nothing to set: no pipeline, or an empty slot.
+// Null where there is nothing to set: no pipeline, an empty slot, or a binding that the shaders declare and do not use.
 const Binding* Pass::find(const Name& binding) const {
     if (!pipeline_ || (binding.by_slot && !binding.slot)) return nullptr;
     const Slot found = binding.by_slot ? binding.slot : slot(binding.text);
     if (found.pipeline_ == pipeline_) return &pipeline_->bindings[found.number_];
     if (binding.by_slot) throw Failure("pass '{}' sets a slot of a pipeline that is not in use any more", name);
     std::string known;
-    for (const Binding& b : pipeline_->bindings) known += (known.empty() ? "" : ", ") + b.name;
+    for (const Binding& b : pipeline_->bindings) {
+        if (b.name == binding.text) return nullptr;
+        known += (known.empty() ? "" : ", ") + b.name;
+    }
     throw Failure("pass '{}': its shaders have no binding '{}'; they have: {}", name, binding.text, known);
 }
 
@@ -108,12 +112,12 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     if (!pipeline) return;
     vkCmdBindPipeline(commands, point, pipeline->handle);
     bound_.assign(pipeline->bindings.size(), {});
-    missing_ = bound_.size();
+    missing_ = static_cast<size_t>(std::ranges::count(pipeline->bindings, true, &Binding::used));
     dirty_.clear();
     image_infos_.assign(pipeline->descriptors, {});
     buffer_infos_.assign(pipeline->descriptors, {});
     for (const Binding& binding : pipeline->bindings) {
-        if (binding.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) continue;
+        if (!binding.used || binding.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) continue;
         if (const auto it = frame.globals.find(binding.name); it != frame.globals.end()) {
             set_bytes(binding.name, it->second);
             continue;
@@ -203,7 +207,7 @@ bool Pass::flush() {
     if (!pipeline_) return false;
     if (missing_ > 0)
         for (const Binding& binding : pipeline_->bindings)
-            if (!bound_[binding.number].set)
+            if (binding.used && !bound_[binding.number].set)
                 throw Failure("pass '{}' draws or dispatches without '{}' being set", name, binding.name);
     if (dirty_.empty()) return true;
     writes_.clear();
@@ -221,7 +225,8 @@ bool Pass::flush() {
         frame.gpu.device.push_descriptors(commands, point_, pipeline_->layout, 0, static_cast<uint32_t>(writes_.size()),
                                           writes_.data());
     } else {
-        for (const Binding& binding : pipeline_->bindings) write(binding);
+        for (const Binding& binding : pipeline_->bindings)
+            if (binding.used) write(binding);
         const VkDescriptorSet set = frame.descriptor_set(*pipeline_, writes_);
         vkCmdBindDescriptorSets(commands, point_, pipeline_->layout, 0, 1, &set, 0, nullptr);
     }

@@ -103,22 +103,25 @@ std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_s
                            it->second.count != binding.count || it->second.view_type != binding.view_type))
                 throw ShaderError("{}: '{}' is declared otherwise in another stage", stages.names[i], binding.name);
             it->second.stages |= stage_bit(stages.stages[i]);
+            it->second.used |= binding.used;
             it->second.writable |= binding.writable;
             it->second.readable |= binding.readable;
         }
     }
     uint32_t number = 0;
     uint32_t first = 0;
-    for (auto& [name, binding] : merged) {
-        binding.number = number++;
-        binding.first = first;
-        first += binding.count;
-    }
+    for (const bool used : {true, false})
+        for (auto& [name, binding] : merged) {
+            if (binding.used != used) continue;
+            binding.number = number++;
+            binding.first = first;
+            first += used ? binding.count : 0;
+        }
     for (size_t i = 0; i < reflections.size(); ++i)
         for (const Binding& binding : reflections[i].bindings)
             stages.spirv[i][binding.offset_of_number] = merged.at(binding.name).number;
-    std::vector<Binding> result;
-    for (auto& [name, binding] : merged) result.push_back(std::move(binding));
+    std::vector<Binding> result(merged.size());
+    for (auto& [name, binding] : merged) result[binding.number] = std::move(binding);
     return result;
 }
 
@@ -202,6 +205,7 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
     built->bindings = assign_bindings(stages, &built->local_size);
     std::vector<VkDescriptorSetLayoutBinding> entries;
     for (const Binding& binding : built->bindings) {
+        if (!binding.used) break;
         entries.push_back({binding.number, binding.type, binding.count, binding.stages, nullptr});
         built->descriptors += binding.count;
     }

@@ -73,8 +73,8 @@ struct BuiltPipeline {
     VkPipeline handle = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
-    std::vector<Binding> bindings;  ///< by number
-    uint32_t descriptors = 0;       ///< all their elements
+    std::vector<Binding> bindings;  ///< by number; those in use come first
+    uint32_t descriptors = 0;       ///< all elements of those in use
     bool pushes = true;             ///< push descriptors; else the set of a pool
     glm::uvec3 local_size{1};
     std::vector<VkShaderModule> modules;
@@ -142,8 +142,8 @@ struct CompiledStages {
 };
 CompiledStages compile_stages(const Pipeline& pipeline, const std::vector<FlatShader>& flat);
 
-/// Numbers the bindings of all stages by name and writes the numbers into the modules. Returns them, merged. Throws
-/// ShaderError where two stages use one name for different things.
+/// Numbers the bindings of all stages by name, those in use first, and writes the numbers into the modules. Returns them,
+/// merged, by number. Throws ShaderError where two stages use one name for different things.
 std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_size = nullptr);
 
 }  // namespace lightwalk

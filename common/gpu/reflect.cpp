@@ -2,6 +2,8 @@
 
 #include <spirv_cross/spirv_cross_c.h>
 
+#include <set>
+
 #include "common/base/error.h"
 
 namespace lightwalk {
@@ -70,6 +72,15 @@ bool writable(spvc_compiler compiler, const spvc_reflected_resource& resource, b
     return true;
 }
 
+std::set<spvc_variable_id> ids_of(spvc_resources resources, spvc_resource_type kind) {
+    const spvc_reflected_resource* list = nullptr;
+    size_t count = 0;
+    spvc_resources_get_resource_list_for_type(resources, kind, &list, &count);
+    std::set<spvc_variable_id> ids;
+    for (size_t i = 0; i < count; ++i) ids.insert(list[i].id);
+    return ids;
+}
+
 VkImageViewType view_type_of(spvc_type type) {
     const bool array = spvc_type_get_image_arrayed(type);
     switch (spvc_type_get_image_dimension(type)) {
@@ -91,6 +102,11 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
     spvc_resources resources = nullptr;
     if (spvc_compiler_create_shader_resources(compiler, &resources) != SPVC_SUCCESS)
         throw Failure("spirv-cross: no resources");
+    spvc_set active = nullptr;
+    spvc_resources used = nullptr;
+    if (spvc_compiler_get_active_interface_variables(compiler, &active) != SPVC_SUCCESS ||
+        spvc_compiler_create_shader_resources_for_active_variables(compiler, &used, active) != SPVC_SUCCESS)
+        throw Failure("spirv-cross: no list of the resources in use");
     struct Kind {
         spvc_resource_type kind;
         VkDescriptorType type;
@@ -102,10 +118,12 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
         const spvc_reflected_resource* list = nullptr;
         size_t count = 0;
         spvc_resources_get_resource_list_for_type(resources, kind, &list, &count);
+        const std::set<spvc_variable_id> in_use = ids_of(used, kind);
         for (size_t i = 0; i < count; ++i) {
             const bool block = type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER || type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
             const spvc_type base = spvc_compiler_get_type_handle(compiler, list[i].base_type_id);
             Binding binding{.name = name_of(compiler, list[i], base, block), .type = type};
+            binding.used = in_use.count(list[i].id) > 0;
             const spvc_type whole = spvc_compiler_get_type_handle(compiler, list[i].type_id);
             for (unsigned d = 0; d < spvc_type_get_num_array_dimensions(whole); ++d)
                 binding.count *= spvc_type_get_array_dimension(whole, d);

@@ -1,6 +1,6 @@
 // Directional lights as shaders read them.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

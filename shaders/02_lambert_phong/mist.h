@@ -1,6 +1,6 @@
 // The air between the eye and the scene, as the passes of 02.record_mist take it.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -1,7 +1,40 @@
 // The sum over the lights that may reach a point: what the module Lights gives to shaders.
-#include "02_lambert_phong/reflection.glsl"
-#include "03_attenuation/arriving.glsl"
-#include "03_attenuation/light_grid.glsl"
+#include "common/structs.h"
+#include "03_attenuation/light_data.h"
+#include "03_attenuation/range_fade.glsl"
+#include "03_attenuation/inverse_square_window.glsl"
+#include "03_attenuation/spot_cone.glsl"
+
+struct Arriving {
+    vec3 to_light;  // unit length; no length where the point is the light's own position
+    vec3 radiance;  // linear; a matt white surface that faces the light shows just this
+};
+
+// [falloff]
+// How much weaker than at 1 m.
+float falloff(float distance, float range, float fade_k) {
+#if LIGHTS_FALLOFF == LIGHTS_FALLOFF_RANGE_FADE
+    return range_fade(distance, range, fade_k);
+#elif LIGHTS_FALLOFF == LIGHTS_FALLOFF_INVERSE_SQUARE
+    return 1.0 / max(distance * distance, 1e-4);  // no lamp is smaller than 1 cm
+#else
+    return inverse_square_window(distance, range);
+#endif
+}
+// [/falloff]
+
+// [arriving_light]
+Arriving arriving_light(LightData light, vec3 position, float fade_k) {
+    if (light.kind == LIGHT_DIRECTIONAL) return Arriving(-light.direction, light.radiance);
+    vec3 offset = light.position - position;
+    float distance = length(offset);
+    vec3 to_light = distance > 0.0 ? offset / distance : vec3(0.0);
+    float factor = falloff(distance, light.range, fade_k);
+    if (light.kind == LIGHT_SPOT)
+        factor *= spot_cone(-dot(to_light, light.direction), light.cos_inner, light.cos_outer, light.softness);
+    return Arriving(to_light, light.radiance * factor);
+}
+// [/arriving_light]
 
 layout(scalar) readonly buffer LightBuffer { LightData lights_data[]; };
 #if LIGHTS_METHOD == LIGHTS_METHOD_PER_OBJECT
@@ -16,6 +49,9 @@ layout(scalar) uniform LightsBlock { float fade_k; } lights;
 // What of a light's way to a point is free, 0 to 1. Whoever lights says how: by 03_attenuation/unshadowed.glsl, which
 // takes all for free, or by a file that knows what stands in between. `facing` is the normal of the mesh.
 float light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light);
+
+// How a surface reflects it: 02_lambert_phong/reflection.glsl for all who call light_surface().
+Reflected reflect_light(Surface surface, vec3 to_light);
 
 struct Lit {
     vec3 diffuse, specular;  // per unit of the material's colours
@@ -34,6 +70,15 @@ void add_light(inout Lit sum, uint index, Surface surface, vec3 facing, vec3 pos
     sum.specular += arriving.radiance * reflected.specular;
 }
 // [/add_light]
+
+// [cell_of]
+// `fragment` is gl_FragCoord.
+uint cell_of(vec4 fragment) {
+    uvec2 tile = uvec2(fragment.xy) / lights_grid.tile_px;
+    float slice = floor(log(view_depth(fragment.z) / lights_grid.first_m) * lights_grid.slices_per_log);
+    return (uint(clamp(slice, 0.0, float(lights_grid.slices - 1u))) * lights_grid.tiles.y + tile.y) * lights_grid.tiles.x + tile.x;
+}
+// [/cell_of]
 
 // [light_surface]
 // `facing` is the normal of the mesh: what is below its plane does not light the surface, whatever a normal map says.
@@ -58,3 +103,17 @@ Lit light_surface(Surface surface, vec3 facing, vec3 position, uint item, vec4 f
     return sum;
 }
 // [/light_surface]
+
+// One light, for surfaces that reflect each in their own way.
+struct VisibleLight {
+    vec3 to_light;  // unit length
+    vec3 radiance;  // what a matt white surface that faces the light shows where nothing is in the way
+    float visible;  // 0 to 1; 1 where the surface faces away
+};
+
+VisibleLight visible_light(uint index, vec3 position, vec3 facing) {
+    Arriving arriving = arriving_light(lights_data[index], position, lights.fade_k);
+    bool faces = dot(facing, arriving.to_light) > 0.0;
+    float visible = faces && arriving.radiance != vec3(0.0) ? light_visibility(index, position, facing, arriving.to_light) : 1.0;
+    return VisibleLight(arriving.to_light, arriving.radiance, visible);
+}

@@ -1,5 +1,6 @@
 // Lights a fragment, or shows how many lights it took.
 #include "common/material.glsl"
+#include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/lighting.glsl"
 #include "03_attenuation/unshadowed.glsl"
 
@@ -32,5 +33,5 @@ void main() {
 #if SHOW == SHOW_LIGHT_COUNT
     radiance = count_color(lit.lights) * (0.35 + 0.65 * max(surface.normal.y, 0.0));
 #endif
-    color = vec4(min(radiance, 65504.0), lit.lights);  // the largest number that the target holds
+    color = vec4(min(radiance, LARGEST_HALF), lit.lights);
 }

@@ -2,17 +2,17 @@
 // itself, which parallax only paints. Drawn without indices: 3 * subdivide^2 vertices a triangle.
 #include "common/mesh_input.glsl"
 #include "01_obj/transform.glsl"
-#include "04_surface_maps/knobs.glsl"
-#include "04_surface_maps/height_field.glsl"
 #include "04_surface_maps/surface_varyings.glsl"
-#include "04_surface_maps/moving_uv.glsl"
 
 layout(scalar) readonly buffer IndexBuffer { uint indices[]; };
 layout(scalar) readonly buffer TangentBuffer { TangentFrame tangents[]; };
 layout(scalar) uniform PartBlock {
     uint first_index;
     uint subdivide;
+    float height_m;        // how deep the darkest texel lies
+    float wobble, scroll;  // for moving_uv()
 } part;
+uniform sampler2D height_map;
 
 // The corner's place in its triangle: (0, 0) at the first vertex, rows grow towards the other two.
 // [sub_corner]
@@ -42,7 +42,9 @@ void main() {
     frame.tangent = normalize(a * frame.tangent + b.x * tangents[i.y].tangent + b.y * tangents[i.z].tangent);
     set_varyings(vertex, frame, instances[gl_InstanceIndex]);
 #if MAPS_HEIGHT
-    world_position -= maps.height_m * depth_at(moving_uv(uv, view.time_s)) * world_normal;
+    vec2 moved = moving_uv(uv, part.wobble, part.scroll, view.time_s);
+    float depth = 1.0 - textureLod(height_map, image_uv(moved), 0.0).r;
+    world_position -= part.height_m * depth * world_normal;
 #endif
     gl_Position = world_to_clip(view.view_projection, world_position);
 }

@@ -1,18 +1,41 @@
 // A surface with all its maps, lit by chapter 03's lights; or what its method of showing bumps gets wrong.
+#include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/lighting.glsl"
 #include "03_attenuation/unshadowed.glsl"
-#include "04_surface_maps/hit_error.glsl"
 #include "04_surface_maps/surface_maps.glsl"
 
 layout(location = 0) out vec4 color;
-
-layout(scalar) uniform ViewBlock { CameraView view; };
-layout(scalar) uniform AmbientBlock { vec3 ambient; };
 
 const float white_texels = 32.0;  // an error that SHOW shows as white
 const float walk_m = 0.05;        // by which the eye comes closer along the surface from one frame to the next: for swim
 
 #if SHOW == SHOW_HIT_ERROR || SHOW == SHOW_SWIM
+// How wrong a hit is, in texels of the height map.
+float hit_error(vec2 uv, vec3 to_eye, vec2 deepest, int steps) {
+    vec2 shift = shift_of(to_eye, deepest);
+    vec2 exact = uv - exact_hit(uv, shift) * shift;
+    return length((find_hit(uv, to_eye, deepest, steps).uv - exact) * vec2(textureSize(height_map, 0)));
+}
+
+// [swim]
+// How far the texture slides over the surface, in texels, when the eye moves from one place to another: for the point
+// that the first eye sees, how the method's error there changes. -1 where the second eye does not see the point.
+// `from` and `to` are vectors in tangent space, in metres, from where the first ray meets the mesh.
+float swim(vec2 uv, vec3 from, vec3 to, vec2 deepest, float height_m, int steps) {
+    vec3 to_eye = normalize(from);
+    vec2 shift = shift_of(to_eye, deepest);
+    float depth = exact_hit(uv, shift);
+    vec3 point = -to_eye * (height_m * depth / max(to_eye.z, lowest_eye));
+    vec2 exact = uv - depth * shift;
+    vec3 to_eye_then = normalize(to - point);
+    vec2 shift_then = shift_of(to_eye_then, deepest);
+    vec2 uv_then = exact + depth * shift_then;  // where that eye's ray enters
+    if (abs(exact_hit(uv_then, shift_then) - depth) > 1e-3) return -1.0;
+    vec2 slid = find_hit(uv_then, to_eye_then, deepest, steps).uv - find_hit(uv, to_eye, deepest, steps).uv;
+    return length(slid * vec2(textureSize(height_map, 0)));
+}
+// [/swim]
+
 // In texels of the height map.
 float measured(vec2 uv) {
 #if MAPS_HEIGHT && MAPS_MESH == MAPS_MESH_LOADED
@@ -33,12 +56,10 @@ float measured(vec2 uv) {
 
 // [main]
 void main() {
-    Coordinates at = coordinates_at(view);
 #if SHOW == SHOW_HIT_ERROR || SHOW == SHOW_SWIM
-    color = vec4(vec3(measured(at.uv) / white_texels), 1.0);
+    color = vec4(vec3(measured(coordinates_at(view).uv) / white_texels), 1.0);
 #else
-    MappedSurface m = map_surface(view.eye, materials[material_index], at);
-    if (is_cut_out(m.alpha, maps.cutoff)) discard;
+    MappedSurface m = seen_surface();
 #if SHOW == SHOW_NORMAL
     color = vec4(0.5 + 0.5 * m.surface.normal, 1.0);
 #else

@@ -1,20 +1,164 @@
 // A surface with all its maps: what the module Maps gives to shaders. A map whose macro is 0, because its knob is off or
 // the material lacks it, is not in the shader.
-#include "common/material.glsl"
-#include "02_lambert_phong/reflection.glsl"
-#include "04_surface_maps/knobs.glsl"
-#include "04_surface_maps/moving_uv.glsl"
-#include "04_surface_maps/parallax.glsl"
-#include "04_surface_maps/displacement.glsl"
+#include "common/structs.h"
+#include "04_surface_maps/parallax_offset.glsl"
+#include "04_surface_maps/parallax_occlusion.glsl"
 #include "04_surface_maps/unpack_normal.glsl"
 #include "04_surface_maps/blend_detail.glsl"
 #include "04_surface_maps/mix_orm.glsl"
 #include "04_surface_maps/cutout.glsl"
-#include "04_surface_maps/surface_inputs.glsl"
-#include "04_surface_maps/tangent_frame.h"
 
-uniform sampler2D specular_map, emissive_map, opacity_map, normal_map, orm_map, occlusion_map, gloss_map,
+layout(scalar) uniform ViewBlock { CameraView view; };
+layout(scalar) uniform AmbientBlock { vec3 ambient; };
+layout(scalar) readonly buffer MaterialBuffer { MaterialData materials[]; };
+uniform sampler2D diffuse_map, specular_map, emissive_map, opacity_map, normal_map, orm_map, occlusion_map, gloss_map,
     detail_normal_map, displacement_map;
+layout(scalar) uniform MapsBlock {
+    float height_m;        // how deep the darkest texel of a height map lies
+    float displacement_m;  // how far the darkest texel of a displacement map lies below the brightest
+    int steps;
+    float strength;
+    float detail_tiles;
+    float cutoff;
+    float wobble;  // tiles
+    float scroll;  // tiles per second
+} maps;
+
+// What fragments get from the vertex shaders.
+layout(location = 0) in vec3 world_position;
+layout(location = 1) in vec3 world_normal;
+layout(location = 2) in vec3 world_tangent;
+layout(location = 3) in float handedness;
+layout(location = 4) in vec2 metres_per_uv;
+layout(location = 5) in vec2 uv;
+layout(location = 6) flat in uint material_index;
+layout(location = 7) flat in uint item;
+layout(location = 8) in float cos_uv;
+
+// Tangent space in the world: columns along u, along v, along the normal.
+mat3 tangent_space() {
+    // Normals of opposite vertices cancel between them: there the mesh's own slope has to do.
+    vec3 n = dot(world_normal, world_normal) > 1e-8 ? normalize(world_normal)
+                                                    : normalize(cross(dFdy(world_position), dFdx(world_position)));
+    vec3 t = world_tangent - n * dot(n, world_tangent);
+    t = dot(t, t) > 1e-8 ? normalize(t) : normalize(abs(n.x) < 0.6 ? vec3(0.0, n.z, -n.y) : vec3(-n.z, 0.0, n.x));
+    return mat3(t, handedness * cross(n, t), n);
+}
+
+// The surface that a height map stands for. Depth 0 is the mesh, 1 the deepest point. Between the middles of four texels
+// the depth is bilinear, at full resolution: this one surface is what every method looks for.
+uniform sampler2D height_map;
+
+float depth_at(vec2 uv) { return 1.0 - textureLod(height_map, image_uv(uv), 0.0).r; }
+
+// [exact_hit]
+// Where a ray meets the bilinear surface, exactly: from one square of four texel middles to the next.
+const int most_squares = 8192;
+
+// The map repeats. (% is not defined for negative numbers.)
+float texel_depth(ivec2 at, ivec2 size) {
+    return 1.0 - texelFetch(height_map, at - size * ivec2(floor(vec2(at) / vec2(size))), 0).r;
+}
+
+// The smallest root of a r^2 + b r + c in [0, most], where c is above 0; -1 where there is none.
+float first_root(float a, float b, float c, float most) {
+    float discriminant = b * b - 4.0 * a * c;
+    if (discriminant < 0.0) return -1.0;
+    float q = -0.5 * (b + (b < 0.0 ? -1.0 : 1.0) * sqrt(discriminant));
+    float one = q != 0.0 ? c / q : -1.0, two = a != 0.0 ? q / a : -1.0;
+    float root = one < 0.0 ? two : two < 0.0 ? one : min(one, two);
+    return root <= most ? root : -1.0;
+}
+
+// The depth t at which the ray over uv - t * shift meets the surface. In a square the surface's depth is bilinear in
+// x and y, which are linear in t: the gap between ray and surface is a quadratic polynomial of t.
+float exact_hit(vec2 uv, vec2 shift) {
+    ivec2 size = textureSize(height_map, 0);
+    vec2 start = image_uv(fract(uv)) * vec2(size) - 0.5;  // in texels; texel middles are whole numbers
+    vec2 along = vec2(-shift.x, shift.y) * vec2(size);    // for t from 0 to 1
+    ivec2 square = ivec2(floor(start)), next = ivec2(sign(along));
+    vec2 pace = 1.0 / max(abs(along), vec2(1e-9));  // t from one border to the next
+    vec2 inside = start - vec2(square);
+    vec2 border = mix(inside, 1.0 - inside, greaterThan(along, vec2(0.0))) * pace;  // t at which each is crossed
+    float t = 0.0;
+    for (int i = 0; i < most_squares; ++i) {
+        float end = min(min(border.x, border.y), 1.0);
+        float d00 = texel_depth(square, size), d10 = texel_depth(square + ivec2(1, 0), size);
+        float d01 = texel_depth(square + ivec2(0, 1), size), d11 = texel_depth(square + ivec2(1, 1), size);
+        vec2 slope = vec2(d10 - d00, d01 - d00);
+        float twist = d00 - d10 - d01 + d11;
+        vec2 p = start + t * along - vec2(square);
+        float gap = d00 + dot(slope, p) + twist * p.x * p.y - t;
+        if (gap <= 0.0) return t;
+        float change = dot(slope, along) + twist * (p.x * along.y + p.y * along.x) - 1.0;
+        float root = first_root(twist * along.x * along.y, change, gap, end - t);
+        if (root >= 0.0) return t + root;
+        if (end >= 1.0) return 1.0;
+        t = end;
+        bool across = border.x < border.y;
+        square += across ? ivec2(next.x, 0) : ivec2(0, next.y);
+        border += across ? vec2(pace.x, 0.0) : vec2(0.0, pace.y);
+    }
+    return 1.0;
+}
+// [/exact_hit]
+
+const int halvings = 8;  // of the last step, by relief
+
+// What a ray at a grazing angle is taken for: 1.1 degrees above the surface. Below, a ray crosses without end.
+const float lowest_eye = 0.02;
+
+// F. Policarpo, M. Oliveira and J. Comba, "Real-Time Relief Mapping on Arbitrary Polygonal Surfaces", I3D 2005.
+// [relief]
+float relief(vec2 uv, vec2 shift, int steps) {
+    float below = first_layer_below(uv, shift, steps);
+    float above = max(below - 1.0 / float(steps), 0.0);
+    for (int i = 0; i < halvings; ++i) {
+        float middle = 0.5 * (above + below);
+        if (middle >= depth_at(uv - middle * shift))
+            below = middle;
+        else
+            above = middle;
+    }
+    return below;
+}
+// [/relief]
+
+struct Hit {
+    vec2 uv;
+    float depth;  // 0 at the mesh, 1 at the deepest
+};
+
+// How the texture coordinates change on the way from the top to the bottom. `to_eye` is a unit vector in tangent space,
+// `deepest` says how many units of u and of v depth 1 is.
+vec2 shift_of(vec3 to_eye, vec2 deepest) { return deepest * to_eye.xy / max(to_eye.z, lowest_eye); }
+
+// [find_hit]
+Hit find_hit(vec2 uv, vec3 to_eye, vec2 deepest, int steps) {
+    vec2 shift = shift_of(to_eye, deepest);
+    Hit hit = Hit(uv, 0.0);
+#if MAPS_METHOD == MAPS_METHOD_OFFSET || MAPS_METHOD == MAPS_METHOD_OFFSET_LIMITED
+    hit.depth = depth_at(uv);
+    to_eye.z = max(to_eye.z, lowest_eye);
+#if MAPS_METHOD == MAPS_METHOD_OFFSET
+    hit.uv += parallax_offset(hit.depth, to_eye, deepest);
+#else
+    hit.uv += parallax_offset_limited(hit.depth, to_eye, deepest);
+#endif
+    return hit;
+#elif MAPS_METHOD == MAPS_METHOD_STEEP
+    hit.depth = first_layer_below(uv, shift, steps);
+#elif MAPS_METHOD == MAPS_METHOD_OCCLUSION
+    hit.depth = parallax_occlusion(uv, shift, steps);
+#elif MAPS_METHOD == MAPS_METHOD_RELIEF
+    hit.depth = relief(uv, shift, steps);
+#elif MAPS_METHOD == MAPS_METHOD_EXACT
+    hit.depth = exact_hit(uv, shift);
+#endif
+    hit.uv = uv - hit.depth * shift;
+    return hit;
+}
+// [/find_hit]
 
 #define HAS_PARALLAX                                                                             \
     (MAPS_HEIGHT && MAPS_METHOD != MAPS_METHOD_FLAT && MAPS_METHOD != MAPS_METHOD_NORMAL && \
@@ -36,7 +180,7 @@ vec4 read(sampler2D map, Coordinates at) {
 
 // Of this fragment.
 Coordinates coordinates_at(CameraView view) {
-    vec2 moved = moving_uv(uv, view.time_s);
+    vec2 moved = moving_uv(uv, maps.wobble, maps.scroll, view.time_s);
     float sharper = exp2(view.lod_bias);
     return Coordinates(moved, sharper * dFdx(moved), sharper * dFdy(moved));
 }
@@ -133,7 +277,12 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
     vec3 eye_in_frame = m.surface.to_eye * frame, to_eye = along_uv(eye_in_frame, cos_uv);
 #endif
 #if HAS_DISPLACEMENT
-    at.uv += displacement_shift(read(displacement_map, at).r, to_eye, maps.displacement_m / metres_per_uv);
+    // [displacement]
+    // A second map, of its own, that shifts all textures along the view: one look, as if the surface lay at
+    // (map - 1/2) * displacement_m above the mesh. Limited, because nothing searches for the true hit afterwards: with the
+    // division by z a swell of slope s shows places twice from tan(angle) = 1/s on.
+    at.uv += parallax_offset_limited(0.5 - read(displacement_map, at).r, to_eye, maps.displacement_m / metres_per_uv);
+    // [/displacement]
 #endif
 #if HAS_PARALLAX
     at.uv -= round(at.uv);  // textures repeat, and numbers near 0 are finer
@@ -167,6 +316,17 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
     return m;
 }
 // [/map_surface]
+
+// [seen_surface]
+// This fragment's. What textures cut out is discarded, unless alpha mixes it with what lies behind.
+MappedSurface seen_surface() {
+    MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
+#ifndef TRANSPARENT
+    if (is_cut_out(m.alpha, maps.cutoff)) discard;
+#endif
+    return m;
+}
+// [/seen_surface]
 
 // [radiance_of]
 // What leaves a surface towards the eye: `diffuse` and `specular` are the lights' per unit of its colours.

@@ -1,6 +1,6 @@
 // What vertices hand to fragments, for the mesh as loaded and for the displaced one.
 #include "01_obj/transform.glsl"
-#include "04_surface_maps/tangent_frame.h"
+#include "common/structs.h"
 
 layout(location = 0) out vec3 world_position;
 layout(location = 1) out vec3 world_normal;

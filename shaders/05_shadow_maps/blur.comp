@@ -1,19 +1,17 @@
 // One direction of a blur of moments. The first pass makes them from depths as it reads. BLUR_BY says whether every
 // invocation reads all that it needs, or a workgroup reads it once for all into shared memory.
-#include "05_shadow_maps/map_depth.glsl"
-#include "05_shadow_maps/moments.glsl"
+#include "05_shadow_maps/shadow.glsl"
 #include "05_shadow_maps/blur.h"
 
 const int along = 64, lines = 4;
 layout(local_size_x = along * lines) in;
 
-layout(scalar) readonly buffer ShadowViewBuffer { ShadowView shadow_views[]; };
 layout(scalar) uniform BlurBlock { Blur blur; };
 uniform sampler2D source;
 writeonly uniform image2D result;
 
 // The n-th texel of a line, where the first pass goes along u and the second along v.
-ivec2 texel_at(int n, int line) {
+ivec2 texel_of(int n, int line) {
 #if PASS == 0
     return ivec2(n, line);
 #else
@@ -23,7 +21,7 @@ ivec2 texel_at(int n, int line) {
 
 vec4 moments_at(int n, int line) {
     int size = textureSize(source, 0).x;
-    vec4 texel = texelFetch(source, texel_at(clamp(n, 0, size - 1), min(line, size - 1)), 0);
+    vec4 texel = texelFetch(source, texel_of(clamp(n, 0, size - 1), min(line, size - 1)), 0);
 #if PASS == 0
     return moments_of(linear_depth(shadow_views[blur.view], texel.r), blur.exponent, blur.exponent_negative);
 #else
@@ -58,6 +56,6 @@ void main() {
         sum += blur.weights[abs(offset)] * moments_at(n + offset, line);
 #endif
     }
-    if (all(lessThan(texel_at(n, line), imageSize(result)))) imageStore(result, texel_at(n, line), sum);
+    if (all(lessThan(texel_of(n, line), imageSize(result)))) imageStore(result, texel_of(n, line), sum);
 }
 // [/blur]

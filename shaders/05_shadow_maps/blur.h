@@ -1,6 +1,6 @@
 // What the blur of a layer of moments needs to know.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -1,6 +1,6 @@
 // A bounding-volume hierarchy over triangles, and what is cut out of them, as shaders read it.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

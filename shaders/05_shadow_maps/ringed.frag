@@ -1,6 +1,10 @@
 // A planet and its ring, which shadow each other without a map; what lies behind the ring shows through.
-#include "05_shadow_maps/lit_fragment.glsl"
+#include "02_lambert_phong/reflection.glsl"
+#include "03_attenuation/lighting.glsl"
+#include "04_surface_maps/surface_maps.glsl"
 #include "05_shadow_maps/planet_shadow.glsl"
+
+layout(location = 0) out vec4 color;
 
 // [light_visibility]
 float light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
@@ -9,7 +13,7 @@ float light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
 // [/light_visibility]
 
 void main() {
-    MappedSurface m;
-    vec3 radiance = lit_fragment(m);
-    color = vec4(radiance, m.alpha);
+    MappedSurface m = seen_surface();
+    Lit lit = light_surface(m.surface, m.facing, m.position, item, gl_FragCoord);
+    color = vec4(radiance_of(m, lit.diffuse, lit.specular, ambient), m.alpha);
 }

@@ -1,6 +1,6 @@
 // A sphere with a flat ring around it, as shaders read it.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

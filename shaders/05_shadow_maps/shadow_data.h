@@ -1,6 +1,6 @@
-// What shaders know of the shadows of a frame.
+// What shaders know of the shadows of a frame: lights, their views, and what is asked of a view's map.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 
@@ -39,5 +39,35 @@ struct ShadowEye {
     vec3 position;  // metres, world space
     float pixel;    // width of a pixel at a distance of 1 m, in metres
 };
+
+#ifndef __cplusplus
+// The map of depths, a layer for each view; outside of it is 0: nothing is nearer to the light.
+int map_texels();                         // along u and along v
+float read_depth(vec2 uv, uint layer);    // of the texel that holds this place
+vec4 gather_depths(vec2 uv, uint layer);  // of the four texels that meet in the corner nearest to uv: x lower left, y lower
+                                          // right, z upper right, w upper left, where lower is the greater v
+
+// [receiver_struct]
+// A point as a map sees it.
+struct Receiver {
+    vec3 place;  // as light_clip_position says
+    vec2 slope;  // by how much depth changes on the surface, over the map's width along u and along v; 0: not asked for
+};
+// [/receiver_struct]
+
+// The surface's own depth at a place of the map. Where its plane lies beyond the far one it is 0, as what the map holds
+// there: nothing is in the way.
+float plane_depth(Receiver r, vec2 uv) { return max(r.place.z + dot(r.slope, uv - r.place.xy), 0.0); }
+
+// [plane_depths]
+// The same in the middle of those four texels, for a corner at uv.
+vec4 plane_depths(Receiver r, vec2 corner) {
+    vec2 half_texel = r.slope * (0.5 / float(map_texels()));
+    float middle = r.place.z + dot(r.slope, corner - r.place.xy);
+    return max(middle + vec4(half_texel.y - half_texel.x, half_texel.x + half_texel.y, half_texel.x - half_texel.y,
+                             -half_texel.x - half_texel.y), 0.0);
+}
+// [/plane_depths]
+#endif
 
 END_SHARED

@@ -1,6 +1,6 @@
 // What kind of wrong a shadow is: one definition for the picture that shows it and for the study that counts it.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -1,6 +1,25 @@
-// The truth around a point, by rays, for shadow_error().
+// What of a light arrives, by rays: the truth of shadows at a point and around it, for shadow_error().
+#include "03_attenuation/light_data.h"
+#include "05_shadow_maps/rays.glsl"
+#include "05_shadow_maps/shadow_data.h"
 #include "05_shadow_maps/shadow_error.h"
-#include "05_shadow_maps/visibility_by_rays.glsl"
+
+// [lamp_of]
+// `to_light` has unit length and is what a directional light goes by.
+Lamp lamp_of(ShadowLight light, vec3 position, vec3 to_light) {
+    if (light.kind == LIGHT_DIRECTIONAL) return Lamp(to_light, 0.5 * light.size, on_and_on);
+    return Lamp(light.position - position, 0.5 * light.size, 1.0);
+}
+// [/lamp_of]
+
+// [visibility_by_rays]
+// What visibility_in_map() is asked, answered by rays.
+float visibility_by_rays(ShadowLight light, vec3 position, vec3 facing, vec3 to_light) {
+    if (light.views == 0u) return 1.0;  // it casts no shadow
+    vec3 origin = above(position, facing);
+    return lamp_visibility(lamp_of(light, origin, to_light), origin, rays_seed);
+}
+// [/visibility_by_rays]
 
 // [shadow_truth]
 const uint rays_around = 16u;

@@ -1,7 +1,12 @@
 // What SHOW shows beside the picture, and the picture by rays. Alpha counts for measure(): what kind of wrong it is.
-#include "05_shadow_maps/lit_fragment.glsl"
+#define OWN_LIGHT_VISIBILITY
+#include "02_lambert_phong/reflection.glsl"
+#include "03_attenuation/lighting.glsl"
+#include "04_surface_maps/surface_maps.glsl"
+#include "05_shadow_maps/shadow.glsl"
 #include "05_shadow_maps/shadow_truth.glsl"
-#include "05_shadow_maps/visibility_in_map.glsl"
+
+layout(location = 0) out vec4 color;
 
 const float tolerance = 0.25;  // of visibility: less is not counted as wrong
 const float contact_m = 0.1;   // how near a blocker's shadow ought to touch it
@@ -54,8 +59,9 @@ float light_visibility(uint index, vec3 position, vec3 facing, vec3 to_light) {
 
 void main() {
     rays_seed = seed_of(uvec2(gl_FragCoord.xy), view.seed);
-    MappedSurface m;
-    vec3 radiance = lit_fragment(m);
+    MappedSurface m = seen_surface();
+    Lit lit = light_surface(m.surface, m.facing, m.position, item, gl_FragCoord);
+    vec3 radiance = radiance_of(m, lit.diffuse, lit.specular, ambient);
     float light = 0.25 + 0.75 * abs(dot(m.facing, m.surface.to_eye));  // so that views show shapes
 #if SHOW == SHOW_VISIBILITY
     radiance = vec3(visible) * light;

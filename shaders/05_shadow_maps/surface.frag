@@ -1,10 +1,15 @@
 // A surface with all its maps, and its shadows.
-#include "05_shadow_maps/lit_fragment.glsl"
+#include "02_lambert_phong/reflection.glsl"
+#include "03_attenuation/lighting.glsl"
+#include "04_surface_maps/surface_maps.glsl"
 #include "05_shadow_maps/shadow.glsl"
 
+layout(location = 0) out vec4 color;
+
 void main() {
-    MappedSurface m;
-    color = vec4(lit_fragment(m), 1.0);
+    MappedSurface m = seen_surface();
+    Lit lit = light_surface(m.surface, m.facing, m.position, item, gl_FragCoord);
+    color = vec4(radiance_of(m, lit.diffuse, lit.specular, ambient), 1.0);
 #ifdef TRANSPARENT
     color.a = m.alpha;
 #endif

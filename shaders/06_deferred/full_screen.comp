@@ -31,5 +31,5 @@ void main() {
     Lit lit = light_surface(surface, p.facing, p.position, 0u, vec4(at, depth, 1.0));
 #endif
     vec3 radiance = ambient_radiance(p.material, ambient) + reflected(p, lit);
-    imageStore(hdr, at, vec4(min(radiance, most_radiance), lit.lights));
+    imageStore(hdr, at, vec4(min(radiance, LARGEST_HALF), lit.lights));
 }

@@ -1,6 +1,6 @@
 // What is drawn for a light: a unit sphere, or a unit cone, moved to where it reaches.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -5,7 +5,6 @@
 
 layout(location = 0) out vec4 color;
 
-layout(scalar) uniform ViewBlock { CameraView view; };
 layout(scalar) uniform ClipBlock { mat4 clip_to_offset; };
 
 #if !GBUFFER_IS_PACKED
@@ -27,8 +26,7 @@ Pixel kept(Pixel p) {
 // [/kept]
 
 void main() {
-    MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
-    if (is_cut_out(m.alpha, maps.cutoff)) discard;
+    MappedSurface m = seen_surface();
     Pixel p = pixel_of(m), back = kept(p);
     // Half the chord is the sine of half the angle: acos() of a dot product knows no small angles. And millimetres.
     vec2 lost = vec2(degrees(2.0 * asin(min(0.5 * distance(back.normal, p.normal), 1.0))), 1e3 * distance(back.position, p.position));

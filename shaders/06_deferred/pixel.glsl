@@ -1,5 +1,5 @@
 // What a pixel shows, as far as lighting needs to know.
-#include "04_surface_maps/mixed_material.glsl"
+#include "common/structs.h"
 
 // [pixel]
 struct PixelMaterial {

@@ -1,4 +1,5 @@
 // From a pixel to what chapter 03's lights ask of it, and from their sum to what leaves it.
+#include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/lighting.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "06_deferred/pixel.glsl"
@@ -8,5 +9,3 @@ Surface surface_of(Pixel p, vec3 eye) { return Surface(p.normal, normalize(eye -
 vec3 reflected(Pixel p, Lit lit) {
     return p.material.mixed.diffuse * lit.diffuse + p.material.mixed.specular * lit.specular;
 }
-
-const float most_radiance = 65504.0;  // that a target of halves holds

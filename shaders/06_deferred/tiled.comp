@@ -31,7 +31,7 @@ void main() {
         Cell cell = cell_between(gl_WorkGroupID.xy, view_depth(uintBitsToFloat(nearest)), view_depth(uintBitsToFloat(farthest)));
         Pixel p = read_pixel(min(at, imageSize(hdr) - 1), max(depth, uintBitsToFloat(farthest)));
         Lit lit = accumulate_lights(surface_of(p, view.eye), p.facing, p.position, cell, depth > 0.0);
-        if (depth > 0.0) color = vec4(min(ambient_radiance(p.material, ambient) + reflected(p, lit), most_radiance), lit.lights);
+        if (depth > 0.0) color = vec4(min(ambient_radiance(p.material, ambient) + reflected(p, lit), LARGEST_HALF), lit.lights);
     }
     if (inside) imageStore(hdr, at, color);
 }

@@ -13,6 +13,6 @@ void main() {
     Pixel p = read_pixel(at, depth);
     Lit lit = Lit(vec3(0.0), vec3(0.0), 0u);
     add_light(lit, light, surface_of(p, view.eye), p.facing, p.position);
-    color = vec4(min(reflected(p, lit), most_radiance), lit.lights);
+    color = vec4(min(reflected(p, lit), LARGEST_HALF), lit.lights);
 }
 // [/main]

@@ -17,12 +17,9 @@ layout(location = 3) out vec4 position;
 #endif
 // [/outputs]
 
-layout(scalar) uniform ViewBlock { CameraView view; };
-
 // [main]
 void main() {
-    MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
-    if (is_cut_out(m.alpha, maps.cutoff)) discard;
+    MappedSurface m = seen_surface();
     Stored s = store(pixel_of(m));
     diffuse = s.diffuse;
     specular = s.specular;

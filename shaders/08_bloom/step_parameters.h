@@ -1,5 +1,5 @@
 // What one step of a blur is told.
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

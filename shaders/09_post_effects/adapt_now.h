@@ -1,5 +1,5 @@
 // What adaptation is told.
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -1,5 +1,5 @@
 // What depth of field is told of the camera.
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

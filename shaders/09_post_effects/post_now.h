@@ -1,5 +1,5 @@
 // What the stack of effects is told besides its knobs.
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

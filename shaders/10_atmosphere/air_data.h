@@ -1,6 +1,6 @@
 // A planet's air, as shaders and the processor read it.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -1,6 +1,6 @@
 // What one dispatch finds of the light of each path, where one alone would take too long.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

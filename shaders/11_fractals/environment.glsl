@@ -1,10 +1,11 @@
 // Light from all around: radiance along a direction, and irradiance of a surface. A pass that states the module
 // EnvironmentLight in `.with` has them.
-#include "11_fractals/environment_data.h"
-
 uniform samplerCube environment_cube;
 uniform samplerCube environment_irradiance_cube;
-layout(scalar) uniform EnvironmentScaleBlock { EnvironmentScale environment_scale; };
+layout(scalar) uniform EnvironmentScaleBlock {
+    float cosine, sine;  // of the turn about +y, counter-clockwise seen from above
+    float intensity;     // by what radiance and irradiance are multiplied
+} environment_scale;
 
 // From world space to the picture's.
 vec3 environment_space(vec3 direction) {
@@ -23,4 +24,13 @@ vec3 environment_radiance(vec3 direction, float level) {
 // hemisphere. A Lambertian surface of albedo a sends out a / pi times this.
 vec3 environment_irradiance(vec3 normal) {
     return environment_scale.intensity * textureLod(environment_irradiance_cube, environment_space(normal), 0.0).rgb;
+}
+
+// In the units of the lights: what a matt white surface with that normal shows of it.
+vec3 surroundings_light(vec3 normal) { return environment_irradiance(normal) / 3.14159265; }
+
+// What is seen in a mirror whose facets have that slope: a level whose texels are as wide as they spread a ray.
+vec3 surroundings_mirrored(vec3 direction, float m) {
+    float texel = 1.5707963 / float(textureSize(environment_cube, 0).x);
+    return environment_radiance(direction, max(log2(2.0 * m / texel), 0.0));
 }

@@ -1,6 +1,6 @@
 // Where the terrain's grid lies at this moment.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -1,12 +1,12 @@
 // The wet, clear skin of the eye: what it reflects is added to what is seen through it.
+#include "03_attenuation/lighting.glsl"
 #include "04_surface_maps/surface_maps.glsl"
+#include "05_shadow_maps/shadow.glsl"
 #include "05_shadow_maps/rays.glsl"
+#include "11_fractals/environment.glsl"
 #include "12_skin/kelemen_szirmay_kalos.glsl"
-#include "12_skin/lights_of_skin.glsl"
-#include "12_skin/surroundings_light.glsl"
 
 layout(location = 0) out vec4 color;
-layout(scalar) uniform ViewBlock { CameraView view; };
 
 const float f0 = 0.025, rough = 0.1;
 
@@ -16,11 +16,11 @@ void main() {
     // What lids and brows hide is not mirrored.
     if (dot(n, v) > 0.0 && !any_hit(Ray(above(m.position, n), 0.0, mirrored, on_and_on)))
         sum += schlick_fresnel(dot(n, v), f0) * surroundings_mirrored(mirrored, rough);
-    for (uint i = 0u; i < skin_lights(); ++i) {
-        SkinLight light = skin_light(i, m.position, n);
+    for (uint i = 0u; i < lights_data.length(); ++i) {
+        VisibleLight light = visible_light(i, m.position, n);
         if (dot(n, light.to_light) <= 0.0 || light.radiance == vec3(0.0)) continue;
         float shine = kelemen_szirmay_kalos(n, light.to_light, v, rough, f0);
         sum += 3.14159265 * shine * light.visible * light.radiance;
     }
-    color = vec4(min(sum, 65504.0), 1.0);
+    color = vec4(min(sum, LARGEST_HALF), 1.0);
 }

@@ -1,6 +1,5 @@
 // The specular terms as a table of 8 bits: see encode_facets().
-#include "12_skin/beckmann_of.glsl"
-#include "12_skin/fresnel_of.glsl"
+#include "12_skin/skin.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba8) writeonly uniform image2D result;

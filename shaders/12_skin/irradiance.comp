@@ -1,10 +1,11 @@
 // The light that goes into the skin in each texel of the map: what a matt white surface would show.
+#include "common/structs.h"
+#include "03_attenuation/lighting.glsl"
+#include "05_shadow_maps/shadow.glsl"
+#include "11_fractals/environment.glsl"
 #include "12_skin/charts.glsl"
-#include "12_skin/coupling.glsl"
-#include "12_skin/lights_of_skin.glsl"
 #include "12_skin/mix_albedo.glsl"
-#include "12_skin/skin_inputs.glsl"
-#include "12_skin/surroundings_light.glsl"
+#include "12_skin/skin.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D skin_normal, skin_albedo, skin_occlusion;
@@ -21,12 +22,12 @@ void main() {
     }
     float occlusion = textureLod(skin_occlusion, (vec2(texel) + 0.5) / vec2(size), 0.0).r;
     vec3 sum = occlusion * surroundings_light(normal.xyz);
-    for (uint i = 0u; i < skin_lights(); ++i) {
-        SkinLight light = skin_light(i, place.xyz, normal.xyz);
+    for (uint i = 0u; i < lights_data.length(); ++i) {
+        VisibleLight light = visible_light(i, place.xyz, normal.xyz);
         float cosine = dot(normal.xyz, light.to_light);
         if (cosine > 0.0)
             sum += light.visible * cosine * way_in(cosine, skin.roughness * normal.w, skin.specular_scale * albedo.a) * light.radiance;
     }
-    imageStore(result, texel, vec4(min(sum * albedo_before(albedo.rgb, skin.before), 65504.0), place.w));
+    imageStore(result, texel, vec4(min(sum * albedo_before(albedo.rgb, skin.before), LARGEST_HALF), place.w));
 }
 // [/irradiance]

@@ -1,6 +1,6 @@
 // How far light goes in skin: a sum of Gaussians, for red, green and blue.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -1,6 +1,6 @@
 // A blur over the picture.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -1,12 +1,11 @@
 // Skin: light that comes out of it, light that comes through it, light that its surface reflects.
+#include "03_attenuation/lighting.glsl"
 #include "04_surface_maps/surface_maps.glsl"
-#include "12_skin/coupling.glsl"
+#include "05_shadow_maps/shadow.glsl"
+#include "11_fractals/environment.glsl"
 #include "12_skin/kelemen_szirmay_kalos.glsl"
-#include "12_skin/lights_of_skin.glsl"
 #include "12_skin/mix_albedo.glsl"
-#include "12_skin/preintegrated_axes.glsl"
-#include "12_skin/skin_inputs.glsl"
-#include "12_skin/surroundings_light.glsl"
+#include "12_skin/skin.glsl"
 #include "12_skin/transmittance.glsl"
 
 // What DIFFUSE says.
@@ -23,11 +22,29 @@ layout(location = 1) out vec4 light_out;  // to be blurred; a: how far away, in 
 layout(location = 2) out vec4 after_out;  // by what it is then multiplied
 #endif
 
-layout(scalar) uniform ViewBlock { CameraView view; };
 #if VIEWS
 layout(scalar) uniform ShownBlock { int shown; };
 #endif
 uniform sampler2D skin_occlusion, skin_diffused, skin_stretch, skin_position, skin_preintegrated;
+
+// [thickness]
+// How far light has gone through the surface to come out here, in mm: from where the light's map has its nearest surface.
+// The point is moved inwards, so that at an edge the map does not show what is beside it. Below 0: no map.
+float thickness_mm(uint index, vec3 position, vec3 facing, float inwards_m) {
+#if SHADOW_METHOD == SHADOW_METHOD_NONE
+    return -1.0;
+#else
+    ShadowLight light = shadow_lights[index];
+    if (light.views == 0u) return -1.0;
+    vec3 inside = position - inwards_m * facing;
+    ShadowView map = shadow_views[view_of(light, inside)];
+    if (map.layer == NO_LAYER) return -1.0;
+    vec3 place = light_clip_position(map.to_clip, inside);
+    if (place.z <= 0.0) return -1.0;
+    return 1000.0 * max(map_distance(map, place.z) - map_distance(map, read_depth(place.xy, map.layer)), 0.0);
+#endif
+}
+// [/thickness]
 
 // [diffuse]
 // What of a light's radiance a white surface with that cosine sends out, near the point itself.
@@ -63,8 +80,8 @@ void main() {
 #endif
 
     // [lights]
-    for (uint i = 0u; i < skin_lights(); ++i) {
-        SkinLight light = skin_light(i, position, m.facing);
+    for (uint i = 0u; i < lights_data.length(); ++i) {
+        VisibleLight light = visible_light(i, position, m.facing);
         if (light.radiance == vec3(0.0)) continue;
         float cosine = dot(m.facing, light.to_light);
         vec3 seen = light.visible * light.radiance;
@@ -88,7 +105,7 @@ void main() {
     vec3 after = albedo_after(albedo, skin.before) * way_out(cos_v, rough, scale);
     color = vec4(specular + albedo * through + m.glow, 1.0);
 #if DIFFUSE == BY_SCREEN
-    light_out = vec4(min(before * diffuse, 65504.0), length(view.eye - position));
+    light_out = vec4(min(before * diffuse, LARGEST_HALF), length(view.eye - position));
     after_out = vec4(after, 1.0);
 #elif DIFFUSE == BY_MAP
     color.rgb += after * diffuse;
@@ -107,5 +124,5 @@ void main() {
     vec3 thin = thickness < 1e3 ? transmittance(thickness / max(skin.translucency, 1e-3)) : vec3(0.0);
     color.rgb = shown == shows_specular ? specular : shown == shows_thickness ? thin : charts;
 #endif
-    color.rgb = min(color.rgb, 65504.0);
+    color.rgb = min(color.rgb, LARGEST_HALF);
 }

@@ -6,8 +6,6 @@ layout(location = 0) out vec4 position;
 layout(location = 1) out vec4 normal;
 layout(location = 2) out vec4 albedo;
 
-layout(scalar) uniform ViewBlock { CameraView view; };
-
 // [unwrap]
 void main() {
     MappedSurface m = map_surface(world_position + world_normal, materials[material_index], coordinates_at(view));

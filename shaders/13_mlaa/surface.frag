@@ -1,15 +1,20 @@
 // A surface with all its maps and shadows. What a screen cannot show is cut off here, where it is to be cut off before
 // pixels are mixed.
-#include "05_shadow_maps/lit_fragment.glsl"
+#include "02_lambert_phong/reflection.glsl"
+#include "03_attenuation/lighting.glsl"
+#include "04_surface_maps/surface_maps.glsl"
 #include "05_shadow_maps/shadow.glsl"
 
+layout(location = 0) out vec4 color;
+
 void main() {
-    MappedSurface m;
-    vec3 radiance = lit_fragment(m);
+    MappedSurface m = seen_surface();
+    Lit lit = light_surface(m.surface, m.facing, m.position, item, gl_FragCoord);
+    vec3 radiance = radiance_of(m, lit.diffuse, lit.specular, ambient);
 #if CLIP == CLIP_BEFORE
     radiance = min(radiance, 1.0);
 #endif
-    color = vec4(min(radiance, 65504.0), 1.0);
+    color = vec4(min(radiance, LARGEST_HALF), 1.0);
 #ifdef TRANSPARENT
     color.a = m.alpha;
 #endif

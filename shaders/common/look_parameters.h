@@ -1,5 +1,5 @@
 // How view_image.comp shows an image.
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -1,5 +1,4 @@
 // A fragment's material: numbers from the buffer, textures where the material has them.
-#include "common/image_uv.glsl"
 #include "common/structs.h"
 
 layout(scalar) readonly buffer MaterialBuffer { MaterialData materials[]; };

@@ -1,7 +1,7 @@
-// Structs written once and read by GLSL and C++ alike. In GLSL they lie in buffers with scalar layout, which packs
+// Structs written once and read by GLSL and C++ alike, and what goes with them. In GLSL they lie in buffers with scalar layout, which packs
 // members without padding, as C++ packs glm's vectors.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 
@@ -12,6 +12,25 @@ struct Vertex {
     vec2 uv;        // v = 0 is the bottom row of an image
 };
 // [/vertex]
+
+// [tangent_frame]
+// What a vertex needs beside its normal so that a texture's directions are known in the world.
+struct TangentFrame {
+    vec3 tangent;        // unit length, object space, perpendicular to the normal: where u grows
+    float handedness;    // 1 or -1: v grows along handedness * cross(normal, tangent)
+    vec2 metres_per_uv;  // object space: how far one step in u, and one in v, is on the surface
+    float cos_uv;        // of the angle between the directions in which u and v grow: 0 where a texture is not sheared
+};
+// [/tangent_frame]
+
+// [along_uv]
+// A vector of tangent space in parts along the directions in which u and v grow, which need not be perpendicular to
+// each other; z stays. What goes (x, y) that way changes u by x / metres_per_uv.x and v by y / metres_per_uv.y.
+SHARED_FUNCTION vec3 along_uv(vec3 v, float cos_uv) {
+    float sin_uv = sqrt(max(1.0f - cos_uv * cos_uv, 1e-4f));
+    return vec3(v.x - v.y * cos_uv / sin_uv, v.y / sin_uv, v.z);
+}
+// [/along_uv]
 
 // One drawn part of a mesh; gl_InstanceIndex counts them.
 struct Instance {
@@ -54,5 +73,42 @@ struct CameraView {
     vec2 origin;     // of this picture in the one it is a part of, pixels
     float lod_bias;  // for mip levels: 0, or less where the mean of several pictures is taken, each of which is sharper
 };
+
+// Image rows run from the top, texture v from the bottom.
+SHARED_FUNCTION vec2 image_uv(vec2 uv) { return vec2(uv.x, 1.0f - uv.y); }
+
+// [moving_uv]
+// Texture coordinates that change with time, as for lava and water: a wave of `wobble` tiles across both, and a steady flow
+// of `scroll` tiles per second along v.
+SHARED_FUNCTION vec2 moving_uv(vec2 uv, float wobble, float scroll, float time_s) {
+    const float tau = 6.2831853f;
+    return uv + wobble * sin(tau * (vec2(uv.y, uv.x) + vec2(0.31f, 0.23f) * time_s)) + vec2(0.0f, scroll * time_s);
+}
+// [/moving_uv]
+
+const float LARGEST_HALF = 65504.0f;  // the largest number that a target of half floats holds
+
+#ifndef __cplusplus
+// A surface as reflection sees it.
+struct Surface {
+    vec3 normal;      // unit length, world space
+    vec3 to_eye;      // unit length, world space
+    float shininess;  // Blinn–Phong exponent
+};
+
+// What of a light of radiance 1 leaves towards the eye, per unit of diffuse and of specular colour.
+struct Reflected {
+    vec3 diffuse;
+    float specular;
+};
+
+// What reflection needs to know of a surface's substance.
+struct MixedMaterial {
+    vec3 diffuse, specular;  // linear
+    float shininess;         // Blinn–Phong exponent
+};
+
+const float most_shininess = 8192.0;
+#endif
 
 END_SHARED

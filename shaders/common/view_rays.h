@@ -1,6 +1,6 @@
 // The rays through a picture's pixels, for passes that draw no triangles.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

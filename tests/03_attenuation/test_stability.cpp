@@ -103,7 +103,7 @@ TEST_CASE("a sum of floats depends on its order: lists that are not in the light
 }
 
 TEST_CASE("a cone meets a ball: cones of every angle, balls all around, also behind the apex") {
-    Probe probe{.include = "03_attenuation/cone.glsl",
+    Probe probe{.include = "03_attenuation/cell.glsl",
                 .signature = "bool cone_reaches_ball(vec3 center, float radius, vec3 axis, float cos_outer)"};
     std::vector<double> misses;
     Random random;

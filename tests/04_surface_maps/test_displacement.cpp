@@ -8,10 +8,12 @@ using namespace lightwalk;
 
 namespace {
 
+// As surface_maps.glsl's [displacement] calls it, for rows that begin with what the map holds.
 Table shifts(Table inputs) {
+    for (Row& row : inputs) row[0] = 0.5 - row[0];
     return run_probe(check_device(),
-                     {.include = "04_surface_maps/displacement.glsl",
-                      .signature = "vec2 displacement_shift(float height, vec3 to_eye, vec2 whole)",
+                     {.include = "04_surface_maps/parallax_offset.glsl",
+                      .signature = "vec2 parallax_offset_limited(float depth, vec3 to_eye, vec2 deepest)",
                       .inputs = std::move(inputs)},
                      2);
 }

@@ -18,7 +18,7 @@ namespace {
 
 Table run(const std::string& file, const std::string& signature, Table inputs, size_t outputs, Macros macros = {}) {
     return run_probe(check_device(),
-                     {.include = "04_surface_maps/" + file + ".glsl",
+                     {.include = file,
                       .signature = signature,
                       .inputs = std::move(inputs),
                       .macros = std::move(macros)},
@@ -33,7 +33,8 @@ double missed_spikes(int steps, double angle_deg) {
     for (int i = 0; i < 4000; ++i)
         rays.push_back({0.5 + random.uniform(0.002, shift - 0.002), 0.5, shift, 0, double(steps)});
     const Table hits =
-        run("parallax_occlusion", "float first_layer_below(vec2 uv, vec2 shift, int steps)", rays, 1, {{"FIELD", "3"}});
+        run("../tests/04_surface_maps/known_field.glsl", "float first_layer_below(vec2 uv, vec2 shift, int steps)", rays, 1,
+            {{"FIELD", "3"}});
     double missed = 0;
     for (const Row& hit : hits) missed += hit[0] >= 0.9999;  // the floor behind
     return missed / static_cast<double>(rays.size());
@@ -78,7 +79,7 @@ TEST_CASE("exact traversal finds what 200,000 steps find") {
 }
 
 TEST_CASE("codes too long for a unit vector have z = 0, not NaN") {
-    const Table normals = run("unpack_normal", "vec3 unpack_normal(vec2 code, float strength)",
+    const Table normals = run("04_surface_maps/unpack_normal.glsl", "vec3 unpack_normal(vec2 code, float strength)",
                               {{1, 1, 1}, {0, 0, 4}, {1, 0.5, 0}, {1, 1, 0}}, 3);
     for (const Row& n : normals) CHECK(std::hypot(n[0], n[1], n[2]) == Approx(1).margin(1e-5));
     CHECK(normals[0][2] == 0);
@@ -86,7 +87,7 @@ TEST_CASE("codes too long for a unit vector have z = 0, not NaN") {
 }
 
 TEST_CASE("roughness 0 has an exponent, and roughness 1 is matt") {
-    const Table mixed = run("mix_orm", "MixedMaterial mix_orm(vec3 base, float roughness, float metalness)",
+    const Table mixed = run("04_surface_maps/mix_orm.glsl", "MixedMaterial mix_orm(vec3 base, float roughness, float metalness)",
                             {{1, 1, 1, 0, 1}, {1, 1, 1, 1e-20, 1}, {1, 1, 1, 1, 0}}, 7);
     CHECK(mixed[0][6] == 8192);
     CHECK(mixed[1][6] == 8192);
@@ -94,7 +95,7 @@ TEST_CASE("roughness 0 has an exponent, and roughness 1 is matt") {
 }
 
 TEST_CASE("detail on a base that lies in the surface stays finite") {
-    const Table blended = run("blend_detail", "vec3 blend_detail(vec3 base, vec3 detail)",
+    const Table blended = run("04_surface_maps/blend_detail.glsl", "vec3 blend_detail(vec3 base, vec3 detail)",
                               {{1, 0, 0, 0, 1, 0}, {1, 0, 0, -1, 0, 0}, {0, 0, 1, 1, 0, 0}}, 3);
     for (const Row& n : blended) CHECK(std::hypot(n[0], n[1], n[2]) == Approx(1).margin(1e-5));
 }

@@ -7,7 +7,7 @@ using namespace lightwalk;
 CHECK_EXERCISE("05.pcf", "begin at floor(uv * texels - kernel / 2); go on by two texels; weigh the outer ones") {
     for (const int field : {1, 3, 2}) {
         Probe probe{
-            .include = "05_shadow_maps/pcf_counted.glsl",
+            .include = "../tests/05_shadow_maps/known_map.glsl",
             .signature = "vec3 pcf_counted(vec2 uv, float depth, vec2 slope, int kernel)",
             .truth =
                 [field](std::span<const double> in) {

@@ -18,11 +18,10 @@ struct ShadowScene : TestScene {
     Shadow shadow{chapter, "shadow"};
     Camera camera{.position = {0, 0, 5}, .target = {0, 0, 0}, .near_m = 0.1f, .far_m = 100};
     Pipeline pipeline = compute({.shader = "visibility", .source = R"(
-#include "03_attenuation/arriving.glsl"
+#include "03_attenuation/lighting.glsl"
 #include "05_shadow_maps/shadow.glsl"
 struct Point { vec3 position, facing; uint light; };
 layout(local_size_x = 64) in;
-layout(scalar) readonly buffer LightBuffer { LightData lights_data[]; };
 layout(scalar) readonly buffer PointBuffer { Point points[]; };
 layout(scalar) writeonly buffer ResultBuffer { float result[]; };
 void main() {

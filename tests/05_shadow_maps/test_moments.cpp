@@ -15,7 +15,7 @@ Macros of_method(const char* method, const char* format = "fp32") {
 
 float ask(const char* method, const std::string& signature, Row row, const char* format = "fp32") {
     return static_cast<float>(run_probe(check_device(),
-                                        {.include = "05_shadow_maps/moments.glsl",
+                                        {.include = "05_shadow_maps/shadow.glsl",
                                          .signature = signature,
                                          .inputs = {std::move(row)},
                                          .macros = of_method(method, format)},
@@ -114,7 +114,7 @@ TEST_CASE("exponents at their caps fit their formats, those above do not and are
     CHECK(square(5.55) > 65504);
     const auto moments = [](const char* format, double exponent) {
         return run_probe(check_device(),
-                         {.include = "05_shadow_maps/moments.glsl",
+                         {.include = "05_shadow_maps/shadow.glsl",
                           .signature = "vec4 moments_of(float depth, float exponent, float exponent_negative)",
                           .inputs = {{1.0, exponent, exponent}, {0.0, exponent, exponent}},
                           .macros = of_method("evsm", format)},

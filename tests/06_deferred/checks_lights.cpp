@@ -22,6 +22,7 @@ namespace {
 // answer, in names that no answer may have.
 constexpr const char* harness = R"(
 layout(local_size_x = 16, local_size_y = 16) in;
+#include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/cell.glsl"
 #include "03_attenuation/lighting.glsl"
 #include "03_attenuation/unshadowed.glsl"

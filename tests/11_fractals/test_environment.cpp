@@ -3,7 +3,6 @@
 
 #include "../common/module_fixture.h"
 #include "11_fractals/environment.h"
-#include "11_fractals/environment_data.h"
 #include "common/image/image.h"
 #include "common/scene/scene_file.h"
 

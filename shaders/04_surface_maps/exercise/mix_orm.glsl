@@ -1,6 +1,6 @@
 // Exercise 04.mix_orm: from roughness and metalness to what Blinn–Phong takes.
 // Until you fill it in, everything is matt and no metal.
-#include "04_surface_maps/mixed_material.glsl"
+#include "common/structs.h"
 
 // [overridden]
 // The map's number, or the override instead where that is 0 or more.

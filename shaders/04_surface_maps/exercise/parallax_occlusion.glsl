@@ -1,6 +1,7 @@
 // Exercise 04.parallax_occlusion: walk along the eye's ray until it is below the surface, then look closer.
 // Until you fill it in, the ray stops where it enters.
-#include "04_surface_maps/height_field.glsl"
+
+float depth_at(vec2 uv);  // of the surface: 0 at the mesh, 1 at the deepest point
 
 // [first_layer_below]
 // The ray enters at `uv` with depth 0. When it is at depth t it is above uv - t * shift, where the surface's depth is

@@ -1,5 +1,5 @@
 // Solution of 04.mix_orm.
-#include "04_surface_maps/mixed_material.glsl"
+#include "common/structs.h"
 
 float overridden(float map, float override) {
     return override >= 0.0 ? override : map;

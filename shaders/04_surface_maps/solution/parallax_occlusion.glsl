@@ -1,5 +1,6 @@
 // Solution of 04.parallax_occlusion.
-#include "04_surface_maps/height_field.glsl"
+
+float depth_at(vec2 uv);  // of the surface: 0 at the mesh, 1 at the deepest point
 
 // M. McGuire and M. McGuire, "Steep Parallax Mapping", I3D 2005 poster.
 float first_layer_below(vec2 uv, vec2 shift, int steps) {

@@ -1,6 +1,6 @@
 // Exercise 05.pcf: percentage-closer filtering, four texels at a time.
 // Until you fill it in, it asks the one texel that holds the point.
-#include "05_shadow_maps/map_reads.glsl"
+#include "05_shadow_maps/shadow_data.h"
 
 // [pcf]
 // The part of a square of the map around r.place.xy, `kernel` texels wide (odd), from which the light's way to the point

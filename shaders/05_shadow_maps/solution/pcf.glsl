@@ -1,5 +1,5 @@
 // Solution of 05.pcf.
-#include "05_shadow_maps/map_reads.glsl"
+#include "05_shadow_maps/shadow_data.h"
 
 float pcf(Receiver r, uint layer, int kernel) {
     float texels = float(map_texels());

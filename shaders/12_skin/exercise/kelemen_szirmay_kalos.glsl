@@ -1,7 +1,6 @@
 // Exercise 12.kelemen_szirmay_kalos: the light that a rough surface reflects towards the eye.
 // Until you fill it in, nothing shines.
-#include "12_skin/beckmann_of.glsl"
-#include "12_skin/fresnel_of.glsl"
+#include "12_skin/skin.glsl"
 
 // [kelemen_szirmay_kalos]
 // C. Kelemen and L. Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001 short papers:

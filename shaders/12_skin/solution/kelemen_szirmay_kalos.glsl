@@ -1,6 +1,5 @@
 // Solution of 12.kelemen_szirmay_kalos.
-#include "12_skin/beckmann_of.glsl"
-#include "12_skin/fresnel_of.glsl"
+#include "12_skin/skin.glsl"
 
 float kelemen_szirmay_kalos(vec3 n, vec3 l, vec3 v, float m, float f0) {
     float cosine = dot(n, l);

@@ -1,11 +1,11 @@
 // A chapter that is none of the course's: it has a METHOD and knobs of its own, beside the modules of 03 and 04.
+#include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/lighting.glsl"
 #include "03_attenuation/unshadowed.glsl"
 #include "04_surface_maps/surface_maps.glsl"
 
 layout(location = 0) out vec4 color;
 
-layout(scalar) uniform ViewBlock { CameraView view; };
 layout(scalar) uniform KnobBlock {
     float strength;
     vec3 tint;

@@ -1,5 +1,6 @@
 // right, in its pictures too
-#include "04_surface_maps/height_field.glsl"
+
+float depth_at(vec2 uv);
 
 float first_layer_below(vec2 uv, vec2 shift, int steps) {
     for (int i = 0; i <= steps; ++i) {

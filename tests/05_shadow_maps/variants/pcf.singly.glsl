@@ -1,5 +1,5 @@
 // wrong: single texels
-#include "05_shadow_maps/map_reads.glsl"
+#include "05_shadow_maps/shadow_data.h"
 float pcf(Receiver r, uint layer, int kernel) {
     float texels = float(map_texels());
     vec2 begin = r.place.xy * texels - 0.5 * float(kernel), first = floor(begin), part = begin - first;

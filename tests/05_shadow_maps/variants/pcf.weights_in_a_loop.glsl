@@ -1,5 +1,5 @@
 // right
-#include "05_shadow_maps/map_reads.glsl"
+#include "05_shadow_maps/shadow_data.h"
 float covered(float begin, int texel, int kernel) {
     return min(float(texel + 1), begin + float(kernel)) - max(float(texel), begin);
 }
