@@ -1,4 +1,4 @@
-// The lights of a scene as a module: all of them in a buffer, and for each pixel those that may reach it.
+// Lights module: all lights of a scene in a buffer, and for each pixel those that may reach it.
 #pragma once
 #include "03_attenuation/light_grid.h"
 #include "03_attenuation/object_lights.h"

@@ -1,4 +1,4 @@
-// Chapter 03: point and spot lights, and how not to compute those that do not reach.
+// Chapter 03: point and spot lights, and the culling of those that do not reach a pixel.
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// The C++ exercise of this chapter. The name calls the student's version or the reference, as the toggle says.
+// C++ exercise of this chapter. The name calls the student's version or the reference, as the switch says.
 #pragma once
 #include "04_surface_maps/tangent_frame.h"
 #include "common/base/exercise.h"

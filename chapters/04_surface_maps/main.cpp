@@ -1,4 +1,4 @@
-// Chapter 04: surfaces that textures describe: their slope, their depth, their substance, their holes.
+// Chapter 04: surface maps for slope, depth, material and holes.
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"

@@ -1,5 +1,4 @@
-// Surfaces that textures describe, as a module: which maps are in use, how bumps are shown, and the maps' smaller
-// levels.
+// Surface maps module: the maps in use, the method for bumps, and the mip levels of the maps.
 #pragma once
 #include <set>
 

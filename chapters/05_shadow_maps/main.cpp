@@ -1,4 +1,4 @@
-// Chapter 05: shadows from maps of depth, as each light sees the scene.
+// Chapter 05: shadow maps, depth as seen from each light.
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Rays through a scene as a module: what the truth of shadows is made of, and of whatever else asks what a point sees.
+// Ray tracing module: rays through a scene, for the reference of shadows and for any other query of visibility.
 #pragma once
 #include "05_shadow_maps/bvh.h"
 #include "common/app/module.h"

@@ -1,4 +1,4 @@
-// Shadows of a scene's lights as a module: depth from each light that casts one, and how it is asked.
+// Shadow module: a depth map from each light that casts shadows, and the filters that read it.
 #pragma once
 #include <map>
 

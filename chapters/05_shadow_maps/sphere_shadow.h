@@ -1,4 +1,4 @@
-// Shadows that need no map, as a module: of a sphere on its ring, and of the ring on the sphere.
+// Sphere shadow module: shadows without maps, of a sphere on its ring and of the ring on the sphere.
 #pragma once
 #include "05_shadow_maps/ringed_planet.h"
 #include "common/app/module.h"

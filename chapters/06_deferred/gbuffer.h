@@ -1,4 +1,4 @@
-// The G-buffer as a module: what each pixel shows, written once and lit later.
+// G-buffer module: the surface of each pixel, written once and lit later.
 #pragma once
 #include <map>
 

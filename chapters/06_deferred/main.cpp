@@ -1,4 +1,4 @@
-// Chapter 06: what is seen is written down first, and lit afterwards.
+// Chapter 06: deferred shading, surfaces stored first and lit afterwards.
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>

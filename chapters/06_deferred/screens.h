@@ -1,4 +1,4 @@
-// Pictures of other cameras, on objects of the scene.
+// Screens module: pictures from other cameras on objects of the scene.
 #pragma once
 #include "common/app/drawing.h"
 #include "common/app/target.h"

@@ -23,7 +23,7 @@ BANNED = {
     r"\bfor granted\b": "builds on",
     r"\bwhat lets light through\b": "transparent surfaces",
     r"\bby (what|how much) the\b": "a noun: factor, distance, amount",
-    r"\b(is|are) asked (for|of|by|how)\b": "the field's verb: sample, compare, request",
+    r"\b(is|are) asked (of|by|how)\b": "the field's verb: sample, compare, request",
     r"\bone can tell\b|\bone sees\b": "reveals, shows",
     r"\bwhere all is well\b": "if everything passed",
     r"\bstands? out of (its|their|the)\b": "outlier; differs from its neighbours",

@@ -19,7 +19,7 @@
 // the other. When it returns to an invocation, this invocation may read all of tile_masks; the masks must not change
 // until every invocation has called the function again.
 // [/tile_lights]
-shared uint farthest_bits, nearest_bits;  // atomicMin and atomicMax take whole numbers: what of floatBitsToUint?
+shared uint farthest_bits, nearest_bits;  // atomicMin and atomicMax work on integers; see floatBitsToUint
 shared uint tile_masks[32];
 
 vec2 tile_depth_range(uint local) {

@@ -3,7 +3,7 @@
 #include "03_attenuation/cell.glsl"
 #include "03_attenuation/lighting.glsl"
 
-// What a workgroup shares: a bit for each of LIGHTS_PER_GROUP (1,024) lights. It holds anything at the start.
+// Shared by the workgroup: one bit for each of LIGHTS_PER_GROUP (1,024) lights. Its content is undefined at the start.
 shared uint tile_lights[LIGHTS_PER_GROUP / LIGHTS_PER_MASK];
 
 // [accumulate_lights]
