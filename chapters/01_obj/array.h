@@ -1,4 +1,4 @@
-// A growable array of plain values that never clears what it is about to overwrite.
+// Growable array of plain values that does not clear the memory it is about to overwrite.
 #pragma once
 #include <sys/mman.h>
 

@@ -157,12 +157,12 @@ void cut_polygon(Triangulate cut, const Corner* polygon, size_t count, const Arr
         std::memcpy(&points[k], positions.data() + 3 * size_t{polygon[k].position}, sizeof(glm::vec3));
     const std::vector<glm::uvec3> triangles = cut(points);
     if (triangles.size() != count - 2)
-        throw Failure("triangulate made {} triangles of a polygon with {} corners, expected {}", triangles.size(),
+        throw Failure("triangulate returned {} triangles for a polygon with {} corners, expected {}", triangles.size(),
                       count, count - 2);
     for (const glm::uvec3& triangle : triangles)
         for (int k = 0; k < 3; ++k) {
             if (triangle[k] >= count)
-                throw Failure("triangulate gave corner {} of a polygon with {} corners", triangle[k], count);
+                throw Failure("triangulate returned corner {} of a polygon with {} corners", triangle[k], count);
             *out++ = polygon[triangle[k]];
         }
 }

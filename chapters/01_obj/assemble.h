@@ -1,4 +1,4 @@
-// What a reader of OBJ text collects, and how collected pieces become one ObjData.
+// Pieces of OBJ text as a reader collects them, and their assembly into one ObjData.
 #pragma once
 #include <atomic>
 #include <span>

@@ -1,4 +1,4 @@
-// Assimp's OBJ reader, for comparison: triangulated, equal vertices joined.
+// Assimp's OBJ reader, for comparison: triangulates and joins equal vertices.
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 

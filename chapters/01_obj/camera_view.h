@@ -1,4 +1,4 @@
-// What a camera sees, by this chapter's matrix.
+// View of a camera, by this chapter's matrix.
 #pragma once
 #include "01_obj/exercises.h"
 #include "common/scene/view.h"

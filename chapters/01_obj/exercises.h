@@ -1,4 +1,4 @@
-// The C++ exercises of this chapter. Each name calls the student's version or the reference, as the toggle says.
+// C++ exercises of this chapter. Each name calls the student's version or the reference, as the switch says.
 #pragma once
 #include <glm/glm.hpp>
 #include <span>

@@ -1,4 +1,4 @@
-// Numbers eight characters at a time. What it does not know well it leaves to float_parse.h.
+// Number parser that reads eight characters at a time. Uncommon forms are left to float_parse.h.
 #pragma once
 #include <array>
 #include <bit>

@@ -1,4 +1,4 @@
-// Decimal text to the nearest float: what strtof does in the C locale, faster, and without a locale.
+// Decimal text to the nearest float: the result of strtof in the C locale, but faster and without a locale.
 #pragma once
 #include <algorithm>
 #include <array>

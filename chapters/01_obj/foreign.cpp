@@ -1,5 +1,4 @@
-// The public parsers in a guarded process (common/base/guarded.h): files have been found on which they crash, or do not
-// end.
+// Public parsers in a guarded process (common/base/guarded.h): on some files they crash or do not return.
 #include "01_obj/loaders.h"
 #include "common/base/bytes.h"
 #include "common/base/guarded.h"
@@ -54,7 +53,7 @@ ObjData parse_guarded(std::string_view text, const std::string& name, Loader loa
     });
     ObjData data;
     ByteReader{bytes}(data);
-    if (!is_consistent(data)) throw Failure("{}: {} gave an index that is out of range", name, reader);
+    if (!is_consistent(data)) throw Failure("{}: {} returned an index that is out of range", name, reader);
     return data;
 }
 

@@ -1,4 +1,4 @@
-// The lexical layer that OBJ and MTL share: statements, words, and where they stand.
+// Lexical layer shared by OBJ and MTL: statements, words, and their positions in the file.
 #pragma once
 #include <cstring>
 #include <string>

@@ -1,4 +1,4 @@
-// Measuring the loaders, and showing what one has read.
+// Benchmark of the loaders, and a summary of the mesh that one of them has read.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -1,4 +1,4 @@
-// The loaders' study and need rule: megabytes per second against error, and which loader a scene wants.
+// Study and need rule of the loaders: megabytes per second against error, and the choice of a loader for a scene.
 #pragma once
 #include "01_obj/model_chapter.h"
 #include "common/study/subject.h"

@@ -1,4 +1,4 @@
-// The five loaders, each in its own file. Text in, triangles out; parse_obj chooses one.
+// The five loaders, each in its own file: text in, triangles out. parse_obj calls one of them.
 #pragma once
 #include <string>
 #include <string_view>

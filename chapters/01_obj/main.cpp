@@ -12,14 +12,15 @@ struct Obj : ModelChapter {
                   "loader",
                   {"textbook", "tinyobjloader", "assimp", "scan", "parallel"},
                   "textbook",
-                  "how an OBJ file is read"};
+                  "OBJ loader: textbook (built on your exercises), the libraries tinyobjloader and assimp, scan (one "
+                  "pass over the bytes), parallel (all cores)"};
 
     Pipeline clay = graphics({.vertex = "01_obj/mesh.vert", .fragment = "01_obj/clay.frag"});
 
     Obj() {
         method_knob = "loader";
         subject = std::make_shared<LoaderSubject>(scene.file, method);
-        commands = {{"load-bench", "FILE", "time every loader on FILE; --json for JSON",
+        commands = {{"load-bench", "FILE", "time every loader on FILE; with --json as JSON",
                      [](const std::string& file, bool json) { return run_load_bench(file, 5, json); }},
                     {"dump-mesh", "FILE", "print counts, bounds, materials and a checksum of positions as JSON",
                      [this](const std::string& file, bool) { return dump_mesh(file, loader()), 0; }}};

@@ -1,4 +1,4 @@
-// A file's bytes without reading them: the kernel shows its page cache to the program.
+// Memory-mapped file: its bytes without a read, straight from the kernel's page cache.
 #pragma once
 #include <cstddef>
 #include <filesystem>

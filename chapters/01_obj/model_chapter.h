@@ -1,4 +1,4 @@
-// What every chapter from here on stands on: models through this chapter's loaders, and the camera's matrix.
+// Base of every chapter from here on: models read by this chapter's loaders, and the camera's matrix.
 #pragma once
 #include "01_obj/camera_view.h"
 #include "01_obj/obj.h"

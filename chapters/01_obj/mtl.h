@@ -1,4 +1,4 @@
-// MTL: the material file that an OBJ file names with `mtllib`.
+// MTL reader: the material file that an OBJ file names with `mtllib`.
 #pragma once
 #include <filesystem>
 #include <string>

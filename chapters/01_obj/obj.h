@@ -1,4 +1,4 @@
-// From a Wavefront OBJ file to a model, by five loaders that differ in speed and exactness.
+// Models from Wavefront OBJ files, by five loaders that differ in speed and exactness.
 #pragma once
 #include <cstdint>
 #include <filesystem>

@@ -1,5 +1,5 @@
-// As fast as memory allows, nearly: the file is mapped, threads take chunks of it, and the common forms of v, vt, vn
-// and f are read eight characters at a time. Every other line goes to the scanner, every error to throw_first_error.
+// Loader on several threads: the file is mapped, threads take chunks of it, and the common forms of v, vt, vn and f are
+// read eight characters at a time. All other lines go to the scanner, all errors to throw_first_error.
 #include <sys/mman.h>
 
 #include <thread>

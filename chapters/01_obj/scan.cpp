@@ -99,8 +99,8 @@ void Scanner::statement(std::string_view text) {
     };
     float values[7] = {};
     if (keyword == "v") {
-        if (read_floats(rest, 3, 7, values, "v x y z, with w or r g b or both behind") == 5)
-            throw InputError("5 numbers, expected v x y z, with w or r g b or both behind");
+        if (read_floats(rest, 3, 7, values, "v x y z, optionally followed by w, r g b, or both") == 5)
+            throw InputError("5 numbers, expected v x y z, optionally followed by w, r g b, or both");
         std::memcpy(out_.positions.room(3), values, 3 * sizeof(float)), out_.positions.added(3);
     } else if (keyword == "vt") {
         read_floats(rest, 1, 3, values, "vt u v");

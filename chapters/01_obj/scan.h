@@ -1,4 +1,4 @@
-// Reading OBJ statements where they lie, in one pass: no copies, no streams, no locale.
+// OBJ scanner that parses statements in place in one pass: no copies, no streams, no locale.
 #pragma once
 #include <string>
 #include <string_view>

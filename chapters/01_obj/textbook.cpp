@@ -1,5 +1,5 @@
-// The loader as one writes it first: a line at a time, and a stream for every line. It is the slowest and the easiest
-// to follow, and it calls this chapter's exercises.
+// Loader in its simplest form: one line at a time, and a stream for every line. It is the slowest and the easiest to
+// follow, and it calls this chapter's exercises.
 #include <algorithm>
 #include <locale>
 #include <map>
@@ -137,11 +137,11 @@ class Reader {
             absent_ = true;
         };
         for (Corner& c : corners) {
-            if (c.position >= total_.positions) throw InputError("parse_face gave an index that is out of range");
+            if (c.position >= total_.positions) throw InputError("parse_face returned an index that is out of range");
             leave_out(c.uv, total_.uvs);
             leave_out(c.normal, total_.normals);
         }
-        if (corners.size() < 3) throw InputError("parse_face gave fewer than 3 corners");
+        if (corners.size() < 3) throw InputError("parse_face returned fewer than 3 corners");
         if (corners.size() > most_corners)
             throw InputError("a face with {} corners, at most {} are cut", corners.size(), most_corners);
         return corners;

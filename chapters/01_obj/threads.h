@@ -1,4 +1,4 @@
-// Work shared among threads.
+// Distribution of work over threads.
 #pragma once
 #include <algorithm>
 #include <atomic>

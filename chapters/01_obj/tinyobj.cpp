@@ -1,4 +1,4 @@
-// The public single-threaded parser, for comparison. It does not promise correctly rounded floats.
+// Public single-threaded parser, for comparison. It does not promise correctly rounded floats.
 #include <tiny_obj_loader.h>
 
 #include <cstring>

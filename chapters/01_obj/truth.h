@@ -1,4 +1,4 @@
-// What this chapter's results are measured against.
+// References of this chapter, in double precision.
 #pragma once
 #include <locale.h>
 

@@ -1,4 +1,4 @@
-// From index triples to the one index per vertex that a GPU wants.
+// Welding: from index triples to the single index per vertex that a GPU uses.
 #include <algorithm>
 #include <glm/glm.hpp>
 #include <unordered_map>

@@ -1,4 +1,4 @@
-// The scene's directional lights in the form shaders read.
+// Directional lights of a scene, in the form that shaders read.
 #pragma once
 #include "02_lambert_phong/directional_light.h"
 #include "common/gpu/gpu.h"

@@ -13,21 +13,34 @@ struct LambertPhong : ModelChapter {
                   "method",
                   {"gouraud", "phong", "blinn_phong", "blinn_phong_normalised"},
                   "blinn_phong_normalised",
-                  "how highlights are computed; gouraud does so at vertices"};
+                  "Specular model: gouraud (normalised Blinn–Phong, evaluated at vertices), phong, blinn_phong, or "
+                  "Blinn–Phong scaled to conserve energy (blinn_phong_normalised)"};
     // [/method]
-    Choice diffuse{*this, "diffuse", {"lambert", "wrapped"}, "lambert", "how matt surfaces receive light"};
-    Knob<bool> ambient{*this, "ambient", true, "add the scene's ambient light"};
+    Choice diffuse{*this,
+                   "diffuse",
+                   {"lambert", "wrapped"},
+                   "lambert",
+                   "Diffuse model: lambert, or wrapped light that reaches beyond the terminator"};
+    Knob<bool> ambient{*this, "ambient", true, "Ambient light of the scene, added to every surface"};
     Knob<float> shininess{
-        *this, "shininess", 0.0f, {0.0f, 4096.0f}, "exponent of all highlights; 0: each material's own"};
-    Knob<float> wrap{*this, "wrap", 0.5f, {0.0f, 1.0f}, "how far wrapped light reaches around; 0 is Lambert"};
-    Knob<float> wrap_power{*this, "wrap_power", 1.5f, {0.1f, 8.0f}, "exponent of wrapped light"};
+        *this, "shininess", 0.0f, {0.0f, 4096.0f}, "Specular exponent for all materials; 0 keeps each material's own"};
+    Knob<float> wrap{*this,
+                     "wrap",
+                     0.5f,
+                     {0.0f, 1.0f},
+                     "Wrap: minus the cosine at which wrapped light ends, from 0 (Lambert) to 1 (lit all around)"};
+    Knob<float> wrap_power{*this, "wrap_power", 1.5f, {0.1f, 8.0f}, "Exponent of the wrapped diffuse term"};
     Knob<glm::vec3> wrap_tint{*this,
                               "wrap_tint",
                               {1.0f, 0.35f, 0.2f},
                               {glm::vec3(0.0f), glm::vec3(1.0f)},
-                              "colour of wrapped light at the edge"};
+                              "Colour of wrapped light at and beyond the terminator"};
 
-    Knob<float> mist{*this, "mist", 0.0f, {0.0f, 2.0f}, "how fast mist swallows what is behind it; 0: none, and no sky",
+    Knob<float> mist{*this,
+                     "mist",
+                     0.0f,
+                     {0.0f, 2.0f},
+                     "Extinction coefficient of the mist, per metre; 0 draws neither mist nor sky",
                      "1/m"};
 
     Pipeline shade = graphics({.vertex = "02_lambert_phong/shade.vert", .fragment = "02_lambert_phong/shade.frag"});

@@ -1,4 +1,4 @@
-// This chapter's references in double precision. Directions have unit length.
+// References of this chapter, in double precision. Directions have unit length.
 #pragma once
 #include <cmath>
 #include <glm/glm.hpp>

@@ -1,4 +1,4 @@
-// All lights of a scene in one storage buffer, in the form shaders read.
+// Storage buffer with all lights of a scene, in the form that shaders read.
 #pragma once
 #include "03_attenuation/light_data.h"
 #include "common/gpu/frame.h"

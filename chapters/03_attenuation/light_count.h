@@ -1,4 +1,4 @@
-// How many lights a picture took.
+// Mean number of lights computed per pixel of a picture.
 #pragma once
 #include "common/gpu/gpu.h"
 

@@ -1,4 +1,4 @@
-// Lights sorted into the cells of a grid over the screen, on the GPU.
+// Grid of cells over the screen, with the lights of each cell, built on the GPU.
 #pragma once
 #include "03_attenuation/light_data.h"
 #include "03_attenuation/light_buffer.h"

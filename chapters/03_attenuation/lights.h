@@ -1,4 +1,4 @@
-// The lights of a scene as a module: all of them in a buffer, and for each pixel those that may reach it.
+// Lights module: all lights of a scene in a buffer, and for each pixel those that may reach it.
 #pragma once
 #include "03_attenuation/light_grid.h"
 #include "03_attenuation/object_lights.h"
@@ -16,17 +16,24 @@ struct Lights : Module {
                   "method",
                   {"every_light", "per_object", "tiled", "clustered"},
                   "clustered",
-                  "which lights a pixel computes: all, or those that may reach its object, tile or cluster"};
-    Choice falloff{*this,
-                   "falloff",
-                   {"range_fade", "inverse_square_window", "inverse_square"},
-                   "inverse_square_window",
-                   "how light weakens with distance; inverse_square never ends"};
+                  "Light culling: all lights (every_light), or those that may reach the pixel's object (per_object), "
+                  "screen tile (tiled) or cluster (clustered)"};
+    Choice falloff{
+        *this,
+        "falloff",
+        {"range_fade", "inverse_square_window", "inverse_square"},
+        "inverse_square_window",
+        "Distance attenuation: range_fade, inverse_square_window (0 at the range), or inverse_square (never 0)"};
     // [/lights]
-    Knob<float> fade_k{*this, "fade_k", 1.0f, {0.0f, 100.0f}, "k of range_fade", "1/m²"};
-    Knob<float> threshold{
-        *this, "threshold", 0.004f, {1e-6f, 1.0f}, "radiance at which culling takes inverse_square to have ended"};
-    Knob<int> slices{*this, "slices", 24, {1, 256}, "how many clusters a tile is cut into"};
+    Knob<float> fade_k{
+        *this, "fade_k", 1.0f, {0.0f, 100.0f}, "Constant k of range_fade, the quadratic term of its denominator",
+        "1/m²"};
+    Knob<float> threshold{*this,
+                          "threshold",
+                          0.004f,
+                          {1e-6f, 1.0f},
+                          "Radiance below which culling treats an inverse_square light as ended"};
+    Knob<int> slices{*this, "slices", 24, {1, 256}, "Number of depth slices, and so of clusters, in each tile"};
 
     /// The lights and each object's list of them, uploaded in passes of this frame where something has changed.
     void update(Frame& frame, const Scene& scene, const std::vector<Light>& lights);

@@ -1,4 +1,4 @@
-// Chapter 03: point and spot lights, and how not to compute those that do not reach.
+// Chapter 03: point and spot lights, and the culling of those that do not reach a pixel.
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
@@ -13,10 +13,13 @@ using namespace lightwalk;
 
 struct Attenuation : ModelChapter {
     Lights lights{*this, "lights"};
-    Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "how many more lights are scattered over the scene"};
-    Knob<bool> moving{*this, "moving", false, "point and spot lights move"};
-    Choice show{
-        *this, "show", {"picture", "light_count"}, "picture", "the picture, or how many lights each pixel computed"};
+    Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "Number of random lights added to those of the scene"};
+    Knob<bool> moving{*this, "moving", false, "Animation of the point and spot lights"};
+    Choice show{*this,
+                "show",
+                {"picture", "light_count"},
+                "picture",
+                "View: the picture, or the number of lights computed for each pixel (light_count)"};
 
     Pipeline depth = graphics({.vertex = "03_attenuation/surface.vert"});
     Pipeline shade = graphics({.vertex = "03_attenuation/surface.vert", .fragment = "03_attenuation/shade.frag"});

@@ -1,4 +1,4 @@
-// For each of a scene's draw calls the lights that may reach it.
+// Lists of the lights that may reach each draw call of a scene.
 #pragma once
 #include "03_attenuation/light_buffer.h"
 #include "common/scene/scene.h"

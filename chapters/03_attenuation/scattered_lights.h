@@ -1,4 +1,4 @@
-// Many lights over a scene, the same for the same seed on every machine.
+// Random lights over a scene; equal seeds give equal lights on every machine.
 #pragma once
 #include <vector>
 

@@ -1,4 +1,4 @@
-// The C++ exercise of this chapter. The name calls the student's version or the reference, as the toggle says.
+// C++ exercise of this chapter. The name calls the student's version or the reference, as the switch says.
 #pragma once
 #include "common/structs.h"
 #include "common/base/exercise.h"

@@ -1,4 +1,4 @@
-// Chapter 04: surfaces that textures describe: their slope, their depth, their substance, their holes.
+// Chapter 04: surface maps for slope, depth, material and holes.
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
@@ -16,7 +16,8 @@ struct SurfaceMaps : ModelChapter {
                 "show",
                 {"shaded", "hit_error", "swim", "normal"},
                 "shaded",
-                "hit_error, and its change when the eye moves, are in texels of the height map; 32 are white"};
+                "View: shaded picture, error of the hit point (hit_error), its change as the camera moves (swim), both "
+                "in texels of the height map with 32 as white, or the normal"};
 
     Pipeline surface = graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "04_surface_maps/surface.frag"});
     Pipeline displaced =

@@ -1,5 +1,4 @@
-// Surfaces that textures describe, as a module: which maps are in use, how bumps are shown, and the maps' smaller
-// levels.
+// Surface maps module: the maps in use, the method for bumps, and the mip levels of the maps.
 #pragma once
 #include <set>
 
@@ -20,39 +19,65 @@ struct Maps : Module {
                   "method",
                   {"flat", "normal", "offset", "offset_limited", "steep", "occlusion", "relief", "exact"},
                   "occlusion",
-                  "how a surface's bumps are shown; from offset on, where the eye's ray meets the height map"};
+                  "Bump method: flat (none), normal (normal map only), then parallax: offset, offset_limited, steep, "
+                  "occlusion, relief, and exact ray casting"};
     // [/method]
-    Knob<int> steps{*this, "steps", 32, {1, 4096}, "how often steep, occlusion and relief look at the height map"};
-    Knob<float> height_m{*this, "height_m", 0.05f, {0.0f, 1.0f}, "how deep black lies in a height map", "m"};
-    Knob<float> displacement_m{
-        *this, "displacement_m", 0.05f, {0.0f, 1.0f}, "how far black and white lie apart in a displacement map", "m"};
-    Choice mesh{*this, "mesh", {"loaded", "displaced"}, "loaded", "displaced: the height map moves a finely cut mesh"};
-    Knob<int> subdivide{*this, "subdivide", 16, {1, 1024}, "into how many a displaced triangle's edge is cut"};
-    Knob<float> strength{*this, "strength", 1.0f, {0.0f, 4.0f}, "by what the slope in normal maps is multiplied"};
-    Knob<float> detail_tiles{
-        *this, "detail_tiles", 8.0f, {0.0f, 64.0f}, "how often detail repeats in a texture's width"};
-    Choice normal_y{
-        *this, "normal_y", {"up", "down"}, "up", "where green points in normal maps: up (OpenGL), down (DirectX)"};
-    Choice filter{
-        *this, "filter", {"renormalised", "toksvig"}, "toksvig", "what far away normal maps do to highlights"};
-    Choice coverage{
-        *this, "coverage", {"kept", "averaged"}, "kept", "how alpha is made smaller: averaged lets leaves vanish"};
-    Knob<float> cutoff{*this, "cutoff", 0.5f, {0.0f, 1.0f}, "what has less alpha is cut out"};
-    Knob<float> wobble{*this, "wobble", 0.0f, {0.0f, 0.2f}, "how far textures swing, in texture widths"};
-    Knob<float> scroll{*this, "scroll", 0.0f, {-2.0f, 2.0f}, "how far textures flow, in texture widths a second"};
+    Knob<int> steps{*this, "steps", 32, {1, 4096}, "Number of depth layers searched by steep, occlusion and relief"};
+    Knob<float> height_m{*this, "height_m", 0.05f, {0.0f, 1.0f}, "Depth of black in the height map below the mesh",
+                         "m"};
+    Knob<float> displacement_m{*this,
+                               "displacement_m",
+                               0.05f,
+                               {0.0f, 1.0f},
+                               "Height difference between black and white in the displacement map",
+                               "m"};
+    Choice mesh{*this,
+                "mesh",
+                {"loaded", "displaced"},
+                "loaded",
+                "Geometry: the mesh as loaded, or subdivided and moved by the height map (displaced)"};
+    Knob<int> subdivide{
+        *this, "subdivide", 16, {1, 1024}, "Number of pieces into which each edge of a displaced triangle is cut"};
+    Knob<float> strength{*this, "strength", 1.0f, {0.0f, 4.0f}, "Scale factor for the slopes in normal maps"};
+    Knob<float> detail_tiles{*this,
+                             "detail_tiles",
+                             8.0f,
+                             {0.0f, 64.0f},
+                             "Number of repeats of the detail normal map across a texture's width"};
+    Choice normal_y{*this,
+                    "normal_y",
+                    {"up", "down"},
+                    "up",
+                    "Direction of the green channel in normal maps: up (OpenGL) or down (DirectX)"};
+    Choice filter{*this,
+                  "filter",
+                  {"renormalised", "toksvig"},
+                  "toksvig",
+                  "Filtering of distant normal maps: unit length again (renormalised), or with highlights widened by "
+                  "the spread of normals (toksvig)"};
+    Choice coverage{*this,
+                    "coverage",
+                    {"kept", "averaged"},
+                    "kept",
+                    "Alpha in small mip levels of cutouts: scaled so that coverage stays (kept), or only averaged, so "
+                    "that leaves vanish"};
+    Knob<float> cutoff{*this, "cutoff", 0.5f, {0.0f, 1.0f}, "Alpha threshold below which a fragment is discarded"};
+    Knob<float> wobble{*this, "wobble", 0.0f, {0.0f, 0.2f}, "Amplitude of the texture wobble, in texture widths"};
+    Knob<float> scroll{
+        *this, "scroll", 0.0f, {-2.0f, 2.0f}, "Speed of the texture scroll along v, in texture widths per second"};
 
     // One switch for each texture slot. A slot that is off, or that a material has no texture for, is compiled out.
-    Knob<bool> diffuse{*this, "diffuse", true, "colour textures"};
-    Knob<bool> specular{*this, "specular", true, "textures that tint highlights"};
-    Knob<bool> emissive{*this, "emissive", true, "textures that glow"};
-    Knob<bool> opacity{*this, "opacity", true, "textures of holes"};
-    Knob<bool> normal{*this, "normal", true, "normal maps"};
-    Knob<bool> height{*this, "height", true, "height maps"};
-    Knob<bool> orm{*this, "orm", true, "textures of occlusion, roughness and metalness"};
-    Knob<bool> occlusion{*this, "occlusion", true, "textures of ambient occlusion alone"};
-    Knob<bool> gloss{*this, "gloss", true, "textures of the exponent, 8 to 256"};
-    Knob<bool> detail_normal{*this, "detail_normal", true, "fine normal maps on top of the others"};
-    Knob<bool> displacement{*this, "displacement", true, "maps that shift all textures along the view"};
+    Knob<bool> diffuse{*this, "diffuse", true, "Colour textures of materials"};
+    Knob<bool> specular{*this, "specular", true, "Specular colour textures, which tint highlights"};
+    Knob<bool> emissive{*this, "emissive", true, "Emissive textures, which glow"};
+    Knob<bool> opacity{*this, "opacity", true, "Opacity textures, which cut holes"};
+    Knob<bool> normal{*this, "normal", true, "Normal maps of materials"};
+    Knob<bool> height{*this, "height", true, "Height maps for parallax and displacement"};
+    Knob<bool> orm{*this, "orm", true, "Textures with occlusion, roughness and metalness in one"};
+    Knob<bool> occlusion{*this, "occlusion", true, "Ambient occlusion textures without roughness and metalness"};
+    Knob<bool> gloss{*this, "gloss", true, "Gloss textures: specular exponents from 8 to 256"};
+    Knob<bool> detail_normal{*this, "detail_normal", true, "Detail normal maps, blended onto the normal maps"};
+    Knob<bool> displacement{*this, "displacement", true, "Displacement maps, which shift all textures along the view"};
 
     /// Tangents for the scene's meshes, and the levels of its maps unless `makes_levels` is off.
     void prepare(Gpu& gpu, Scene& scene) override;

@@ -1,4 +1,4 @@
-// A scene's objects as a drawing: this chapter's surfaces under chapter 03's lights.
+// Drawing of a scene's objects: this chapter's surfaces under chapter 03's lights.
 #pragma once
 #include "03_attenuation/lights.h"
 #include "04_surface_maps/surface_pipelines.h"

@@ -1,4 +1,4 @@
-// Tangent frames of a mesh: what 04.tangent_frame says of every triangle's corner, joined at the vertices.
+// Tangent frames of a mesh: the result of 04.tangent_frame at every corner, joined at the vertices.
 #pragma once
 #include "common/structs.h"
 #include "common/scene/scene.h"

@@ -1,4 +1,4 @@
-// This chapter's references in double precision. Directions have unit length; tangent space has z along the normal.
+// References of this chapter, in double precision. Directions have unit length; tangent space has z along the normal.
 #pragma once
 #include <cmath>
 #include <functional>

@@ -139,7 +139,8 @@ Bvh::Bvh(std::vector<RayTriangle> triangles) {
         tasks.push_back({child + 1, task.first + below, task.count - below, task.depth + 1});
         tasks.push_back({child, task.first, below, task.depth + 1});
     }
-    if (depth_ > BVH_STACK) throw Failure("a hierarchy of {} levels, and rays remember {}", depth_, BVH_STACK);
+    if (depth_ > BVH_STACK)
+        throw Failure("the hierarchy has {} levels; rays can traverse at most {}", depth_, BVH_STACK);
     for (const Boxed& b : boxed) {
         order_.push_back(b.index);
         triangles_.push_back(triangles[b.index]);
@@ -152,7 +153,7 @@ void Bvh::refit(const std::vector<RayTriangle>& moved) {
     check(moved);
     if (moved.empty() && triangles_.size() == 1) return;
     if (moved.size() != triangles_.size())
-        throw Failure("{} triangles to refit a hierarchy of {}", moved.size(), triangles_.size());
+        throw Failure("refit with {} triangles; the hierarchy has {}", moved.size(), triangles_.size());
     for (size_t i = 0; i < order_.size(); ++i) {
         const RayTriangle& to = moved[order_[i]];
         triangles_[i] = {to.a, to.b, to.c, triangles_[i].cutout};

@@ -1,4 +1,4 @@
-// A bounding-volume hierarchy over the triangles of a scene: what rays go through instead of asking every triangle.
+// Bounding volume hierarchy over the triangles of a scene, which saves rays from testing every triangle.
 #pragma once
 #include <vector>
 

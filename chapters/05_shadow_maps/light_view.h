@@ -1,4 +1,4 @@
-// From where a light sees the scene.
+// Views of a scene from its lights.
 #pragma once
 #include "05_shadow_maps/shadow_data.h"
 #include "common/scene/camera.h"

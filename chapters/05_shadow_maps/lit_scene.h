@@ -1,4 +1,4 @@
-// A scene's objects as a drawing: chapter 04's, with this chapter's shadows.
+// Drawing of a scene's objects: chapter 04's surfaces with this chapter's shadows.
 #pragma once
 #include "04_surface_maps/surface_scene.h"
 #include "05_shadow_maps/shadow.h"

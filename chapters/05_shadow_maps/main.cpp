@@ -1,4 +1,4 @@
-// Chapter 05: shadows from maps of depth, as each light sees the scene.
+// Chapter 05: shadow maps, depth as seen from each light.
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
@@ -16,13 +16,19 @@ struct ShadowMaps : ModelChapter {
     LitScene objects{*this, "objects"};
     Rays rays{*this, "rays"};
     SphereShadow sphere_shadow{*this, "sphere_shadow"};
-    Choice visibility{*this, "visibility", {"maps", "rays"}, "maps", "rays: the truth, from all of each lamp"};
-    Knob<float> lamp{*this, "lamp", 1.0f, {0.0f, 100.0f}, "by what the sizes of all lamps are multiplied"};
+    Choice visibility{
+        *this,
+        "visibility",
+        {"maps", "rays"},
+        "maps",
+        "Shadows: from shadow maps (maps), or ray traced to points all over each light (rays), the reference"};
+    Knob<float> lamp{*this, "lamp", 1.0f, {0.0f, 100.0f}, "Scale factor for all light sizes"};
     Choice show{*this,
                 "show",
                 {"picture", "visibility", "wrong", "map", "texels"},
                 "picture",
-                "wrong: acne red, peter-panning blue, leaks yellow, edges violet; map: which one; texels: their size"};
+                "View: picture, light visibility, errors against rays (wrong: acne red, peter-panning blue, leaks "
+                "yellow, edges violet), the map in use, or the size of its texels"};
 
     // [pipelines]
     SurfacePipelines shown{{.fragment = "05_shadow_maps/shown.frag"}};

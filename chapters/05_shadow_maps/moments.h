@@ -1,4 +1,4 @@
-// Moment maps: what is blurred instead of depths.
+// Moment maps, which are blurred in place of depth.
 #pragma once
 #include "05_shadow_maps/blur.h"
 #include "common/gpu/frame.h"

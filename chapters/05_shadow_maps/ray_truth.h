@@ -1,4 +1,4 @@
-// References for rays and for shadows that need no map, in double precision.
+// References for rays and for shadows without maps, in double precision.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Rays through a scene as a module: what the truth of shadows is made of, and of whatever else asks what a point sees.
+// Ray tracing module: rays through a scene, for the reference of shadows and for any other query of visibility.
 #pragma once
 #include "05_shadow_maps/bvh.h"
 #include "common/app/module.h"
@@ -17,9 +17,9 @@ struct Rays : Module {
                             "truth_samples",
                             16,
                             {1, 64},
-                            "rays of a picture from each pixel to a lamp that has a size; more by --samples"};
+                            "Rays from each pixel to each light with an area; --samples multiplies them"};
 
-    Knob<bool> cutouts{*this, "cutouts", true, "rays go through what textures cut out; off: everything is whole"};
+    Knob<bool> cutouts{*this, "cutouts", true, "Alpha-tested holes let rays through; off: every triangle is solid"};
 
     /// Builds the hierarchy and uploads it. `cutoff`: what has less alpha is not there. Throws InputError where a
     /// vertex is no place.

@@ -43,7 +43,7 @@ std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const Lights&
 // Layers are made when they are first needed, all of them anew where the size has changed.
 void Shadow::reserve(Frame& frame, uint32_t layers) {
     const uint32_t most = frame.gpu.device.properties.limits.maxImageArrayLayers;
-    if (layers > most) throw InputError("{} maps of depth from lights, this device has at most {}", layers, most);
+    if (layers > most) throw InputError("the lights need {} shadow maps; this device has at most {}", layers, most);
     const Image::Desc wanted{.name = path() + ".map",
                              .format = VK_FORMAT_D32_SFLOAT,
                              .size = glm::uvec2(static_cast<uint32_t>(resolution.value)),

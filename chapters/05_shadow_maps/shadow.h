@@ -1,4 +1,4 @@
-// Shadows of a scene's lights as a module: depth from each light that casts one, and how it is asked.
+// Shadow module: a depth map from each light that casts shadows, and the filters that read it.
 #pragma once
 #include <map>
 
@@ -18,44 +18,88 @@ namespace lightwalk {
 struct Shadow : Module {
     Shadow(Module& owner, std::string name);
 
-    Choice method{
+    Choice method{*this,
+                  "method",
+                  {"none", "hard", "pcf", "pcss", "vsm", "evsm", "msm"},
+                  "pcf",
+                  "Shadow filter: none, one comparison (hard), a fixed kernel (pcf), a kernel as wide as the penumbra "
+                  "(pcss), or blurred moments (vsm, evsm, msm)"};
+    Knob<int> resolution{
+        *this,   "resolution", 1024, {16, 8192}, "Shadow map resolution: width and height of each map, in texels",
+        "texels"};
+    Knob<int> cascades{*this, "cascades", 3, {1, 4}, "Number of shadow cascades for each directional light"};
+    Knob<float> split{
         *this,
-        "method",
-        {"none", "hard", "pcf", "pcss", "vsm", "evsm", "msm"},
-        "pcf",
-        "how maps of depth are asked: a texel, a square of them, one as wide as the shadow is soft, or moments"};
-    Knob<int> resolution{*this, "resolution", 1024, {16, 8192}, "of a map's side", "texels"};
-    Knob<int> cascades{*this, "cascades", 3, {1, 4}, "maps of a directional light, the finest next to the eye"};
-    Knob<float> split{*this, "split", 0.7f, {0.0f, 1.0f}, "0: cascades are equally deep; 1: they grow by one factor"};
-    Knob<float> distance_m{*this, "distance_m", 30.0f, {1.0f, 1e5f}, "how far from the eye cascades reach", "m"};
-    Knob<bool> snap{*this, "snap", true, "cascades move by whole texels, so that edges of shadows stand still"};
-    Knob<float> near_m{*this, "near_m", 0.05f, {1e-3f, 10.0f}, "where the map of a point or spot light begins", "m"};
+        "split",
+        0.7f,
+        {0.0f, 1.0f},
+        "Cascade distribution: 0 makes all equally deep, 1 makes each deeper than the last by a constant factor"};
+    Knob<float> distance_m{
+        *this, "distance_m", 30.0f, {1.0f, 1e5f}, "Distance from the camera at which the last cascade ends, in metres",
+        "m"};
+    Knob<bool> snap{*this, "snap", true,
+                    "Cascade snapping to whole texels, which keeps shadow edges still as the camera moves"};
+    Knob<float> near_m{*this, "near_m", 0.05f, {1e-3f, 10.0f}, "Near plane of point and spot light maps, in metres",
+                       "m"};
 
-    Knob<bool> keep{*this, "keep", true, "a map whose light and casters stand still is not drawn again"};
+    Knob<bool> keep{*this, "keep", true, "Caching: a map is redrawn only if its light or a caster in it has moved"};
 
     // Bias: each alone, or together.
-    Knob<float> bias_m{*this, "bias_m", 0.002f, {0.0f, 1.0f}, "points are lifted towards the light by this", "m"};
-    Knob<float> slope{*this, "slope", 0.0f, {0.0f, 4.0f}, "and by this times what slope_bias() says"};
-    Knob<float> normal_offset{*this, "normal_offset", 0.0f, {0.0f, 4.0f}, "the same along the surface's normal"};
-    Knob<bool> receiver_plane{*this, "receiver_plane", true, "each texel is compared with the surface's plane in it"};
+    Knob<float> bias_m{*this, "bias_m", 0.002f, {0.0f, 1.0f}, "Constant bias towards the light, in metres", "m"};
+    Knob<float> slope{*this, "slope", 0.0f, {0.0f, 4.0f}, "Scale factor for the slope bias, towards the light"};
+    Knob<float> normal_offset{
+        *this, "normal_offset", 0.0f, {0.0f, 4.0f}, "Scale factor for the bias along the surface normal"};
+    Knob<bool> receiver_plane{
+        *this, "receiver_plane", true,
+        "Receiver-plane bias: each texel is compared with the depth of the surface's plane at that texel"};
 
     // Filters of depths.
-    Knob<int> kernel{*this, "kernel", 5, {1, 15}, "of pcf: the side of its square, odd", "texels"};
-    Choice fetch{*this, "fetch", {"single", "gather"}, "gather", "of pcf: texels one by one, or four at a time"};
-    Knob<int> search_taps{*this, "search_taps", 16, {1, 256}, "of pcss: where it looks for what is in the way"};
-    Knob<int> taps{*this, "taps", 24, {1, 256}, "of pcss: from how many places it takes the mean"};
+    Knob<int> kernel{*this, "kernel", 5, {1, 15}, "PCF kernel width, in texels; odd", "texels"};
+    Choice fetch{*this,
+                 "fetch",
+                 {"single", "gather"},
+                 "gather",
+                 "PCF texture reads: one texel each (single), or four at a time (gather)"};
+    Knob<int> search_taps{*this, "search_taps", 16, {1, 256}, "Number of samples in the PCSS blocker search"};
+    Knob<int> taps{*this, "taps", 24, {1, 256}, "Number of samples in the PCSS filter"};
 
     // Filters of moments.
-    Choice format{*this, "format", {"fp16", "fp32"}, "fp32", "of moments"};
-    Knob<int> blur{*this, "blur", 3, {0, 16}, "of moments: texels to each side", "texels"};
-    Choice blur_by{
-        *this, "blur_by", {"naive", "shared"}, "shared", "who reads for the blur: each, or a workgroup once"};
-    Knob<bool> mips{*this, "mips", true, "where a texel is narrower than a pixel, a smaller mip is read"};
-    Knob<float> exponent{*this, "exponent", 40.0f, {0.0f, 80.0f}, "of evsm; as much as the format holds is used"};
-    Knob<float> exponent_negative{*this, "exponent_negative", 5.0f, {0.0f, 80.0f}, "of evsm, against leaks behind"};
-    Knob<float> min_variance{*this, "min_variance", 1e-7f, {1e-12f, 1.0f}, "of vsm and evsm: less is noise"};
-    Knob<float> moment_bias{*this, "moment_bias", 1e-5f, {0.0f, 0.1f}, "of msm: moments are drawn to safe ones"};
-    Knob<float> bleed{*this, "bleed", 0.0f, {0.0f, 0.9f}, "less light than this counts as none, the rest is stretched"};
+    Choice format{*this,
+                  "format",
+                  {"fp16", "fp32"},
+                  "fp32",
+                  "Precision of moment maps: 16-bit floats (fp16) or 32-bit floats (fp32)"};
+    Knob<int> blur{*this, "blur", 3, {0, 16}, "Blur radius of moment maps, in texels", "texels"};
+    Choice blur_by{*this,
+                   "blur_by",
+                   {"naive", "shared"},
+                   "shared",
+                   "Blur implementation: every invocation reads all its taps (naive), or a workgroup reads each texel "
+                   "once into shared memory (shared)"};
+    Knob<bool> mips{*this, "mips", true, "Mip maps of moment maps, read where a texel is narrower than a pixel"};
+    Knob<float> exponent{
+        *this, "exponent", 40.0f, {0.0f, 80.0f}, "EVSM positive exponent, limited to what the format can hold"};
+    Knob<float> exponent_negative{*this,
+                                  "exponent_negative",
+                                  5.0f,
+                                  {0.0f, 80.0f},
+                                  "EVSM negative exponent, against leaks behind the second blocker"};
+    Knob<float> min_variance{*this,
+                             "min_variance",
+                             1e-7f,
+                             {1e-12f, 1.0f},
+                             "Minimum variance for VSM and EVSM, below which it counts as noise"};
+    Knob<float> moment_bias{*this,
+                            "moment_bias",
+                            1e-5f,
+                            {0.0f, 0.1f},
+                            "MSM moment bias: weight of a neutral set of moments mixed in for stability"};
+    Knob<float> bleed{
+        *this,
+        "bleed",
+        0.0f,
+        {0.0f, 0.9f},
+        "Light-bleeding reduction: visibility up to this value becomes 0, the rest is rescaled to 0 to 1"};
     // [/shadow]
 
     /// How casters are drawn into a map, for chapters that cut holes into surfaces: a pass with these modules, which

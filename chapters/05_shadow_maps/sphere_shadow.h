@@ -1,4 +1,4 @@
-// Shadows that need no map, as a module: of a sphere on its ring, and of the ring on the sphere.
+// Sphere shadow module: shadows without maps, of a sphere on its ring and of the ring on the sphere.
 #pragma once
 #include "05_shadow_maps/ringed_planet.h"
 #include "common/app/module.h"
@@ -12,15 +12,16 @@ namespace lightwalk {
 struct SphereShadow : Module {
     SphereShadow(Module& owner, std::string name) : Module(owner, std::move(name), "sphere_shadow") {}
 
-    Choice method{
-        *this,
-        "method",
-        {"none", "hard", "power", "exact"},
-        "exact",
-        "the sphere's shadow: its outline, softened by a power, or the share of the sun's disc that it hides"};
-    Knob<float> width{*this, "width", 0.2f, {1e-3f, 1.0f}, "of the edge that power softens, in radii of the sphere"};
-    Knob<float> power{*this, "power", 0.5f, {0.05f, 8.0f}, "of how deep a point is in that edge"};
-    Knob<float> sun_deg{*this, "sun_deg", 0.53f, {1e-3f, 60.0f}, "how wide the sun looks, for exact", "degrees"};
+    Choice method{*this,
+                  "method",
+                  {"none", "hard", "power", "exact"},
+                  "exact",
+                  "Planet shadow: none, a hard outline, an edge softened by a power, or the hidden part of the sun's "
+                  "disc (exact)"};
+    Knob<float> width{*this, "width", 0.2f, {1e-3f, 1.0f}, "Width of the soft edge of method power, in sphere radii"};
+    Knob<float> power{*this, "power", 0.5f, {0.05f, 8.0f}, "Exponent of the soft edge of method power"};
+    Knob<float> sun_deg{
+        *this, "sun_deg", 0.53f, {1e-3f, 60.0f}, "Angular diameter of the sun for method exact, in degrees", "degrees"};
 
     /// Takes the scene's planet and ring, the objects with these roles: a ball and a flat ring around its middle. Either
     /// may be missing.

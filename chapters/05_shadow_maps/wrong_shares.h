@@ -1,4 +1,4 @@
-// How much of a picture has a wrong shadow, and in which way.
+// Share of a picture's pixels with each kind of shadow error.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,4 +1,4 @@
-// Lights what a G-buffer holds, each light where it may reach.
+// Lighting of a G-buffer: each light where it may reach.
 #pragma once
 #include "06_deferred/gbuffer.h"
 #include "06_deferred/light_volumes.h"

@@ -1,4 +1,4 @@
-// A scene's objects as a drawing whose surfaces are written to a G-buffer first and lit afterwards.
+// Drawing of a scene's objects that writes surfaces to a G-buffer first and lights them afterwards.
 #pragma once
 #include "05_shadow_maps/lit_scene.h"
 #include "06_deferred/deferred_lights.h"

@@ -1,4 +1,4 @@
-// The G-buffer as a module: what each pixel shows, written once and lit later.
+// G-buffer module: the surface of each pixel, written once and lit later.
 #pragma once
 #include <map>
 
@@ -14,27 +14,27 @@ namespace lightwalk {
 struct GBuffer : Module {
     GBuffer(Module& owner, std::string name) : Module(owner, std::move(name), "gbuffer") {}
 
-    Choice method{
-        *this,
-        "method",
-        {"forward", "fat", "depth", "packed", "tiled"},
-        "packed",
-        "forward: none; fat: 40 bytes a pixel; depth: 24, without position; packed: 12; tiled: packed, and lit "
-        "by tiles"};
+    Choice method{*this,
+                  "method",
+                  {"forward", "fat", "depth", "packed", "tiled"},
+                  "packed",
+                  "Shading path: forward (no G-buffer), or a G-buffer of 40 bytes a pixel (fat), 24 without position "
+                  "(depth), or 12 (packed; tiled: lit by tiles)"};
     Choice normal_bits{*this,
                        "normal_bits",
                        {"8", "12", "16"},
                        "8",
-                       "for x and for y of a packed normal; the mesh's gets what is left of 32 in all"};
-    Knob<bool> volumes{*this, "volumes", true, "lights are drawn as spheres and cones; off: all lights for all pixels"};
+                       "Bits for each of the two components of a packed normal; the mesh normal gets the rest of 32"};
+    Knob<bool> volumes{*this, "volumes", true,
+                       "Light volumes: each light drawn as a sphere or cone; off: every light for every pixel"};
     // [/gbuffer]
     Choice show{*this,
                 "show",
                 {"picture", "normal", "facing", "diffuse", "specular", "gloss", "occlusion", "position", "depth",
                  "lights", "loss"},
                 "picture",
-                "what the G-buffer holds, decoded; 127 lights are white; loss: degrees of normals in red, millimetres "
-                "of positions in green"};
+                "View: the picture, one decoded channel of the G-buffer, the number of lights (127 is white), or the "
+                "encoding error (loss: degrees of normals in red, millimetres of positions in green)"};
 
     /// Images of the view's size for the method in use, one set for each View::id. `depth`: the view's.
     void begin(Frame& frame, const View& view, const ImageView& depth);

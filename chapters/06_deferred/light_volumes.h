@@ -1,4 +1,4 @@
-// Spheres and cones around what lights reach.
+// Light volumes: spheres and cones around the reach of lights.
 #pragma once
 #include "03_attenuation/lights.h"
 #include "06_deferred/exercises.h"

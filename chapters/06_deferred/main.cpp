@@ -1,4 +1,4 @@
-// Chapter 06: what is seen is written down first, and lit afterwards.
+// Chapter 06: deferred shading, surfaces stored first and lit afterwards.
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
@@ -15,15 +15,15 @@ using namespace lightwalk;
 struct Deferred : ModelChapter {
     DeferredScene objects{*this, "objects"};
     Screens screens{*this, "screens"};
-    Choice cull{
-        *this,
-        "cull",
-        {"fixed", "geometry", "none", "left_out"},
-        "fixed",
-        "what leaves triangles that face away out of the G-buffer; left_out: those alone that geometry leaves out"};
-    Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "how many more lights are scattered over the scene"};
-    Knob<int> overdraw{*this, "overdraw", 1, {1, 64}, "how often every surface is drawn"};
-    Knob<bool> prepass{*this, "prepass", false, "depth alone first, so that each pixel is drawn once"};
+    Choice cull{*this,
+                "cull",
+                {"fixed", "geometry", "none", "left_out"},
+                "fixed",
+                "Back-face culling in the G-buffer pass: by the device (fixed), by a geometry shader (geometry), none, "
+                "or only the triangles that geometry removes (left_out)"};
+    Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "Number of random lights added to those of the scene"};
+    Knob<int> overdraw{*this, "overdraw", 1, {1, 64}, "Overdraw: number of times each surface is drawn"};
+    Knob<bool> prepass{*this, "prepass", false, "Depth prepass, so that each pixel is shaded or written once"};
     Bounds lit;  ///< where lights are scattered: where the scene was when it was loaded
 
     Deferred() {

@@ -49,8 +49,8 @@ void Screens::prepare(Gpu& gpu, Scene& scene) {
         screen->object = i;
         screen->camera = find_object(scene.file, camera);
         if (screen->camera == objects.size())
-            throw InputError("{}: '{}' has no picture: there is no object '{}'", scene.file.file.string(),
-                             objects[i].name, camera);
+            throw InputError("{}: '{}' has no camera; add an object '{}'", scene.file.file.string(), objects[i].name,
+                             camera);
     }
 }
 

@@ -1,4 +1,4 @@
-// Pictures of other cameras, on objects of the scene.
+// Screens module: pictures from other cameras on objects of the scene.
 #pragma once
 #include "common/app/drawing.h"
 #include "common/app/target.h"
@@ -13,8 +13,11 @@ namespace lightwalk {
 struct Screens : Module {
     Screens(Module& owner, std::string name) : Module(owner, std::move(name), "screens") {}
 
-    Knob<int> width{*this, "width", 480, {16, 4096}, "of a screen's picture; its height is 9/16 of that", "pixels"};
-    Knob<float> fov_deg{*this, "fov_deg", 50.0f, {1.0f, 170.0f}, "of a screen's camera, from top to bottom", "degrees"};
+    Knob<int> width{
+        *this, "width", 480, {16, 4096}, "Width of a screen's picture, in pixels; its height is 9/16 of it", "pixels"};
+    Knob<float> fov_deg{
+        *this,    "fov_deg", 50.0f, {1.0f, 170.0f}, "Vertical field of view of the screens' cameras, in degrees",
+        "degrees"};
 
     /// What draws a screen's picture.
     using Draw = std::function<void(const View& view, Canvas& canvas)>;

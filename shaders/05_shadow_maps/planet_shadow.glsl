@@ -1,4 +1,5 @@
 // Shadows between a sphere and its ring, without a map: what the module SphereShadow gives to shaders.
+#include "05_shadow_maps/hidden_share.glsl"
 #include "05_shadow_maps/ringed_planet.h"
 #include "05_shadow_maps/sphere_shadow.glsl"
 

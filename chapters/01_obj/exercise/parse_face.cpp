@@ -1,6 +1,6 @@
 // Exercise 01.parse_face: the corners of a face, such as
 //     f 1/1/1 2/2/1 3/3/1
-// As it stands this reads the positions of the first three corners, and nothing else.
+// As handed out, the function reads the positions of the first three corners and nothing else.
 #include <cstdlib>
 #include <sstream>
 #include <string>
@@ -11,11 +11,13 @@
 namespace lightwalk::exercise {
 
 // [parse_face]
-// The corners on a line `f c c c ...`, each `v`, `v/vt`, `v//vn` or `v/vt/vn`, as indices from 0; what a corner leaves
-// out is `none`. Words are parted by spaces and tabs; a word that begins with # begins a comment, to the line's end. In
-// the file 1 is the first one and -1 the last one read so far, which `so_far` counts. `total` counts the whole file's:
-// a face may use what comes later. Throws InputError with the reason alone (the caller adds file and line) where there
-// are fewer than three corners, and where an index is 0, not a whole number, or out of range, however long it is.
+// Returns the corners on one line `f c c c ...`. Each corner is `v`, `v/vt`, `v//vn` or `v/vt/vn`. The returned
+// indices count from 0; an index that a corner leaves out is `none`. Spaces and tabs separate words. A word that
+// begins with # starts a comment, which runs to the end of the line.
+// In the file, 1 is the first element, and -1 is the last element read so far: `so_far` counts the elements before
+// this line. `total` counts those of the whole file: a positive index may refer to an element that comes later.
+// Throws InputError with the reason alone (the caller adds file and line) if there are fewer than three corners, or if
+// an index is 0, not an integer, or out of range, however many digits it has.
 // [/parse_face]
 std::vector<Corner> parse_face(std::string_view line, const Counts& so_far, const Counts& total) {
     // 1. Read every corner, not only three: a face may have any number.

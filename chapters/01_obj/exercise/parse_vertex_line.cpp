@@ -1,6 +1,6 @@
-// Exercise 01.parse_vertex_line: one line of an OBJ file, such as
+// Exercise 01.parse_vertex_line: the position on one line of an OBJ file, such as
 //     v 0.254714 -0.437146 -0.082668
-// becomes a point. As it stands this reads the first two numbers and loses the third: models are as flat as paper.
+// As handed out, the function reads two numbers and drops the third: models are as flat as paper.
 #include <cstdlib>
 #include <string>
 
@@ -10,12 +10,14 @@
 namespace lightwalk::exercise {
 
 // [parse_vertex_line]
-// The position on a line `v x y z`, `v x y z w`, `v x y z r g b` or `v x y z w r g b`; w and the colour must be numbers
-// and are dropped. Words are parted by spaces and tabs; a word that begins with # begins a comment, to the line's end.
-// A number is decimal, with a point and perhaps a sign and an exponent: 1, -.5, +2.5e-3; neither 0x10 nor nan nor inf.
-// Every one is rounded once, to the nearest float, in any locale. Too small a number (1e-400) is a zero with its sign.
-// Throws InputError with the reason alone (the caller adds file and line) where a number is missing, one too many, no
-// number, or too large for a float.
+// Returns the position on one line of the form `v x y z`, `v x y z w`, `v x y z r g b` or `v x y z w r g b`. The
+// values w, r, g and b must be valid numbers; they are ignored. Spaces and tabs separate words. A word that begins
+// with # starts a comment, which runs to the end of the line.
+// A number is decimal, with an optional sign, decimal point and exponent: 1, -.5, +2.5e-3. Hexadecimal numbers (0x10),
+// nan and inf are errors. Every number is rounded once, to the nearest float, in any locale. A number too small for a
+// float (1e-400) becomes a zero with its sign.
+// Throws InputError with the reason alone (the caller adds file and line) if a number is missing, malformed or too
+// large for a float, or if the count of numbers fits none of the four forms.
 // [/parse_vertex_line]
 glm::vec3 parse_vertex_line(std::string_view line) {
     // 1. Skip the `v`, then read three numbers. std::from_chars (in <charconv>) reads one without looking at the locale

@@ -1,13 +1,14 @@
-// Exercise 01.triangulate: a polygon with any number of corners becomes triangles.
-// As it stands every polygon loses all but one triangle's worth of area, so that models have holes.
+// Exercise 01.triangulate: triangles from a polygon with any number of corners.
+// As handed out, every polygon is reduced to one triangle, so that models have holes.
 #include "01_obj/exercises.h"
 
 namespace lightwalk::exercise {
 
 // [triangulate]
-// A polygon cut into triangles, given as corner numbers: always polygon.size() - 2 of them, wound as the polygon is,
-// covering a simple, nearly planar polygon once, be it convex or not. A fan from corner 0 where it is convex. Must
-// return for any finite input, flat, crossing itself or with repeated corners. Fewer than three corners: none.
+// Cuts a polygon into triangles, given as corner numbers. The result always has polygon.size() - 2 triangles, wound in
+// the same direction as the polygon; together they cover a simple, nearly planar polygon exactly once, whether it is
+// convex or not. A convex polygon becomes the fan (0, 1, 2), (0, 2, 3), ... The function must return for any finite
+// input: flat, self-intersecting, or with repeated corners. Fewer than three corners give no triangles.
 // [/triangulate]
 std::vector<glm::uvec3> triangulate(std::span<const glm::vec3> polygon) {
     // n corners make n - 2 triangles. For a convex polygon a fan will do: (0, 1, 2), (0, 2, 3), ...

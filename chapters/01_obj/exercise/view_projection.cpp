@@ -1,13 +1,14 @@
-// Exercise 01.view_projection: the matrix that takes the world to the screen.
-// As it stands everything is drawn from the front, without perspective, wherever the camera is.
+// Exercise 01.view_projection: the matrix from world space to clip space.
+// As handed out, everything is drawn from the front, without perspective, wherever the camera is.
 #include "01_obj/exercises.h"
 
 namespace lightwalk::exercise {
 
 // [view_projection]
-// World space to Vulkan's clip space: x right, y down, depth 1 at near_m and 0 at far_m (which may be infinity). The
-// camera looks from its position to its target; `up` has any length and need not be perpendicular to that; fov_y_rad is
-// the full vertical angle. `aspect` is width / height, above 0.
+// The matrix from world space to Vulkan's clip space: x right, y down, depth 1 at near_m and 0 at far_m, which may be
+// infinite. The camera looks from its position towards its target. `up` may have any length and need not be
+// perpendicular to the view direction. fov_y_rad is the full vertical field of view; `aspect` is width / height, above
+// 0.
 // [/view_projection]
 glm::mat4 view_projection(const Camera& camera, float aspect) {
     // View: three axes of the camera. It looks along -z, its x points right and its y up (cross products of the

@@ -8,8 +8,8 @@ glm::vec3 parse_vertex_line(std::string_view line) {
     next_word(line);  // the v
     float values[7];
     // read_floats takes word by word and hands each to std::from_chars; see float_parse.h.
-    const int count = read_floats(line, 3, 7, values, "v x y z, with w or r g b or both behind");
-    if (count == 5) throw InputError("5 numbers, expected v x y z, with w or r g b or both behind");
+    const int count = read_floats(line, 3, 7, values, "v x y z, optionally followed by w, r g b, or both");
+    if (count == 5) throw InputError("5 numbers, expected v x y z, optionally followed by w, r g b, or both");
     return {values[0], values[1], values[2]};
 }
 

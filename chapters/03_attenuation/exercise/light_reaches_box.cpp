@@ -1,14 +1,15 @@
-// Exercise 03.light_reaches_box: which lights an object has to be lit by.
-// As it stands every object is lit by every light: the picture is right, and nothing is saved.
+// Exercise 03.light_reaches_box: whether a light can reach an object.
+// As handed out, every object is lit by every light: the picture is right, and nothing is saved.
 #include "03_attenuation/exercises.h"
 
 namespace lightwalk::exercise {
 
 // [light_reaches_box]
-// Whether a light that reaches `radius_m` far (0 or more) may light something in `box` (world space, not empty). Never
-// false where it does. A directional light always does, a radius of 0 never. A point light does where the box's
-// nearest point is within the radius. A spot light, besides, only where its cone of half angle outer_rad (0 to pi)
-// meets the ball around the box. A thousandth of the radius to the safe side is allowed everywhere.
+// Whether a light may illuminate anything in `box` (world space, not empty). The answer must never be false if it
+// does. `radius_m`, 0 or more, is the distance at which the light ends. A directional light always reaches the box.
+// Any other light of radius 0 never does. A point light reaches the box if the box's nearest point lies within the
+// radius. A spot light must in addition have a cone, of half angle outer_rad (0 to pi), that meets the bounding sphere
+// of the box. A margin of a thousandth of the radius on the safe side is allowed everywhere.
 // [/light_reaches_box]
 bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     // The box's point nearest to a point p is p clamped to the box (glm::clamp takes vectors).

@@ -1,15 +1,16 @@
-// Exercise 04.tangent_frame: in which direction of space does a texture's u grow?
-// As it stands the tangent is the world's x axis: right for a wall that faces +z, and wrong for all else.
+// Exercise 04.tangent_frame: the directions in which a texture's u and v grow on a triangle.
+// As handed out, the tangent is the world's x axis: right for a wall that faces +z, and wrong for all else.
 #include "04_surface_maps/exercises.h"
 
 namespace lightwalk::exercise {
 
 // [tangent_frame]
-// The frame at corner `a` of the triangle a, b, c. `tangent` has unit length, is perpendicular to a.normal (of unit
-// length) and points where u grows; `handedness` is 1, or -1 where the texture is mirrored; `metres_per_uv` are the
-// lengths of dP/du and dP/dv. Where the texture coordinates span no area, or the triangle none, there are no such
-// directions: then the tangent is any unit vector perpendicular to the normal, the handedness 1 and metres_per_uv 0.
-// cos_uv is left at 0: who joins the frames of all triangles at a vertex fills it in.
+// The frame at corner `a` of the triangle a, b, c. `tangent` is a unit vector, perpendicular to a.normal (a unit
+// vector), that points where u grows. `handedness` is 1 if v grows along cross(normal, tangent), and -1 if v grows
+// against it, where the texture is mirrored. `metres_per_uv` holds the lengths of dP/du and dP/dv. If the texture
+// coordinates, or the triangle, span no area, these derivatives do not exist: return any unit vector perpendicular to
+// the normal as the tangent, handedness 1 and metres_per_uv 0. Leave cos_uv at 0: the caller fills it in when it joins
+// the frames of all triangles at a vertex.
 // [/tangent_frame]
 TangentFrame tangent_frame(const Vertex& a, const Vertex& b, const Vertex& c) {
     // Two edges of the triangle, e1 = b - a and e2 = c - a, and how u and v change along them:

@@ -1,19 +1,20 @@
-// Exercise 02.blinn_phong: a highlight around the half vector, and how bright it must be.
-// Until you fill it in, there is no highlight.
+// Exercise 02.blinn_phong: a highlight around the half vector, and the factor that keeps its energy constant.
+// As handed out, there is no highlight.
 
 // [blinn_phong]
-// The cosine between `normal` and the half vector, which points halfway between `to_light` and `to_eye`, to the power
-// of `shininess`. All directions have length 1, shininess is 0 or more. It is 0 where the light is behind the surface,
-// and where the cosine is not above 0. There is no half vector where the light is right behind the surface's point
-// as seen from the eye (to_light = -to_eye): the result is 0 there too, not NaN.
+// Blinn's specular lobe: the cosine of the angle between `normal` and the half vector, raised to `shininess`. The half
+// vector is the unit vector halfway between `to_light` and `to_eye`. All directions are unit vectors; `shininess` is 0
+// or more. The result is 0 if the light is behind the surface, and also if the cosine is 0 or negative. If the light
+// is directly opposite the eye (to_light = -to_eye) there is no half vector: the result is 0 then too, not NaN.
 // [/blinn_phong]
 float blinn_phong(vec3 normal, vec3 to_light, vec3 to_eye, float shininess) {
     return 0.0;
 }
 
 // [blinn_phong_normalisation]
-// What the highlight is multiplied by so that a surface reflects all light and no more when seen from above, whatever
-// its shininess n: (n + 2)(n + 4) / (8 (2^(-n/2) + n)). A matt white surface counts as 1 in the same measure.
+// The normalisation factor of the lobe: (n + 2)(n + 4) / (8 (2^(-n/2) + n)) for the exponent n = `shininess`. With it,
+// a white surface seen along its normal reflects exactly the light it receives, whatever the exponent. The formula
+// contains no pi because lights are given as irradiance / pi.
 // [/blinn_phong_normalisation]
 float blinn_phong_normalisation(float shininess) {
     return 1.0;

@@ -1,10 +1,12 @@
 // Exercise 03.spot_cone: the edge of a spot light.
-// Until you fill it in, a spot light shines all around.
+// As handed out, a spot light shines in all directions.
 
 // [spot_cone]
-// 1 where `cosine`, of the angle to the cone's axis, is cos_inner or more, 0 where it is cos_outer or less. In between t
-// goes from 0 to 1 in proportion to the cosine, and the result is t to the power of mix(1, 0.35, softness), softness from
-// 0 to 1. The two angles may be equal: that is a hard edge, not a division by 0, and upon it both 0 and 1 are right.
+// The fraction of a spot light's intensity in one direction. `cosine` is the cosine of the angle between that
+// direction and the cone's axis. The result is 1 where `cosine` is cos_inner or more, and 0 where it is cos_outer or
+// less. In between, t rises from 0 to 1, linearly in the cosine, and the result is t raised to mix(1, 0.35, softness);
+// `softness` is 0 to 1. The two angles may be equal: this is a hard edge, not a division by 0, and exactly on it both
+// 0 and 1 are accepted.
 // [/spot_cone]
 float spot_cone(float cosine, float cos_inner, float cos_outer, float softness) {
     return 1.0;

@@ -1,22 +1,25 @@
-// Exercise 03.tile_lights: a workgroup finds the lights of a tile, its invocations together.
-// As it stands every light is in every tile: the picture is right, and nothing is saved.
+// Exercise 03.tile_lights: the depth range and the lights of a screen tile, found by one workgroup.
+// As handed out, every light is in every tile: the picture is right, and nothing is saved.
 
 // [tile_lights]
-// TILE_INVOCATIONS invocations, one workgroup, run these functions at once. `local` counts them from 0: use it, and not
-// gl_LocalInvocationIndex. They share what is declared `shared`; you may add to it.
-
-// The least and the greatest tile_depth(p) above 0, for p from 0 to tile_pixels() - 1, which may be more or fewer than
-// there are invocations: (farthest, nearest), the same for every invocation. Depths are from 0 to 1, reversed; 0 is the
-// background, which does not count. Where all is background: (1, 0).
+// One workgroup of TILE_INVOCATIONS invocations runs these functions together for one tile. `local` numbers the
+// invocations from 0; use it, not gl_LocalInvocationIndex. The invocations share the variables declared `shared`; you
+// may add more.
+//
 //     vec2 tile_depth_range(uint local)
-
-// Which of the lights 1024 * group to 1024 * group + 1023 reach the tile: bit i of tile_masks[m] is 1 where
-// light_reaches_tile(1024 * group + 32 * m + i), and 0 elsewhere, also for lights from light_count() on, of which nothing
-// may be asked. Called for one group after the other. When it returns to an invocation, that one may read all of
-// tile_masks, and nothing of it changes until every invocation has called it again.
+// Returns (farthest, nearest): the smallest and the largest tile_depth(p) above 0 among the pixels p from 0 to
+// tile_pixels() - 1, the same result to every invocation. The pixels may be more or fewer than the invocations. Depths
+// run from 0 to 1, reversed; 0 is the background and does not count. If the whole tile is background, the result is
+// (1, 0).
+//
 //     void find_tile_lights(uint local, uint group)
+// Finds which of the lights 1024 * group to 1024 * group + 1023 reach the tile. Bit i of tile_masks[m] becomes 1 if
+// light_reaches_tile(1024 * group + 32 * m + i), and 0 otherwise. There are light_count() lights: the bits of numbers
+// beyond them are 0, and light_reaches_tile must not be called for them. The function is called for one group after
+// the other. When it returns to an invocation, this invocation may read all of tile_masks; the masks must not change
+// until every invocation has called the function again.
 // [/tile_lights]
-shared uint farthest_bits, nearest_bits;  // atomicMin and atomicMax take whole numbers: what of floatBitsToUint?
+shared uint farthest_bits, nearest_bits;  // atomicMin and atomicMax work on integers; see floatBitsToUint
 shared uint tile_masks[32];
 
 vec2 tile_depth_range(uint local) {

@@ -1,14 +1,15 @@
-// Exercise 04.alpha_scale: how leaves stay leaves in the small levels of a cutout.
-// As it stands alpha is only averaged, and thin leaves vanish from afar.
+// Exercise 04.alpha_scale: an alpha scale that keeps the coverage of a cutout in its small mip levels.
+// As handed out, alpha is only averaged, and thin leaves vanish in the distance.
 
 // [alpha_scale]
-// LEVEL_INVOCATIONS invocations, one workgroup, run this at once for one level; `local` counts them from 0: use it, not
-// gl_LocalInvocationIndex. They share what is `shared`; you may add to it.
+// One workgroup of LEVEL_INVOCATIONS invocations runs this function for one mip level. `local` numbers the invocations
+// from 0; use it, not gl_LocalInvocationIndex. They share the variables declared `shared`; you may add more.
 //
-// By what every alpha of the level is to be multiplied, 0 or more, the same for every invocation. Then the texels p, from
-// 0 to level_texels() - 1, are kept for which is_kept(level_alpha(p) * scale): the larger the scale, the more. Their number
-// is to be as near to wanted * level_texels() as a scale brings it: none, where one is too many. `wanted` is from 0 to 1,
-// `cutoff`, which is_kept asks for, above 0. Alphas that differ by less than a 250th of themselves may be taken as equal.
+// Returns the factor, 0 or more, by which every alpha of the level is to be multiplied: the same for every invocation.
+// A texel p, from 0 to level_texels() - 1, is kept if is_kept(level_alpha(p) * scale), so a larger factor keeps more
+// texels. The number of texels kept must be as close to wanted * level_texels() as any factor can bring it; if less
+// than half a texel is wanted, that is none. `wanted` is 0 to 1. `cutoff`, the threshold of is_kept, is above 0.
+// Alphas that differ by less than 1/250 of their value may be treated as equal.
 // [/alpha_scale]
 shared uint kept;  // atomicAdd
 

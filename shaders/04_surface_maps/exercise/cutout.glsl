@@ -1,15 +1,16 @@
-// Exercise 04.cutout: which points of a surface are not there.
-// Until you fill it in, everything is there.
+// Exercise 04.cutout: the alpha of a surface point, and the test that cuts holes.
+// As handed out, nothing is cut out.
 
 // [surface_alpha]
-// What the colour texture's alpha, the opacity texture and the material's opacity say together: each takes its share.
+// The alpha of a surface point: the product of the colour texture's alpha, the opacity texture and the material's
+// opacity.
 // [/surface_alpha]
 float surface_alpha(float color_alpha, float opacity_texel, float opacity) {
     return 1.0;
 }
 
 // [is_cut_out]
-// True where the point is cut out: its alpha is below the cutoff. At the cutoff it stays.
+// True if the point is cut out, that is, if its alpha is below the cutoff. A point exactly at the cutoff stays.
 // [/is_cut_out]
 bool is_cut_out(float alpha, float cutoff) {
     return false;

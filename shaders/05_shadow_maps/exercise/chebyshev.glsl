@@ -1,11 +1,12 @@
-// Exercise 05.chebyshev: shadow from the mean and the mean square of depths.
-// Until you fill it in, whatever is behind the mean depth is in shadow.
+// Exercise 05.chebyshev: visibility from the mean and the mean square of depth.
+// As handed out, everything behind the mean depth is in shadow.
 
 // [chebyshev]
-// Of a texel `moments` are the mean of depth and the mean of its square, over all that was blurred into it; depth grows
-// with the distance from the light. At most how much of what is there is as far as `depth` or farther? That is taken for
-// the visibility: Chebyshev's inequality for one side, variance / (variance + (depth - mean)²), and all of it for what is
-// not behind the mean. A variance below `least` is noise and counts as `least` (above 0).
+// An upper bound on the visibility of a point at `depth`. `moments` holds the mean of the depth and the mean of its
+// square over all texels that were blurred together; depth grows with the distance from the light. If the point is not
+// behind the mean, the result is 1. Otherwise the one-sided Chebyshev inequality limits the share of those texels at
+// `depth` or farther to variance / (variance + (depth - mean)²); this is the result. A variance below `least` (above
+// 0) is rounding noise and counts as `least`.
 // [/chebyshev]
 float chebyshev(vec2 moments, float depth, float least) {
     return depth <= moments.x ? 1.0 : 0.0;

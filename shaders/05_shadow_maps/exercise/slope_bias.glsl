@@ -1,11 +1,12 @@
-// Exercise 05.slope_bias: by how much a surface has to be lifted so that it does not shadow itself.
-// Until you fill it in, it is not lifted: stripes of shadow on everything that does not face the light.
+// Exercise 05.slope_bias: the bias that keeps a sloped surface from shadowing itself.
+// As handed out, there is none: stripes of shadow cover everything that does not face the light.
 
 // [slope_bias]
-// A texel of the map holds one depth for all of its width, `texel` metres: that of its middle. A filter asks texels whose
-// middle is up to `reach` texels away from the point, along u and along v at once: half a texel without any filter. How
-// much nearer to the light, in metres, may a plane be there than at the point? `cosine` is that between its normal and
-// the way to the light, 0 to 1. At a right angle to the light that has no end: take no cosine to be below 0.025.
+// By how much, in metres, a plane may be nearer to the light at a texel that the filter reads than at the shaded
+// point: the largest value. A texel of the map is `texel` metres wide and holds one depth, that at its centre. A
+// filter reads texels whose centres are up to `reach` texels away from the point, along u and along v at once; without
+// a filter, `reach` is 0.5. `cosine` is the cosine of the angle between the plane's normal and the direction to the
+// light, 0 to 1. At 0 the bias would be infinite: treat every cosine below 0.025 as 0.025.
 // [/slope_bias]
 float slope_bias(float cosine, float texel, float reach) {
     return 0.0;
