@@ -6,9 +6,11 @@
 // first thread (gl_LocalInvocationIndex 0) has written the workgroup's result to a
 // coherent buffer. finished[layer] is 0 before the dispatch. `workgroups` is the number
 // of workgroups that call it for this layer.
+//
 // Returns true, in all threads alike, for the one workgroup that calls last, and false
 // in all others. In the last workgroup, reads of the coherent buffer after the call
 // must return what all other workgroups have written.
+//
 // Three things to consider:
 // - Each workgroup counts once. atomicAdd returns the value before the addition.
 // - That value is known to one thread, and the others need it: use a shared variable.
