@@ -13,7 +13,7 @@ namespace lightwalk::exercise {
 // (0, 1), into the level. The source of level 0 is passes.irradiance, that of every
 // other level is the level before it.
 //
-// The shader's block `blur` takes, in this order of meaning:
+// Besides the direction, the shader's block `blur` (a SkinBlur) takes:
 // - sigma_mm: the standard deviation of this blur, for each channel. Blurs that follow
 //   each other add their variances, so this blur has to supply only the difference
 //   between the variance of sum[i] and that of its source. The irradiance has the
