@@ -26,22 +26,22 @@ enum class Content {
 struct MipChain : Module {
     MipChain(Module& owner, std::string name) : Module(owner, std::move(name), "mips") {}
 
-    Choice method{*this,
-                  "method",
-                  {"none", "blit", "box", "single_pass", "polyphase", "kaiser"},
-                  "single_pass",
-                  "Construction of the levels: not at all; the driver's blits; 2x2 means with one dispatch per level; "
-                  "2x2 means in a "
-                  "single dispatch; weights that are exact for odd sizes; a wider filter (Kaiser window)"};
-    Choice content{*this,
-                   "content",
-                   {"each", "linear", "srgb", "normal", "cutout", "roughness"},
-                   "each",
-                   "Quantity averaged: chosen for each image by its use, or for all images the numbers as stored, "
-                   "light decoded from "
-                   "sRGB, vectors of a normal map, colours weighted by alpha, the fourth power of roughness"};
+    Choice method{
+        *this,
+        "method",
+        {"none", "blit", "box", "single_pass", "polyphase", "kaiser"},
+        "single_pass",
+        "Construction of the levels: not at all; the driver's blits; 2x2 means with one dispatch per level; 2x2 means "
+        "in a single dispatch; weights that are exact for odd sizes; a wider filter (Kaiser window)"};
+    Choice content{
+        *this,
+        "content",
+        {"each", "linear", "srgb", "normal", "cutout", "roughness"},
+        "each",
+        "Quantity averaged: chosen for each image by its use, or for all images the numbers as stored, light decoded "
+        "from sRGB, vectors of a normal map, colours weighted by alpha, the fourth power of roughness"};
 
-    Knob<bool> bilinear{*this, "bilinear", false, "single_pass takes the mean of four numbers by one linear lookup"};
+    Knob<bool> bilinear{*this, "bilinear", false, "Mean of four texels by one linear lookup (method single_pass)"};
 
     /// Records the view's levels from its second on. The view has all mips that are to be filled. With method `none`,
     /// or one level, nothing is recorded. `cutoff` is that of a cutout: what has less alpha is not drawn. Throws

@@ -24,9 +24,8 @@ struct Bloom : Module {
                    "pingpong", "window", "exact"},
                   "pyramid",
                   "Blur: none; the copies of a pyramid without its filters; 13-tap pyramid; dual Kawase pyramid; three "
-                  "passes of seven "
-                  "taps; lines in shared memory; lines with paired reads; plain lines; twenty passes; a double loop; "
-                  "the reference"};
+                  "passes of seven taps; lines in shared memory; lines with paired reads; plain lines; twenty passes; "
+                  "a double loop; the reference"};
     Knob<float> sigma_px{*this, "sigma_px", 24.0f, {0.0f, 200.0f}, "Standard deviation of the widest Gaussian", "px"};
     Choice shape{*this,
                  "shape",

@@ -20,8 +20,7 @@ struct DepthOfField : Module {
                   {"off", "gaussian", "gather", "lens"},
                   "off",
                   "Depth of field: none (a pinhole); a blurred picture of half resolution; discs gathered in front and "
-                  "behind; the "
-                  "sampled lens (reference)"};
+                  "behind; the sampled lens (reference)"};
     Knob<float> focus_m{*this, "focus_m", 3.0f, {0.01f, 10000.0f}, "Distance of the plane of focus", "m"};
     Knob<float> f_number{
         *this, "f_number", 2.8f, {0.01f, 64.0f}, "Aperture: focal length divided by the diameter of the lens"};

@@ -77,8 +77,7 @@ struct Post : Module {
                 {"off", "clamp", "reinhard", "narkowicz", "hill", "neutral", "agx", "aces"},
                 "hill",
                 "Tone curve from light to display values: none, clamp, Reinhard, Narkowicz, Hill, Khronos Neutral, "
-                "AgX, ACES 1.0 (the "
-                "reference that Narkowicz and Hill approximate)"};
+                "AgX, ACES 1.0 (the reference that Narkowicz and Hill approximate)"};
     Knob<bool> match{*this, "match", false,
                      "Equal brightness: every tone curve maps middle grey, 0.18, to the value that ACES gives it"};
 

@@ -24,8 +24,7 @@ struct Atmosphere : Drawing {
                   {"none", "preetham", "polynomial", "chapman", "march", "tables", "truth"},
                   "tables",
                   "Light of the air: none; Preetham's formula, for the ground only; O'Neil's polynomial; Chapman's "
-                  "function; a march; "
-                  "tables, which alone include multiple scattering; the reference"};
+                  "function; a march; tables, which alone include multiple scattering; the reference"};
     Choice orders{*this,
                   "orders",
                   {"single", "multiple"},

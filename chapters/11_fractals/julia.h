@@ -44,8 +44,7 @@ struct Julia : Drawing {
                   {"fixed", "distance", "relaxed", "cone", "exact"},
                   "cone",
                   "Ray marching: fixed steps; sphere tracing; relaxed sphere tracing; cones, down to a pixel's "
-                  "footprint; small steps "
-                  "(reference)"};
+                  "footprint; small steps (reference)"};
     // [/julia]
     Choice normal{*this,
                   "normal",

@@ -19,8 +19,7 @@ struct SkinChapter : ModelChapter {
         {"picture", "irradiance", "level", "diffused", "stretch", "occlusion", "thickness", "specular", "seams"},
         "picture",
         "Image shown: the picture; the maps of irradiance, one Gaussian, their sum, stretch, ambient occlusion or "
-        "thickness; "
-        "the specular reflection alone; or the borders of the charts"};
+        "thickness; the specular reflection alone; or the borders of the charts"};
     Knob<int> level{*this, "level", 0, {0, 5}, "Gaussian to show (show level): 0 is the narrowest"};
     Knob<float> dolly{*this, "dolly", 1.0f, {0.2f, 64.0f}, "Scale factor for the distance of the camera"};
     Pipeline look = compute({.shader = "12_skin/look.comp"});

@@ -19,8 +19,7 @@ struct Skin : Module {
                    "gaussians_4", "gaussians_6", "exact"},
                   "gaussians_6",
                   "Spreading of light in skin: none; wrapped lighting; a preintegrated table; a blur of the picture; "
-                  "1, 2, 3, 4 or 6 "
-                  "Gaussians on the texture; the exact convolution (reference)"};
+                  "1, 2, 3, 4 or 6 Gaussians on the texture; the exact convolution (reference)"};
     Choice specular{
         *this, "specular", {"closed", "tables"}, "closed", "Specular terms: computed, or read from tables of 8 bits"};
     // [/skin]

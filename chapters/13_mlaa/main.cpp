@@ -24,8 +24,7 @@ struct MlaaChapter : ModelChapter {
                  {"objects", "julia", "terrain", "head", "half_plane"},
                  "objects",
                  "Picture to filter: the objects of the scene; a Julia set or landscape of chapter 11; the head of "
-                 "chapter 12; or a "
-                 "half-plane of black and white"};
+                 "chapter 12; or a half-plane of black and white"};
     Choice clip{*this,
                 "clip",
                 {"before", "after"},
