@@ -1,4 +1,4 @@
-// The alpha of a cutout's levels, scaled so that as much is cut out of each as of the first.
+// Alpha scale of the levels of a cutout, which keeps the share of visible texels constant.
 #pragma once
 #include "common/gpu/frame.h"
 

@@ -1,4 +1,4 @@
-// How much a picture flickers while the eye walks.
+// Flicker of a picture while the camera walks: standard deviation of the luminance error over time.
 #pragma once
 #include <map>
 

@@ -1,4 +1,4 @@
-// One level of a texture, magnified, beside the exact one and the difference.
+// Viewer of one texture level, magnified, beside the exact level and the difference.
 #pragma once
 #include "07_mipmaps/levelled_maps.h"
 #include "07_mipmaps/texels.h"
@@ -9,9 +9,13 @@ namespace lightwalk {
 struct LevelView : Module {
     LevelView(Module& owner, std::string name) : Module(owner, std::move(name), "viewer") {}
 
-    Knob<int> texture{*this, "texture", 0, {0, 63}, "which of the scene's textures; the last where there are fewer"};
-    Knob<int> level{*this, "level", 4, {0, 14}, "which level; the last where there are fewer"};
-    Knob<float> gain{*this, "gain", 8.0f, {1.0f, 255.0f}, "by what the difference of codes is multiplied"};
+    Knob<int> texture{*this,
+                      "texture",
+                      0,
+                      {0, 63},
+                      "Texture to show: index among the textures of the scene; beyond the last, the last one"};
+    Knob<int> level{*this, "level", 4, {0, 14}, "Level to show: 0 is the full size; beyond the last, the last one"};
+    Knob<float> gain{*this, "gain", 8.0f, {1.0f, 255.0f}, "Scale factor for the displayed difference of codes"};
 
     /// Draws three pictures into frame.hdr: the level as it is, the exact mean, the difference. Their codes are shown
     /// as colours.

@@ -1,4 +1,4 @@
-// The textures of a scene with levels made anew in every frame, as a program's whose textures change.
+// Textures of a scene whose levels are rebuilt in every frame, as for textures that change.
 #pragma once
 #include "07_mipmaps/mip_chain.h"
 #include "common/scene/scene.h"

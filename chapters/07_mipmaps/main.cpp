@@ -1,4 +1,4 @@
-// Chapter 07: the smaller levels of textures: how they are made, and what is seen of it.
+// Chapter 07: mipmaps, the smaller levels of textures, built on the GPU in several ways and compared.
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
@@ -16,10 +16,15 @@ struct Mipmaps : ModelChapter {
     LevelView viewer{*this, "viewer"};
     SurfaceScene objects{*this, "objects"};  // chapter 04's surfaces, with levels made here
     Choice show{
-        *this, "show", {"scene", "split", "level"}, "scene", "split: left half without levels; level: of a texture"};
-    Knob<float> walk_m_s{*this, "walk_m_s", 0.0f, {-10.0f, 10.0f}, "how fast the eye walks on", "m/s"};
+        *this,
+        "show",
+        {"scene", "split", "level"},
+        "scene",
+        "Picture shown: the scene, the scene with its left half drawn without levels, or one level of a texture"};
+    Knob<float> walk_m_s{*this, "walk_m_s", 0.0f, {-10.0f, 10.0f}, "Walking speed of the camera", "m/s"};
 
-    Knob<bool> remake{*this, "remake", true, "levels are made in every frame; off: they stay as they are"};
+    Knob<bool> remake{*this, "remake", true,
+                      "Rebuild all levels in every frame; off: keep the levels of the first frame"};
 
     Pipeline halves = compute({.shader = "07_mipmaps/halves.comp"});
     Target left{*this, {.name = "without levels"}};
@@ -31,7 +36,8 @@ struct Mipmaps : ModelChapter {
         objects.maps.makes_levels = false;
         objects.maps.method.change_default("normal");
         objects.lights.method.change_default("every_light");
-        commands = {{"mip-bench", "FILE", "time every method from 64x64 to 8192x8192 texels, as a study",
+        commands = {{"mip-bench", "FILE",
+                     "measures every method from 64x64 to 8192x8192 texels and writes the result as a study",
                      [](const std::string& file, bool) { return run_mip_bench(file); }}};
     }
     std::string default_scene() const override { return "scenes/tiled_hall.json"; }

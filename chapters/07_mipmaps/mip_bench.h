@@ -1,4 +1,4 @@
-// How fast levels are made, and how exact they are, for images of all sizes.
+// Benchmark of the construction of levels: time and error for images of many sizes.
 #pragma once
 #include <string>
 

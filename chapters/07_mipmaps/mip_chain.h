@@ -1,4 +1,4 @@
-// The smaller levels of an image, made on the device: what later chapters use for anything with levels.
+// Module that builds the smaller levels of an image on the GPU; later chapters use it for any image with levels.
 #pragma once
 #include "07_mipmaps/coverage.h"
 #include "common/app/module.h"
@@ -6,9 +6,9 @@
 
 namespace lightwalk {
 
-/// What an image's numbers stand for, and so what their mean is taken of.
+/// Meaning of the numbers in an image, which decides how they are averaged.
 enum class Content {
-    each,    ///< not said: by the image's format, srgb or linear
+    each,    ///< not stated: srgb or linear, according to the format of the image
     linear,  ///< numbers as they are: light, heights, moments
     srgb,    ///< sRGB codes: light; alpha as it is
     normal,  ///< a normal map: vectors; alpha is the root of what their mean's length lacks to 1, 0 in the first level
@@ -31,15 +31,17 @@ struct MipChain : Module {
         "method",
         {"none", "blit", "box", "single_pass", "polyphase", "kaiser"},
         "single_pass",
-        "how levels are made: the driver's blits; 2x2 means by a dispatch a level, or all in one; exact for odd "
-        "sizes; a wider filter"};
-    Choice content{*this,
-                   "content",
-                   {"each", "linear", "srgb", "normal", "cutout", "roughness"},
-                   "each",
-                   "what is averaged: of each image what it needs, or of all the same"};
+        "Construction of the levels: not at all; the driver's blits; 2x2 means with one dispatch per level; 2x2 means "
+        "in a single dispatch; weights that are exact for odd sizes; a wider filter (Kaiser window)"};
+    Choice content{
+        *this,
+        "content",
+        {"each", "linear", "srgb", "normal", "cutout", "roughness"},
+        "each",
+        "Quantity averaged: chosen for each image by its use, or for all images the numbers as stored, light decoded "
+        "from sRGB, vectors of a normal map, colours weighted by alpha, the fourth power of roughness"};
 
-    Knob<bool> bilinear{*this, "bilinear", false, "single_pass takes the mean of four numbers by one linear lookup"};
+    Knob<bool> bilinear{*this, "bilinear", false, "Mean of four texels by one linear lookup (method single_pass)"};
 
     /// Records the view's levels from its second on. The view has all mips that are to be filled. With method `none`,
     /// or one level, nothing is recorded. `cutoff` is that of a cutout: what has less alpha is not drawn. Throws

@@ -1,4 +1,4 @@
-// Levels of an image on the host, as numbers: for measuring and for looking at them.
+// Levels of an image on the host, as numbers, for measurement and display.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>

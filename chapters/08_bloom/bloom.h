@@ -1,4 +1,4 @@
-// Light that spreads from what is bright, as a module for any picture in linear light.
+// Bloom module, for any picture in linear light.
 #pragma once
 #include "08_bloom/plan.h"
 #include "common/app/module.h"
@@ -23,17 +23,45 @@ struct Bloom : Module {
                   {"none", "copy", "pyramid", "dual_kawase", "three_pass_7tap", "shared", "paired", "separable",
                    "pingpong", "window", "exact"},
                   "pyramid",
-                  "how the blur is computed; copy blurs nothing: it reads and writes each level of a pyramid once"};
-    Knob<float> sigma_px{*this, "sigma_px", 24.0f, {0.0f, 200.0f}, "standard deviation of the widest Gaussian", "px"};
-    Choice shape{*this, "shape", {"gaussian", "sum"}, "sum", "one Gaussian, or a sum of narrow and wide ones"};
-    Choice cut{*this, "cut", {"none", "hard", "soft"}, "soft", "what of the picture is spread: all, or what is bright"};
-    Knob<float> threshold{*this, "threshold", 1.0f, {0.0f, 1000.0f}, "the luminance above which light is spread"};
-    Knob<float> knee{*this, "knee", 0.5f, {0.0f, 1.0f}, "half the width of a soft cut, as a share of the threshold"};
-    Choice compose{*this, "compose", {"add", "mix"}, "add", "mix takes away what is spread, for cut none"};
-    Knob<float> strength{*this, "strength", 0.6f, {0.0f, 10.0f}, "how much of the spread light is added; mix: 0 to 1"};
-    Choice border{*this, "border", {"clamp", "mirror", "black"}, "mirror", "what lies outside of the picture"};
-    Knob<float> truncation{*this, "truncation", 3.0f, {1.0f, 4.0f}, "at how many sigma the weights of lines end"};
-    Knob<bool> karis{*this, "karis", false, "the pyramid weighs bright pixels less: less flicker, and less light"};
+                  "Blur: none; the copies of a pyramid without its filters; 13-tap pyramid; dual Kawase pyramid; three "
+                  "passes of seven taps; lines in shared memory; lines with paired reads; plain lines; twenty passes; "
+                  "a double loop; the reference"};
+    Knob<float> sigma_px{*this, "sigma_px", 24.0f, {0.0f, 200.0f}, "Standard deviation of the widest Gaussian", "px"};
+    Choice shape{*this,
+                 "shape",
+                 {"gaussian", "sum"},
+                 "sum",
+                 "Point-spread function: one Gaussian, or a sum of narrow and wide ones"};
+    Choice cut{*this,
+               "cut",
+               {"none", "hard", "soft"},
+               "soft",
+               "Bright pass: all light, light above a hard threshold, or light above a soft one"};
+    Knob<float> threshold{*this, "threshold", 1.0f, {0.0f, 1000.0f}, "Threshold of the bright pass, as a luminance"};
+    Knob<float> knee{
+        *this, "knee", 0.5f, {0.0f, 1.0f}, "Half width of the soft threshold, as a fraction of the threshold"};
+    Choice compose{
+        *this,
+        "compose",
+        {"add", "mix"},
+        "add",
+        "Composition: add the blurred light, or move light (subtract what was blurred); mix is meant for cut none"};
+    Knob<float> strength{
+        *this,
+        "strength",
+        0.6f,
+        {0.0f, 10.0f},
+        "Fraction of the blurred light that is added; with compose mix, of the light that moves (0 to 1)"};
+    Choice border{*this,
+                  "border",
+                  {"clamp", "mirror", "black"},
+                  "mirror",
+                  "Light outside of the picture: the nearest border pixel, the picture mirrored, or black"};
+    Knob<float> truncation{
+        *this, "truncation", 3.0f, {1.0f, 4.0f}, "Radius at which a line blur is truncated, in units of sigma"};
+    Knob<bool> karis{
+        *this, "karis", false,
+        "Karis weights: the pyramid gives bright pixels less weight, which reduces flicker and loses light"};
 
     void record(Frame& frame, const Image& hdr);
 

@@ -1,4 +1,4 @@
-// The C++ exercises of this chapter. Each name calls the student's version or the reference, as the toggle says.
+// The C++ exercises of this chapter. Each name calls the exercise or the solution, according to the toggle.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>

@@ -1,4 +1,4 @@
-// Chapter 08: light that spreads: what is cut out of a picture, how it is blurred, and how it comes back.
+// Chapter 08: bloom. A bright pass, a blur by one of eight methods, and the sum with the picture.
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
@@ -12,11 +12,22 @@ using namespace lightwalk;
 struct BloomChapter : ModelChapter {
     Bloom bloom{*this, "bloom"};
     SurfaceScene objects{*this, "objects"};
-    Choice source{*this, "source", {"scene", "spot"}, "scene", "what is spread: the scene, or one bright pixel"};
-    Knob<float> spot_x{*this, "spot_x", 0.0f, {-64.0f, 64.0f}, "how far the bright pixel is moved", "px"};
-    Choice show{*this, "show", {"picture", "cut_out", "spread", "level"}, "picture", "or one of the bloom's images"};
-    Knob<int> level{*this, "level", 2, {0, 24}, "which image between, by the order in which they are made"};
-    Knob<float> gain{*this, "gain", 1.0f, {0.0f, 1e6f}, "by what an image of the bloom is multiplied to be shown"};
+    Choice source{
+        *this, "source", {"scene", "spot"}, "scene", "Picture that blooms: the scene, or a single bright pixel"};
+    Knob<float> spot_x{*this,
+                       "spot_x",
+                       0.0f,
+                       {-64.0f, 64.0f},
+                       "Horizontal position of the bright pixel, from the middle of the picture",
+                       "px"};
+    Choice show{*this,
+                "show",
+                {"picture", "cut_out", "spread", "level"},
+                "picture",
+                "Image shown: the final picture, the light that passed the threshold, the blurred light, or an "
+                "intermediate image"};
+    Knob<int> level{*this, "level", 2, {0, 24}, "Intermediate image to show, in the order of computation"};
+    Knob<float> gain{*this, "gain", 1.0f, {0.0f, 1e6f}, "Scale factor for the brightness of a displayed bloom image"};
 
     Pipeline spot = compute({.shader = "08_bloom/spot.comp"});
     Pipeline look = compute({.shader = "08_bloom/look_at_bloom.comp"});

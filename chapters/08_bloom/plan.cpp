@@ -143,8 +143,8 @@ class Planner {
             const std::vector<float> side = weights(sigma);
             if (side.size() > 65)
                 throw InputError(
-                    "bloom.method window at a sigma of {:.1f} px reads {} texels for each pixel; take at most "
-                    "65 to a side, or another method",
+                    "bloom.method window at a sigma of {:.1f} px reads {} texels for each pixel; take at most 65 to a "
+                    "side, or another method",
                     sigma, (2 * side.size() - 1) * (2 * side.size() - 1));
             plan_.steps.push_back(last(with_taps({.kind = Kind::window, .linear = false}, taps_of(side, 1))));
         } else if (method == "pingpong") {
@@ -160,7 +160,7 @@ class Planner {
         } else if (method == "dual_kawase") {
             kawase(sigma);
         } else {
-            throw InputError("there is no blur '{}'", method);
+            throw InputError("bloom.method: there is no blur '{}'", method);
         }
     }
 

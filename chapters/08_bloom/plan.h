@@ -1,4 +1,4 @@
-// What a blur consists of: its steps, the images between them, and the Gaussians that it stands for. No device needed.
+// Plan of a blur: its steps, the images between them, and the Gaussians it represents. Needs no device.
 #pragma once
 #include <glm/glm.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-// What becomes of one bright pixel: the whole of what a blur does.
+// Point-spread error of a blur: its image of one bright pixel against the reference.
 #pragma once
 #include <map>
 

@@ -1,4 +1,4 @@
-// How bright a picture is to be shown, found on the device from a histogram of its luminance.
+// Automatic exposure from a histogram of luminance, computed on the GPU.
 #pragma once
 #include "common/app/target.h"
 #include "common/gpu/frame.h"
@@ -12,12 +12,14 @@ namespace lightwalk {
 struct AutoExposure : Module {
     AutoExposure(Module& owner, std::string name) : Module(owner, std::move(name), "auto_exposure") {}
 
-    Knob<float> key{*this, "key", 0.18f, {0.01f, 1.0f}, "what the picture's middle becomes, in linear light"};
-    Knob<float> darkest{*this, "darkest", 0.4f, {0.0f, 1.0f}, "the share of pixels that is too dark to count"};
-    Knob<float> brightest{*this, "brightest", 0.05f, {0.0f, 1.0f}, "the share of pixels that is too bright to count"};
-    Knob<float> adapt_s{*this, "adapt_s", 0.5f, {0.0f, 60.0f}, "after so long 63% of a change has been followed", "s"};
-    Knob<float> least_stops{*this, "least_stops", -8.0f, {-16.0f, 16.0f}, "the least exposure", "stops"};
-    Knob<float> most_stops{*this, "most_stops", 8.0f, {-16.0f, 16.0f}, "the most exposure", "stops"};
+    Knob<float> key{
+        *this, "key", 0.18f, {0.01f, 1.0f}, "Target of the mean log luminance after exposure, in linear light"};
+    Knob<float> darkest{*this, "darkest", 0.4f, {0.0f, 1.0f}, "Fraction of pixels discarded as too dark"};
+    Knob<float> brightest{*this, "brightest", 0.05f, {0.0f, 1.0f}, "Fraction of pixels discarded as too bright"};
+    Knob<float> adapt_s{
+        *this, "adapt_s", 0.5f, {0.0f, 60.0f}, "Adaptation time: 63% of a change is followed after this time", "s"};
+    Knob<float> least_stops{*this, "least_stops", -8.0f, {-16.0f, 16.0f}, "Lower limit of the exposure", "stops"};
+    Knob<float> most_stops{*this, "most_stops", 8.0f, {-16.0f, 16.0f}, "Upper limit of the exposure", "stops"};
 
     void record(Frame& frame, const Image& hdr);
     const Image& stops() const { return *shown_; }

@@ -1,4 +1,4 @@
-// What a lens does that a pinhole does not, as a module.
+// Depth-of-field module.
 #pragma once
 #include "09_post_effects/dof_now.h"
 #include "common/app/drawing.h"
@@ -19,13 +19,17 @@ struct DepthOfField : Module {
                   "method",
                   {"off", "gaussian", "gather", "lens"},
                   "off",
-                  "off: a pinhole; a blurred half of the picture; discs gathered in front and behind; the lens itself"};
-    Knob<float> focus_m{*this, "focus_m", 3.0f, {0.01f, 10000.0f}, "distance of what is sharp", "m"};
-    Knob<float> f_number{*this, "f_number", 2.8f, {0.01f, 64.0f}, "focal length over the width of the lens"};
-    Knob<float> sensor_mm{*this, "sensor_mm", 24.0f, {1.0f, 1000.0f}, "height of the sensor", "mm"};
-    Knob<float> most{*this, "most", 0.1f, {0.0f, 0.5f}, "no disc is wider than this share of the picture's height"};
-    Knob<int> taps{*this, "taps", 64, {8, 1024}, "of gather: places read in each disc"};
-    Knob<int> views{*this, "views", 64, {1, 65536}, "of lens: places of the lens, each a whole picture"};
+                  "Depth of field: none (a pinhole); a blurred picture of half resolution; discs gathered in front and "
+                  "behind; the sampled lens (reference)"};
+    Knob<float> focus_m{*this, "focus_m", 3.0f, {0.01f, 10000.0f}, "Distance of the plane of focus", "m"};
+    Knob<float> f_number{
+        *this, "f_number", 2.8f, {0.01f, 64.0f}, "Aperture: focal length divided by the diameter of the lens"};
+    Knob<float> sensor_mm{*this, "sensor_mm", 24.0f, {1.0f, 1000.0f}, "Height of the sensor", "mm"};
+    Knob<float> most{
+        *this, "most", 0.1f, {0.0f, 0.5f}, "Maximum diameter of a disc, as a fraction of the picture height"};
+    Knob<int> taps{*this, "taps", 64, {8, 1024}, "Number of reads per disc (method gather)"};
+    Knob<int> views{
+        *this, "views", 64, {1, 65536}, "Number of sample points on the lens, one picture each (method lens)"};
     // [/dof]
 
     void record(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);

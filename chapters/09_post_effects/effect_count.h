@@ -1,4 +1,4 @@
-// Knobs that other knobs overrule for a frame.
+// Knobs that override other knobs for one frame.
 #pragma once
 #include "09_post_effects/post.h"
 

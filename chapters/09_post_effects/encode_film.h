@@ -1,4 +1,4 @@
-// The end of a frame for pictures in physical units: one curve, for which nothing is too bright.
+// Last step of a frame for pictures in physical units: a tone curve without an upper limit.
 #pragma once
 #include "common/gpu/frame.h"
 

@@ -1,4 +1,4 @@
-// Chapter 09: from light to the screen: a lens, an exposure, a tone curve, and what one does to a picture after that.
+// Chapter 09: from light to the screen. Depth of field, exposure, tone curves and post effects.
 #include "01_obj/model_chapter.h"
 #include "06_deferred/deferred_scene.h"
 #include "08_bloom/bloom.h"
@@ -14,9 +14,17 @@ struct PostEffects : ModelChapter {
     Bloom bloom{*this, "bloom"};
     Post post{*this, "post"};
     DeferredScene objects{*this, "objects"};
-    Choice source{*this, "source", {"scene", "chart"}, "scene", "the scene, or light over 15 stops in every hue"};
-    Knob<bool> reference{*this, "reference", false, "tones are mapped by aces, whatever post.tone says"};
-    Knob<int> effects{*this, "effects", -1, {-1, 16}, "so many of them are on; -1: those that are switched on"};
+    Choice source{*this,
+                  "source",
+                  {"scene", "chart"},
+                  "scene",
+                  "Picture to process: the scene, or a chart of light over 15 stops in every hue"};
+    Knob<bool> reference{*this, "reference", false, "Use the reference tone curve, ACES, in place of post.tone"};
+    Knob<int> effects{*this,
+                      "effects",
+                      -1,
+                      {-1, 16},
+                      "Number of effects that are on, in their fixed order; -1: those that are switched on"};
     Pipeline chart = compute({.shader = "09_post_effects/chart.comp"});
 
     PostEffects() {

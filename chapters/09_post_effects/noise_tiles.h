@@ -1,4 +1,4 @@
-// Tiles of noise that repeat without a seam.
+// Noise tiles that repeat without a seam.
 #pragma once
 #include <vector>
 

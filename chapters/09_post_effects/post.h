@@ -1,4 +1,4 @@
-// What happens to a picture between linear light and the screen, as a module.
+// Post-effect module: from linear light to the screen.
 #pragma once
 #include "09_post_effects/auto_exposure.h"
 #include "09_post_effects/post_now.h"
@@ -15,83 +15,123 @@ namespace lightwalk {
 struct Post : Module {
     Post(Module& owner, std::string name) : Module(owner, std::move(name), "post") {}
 
-    Choice method{*this,
-                  "method",
-                  {"copy", "fused", "pass_each"},
-                  "fused",
-                  "one pass for all effects that need nothing but their pixel, or one for each; copy: none of them"};
+    Choice method{
+        *this,
+        "method",
+        {"copy", "fused", "pass_each"},
+        "fused",
+        "Passes: a copy without effects; one pass for all effects that need only their own pixel; one pass per effect"};
     // [/post]
-    Choice store{
-        *this, "store", {"float", "half"}, "float", "what is kept of a channel between passes: 32 bits, or 16"};
+    Choice store{*this, "store", {"float", "half"}, "float", "Storage of a channel between passes: 32 bits or 16 bits"};
 
     // Those that look at other pixels, each a pass of its own.
-    Knob<bool> radial_blur{*this, "radial_blur", false, "the rush towards one point"};
-    Knob<float> blur_by{*this, "blur_by", 0.15f, {0.0f, 1.0f}, "how far, as a share of the way to that point"};
-    Knob<int> blur_taps{*this, "blur_taps", 4, {1, 64}, "how often the picture is read on the way"};
-    Knob<float> mouse_x{*this, "mouse_x", 0.5f, {0.0f, 1.0f}, "where that point is, from the left; the mouse's place"};
-    Knob<float> mouse_y{*this, "mouse_y", 0.5f, {0.0f, 1.0f}, "and from above"};
-    Knob<bool> aberration{*this, "aberration", false, "a lens that enlarges each colour otherwise"};
+    Knob<bool> radial_blur{*this, "radial_blur", false, "Radial blur towards one point"};
+    Knob<float> blur_by{
+        *this, "blur_by", 0.15f, {0.0f, 1.0f}, "Length of the radial blur, as a fraction of the distance to the point"};
+    Knob<int> blur_taps{*this, "blur_taps", 4, {1, 64}, "Number of reads of the radial blur"};
+    Knob<float> mouse_x{*this,
+                        "mouse_x",
+                        0.5f,
+                        {0.0f, 1.0f},
+                        "Horizontal position of the mouse, towards which the radial blur points: 0 left, 1 right"};
+    Knob<float> mouse_y{*this, "mouse_y", 0.5f, {0.0f, 1.0f}, "Vertical position of the mouse: 0 top, 1 bottom"};
+    Knob<bool> aberration{*this, "aberration", false,
+                          "Chromatic aberration: a lens that enlarges each colour differently"};
     Knob<glm::vec3> aberration_shift{
         *this,
         "aberration_shift",
         {0.012f, 0.0f, -0.012f},
         {glm::vec3(-0.2f), glm::vec3(0.2f)},
-        "by how much red, green and blue are moved in the corners, shares of the way there"};
-    Knob<float> aberration_rows{
-        *this, "aberration_rows", 0.0f, {0.0f, 0.2f}, "how far rows are torn apart by noise, shares of the width"};
-    Knob<bool> sharpen{*this, "sharpen", false, "a kernel of 3 by 3"};
-    Choice kernel{*this, "kernel", {"sharpen", "blur", "edges", "emboss"}, "sharpen", "which"};
-    Knob<float> sharpen_by{*this, "sharpen_by", 0.5f, {0.0f, 4.0f}, "how much of it; 0 is the picture as it was"};
+        "Shift of red, green and blue in the corners, as a fraction of the distance from the middle"};
+    Knob<float> aberration_rows{*this,
+                                "aberration_rows",
+                                0.0f,
+                                {0.0f, 0.2f},
+                                "Displacement of rows by noise, as a fraction of the picture width"};
+    Knob<bool> sharpen{*this, "sharpen", false, "Filter with a kernel of 3 by 3 pixels"};
+    Choice kernel{*this,
+                  "kernel",
+                  {"sharpen", "blur", "edges", "emboss"},
+                  "sharpen",
+                  "Kernel of the filter: sharpen, blur, edge detection, emboss"};
+    Knob<float> sharpen_by{
+        *this, "sharpen_by", 0.5f, {0.0f, 4.0f}, "Strength of the kernel; 0 leaves the picture unchanged"};
 
     // Light.
-    Choice exposure{*this, "exposure", {"off", "fixed", "automatic"}, "off", "by the knob, or by the picture"};
-    Knob<float> stops{*this, "stops", 0.0f, {-16.0f, 16.0f}, "of exposure, on top of what automatic finds", "stops"};
+    Choice exposure{*this,
+                    "exposure",
+                    {"off", "fixed", "automatic"},
+                    "off",
+                    "Exposure: none, the value of stops, or a value found from the picture"};
+    Knob<float> stops{*this,  "stops", 0.0f, {-16.0f, 16.0f}, "Exposure; with automatic, an offset to the value found",
+                      "stops"};
     AutoExposure automatic{*this, "automatic"};
-    Knob<bool> white_balance{*this, "white_balance", false, "as if white were the light of another lamp"};
-    Knob<float> white_k{*this, "white_k", 6504.0f, {4000.0f, 25000.0f}, "daylight that becomes white", "K"};
+    Knob<bool> white_balance{*this, "white_balance", false,
+                             "White balance: adaptation to the light of another daylight"};
+    Knob<float> white_k{
+        *this, "white_k", 6504.0f, {4000.0f, 25000.0f}, "Colour temperature of the daylight that appears white", "K"};
 
     // From light to what a screen shows.
     Choice tone{*this,
                 "tone",
                 {"off", "clamp", "reinhard", "narkowicz", "hill", "neutral", "agx", "aces"},
                 "hill",
-                "how light becomes a screen's 0 to 1; aces is the reference that narkowicz and hill approximate"};
-    Knob<bool> match{*this, "match", false, "every curve shows middle grey, 0.18, as bright as aces does"};
+                "Tone curve from light to display values: none, clamp, Reinhard, Narkowicz, Hill, Khronos Neutral, "
+                "AgX, ACES 1.0 (the reference that Narkowicz and Hill approximate)"};
+    Knob<bool> match{*this, "match", false,
+                     "Equal brightness: every tone curve maps middle grey, 0.18, to the value that ACES gives it"};
 
     // The picture on the screen.
-    Knob<bool> contrast{*this, "contrast", false, "how far brightnesses are apart"};
-    Knob<float> contrast_by{*this, "contrast_by", 1.2f, {0.0f, 4.0f}, "as a power; 1 changes nothing"};
-    Knob<bool> brightness{*this, "brightness", false, "the same light on top of everything"};
-    Knob<float> brightness_by{*this, "brightness_by", 0.02f, {-1.0f, 1.0f}, "how much"};
-    Knob<bool> saturation{*this, "saturation", false, "how far colours are from grey"};
-    Knob<float> saturation_by{*this, "saturation_by", 1.2f, {0.0f, 4.0f}, "as a factor; 1 changes nothing"};
-    Knob<bool> greyscale{*this, "greyscale", false, "luminance alone"};
-    Knob<float> greyscale_by{*this, "greyscale_by", 1.0f, {0.0f, 1.0f}, "how much of it"};
-    Knob<bool> invert{*this, "invert", false, "a negative"};
-    Knob<float> invert_by{*this, "invert_by", 1.0f, {0.0f, 1.0f}, "how much of it"};
-    Knob<bool> vignette{*this, "vignette", false, "darker corners"};
-    Knob<float> vignette_strength{*this, "vignette_strength", 0.5f, {0.0f, 1.0f}, "how dark the corners are"};
-    Knob<float> vignette_power{*this, "vignette_power", 2.5f, {0.0f, 8.0f}, "how late it begins"};
-    Knob<bool> scanlines{*this, "scanlines", false, "the rows of an old screen"};
-    Knob<float> scan_strength{*this, "scan_strength", 0.4f, {0.0f, 1.0f}, "how dark it is between them"};
-    Knob<float> scan_lines{*this, "scan_lines", 180.0f, {1.0f, 2000.0f}, "how many", "lines"};
-    Knob<float> scan_speed{*this, "scan_speed", 0.0f, {-100.0f, 100.0f}, "how fast they run down", "lines/s"};
-    Knob<bool> fade{*this, "fade", false, "to one colour"};
-    Knob<glm::vec3> fade_color{*this, "fade_color", glm::vec3(0.0f), {glm::vec3(0.0f), glm::vec3(1.0f)}, "which"};
-    Knob<float> fade_by{*this, "fade_by", 0.5f, {0.0f, 1.0f}, "how much of it"};
-    Knob<bool> gamma{*this, "gamma", false, "a power of what is shown"};
-    Knob<float> gamma_by{*this, "gamma_by", 1.0f, {-1.0f, 8.0f}, "above 1 brightens; 0 and less do nothing"};
+    Knob<bool> contrast{*this, "contrast", false, "Contrast around middle grey"};
+    Knob<float> contrast_by{*this, "contrast_by", 1.2f, {0.0f, 4.0f}, "Exponent of the contrast; 1 changes nothing"};
+    Knob<bool> brightness{*this, "brightness", false, "Brightness: the same light added everywhere"};
+    Knob<float> brightness_by{
+        *this, "brightness_by", 0.02f, {-1.0f, 1.0f}, "Light added by brightness, in linear light"};
+    Knob<bool> saturation{*this, "saturation", false, "Saturation: distance of colours from grey"};
+    Knob<float> saturation_by{
+        *this, "saturation_by", 1.2f, {0.0f, 4.0f}, "Factor of the saturation; 1 changes nothing"};
+    Knob<bool> greyscale{*this, "greyscale", false, "Greyscale: luminance without colour"};
+    Knob<float> greyscale_by{*this, "greyscale_by", 1.0f, {0.0f, 1.0f}, "Strength of the greyscale effect"};
+    Knob<bool> invert{*this, "invert", false, "Inversion: a negative"};
+    Knob<float> invert_by{*this, "invert_by", 1.0f, {0.0f, 1.0f}, "Strength of the inversion"};
+    Knob<bool> vignette{*this, "vignette", false, "Vignette: darker corners"};
+    Knob<float> vignette_strength{
+        *this, "vignette_strength", 0.5f, {0.0f, 1.0f}, "Darkening of the corners; 1 is black"};
+    Knob<float> vignette_power{*this,
+                               "vignette_power",
+                               2.5f,
+                               {0.0f, 8.0f},
+                               "Exponent of the vignette; larger values begin nearer to the corners"};
+    Knob<bool> scanlines{*this, "scanlines", false, "Scan lines of an old screen"};
+    Knob<float> scan_strength{*this, "scan_strength", 0.4f, {0.0f, 1.0f}, "Darkening between scan lines; 1 is black"};
+    Knob<float> scan_lines{*this,  "scan_lines", 180.0f, {1.0f, 2000.0f}, "Number of scan lines over the picture",
+                           "lines"};
+    Knob<float> scan_speed{*this,    "scan_speed", 0.0f, {-100.0f, 100.0f}, "Speed of the scan lines, downwards",
+                           "lines/s"};
+    Knob<bool> fade{*this, "fade", false, "Fade to one colour"};
+    Knob<glm::vec3> fade_color{*this,
+                               "fade_color",
+                               glm::vec3(0.0f),
+                               {glm::vec3(0.0f), glm::vec3(1.0f)},
+                               "Colour of the fade, in linear light"};
+    Knob<float> fade_by{*this, "fade_by", 0.5f, {0.0f, 1.0f}, "Strength of the fade; 1 shows only the colour"};
+    Knob<bool> gamma{*this, "gamma", false, "Gamma: a power of the display values"};
+    Knob<float> gamma_by{*this, "gamma_by", 1.0f, {-1.0f, 8.0f}, "Gamma; above 1 brightens, 0 and less change nothing"};
 
     // On codes.
-    Choice grain{
-        *this, "grain", {"off", "white", "texture"}, "off", "film's: a number for each pixel, or a tile of clumps"};
-    Knob<float> grain_by{*this, "grain_by", 0.06f, {0.0f, 0.25f}, "how much, of a whole scale of codes"};
+    Choice grain{*this,
+                 "grain",
+                 {"off", "white", "texture"},
+                 "off",
+                 "Film grain: none, independent noise for each pixel, or a tile of clumps"};
+    Knob<float> grain_by{
+        *this, "grain_by", 0.06f, {0.0f, 0.25f}, "Amplitude of the grain, as a fraction of the full range of codes"};
     Choice dither{*this,
                   "dither",
                   {"off", "bayer_4", "bayer_8", "blue_noise"},
                   "off",
-                  "how what lies between two codes is spread over the two"};
-    Knob<int> codes{*this, "codes", 256, {2, 256}, "of dither: how many codes a channel has"};
+                  "Dither: none, Bayer matrix of 4 by 4 or 8 by 8 pixels, or blue noise"};
+    Knob<int> codes{*this, "codes", 256, {2, 256}, "Number of codes per channel for dither"};
 
     void record(Frame& frame, const Image& picture);
 

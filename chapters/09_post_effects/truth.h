@@ -1,4 +1,4 @@
-// This chapter's closed forms in double precision. Tone curves: tone_truth.h, aces_truth.h.
+// Closed forms of this chapter in double precision. For tone curves see tone_truth.h and aces_truth.h.
 #pragma once
 #include <algorithm>
 #include <cmath>

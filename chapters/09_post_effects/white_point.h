@@ -1,4 +1,4 @@
-// Which light is white, and what middle grey is before each tone curve.
+// White balance, and the input of middle grey for each tone curve.
 #pragma once
 #include <glm/glm.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-// A planet's air as a module: what it scatters into a picture, and what it lets through.
+// Atmosphere module: in-scattering and transmittance of a planet's air.
 #pragma once
 #include "10_atmosphere/air_data.h"
 #include "10_atmosphere/path_part.h"
@@ -23,53 +23,90 @@ struct Atmosphere : Drawing {
                   "method",
                   {"none", "preetham", "polynomial", "chapman", "march", "tables", "truth"},
                   "tables",
-                  "how the air's light is found; preetham knows the sky from the ground, tables alone what was "
-                  "scattered more than once"};
-    Choice orders{*this, "orders", {"single", "multiple"}, "multiple", "light scattered once, or any number of times"};
+                  "Light of the air: none; Preetham's formula, for the ground only; O'Neil's polynomial; Chapman's "
+                  "function; a march; tables, which alone include multiple scattering; the reference"};
+    Choice orders{*this,
+                  "orders",
+                  {"single", "multiple"},
+                  "multiple",
+                  "Orders of scattering: light scattered once, or any number of times"};
     Choice phase{*this,
                  "phase",
                  {"isotropic", "henyey_greenstein", "cornette_shanks"},
                  "cornette_shanks",
-                 "which way dust scatters"};
-    Knob<int> steps{*this, "steps", 16, {1, 4096}, "places on a pixel's path; truth takes 32 times as many"};
-    Knob<int> light_steps{*this, "light_steps", 8, {1, 256}, "places on the way from there to the sun, for march"};
-    Knob<int> paths{*this, "paths", 16, {1, 512}, "random paths of a pixel, for truth with many scatterings"};
-    Knob<float> table_scale{*this, "table_scale", 1.0f, {0.25f, 2.0f}, "of the tables' width and height"};
-    Choice refresh{*this, "refresh", {"changed", "always"}, "changed", "when tables are made: always is for timing"};
+                 "Phase function of dust: isotropic, Henyey-Greenstein, or Cornette-Shanks"};
+    Knob<int> steps{*this,
+                    "steps",
+                    16,
+                    {1, 4096},
+                    "Number of samples on the path of a pixel; the method truth takes 32 times as many"};
+    Knob<int> light_steps{*this, "light_steps", 8, {1, 256}, "Number of samples from there to the sun (method march)"};
+    Knob<int> paths{
+        *this, "paths", 16, {1, 512}, "Number of random walks per pixel (method truth with orders multiple)"};
+    Knob<float> table_scale{
+        *this, "table_scale", 1.0f, {0.25f, 2.0f}, "Scale factor for the width and height of the tables"};
+    Choice refresh{*this,
+                   "refresh",
+                   {"changed", "always"},
+                   "changed",
+                   "Recomputation of the tables: only after a change, or in every frame (for timing)"};
 
     Knob<float> sun_elevation_deg{
-        *this, "sun_elevation_deg", 30.0f, {-90.0f, 90.0f}, "of the sun at the world's origin", "degrees"};
-    Knob<float> sun_azimuth_deg{*this, "sun_azimuth_deg", 0.0f, {-360.0f, 360.0f}, "from -z towards +x", "degrees"};
-    Knob<float> sun_klx{*this, "sun_klx", 128.0f, {0.0f, 1e5f}, "what it sheds outside of the air", "klx"};
-    Knob<glm::vec3> sun_color{*this, "sun_color", glm::vec3(1.0f), {glm::vec3(0.0f), glm::vec3(10.0f)}, "its colour"};
-    Knob<float> sun_deg{*this, "sun_deg", 0.53f, {0.01f, 20.0f}, "how wide it looks", "degrees"};
-    Knob<float> disc{*this, "disc", 1.0f, {0.0f, 1.0f}, "how much of its own brightness the sun's disc shows"};
-    Knob<float> exposure{*this, "exposure", 0.1f, {0.0f, 1e6f}, "by what light in kcd/m² is multiplied"};
-    Knob<float> turbidity{*this, "turbidity", 2.5f, {1.0f, 20.0f}, "haze, for preetham: 2 very clear, 10 haze"};
+        *this,    "sun_elevation_deg", 30.0f, {-90.0f, 90.0f}, "Elevation of the sun, seen from the world origin",
+        "degrees"};
+    Knob<float> sun_azimuth_deg{
+        *this, "sun_azimuth_deg", 0.0f, {-360.0f, 360.0f}, "Azimuth of the sun, from -z towards +x", "degrees"};
+    Knob<float> sun_klx{*this, "sun_klx", 128.0f, {0.0f, 1e5f}, "Illuminance of the sun outside of the air", "klx"};
+    Knob<glm::vec3> sun_color{
+        *this, "sun_color", glm::vec3(1.0f), {glm::vec3(0.0f), glm::vec3(10.0f)}, "Colour of the sun, linear"};
+    Knob<float> sun_deg{*this, "sun_deg", 0.53f, {0.01f, 20.0f}, "Angular diameter of the sun", "degrees"};
+    Knob<float> disc{
+        *this, "disc", 1.0f, {0.0f, 1.0f}, "Brightness of the sun's disc, as a fraction of its true brightness"};
+    Knob<float> exposure{*this, "exposure", 0.1f, {0.0f, 1e6f}, "Exposure: scale factor for luminance in kcd/m²"};
+    Knob<float> turbidity{
+        *this, "turbidity", 2.5f, {1.0f, 20.0f}, "Turbidity of the air (method preetham): 2 is very clear, 10 is haze"};
 
-    Knob<float> radius_m{*this, "radius_m", 6.36e6f, {1e3f, 1e9f}, "of the planet", "m"};
-    Knob<float> top_m{*this, "top_m", 1e5f, {1.0f, 1e8f}, "height of the air's edge", "m"};
-    Knob<glm::vec3> rayleigh{
-        *this, "rayleigh", {5.802f, 13.558f, 33.1f}, {glm::vec3(0.0f), glm::vec3(1e5f)}, "what molecules scatter",
-        "1/Mm"};
-    Knob<float> rayleigh_height_m{*this, "rayleigh_height_m", 8000.0f, {0.0f, 1e6f}, "their scale height", "m"};
-    Knob<glm::vec3> mie{*this, "mie", glm::vec3(3.996f), {glm::vec3(0.0f), glm::vec3(1e5f)}, "what dust scatters",
+    Knob<float> radius_m{*this, "radius_m", 6.36e6f, {1e3f, 1e9f}, "Radius of the planet", "m"};
+    Knob<float> top_m{*this, "top_m", 1e5f, {1.0f, 1e8f}, "Height of the top of the air", "m"};
+    Knob<glm::vec3> rayleigh{*this,
+                             "rayleigh",
+                             {5.802f, 13.558f, 33.1f},
+                             {glm::vec3(0.0f), glm::vec3(1e5f)},
+                             "Scattering coefficient of molecules at the ground",
+                             "1/Mm"};
+    Knob<float> rayleigh_height_m{*this, "rayleigh_height_m", 8000.0f, {0.0f, 1e6f}, "Scale height of molecules", "m"};
+    Knob<glm::vec3> mie{*this,
+                        "mie",
+                        glm::vec3(3.996f),
+                        {glm::vec3(0.0f), glm::vec3(1e5f)},
+                        "Scattering coefficient of dust at the ground",
                         "1/Mm"};
-    Knob<glm::vec3> mie_absorption{
-        *this, "mie_absorption", glm::vec3(0.444f), {glm::vec3(0.0f), glm::vec3(1e5f)}, "and swallows", "1/Mm"};
-    Knob<float> mie_height_m{*this, "mie_height_m", 1200.0f, {0.0f, 1e6f}, "its scale height", "m"};
-    Knob<float> mean_cosine{
-        *this, "mean_cosine", 0.8f, {-0.95f, 0.95f}, "of the angle by which dust turns light: 1 is straight on"};
+    Knob<glm::vec3> mie_absorption{*this,
+                                   "mie_absorption",
+                                   glm::vec3(0.444f),
+                                   {glm::vec3(0.0f), glm::vec3(1e5f)},
+                                   "Absorption coefficient of dust at the ground",
+                                   "1/Mm"};
+    Knob<float> mie_height_m{*this, "mie_height_m", 1200.0f, {0.0f, 1e6f}, "Scale height of dust", "m"};
+    Knob<float> mean_cosine{*this,
+                            "mean_cosine",
+                            0.8f,
+                            {-0.95f, 0.95f},
+                            "Mean cosine of the scattering angle of dust: 1 is straight ahead"};
     Knob<glm::vec3> ozone{*this,
                           "ozone",
                           {0.65f, 1.881f, 0.085f},
                           {glm::vec3(0.0f), glm::vec3(1e5f)},
-                          "what a layer absorbs in its middle; 0: no layer",
+                          "Absorption coefficient at the centre of the ozone layer; 0: no layer",
                           "1/Mm"};
-    Knob<float> ozone_center_m{*this, "ozone_center_m", 25000.0f, {0.0f, 1e7f}, "height of its middle", "m"};
-    Knob<float> ozone_width_m{*this, "ozone_width_m", 15000.0f, {0.0f, 1e7f}, "from there to its edges", "m"};
-    Knob<glm::vec3> ground{
-        *this, "ground", glm::vec3(0.1f), {glm::vec3(0.0f), glm::vec3(1.0f)}, "albedo of the ground, for its light"};
+    Knob<float> ozone_center_m{
+        *this, "ozone_center_m", 25000.0f, {0.0f, 1e7f}, "Height of the centre of the ozone layer", "m"};
+    Knob<float> ozone_width_m{*this, "ozone_width_m", 15000.0f, {0.0f, 1e7f}, "Half width of the ozone layer", "m"};
+    Knob<glm::vec3> ground{*this,
+                           "ground",
+                           glm::vec3(0.1f),
+                           {glm::vec3(0.0f), glm::vec3(1.0f)},
+                           "Albedo of the ground, for the light it reflects into the air"};
 
     /// What falls on the ground under this air, for sunlight_on() and skylight_on().
     void update(Frame& frame) override;

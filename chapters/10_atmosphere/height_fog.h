@@ -1,4 +1,4 @@
-// Fog that gets thinner with height, as a module for any picture in linear light.
+// Height-fog module, for any picture in linear light.
 #pragma once
 #include "common/app/drawing.h"
 #include "common/scene/scene.h"
@@ -14,16 +14,28 @@ namespace lightwalk {
 struct HeightFog : Drawing {
     HeightFog(Module& owner, std::string name) : Drawing(owner, std::move(name), "fog") {}
 
-    Choice method{*this, "method", {"none", "uniform", "height"}, "height", "uniform is height with a falloff of 0"};
-    Knob<float> density{*this, "density", 2e-4f, {0.0f, 10.0f}, "optical depth of a metre of fog at its base", "1/m"};
-    Knob<float> falloff{*this, "falloff", 0.01f, {0.0f, 10.0f}, "1 / the height in which fog thins to 37%", "1/m"};
-    Knob<float> base_m{*this, "base_m", 0.0f, {-1e5f, 1e5f}, "where fog has its density", "m"};
-    Knob<float> start_m{*this, "start_m", 0.0f, {0.0f, 1e6f}, "no fog nearer to the eye", "m"};
-    Knob<glm::vec3> color{
-        *this, "color", {0.5f, 0.6f, 0.7f}, {glm::vec3(0.0f), glm::vec3(1e4f)}, "linear light of fog without an end"};
-    Knob<glm::vec3> sun_color{
-        *this, "sun_color", {1.0f, 0.85f, 0.6f}, {glm::vec3(0.0f), glm::vec3(1e4f)}, "the same towards the sun"};
-    Knob<float> sun_power{*this, "sun_power", 8.0f, {0.1f, 1e3f}, "how narrow the light towards the sun is"};
+    Choice method{*this,
+                  "method",
+                  {"none", "uniform", "height"},
+                  "height",
+                  "Fog: none, of uniform density (falloff 0), or thinner with height"};
+    Knob<float> density{*this, "density", 2e-4f, {0.0f, 10.0f}, "Extinction of the fog at its base", "1/m"};
+    Knob<float> falloff{
+        *this, "falloff", 0.01f, {0.0f, 10.0f}, "Reciprocal of the height over which the density falls to 37%", "1/m"};
+    Knob<float> base_m{*this, "base_m", 0.0f, {-1e5f, 1e5f}, "Height at which the fog has its density", "m"};
+    Knob<float> start_m{*this, "start_m", 0.0f, {0.0f, 1e6f}, "Distance from the camera at which fog begins", "m"};
+    Knob<glm::vec3> color{*this,
+                          "color",
+                          {0.5f, 0.6f, 0.7f},
+                          {glm::vec3(0.0f), glm::vec3(1e4f)},
+                          "Radiance of infinitely deep fog, linear"};
+    Knob<glm::vec3> sun_color{*this,
+                              "sun_color",
+                              {1.0f, 0.85f, 0.6f},
+                              {glm::vec3(0.0f), glm::vec3(1e4f)},
+                              "Radiance of infinitely deep fog in the direction of the sun, linear"};
+    Knob<float> sun_power{
+        *this, "sun_power", 8.0f, {0.1f, 1e3f}, "Exponent of the glow towards the sun; larger values are narrower"};
 
     float sky_m = 1e5f;  ///< how far fog reaches where nothing is drawn, unless it meets base_m before
 

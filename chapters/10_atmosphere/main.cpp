@@ -1,4 +1,4 @@
-// Chapter 10: a planet's air, from the ground to orbit.
+// Chapter 10: the atmosphere of a planet, from the ground to orbit.
 #include "01_obj/model_chapter.h"
 #include "09_post_effects/encode_film.h"
 #include "10_atmosphere/height_fog.h"
@@ -18,8 +18,9 @@ struct AtmosphereChapter : ModelChapter {
                 "show",
                 {"picture", "transmittance", "multiple", "sky", "doubt"},
                 "picture",
-                "or a table of the method tables; doubt: the standard error of truth, relative"};
-    Knob<float> gain{*this, "gain", 1.0f, {0.0f, 1e6f}, "by what a table is multiplied to be shown"};
+                "Image shown: the picture; a table of the method tables; or the relative standard error of the "
+                "path-traced reference"};
+    Knob<float> gain{*this, "gain", 1.0f, {0.0f, 1e6f}, "Scale factor for the brightness of a displayed table"};
 
     Pipeline look = compute({.shader = "08_bloom/look.comp"});
 

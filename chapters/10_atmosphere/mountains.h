@@ -1,4 +1,4 @@
-// Mountains that stand on the planet: the scene's models, lit by the sun and the sky.
+// Mountains on the planet: the models of the scene, lit by the sun and the sky.
 #pragma once
 #include "10_atmosphere/planet.h"
 

@@ -32,9 +32,9 @@ std::vector<PathPart> path_parts(const PathWork& work, const Air& air) {
     const double of_a_walk = 2 + places_of_a_walk + turns_of_many * of_a_turn;
     if (work.walks > 0 && most_turns * of_a_turn > most_rounds)
         throw InputError(
-            "atmosphere.method truth with orders multiple: a random walk through this air takes up to {:.0f} steps, "
-            "and a "
-            "driver may end its loops after {:.0f}; take thinner air, a lower top_m, or orders single",
+            "atmosphere.method: truth with orders multiple takes up to {:.0f} steps for a random walk through this "
+            "air, and a driver may end a loop after {:.0f}; reduce the scattering coefficients or top_m, or set orders "
+            "to single",
             most_turns * of_a_turn, most_rounds);
     if (work.walks * of_a_walk + work.places * of_a_place <= most_rounds)
         return {{.end_walk = work.walks, .end_place = work.places, .begins = 1, .ends = 1}};

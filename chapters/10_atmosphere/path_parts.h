@@ -1,4 +1,4 @@
-// How the light of a picture's paths is found in several dispatches, where one would take too long.
+// Division of the paths of a picture into several dispatches, where one would take too long.
 #pragma once
 #include <vector>
 

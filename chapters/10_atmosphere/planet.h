@@ -1,4 +1,4 @@
-// The ground of a planet as a sphere, with its maps, and the stars behind it.
+// Planet: the ground as a sphere with its maps, and the stars behind it.
 #pragma once
 #include "10_atmosphere/atmosphere.h"
 #include "common/scene/image_pool.h"
@@ -10,24 +10,30 @@ struct Planet : Drawing {
     Planet(Module& owner, std::string name, Atmosphere& atmosphere)
         : Drawing(owner, std::move(name), "planet"), atmosphere_(atmosphere) {}
 
-    Choice map{*this, "map", {"plain", "earth", "mars"}, "earth", "what its ground looks like; plain: one colour"};
-    Knob<float> latitude_deg{*this,    "latitude_deg", 0.0f, {-90.0f, 90.0f}, "of the world's origin on the map",
+    Choice map{*this,
+               "map",
+               {"plain", "earth", "mars"},
+               "earth",
+               "Surface of the planet: one colour, or a map of the Earth or of Mars"};
+    Knob<float> latitude_deg{*this,    "latitude_deg", 0.0f, {-90.0f, 90.0f}, "Latitude of the world origin on the map",
                              "degrees"};
-    Knob<float> longitude_deg{*this,    "longitude_deg", 0.0f, {-180.0f, 180.0f}, "of the world's origin on the map",
-                              "degrees"};
-    Knob<float> turn_deg{*this, "turn_deg", 0.0f, {-360.0f, 360.0f}, "by what the map is turned about it", "degrees"};
+    Knob<float> longitude_deg{
+        *this, "longitude_deg", 0.0f, {-180.0f, 180.0f}, "Longitude of the world origin on the map", "degrees"};
+    Knob<float> turn_deg{*this,    "turn_deg", 0.0f, {-360.0f, 360.0f}, "Rotation of the map about the world origin",
+                         "degrees"};
     Knob<glm::vec3> color{*this,
                           "color",
                           {0.05f, 0.09f, 0.12f},
                           {glm::vec3(0.0f), glm::vec3(1.0f)},
-                          "albedo of plain ground, by what maps are multiplied"};
-    Knob<float> sea{*this, "sea", 1.0f, {0.0f, 1.0f}, "how much of plain ground is water; of maps, of their water"};
-    Knob<float> waves{*this, "waves", 0.12f, {0.005f, 1.0f}, "how steep waves are, as a standard deviation of slopes"};
-    Knob<float> clouds{*this, "clouds", 1.0f, {0.0f, 1.0f}, "how much the map's clouds hide"};
-    Knob<float> night{*this, "night", 0.02f, {0.0f, 1e3f}, "how bright cities are by night, kcd/m²"};
-    Knob<float> stars{*this, "stars", 0.02f, {0.0f, 1e6f}, "how bright the stars are, kcd/m²"};
+                          "Albedo of plain ground; a factor for the colours of a map"};
+    Knob<float> sea{*this, "sea", 1.0f, {0.0f, 1.0f}, "Fraction of water on plain ground; on a map, of its water"};
+    Knob<float> waves{*this, "waves", 0.12f, {0.005f, 1.0f}, "Standard deviation of the slopes of waves"};
+    Knob<float> clouds{*this, "clouds", 1.0f, {0.0f, 1.0f}, "Opacity of the clouds of the map"};
+    Knob<float> night{*this, "night", 0.02f, {0.0f, 1e3f}, "Luminance of cities by night, in kcd/m²"};
+    Knob<float> stars{*this, "stars", 0.02f, {0.0f, 1e6f}, "Luminance of the stars, in kcd/m²"};
 
-    Knob<float> snow_m{*this, "snow_m", 1300.0f, {-1e5f, 1e5f}, "height from which mountains are white", "m"};
+    Knob<float> snow_m{*this, "snow_m", 1300.0f, {-1e5f, 1e5f}, "Snow line: height above which mountains are white",
+                       "m"};
 
     void prepare(Gpu& gpu, Scene&) override;
     std::string load_key() const override { return map.text(); }

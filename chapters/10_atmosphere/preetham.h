@@ -1,4 +1,4 @@
-// A clear day's sky from a formula, as a module: knobs and GLSL, no pass.
+// Preetham module: the sky of a clear day from a formula. Knobs and GLSL, no pass.
 #pragma once
 #include "common/app/module.h"
 
@@ -14,9 +14,10 @@ namespace lightwalk {
 struct Preetham : Module {
     Preetham(Module& owner, std::string name) : Module(owner, std::move(name), "preetham") {}
 
-    Knob<float> turbidity{*this, "turbidity", 2.5f, {1.7f, 10.0f}, "haze: 2 very clear, 3 clear, 6 moist, 10 haze"};
-    Knob<float> exposure{*this, "exposure", 0.1f, {0.0f, 1e3f}, "by what light in kcd/m² is multiplied"};
-    Knob<float> sun{*this, "sun", 128.0f, {0.0f, 1e4f}, "what the sun sheds on a surface outside the air", "klx"};
+    Knob<float> turbidity{
+        *this, "turbidity", 2.5f, {1.7f, 10.0f}, "Turbidity of the air: 2 very clear, 3 clear, 6 moist, 10 haze"};
+    Knob<float> exposure{*this, "exposure", 0.1f, {0.0f, 1e3f}, "Exposure: scale factor for luminance in kcd/m²"};
+    Knob<float> sun{*this, "sun", 128.0f, {0.0f, 1e4f}, "Illuminance of the sun outside of the air", "klx"};
 };
 // [/preetham]
 

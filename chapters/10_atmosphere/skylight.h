@@ -1,4 +1,4 @@
-// What the sky sheds on level ground.
+// Irradiance of the sky on level ground.
 #pragma once
 #include <vector>
 

@@ -1,4 +1,4 @@
-// How far the marched picture of a Julia set is from the set.
+// Depth error of a marched Julia set against double precision.
 #pragma once
 #include <map>
 #include <nlohmann/json_fwd.hpp>

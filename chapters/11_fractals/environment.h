@@ -19,10 +19,17 @@ namespace lightwalk {
 struct EnvironmentLight : Module {
     EnvironmentLight(Module& owner, std::string name) : Module(owner, std::move(name), "environment") {}
 
-    Knob<float> intensity{
-        *this, "intensity", 1.0f, {0.0f, 1e4f}, "multiplies the environment's radiance, besides the scene's own"};
-    Knob<float> turn_deg{
-        *this, "turn_deg", 0.0f, {-360.0f, 360.0f}, "turns the environment about +y, besides the scene's own", "°"};
+    Knob<float> intensity{*this,
+                          "intensity",
+                          1.0f,
+                          {0.0f, 1e4f},
+                          "Scale factor for the radiance of the environment, in addition to the scene's own"};
+    Knob<float> turn_deg{*this,
+                         "turn_deg",
+                         0.0f,
+                         {-360.0f, 360.0f},
+                         "Rotation of the environment about +y, in addition to the scene's own",
+                         "°"};
 
     /// Makes both cubes, where the scene has another picture than they were made of; else it records nothing.
     void record(Frame& frame, const Scene& scene);

@@ -1,4 +1,4 @@
-// The C++ exercise of this chapter. The name calls the student's version or the reference, as the toggle says.
+// The C++ exercise of this chapter. The name calls the exercise or the solution, according to the toggle.
 #pragma once
 #include <vector>
 

@@ -1,4 +1,4 @@
-// Quaternion Julia sets, met by rays.
+// Julia drawing: quaternion Julia sets rendered by ray marching.
 #pragma once
 #include "11_fractals/environment.h"
 #include "11_fractals/julia_data.h"
@@ -12,23 +12,24 @@ struct JuliaLook : Module {
                           "color",
                           glm::vec3(0.85f, 0.62f, 0.38f),
                           {glm::vec3(0.0f), glm::vec3(1.0f)},
-                          "albedo where orbits stay away"};
+                          "Albedo where orbits stay away from the origin"};
     Knob<glm::vec3> color_deep{*this,
                                "color_deep",
                                glm::vec3(0.3f, 0.07f, 0.05f),
                                {glm::vec3(0.0f), glm::vec3(1.0f)},
-                               "albedo where they come near"};
-    Knob<float> shininess{*this, "shininess", 40.0f, {1.0f, 2000.0f}, "Phong exponent of the light's highlight"};
-    Knob<float> gloss{*this, "gloss", 0.3f, {0.0f, 10.0f}, "strength of that highlight"};
-    Knob<float> facing{*this, "facing", 0.06f, {0.0f, 1.0f}, "what is reflected where one looks along the normal"};
+                               "Albedo where orbits come near to the origin"};
+    Knob<float> shininess{*this, "shininess", 40.0f, {1.0f, 2000.0f}, "Phong exponent of the highlight of the sun"};
+    Knob<float> gloss{*this, "gloss", 0.3f, {0.0f, 10.0f}, "Strength of the highlight of the sun"};
+    Knob<float> facing{*this, "facing", 0.06f, {0.0f, 1.0f}, "Reflectance F0 at normal incidence"};
     Knob<glm::vec3> mirror{*this,
                            "mirror",
                            glm::vec3(1.0f),
                            {glm::vec3(0.0f), glm::vec3(1.0f)},
-                           "by what the reflection is multiplied: a metal's colour"};
-    Knob<float> fresnel_power{*this, "fresnel_power", 1.0f, {0.05f, 16.0f}, "k of the reflection 1 - (v.n)^k"};
+                           "Colour of the reflection, as of a metal"};
+    Knob<float> fresnel_power{
+        *this, "fresnel_power", 1.0f, {0.05f, 16.0f}, "Exponent k of the reflectance 1 - (v.n)^k"};
     Knob<float> background_level{
-        *this, "background_level", 0.0f, {0.0f, 8.0f}, "how blurred the environment is behind the set"};
+        *this, "background_level", 0.0f, {0.0f, 8.0f}, "Blur of the environment behind the set, as a mip level"};
 };
 
 // [julia]
@@ -42,36 +43,53 @@ struct Julia : Drawing {
                   "method",
                   {"fixed", "distance", "relaxed", "cone", "exact"},
                   "cone",
-                  "how a ray goes: steps of one length; as far as nothing can be; farther, and back where that was too "
-                  "far; in cones down to a pixel's footprint; the truth's small steps"};
+                  "Ray marching: fixed steps; sphere tracing; relaxed sphere tracing; cones, down to a pixel's "
+                  "footprint; small steps (reference)"};
     // [/julia]
-    Choice normal{*this, "normal", {"analytic", "difference"}, "analytic", "how the surface's normal is found"};
-    Choice fresnel{*this, "fresnel", {"schlick", "power"}, "schlick", "how reflection grows towards the rim"};
-    Choice show{*this, "show", {"picture", "normals", "steps"}, "picture", "steps: how many a ray took; white: capped"};
-    Knob<bool> shadow{*this, "shadow", true, "the set casts a shadow on itself"};
+    Choice normal{*this,
+                  "normal",
+                  {"analytic", "difference"},
+                  "analytic",
+                  "Surface normal: derivative of the iteration, or differences of distances"};
+    Choice fresnel{*this,
+                   "fresnel",
+                   {"schlick", "power"},
+                   "schlick",
+                   "Reflectance towards the silhouette: Schlick's, or the power 1 - (v.n)^k"};
+    Choice show{
+        *this,
+        "show",
+        {"picture", "normals", "steps"},
+        "picture",
+        "Picture shown: the shaded set, its normals, or the number of steps of each ray (white: limit reached)"};
+    Knob<bool> shadow{*this, "shadow", true, "Shadow of the set on itself"};
     Choice constant{*this,
                     "constant",
                     {"custom", "cauldron", "reef", "shell", "knot", "thorn", "spindle", "dust", "morph"},
                     "reef",
-                    "c of z² + c, from the gallery; morph: one after the other, as time goes"};
+                    "Constant c of z² + c: custom, one from the gallery, or morph, which passes through the gallery"};
     Knob<glm::vec3> c_xyz{*this,
                           "c_xyz",
                           glm::vec3(-0.2f, 0.8f, 0.0f),
                           {glm::vec3(-2.0f), glm::vec3(2.0f)},
-                          "custom: real part, i and j of c"};
-    Knob<float> c_k{*this, "c_k", 0.0f, {-2.0f, 2.0f}, "custom: k of c"};
-    Knob<float> slice{*this, "slice", 0.0f, {-2.0f, 2.0f}, "k of the points that are shown: which slice"};
-    Knob<int> iterations{*this, "iterations", 40, {1, 256}, "turns after which a point is taken for one of the set"};
-    Knob<float> escape{*this, "escape", 8.0f, {2.0f, 64.0f}, "|z| from which on a point has escaped"};
-    Knob<float> step_m{*this, "step_m", 0.01f, {1e-4f, 1.0f}, "fixed: length of a step", "m"};
-    Knob<float> epsilon_m{*this, "epsilon_m", 5e-4f, {1e-5f, 0.1f}, "distance, relaxed: near enough", "m"};
-    Knob<float> relaxation{*this, "relaxation", 1.4f, {1.0f, 2.0f}, "relaxed: length of a step, in distances"};
-    Knob<float> footprint{*this, "footprint", 0.1f, {0.01f, 4.0f}, "cone: near enough, in widths of a pixel", "px"};
-    Knob<float> trust{
-        *this, "trust", 1.0f, {0.05f, 1.0f}, "share of a distance that is believed: less for sets that fall to dust"};
-    Knob<float> difference_m{*this, "difference_m", 2e-4f, {1e-6f, 0.1f}, "how far apart a normal's differences are",
-                             "m"};
-    Knob<int> most_steps{*this, "most_steps", 256, {1, 4096}, "distances after which a ray is stopped"};
+                          "Real part, i and j of c (constant custom)"};
+    Knob<float> c_k{*this, "c_k", 0.0f, {-2.0f, 2.0f}, "Component k of c (constant custom)"};
+    Knob<float> slice{*this, "slice", 0.0f, {-2.0f, 2.0f}, "Slice shown: component k of the points"};
+    Knob<int> iterations{
+        *this, "iterations", 40, {1, 256}, "Number of iterations after which a point counts as one of the set"};
+    Knob<float> escape{*this, "escape", 8.0f, {2.0f, 64.0f}, "Escape radius: a point with a greater |z| has escaped"};
+    Knob<float> step_m{*this, "step_m", 0.01f, {1e-4f, 1.0f}, "Length of a step (method fixed)", "m"};
+    Knob<float> epsilon_m{
+        *this, "epsilon_m", 5e-4f, {1e-5f, 0.1f}, "Distance that counts as a hit (methods distance, relaxed)", "m"};
+    Knob<float> relaxation{
+        *this, "relaxation", 1.4f, {1.0f, 2.0f}, "Length of a step as a multiple of the distance (method relaxed)"};
+    Knob<float> footprint{
+        *this, "footprint", 0.1f, {0.01f, 4.0f}, "Distance that counts as a hit, in widths of a pixel (method cone)",
+        "px"};
+    Knob<float> trust{*this, "trust", 1.0f, {0.05f, 1.0f}, "Scale factor for distances; below 1 for disconnected sets"};
+    Knob<float> difference_m{
+        *this, "difference_m", 2e-4f, {1e-6f, 0.1f}, "Spacing of the differences (normal difference)", "m"};
+    Knob<int> most_steps{*this, "most_steps", 256, {1, 4096}, "Maximum number of distances per ray"};
     JuliaLook look{*this, "look", "julia_look"};
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }

@@ -1,4 +1,4 @@
-// Chapter 11: fractals: a Julia set in four dimensions, and a landscape of noise.
+// Chapter 11: fractals. A quaternion Julia set, and a landscape of noise.
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
@@ -10,12 +10,13 @@
 using namespace lightwalk;
 
 struct Fractals : ModelChapter {
-    Choice world{*this, "world", {"julia", "terrain"}, "julia", "what is shown"};
+    Choice world{*this, "world", {"julia", "terrain"}, "julia", "Subject of the picture: a Julia set, or a landscape"};
     Choice method{*this,
                   "method",
                   {"as_set", "fixed", "distance", "relaxed", "cone", "central", "analytic", "exact"},
                   "as_set",
-                  "julia.method of a Julia set, terrain.method of terrain; exact: the truth of both"};
+                  "Method of the subject: julia.method or terrain.method as set there, or the one named here; exact is "
+                  "the reference of both"};
     EnvironmentLight environment{*this, "environment"};
     Julia julia{*this, "julia", environment};
     Terrain terrain{*this, "terrain"};

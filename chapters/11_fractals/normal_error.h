@@ -1,4 +1,4 @@
-// How far a picture of the terrain's normals is from double precision.
+// Error of the terrain's normals against double precision.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 

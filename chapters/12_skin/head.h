@@ -1,4 +1,4 @@
-// A head as a drawing: skin, eyes and what is matt, under lights, their shadows and what surrounds it.
+// Head drawing: skin, eyes and matt parts, under lights with shadows and an environment.
 #pragma once
 #include "05_shadow_maps/lit_scene.h"
 #include "11_fractals/environment.h"

@@ -1,4 +1,4 @@
-// Chapter 12: skin. Light enters it at one place and leaves it at another.
+// Chapter 12: skin, subsurface scattering by blurs of light in texture space and its approximations.
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
@@ -18,9 +18,10 @@ struct SkinChapter : ModelChapter {
         "show",
         {"picture", "irradiance", "level", "diffused", "stretch", "occlusion", "thickness", "specular", "seams"},
         "picture",
-        "or one of the skin's maps, or what is reflected alone, or what comes through, or the charts"};
-    Knob<int> level{*this, "level", 0, {0, 5}, "which Gaussian's, of show level"};
-    Knob<float> dolly{*this, "dolly", 1.0f, {0.2f, 64.0f}, "how many times as far away the camera stands"};
+        "Image shown: the picture; the maps of irradiance, one Gaussian, their sum, stretch, ambient occlusion or "
+        "thickness; the specular reflection alone; or the borders of the charts"};
+    Knob<int> level{*this, "level", 0, {0, 5}, "Gaussian to show (show level): 0 is the narrowest"};
+    Knob<float> dolly{*this, "dolly", 1.0f, {0.2f, 64.0f}, "Scale factor for the distance of the camera"};
     Pipeline look = compute({.shader = "12_skin/look.comp"});
 
     SkinChapter() {

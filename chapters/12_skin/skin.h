@@ -1,4 +1,4 @@
-// Skin as a module: light that enters at one place and leaves at another.
+// Skin module: subsurface scattering.
 #pragma once
 #include "12_skin/picture_blur.h"
 #include "12_skin/spread.h"
@@ -18,21 +18,27 @@ struct Skin : Module {
                   {"lambert", "wrapped", "preintegrated", "separable", "gaussians_1", "gaussians_2", "gaussians_3",
                    "gaussians_4", "gaussians_6", "exact"},
                   "gaussians_6",
-                  "how light spreads in skin: not, by a formula, over the picture, over its texture, or exactly"};
-    Choice specular{*this, "specular", {"closed", "tables"}, "closed", "specular terms computed, or read"};
+                  "Spreading of light in skin: none; wrapped lighting; a preintegrated table; a blur of the picture; "
+                  "1, 2, 3, 4 or 6 Gaussians on the texture; the exact convolution (reference)"};
+    Choice specular{
+        *this, "specular", {"closed", "tables"}, "closed", "Specular terms: computed, or read from tables of 8 bits"};
     // [/skin]
-    Knob<float> before{*this, "before", 0.5f, {0.0f, 1.0f}, "share of the colour that light meets before it spreads"};
-    Knob<float> roughness{*this, "roughness", 1.0f, {0.01f, 4.0f}, "by what the map's slope of facets is multiplied"};
-    Knob<float> specular_scale{*this, "specular_scale", 1.0f, {0.0f, 4.0f}, "by what the oil on the skin reflects"};
-    Knob<float> f0{*this, "f0", 0.028f, {0.0f, 1.0f}, "what skin reflects of light straight from above"};
-    Knob<float> wrap{*this, "wrap", 0.1f, {0.0f, 1.0f}, "of wrapped: how far red goes around"};
-    Knob<float> inwards_mm{*this, "inwards_mm", 1.0f, {0.0f, 20.0f}, "from where thickness is measured", "mm"};
+    Knob<float> before{
+        *this, "before", 0.5f, {0.0f, 1.0f}, "Share of the albedo that is applied before the blur, as an exponent"};
+    Knob<float> roughness{*this, "roughness", 1.0f, {0.01f, 4.0f}, "Scale factor for the roughness of the map"};
+    Knob<float> specular_scale{*this, "specular_scale", 1.0f, {0.0f, 4.0f}, "Scale factor for the specular reflection"};
+    Knob<float> f0{*this, "f0", 0.028f, {0.0f, 1.0f}, "Reflectance F0 of skin at normal incidence"};
+    Knob<float> wrap{*this, "wrap", 0.1f, {0.0f, 1.0f}, "Wrap of red light around the surface (method wrapped)"};
+    Knob<float> inwards_mm{
+        *this, "inwards_mm", 1.0f, {0.0f, 20.0f}, "Inward offset of the point at which the thickness is measured",
+        "mm"};
     Knob<float> translucency{
-        *this, "translucency", 3.0f, {0.01f, 100.0f}, "by what the profile of light that comes through is widened"};
-    Knob<int> map_size{*this, "map_size", 0, {0, 4096}, "of the light's map; 0: as the screen needs", "texels"};
-    Knob<float> density{*this, "density", 1.0f, {0.1f, 8.0f}, "of that map: texels in a pixel's width"};
-    Knob<int> sky_size{*this, "sky_size", 128, {16, 2048}, "of the map of ambient occlusion", "texels"};
-    Knob<int> sky_rays{*this, "sky_rays", 32, {1, 1024}, "from each of its texels"};
+        *this, "translucency", 3.0f, {0.01f, 100.0f}, "Scale factor for the width of the transmission profile"};
+    Knob<int> map_size{
+        *this, "map_size", 0, {0, 4096}, "Side of the light map; 0 chooses it by the size on the screen", "texels"};
+    Knob<float> density{*this, "density", 1.0f, {0.1f, 8.0f}, "Density of the light map: texels per pixel width"};
+    Knob<int> sky_size{*this, "sky_size", 128, {16, 2048}, "Side of the ambient occlusion map", "texels"};
+    Knob<int> sky_rays{*this, "sky_rays", 32, {1, 1024}, "Number of ambient occlusion rays from each texel"};
 
     void prepare(Gpu& gpu, Scene& scene) override;
 

@@ -1,4 +1,4 @@
-// How light that enters a surface spreads in it, over the surface's map.
+// Spreading of light in a surface, computed on the map of the surface.
 #pragma once
 #include "12_skin/exercises.h"
 

@@ -38,7 +38,7 @@ std::vector<Gaussian> gaussians_of(int count) {
         case 6:
             return merged({0, 1, 2, 3, 4, 5});
         default:
-            throw Failure("a sum of {} Gaussians: there are sums of 1, 2, 3, 4 and 6", count);
+            throw Failure("there is no sum of {} Gaussians; there are sums of 1, 2, 3, 4 and 6", count);
     }
 }
 

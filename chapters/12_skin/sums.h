@@ -1,4 +1,4 @@
-// Which Gaussians stand for the profile of skin, and how they are blurred one from the other.
+// Sums of Gaussians that represent the profile of skin, and the kernel of a blur along a line.
 #pragma once
 #include <vector>
 

@@ -1,4 +1,4 @@
-// A surface laid out by its texture coordinates.
+// Surface unwrapped to its texture coordinates: positions, normals and stretch.
 #pragma once
 #include "04_surface_maps/maps.h"
 #include "05_shadow_maps/rays.h"

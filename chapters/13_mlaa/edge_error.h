@@ -1,4 +1,4 @@
-// How wrong a picture is where outlines run.
+// Error of the edge pixels of a picture.
 #pragma once
 #include <map>
 #include <nlohmann/json_fwd.hpp>

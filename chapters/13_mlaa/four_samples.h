@@ -1,4 +1,4 @@
-// Four samples a pixel while the picture is drawn: what filters of finished pictures are measured against.
+// Four samples per pixel while the picture is rendered, for comparison with filters of finished pictures.
 #pragma once
 #include <functional>
 

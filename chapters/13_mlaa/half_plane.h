@@ -1,4 +1,4 @@
-// A picture whose every pixel's light is known exactly: black, and white beyond a line.
+// Half-plane of black and white, in which the light of every pixel is known exactly.
 #pragma once
 #include "common/app/drawing.h"
 
@@ -6,9 +6,10 @@ namespace lightwalk {
 
 struct HalfPlane : Drawing {
     HalfPlane(Module& owner, std::string name) : Drawing(owner, std::move(name), "half_plane") {}
-    Knob<float> angle_deg{*this, "angle_deg", 8.0f, {-360.0f, 360.0f}, "how steep the line is, from the right up",
-                          "deg"};
-    Knob<float> offset{*this, "offset", 0.0f, {-4096.0f, 4096.0f}, "how far it passes from the picture's middle", "px"};
+    Knob<float> angle_deg{
+        *this, "angle_deg", 8.0f, {-360.0f, 360.0f}, "Angle of the line, counter-clockwise from the right", "deg"};
+    Knob<float> offset{
+        *this, "offset", 0.0f, {-4096.0f, 4096.0f}, "Distance of the line from the middle of the picture", "px"};
 
     /// Every pixel, with one sample.
     void draw(Frame& frame, const View& view, Canvas& canvas) override;

@@ -1,4 +1,4 @@
-// Chapter 13: staircases made smooth, in the finished picture or before it is finished.
+// Chapter 13: morphological anti-aliasing, and four other methods to compare it with.
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
@@ -23,9 +23,18 @@ struct MlaaChapter : ModelChapter {
                  "world",
                  {"objects", "julia", "terrain", "head", "half_plane"},
                  "objects",
-                 "what is drawn: the scene's objects, what chapters 11 and 12 draw, or black and white"};
-    Choice clip{*this, "clip", {"before", "after"}, "before", "when what a screen cannot show is cut off: pixels mix"};
-    Choice show{*this, "show", {"picture", "edges", "lengths"}, "picture", "or the edges that were found in it"};
+                 "Picture to filter: the objects of the scene; a Julia set or landscape of chapter 11; the head of "
+                 "chapter 12; or a half-plane of black and white"};
+    Choice clip{*this,
+                "clip",
+                {"before", "after"},
+                "before",
+                "Clipping of light brighter than white: before or after pixels are mixed"};
+    Choice show{*this,
+                "show",
+                {"picture", "edges", "lengths"},
+                "picture",
+                "Image shown: the picture, the edges found in it, or the lengths of their lines"};
 
     EnvironmentLight environment{*this, "environment"};
     Julia julia{*this, "julia", environment};

@@ -1,4 +1,4 @@
-// Edges made smooth after a picture is drawn, as a module for any picture in linear light.
+// Anti-aliasing module, for any picture in linear light.
 #pragma once
 #include "common/app/module.h"
 #include "common/gpu/frame.h"
@@ -22,14 +22,18 @@ struct Mlaa : Module {
                   "method",
                   {"none", "fxaa_like", "mlaa", "smaa_like", "msaa_4x", "supersample_4"},
                   "mlaa",
-                  "how edges are made smooth: after the picture is drawn, or by four samples a pixel"};
-    Knob<int> reach{*this, "reach", 255, {2, 255}, "how far an edge is followed to each side of a pixel", "px"};
-    Choice reads{*this, "reads", {"two", "four"}, "four", "numbers that a pass adds: distances double, or quadruple"};
+                  "Anti-aliasing: none; FXAA-like; morphological (MLAA); SMAA-like; multisampling with four samples; "
+                  "four pictures"};
+    Knob<int> reach{
+        *this, "reach", 255, {2, 255}, "Reach: distance to which a line of edges is followed to each side of a pixel",
+        "px"};
+    Choice reads{*this, "reads", {"two", "four"}, "four", "Numbers that a pass adds: distances double, or quadruple"};
     Knob<float> threshold{
-        *this, "threshold", 12.0f, {0.0f, 100.0f}, "neighbours differ by more than this in CIELAB where an edge is"};
-    Knob<int> search{*this, "search", 16, {1, 255}, "of fxaa_like: how far it looks for the ends of an edge", "px"};
+        *this, "threshold", 12.0f, {0.0f, 100.0f}, "Threshold of an edge: difference of two neighbours in CIELAB"};
+    Knob<int> search{*this, "search", 16, {1, 255}, "Search distance for the ends of an edge (method fxaa_like)", "px"};
 
-    Knob<bool> count{*this, "count", false, "how many pixels lie beside an edge, and are mixed, is read back"};
+    Knob<bool> count{*this, "count", false,
+                     "Counting of the pixels beside edges and of the mixed pixels, read back to the CPU"};
 
     void record(Frame& frame, const Image& picture);
 

@@ -1,4 +1,4 @@
-// Tables that the filters read, computed here.
+// Tables of the filters, and their computation.
 #pragma once
 #include <cstddef>
 #include <vector>

@@ -1,4 +1,4 @@
-// This chapter's references in double precision.
+// References of this chapter in double precision.
 #pragma once
 #include <algorithm>
 #include <array>

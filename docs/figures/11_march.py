@@ -1,4 +1,4 @@
-"""A ray marched by distances, and by distances stretched by a half, with a way back.
+"""A ray marched by distances, and by steps 1.4 times as long, with a way back.
 
 python3 docs/figures/11_march.py writes docs/images/11_march.svg.
 """
@@ -16,9 +16,9 @@ def distance(x: float) -> float:
 
 def draw() -> Drawing:
     drawing = Drawing(900, 640, "Above, a ray is marched by steps as long as the distance to the nearest ball: the spheres around its "
-                                "points touch. Below, each step is half as long again; where two spheres leave a gap between them the "
+                                "points touch. Below, each step is 1.4 times as long; where two spheres leave a gap between them the "
                                 "ray goes back")
-    for row, relaxation in enumerate((1.0, 1.6)):
+    for row, relaxation in enumerate((1.0, 1.4)):
         p = drawing.panel((60, 490 - 330 * row), 100)
         for center, radius in BALLS:
             p.circle(center if row == 0 else (center[0], center[1]), radius, GREY, THIN, fill=PALE_GREY)
@@ -41,7 +41,7 @@ def draw() -> Drawing:
                 break
             before, step = here, relaxation * here
             t += step
-        p.text((0, 0), "distance" if row == 0 else "relaxed, 1.6", INK, anchor="start", offset=(-30, 112))
+        p.text((0, 0), "distance" if row == 0 else "relaxed, 1.4", INK, anchor="start", offset=(-30, 112))
     return drawing
 
 

@@ -8,7 +8,7 @@ from drawing import BLUE, GREEN, INK, ORANGE, PALE_BLUE, PALE_GREEN, PALE_GREY, 
 
 def draw() -> Drawing:
     drawing = Drawing(900, 380, "The irradiance is blurred along u into an image between, from there along v into level 0; level 0 is "
-                                "blurred on into level 1, and so on to level 5. Between the dispatches stands a wait. All levels are added, "
+                                "blurred on into level 1, and so on to level 5. A wait precedes each dispatch but the first. All levels are added, "
                                 "each with its weights for red, green and blue")
     p = drawing.panel((40, 8), 40)
     boxes = ((0, "irradiance", PALE_GREY), (5.2, "level 0", PALE_GREEN), (10.4, "level 1", PALE_GREEN), (15.6, "level 5", PALE_GREEN))
@@ -28,7 +28,7 @@ def draw() -> Drawing:
         p.arrow((x + 1.6, 6.7), (x + 1.6, 7.7), GREEN, width=3)
     p.box((5.2, 7.8), (18.8, 8.5), INK, 2, fill=PALE_ORANGE)
     p.text((12, 8.15), "sum: weights for red, green, blue", INK, SMALL, rim=False)
-    p.text((13.2, 2.6), "a wait before each arrow", ORANGE, anchor="start")
+    p.text((13.2, 2.9), "a wait before each\nblue arrow but the first", ORANGE, anchor="start")
     return drawing
 
 

@@ -27,7 +27,7 @@ std::string size_text(glm::uvec2 size) { return fmt::format("{}x{}", size.x, siz
 
 }  // namespace
 
-CHECK_EXERCISE("07.level_sizes", "halve both sides, rounded down and never below 1, until both are 1") {
+CHECK_EXERCISE("07.level_sizes", "Halve both sides, rounded down but never below 1, until both are 1.") {
     std::vector<glm::uvec2> all{{4, 4},      {1, 1},       {1, 7},       {1023, 1}, {3, 5},
                                 {1366, 683}, {1080, 1920}, {4096, 4096}, {4097, 2}, {16384, 1}};
     Random random(2);
@@ -52,7 +52,7 @@ CHECK_EXERCISE("07.level_sizes", "halve both sides, rounded down and never below
     }
 }
 
-CHECK_EXERCISE("07.box_2x2", "texel at covers 2 at and the next one in each direction, unless there is no next") {
+CHECK_EXERCISE("07.box_2x2", "The texel `at` covers 2 at and the next texel in each direction, unless there is none.") {
     for (const glm::ivec2 size : {glm::ivec2{8, 6}, {2, 2}, {7, 5}, {1, 6}, {6, 1}, {1, 1}, {3, 1}}) {
         Macros macros = content_macros();
         macros.set("FIELD_WIDTH", std::to_string(size.x));
@@ -80,9 +80,10 @@ CHECK_EXERCISE("07.box_2x2", "texel at covers 2 at and the next one in each dire
         };
         probe.hint = [size](auto, auto got) -> std::string {
             if (std::fabs(got[0]) > 1e6)
-                return "a texel outside of the level above was read: no p below 0 or beyond source_size() - 1";
-            return size.x == 1 || size.y == 1 ? "a side of one texel has no second one: the mean is over what is there"
-                                              : "";
+                return "A texel outside of the level above was read: p must be from (0, 0) to source_size() - 1.";
+            return size.x == 1 || size.y == 1
+                       ? "A side of one texel has no second texel: take the mean of those that exist."
+                       : "";
         };
         const glm::ivec2 smaller = glm::max(size / 2, glm::ivec2(1));
         for (int y = 0; y < smaller.y; ++y)
@@ -91,8 +92,7 @@ CHECK_EXERCISE("07.box_2x2", "texel at covers 2 at and the next one in each dire
     }
 }
 
-CHECK_EXERCISE("07.to_linear",
-               "codes are no light, no vectors and no variances: undo the coding before the mean is taken") {
+CHECK_EXERCISE("07.to_linear", "Codes are not light, vectors or variances: decode them before averaging.") {
     Probe srgb{
         .include = "07_mipmaps/to_linear.glsl",
         .signature = "vec3 srgb_to_linear(vec3 code)",
@@ -113,9 +113,8 @@ CHECK_EXERCISE("07.to_linear",
         .bound = {.absolute = 1e-5},
         .hint = [](auto in, auto) -> std::string {
             if (in[0] == 0.5 && in[1] == 0.5 && in[2] == 0.5)
-                return "this code has no direction: (0, 0, 1), times the length";
-            return in[3] > 0 ? "the mean is shorter than 1 here: its length is 1 - a a"
-                             : "make the direction unit length";
+                return "This code has no direction: use (0, 0, 1), times the length.";
+            return in[3] > 0 ? "The mean is shorter than 1 here: its length is 1 - a a." : "Normalise the direction.";
         }};
     Random random;
     for (int i = 0; i < 500; ++i) {
@@ -134,7 +133,7 @@ CHECK_EXERCISE("07.to_linear",
     check.probe(rough);
 }
 
-CHECK_EXERCISE("07.from_linear", "the way back of to_linear, and every mean that a filter can give must have one") {
+CHECK_EXERCISE("07.from_linear", "Invert to_linear, for every mean that a filter can produce.") {
     Probe srgb{
         .include = "07_mipmaps/from_linear.glsl",
         .signature = "vec3 linear_to_srgb(vec3 linear)",
@@ -145,7 +144,7 @@ CHECK_EXERCISE("07.from_linear", "the way back of to_linear, and every mean that
             },
         .bound = {.absolute = 1e-4},
         .hint = [](auto in, auto) -> std::string {
-            return in[0] < 0 || in[1] > 1 ? "clamp to 0 to 1 first: kaiser's weights are negative in places" : "";
+            return in[0] < 0 || in[1] > 1 ? "Clamp to 0 to 1 first: some of Kaiser's weights are negative." : "";
         }};
     Random random;
     for (int i = 0; i < 500; ++i)
@@ -160,8 +159,8 @@ CHECK_EXERCISE("07.from_linear", "the way back of to_linear, and every mean that
         .bound = {.absolute = 1e-3},  // a root near 0
         .hint = [](auto in, auto) -> std::string {
             const double length = glm::length(three(in));
-            if (length < 1e-4) return "normals that cancel have no direction: (0, 0, 1), and all of the length lacks";
-            return length > 1 ? "a mean longer than 1 lacks nothing: no root of a negative number" : "";
+            if (length < 1e-4) return "Normals that cancel have no direction: use (0, 0, 1), and 1 in alpha.";
+            return length > 1 ? "For a mean longer than 1 alpha is 0: avoid the root of a negative number." : "";
         }};
     for (int i = 0; i < 500; ++i)
         normal.inputs.push_back(row_of(glm::vec3(random.direction()) * float(random.uniform(0.01, 1))));
@@ -177,7 +176,7 @@ CHECK_EXERCISE("07.from_linear", "the way back of to_linear, and every mean that
 }
 
 CHECK_EXERCISE("07.odd_size_weights",
-               "texel i goes from i size / m to (i + 1) size / m: how much of it lies in each old texel?") {
+               "New texel i extends from i size / m to (i + 1) size / m; compute its overlap with each old texel.") {
     Probe probe{.include = "07_mipmaps/odd_size_weights.glsl",
                 .signature = "vec3 odd_size_weights(int i, int size)",
                 .truth =
@@ -190,9 +189,9 @@ CHECK_EXERCISE("07.odd_size_weights",
                     },
                 .bound = {.absolute = 3e-4},  // i size / m in single precision
                 .hint = [](auto in, auto got) -> std::string {
-                    if (in[1] == 1) return "there is one texel: it has all the weight";
-                    if (std::fabs(got[0] + got[1] + got[2] - 1) > 1e-5) return "the three must add up to 1";
-                    return int(in[1]) % 2 == 0 ? "an even size has halves" : "";
+                    if (in[1] == 1) return "There is only one texel: it has all the weight.";
+                    if (std::fabs(got[0] + got[1] + got[2] - 1) > 1e-5) return "The three weights must add up to 1.";
+                    return int(in[1]) % 2 == 0 ? "For an even size the weights are 1/2, 1/2 and 0." : "";
                 }};
     std::vector<int> sizes{1, 2, 3, 5, 7, 8, 255, 683, 1023, 1366, 4097};
     Random random(3);
@@ -206,8 +205,8 @@ CHECK_EXERCISE("07.odd_size_weights",
 }
 
 CHECK_EXERCISE("07.keep_coverage",
-               "count from the greatest alpha down until as many are there as are wanted; that alpha must land just "
-               "above the cutoff") {
+               "Count from the greatest alpha down until the wanted number is reached; that alpha must land just above "
+               "the cutoff.") {
     const auto texels_with = [](int field, int code) -> int {
         switch (field) {
             case 0:

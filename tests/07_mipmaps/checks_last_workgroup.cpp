@@ -200,7 +200,7 @@ void count_last(Check& check, glm::uvec2 groups) {
 
 CHECK_EXERCISE(
     "07.last_workgroup",
-    "one thread counts for its workgroup, and what it finds reaches the others through shared memory and a barrier") {
+    "One thread counts for its workgroup; the others receive the result through shared memory, after a barrier.") {
     compare(check, check_device(), {512, 384}, 1);
     compare(check, check_device(), {130, 257}, 3);
     check_order(check);

@@ -19,7 +19,8 @@ const double infinity = std::numeric_limits<double>::infinity(), not_a_number = 
 
 }  // namespace
 
-CHECK_EXERCISE("08.soft_knee", "three cases: below the parabola, above it, and in it; ask for the first two first") {
+CHECK_EXERCISE("08.soft_knee",
+               "There are three cases: below the parabola, above it, and within it. Test for the first two first.") {
     Probe probe{.include = "08_bloom/soft_knee.glsl",
                 .signature = "float soft_knee(float luminance, float threshold, float knee)",
                 .inputs = {{0, 1, 0.5},
@@ -37,7 +38,7 @@ CHECK_EXERCISE("08.soft_knee", "three cases: below the parabola, above it, and i
                 .truth = [](std::span<const double> in) { return Row{truth::soft_knee(in[0], in[1], in[2])}; },
                 .bound = {.absolute = 1e-6, .relative = 3e-6},
                 .hint = [](auto in, auto) -> std::string {
-                    if (in[1] * in[2] == 0) return "w is 0: there is no parabola, and 4 w is nothing to divide by";
+                    if (in[1] * in[2] == 0) return "w is 0: there is no parabola, and 4 w must not be divided by.";
                     return "";
                 }};
     Random random;
@@ -49,7 +50,7 @@ CHECK_EXERCISE("08.soft_knee", "three cases: below the parabola, above it, and i
 }
 
 CHECK_EXERCISE("08.bright_pass",
-               "make the radiance finite, take its luminance, and scale by what passes over what was") {
+               "Make the radiance finite, compute its luminance, and scale it by soft_knee(luminance) / luminance.") {
     Probe probe{.include = "08_bloom/bright_pass.glsl",
                 .signature = "vec3 bright_pass(vec3 radiance, float threshold, float knee)",
                 .inputs = {{0, 0, 0, 1, 0.5},
@@ -72,8 +73,8 @@ CHECK_EXERCISE("08.bright_pass",
                 .hint = [](auto in, auto) -> std::string {
                     for (int i = 0; i < 3; ++i)
                         if (!std::isfinite(in[size_t(i)]) || in[size_t(i)] < 0 || in[size_t(i)] > 65504)
-                            return "finite_light(radiance), before anything is computed with it";
-                    if (in[0] == 0 && in[1] == 0 && in[2] == 0) return "black has no luminance to divide by";
+                            return "Use finite_light(radiance) before any other calculation.";
+                    if (in[0] == 0 && in[1] == 0 && in[2] == 0) return "Black has no luminance to divide by.";
                     return "";
                 }};
     Random random;
@@ -83,7 +84,8 @@ CHECK_EXERCISE("08.bright_pass",
     check.probe(probe);
 }
 
-CHECK_EXERCISE("08.combine", "what is moved is no longer where it was; and the picture may hold an infinity") {
+CHECK_EXERCISE("08.combine",
+               "Light that moves is missing where it came from; and the picture may contain infinities.") {
     Probe probe{.include = "08_bloom/combine.glsl",
                 .signature = "vec3 combine(vec3 radiance, vec3 spread, float strength, bool mixes)",
                 .inputs = {{1, 2, 3, 0.5, 0.5, 0.5, 0.5, 0},
@@ -108,8 +110,8 @@ CHECK_EXERCISE("08.combine", "what is moved is no longer where it was; and the p
                 .hint = [](auto in, auto out) -> std::string {
                     for (int i = 0; i < 3; ++i)
                         if (!std::isfinite(in[size_t(i)]) || !std::isfinite(out[size_t(i)]) || out[size_t(i)] > 65504)
-                            return "finite_light() of the radiance, and of the result";
-                    return in[7] != 0 ? "of the picture's own light 1 - strength stays where it is" : "";
+                            return "Apply finite_light() to the radiance and to the result.";
+                    return in[7] != 0 ? "Of the pixel's own light, the fraction 1 - strength stays." : "";
                 }};
     Random random;
     for (int i = 0; i < 500; ++i) {
@@ -122,7 +124,7 @@ CHECK_EXERCISE("08.combine", "what is moved is no longer where it was; and the p
 }
 
 CHECK_EXERCISE("08.gaussian_weights",
-               "compute all of them, then divide each by the first and twice the sum of the others") {
+               "Compute all weights, then divide each by the first plus twice the sum of the others.") {
     std::vector<float> sigmas{0.0f, 1e-30f, 1e-20f, 0.1f, 0.3f, 1.0f, 2.5f, 10.0f, 33.3f, 200.0f};
     Random random(2);
     for (int i = 0; i < 4; ++i) sigmas.push_back(static_cast<float>(random.logarithmic(0.2, 60)));
@@ -153,8 +155,9 @@ CHECK_EXERCISE("08.gaussian_weights",
         }
 }
 
-CHECK_EXERCISE("08.pair_taps",
-               "of a pair a and b the read stands at the offset of a plus b / (a + b), and weighs a + b") {
+CHECK_EXERCISE(
+    "08.pair_taps",
+    "For weights a and b of a pair, the offset is that of the first pixel plus b / (a + b), and the weight a + b.") {
     std::vector<std::vector<float>> tables{{1}, {0.5f, 0.25f}, {0.4f, 0.2f, 0.1f}, {0, 0, 0, 0}, {1, 0, 0, 0, 0}};
     tables.push_back({0.5f, 0.25f, 0.0f, 0.0f, 0.0f});
     for (const float sigma : {0.5f, 2.0f, 7.0f, 20.0f}) {

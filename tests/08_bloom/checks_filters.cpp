@@ -10,8 +10,9 @@
 
 using namespace lightwalk;
 
-CHECK_EXERCISE("08.down_filter",
-               "five squares of four reads each; those that squares share are read once, with their sum") {
+CHECK_EXERCISE(
+    "08.down_filter",
+    "Five squares of four reads each; a read that several squares share is done once, with the sum of its weights.") {
     glm::dvec2 mean(0), square(0);
     for (const glm::ivec2 impulse : {glm::ivec2{8, 8}, {9, 8}, {8, 9}, {9, 9}}) {
         Probe probe{.include = "08_bloom/down_filter.glsl",
@@ -52,7 +53,7 @@ CHECK_EXERCISE("08.down_filter",
                      fmt::format("bright texels are blurred with a variance of {:.3f} square texels along {}, expected "
                                  "1.75",
                                  square[axis], axis ? "y" : "x"),
-                     square[axis] < 1.5 ? "too narrow: that flickers when the texel moves" : "");
+                     square[axis] < 1.5 ? "The filter is too narrow: a moving texel flickers." : "");
 }
 
 namespace {
@@ -118,13 +119,14 @@ void compare(Check& check, uint32_t group, int radius) {
     for (uint32_t i = 256 * group; i < 256 * (group + 1); ++i) {
         const float allowed = 2e-4f * found[i].expected + 1e-4f;
         const bool right = std::fabs(found[i].got - found[i].expected) <= allowed;
-        check.expect(right,
-                     fmt::format("blur_line(start = {}, radius = {}): thread {} gave {:.4f}, expected {:.4f}",
-                                 256 * group, radius, i - 256 * group, found[i].got, found[i].expected),
-                     found[i].got < 0
-                         ? "a slot was read before anybody had kept a texel in it: a barrier() between the "
-                           "two (memoryBarrierShared() waits for nobody), and somebody for every slot"
-                         : "slot s holds texel(start - radius + s): thread t's own is in slot t + radius");
+        check.expect(
+            right,
+            fmt::format("blur_line(start = {}, radius = {}): thread {} gave {:.4f}, expected {:.4f}", 256 * group,
+                        radius, i - 256 * group, found[i].got, found[i].expected),
+            found[i].got < 0
+                ? "A slot was read before a texel was stored in it: every slot must be filled, and barrier() must "
+                  "stand before the reads (memoryBarrierShared() does not wait)."
+                : "Slot s holds texel(start - radius + s): the texel of thread t itself is in slot t + radius.");
         if (!right) return;
     }
     std::vector<uint32_t> passed;
@@ -154,7 +156,7 @@ void compare(Check& check, uint32_t group, int radius) {
 
 }  // namespace
 
-CHECK_EXERCISE("08.blur_line", "a loop in which each thread keeps every 256th texel, then a barrier(), then the sum") {
+CHECK_EXERCISE("08.blur_line", "A loop in which each thread stores every 256th texel, then barrier(), then the sum.") {
     for (const int radius : {0, 1, 7, 100, 128, 129, 300, 896}) compare(check, 0, radius);
     compare(check, 2, 50);
 }

@@ -21,7 +21,7 @@ Row color(Random& random, double most) {
 
 }  // namespace
 
-CHECK_EXERCISE("09.exposure_gamma", "exp2() for the stops; and which gammas have a power at all?") {
+CHECK_EXERCISE("09.exposure_gamma", "Use exp2() for the stops; a gamma of 0 or less has no power.") {
     Random random;
     Probe exposed{
         .include = "09_post_effects/exposure_gamma.glsl",
@@ -29,7 +29,7 @@ CHECK_EXERCISE("09.exposure_gamma", "exp2() for the stops; and which gammas have
         .inputs = {{1, 2, 3, 0}, {1, 2, 3, 1}, {1, 2, 3, -1}, {0, 0, 0, 16}, {0.5, 0.25, 4, -16}, {1, 1, 1, 16}},
         .truth = [](std::span<const double> in) { return row_of(std::exp2(in[3]) * three(in)); },
         .bound = {.absolute = 1e-9, .relative = 2e-5},
-        .hint = [](auto, auto) { return "a stop is a factor of two, not a sum and not a power of e"; }};
+        .hint = [](auto, auto) { return "A stop is a factor of two, not a sum or a power of e."; }};
     for (int i = 0; i < 200; ++i) {
         exposed.inputs.push_back(color(random, 8));
         exposed.inputs.back().push_back(random.uniform(-8, 8));
@@ -49,11 +49,11 @@ CHECK_EXERCISE("09.exposure_gamma", "exp2() for the stops; and which gammas have
                  .truth = [](std::span<const double> in) { return row_of(truth::apply_gamma(three(in), in[3])); },
                  .bound = {.absolute = 2e-5, .relative = 1e-4},
                  .hint = [](auto in, auto) -> std::string {
-                     if (in[3] <= 0) return "a gamma of 0 or less: the colour as it came";
+                     if (in[3] <= 0) return "For a gamma of 0 or less return the colour unchanged.";
                      for (int c = 0; c < 3; ++c)
                          if (in[size_t(c)] < 0)
-                             return "a power of what is below 0 is not defined: such light counts as 0";
-                     return "a gamma above 1 brightens: the power is 1 / gamma";
+                             return "A power of a negative number is undefined: light below 0 counts as 0.";
+                     return "A gamma above 1 brightens: the power is 1 / gamma.";
                  }};
     for (int i = 0; i < 300; ++i) {
         curved.inputs.push_back(color(random, 2));
@@ -62,7 +62,8 @@ CHECK_EXERCISE("09.exposure_gamma", "exp2() for the stops; and which gammas have
     check.probe(curved);
 }
 
-CHECK_EXERCISE("09.contrast_saturation", "a power around middle grey; a straight line through the colour's own grey") {
+CHECK_EXERCISE("09.contrast_saturation",
+               "Contrast is a power around middle grey, saturation a straight line through the grey of the colour.") {
     Random random;
     Probe power{.include = "09_post_effects/contrast_saturation.glsl",
                 .signature = "vec3 contrast(vec3 color, float amount)",
@@ -76,11 +77,11 @@ CHECK_EXERCISE("09.contrast_saturation", "a power around middle grey; a straight
                 .truth = [](std::span<const double> in) { return row_of(truth::contrast(three(in), in[3])); },
                 .bound = {.absolute = 1e-5, .relative = 2e-4},
                 .hint = [](auto in, auto) -> std::string {
-                    if (in[3] == 0) return "pow(0, 0) is not defined, and here it is asked for: what shall it be?";
+                    if (in[3] == 0) return "pow(0, 0) is undefined and is used here; treat an amount of 0 separately.";
                     for (int c = 0; c < 3; ++c)
                         if (in[size_t(c)] < 0)
-                            return "a power of what is below 0 is not defined: such light counts as 0";
-                    return "0.18 must stay 0.18 whatever the amount";
+                            return "A power of a negative number is undefined: light below 0 counts as 0.";
+                    return "0.18 must stay 0.18 for any amount.";
                 }};
     Probe line{
         .include = "09_post_effects/contrast_saturation.glsl",
@@ -90,8 +91,8 @@ CHECK_EXERCISE("09.contrast_saturation", "a power around middle grey; a straight
         .bound = {.absolute = 2e-6, .relative = 2e-5},
         .hint = [](auto, auto out) -> std::string {
             for (const double c : out)
-                if (c < 0) return "there is no light below 0";
-            return "mix() from the grey of the colour's luminance to the colour; amounts above 1 go on beyond it";
+                if (c < 0) return "Light is never below 0.";
+            return "Use mix() from the grey of the same luminance to the colour; an amount above 1 extrapolates.";
         }};
     for (int i = 0; i < 200; ++i) {
         Row row = color(random, 3);
@@ -102,7 +103,7 @@ CHECK_EXERCISE("09.contrast_saturation", "a power around middle grey; a straight
     check.probe(line);
 }
 
-CHECK_EXERCISE("09.vignette", "the distance in pixels: widths times the aspect, before the length is taken") {
+CHECK_EXERCISE("09.vignette", "Measure the distance in pixels: multiply x by the aspect before taking the length.") {
     Random random;
     Probe probe{.include = "09_post_effects/vignette.glsl",
                 .signature = "float vignette(vec2 uv, float aspect, float strength, float power)",
@@ -120,9 +121,9 @@ CHECK_EXERCISE("09.vignette", "the distance in pixels: widths times the aspect, 
                     },
                 .bound = {.absolute = 2e-5},
                 .hint = [](auto in, auto) -> std::string {
-                    if (in[4] == 0) return "at a power of 0 all pixels are alike; and pow(0, 0) is not defined";
+                    if (in[4] == 0) return "At a power of 0 all pixels are equal; and pow(0, 0) is undefined.";
                     if (in[0] == 0.5 && in[1] == 0.5)
-                        return "the middle has no direction to normalise: a length is enough";
+                        return "The middle has no direction to normalise; a length is enough.";
                     return "";
                 }};
     for (int i = 0; i < 300; ++i)
@@ -131,7 +132,8 @@ CHECK_EXERCISE("09.vignette", "the distance in pixels: widths times the aspect, 
     check.probe(probe);
 }
 
-CHECK_EXERCISE("09.chromatic_aberration", "r squared is a dot product over that of a corner; then one division") {
+CHECK_EXERCISE("09.chromatic_aberration",
+               "r squared is a dot product divided by that of a corner; then one more division.") {
     Random random;
     Probe probe{
         .include = "09_post_effects/chromatic_aberration.glsl",
@@ -145,8 +147,9 @@ CHECK_EXERCISE("09.chromatic_aberration", "r squared is a dot product over that 
             },
         .bound = {.absolute = 1e-6},
         .hint = [](auto in, auto) -> std::string {
-            if (in[0] == 0.5 && in[1] == 0.5) return "the middle stays; it has no direction, and needs none";
-            return in[2] > 0 ? "above 0 the whole is divided by what a corner was multiplied with" : "";
+            if (in[0] == 0.5 && in[1] == 0.5)
+                return "The middle stays where it is; it has no direction and needs none.";
+            return in[2] > 0 ? "For a shift above 0 divide everything by the factor of a corner." : "";
         }};
     for (int i = 0; i < 300; ++i)
         probe.inputs.push_back({random.uniform(0, 1), random.uniform(0, 1), random.uniform(-0.2, 0.2)});
@@ -156,7 +159,7 @@ CHECK_EXERCISE("09.chromatic_aberration", "r squared is a dot product over that 
     });
 }
 
-CHECK_EXERCISE("09.circle_of_confusion", "(z - f) / z is 1 - f / z, which an infinite z does not break") {
+CHECK_EXERCISE("09.circle_of_confusion", "(z - f) / z is 1 - f / z, which is finite for an infinite z.") {
     Random random;
     const double infinity = std::numeric_limits<double>::infinity();
     Probe probe{.include = "09_post_effects/circle_of_confusion.glsl",
@@ -183,10 +186,10 @@ CHECK_EXERCISE("09.circle_of_confusion", "(z - f) / z is 1 - f / z, which an inf
                     },
                 .bound = {.absolute = 2e-3, .relative = 2e-4},
                 .hint = [infinity](auto in, auto) -> std::string {
-                    if (in[0] == infinity) return "infinity over infinity is NaN: divide before you subtract";
-                    if (in[1] < 1.01 * in[2]) return "a focus below 1.01 F counts as 1.01 F, wherever f stands";
-                    return in[0] < in[1] ? "what is nearer than the focus is below 0"
-                                         : "metres to pixels: / sensor_m * height_px";
+                    if (in[0] == infinity) return "Infinity divided by infinity is NaN: divide before you subtract.";
+                    if (in[1] < 1.01 * in[2]) return "A focus below 1.01 F counts as 1.01 F, wherever f occurs.";
+                    return in[0] < in[1] ? "The result is negative in front of the plane of focus."
+                                         : "Convert metres to pixels: / sensor_m * height_px.";
                 }};
     for (int i = 0; i < 300; ++i)
         probe.inputs.push_back({random.logarithmic(0.1, 1000), random.logarithmic(0.1, 100), random.uniform(0.01, 0.2),
@@ -200,27 +203,29 @@ CHECK_EXERCISE("09.circle_of_confusion", "(z - f) / z is 1 - f / z, which an inf
     check.probe(probe);
 }
 
-CHECK_EXERCISE("09.tone_curve", "three lines; and then a clamp at both ends") {
+CHECK_EXERCISE("09.tone_curve", "Matrix, curve, matrix; then a clamp at both ends.") {
     Random random;
-    Probe probe{.include = "09_post_effects/tone_curve.glsl",
-                .signature = "vec3 tone_curve(vec3 radiance)",
-                .inputs = {{0, 0, 0},
-                           {0.18, 0.18, 0.18},
-                           {1, 1, 1},
-                           {65504, 65504, 65504},
-                           {50, 0, 0},
-                           {0, 50, 0},
-                           {0, 0, 50},
-                           {1e-4, 0, 1e-4}},
-                .truth = [](std::span<const double> in) { return row_of(truth::hill(three(in))); },
-                .bound = {.absolute = 2e-5},
-                .hint = [](auto, auto out) -> std::string {
-                    for (const double c : out)
-                        if (c < 0) return "the curve is a little below 0 for black, and a power of that is NaN: clamp";
-                    for (const double c : out)
-                        if (c > 1) return "what is brighter than the screen's white: clamp";
-                    return "input matrix, curve channel by channel, output matrix, in this order";
-                }};
+    Probe probe{
+        .include = "09_post_effects/tone_curve.glsl",
+        .signature = "vec3 tone_curve(vec3 radiance)",
+        .inputs = {{0, 0, 0},
+                   {0.18, 0.18, 0.18},
+                   {1, 1, 1},
+                   {65504, 65504, 65504},
+                   {50, 0, 0},
+                   {0, 50, 0},
+                   {0, 0, 50},
+                   {1e-4, 0, 1e-4}},
+        .truth = [](std::span<const double> in) { return row_of(truth::hill(three(in))); },
+        .bound = {.absolute = 2e-5},
+        .hint = [](auto, auto out) -> std::string {
+            for (const double c : out)
+                if (c < 0)
+                    return "The curve is slightly below 0 for black, and a power of that is NaN: clamp the result.";
+            for (const double c : out)
+                if (c > 1) return "A result above 1 is brighter than the white of the screen: clamp it.";
+            return "Input matrix, curve for each channel, output matrix, in this order.";
+        }};
     for (int i = 0; i < 300; ++i)
         probe.inputs.push_back(
             {random.logarithmic(1e-4, 100), random.logarithmic(1e-4, 100), random.logarithmic(1e-4, 100)});

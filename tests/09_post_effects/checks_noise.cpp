@@ -101,7 +101,7 @@ void expect_no_repetition(Check& check, double frame) {
 
 }  // namespace
 
-CHECK_EXERCISE("09.film_grain", "a hash of three whole numbers: multiply, exclusive or with itself shifted, again") {
+CHECK_EXERCISE("09.film_grain", "A hash of three integers: multiply, exclusive or with the number shifted, repeat.") {
     constexpr int side = 48;
     constexpr size_t all = side * side;
     // 2,304 numbers: a mean of 0 has a standard error of 0.012, a correlation one of 0.021. Five of them are a proof.
@@ -157,7 +157,7 @@ CHECK_EXERCISE("09.film_grain", "a hash of three whole numbers: multiply, exclus
     }
 }
 
-CHECK_EXERCISE("09.bayer_dither", "the lowest bits of x and y weigh most: neighbours must differ most") {
+CHECK_EXERCISE("09.bayer_dither", "The lowest bits of x and y weigh most, because neighbours must differ most.") {
     for (int bits = 1; bits <= 4; ++bits) {
         const int side = 1 << bits, all = side * side;
         Probe probe{.include = "09_post_effects/bayer_dither.glsl",

@@ -11,7 +11,8 @@
 
 using namespace lightwalk;
 
-CHECK_EXERCISE("09.radial_blur", "taps of them have taps - 1 gaps; the first is the pixel itself") {
+CHECK_EXERCISE("09.radial_blur",
+               "There are taps - 1 intervals between the reads; the first read is the pixel itself.") {
     Random random;
     Probe probe{.include = "09_post_effects/radial_blur.glsl",
                 .signature = "vec3 radial_blur(vec2 uv, vec2 centre, float strength, int taps)",
@@ -35,8 +36,9 @@ CHECK_EXERCISE("09.radial_blur", "taps of them have taps - 1 gaps; the first is 
                 .bound = {.absolute = 5e-6, .relative = 1e-5},
                 .macros = {{"KNOWN_PICTURE", "1"}},
                 .hint = [](auto in, auto) -> std::string {
-                    if (in[5] == 1) return "with one tap there is no gap to divide the way by";
-                    return "taps - 1 gaps, and the last tap at the whole strength; the mean of all of them";
+                    if (in[5] == 1) return "With one tap there is no interval to divide by.";
+                    return "There are taps - 1 intervals, and the last tap lies at the full strength; take the mean of "
+                           "all taps.";
                 }};
     for (int i = 0; i < 200; ++i)
         probe.inputs.push_back({random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1),
@@ -44,7 +46,7 @@ CHECK_EXERCISE("09.radial_blur", "taps of them have taps - 1 gaps; the first is 
     check.probe(probe);
 }
 
-CHECK_EXERCISE("09.sharpen", "two loops of three; neighbours are clamped into the picture before they are read") {
+CHECK_EXERCISE("09.sharpen", "Two loops of three; clamp each neighbour into the picture before reading it.") {
     Random random;
     const Row identity{0, 0, 0, 0, 1, 0, 0, 0, 0}, emboss{-2, -1, 0, -1, 1, 1, 0, 1, 2},
         edges{-1, -1, -1, -1, 8, -1, -1, -1, -1};
@@ -67,13 +69,12 @@ CHECK_EXERCISE("09.sharpen", "two loops of three; neighbours are clamped into th
                 .macros = {{"KNOWN_PICTURE", "1"}},
                 .hint = [](auto in, auto out) -> std::string {
                     for (const double c : out) {
-                        if (c < 0) return "there is no light below 0";
-                        if (std::fabs(c) > 1e4)
-                            return "a pixel outside of the picture was read: clamp it to the border";
+                        if (c < 0) return "Light is never below 0.";
+                        if (std::fabs(c) > 1e4) return "A pixel outside of the picture was read: clamp its position.";
                     }
                     const bool border = in[0] == 0 || in[1] == 0 || in[0] == 4 || in[1] == 3;
-                    return border ? "at the border the nearest pixel inside stands for each that is missing"
-                                  : "kernel[row][column]: the row is y, from above";
+                    return border ? "At the border, the nearest pixel inside replaces each missing neighbour."
+                                  : "In kernel[row][column] the row is y, counted from the top.";
                 }};
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 5; ++x)
@@ -153,40 +154,41 @@ void count(Check& check, const std::string& what, const std::vector<uint32_t>& g
 
 }  // namespace
 
-CHECK_EXERCISE("09.histogram_bin", "log2(luminance) + 12 are the stops; then: clear, wait, count, wait, add") {
+CHECK_EXERCISE("09.histogram_bin",
+               "log2(luminance) + 12 is the number of stops. For the counting: clear, wait, count, wait, add.") {
     Random random;
     const double infinity = std::numeric_limits<double>::infinity();
     // Within a hundredth of a bin of a border either is right: logarithms on devices are.
-    Probe probe{.include = "09_post_effects/histogram_bin.glsl",
-                .signature = "uint histogram_bin(float luminance)",
-                .inputs = {{0},
-                           {-1},
-                           {std::nan("")},
-                           {1e-10},
-                           {0.000243},
-                           {0.18},
-                           {1},
-                           {4095},
-                           {4096.5},
-                           {65504},
-                           {infinity},
-                           {-infinity},
-                           {1.0 / 4000}},
-                .truth =
-                    [](std::span<const double> in) {
-                        if (!(in[0] >= 1.0 / 4096)) return Row{0};
-                        return Row{1 + std::min(std::floor(truth::histogram_position(in[0])), 254.0)};
-                    },
-                .bound = {.absolute = 0.5},
-                .macros = {{"NO_PICTURE", "1"}},
-                .hint = [](auto in, auto) -> std::string {
-                    if (!(in[0] >= 1.0 / 4096))
-                        return "0, less than 0 and NaN are bin 0; a comparison with NaN is false";
-                    if (in[0] > 4096)
-                        return "what is brighter than the last bin is in the last bin; infinity as a whole number is "
-                               "not defined";
-                    return "255 bins for 24 stops, beginning with bin 1";
-                }};
+    Probe probe{
+        .include = "09_post_effects/histogram_bin.glsl",
+        .signature = "uint histogram_bin(float luminance)",
+        .inputs = {{0},
+                   {-1},
+                   {std::nan("")},
+                   {1e-10},
+                   {0.000243},
+                   {0.18},
+                   {1},
+                   {4095},
+                   {4096.5},
+                   {65504},
+                   {infinity},
+                   {-infinity},
+                   {1.0 / 4000}},
+        .truth =
+            [](std::span<const double> in) {
+                if (!(in[0] >= 1.0 / 4096)) return Row{0};
+                return Row{1 + std::min(std::floor(truth::histogram_position(in[0])), 254.0)};
+            },
+        .bound = {.absolute = 0.5},
+        .macros = {{"NO_PICTURE", "1"}},
+        .hint = [](auto in, auto) -> std::string {
+            if (!(in[0] >= 1.0 / 4096))
+                return "0, negative numbers and NaN belong to bin 0; a comparison with NaN is false.";
+            if (in[0] > 4096)
+                return "Luminances beyond the last bin belong to it; converting infinity to an integer is undefined.";
+            return "There are 255 bins for 24 stops, beginning with bin 1.";
+        }};
     while (probe.inputs.size() < 500) {
         const double l = random.logarithmic(1.0 / 8192, 8192);
         const double at = truth::histogram_position(l);

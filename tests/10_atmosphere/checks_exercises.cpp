@@ -9,7 +9,7 @@
 
 using namespace lightwalk;
 
-CHECK_EXERCISE("10.ray_sphere", "c = (height - shell)(2 radius + height + shell); one root is q, the other c / q") {
+CHECK_EXERCISE("10.ray_sphere", "c = (height - shell)(2 radius + height + shell); one root is q, the other c / q.") {
     Probe probe{.include = "10_atmosphere/ray_sphere.glsl",
                 .signature = "vec2 ray_sphere(float height, float slope, float radius, float shell)",
                 .inputs = {{0, 0, earth, 0},
@@ -35,9 +35,8 @@ CHECK_EXERCISE("10.ray_sphere", "c = (height - shell)(2 radius + height + shell)
                     },
                 .bound = {.absolute = 0.02, .relative = 2e-5},
                 .hint = [](auto in, auto out) -> std::string {
-                    if (out[0] == 1 && out[1] == -1 && in[0] < in[3]) return "from within a sphere every ray meets it";
-                    if (in[0] < 10)
-                        return "the smaller root of two is a difference of numbers that are nearly the same";
+                    if (out[0] == 1 && out[1] == -1 && in[0] < in[3]) return "From inside a sphere every ray meets it.";
+                    if (in[0] < 10) return "The smaller of the two roots is a difference of nearly equal numbers.";
                     return "";
                 }};
     Random random;
@@ -59,7 +58,7 @@ CHECK_EXERCISE("10.ray_sphere", "c = (height - shell)(2 radius + height + shell)
 }
 
 CHECK_EXERCISE("10.density",
-               "exp(-height / scale) needs a scale above 0; the layer is a tent: 1 - |distance| / width") {
+               "exp(-height / scale) needs a scale above 0; the layer is max(1 - |distance| / width, 0).") {
     Probe probe{.include = "10_atmosphere/density.glsl",
                 .signature =
                     "vec3 density(float height, float rayleigh_height, float mie_height, float layer_center, "
@@ -86,8 +85,8 @@ CHECK_EXERCISE("10.density",
                 .bound = {.absolute = 1e-6, .relative = 2e-5},
                 .hint = [](auto in, auto) -> std::string {
                     if (in[1] == 0 || in[2] == 0 || in[4] == 0)
-                        return "nothing to divide by: there are no such particles";
-                    return in[0] < 0 ? "below the ground it is the ground's" : "";
+                        return "A scale height of 0 must not be divided by: there are no such particles.";
+                    return in[0] < 0 ? "Below the ground use the density at the ground." : "";
                 }};
     Random random;
     for (int i = 0; i < 500; ++i)
@@ -96,7 +95,7 @@ CHECK_EXERCISE("10.density",
     check.probe(probe);
 }
 
-CHECK_EXERCISE("10.phase_rayleigh", "3 / (16 pi) makes the integral over the sphere 1") {
+CHECK_EXERCISE("10.phase_rayleigh", "The factor 3 / (16 pi) makes the integral over the sphere 1.") {
     Probe probe{.include = "10_atmosphere/phase_rayleigh.glsl",
                 .signature = "float phase_rayleigh(float cos_angle)",
                 .truth = [](std::span<const double> in) { return Row{truth::phase_rayleigh(in[0])}; },
@@ -110,7 +109,7 @@ CHECK_EXERCISE("10.phase_rayleigh", "3 / (16 pi) makes the integral over the sph
                              sum < 1 ? "lost" : "made"));
 }
 
-CHECK_EXERCISE("10.phase_mie", "(1 + g² - 2 g c)^1.5 is x sqrt(x); and 1 over 4 pi") {
+CHECK_EXERCISE("10.phase_mie", "x^1.5 is x sqrt(x); and divide by 4 pi.") {
     Probe probe{
         .include = "10_atmosphere/phase_mie.glsl",
         .signature = "float phase_mie(float cos_angle, float g)",
@@ -124,7 +123,7 @@ CHECK_EXERCISE("10.phase_mie", "(1 + g² - 2 g c)^1.5 is x sqrt(x); and 1 over 4
     check.property(probe, results, "but a share of light is above 0", [](auto, auto out) { return out[0] > 0; });
 }
 
-CHECK_EXERCISE("10.in_scatter", "each part's light goes through the parts before it and half of its own") {
+CHECK_EXERCISE("10.in_scatter", "The light of a part passes through the parts before it and half of its own.") {
     const Air air = earth_air();
     const auto phase = [&](double c) { return truth::phase_cornette_shanks(c, double(air.mie_g)); };
     Probe probe{.include = "10_atmosphere/in_scatter_known.glsl",
@@ -142,8 +141,9 @@ CHECK_EXERCISE("10.in_scatter", "each part's light goes through the parts before
                 .macros = known_air(air),
                 .words = {},
                 .hint = [](auto in, auto out) -> std::string {
-                    if (out[3] == 1 && out[5] == 1) return "air takes light away: exp(-depth) of all parts together";
-                    if (in[0] == 1) return "with one part, its own middle is behind half of it";
+                    if (out[3] == 1 && out[5] == 1)
+                        return "Air attenuates light: the transmittance is exp(-depth) of all parts together.";
+                    if (in[0] == 1) return "With one part, its middle lies behind half of it.";
                     return "";
                 }};
     Random random;
@@ -161,7 +161,7 @@ CHECK_EXERCISE("10.in_scatter", "each part's light goes through the parts before
                    [](auto, auto out) { return out[3] <= 1 && out[4] <= 1 && out[5] <= 1 && out[0] >= 0; });
 }
 
-CHECK_EXERCISE("10.height_fog", "take the lower end's density and an x of 0 or more; a series where x is small") {
+CHECK_EXERCISE("10.height_fog", "Use the density at the lower end, and x of 0 or more; use a series for a small x.") {
     Probe probe{
         .include = "10_atmosphere/height_fog.glsl",
         .signature = "float height_fog(float density, float falloff, float y, float slope, float distance)",
@@ -197,7 +197,7 @@ CHECK_EXERCISE("10.height_fog", "take the lower end's density and an x of 0 or m
     check.property(probe, results, "but fog is never less than none", [](auto, auto out) { return out[0] >= 0; });
 }
 
-CHECK_EXERCISE("10.table_uv", "0 belongs on the first texel's middle: (0.5 + x (size - 1)) / size") {
+CHECK_EXERCISE("10.table_uv", "0 belongs on the centre of the first texel: (0.5 + x (size - 1)) / size.") {
     const std::string file = "10_atmosphere/table_uv.glsl";
     // In double: where the way out is kept.
     const auto uv = [](std::span<const double> in) {
@@ -219,7 +219,8 @@ CHECK_EXERCISE("10.table_uv", "0 belongs on the first texel's middle: (0.5 + x (
                 .truth = uv,
                 .bound = {.absolute = 1e-4},
                 .hint = [](auto in, auto out) -> std::string {
-                    if (in[0] == 0 && out[1] < 0.4 / in[5]) return "the first texel's middle, not the table's edge";
+                    if (in[0] == 0 && out[1] < 0.4 / in[5])
+                        return "Use the centre of the first texel, not the edge of the table.";
                     return "";
                 }};
     Probe back{.include = file,

@@ -25,7 +25,8 @@ double optical_depth_as_told(double height, double slope, double radius, double 
 
 }  // namespace
 
-CHECK_EXERCISE("10.optical_depth", "below level: twice the level ray through the lowest point, less what lies behind") {
+CHECK_EXERCISE("10.optical_depth",
+               "Slope below 0: twice the level ray from the lowest point, minus the part behind the start.") {
     const double scales[] = {8000, 1200, 11100};
     Probe probe{
         .include = "10_atmosphere/optical_depth.glsl",
@@ -43,7 +44,7 @@ CHECK_EXERCISE("10.optical_depth", "below level: twice the level ray through the
         // The fit is good to 0.3%; below level what is left is a difference of two.
         .bound = {.absolute = 1e-3, .relative = 0.012},
         .hint = [](auto in, auto) -> std::string {
-            if (in[3] == 0) return "a scale height of 0 says that there is nothing";
+            if (in[3] == 0) return "A scale height of 0 means that there is nothing.";
             return in[1] < 0 ? "" : "for a slope of 0 or more it is the formula as it stands";
         }};
     Random random;
@@ -63,11 +64,9 @@ CHECK_EXERCISE("10.optical_depth", "below level: twice the level ray through the
     formula.truth = [](std::span<const double> in) { return Row{optical_depth_as_told(in[0], in[1], in[2], in[3])}; };
     formula.bound = {.absolute = 1e-30, .relative = 1e-4};
     formula.hint = [](auto in, auto) -> std::string {
-        if (in[1] < 0)
-            return "2 upwards(lowest, 0) - upwards(height, -slope), where lowest is 0 or more: below the ground as if "
-                   "on it";
-        return std::sqrt(0.5 * (in[2] + in[0]) / in[3]) * in[1] > 8 ? "x is above 8: the other fraction"
-                                                                    : "are all digits of the fit there?";
+        if (in[1] < 0) return "Compute 2 upwards(lowest, 0) - upwards(height, -slope), where lowest is 0 or more.";
+        return std::sqrt(0.5 * (in[2] + in[0]) / in[3]) * in[1] > 8 ? "x is above 8: use the other fraction."
+                                                                    : "Check all digits of the fit.";
     };
     formula.inputs = {
         {0, -0.05, earth, 8000}, {0, -1, earth, 1200}, {20000, -0.5, earth, 8000}, {3000, -1, earth, 1200}};

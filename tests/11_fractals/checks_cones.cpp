@@ -9,7 +9,7 @@
 using namespace lightwalk;
 
 CHECK_EXERCISE("11.record_cones",
-               "passes.cone, wait(), passes.march; `starts` is written by the first and read by the second dispatch") {
+               "passes.cone, wait(), passes.march; the first dispatch writes `starts`, the second reads it.") {
     Random random;
     const glm::ivec2 drawn(random.uniform(9, 90), random.uniform(9, 90));
     for (const glm::ivec2 size : {glm::ivec2(40, 24), glm::ivec2(61, 43), drawn}) {

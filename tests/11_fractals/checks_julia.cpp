@@ -61,7 +61,7 @@ struct Balls {
 
 }  // namespace
 
-CHECK_EXERCISE("11.quaternion_square", "with q = x + v: q q = x x + 2 x v + v v, and v v = -dot(v, v)") {
+CHECK_EXERCISE("11.quaternion_square", "With q = x + v, q q = x x + 2 x v + v v, and v v = -dot(v, v).") {
     Probe probe{.include = "11_fractals/quaternion_square.glsl",
                 .signature = "vec4 quaternion_square(vec4 q)",
                 .inputs = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}, {1, 1, 1, 1}},
@@ -69,7 +69,7 @@ CHECK_EXERCISE("11.quaternion_square", "with q = x + v: q q = x x + 2 x v + v v,
                 .bound = {.absolute = 1e-5, .relative = 2e-6},
                 .hint = [](auto in, auto out) -> std::string {
                     if (in[0] == 0 && out[0] >= 0 && std::fabs(in[1]) + std::fabs(in[2]) + std::fabs(in[3]) == 1)
-                        return "i i, j j and k k are -1";
+                        return "i i, j j and k k are -1.";
                     return "";
                 }};
     Random random;
@@ -81,16 +81,17 @@ CHECK_EXERCISE("11.quaternion_square", "with q = x + v: q q = x x + 2 x v + v v,
 
 CHECK_EXERCISE(
     "11.julia_distance",
-    "|z'| before z; both loops' ends are different cases; ask for what has not escaped before the logarithm") {
+    "Update |z'| before z; the two ways out of the loop are different cases; test for escape before the logarithm.") {
     Probe probe{
         .include = "11_fractals/julia_distance.glsl",
         .signature = "float julia_distance(vec4 z, vec4 c, int iterations, float escape)",
         .truth = [](auto in) { return Row{truth::julia_distance(four(in), four(in.subspan(4)), int(in[8]), in[9])}; },
         .hint = [](auto in, auto out) -> std::string {
-            if (!std::isfinite(out[0]) && four(in) == glm::dvec4(0)) return "|z'| is 0: there is nothing to divide by";
-            if (!std::isfinite(out[0])) return "|z'|² above 1e30: leave the loop with 0";
-            if (out[0] < 0) return "it has not escaped: |z| is below `escape`, and its logarithm may be below 0";
-            if (glm::length(four(in)) > in[9]) return "it has escaped before the first turn";
+            if (!std::isfinite(out[0]) && four(in) == glm::dvec4(0)) return "|z'| is 0 and must not be divided by.";
+            if (!std::isfinite(out[0])) return "|z'|² is above 1e30: return 0.";
+            if (out[0] < 0)
+                return "The point has not escaped: |z| is below `escape`, and its logarithm may be below 0.";
+            if (glm::length(four(in)) > in[9]) return "The point had escaped before the first iteration.";
             return "";
         }};
     const auto add = [&](glm::dvec4 z, glm::dvec4 c, int iterations, double escape) {
@@ -128,7 +129,7 @@ CHECK_EXERCISE(
     check.probe(probe);
 }
 
-CHECK_EXERCISE("11.march", "remember the distance at the point before, and how far you went from it") {
+CHECK_EXERCISE("11.march", "Remember the distance at the previous point and the length of the step from it.") {
     const Balls scenes[] = {{"a ball in the way", {{5, 0.3, 1}, {9, 0, 1}, {0, 0, 0}}},
                             {"a ball beside the way", {{4, 1.2, 1}, {9, 2, 0.5}, {0, 0, 0}}},
                             {"a thin ball in the way", {{3, 1.4, 1}, {5.3, 0, 0.1}, {8, 0, 1}}},
@@ -182,12 +183,11 @@ CHECK_EXERCISE("11.march", "remember the distance at the point before, and how f
                     check.expect(ended == walk.ended,
                                  said() + fmt::format(", expected {} after {}", names[walk.ended], walk.steps),
                                  walk.ended == 2
-                                     ? "a ray that was stopped on its way has neither hit nor missed: MARCH_CAPPED"
+                                     ? "A ray that was stopped on its way has neither hit nor missed: MARCH_CAPPED."
                                      : "");
-                    check.expect(
-                        steps == walk.steps, said() + fmt::format(", expected {}", walk.steps),
-                        "at a relaxation of 1 each step is as long as the distance, and a hit is where that is at "
-                        "most epsilon + slope * t");
+                    check.expect(steps == walk.steps, said() + fmt::format(", expected {}", walk.steps),
+                                 "At a relaxation of 1 each step is as long as the distance; a hit is a distance of at "
+                                 "most epsilon + slope * t.");
                     const bool right_place = walk.ended == 0   ? std::fabs(t - in[1]) < 1e-3
                                              : walk.ended == 1 ? std::fabs(t - walk.t) < 1e-3
                                                                : t > walk.t - 1e-3 && t < walk.t + walk.distance + 1e-3;
@@ -203,23 +203,22 @@ CHECK_EXERCISE("11.march", "remember the distance at the point before, and how f
                              said() + fmt::format(", behind the hit at {:.4f}", right));
                 check.expect(ended != 1 || (right >= 0 && std::fabs(t - right) < 1e-3),
                              said() + ", where there is nothing",
-                             "a ray that was stopped has hit nothing: MARCH_CAPPED");
+                             "A ray that was stopped has hit nothing: MARCH_CAPPED.");
                 if (check.failed) return;
                 continue;
             }
             if (right < 0) {
-                check.expect(ended == 0, said() + ", expected MARCH_MISS", "a point beyond a gap is no hit");
+                check.expect(ended == 0, said() + ", expected MARCH_MISS", "A point beyond a gap is not a hit.");
                 check.expect(std::fabs(t - in[1]) < 1e-4, said() + ", expected t to be `end`");
             } else {
                 check.expect(ended == 1, said() + fmt::format(", expected MARCH_HIT at {:.4f}", right),
-                             ended == 2 ? "does it go on from where it went back to?"
+                             ended == 2 ? "After going back, continue from the point reached."
                              : in[4] > 1
-                                 ? "a leap over a gap, or beyond `end`, is to be taken back before anything follows "
-                                   "from it"
+                                 ? "Take back a step over a gap, or beyond `end`, before you conclude anything from it."
                                  : "");
                 check.expect(ended != 1 || std::fabs(t - right) < 0.05,
                              said() + fmt::format(", expected {:.4f}", right),
-                             t > right ? "it leapt over: where the two spheres do not touch, go back" : "");
+                             t > right ? "The march skipped a hit: go back if the two spheres do not touch." : "");
             }
             check.expect(steps >= 1 && steps <= 400, said() + ": no number of distances");
             if (check.failed) return;

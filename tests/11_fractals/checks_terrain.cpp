@@ -28,8 +28,7 @@ Table places(int count) {
 }  // namespace
 
 CHECK_EXERCISE("11.quintic_noise",
-               "s and its first two derivatives are given at both ends: six numbers, and so six "
-               "coefficients") {
+               "s and its first two derivatives are given at both ends: six numbers for six coefficients.") {
     Probe probe{.include = "11_fractals/quintic_noise.glsl",
                 .signature = "float quintic_noise(ivec2 cell, vec2 f)",
                 .inputs = places(500),
@@ -40,13 +39,13 @@ CHECK_EXERCISE("11.quintic_noise",
                 .bound = {.absolute = 3e-6},
                 .hint = [](auto in, auto out) -> std::string {
                     const double cubic = truth::noise_truth(cell_of(in), {in[2], in[3]}, true).value;
-                    if (std::fabs(out[0] - cubic) < 1e-4) return "that is smoothstep: its second derivative has a step";
+                    if (std::fabs(out[0] - cubic) < 1e-4) return "This is smoothstep: its second derivative jumps.";
                     return "";
                 }};
     check.probe(probe);
 }
 
-CHECK_EXERCISE("11.noise_derivative", "d/dx of what stands there; s(f.y) is a number then") {
+CHECK_EXERCISE("11.noise_derivative", "Differentiate the given expression by f.x; s(f.y) is a constant there.") {
     Probe probe{
         .include = "11_fractals/noise_derivative.glsl",
         .signature = "vec3 noise_derivative(ivec2 cell, vec2 f)",
@@ -61,16 +60,16 @@ CHECK_EXERCISE("11.noise_derivative", "d/dx of what stands there; s(f.y) is a nu
             const truth::NoiseTruth noise = truth::noise_truth(cell_of(in), {in[2], in[3]});
             const glm::dvec2 got(out[1], out[2]);
             if (std::fabs(out[0] - noise.value) < 1e-4 && glm::length(got + noise.gradient) < 1e-3)
-                return "the sign: uphill is where the height grows";
+                return "Check the sign: the gradient points uphill.";
             if (noise.gradient.x != noise.gradient.y && glm::length(glm::dvec2(got.y, got.x) - noise.gradient) < 1e-3)
-                return "x and y changed places";
+                return "x and y are exchanged.";
             return "";
         }};
     check.probe(probe);
 }
 
 CHECK_EXERCISE("11.eroded_fbm",
-               "the weight is a function of d, and d changes with the place by the sum of hessian * scale") {
+               "The weight depends on d, and the derivative of d by the position is the sum of hessian * scale.") {
     Probe probe{
         .include = "11_fractals/eroded_fbm.glsl",
         .signature = "vec3 eroded_fbm(ivec2 cell, vec2 offset, float octaves, float erosion, float gain)",
@@ -86,14 +85,14 @@ CHECK_EXERCISE("11.eroded_fbm",
             const glm::dvec2 got(out[1], out[2]);
             const auto is = [&](glm::dvec2 wrong) { return glm::length(got - wrong) < 1e-2 * glm::length(wrong); };
             if (std::fabs(out[0] - ground.height) > 4e-4)
-                return in[4] != std::floor(in[4]) ? "the last octave's share counts for d, too"
-                       : in[4] == 1               ? "one octave has a weight, too"
+                return in[4] != std::floor(in[4]) ? "The share of the last octave applies to d as well."
+                       : in[4] == 1               ? "A single octave has a weight, too."
                                                   : "";
-            if (is(ground.unweighted)) return "the height is right; the weight has a derivative, too";
-            if (is(ground.sum)) return "the height is right; d is the sum that wears the ground down, not its slope";
-            if (is(-ground.slope)) return "the sign: uphill is where the height grows";
-            return "the height is right; each octave's gradient is by its own coordinates: times scale, from the "
-                   "right";
+            if (is(ground.unweighted)) return "The height is right, but the weight has a derivative as well.";
+            if (is(ground.sum)) return "The height is right, but d is not the slope.";
+            if (is(-ground.slope)) return "Check the sign: the gradient points uphill.";
+            return "The height is right, but the gradient of each octave is by its own coordinates: multiply by scale "
+                   "from the right.";
         }};
     for (const double octaves : {0.0, 1.0, 1.25, 2.0, 3.0, 3.5, 5.0, 6.0})
         for (const double erosion : {0.0, 0.15, 1.0, 4.0})
@@ -113,7 +112,7 @@ CHECK_EXERCISE("11.eroded_fbm",
     check.probe(probe);
 }
 
-CHECK_EXERCISE("11.integrate_octaves", "in octave n a wave is first_m / lacunarity^n long: solve for n") {
+CHECK_EXERCISE("11.integrate_octaves", "In octave n a wave has the length first_m / lacunarity^n: solve for n.") {
     Probe probe{.include = "11_fractals/integrate_octaves.glsl",
                 .signature = "float integrate_octaves(float first_m, float lacunarity, float footprint_m, float most)",
                 .inputs = {{5000, 2, 0, 12},
@@ -129,11 +128,12 @@ CHECK_EXERCISE("11.integrate_octaves", "in octave n a wave is first_m / lacunari
                 .truth = [](auto in) { return Row{truth::integrate_octaves(in[0], in[1], in[2], in[3])}; },
                 .bound = {.absolute = 2e-4, .relative = 2e-5},
                 .hint = [](auto in, auto out) -> std::string {
-                    if (in[2] == 0) return "the logarithm of a quotient whose lower part is 0";
+                    if (in[2] == 0) return "This is the logarithm of a quotient with the denominator 0.";
                     const double right = truth::integrate_octaves(in[0], in[1], in[2], in[3]);
                     if (std::fabs(out[0] - right + 1) < 0.01)
-                        return "octave 0 is the first: where it just fits it is one octave";
-                    if (std::fabs(out[0] - std::floor(right)) < 1e-3) return "a whole number: octaves will pop";
+                        return "Octave 0 is the first: if it just fits, the result is 1.";
+                    if (std::fabs(out[0] - std::floor(right)) < 1e-3)
+                        return "The result is an integer: octaves will pop.";
                     return "";
                 }};
     Random random(7);
@@ -145,7 +145,7 @@ CHECK_EXERCISE("11.integrate_octaves", "in octave n a wave is first_m / lacunari
                    [](auto in, auto out) { return out[0] >= 1 && out[0] <= in[3]; });
 }
 
-CHECK_EXERCISE("11.terrain_mix", "ask first which of the two lines is lower at this normal") {
+CHECK_EXERCISE("11.terrain_mix", "Test first which of the two lines is lower at this normal.") {
     Probe probe{
         .include = "11_fractals/terrain_mix.glsl",
         .signature = "float terrain_mix(float normal_y, float roughness, vec2 lower, vec2 upper, float strength)",
@@ -168,7 +168,7 @@ CHECK_EXERCISE("11.terrain_mix", "ask first which of the two lines is lower at t
         .bound = {.absolute = 3e-5},
         .hint = [](auto in, auto) -> std::string {
             if (in[2] - in[3] * in[0] >= in[4] - in[5] * in[0])
-                return "here snow would be whole before it begins: the edge is hard";
+                return "Here full cover comes before the beginning of snow: the edge is hard.";
             return "";
         }};
     Random random(9);

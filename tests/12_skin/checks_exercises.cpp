@@ -18,7 +18,7 @@ const Macros closed{{"SKIN_SPECULAR", "0"}, {"SKIN_SPECULAR_CLOSED", "0"}, {"SKI
 
 }  // namespace
 
-CHECK_EXERCISE("12.gaussian_profile", "a Gaussian of variance v per axis is exp(-r²/2v) / (2 pi v) over a plane") {
+CHECK_EXERCISE("12.gaussian_profile", "A Gaussian of variance v per axis is exp(-r²/2v) / (2 pi v) over a plane.") {
     Probe probe{.include = "12_skin/gaussian_profile.glsl",
                 .signature = "vec3 gaussian_profile(float r_mm)",
                 .inputs = {{0}, {0.01}, {0.08}, {0.22}, {0.5}, {1}, {2.72}, {8}, {30}},
@@ -28,10 +28,10 @@ CHECK_EXERCISE("12.gaussian_profile", "a Gaussian of variance v per axis is exp(
                     const glm::dvec3 right = truth::profile(in[0]);
                     const double ratio = out[0] / right.x;
                     if (std::fabs(ratio - 2 * truth::skin_pi) < 0.01)
-                        return "divide by 2 pi v: the integral is to be 1";
-                    if (in[0] == 0 && ratio > 1.5 && ratio < 2.5) return "1 / (pi v) goes with exp(-r²/v)";
+                        return "Divide by 2 pi v: the integral has to be 1.";
+                    if (in[0] == 0 && ratio > 1.5 && ratio < 2.5) return "The factor 1 / (pi v) belongs to exp(-r²/v).";
                     if (in[0] == 0 && out[0] < right.x / 3)
-                        return "over a plane the factor is 1/(2 pi v), not its root";
+                        return "Over a plane the factor is 1 / (2 pi v), not its root.";
                     return "";
                 }};
     Random random;
@@ -55,7 +55,7 @@ CHECK_EXERCISE("12.gaussian_profile", "a Gaussian of variance v per axis is exp(
     }
 }
 
-CHECK_EXERCISE("12.stretch_scale", "texels per mm is one over mm per texel; a length of 0 has no inverse") {
+CHECK_EXERCISE("12.stretch_scale", "Texels per mm is the inverse of mm per texel; a length of 0 has none.") {
     Probe probe{.include = "12_skin/stretch_scale.glsl",
                 .signature = "vec2 stretch_scale(vec3 du_mm, vec3 dv_mm, float most_texels)",
                 .inputs = {{1, 0, 0, 0, 1, 0, 32},
@@ -77,11 +77,11 @@ CHECK_EXERCISE("12.stretch_scale", "texels per mm is one over mm per texel; a le
                 .bound = {.absolute = 1e-6, .relative = 1e-5},
                 .hint = [](auto in, auto out) -> std::string {
                     const double du = glm::length(three(in)), dv = glm::length(three(in.subspan(3)));
-                    if (du == 0 || dv == 0) return "a step of no length: most_texels";
+                    if (du == 0 || dv == 0) return "A step of length 0 gives most_texels.";
                     if (std::fabs(out[0] - du) < 1e-5 * du && std::fabs(out[1] - dv) < 1e-5 * dv)
-                        return "that is mm per texel; asked is how many texels a mm is";
-                    if (out[0] > in[6] || out[1] > in[6]) return "no component may be above most_texels";
-                    return "along u by du_mm alone, along v by dv_mm alone";
+                        return "This is mm per texel; the result is texels per mm.";
+                    if (out[0] > in[6] || out[1] > in[6]) return "No component may be above most_texels.";
+                    return "x depends only on du_mm, y only on dv_mm.";
                 }};
     Random random;
     for (int i = 0; i < 500; ++i) {
@@ -94,7 +94,7 @@ CHECK_EXERCISE("12.stretch_scale", "texels per mm is one over mm per texel; a le
     check.probe(probe);
 }
 
-CHECK_EXERCISE("12.schlick_fresnel", "f0 + (1 - f0) (1 - cosine)^5, the cosine kept within 0 and 1") {
+CHECK_EXERCISE("12.schlick_fresnel", "f0 + (1 - f0) (1 - cosine)^5, with the cosine clamped to 0 and 1.") {
     Probe probe{.include = "12_skin/schlick_fresnel.glsl",
                 .signature = "float schlick_fresnel(float cosine, float f0)",
                 .inputs = {{1, 0.028},
@@ -111,8 +111,8 @@ CHECK_EXERCISE("12.schlick_fresnel", "f0 + (1 - f0) (1 - cosine)^5, the cosine k
                 .truth = [](std::span<const double> in) { return Row{truth::schlick(in[0], in[1])}; },
                 .bound = {.absolute = 3e-7, .relative = 3e-6},
                 .hint = [](auto in, auto) -> std::string {
-                    if (in[0] < 0) return "a cosine below 0 counts as 0: no more than all light is reflected";
-                    if (in[0] > 1) return "a cosine above 1 counts as 1";
+                    if (in[0] < 0) return "A cosine below 0 counts as 0: no more than all light is reflected.";
+                    if (in[0] > 1) return "A cosine above 1 counts as 1.";
                     return "";
                 }};
     Random random;
@@ -122,7 +122,8 @@ CHECK_EXERCISE("12.schlick_fresnel", "f0 + (1 - f0) (1 - cosine)^5, the cosine k
                    [](auto in, auto out) { return out[0] >= in[1] * (1 - 1e-6) && out[0] <= 1 + 1e-6; });
 }
 
-CHECK_EXERCISE("12.beckmann", "tan²a = (1 - c²) / c² with c = n·h; and ask for c near 0 before you divide") {
+CHECK_EXERCISE("12.beckmann",
+               "tan²a = (1 - c²) / c² with c = n·h; the factor is 1 / (pi m²). Test for c near 0 before you divide.") {
     Probe probe{.include = "12_skin/beckmann.glsl",
                 .signature = "float beckmann(float n_dot_h, float m)",
                 .inputs = {{1, 0.3},
@@ -145,9 +146,10 @@ CHECK_EXERCISE("12.beckmann", "tan²a = (1 - c²) / c² with c = n·h; and ask f
                 .bound = {.absolute = 1e-12, .relative = 4e-5},
                 .hint = [](auto in, auto out) -> std::string {
                     const double right = truth::beckmann(std::min(in[0], 1.0), in[1]);
-                    if (in[0] < 0) return "nothing faces below the horizon";
-                    if (in[0] < 0.05) return "near n·h = 0 the exponential is 0 long before cos⁴ is";
-                    if (right > 0 && std::fabs(out[0] / right - truth::skin_pi) < 0.01) return "it lacks the 1 / pi";
+                    if (in[0] < 0) return "No facet faces below the horizon.";
+                    if (in[0] < 0.05) return "Near n·h = 0 the exponential is 0 long before cos⁴ is.";
+                    if (right > 0 && std::fabs(out[0] / right - truth::skin_pi) < 0.01)
+                        return "The factor 1 / pi is missing.";
                     return "";
                 }};
     Random random;
@@ -172,12 +174,12 @@ CHECK_EXERCISE("12.beckmann", "tan²a = (1 - c²) / c² with c = n·h; and ask f
         for (int i = 0; i < count; ++i) all += found[size_t(i)][0] * (i + 0.5) / count * 2 * truth::skin_pi / count;
         check.expect(std::fabs(all - 1) < 0.01,
                      fmt::format("for m = {} the integral of D n·h over the hemisphere is {:.3f}, expected 1", m, all),
-                     std::fabs(all - truth::skin_pi) < 0.1 ? "it lacks the 1 / pi" : "");
+                     std::fabs(all - truth::skin_pi) < 0.1 ? "The factor 1 / pi is missing." : "");
     }
 }
 
 CHECK_EXERCISE("12.kelemen_szirmay_kalos",
-               "h = (l + v) / |l + v|; D F / |l + v|², times n·l, both sides above the horizon") {
+               "h = (l + v) / |l + v|; D(n·h) F(v·h) / |l + v|², times n·l, if both are above the horizon.") {
     Probe probe{.include = "12_skin/kelemen_szirmay_kalos.glsl",
                 .signature = "float kelemen_szirmay_kalos(vec3 n, vec3 l, vec3 v, float m, float f0)",
                 .inputs = {},
@@ -190,12 +192,13 @@ CHECK_EXERCISE("12.kelemen_szirmay_kalos",
                 .macros = closed,
                 .hint = [](auto in, auto out) -> std::string {
                     const glm::dvec3 n = three(in), l = three(in.subspan(3)), v = three(in.subspan(6));
-                    if (glm::length(l + v) < 1e-5) return "l and v are opposite: there is no half vector";
-                    if (glm::dot(n, l) <= 0 || glm::dot(n, v) <= 0) return "below the horizon nothing is reflected";
+                    if (glm::length(l + v) < 1e-5) return "l and v are opposite: there is no half vector.";
+                    if (glm::dot(n, l) <= 0 || glm::dot(n, v) <= 0) return "Below the horizon nothing is reflected.";
                     const double right = truth::kelemen_szirmay_kalos(n, l, v, in[9], in[10]);
-                    if (right > 1e-6 && std::fabs(out[0] * glm::dot(n, l) / right - 1) < 1e-3) return "times n·l";
+                    if (right > 1e-6 && std::fabs(out[0] * glm::dot(n, l) / right - 1) < 1e-3)
+                        return "Multiply by n·l.";
                     const double square = glm::dot(l + v, l + v);
-                    if (right > 1e-6 && std::fabs(out[0] / square / right - 1) < 1e-3) return "divide by |l + v|²";
+                    if (right > 1e-6 && std::fabs(out[0] / square / right - 1) < 1e-3) return "Divide by |l + v|².";
                     return "";
                 }};
     const auto add = [&](glm::dvec3 n, glm::dvec3 l, glm::dvec3 v, double m, double f0) {
@@ -220,7 +223,7 @@ CHECK_EXERCISE("12.kelemen_szirmay_kalos",
                    [](auto, auto out) { return out[0] >= 0 && std::isfinite(out[0]); });
 }
 
-CHECK_EXERCISE("12.mix_albedo", "powers s and 1 - s; and pow(0, 0) is nobody's") {
+CHECK_EXERCISE("12.mix_albedo", "The powers are s and 1 - s; pow(0, 0) is undefined.") {
     for (const bool after : {false, true}) {
         Probe probe{
             .include = "12_skin/mix_albedo.glsl",
@@ -245,8 +248,8 @@ CHECK_EXERCISE("12.mix_albedo", "powers s and 1 - s; and pow(0, 0) is nobody's")
             .bound = {.absolute = 1e-6, .relative = 2e-5},
             .hint = [after](auto in, auto) -> std::string {
                 const double power = after ? 1 - in[3] : in[3];
-                if (power == 0) return "the power is 0: just 1, without pow";
-                return after ? "after the blur the power is 1 - s" : "before the blur the power is s";
+                if (power == 0) return "The power is 0: return 1 without pow.";
+                return after ? "After the blur the power is 1 - s." : "Before the blur the power is s.";
             }};
         Random random;
         for (int i = 0; i < 300; ++i)
@@ -256,18 +259,18 @@ CHECK_EXERCISE("12.mix_albedo", "powers s and 1 - s; and pow(0, 0) is nobody's")
     }
 }
 
-CHECK_EXERCISE("12.transmittance", "exp(-s²/v) without a half and without a factor; a thickness below 0 counts as 0") {
+CHECK_EXERCISE("12.transmittance", "exp(-s²/v) without a half and without a factor; a thickness below 0 counts as 0.") {
     Probe probe{.include = "12_skin/transmittance.glsl",
                 .signature = "vec3 transmittance(float thickness_mm)",
                 .inputs = {{0}, {-0.5}, {-100}, {0.1}, {0.5}, {1}, {2}, {5}, {9}, {40}, {1e4}},
                 .truth = [](std::span<const double> in) { return row_of(truth::transmittance(in[0])); },
                 .bound = {.absolute = 1e-7, .relative = 2e-5},
                 .hint = [](auto in, auto out) -> std::string {
-                    if (in[0] < 0) return "below 0 is 0: a shadow map is not exact";
+                    if (in[0] < 0) return "A thickness below 0 counts as 0: a shadow map is not exact.";
                     if (in[0] == 0 && out[0] < 0.9)
-                        return "through nothing all light comes: there is no factor before exp";
-                    if (in[0] == 0 && out[0] > 1.1) return "through nothing comes no more than all light";
-                    return "the exponent is -s² / v, not half of it";
+                        return "Through a thickness of 0 all light passes: there is no factor before exp.";
+                    if (in[0] == 0 && out[0] > 1.1) return "Through a thickness of 0 no more than all light passes.";
+                    return "The exponent is -s² / v, not half of it.";
                 }};
     Random random;
     for (int i = 0; i < 500; ++i) probe.inputs.push_back({random.uniform(-1, 10)});

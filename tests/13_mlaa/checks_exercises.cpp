@@ -47,7 +47,7 @@ std::pair<End, End> ends_of(std::span<const double> in) {
 
 }  // namespace
 
-CHECK_EXERCISE("13.lab_distance", "f() of each component first; then L, a and b from the three") {
+CHECK_EXERCISE("13.lab_distance", "Apply f() to each component first; then compute L, a and b from the three.") {
     Probe probe{.include = "13_mlaa/lab_distance.glsl",
                 .signature = "vec3 to_lab(vec3 light)",
                 .inputs = {{0, 0, 0},
@@ -69,7 +69,7 @@ CHECK_EXERCISE("13.lab_distance", "f() of each component first; then L, a and b 
                 .bound = {.absolute = 0.03, .relative = 1e-4},  // 500 times what pow() may be off
                 .hint = [](auto in, auto) -> std::string {
                     if (std::max({in[0], in[1], in[2]}) < 0.01)
-                        return "below (6/29)^3 f is a straight line, and f(0) = 4/29";
+                        return "Below (6/29)^3 f is a straight line, and f(0) = 4/29.";
                     return "";
                 }};
     Random random;
@@ -94,8 +94,7 @@ CHECK_EXERCISE("13.lab_distance", "f() of each component first; then L, a and b 
     check.probe(distance);
 }
 
-CHECK_EXERCISE("13.propagate_distance",
-               "a sum that begins with known(0); each further number is read where the sum ends by then") {
+CHECK_EXERCISE("13.propagate_distance", "Begin with known(0); read each further number at the current sum.") {
     std::vector<std::vector<uint32_t>> lines{{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0},
                                              {4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 3, 2, 1, 0},
                                              {3, 2, 1, 0, 5, 4, 3, 2, 1, 0, 4, 3, 2, 1, 0, 0},
@@ -143,9 +142,8 @@ CHECK_EXERCISE("13.propagate_distance",
         }
 }
 
-CHECK_EXERCISE(
-    "13.line_ends",
-    "at either end three questions: is the next edge there, is there one across on this side, and on the other") {
+CHECK_EXERCISE("13.line_ends",
+               "At each end test three edges: the continuation, and the crossing edges on the near and the far side.") {
     Probe probe{.include = "13_mlaa/line_ends.glsl",
                 .signature = "ivec2 line_ends(ivec2 first, ivec2 last, bool horizontal)",
                 .inputs = {},
@@ -174,7 +172,7 @@ CHECK_EXERCISE(
     check.probe(probe);
 }
 
-CHECK_EXERCISE("13.area", "a trapezium as wide as the pixel, or a triangle that ends in the middle of the line") {
+CHECK_EXERCISE("13.area", "A trapezium as wide as the pixel, or a triangle that ends in the middle of the line.") {
     std::vector<int> lengths{1, 2, 3, 4, 5, 7, 8, 31, 64, 255, 256, 509};
     Random random(2);
     for (int i = 0; i < 8; ++i) lengths.push_back(static_cast<int>(random.uniform(9, 509)));
@@ -197,7 +195,7 @@ CHECK_EXERCISE("13.area", "a trapezium as wide as the pixel, or a triangle that 
         }
 }
 
-CHECK_EXERCISE("13.blend", "what weighs 0 must not be multiplied by 0, but left out") {
+CHECK_EXERCISE("13.blend", "Light of weight 0 must be left out, not multiplied by 0.") {
     const double n = not_a_number, i = infinity;
     Probe probe{.include = "13_mlaa/blend.glsl",
                 .signature = "vec3 blend(vec3 own, vec3 left, vec3 right, vec3 above, vec3 below, vec4 weights)",
@@ -222,9 +220,9 @@ CHECK_EXERCISE("13.blend", "what weighs 0 must not be multiplied by 0, but left 
                 .bound = {.absolute = 2e-6, .relative = 1e-5},
                 .hint = [](auto in, auto out) -> std::string {
                     if (in[15] + in[16] + in[17] + in[18] > 1)
-                        return "the weights add up to more than 1: divide them by their sum";
+                        return "The weights add up to more than 1: divide them by their sum.";
                     for (const double value : out)
-                        if (!std::isfinite(value)) return "0 times NaN is NaN, and 0 times infinity too";
+                        if (!std::isfinite(value)) return "0 times NaN is NaN, and so is 0 times infinity.";
                     return "";
                 }};
     Random random;

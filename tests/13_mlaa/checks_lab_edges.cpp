@@ -54,8 +54,9 @@ std::string in_words(uint32_t edges) {
 
 }  // namespace
 
-CHECK_EXERCISE("13.lab_edges",
-               "a loop in which each thread keeps every 256th of 18 by 18 pixels, a barrier(), then four distances") {
+CHECK_EXERCISE(
+    "13.lab_edges",
+    "A loop in which each thread stores every 256th of the 18 by 18 pixels, barrier(), then four distances.") {
     const WorkgroupResults results(check_device(), {.include = "13_mlaa/lab_edges.glsl",
                                                     .before = before,
                                                     .call = call,
@@ -73,9 +74,9 @@ CHECK_EXERCISE("13.lab_edges",
                     got == right,
                     fmt::format("lab_edges(corner = ({}, {})): thread {}, for pixel ({}, {}), gave {}, expected {}",
                                 corner_x, corner_y, i, x, y, in_words(got), in_words(right)),
-                    order > 0 ? "with the threads in another order: is there a barrier() between what one keeps and "
-                                "what others read (memoryBarrierShared() waits for nobody), and is every slot filled?"
-                              : "slot (y + 1) * 18 + x + 1 holds the pixel (x, y) of the square");
+                    order > 0 ? "The threads ran in another order here: every slot must be filled, and barrier() must "
+                                "stand between storing and reading (memoryBarrierShared() does not wait)."
+                              : "Slot (y + 1) * 18 + x + 1 holds the pixel (x, y) of the square.");
                 if (got != right) return;
             }
             for (uint32_t place = 0; place < 484; ++place) {

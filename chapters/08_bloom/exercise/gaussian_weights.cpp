@@ -1,17 +1,19 @@
-// Exercise 08.gaussian_weights: what each neighbour of a pixel counts in a blur.
-// As it stands a pixel alone has all the weight: nothing is blurred.
+// Exercise 08.gaussian_weights: the weights of a blur.
+// As it stands, the pixel itself has all the weight: nothing is blurred.
 #include "08_bloom/exercises.h"
 
 namespace lightwalk::exercise {
 
 // [gaussian_weights]
-// The weights of a Gaussian whose standard deviation is sigma_px pixels (0 to 200), at distances of 0, 1, 2 ... R
-// pixels, where R is truncation * sigma_px (truncation 1 to 5) rounded up. Each is in proportion to exp(-d^2 / (2
-// sigma_px^2)). Together, with every one but the first counted twice for the two sides, they add up to 1 within a
-// millionth, whatever the truncation cut off. A sigma_px of 0 gives {1}. None is NaN, however small sigma_px is.
+// Returns the weights of a Gaussian with the standard deviation sigma_px (0 to 200
+// pixels) at the distances d = 0, 1, 2 ... R pixels, where R is truncation * sigma_px
+// rounded up (truncation 1 to 5). Each weight is proportional to exp(-d^2 / (2
+// sigma_px^2)). The kernel is symmetric: the sum of the first weight and twice all
+// others is 1 within a millionth, for any truncation. For a sigma_px of 0 the result is
+// {1}. No weight is NaN, however small sigma_px is.
 // [/gaussian_weights]
 std::vector<float> gaussian_weights(float sigma_px, float truncation) {
-    // Add up in double: hundreds of small floats lose what the sum must not.
+    // Compute the sum in double: adding hundreds of small floats loses too much.
     (void)sigma_px, (void)truncation;
     return {1.0f};
 }

@@ -1,15 +1,20 @@
-// Exercise 08.pair_taps: two neighbours for one read.
-// As it stands each neighbour is read by itself: right, and twice the work.
+// Exercise 08.pair_taps: one read for two neighbouring pixels.
+// As it stands, each pixel is read by itself: the result is right, for twice the work.
 #include "08_bloom/exercises.h"
 
 namespace lightwalk::exercise {
 
 // [pair_taps]
-// `weights` are those of pixels 0, 1, 2 ... R to one side, none below 0. Returns taps (offset in pixels, weight) that a
-// linear filter reads: at the offset k + f it gives (1 - f) of pixel k and f of pixel k + 1. The first tap is pixel 0
-// alone; after it pixels go in pairs, 1 with 2, 3 with 4 ..., and one that is left over stands alone: 1 + ceil(R / 2)
-// taps. Read through the filter and weighted, they give every pixel its weight, within a millionth. Weights may be 0,
-// both of a pair too: the offset then lies between the two, and is no NaN.
+// `weights` holds the weights of the pixels at the distances 0, 1, 2 ... R to one side,
+// none below 0. Returns taps (offset in pixels, weight) for a linear filter: a read at
+// the offset k + f, with f from 0 to 1, returns (1 - f) times pixel k plus f times
+// pixel k + 1.
+//
+// The first tap is pixel 0 alone. The following pixels form pairs, 1 with 2, 3 with 4
+// and so on, each replaced by a single tap that gives both pixels their weights, within
+// a millionth. A pixel left over at the end is a tap of its own. There are 1 + ceil(R /
+// 2) taps. Weights may be 0. If both weights of a pair are 0, the tap has the weight 0
+// and any offset between the two pixels, but not NaN.
 // [/pair_taps]
 std::vector<glm::vec2> pair_taps(const std::vector<float>& weights) {
     std::vector<glm::vec2> taps;

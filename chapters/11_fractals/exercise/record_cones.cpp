@@ -1,15 +1,21 @@
-// Exercise 11.record_cones: two dispatches of one pass, the second of which needs what the first has written.
-// As it stands no cone is marched: rays begin wherever the image `starts` happens to say.
+// Exercise 11.record_cones: two dispatches of one pass, the second of which reads the result of the first.
+// As it stands, no cone is marched: rays begin at whatever the image `starts` contains.
 #include "11_fractals/exercises.h"
 
 namespace lightwalk::exercise {
 
 // [record_cones]
-// Records one compute pass, "julia march", of two dispatches: passes.cone writes its image `starts`, a thread for each
-// of its texels; passes.march reads that as its texture `starts`, with nearest_clamp, and writes its image `found`, a
-// thread for each texel again. The pass says what it reads and writes (what stands in both lists is both), and .with is
-// passes.with. Dispatches of one pass run at the same time, or in any order: pass.wait() makes what follows see what
-// was written before.
+// Records one compute pass called "julia march" with two dispatches.
+// - First passes.cone, which writes its image `starts`: one thread per texel of
+//   passes.starts.
+// - Then passes.march, which reads that image as its texture `starts` with the sampler
+//   nearest_clamp, and writes its image `found`: one thread per texel of passes.found.
+//
+// The pass declares what it reads (.reads) and writes (.writes); an image that it both
+// reads and writes appears in both lists. Its .with is passes.with.
+//
+// Dispatches of one pass may run at the same time or in any order. pass.wait() makes
+// the results of all earlier dispatches visible to the following ones.
 // [/record_cones]
 void record_cones(Frame& frame, const ConePasses& passes) {
     frame.compute("julia march", {.reads = {passes.starts}, .writes = {passes.found}, .with = passes.with},

@@ -1,15 +1,18 @@
-// Exercise 13.area: how much of a pixel lies beyond the outline.
-// As it stands the outline runs on the pixels' borders, and nothing is mixed.
+// Exercise 13.area: the area between silhouette and line within a pixel.
+// As it stands, the silhouette follows the borders of the pixels, and nothing is mixed.
 #include "13_mlaa/exercises.h"
 
 namespace lightwalk::exercise {
 
 // [area]
-// A line of `length` pixels (1 to 509), at whose start the outline turns. There the outline really stands half a pixel
-// above the line; it falls evenly and meets the line in the middle, length / 2 pixels on, from where on it lies on it.
-// Returns the area between outline and line within pixel number `position` (0 is the first; 0 to length - 1) exactly,
-// within a millionth: 0 to 1/2. Where the length is odd the outline ends within a pixel. A line of one pixel gives 0:
-// it is a step of a line that runs the other way, and its corner is counted there.
+// A line of `length` pixels (1 to 509) turns at its start. There the silhouette is half
+// a pixel above the line. It descends evenly and meets the line in the middle, length /
+// 2 pixels from the start; from there on it coincides with the line.
+//
+// Returns the exact area between silhouette and line within the pixel number `position`
+// (0 is the first, length - 1 the last), within a millionth: 0 to 1/2. If the length is
+// odd, the silhouette ends within a pixel. For a line of one pixel the result is 0: it
+// is a step of a line in the other direction, where its corner is counted.
 // [/area]
 float area(int position, int length) {
     (void)position, (void)length;

@@ -1,13 +1,21 @@
-// Exercise 07.last_workgroup: of all workgroups of a dispatch, which is the one that finishes last?
-// Until you fill it in, none is: a single pass ends with the sixth level.
+// Exercise 07.last_workgroup: the workgroup of a dispatch that finishes last.
+// As it stands, no workgroup is the last: a single pass ends with the sixth level.
 
 // [last_workgroup]
-// finished[layer] is 0 before the dispatch. Every workgroup calls this once, all of its threads together, after its
-// first thread has written the workgroup's result to a coherent buffer. Returns true, in all threads alike, for the one
-// workgroup that calls last of `workgroups`; what it reads of the buffer from then on is what all others have written.
-// Three things to think of: each workgroup counts once, and the number that was there before tells who was last; one
-// thread's number has to reach the others, through shared memory; and a write is not seen by others in any order unless
-// you ask for one, before you count and after.
+// Every workgroup calls this function once, with all of its threads together, after its
+// first thread (gl_LocalInvocationIndex 0) has written the workgroup's result to a
+// coherent buffer. finished[layer] is 0 before the dispatch. `workgroups` is the number
+// of workgroups that call it for this layer.
+//
+// Returns true, in all threads alike, for the one workgroup that calls last, and false
+// in all others. In the last workgroup, reads of the coherent buffer after the call
+// must return what all other workgroups have written.
+//
+// Three things to consider:
+// - Each workgroup counts once. atomicAdd returns the value before the addition.
+// - That value is known to one thread, and the others need it: use a shared variable.
+// - Other workgroups see two writes in no particular order unless memoryBarrierBuffer()
+//   separates them. You need such an order before you count and after it.
 // [/last_workgroup]
 layout(scalar) coherent buffer FinishedBuffer { uint finished[]; };
 

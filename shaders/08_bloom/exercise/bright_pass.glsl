@@ -1,13 +1,15 @@
-// Exercise 08.bright_pass: what of a pixel is spread over its neighbours.
-// Until you fill it in, everything is, and one broken pixel breaks the picture.
+// Exercise 08.bright_pass: the light of a pixel that is blurred.
+// As it stands, all light is blurred, and one infinite or NaN pixel spoils the picture.
 #include "08_bloom/finite_light.glsl"
 #include "08_bloom/luminance.glsl"
 #include "08_bloom/soft_knee.glsl"
 
 // [bright_pass]
-// The radiance, scaled so that its luminance becomes soft_knee(luminance(radiance), threshold, knee): its colour stays. A
-// picture holds anything: take finite_light(radiance) in place of the radiance from the start, so that no infinity and no
-// NaN is spread. Black stays black: there is no luminance to divide by.
+// Returns the radiance scaled so that its luminance becomes
+// soft_knee(luminance(radiance), threshold, knee); the colour stays the same. A picture
+// may contain infinity and NaN: replace the radiance by finite_light(radiance) before
+// any other calculation. Black stays black: its luminance is 0 and must not divide
+// anything.
 // [/bright_pass]
 vec3 bright_pass(vec3 radiance, float threshold, float knee) {
     return radiance;

@@ -1,12 +1,19 @@
-// Exercise 08.combine: the picture and the light that was spread.
-// Until you fill it in, the light is lost.
+// Exercise 08.combine: adds the blurred light to the picture.
+// As it stands, the blurred light is lost.
 #include "08_bloom/finite_light.glsl"
 
 // [combine]
-// `spread` is finite and 0 or more. Of the radiance, which may be anything, finite_light(radiance) counts. Where `mixes` is
-// false, `strength` (0 or more) times the spread light is added to it. Where it is true, `spread` is all of the picture's
-// light, not what is bright alone: adding it would make the picture brighter, so strength (0 to 1 then) is the share of the
-// light that is moved, and what is moved is taken away where it was. The result is finite light, too.
+// Returns the radiance of a pixel of the picture with its bloom.
+// - `radiance` is the pixel before bloom; it may be infinite or NaN, so use
+//   finite_light(radiance) in its place. `spread`, the blurred light, is finite and 0
+//   or more.
+// - If `mixes` is false, only bright light was blurred. Add strength * spread (strength
+//   0 or more).
+// - If `mixes` is true, all light of the picture was blurred. Adding it would make the
+//   picture brighter. Instead `strength` (0 to 1) is the share of light that moves: it
+//   is taken away from the pixel itself and arrives as spread light.
+//
+// The result is finite light as well: apply finite_light to it.
 // [/combine]
 vec3 combine(vec3 radiance, vec3 spread, float strength, bool mixes) {
     return radiance;

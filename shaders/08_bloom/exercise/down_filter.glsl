@@ -1,17 +1,27 @@
 // Exercise 08.down_filter: one texel of a level from the level above.
-// Until you fill it in, it is the mean of four texels: a lone bright pixel flickers when it moves.
+// As it stands, it is the mean of four texels: a lone bright pixel flickers when it moves.
 #include "08_bloom/level_source.glsl"
 
 // [down_filter]
-// The texel `at` of a level of half the size. above(at, offset) reads the level above with a linear filter, `offset` of its
-// texels away from the middle of `at`, where four of its texels meet: above(at, vec2(0)) is the mean of those four. Wanted
-// is a filter that
-// - keeps the light: each texel of the level above has weights in this level that add up to 1/4, wherever it lies;
-// - moves nothing: the mean position of what a texel gives is the texel's own;
-// - takes nothing away: no weight is below 0;
-// - blurs by 1.75 square texels in each axis, variance, within 0.05: the whole pyramid counts on it.
-// Jimenez's has 13 reads: the mean of four at (+-1, +-1) with half of the weight, and with an eighth each the means of four
-// squares of side 2 whose corners lie on the grid of -2, 0 and 2 (a read that two or four squares share is read once).
+// Returns the texel `at` of a level of half the size. above(at, offset) reads the level
+// above with a linear filter. `offset` is measured in texels of the level above, from
+// the centre of `at`, where four of its texels meet: above(at, vec2(0)) is the mean of
+// those four.
+//
+// The filter has to meet four conditions:
+// - It preserves light: the weights that one texel of the level above has in all texels
+//   of this level add up to 1/4, wherever that texel lies.
+// - It moves nothing: the mean position of those weights is the position of the texel.
+// - No weight is negative.
+// - Its variance is 1.75 square texels of the level above along each axis, within 0.05:
+//   the width of the whole pyramid is computed from it.
+//
+// One solution is Jimenez's filter with 13 reads. Half of the weight belongs to the
+// mean of the four reads at (+-1, +-1). The other half is shared by four squares, with
+// an eighth of the total weight each. The value of a square is the mean of the reads at
+// its four corners. The squares have a side of 2, and their corners lie at -2, 0 and 2
+// along each axis. A read that several squares share is done once, with the sum of its
+// weights.
 // [/down_filter]
 vec3 down_filter(ivec2 at) {
     return above(at, vec2(0.0));

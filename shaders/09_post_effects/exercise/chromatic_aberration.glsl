@@ -1,13 +1,18 @@
-// Exercise 09.chromatic_aberration: a lens that enlarges red more than blue.
-// Until you fill it in, it is a perfect lens.
+// Exercise 09.chromatic_aberration: a lens that enlarges each colour differently.
+// As it stands, the lens is perfect.
 
 // [chromatic_aberration]
-// Where, in uv from 0 to 1, a channel of the pixel at uv is read: at middle + (uv - middle) * (1 + shift * r^2). r is the distance
-// from the middle, (0.5, 0.5), over that of a corner, both in uv, and shift is -0.2 to 0.2. Above 0 that reaches out of the picture,
-// where there is nothing to read. So for a shift above 0 the whole is brought inside: all vectors from the middle shrink by one
-// factor, such that a corner is read at the corner again. A shift of 0 or less stays as it is.
+// Returns the position, in uv from 0 to 1, at which one colour channel of the pixel at
+// uv is read: middle + (uv - middle) * (1 + shift * r^2). middle is (0.5, 0.5). r is
+// the distance of uv from the middle divided by the distance of a corner, both in uv.
+// shift is -0.2 to 0.2.
 //
-// The middle itself has no direction. It needs none.
+// A shift above 0 would read outside of the picture, where there is nothing. For a
+// shift above 0, therefore, divide all vectors from the middle by one factor, chosen so
+// that a corner is read exactly at that corner. For a shift of 0 or less change
+// nothing.
+//
+// The middle itself has no direction, and the formula needs none.
 // [/chromatic_aberration]
 vec2 aberrated(vec2 uv, float shift) {
     return uv;

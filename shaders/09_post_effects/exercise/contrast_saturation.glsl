@@ -1,14 +1,16 @@
-// Exercise 09.contrast_saturation: how far apart a picture's brightnesses are, and its colours.
-// Until you fill it in, nothing changes.
+// Exercise 09.contrast_saturation: contrast around middle grey, and saturation around luminance.
+// As it stands, nothing changes.
 #include "08_bloom/luminance.glsl"
 
 // [contrast_saturation]
-// contrast: each channel c, in linear light, becomes 0.18 (c / 0.18)^amount. Middle grey, 0.18, stays, and nothing goes below 0: a
-// straight line would cut the shadows off. Light below 0 counts as 0. amount is 0 to 4. At 0 every channel is 0.18, also one that
-// was black.
+// contrast: each channel c, in linear light, becomes 0.18 (c / 0.18)^amount, so that
+// middle grey, 0.18, stays and nothing falls below 0. A channel below 0 counts as 0.
+// amount is 0 to 4. For an amount of 0 every channel becomes 0.18, also a black one
+// (pow(0, 0) is undefined in GLSL).
 //
-// saturate_color: the colour moved away from the grey of its own luminance (amount above 1) or towards it (below 1; at 0 it is that
-// grey). amount is 0 to 4. No channel goes below 0. luminance(color) is at hand.
+// saturate_color: returns grey + amount * (color - grey), where grey has the luminance
+// of the colour in all channels; luminance(color) is available. amount is 0 to 4: 0
+// gives grey, 1 the colour itself, more exaggerates it. A channel below 0 becomes 0.
 // [/contrast_saturation]
 vec3 contrast(vec3 color, float amount) {
     return color;

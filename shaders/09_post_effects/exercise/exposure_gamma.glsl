@@ -1,11 +1,14 @@
-// Exercise 09.exposure_gamma: how bright a picture is, in two ways that are not the same.
-// Until you fill it in, nothing changes.
+// Exercise 09.exposure_gamma: two ways of changing the brightness of a picture.
+// As it stands, nothing changes.
 
 // [exposure_gamma]
-// expose: the radiance as if the shutter were open 2^stops times as long; stops is -16 to 16. Radiance stays linear.
+// expose: returns the radiance as if the shutter were open 2^stops times as long. stops
+// is -16 to 16. Radiance stays linear.
 //
-// apply_gamma: each channel to the power of 1 / gamma, so that a gamma above 1 brightens what lies between 0 and 1. Light below 0
-// counts as 0. A knob can stand anywhere: where gamma is 0 or less there is no such power, and the colour is returned as it came.
+// apply_gamma: returns each channel raised to the power 1 / gamma, so that a gamma
+// above 1 brightens values between 0 and 1. A channel below 0 counts as 0 (pow of a
+// negative number is undefined in GLSL). The knob may have any value: if gamma is 0 or
+// less, there is no such power, and the colour is returned unchanged.
 // [/exposure_gamma]
 vec3 expose(vec3 radiance, float stops) {
     return radiance;

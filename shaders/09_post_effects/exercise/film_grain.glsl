@@ -1,15 +1,20 @@
-// Exercise 09.film_grain: noise that never repeats.
-// Until you fill it in, the film has no grain.
+// Exercise 09.film_grain: noise that does not repeat.
+// As it stands, the film has no grain.
 
 // [film_grain]
-// A number from -1 to 1 (1 excluded) for each pixel of each frame of the film: evenly distributed, with mean 0 and variance 1/3, and
-// nothing to see in it: neighbours, the same pixel in the next frame, rows and columns have nothing to do with each other. The
-// same pixel and frame always give the same number. After eleven and a half days at 24 a second `frame` is 24,000,000, and the grain
-// must be as good as on the first day. No tile of it comes again, be it 64 pixels wide or 1,024, nor does a frame after 16. Whatever
-// mixes so well is right: the check looks at the numbers, and not at whose they are.
+// Returns a number from -1 to 1 (1 excluded) for a pixel of a frame of the film. The
+// numbers are uniformly distributed, hence of mean 0 and variance 1/3. They show no
+// pattern: neighbouring pixels, rows, columns, and the same pixel in consecutive frames
+// are uncorrelated, and (x, y) and (y, x) differ. The same pixel and frame always give
+// the same number.
 //
-// Whole numbers are good at this: multiply, shift, exclusive or, again. The sine of a large number has lost its digits before it
-// is taken.
+// No part repeats: not after 64 or 1024 pixels, not after 16 frames. And the grain
+// stays as good: after eleven and a half days at 24 frames per second, `frame` is
+// 24,000,000.
+//
+// Any good mixing function is right; the check looks only at the numbers. Integers suit
+// this task: multiply, shift, exclusive or, repeat. sin() of a large number does not,
+// because a large float has lost the digits that matter before the sine is taken.
 // [/film_grain]
 float film_grain(uvec2 pixel, uint frame) {
     return 0.0;

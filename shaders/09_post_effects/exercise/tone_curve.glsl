@@ -1,13 +1,18 @@
-// Exercise 09.tone_curve: Hill's fit of the film-like curve of ACES.
-// Until you fill it in, what is above 1 is cut off.
+// Exercise 09.tone_curve: Hill's fit of the ACES tone curve.
+// As it stands, light above 1 is clipped.
 #include "09_post_effects/hill_matrices.glsl"
 
 // [tone_curve]
-// From light, 0 to 65504 in each channel, to what a screen shows, 0 to 1. S. Hill's fit has three steps. hill_input * radiance
-// brings the colour into a space with wider primaries. There each channel v becomes
+// Maps radiance, 0 to 65504 in each channel, to display values, 0 to 1. S. Hill's fit
+// has three steps. The matrix hill_input converts the colour to a space with wider
+// primaries; hill_output converts it back. In between, each channel v becomes
+//
 //     (v (v + 0.0245786) - 0.000090537) / (v (0.983729 v + 0.4329510) + 0.238081)
-// and hill_output * that brings it back. Look at the ends. What comes out for black? Somebody will take a power of it. And is
-// everything between 0 and 1 for light that is bright, or of one colour alone?
+//
+// The fit alone is not a safe tone curve. Evaluate it for black, for very bright light,
+// and for bright light of a single colour. The next effect takes a power of the result,
+// and the screen shows 0 to 1: decide where in the chain the values have to be limited,
+// and to which range.
 // [/tone_curve]
 vec3 tone_curve(vec3 radiance) {
     return min(radiance, 1.0);

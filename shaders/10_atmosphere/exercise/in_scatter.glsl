@@ -1,18 +1,34 @@
-// Exercise 10.in_scatter: what is scattered in on a path, and what gets through it.
-// Until you fill it in, air is clear and dark.
+// Exercise 10.in_scatter: the light scattered into a path, and the transmittance of the path.
+// As it stands, air is clear and dark.
 #include "10_atmosphere/phase.glsl"
 #include "10_atmosphere/sunlight.glsl"
 
 // [in_scatter]
-// The path in `samples` equal parts (1 or more), each of which is taken to be as in its middle:
-//     place_at(path, t)         the Place t metres along the path: .height, and .sun as the next two want it
-//     sun_transmittance(place)  what of air.sun gets there; 0 in the planet's shadow
-//     scattered_before(place)   radiance that comes from all sides, having been scattered before
-//     density_at(height)        of molecules (x), dust (y) and the layer (z); extinction(densities) per metre
-//     phase_rayleigh(cos_angle), phase_dust(cos_angle, air.mie_g)   of the angle between path and sun, path.cos_angle
-// A metre of air scatters air.rayleigh * density x and air.mie * density y of what comes by; the layer scatters nothing. Of
-// the sun's light the phase function says what share goes along the path; of what comes from all sides, as much goes in each
-// direction as comes from it. What a part sends goes through all parts before it and through half of its own.
+// Returns Along(light, transmittance) of a path of path.way metres: the light scattered
+// into it on the way, as it arrives at the start, and the fraction of light that passes
+// the whole path.
+//
+// Divide the path into `samples` equal parts (1 or more). Each part is treated as
+// uniform, with the properties of its middle. Available are:
+// - place_at(path, t): the Place t metres along the path, with .height and .sun for the
+//   next two functions
+// - sun_transmittance(place): the fraction of air.sun that arrives there; 0 in the
+//   planet's shadow
+// - scattered_before(place): radiance that arrives from all sides equally, having been
+//   scattered before
+// - density_at(height): densities of molecules (x), dust (y) and the layer (z)
+// - extinction(densities): the extinction per metre, one value per colour channel
+// - phase_rayleigh(cos_angle), phase_dust(cos_angle, air.mie_g): use path.cos_angle,
+//   the cosine of the angle between the path and the direction to the sun
+//
+// A metre of air scatters the fraction air.rayleigh * x of light at molecules and
+// air.mie * y at dust; the layer only absorbs. Of the scattered sunlight, the phase
+// function of each kind goes along the path. Of the light from all sides, as much goes
+// along the path as arrives from any one direction, so its phase function and its solid
+// angle cancel.
+//
+// The light of a part is attenuated by all parts before it and by half of its own
+// optical depth.
 // [/in_scatter]
 Along in_scatter(int samples, Path path) {
     return Along(vec3(0.0), vec3(1.0));

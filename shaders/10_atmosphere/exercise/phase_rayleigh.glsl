@@ -1,9 +1,11 @@
-// Exercise 10.phase_rayleigh: which way molecules scatter.
-// Until you fill it in, they scatter the same in all directions.
+// Exercise 10.phase_rayleigh: the phase function of molecules.
+// As it stands, molecules scatter equally in all directions.
 
 // [phase_rayleigh]
-// In proportion to 1 + cos_angle², where cos_angle is the cosine of the angle by which the light is turned. No light is made
-// and none is lost: integrated over all directions, which are 4 pi steradians, it is 1.
+// Returns Rayleigh's phase function: proportional to 1 + cos_angle^2, where cos_angle
+// is the cosine of the angle between the old and the new direction of the light.
+// Scattering neither creates nor destroys light: the integral of the function over all
+// directions, 4 pi steradians, is 1.
 // [/phase_rayleigh]
 float phase_rayleigh(float cos_angle) {
     return 0.25 / 3.14159265;

@@ -1,13 +1,16 @@
-// Exercise 11.integrate_octaves: no more octaves than can be seen from here.
-// Until you fill it in, there are as many as there can be.
+// Exercise 11.integrate_octaves: the number of octaves that can be seen.
+// As it stands, it is the maximum.
 
 // [integrate_octaves]
-// How many octaves are worth computing for a pixel, or a vertex, that stands for `footprint_m` metres of ground (0 or more).
-// Octave 0 has waves of `first_m` metres (above 0), each next one waves shorter by the factor `lacunarity` (above 1). What
-// is shorter than two footprints cannot be shown: it flickers. The result has a fraction, that nothing pops: it is n + 1
-// where the waves of an octave n, or of one between two, are just two footprints long. At least 1, at most `most` (1 to 16),
-// also for a footprint of 0 or of all the ground. A vertex shader has no dFdx to ask for its footprint: who calls this
-// must know it.
+// Returns the number of octaves to compute for a pixel, or a vertex, that covers
+// `footprint_m` metres of ground (0 or more). Octave 0 has waves of `first_m` metres
+// (above 0). In each further octave the waves are shorter by the factor `lacunarity`
+// (above 1). A wave shorter than two footprints cannot be displayed: it flickers.
+//
+// The result has a fraction, so that no octave appears suddenly. It is n + 1 if the
+// waves of octave n are exactly two footprints long, and n may be fractional too:
+// octave n has waves of first_m / lacunarity^n metres. The result is at least 1 and at
+// most `most` (1 to 16), also for a footprint of 0 or a very large one.
 // [/integrate_octaves]
 float integrate_octaves(float first_m, float lacunarity, float footprint_m, float most) {
     return most;

@@ -1,17 +1,24 @@
-// Exercise 11.march: along a ray by steps as long as they can be.
-// Until you fill it in, nothing is ever hit.
+// Exercise 11.march: sphere tracing along a ray, with steps as long as possible.
+// As it stands, nothing is ever hit.
 #include "11_fractals/march_along.glsl"
 
 // [march]
-// Goes along a ray from t = `start` to `end`, metres. distance_at(t) says how far it is at least from there to the set, 0 in
-// it; it is what costs time. Result: March(t, steps, ended), steps being how often you asked.
-// - MARCH_HIT where the distance is at most epsilon + slope * t: t is that place.
-// - MARCH_MISS where nothing can be hit before `end`: t is `end`.
-// - MARCH_CAPPED after `most` distances (1 or more): t is where it has come to, which rays along an edge do.
-// `relaxation` is 1 to 2. At 1 each step is as long as the distance. Above, it is relaxation times as long, and so it may
-// leap over the set. It has not where the sphere around the point that it comes to, as large as the distance there, still
-// touches the sphere around the point that it came from. Where the two do not touch: go back to where the step without
-// relaxation would have led, and on from there. A place beyond a gap is no hit, and one beyond `end` is no proof of a miss.
+// Marches along a ray from t = `start` to t = `end`, in metres. distance_at(t) returns
+// a lower bound of the distance to the set, 0 inside it; it is the expensive part.
+// Returns March(t, steps, ended), where steps counts the calls of distance_at.
+// - MARCH_HIT: the distance is at most epsilon + slope * t. t is that point.
+// - MARCH_MISS: nothing can be hit before `end`. t is `end`.
+// - MARCH_CAPPED: `most` distances (1 or more) were used, as happens to rays along an
+//   edge. t is the point reached.
+//
+// `relaxation` is 1 to 2. A step is relaxation times as long as the distance. With a
+// relaxation of 1 it is safe; with more it may skip the set. It has skipped nothing if
+// the sphere around the new point, with the distance there as its radius, overlaps or
+// touches the sphere around the old point. If there is a gap between the two, go back
+// to where the step without relaxation would have led, and continue from there.
+//
+// A point beyond a gap is not a hit, however small its distance. A point beyond `end`
+// proves a miss only if the step to it is known to have skipped nothing.
 // [/march]
 March march(float start, float end, float epsilon, float slope, float relaxation, int most) {
     return March(end, 1, MARCH_MISS);

@@ -1,13 +1,18 @@
-// Exercise 11.quintic_noise: a smooth height between the numbers at a grid's corners.
-// Until you fill it in, each cell is flat.
+// Exercise 11.quintic_noise: a smooth height between the numbers at the corners of a grid.
+// As it stands, each cell is flat.
 #include "11_fractals/lattice.glsl"
 
 // [quintic_noise]
-// The height at a place of a cell: `f`, 0 to 1 in x and y, is how far from the cell's first corner. At the corners it is
-// lattice(cell), lattice(cell + ivec2(1, 0)), lattice(cell + ivec2(0, 1)) and lattice(cell + ivec2(1, 1)); in between it
-// is mixed along x by s(f.x) and along y by s(f.y). s rises from 0 to 1, and where two cells meet neither the slope nor the
-// curvature of the ground may have a step: s' and s'' are 0 at 0 and at 1. smoothstep, 3 t² - 2 t³, has a step in s'', which
-// light shows as a line. Which polynomial of the fifth degree has none?
+// Returns the height at a point of a cell. `f`, 0 to 1 in x and y, is its position from
+// the first corner of the cell. At the corners the height is lattice(cell),
+// lattice(cell + ivec2(1, 0)), lattice(cell + ivec2(0, 1)) and lattice(cell + ivec2(1,
+// 1)). In between, it is interpolated along x with the weight s(f.x) and along y with
+// s(f.y).
+//
+// s rises from 0 to 1, and neither the slope nor the curvature of the ground may jump
+// at the border of two cells: the first and second derivative of s are 0 at 0 and at 1.
+// smoothstep, 3 t^2 - 2 t^3, has a second derivative that jumps, which the lighting
+// reveals as lines. Find the polynomial of degree five that meets all six conditions.
 // [/quintic_noise]
 float quintic_noise(ivec2 cell, vec2 f) {
     return lattice(cell);

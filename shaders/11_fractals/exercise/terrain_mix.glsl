@@ -1,12 +1,18 @@
-// Exercise 11.terrain_mix: where snow lies.
-// Until you fill it in, it lies nowhere.
+// Exercise 11.terrain_mix: the amount of snow.
+// As it stands, there is no snow.
 
 // [terrain_mix]
-// The share of snow, 0 to 1, at a point whose normal has the height `normal_y` (1: level ground, 0: a wall). `roughness`
-// is a noise, -1 to 1, that breaks the edge up. Snow begins where strength * roughness reaches lower.x - lower.y * normal_y
-// and is whole where it reaches upper.x - upper.y * normal_y, with smoothstep between the two: on level ground both are
-// low, on steep ground high. They are lines over normal_y, and may cross: where the first is not below the second, which
-// smoothstep leaves open, the edge is a hard one, at the first: 1 from there on, 0 before.
+// Returns the fraction of snow, 0 to 1, at a point. normal_y is the vertical component
+// of its normal: 1 on level ground, 0 at a wall. `roughness` is a noise from -1 to 1
+// that breaks up the edge of the snow.
+//
+// Let begins = lower.x - lower.y * normal_y and ends = upper.x - upper.y * normal_y.
+// Both are low on level ground and high on steep ground. The fraction rises as a
+// smoothstep of strength * roughness, from 0 at begins to 1 at ends.
+//
+// The two lines may cross. If begins is not below ends, smoothstep is undefined in
+// GLSL; the edge is then a hard one at begins: 1 where strength * roughness is at least
+// begins, 0 elsewhere.
 // [/terrain_mix]
 float terrain_mix(float normal_y, float roughness, vec2 lower, vec2 upper, float strength) {
     return 0.0;

@@ -1,11 +1,21 @@
-// Exercise 12.beckmann: how many of a rough surface's facets face along the half vector.
-// Until you fill it in, all directions have the same number of facets.
+// Exercise 12.beckmann: the distribution of the facets' normals on a rough surface.
+// As it stands, all directions have the same number of facets.
 
 // [beckmann]
-// P. Beckmann and A. Spizzichino, 1963: D = exp(-tan²a / m²) / (pi m² cos⁴a), where cos a = n_dot_h (-1 to 1) and m is the
-// root mean square slope of the facets, 0.005 to 1. Nothing faces below the horizon: 0 for n_dot_h <= 0. Near 0 tan²a grows
-// beyond every float and cos⁴a is 0: what GLSL makes of a division by 0 is open, an infinity or not. The result is 0 there,
-// found without such a division, and never a NaN. The integral of D n_dot_h over the hemisphere
-// is 1: one paper leaves out the 1 / pi, and its skin shines three times too bright.
+// Returns the distribution D of facet normals (P. Beckmann and A. Spizzichino, 1963) at
+// the angle a from the surface normal, where cos a = n_dot_h (-1 to 1). m is the root
+// mean square slope of the facets, 0.005 to 1. D is proportional to
+//
+//     exp(-tan^2 a / m^2) / cos^4 a
+//
+// with a factor that depends only on m, such that the integral of D * n_dot_h over the
+// hemisphere is 1. With t = tan a that integral is the integral of exp(-t^2 / m^2) 2 pi
+// t dt times the factor. (One paper leaves out a part of the factor, and its skin
+// shines three times too brightly.)
+//
+// No facet faces below the horizon: 0 for n_dot_h <= 0. Near 0, tan^2 a overflows and
+// cos^4 a becomes 0. A division by 0 is undefined in GLSL; the result there is 0, must
+// be found without such a division, and is never NaN. n_dot_h may be slightly above 1
+// by rounding.
 // [/beckmann]
 float beckmann(float n_dot_h, float m) { return n_dot_h > 0.0 ? 0.31831 : 0.0; }

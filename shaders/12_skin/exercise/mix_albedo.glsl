@@ -1,11 +1,15 @@
-// Exercise 12.mix_albedo: does skin's colour lie above the blur, below it, or both?
-// Until you fill it in, all of it is multiplied after the blur.
+// Exercise 12.mix_albedo: the albedo before and after the blur.
+// As it stands, all of it is applied after the blur.
 
 // [mix_albedo]
-// The texture's colour is what light has lost on its way in and on its way out. A share s (0 to 1) of it is multiplied to
-// the light before it is blurred, the rest after: albedo to the power s, and to the power 1 - s, so that without a blur
-// their product is the albedo for every s. Components of albedo are 0 to 1, and GLSL leaves pow(0, 0) open: s = 0 gives
-// just 1 before, s = 1 just 1 after, and 0 in the texture stays 0 where the power is above 0.
+// The albedo is the fraction of light that remains after entering and leaving the skin.
+// A share s (0 to 1) of it is applied before the light is blurred, the rest after.
+// albedo_before returns the albedo to the power s, albedo_after the albedo to the power
+// 1 - s, channel by channel: without a blur their product is the albedo for every s.
+//
+// The components of the albedo are 0 to 1. pow(0, 0) is undefined in GLSL: for s = 0
+// albedo_before is exactly 1, for s = 1 albedo_after is exactly 1. For any power above
+// 0, an albedo of 0 gives 0.
 // [/mix_albedo]
 vec3 albedo_before(vec3 albedo, float s) { return vec3(1.0); }
 

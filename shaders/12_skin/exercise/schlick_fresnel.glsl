@@ -1,10 +1,14 @@
-// Exercise 12.schlick_fresnel: how much light a smooth surface reflects, by the angle.
-// Until you fill it in, that is the same from every side.
+// Exercise 12.schlick_fresnel: the reflectance of a smooth surface, by the angle.
+// As it stands, it is the same for all angles.
 
 // [schlick_fresnel]
-// C. Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994: the share of light that is reflected,
-// f0 for cosine = 1 and all of it for cosine = 0; in between it falls with the fifth power of 1 - cosine. `cosine` is of
-// the angle between the view and the half vector, not the normal; rounding may bring it a little below 0 or above 1, and
-// the result must stay from f0 to 1. f0 is 0 to 1 (skin: 0.028).
+// Returns the reflected fraction of light by C. Schlick's approximation of Fresnel's
+// equations (1994). It is f0 for a cosine of 1 and 1 for a cosine of 0. In between, the
+// rise above f0 is proportional to the fifth power of 1 - cosine. f0 is 0 to 1 (skin:
+// 0.028).
+//
+// `cosine` belongs to the angle between the view vector and the half vector, not the
+// normal. Rounding may bring it slightly below 0 or above 1. The result must still be
+// from f0 to 1, and pow of a negative number is undefined in GLSL.
 // [/schlick_fresnel]
 float schlick_fresnel(float cosine, float f0) { return f0; }

@@ -1,11 +1,17 @@
-// Exercise 13.blend: a pixel takes its share of light from across the edges around it.
-// Until you fill it in, it keeps its own.
+// Exercise 13.blend: a pixel mixed with its neighbours across the edges around it.
+// As it stands, every pixel keeps its own light.
 
 // [blend]
-// `weights` are the shares (each 0 to 1) that the light on the left, right, above and below has in this pixel; what they
-// leave is the pixel's own. Around a thin line they may add up to more than 1: then they are scaled to add up to 1, and
-// nothing of the own is left. A neighbour whose share is 0 does not count, whatever it is: it may be infinite or NaN, and
-// so may the own light where nothing is left of it. All others are finite. No result is outside of what is mixed.
+// Returns the light of a pixel mixed with that of its four neighbours. `weights` (x, y,
+// z, w) are the weights of the left, right, upper and lower neighbour, each 0 to 1. The
+// pixel's own light has the remaining weight, 1 minus their sum. Around a thin line the
+// sum may exceed 1: scale the four weights so that they add up to 1, and the own light
+// has the weight 0.
+//
+// Light with a weight of 0 must not influence the result, even if it is infinite or NaN
+// (0 times either is NaN); this holds for the neighbours and for the pixel's own light.
+// All light with a weight above 0 is finite. No channel of the result lies outside of
+// the range of the light that is mixed.
 // [/blend]
 vec3 blend(vec3 own, vec3 left, vec3 right, vec3 above, vec3 below, vec4 weights) {
     return own;

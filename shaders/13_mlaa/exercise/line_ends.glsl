@@ -1,19 +1,30 @@
-// Exercise 13.line_ends: an edge runs on whole pixels; where it turns says how the outline really runs.
-// Until you fill it in, no edge turns, and every step of a staircase stays.
+// Exercise 13.line_ends: the side to which the silhouette turns at the ends of a line.
+// As it stands, no line turns, and every staircase stays.
 #include "13_mlaa/edge_source.glsl"
 
 // [line_ends]
-// A line of edges without a gap: below all pixels from `first` to `last` (the same row, first on the left), or, where
-// `horizontal` is false, on the right of all of them (the same column, first on top). At each of its two ends, which are
-// corners of pixels, edges across it may begin: one on the line's near side (above a horizontal line, left of a vertical
-// one), one on its far side. And the next edge of the line itself may be there, behind the corner. Returns for the end at
-// `first`, then for that at `last`, to which side the outline turns, -1 near, 1 far, 0 not at all:
-// - the next edge is not there: to the side on which there is an edge across. Neither or both: 0.
-// - it is, and not both edges across are: 0. The line was not followed farther.
-// - it is, and so are both: two things touch with their corners. Their outlines do not cross: this one leaves to the side
-//   that its other end does not turn to. 0 where that is 0, or such a corner too.
-// edge_below(pixel) and edge_right(pixel) say whether there is an edge between a pixel and the one below it, or the one on
-// its right. y grows downwards.
+// A line is an uninterrupted sequence of edges. If `horizontal` is true, it lies below
+// all pixels from `first` to `last`: the same row, first on the left. Otherwise it lies
+// on the right of all of them: the same column, first at the top. y grows downwards.
+// The near side of the line is the side of these pixels (above a horizontal line, left
+// of a vertical one); the far side is the other one.
+//
+// Each end of the line is a corner of pixels, where up to three further edges meet it:
+// a crossing edge on the near side, a crossing edge on the far side, and the
+// continuation of the line itself.
+//
+// Returns, for the end at `first` (x) and for the end at `last` (y), the side to which
+// the silhouette turns: -1 near, 1 far, 0 not at all.
+// - No continuation: the side that has a crossing edge; 0 if both or neither have one.
+// - A continuation, but not both crossing edges: 0. The line was merely not followed
+//   any farther.
+// - A continuation and both crossing edges: two shapes touch at this corner, and their
+//   silhouettes do not cross. The silhouette turns to the side opposite to the one to
+//   which it turns at the other end; 0 if it does not turn there, or if the other end
+//   is such a corner, too.
+//
+// edge_below(pixel) and edge_right(pixel) return whether there is an edge between a
+// pixel and the one below it, or the one on its right.
 // [/line_ends]
 ivec2 line_ends(ivec2 first, ivec2 last, bool horizontal) {
     return ivec2(0);

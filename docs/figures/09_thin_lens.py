@@ -1,6 +1,6 @@
 """A thin lens focused at one distance, and the disc that a farther point becomes on the sensor.
 
-python3 docs/figures/09_lens.py writes docs/images/09_lens.svg.
+python3 docs/figures/09_thin_lens.py writes docs/images/09_thin_lens.svg.
 """
 
 from drawing import BLUE, GREEN, GREY, INK, ORANGE, RED, SMALL, THIN, Drawing
