@@ -29,19 +29,19 @@ struct OnChain : OnModules {
             const auto bytes = to_bytes(texels, format);
             all.insert(all.end(), bytes.begin(), bytes.end());
         }
-        Frame frame(gpu);
-        frame.begin({4, 4}, 0);
-        frame.upload("first level", ImageView(made).mip(0), all);
-        frame.end();
+        Frame filling(gpu);
+        filling.begin({4, 4}, 0);
+        filling.upload("first level", ImageView(made).mip(0), all);
+        filling.end();
         return made;
     }
 
     void fill(const ImageView& image, const std::string& method, Content content = Content::each, float cutoff = 0.5f) {
         chain.method.set(method);
-        Frame frame(gpu);
-        frame.begin({4, 4}, 0);
-        chain.record(frame, image, content, cutoff);
-        frame.end();
+        Frame own(gpu);
+        own.begin({4, 4}, 0);
+        chain.record(own, image, content, cutoff);
+        own.end();
     }
 
     truth::Texels level(const ImageView& image, uint32_t m) { return read_texels(gpu, image.mip(m)); }

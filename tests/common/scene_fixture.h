@@ -11,6 +11,14 @@
 
 namespace lightwalk {
 
+/// What this text of a scene file is refused with; empty where it is none.
+inline std::string error_of(const std::string& text) {
+    try {
+        parse_scene(text, "scene.json");
+    } catch (const InputError& e) { return e.what(); }
+    return "";
+}
+
 /// Files that there are, whatever is in them: test_model() makes what they stand for.
 inline const char* const quad_file = "models/cube.obj";    ///< from -1 to 1, facing +z
 inline const char* const other_file = "models/plane.obj";  ///< the same as another mesh

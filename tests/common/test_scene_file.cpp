@@ -5,20 +5,11 @@
 #include <fstream>
 
 #include "catch.h"
-#include "common/base/error.h"
-#include "common/base/files.h"
-#include "common/scene/scene_file.h"
+#include "scene_fixture.h"
 
 using namespace lightwalk;
 
 namespace {
-
-std::string error_of(const std::string& text) {
-    try {
-        parse_scene(text, "scene.json");
-    } catch (const InputError& e) { return e.what(); }
-    return "";
-}
 
 struct Folder {
     std::filesystem::path path =

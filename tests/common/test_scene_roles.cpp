@@ -10,13 +10,6 @@ using namespace lightwalk;
 
 namespace {
 
-std::string error_of(const std::string& text) {
-    try {
-        parse_scene(text, "scene.json");
-    } catch (const InputError& e) { return e.what(); }
-    return "";
-}
-
 /// What an object with a model and these keys is refused with.
 std::string error_of_object(const std::string& keys) {
     return error_of("{\"objects\": [\n{\"model\": \"models/cube.obj\", " + keys + "}]}");
