@@ -122,6 +122,9 @@ def used_with(chapter: str, name: str, knobs: dict) -> list[str]:
             if one.startswith("time=") or one.split("=")[0] in knobs and one.split("=")[0] != name]
 
 
+# Chapters whose knobs are all looked at, borrowed ones as well. In the others a knob is tried in the first chapter that has
+# it, and need only be accepted.
+LOOKED_AT = ("01", "02", "03", "04")
 # Those that by design change nothing in the chapter's own scene, and why; "NN NAME" for one chapter.
 SILENT = {
     "01 loader": "all read one file alike",
@@ -150,15 +153,17 @@ def options_of(settings, mapped: Path) -> list[str]:
 def silent_knobs(chapter: str, known: set, draw) -> list[str]:
     """The knobs that change no picture. One of the chapter's own is drawn at all its values; one in `known`, which an earlier
     chapter has tried, until a picture changes."""
-    knobs, silent = knobs_of(chapter), []
+    knobs, silent, looked_at = knobs_of(chapter), [], chapter.startswith(LOOKED_AT)
     for name, knob in knobs.items():
+        if name in known and not looked_at:
+            continue
         used, changes = scene_of(name) + used_with(chapter, name, knobs), False
         for setting in (f"{name}={value}" for value in settings_of(knob, name in known)):
             if changes and name in known:
                 break
             others = others_of(setting)
             changes |= draw(*used, *others, setting) != draw(*used, *others)
-        if not changes and not {name, f"{chapter[:2]} {name}"} & SILENT.keys():
+        if looked_at and not changes and not {name, f"{chapter[:2]} {name}"} & SILENT.keys():
             silent.append(f"{chapter[:2]} {name}")
     known |= knobs.keys()
     return silent
