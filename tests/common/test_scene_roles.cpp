@@ -10,7 +10,7 @@ using namespace lightwalk;
 
 namespace {
 
-std::string error_of(const std::string& text) {
+std::string refusal_of(const std::string& text) {
     try {
         parse_scene(text, "scene.json");
     } catch (const InputError& e) { return e.what(); }
@@ -18,8 +18,8 @@ std::string error_of(const std::string& text) {
 }
 
 /// What an object with a model and these keys is refused with.
-std::string error_of_object(const std::string& keys) {
-    return error_of("{\"objects\": [\n{\"model\": \"models/cube.obj\", " + keys + "}]}");
+std::string refusal_of_object(const std::string& keys) {
+    return refusal_of("{\"objects\": [\n{\"model\": \"models/cube.obj\", " + keys + "}]}");
 }
 
 /// A quad for each material.
@@ -68,9 +68,9 @@ TEST_CASE("every mistake in a role names file, line, key and the roles there are
     };
     for (const auto& [keys, expected] : mistakes) {
         INFO(keys);
-        CHECK_THAT(error_of_object(keys), Catch::Matchers::Contains(expected));
+        CHECK_THAT(refusal_of_object(keys), Catch::Matchers::Contains(expected));
     }
-    CHECK_THAT(error_of(R"({"objects": [{"role": "planet"}]})"),
+    CHECK_THAT(refusal_of(R"({"objects": [{"role": "planet"}]})"),
                Catch::Matchers::Contains("key 'role' is of an object without a model"));
 }
 
