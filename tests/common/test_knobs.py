@@ -132,7 +132,7 @@ def used_with(chapter: str, name: str, knobs: dict) -> list[str]:
 
 # Chapters whose knobs are all looked at, borrowed ones as well. In the others a knob is tried in the first chapter that has
 # it, and need only be accepted.
-LOOKED_AT = ("01", "02", "03", "04")
+LOOKED_AT = ("01", "02", "03", "04", "05", "08", "10", "11")
 # Those that by design change nothing in the chapter's own scene, and why; "NN NAME" for one chapter.
 SILENT = {
     "01 loader": "all read one file alike",
