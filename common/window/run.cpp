@@ -20,7 +20,8 @@ int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make
         const std::optional<Options> options = read_options(argc, argv, *chapter);
         if (!options) return 0;
         if (!options->list.empty()) return print_list(*options, *chapter);
-        if (!options->compile_shaders.empty()) return compile_all_shaders(*chapter, options->compile_shaders, !options->default_variants);
+        if (!options->compile_shaders.empty())
+            return compile_all_shaders(*chapter, options->compile_shaders, !options->default_variants);
         if (options->pictures) return draw_pictures(*options, name, make, gpu);
         if (options->command) return options->command();
         if (!options->study.empty()) return run_study(*options, *chapter, gpu);
