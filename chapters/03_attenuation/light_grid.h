@@ -1,7 +1,7 @@
 // Lights sorted into the cells of a grid over the screen, on the GPU.
 #pragma once
-#include "03_attenuation/light_data.h"
 #include "03_attenuation/light_buffer.h"
+#include "03_attenuation/light_data.h"
 #include "common/gpu/frame.h"
 #include "common/scene/mesh.h"
 #include "common/scene/view.h"

@@ -1,7 +1,7 @@
 // Tangent frames of a mesh: what 04.tangent_frame says of every triangle's corner, joined at the vertices.
 #pragma once
-#include "common/structs.h"
 #include "common/scene/scene.h"
+#include "common/structs.h"
 
 namespace lightwalk {
 
