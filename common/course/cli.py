@@ -25,6 +25,7 @@ COMMANDS = {
     "progress": "check",
     "study": "study",
     "stretch": "stretch",
+    "shader": "shader",
     "quote": "text_check",
     "format": "format_tree",
     "fuzz": "fuzz",
