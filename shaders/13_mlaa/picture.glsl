@@ -1,5 +1,5 @@
 // The picture that is looked at: linear light, made finite, its border's pixels standing for what lies outside.
-#include "08_bloom/finite_light.glsl"
+#include "common/light.glsl"
 
 uniform sampler2D picture;
 

@@ -1,7 +1,6 @@
 // Exercise 08.bright_pass: what of a pixel is spread over its neighbours.
 // Until you fill it in, everything is, and one broken pixel breaks the picture.
-#include "08_bloom/finite_light.glsl"
-#include "08_bloom/luminance.glsl"
+#include "common/light.glsl"
 #include "08_bloom/soft_knee.glsl"
 
 // [bright_pass]

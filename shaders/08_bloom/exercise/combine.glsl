@@ -1,6 +1,6 @@
 // Exercise 08.combine: the picture and the light that was spread.
 // Until you fill it in, the light is lost.
-#include "08_bloom/finite_light.glsl"
+#include "common/light.glsl"
 
 // [combine]
 // `spread` is finite and 0 or more. Of the radiance, which may be anything, finite_light(radiance) counts. Where `mixes` is

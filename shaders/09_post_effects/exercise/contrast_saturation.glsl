@@ -1,6 +1,6 @@
 // Exercise 09.contrast_saturation: how far apart a picture's brightnesses are, and its colours.
 // Until you fill it in, nothing changes.
-#include "08_bloom/luminance.glsl"
+#include "common/light.glsl"
 
 // [contrast_saturation]
 // contrast: each channel c, in linear light, becomes 0.18 (c / 0.18)^amount. Middle grey, 0.18, stays, and nothing goes below 0: a
