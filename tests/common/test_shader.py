@@ -8,7 +8,9 @@ from pathlib import Path
 
 REAL = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REAL / "common/course"))
+import docs  # noqa: E402
 from glsl_answer import code_of  # noqa: E402
+from pages_markdown import Site, convert  # noqa: E402
 from shader import find_shader, macros_of, names, whole  # noqa: E402
 from tree import UsageError, has_solutions  # noqa: E402
 
@@ -52,6 +54,19 @@ class Whole(unittest.TestCase):
                          {"SHADOW_METHOD": 1, "SHADOW_METHOD_HARD": 0, "SHADOW_METHOD_PCF": 1})
         self.assertEqual(macros_of({"name": "ambient", "type": "switch", "default": True}), {"AMBIENT": 1})
         self.assertEqual(macros_of({"name": "maps.steps", "type": "whole number", "default": 32.0}), {})
+
+
+class Pages(unittest.TestCase):
+    def test_a_lesson_links_to_the_whole_of_each_shader_that_it_quotes(self):
+        site = Site()
+        page = convert(site, Path("docs/03_attenuation.md"))
+        quoted = set(re.findall(r"<!-- quote: (shaders/[^#]*)#", (REAL / "docs/03_attenuation.md").read_text()))
+        quoted = {name for name in quoted if "/exercise/" not in name}
+        self.assertEqual({str(path) for path in site.wholes}, quoted)
+        for path, target in site.wholes.items():
+            self.assertIn(f"[the whole shader]({target})", page)
+            self.assertIn(f"// ==== {path}", docs.whole_page(path))
+            self.assertNotIn("/solution/", docs.whole_page(path))
 
 
 class Names(unittest.TestCase):
