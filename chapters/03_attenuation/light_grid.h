@@ -1,7 +1,7 @@
 // Grid of cells over the screen, with the lights of each cell, built on the GPU.
 #pragma once
-#include "03_attenuation/light_data.h"
 #include "03_attenuation/light_buffer.h"
+#include "03_attenuation/light_data.h"
 #include "common/gpu/frame.h"
 #include "common/scene/mesh.h"
 #include "common/scene/view.h"

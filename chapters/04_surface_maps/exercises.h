@@ -1,6 +1,5 @@
 // C++ exercise of this chapter. The name calls the student's version or the reference, as the switch says.
 #pragma once
-#include "common/structs.h"
 #include "common/base/exercise.h"
 #include "common/structs.h"
 

@@ -6,7 +6,7 @@
 namespace lightwalk {
 namespace {
 
-constexpr int halvings = 8;  // as in parallax.glsl
+constexpr int halvings = 8;  // as in surface_maps.glsl
 
 // Real roots of a r^2 + b r + c, the smaller first; NaN where there are none.
 std::array<double, 2> roots(double a, double b, double c) {

@@ -19,7 +19,7 @@ class HeightField {
     /// Bilinear between texel middles.
     double depth(glm::dvec2 at) const;
 
-    /// The depth at which a ray meets the surface that is above start + t * along at depth t: exact_hit.glsl's twin.
+    /// The depth at which a ray meets the surface that is above start + t * along at depth t: surface_maps.glsl's exact_hit().
     double exact(glm::dvec2 start, glm::dvec2 along) const;
 
     /// The same as a method of the chapter sees it, for a ray with this cosine to the normal (above 0). `start` is also

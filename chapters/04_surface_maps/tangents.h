@@ -1,7 +1,7 @@
 // Tangent frames of a mesh: the result of 04.tangent_frame at every corner, joined at the vertices.
 #pragma once
-#include "common/structs.h"
 #include "common/scene/scene.h"
+#include "common/structs.h"
 
 namespace lightwalk {
 

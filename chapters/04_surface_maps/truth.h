@@ -29,7 +29,7 @@ inline glm::dvec2 parallax_offset_limited(double depth, glm::dvec3 to_eye, glm::
     return -depth * deepest * glm::dvec2(to_eye);
 }
 
-/// The fields of height_field.glsl, by their number.
+/// The fields of tests/04_surface_maps/known_field.glsl, by their number.
 inline double field_depth(int field, double u) {
     if (field == 1) return u - std::floor(u);
     if (field == 2) return 0.5 + 0.5 * std::sin(6.2831853 * u);

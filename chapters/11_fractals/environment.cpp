@@ -2,7 +2,6 @@
 
 #include <glm/gtc/packing.hpp>
 
-
 namespace lightwalk {
 
 const Image& EnvironmentLight::picture_of(Frame& frame, const Scene& scene) {

@@ -49,6 +49,9 @@ bool is_whole(const std::string& type) {
     return type == "int" || type == "uint" || type == "bool" || type[0] == 'i' || (type[0] == 'u' && type != "uint");
 }
 
+// The files that are asked, without the function's call.
+std::string text_of(const Probe& probe) { return probe.before + "#include \"" + probe.include + "\"\n"; }
+
 // What runs the function once for each row: `include` is the text before it, `call` what is done with "CALL".
 std::string shader_text(const Signature& s, const std::string& include, const std::string& output, std::string call) {
     std::string text = include + "layout(local_size_x = 64) in;\nstruct ProbeInput {\n";
@@ -131,8 +134,7 @@ double number_of(const Signature& s, uint32_t word) {
 
 Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs) {
     const Signature s = parse(probe.signature);
-    const std::string source =
-        shader_text(s, "#include \"" + probe.include + "\"\n", "", "    probe_outputs[i].value = CALL;\n");
+    const std::string source = shader_text(s, text_of(probe), "", "    probe_outputs[i].value = CALL;\n");
     const std::vector<uint32_t> words = run(gpu, probe, s, source, outputs * probe.inputs.size());
     // For tests/mutate.py: whether what a probe returns has changed at all.
     if (const char* log = std::getenv("LIGHTWALK_PROBE_LOG"))
@@ -145,7 +147,7 @@ Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs) {
 
 std::optional<std::vector<Undefined>> run_undefined(Gpu& gpu, const Probe& probe, size_t outputs) {
     const Signature s = parse(probe.signature);
-    const std::string flat = flatten_text("#include \"" + probe.include + "\"\n", "probe", "99", probe.macros).text;
+    const std::string flat = flatten_text(text_of(probe), "probe", "99", probe.macros).text;
     const size_t kinds = std::size(undefined_results), stride = 3 + outputs;
     std::string call = "    float[] results = float[](";
     for (const float value : undefined_results)

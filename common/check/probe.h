@@ -28,6 +28,7 @@ struct Bound {
 
 struct Probe {
     std::string include;    ///< "02_lambert_phong/blinn_phong.glsl": the exercise or the solution, by the toggle
+    std::string before;     ///< GLSL that stands before it, such as a test's own version of a file that it includes
     std::string signature;  ///< "float blinn_phong(vec3 normal, vec3 to_light, vec3 to_eye, float shininess)"
     Table inputs;
     std::function<Row(std::span<const double>)> truth;  ///< inputs exactly as the device gets them

@@ -25,6 +25,7 @@ COMMANDS = {
     "progress": "check.check",
     "study": "charts.study",
     "stretch": "check.stretch",
+    "shader": "pages.shader",
     "quote": "pages.quotes",
     "format": "build.format_tree",
     "fuzz": "build.fuzz",

@@ -37,6 +37,10 @@ void refuse_line_numbers(const std::string& text, const std::string& shown) {
         if (std::regex_match(line, directive)) throw ShaderError("{}:{}: no shader has a #line", shown, number);
 }
 
+// A test's text, on disk or in its program: it may say `#pragma replaces "05_shadow_maps/x.glsl"`, and that file is then not
+// read where it is included, for what comes before stands in its place.
+bool is_of_tests(const std::string& shown) { return shown.starts_with("tests/") || !shown.starts_with("shaders/"); }
+
 class Flattener {
   public:
     FlatShader result;
@@ -58,6 +62,7 @@ class Flattener {
 
     void add(const std::string& text, const std::string& shown, const std::string& chapter) {
         static const std::regex directive(R"re(^\s*#\s*include\s+"([^"]+)".*)re");
+        static const std::regex replaces(R"re(^\s*#\s*pragma\s+replaces\s+"([^"]+)".*)re");
         std::istringstream in(text);
         std::string line;
         int number = 0, depth = 0;
@@ -73,6 +78,14 @@ class Flattener {
             if (starts("if")) ++depth;
             if (starts("endif")) --depth;
             std::smatch match;
+            if (starts("pragma") && std::regex_match(line, match, replaces)) {
+                if (!is_of_tests(shown)) throw ShaderError("{}:{}: only tests replace a shader", shown, number);
+                if (!seen_.insert(resolve(match[1], shown, number)).second)
+                    throw ShaderError("{}:{}: shaders/{} was read before it is replaced", shown, number,
+                                      std::string(match[1]));
+                result.text += "\n";
+                continue;
+            }
             if (!starts("include")) {
                 result.text += line + "\n";
                 continue;

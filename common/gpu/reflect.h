@@ -31,7 +31,7 @@ struct Binding {
     uint32_t bytes = 0;     ///< of a uniform block
     bool writable = false;  ///< a storage buffer or image without `readonly`
     bool readable = true;   ///< an image without `writeonly`
-    bool used = true;       ///< main() reaches it; a shader may declare what it does not use, and nothing is bound there
+    bool used = true;  ///< main() reaches it; a shader may declare what it does not use, and nothing is bound there
     std::vector<BlockMember> members;
     uint32_t offset_of_number = 0;  ///< word of the module that holds the binding number
 };

@@ -4,7 +4,6 @@
 #include "02_lambert_phong/blinn_phong.glsl"
 
 // [reflect_light]
-// `to_light` has unit length.
 Reflected reflect_light(Surface surface, vec3 to_light) {
     float received = lambert(surface.normal, to_light);
     float specular = blinn_phong(surface.normal, to_light, surface.to_eye, surface.shininess) *

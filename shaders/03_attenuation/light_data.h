@@ -61,7 +61,9 @@ layout(scalar) uniform LightsGridBlock { GridView lights_grid; };
 uint cell_count() { return lights_grid.tiles.x * lights_grid.tiles.y * lights_grid.slices; }
 
 // Metres in front of the eye. 1 / z is linear in what a depth buffer holds.
-float view_depth(float depth) { return 1.0 / (lights_grid.inverse_far + depth * (lights_grid.inverse_near - lights_grid.inverse_far)); }
+float view_depth(float depth) {
+    return 1.0 / (lights_grid.inverse_far + depth * (lights_grid.inverse_near - lights_grid.inverse_far));
+}
 #endif
 
 END_SHARED

@@ -42,10 +42,11 @@ struct ShadowEye {
 
 #ifndef __cplusplus
 // The map of depths, a layer for each view; outside of it is 0: nothing is nearer to the light.
-int map_texels();                         // along u and along v
-float read_depth(vec2 uv, uint layer);    // of the texel that holds this place
-vec4 gather_depths(vec2 uv, uint layer);  // of the four texels that meet in the corner nearest to uv: x lower left, y lower
-                                          // right, z upper right, w upper left, where lower is the greater v
+int map_texels();                       // along u and along v
+float read_depth(vec2 uv, uint layer);  // of the texel that holds this place
+vec4 gather_depths(vec2 uv,
+                   uint layer);  // of the four texels that meet in the corner nearest to uv: x lower left, y lower
+                                 // right, z upper right, w upper left, where lower is the greater v
 
 // [receiver_struct]
 // A point as a map sees it.
@@ -65,7 +66,8 @@ vec4 plane_depths(Receiver r, vec2 corner) {
     vec2 half_texel = r.slope * (0.5 / float(map_texels()));
     float middle = r.place.z + dot(r.slope, corner - r.place.xy);
     return max(middle + vec4(half_texel.y - half_texel.x, half_texel.x + half_texel.y, half_texel.x - half_texel.y,
-                             -half_texel.x - half_texel.y), 0.0);
+                             -half_texel.x - half_texel.y),
+               0.0);
 }
 // [/plane_depths]
 #endif

@@ -1,6 +1,6 @@
 // A level of the pyramid that does not flicker, and does not keep the light.
 #include "08_bloom/level_source.glsl"
-#include "08_bloom/luminance.glsl"
+#include "common/light.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -1,4 +1,6 @@
 // An image of any size, stretched over the picture; black where it is not to be read.
+#include "common/structs.h"
+
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2D image;
@@ -12,5 +14,5 @@ void look(bool readable, vec2 first, vec2 extent) {
     vec2 uv = (vec2(pixel) + 0.5) / vec2(size);
     ivec2 texel = ivec2(first + uv * extent);
     vec3 shown = readable ? gain * texelFetch(image, texel, 0).rgb : vec3(0.0);
-    imageStore(result, pixel, vec4(min(shown, 65504.0), 1.0));
+    imageStore(result, pixel, vec4(min(shown, LARGEST_HALF), 1.0));
 }

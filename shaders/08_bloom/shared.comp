@@ -1,7 +1,18 @@
 // Weighted neighbours along a line, each texel of which a workgroup reads once.
+#include "08_bloom/step.glsl"
 #include "08_bloom/blur_line.glsl"
 
 layout(local_size_x = 256) in;
+layout(scalar) readonly buffer TapBuffer { vec2 taps[]; };
+int line_number;
+
+// What blur_line.glsl asks of its line.
+vec3 texel(int i) {
+    vec2 along = vec2(step_now.direction);
+    return read((float(i) + 0.5) * along + (float(line_number) + 0.5) * along.yx);
+}
+
+float weight_at(int distance) { return taps[step_now.first_tap + distance].y; }
 
 void main() {
     line_number = int(gl_WorkGroupID.y);

@@ -1,6 +1,6 @@
 // How many pixels of the picture are how bright.
 #include "09_post_effects/histogram_bin.glsl"
-#include "08_bloom/luminance.glsl"
+#include "common/light.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 uniform sampler2D hdr;

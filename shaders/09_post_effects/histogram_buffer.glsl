@@ -1,4 +1,2 @@
-// How many pixels of the picture each bin has. Checks of one bin have no picture.
-#ifndef NO_PICTURE
+// How many pixels of the picture each bin has.
 layout(scalar) coherent buffer BinBuffer { uint picture_bins[]; };
-#endif

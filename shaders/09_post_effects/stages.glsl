@@ -1,7 +1,7 @@
 // What needs nothing but the pixel itself, in the order in which it happens. What is off is not compiled.
 #include "09_post_effects/post_block.glsl"
 #include "09_post_effects/bayer_dither.glsl"
-#include "09_post_effects/codes.glsl"
+#include "common/srgb.glsl"
 #include "09_post_effects/contrast_saturation.glsl"
 #include "09_post_effects/exposure_gamma.glsl"
 #include "09_post_effects/film_grain.glsl"

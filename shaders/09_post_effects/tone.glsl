@@ -1,4 +1,5 @@
 // From light without bounds to what a screen shows.
+#include "common/structs.h"
 #include "09_post_effects/aces.glsl"
 #include "09_post_effects/tone_curve.glsl"
 
@@ -33,7 +34,7 @@ vec3 agx(vec3 c) {
 }
 
 vec3 tone(vec3 radiance) {
-    vec3 c = min(max(radiance, 0.0), 65504.0);
+    vec3 c = min(max(radiance, 0.0), LARGEST_HALF);
 #if POST_TONE == POST_TONE_CLAMP
     return min(c, 1.0);
 #elif POST_TONE == POST_TONE_REINHARD

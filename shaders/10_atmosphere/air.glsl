@@ -3,12 +3,6 @@
 #include "10_atmosphere/density.glsl"
 #include "10_atmosphere/ray_sphere.glsl"
 
-#ifdef KNOWN_AIR
-const Air air = KNOWN_AIR;  // for checks
-#else
-layout(scalar) uniform AirBlock { Air air; };
-#endif
-
 struct Place {
     float height;
     float sun;  // cosine of the angle between the sun and straight up

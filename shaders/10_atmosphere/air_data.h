@@ -37,4 +37,8 @@ struct Along {
     vec3 transmittance;  // what of the light at its end gets through
 };
 
+#ifndef __cplusplus
+layout(scalar) uniform AirBlock { Air air; };
+#endif
+
 END_SHARED

@@ -1,4 +1,5 @@
 // The ground of a planet where nothing stands before it, and the stars beyond the air, as they would look without it.
+#include "common/structs.h"
 #include "10_atmosphere/sea.glsl"
 #include "10_atmosphere/view_path.glsl"
 #include "common/view_rays.h"
@@ -73,5 +74,5 @@ void main() {
     } else {
         light = planet.stars * strength * map_texel(star_map, direction, pixel_rad).rgb;
     }
-    imageStore(result, pixel, vec4(min(light, 65504.0), 1.0));
+    imageStore(result, pixel, vec4(min(light, LARGEST_HALF), 1.0));
 }

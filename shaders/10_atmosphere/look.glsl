@@ -1,4 +1,5 @@
 // What every method's pass over the picture shares: the pixel's path, and what it makes of the picture.
+#include "common/light.glsl"
 #include "10_atmosphere/view_path.glsl"
 #include "common/view_rays.h"
 
@@ -29,8 +30,6 @@ vec3 sun_disc(float cos_angle, float sine, float pixel_rad) {
 }
 // [/sun_disc]
 
-vec3 finite(vec3 light) { return mix(clamp(light, 0.0, 65504.0), vec3(0.0), isnan(light)); }
-
 // The pixel's own picture and the air before it.
 void look(ivec2 pixel) {
     vec3 ray = ray_through(rays, vec2(pixel) + 0.5);
@@ -48,5 +47,5 @@ void look(ivec2 pixel) {
         if (unfinished) return;
         light = light * air_before.transmittance + air_before.light;
     }
-    imageStore(result, pixel, vec4(finite(light), seen.a));
+    imageStore(result, pixel, vec4(finite_light(light), seen.a));
 }

@@ -1,5 +1,6 @@
 // The volume before the eye: what is scattered in up to a distance, and what gets through from there. Its slices lie closer
 // near the eye. A thread is a ray; it keeps what it has gathered at each slice.
+#include "common/structs.h"
 #include "10_atmosphere/sun_table.glsl"
 #include "10_atmosphere/in_scatter.glsl"
 #include "10_atmosphere/view_path.glsl"
@@ -28,7 +29,7 @@ void main() {
         Along more = in_scatter(2, part);
         all = Along(all.light + all.transmittance * more.light, all.transmittance * more.transmittance);
         from = to;
-        imageStore(result, ivec3(texel, slice), vec4(min(all.light, 65504.0), 1.0));
+        imageStore(result, ivec3(texel, slice), vec4(min(all.light, LARGEST_HALF), 1.0));
         imageStore(transmitted, ivec3(texel, slice), vec4(all.transmittance, 1.0));
     }
 }

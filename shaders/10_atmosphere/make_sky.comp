@@ -1,4 +1,5 @@
 // The table of the sky, for the eye's height and the sun of this frame.
+#include "common/structs.h"
 #include "10_atmosphere/sun_table.glsl"
 #include "10_atmosphere/in_scatter.glsl"
 #include "10_atmosphere/sky_view.glsl"
@@ -19,5 +20,5 @@ void main() {
     Path near_by = path, far = path_on(path, 0.2 * path.way);
     near_by.way *= 0.2;
     Along first = in_scatter(20, near_by), then = in_scatter(20, far);
-    imageStore(result, texel, vec4(min(first.light + first.transmittance * then.light, 65504.0), 1.0));
+    imageStore(result, texel, vec4(min(first.light + first.transmittance * then.light, LARGEST_HALF), 1.0));
 }

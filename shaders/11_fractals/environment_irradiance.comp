@@ -1,5 +1,6 @@
 // Irradiance: for each normal the sum over a small level of the picture, each texel with its exact solid angle and the
 // cosine at its middle. A thread has one texel of each of the six faces, for which it reads the picture once.
+#include "common/structs.h"
 #include "11_fractals/environment_map.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -30,5 +31,5 @@ void main() {
         }
     }
     for (int face = 0; face < 6; ++face)
-        imageStore(irradiance, ivec3(texel, face), vec4(min(sums[face], 65504.0), 1.0));
+        imageStore(irradiance, ivec3(texel, face), vec4(min(sums[face], LARGEST_HALF), 1.0));
 }

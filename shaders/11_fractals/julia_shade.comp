@@ -1,4 +1,5 @@
 // What the pixels see: the set, lit by one light and by all that is around it, or what is around it alone.
+#include "common/structs.h"
 #include "02_lambert_phong/lambert.glsl"
 #include "02_lambert_phong/phong.glsl"
 #include "11_fractals/environment.glsl"
@@ -88,5 +89,5 @@ void main() {
 #else
     shown = missed ? environment_radiance(along, julia_look.background_level) : shade(position, along);
 #endif
-    imageStore(result, pixel, vec4(min(shown, 65504.0), 1.0));
+    imageStore(result, pixel, vec4(min(shown, LARGEST_HALF), 1.0));
 }

@@ -1,4 +1,5 @@
 // Snow and land under a clear sky.
+#include "common/structs.h"
 #include "10_atmosphere/preetham_inputs.glsl"
 #include "11_fractals/quintic_noise.glsl"
 #include "11_fractals/terrain.glsl"
@@ -89,6 +90,6 @@ void main() {
     vec3 sun = sun_light(terrain_now.to_sun) * max(dot(normal, terrain_now.to_sun), 0.0) * sun_visible(position);
     vec3 sky = 3.14159265 * sky_light(normalize(vec3(normal.x, 1.5, normal.z)), terrain_now.to_sun);
     float open = pow(max(normal.y, 0.0), terrain.ambient_power) * (1.0 - terrain.ambient) + terrain.ambient;
-    color = vec4(min(albedo / 3.14159265 * (sun + open * sky), 65504.0), 1.0);
+    color = vec4(min(albedo / 3.14159265 * (sun + open * sky), LARGEST_HALF), 1.0);
     // [/shade]
 }

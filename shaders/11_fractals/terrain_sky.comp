@@ -1,4 +1,5 @@
 // The sky behind the ground, and the sun in it.
+#include "common/structs.h"
 #include "10_atmosphere/preetham_inputs.glsl"
 #include "common/view_rays.h"
 
@@ -16,5 +17,5 @@ void main() {
     // A disc of half a degree, drawn a little wider, and far less bright than it is: it is white all the same.
     float disc = smoothstep(0.99993, 0.99996, dot(ray, to_sun));
     vec3 light = sky_light(ray, to_sun) + disc * 2.0 * sun_light(to_sun);
-    imageStore(result, pixel, vec4(min(light, 65504.0), 1.0));
+    imageStore(result, pixel, vec4(min(light, LARGEST_HALF), 1.0));
 }

@@ -1,4 +1,6 @@
 // The blurred light in the picture.
+#include "common/structs.h"
+
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D light, after;
 layout(rgba16f) uniform image2D hdr;
@@ -9,5 +11,5 @@ void main() {
     vec4 own = texelFetch(light, pixel, 0);
     if (own.a == 0.0) return;
     vec4 seen = imageLoad(hdr, pixel);
-    imageStore(hdr, pixel, vec4(min(seen.rgb + own.rgb * texelFetch(after, pixel, 0).rgb, 65504.0), seen.a));
+    imageStore(hdr, pixel, vec4(min(seen.rgb + own.rgb * texelFetch(after, pixel, 0).rgb, LARGEST_HALF), seen.a));
 }

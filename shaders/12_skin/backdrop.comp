@@ -13,5 +13,5 @@ void main() {
     vec2 at = 2.0 * (vec2(pixel) + 0.5) / view.size - 1.0;
     vec4 far = inverse(view.view_projection) * vec4(at, 0.0, 1.0);
     vec3 direction = normalize(far.xyz - view.eye * far.w);
-    imageStore(result, pixel, vec4(min(environment_radiance(direction, backdrop), 65504.0), 1.0));
+    imageStore(result, pixel, vec4(min(environment_radiance(direction, backdrop), LARGEST_HALF), 1.0));
 }

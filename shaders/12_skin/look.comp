@@ -1,4 +1,6 @@
 // A map of the skin in the middle of the picture.
+#include "common/structs.h"
+
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D image;
 layout(scalar) uniform LookBlock { vec3 gain; };
@@ -12,5 +14,5 @@ void main() {
     vec3 shown = vec3(0.01);
     if (all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, vec2(1.0))))
         shown += gain * texelFetch(image, ivec2(at * vec2(textureSize(image, 0))), 0).rgb;
-    imageStore(result, pixel, vec4(min(shown, 65504.0), 1.0));
+    imageStore(result, pixel, vec4(min(shown, LARGEST_HALF), 1.0));
 }

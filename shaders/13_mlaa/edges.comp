@@ -2,6 +2,7 @@
 #include "13_mlaa/lab_edges.glsl"
 #include "13_mlaa/list.glsl"
 #include "13_mlaa/distance_bits.glsl"
+#include "13_mlaa/picture.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
@@ -12,6 +13,8 @@ layout(r32ui) writeonly uniform uimage2D next;  // what no later pass writes is 
 layout(r32ui) writeonly uniform uimage2D diagonal_seeds;
 layout(r32ui) writeonly uniform uimage2D diagonal_next;
 #endif
+
+vec3 lab_at(ivec2 pixel) { return to_lab(light_at(pixel)); }
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = textureSize(picture, 0);

@@ -1,6 +1,6 @@
 // One pass by luma alone, after T. Lottes, "FXAA", 2009: the contrast around a pixel, the direction of its edge, how far
 // the edge goes on to both sides, and how far the pixel lies from the nearer end.
-#include "08_bloom/luminance.glsl"
+#include "common/light.glsl"
 #include "13_mlaa/list.glsl"
 #include "13_mlaa/picture.glsl"
 

@@ -1,15 +1,6 @@
 // For 13.propagate_distance: what is known so far along one direction.
 #include "13_mlaa/distance_bits.glsl"
 
-#ifdef KNOWN_DISTANCES
-// For checks: what is known along a line of pixels, whose last number goes on. Whoever asks too often is told nonsense.
-const uint check_distances[] = uint[](KNOWN_DISTANCES);
-uint check_asked = 0u;
-uint known(uint steps) {
-    if (++check_asked > MOST_READS) return 99u;
-    return check_distances[min(steps, uint(check_distances.length() - 1))];
-}
-#else
 uniform usampler2D from;
 ivec2 known_from, known_direction;
 uint known_shift;
@@ -20,4 +11,3 @@ uint known(uint steps) {
     bool inside = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(from, 0)));
     return inside ? max(byte_of(texelFetch(from, pixel, 0).x, known_shift), 1u) - 1u : 0u;
 }
-#endif

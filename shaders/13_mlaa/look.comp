@@ -1,5 +1,5 @@
 // Edges, or how long they are, over the picture in grey.
-#include "08_bloom/luminance.glsl"
+#include "common/light.glsl"
 #include "13_mlaa/edge_source.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,11 +1,9 @@
 // The picture that is looked at: linear light, made finite, its border's pixels standing for what lies outside.
-#include "08_bloom/finite_light.glsl"
+#include "common/light.glsl"
 
-#ifndef KNOWN_LAB  // checks have pixels of their own
 uniform sampler2D picture;
 
 vec3 light_at(ivec2 pixel) {
     ivec2 inside = clamp(pixel, ivec2(0), textureSize(picture, 0) - 1);
     return finite_light(texelFetch(picture, inside, 0).rgb);
 }
-#endif

@@ -5,3 +5,9 @@ vec3 encode_srgb(vec3 linear) {
     vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
     return mix(low, high, greaterThan(c, vec3(0.0031308)));
 }
+
+// Codes from 0 to 1 to linear light: the other way.
+vec3 decode_srgb(vec3 code) {
+    vec3 low = code / 12.92, high = pow((max(code, 0.0) + 0.055) / 1.055, vec3(2.4));
+    return mix(low, high, greaterThan(code, vec3(0.04045)));
+}

@@ -13,8 +13,8 @@ struct Vertex {
 };
 // [/vertex]
 
-// [tangent_frame]
 // What a vertex needs beside its normal so that a texture's directions are known in the world.
+// [tangent_frame]
 struct TangentFrame {
     vec3 tangent;        // unit length, object space, perpendicular to the normal: where u grows
     float handedness;    // 1 or -1: v grows along handedness * cross(normal, tangent)

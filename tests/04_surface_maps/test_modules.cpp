@@ -65,7 +65,7 @@ TEST_CASE("a shader that asks for the macro of a module it was not given does no
     without_lights.add(chapter.maps.macros());
     CHECK_THROWS_WITH(flatten_stages(chapter.pipeline, without_lights),
                       Catch::Matchers::Contains("nobody defines LIGHTS_FALLOFF") &&
-                          Catch::Matchers::Contains("shaders/03_attenuation/arriving.glsl:"));
+                          Catch::Matchers::Contains("shaders/03_attenuation/lighting.glsl:"));
 }
 
 TEST_CASE("what only the chapter's own shaders name makes no variant of a module's") {

@@ -17,12 +17,9 @@ using namespace lightwalk;
 namespace {
 
 Table run(const std::string& file, const std::string& signature, Table inputs, size_t outputs, Macros macros = {}) {
-    return run_probe(check_device(),
-                     {.include = file,
-                      .signature = signature,
-                      .inputs = std::move(inputs),
-                      .macros = std::move(macros)},
-                     outputs);
+    return run_probe(
+        check_device(),
+        {.include = file, .signature = signature, .inputs = std::move(inputs), .macros = std::move(macros)}, outputs);
 }
 
 // The share of rays at this angle to the normal that should meet a spike one texel wide, and do not.
@@ -32,9 +29,8 @@ double missed_spikes(int steps, double angle_deg) {
     Table rays;
     for (int i = 0; i < 4000; ++i)
         rays.push_back({0.5 + random.uniform(0.002, shift - 0.002), 0.5, shift, 0, double(steps)});
-    const Table hits =
-        run("../tests/04_surface_maps/known_field.glsl", "float first_layer_below(vec2 uv, vec2 shift, int steps)", rays, 1,
-            {{"FIELD", "3"}});
+    const Table hits = run("../tests/04_surface_maps/known_field.glsl",
+                           "float first_layer_below(vec2 uv, vec2 shift, int steps)", rays, 1, {{"FIELD", "3"}});
     double missed = 0;
     for (const Row& hit : hits) missed += hit[0] >= 0.9999;  // the floor behind
     return missed / static_cast<double>(rays.size());
@@ -87,8 +83,9 @@ TEST_CASE("codes too long for a unit vector have z = 0, not NaN") {
 }
 
 TEST_CASE("roughness 0 has an exponent, and roughness 1 is matt") {
-    const Table mixed = run("04_surface_maps/mix_orm.glsl", "MixedMaterial mix_orm(vec3 base, float roughness, float metalness)",
-                            {{1, 1, 1, 0, 1}, {1, 1, 1, 1e-20, 1}, {1, 1, 1, 1, 0}}, 7);
+    const Table mixed =
+        run("04_surface_maps/mix_orm.glsl", "MixedMaterial mix_orm(vec3 base, float roughness, float metalness)",
+            {{1, 1, 1, 0, 1}, {1, 1, 1, 1e-20, 1}, {1, 1, 1, 1, 0}}, 7);
     CHECK(mixed[0][6] == 8192);
     CHECK(mixed[1][6] == 8192);
     CHECK(mixed[2][6] == 0);

@@ -58,6 +58,7 @@ CHECK_EXERCISE("07.box_2x2", "The texel `at` covers 2 at and the next texel in e
         macros.set("FIELD_WIDTH", std::to_string(size.x));
         macros.set("FIELD_HEIGHT", std::to_string(size.y));
         Probe probe{.include = "07_mipmaps/box_2x2.glsl",
+                    .before = "#include \"../tests/07_mipmaps/known_source.glsl\"\n",
                     .signature = "vec4 box_2x2(ivec2 at)",
                     .truth =
                         [size](std::span<const double> in) {
@@ -233,6 +234,7 @@ CHECK_EXERCISE("07.keep_coverage",
         int all = 0;
         for (int code = 0; code < 256; ++code) all += texels_with(field, code);
         Probe probe{.include = "07_mipmaps/keep_coverage.glsl",
+                    .before = "#include \"../tests/07_mipmaps/known_alpha.glsl\"\n",
                     .signature = "float keep_coverage(float wanted, float cutoff)",
                     .truth = [](std::span<const double>) { return Row{1}; },
                     .bound = {.absolute = 1e9},  // many are right: the property says which

@@ -16,6 +16,7 @@ CHECK_EXERCISE(
     glm::dvec2 mean(0), square(0);
     for (const glm::ivec2 impulse : {glm::ivec2{8, 8}, {9, 8}, {8, 9}, {9, 9}}) {
         Probe probe{.include = "08_bloom/down_filter.glsl",
+                    .before = "#include \"../tests/08_bloom/known_level.glsl\"\n",
                     .signature = "vec3 down_filter(ivec2 at)",
                     .truth =
                         [](std::span<const double>) {
@@ -61,7 +62,7 @@ namespace {
 // Four workgroups on a line that is known, each beside what a plain loop gives.
 constexpr const char* harness = R"(
 layout(local_size_x = 256) in;
-#include "08_bloom/line_source.glsl"
+#include "../tests/08_bloom/known_line.glsl"
 layout(scalar) uniform RadiusBlock { int radius; };
 // Before the answer: whatever it calls by the names of GLSL's own, this is what they mean here.
 void check_begin() {
@@ -94,8 +95,7 @@ struct Answer {
 
 void compare(Check& check, uint32_t group, int radius) {
     Gpu& gpu = check_device();
-    const Pipeline pipeline = compute(
-        {.shader = "check of blur_line", .macros = {{"COUNTED", "900"}}, .source = traced_barriers() + harness});
+    const Pipeline pipeline = compute({.shader = "check of blur_line", .source = traced_barriers() + harness});
     const Image known(gpu.device, {.name = "known", .size = {3072, 1}});
     std::vector<uint64_t> texels;
     uint32_t n = 7 + check_seed();

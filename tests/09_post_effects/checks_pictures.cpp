@@ -15,6 +15,7 @@ CHECK_EXERCISE("09.radial_blur",
                "There are taps - 1 intervals between the reads; the first read is the pixel itself.") {
     Random random;
     Probe probe{.include = "09_post_effects/radial_blur.glsl",
+                .before = "#include \"../tests/09_post_effects/known_picture.glsl\"\n",
                 .signature = "vec3 radial_blur(vec2 uv, vec2 centre, float strength, int taps)",
                 .inputs = {{0.2, 0.3, 0.5, 0.5, 0.5, 1},
                            {0.2, 0.3, 0.5, 0.5, 0, 4},
@@ -34,7 +35,6 @@ CHECK_EXERCISE("09.radial_blur",
                         return Row{sum.x, sum.y, sum.z};
                     },
                 .bound = {.absolute = 5e-6, .relative = 1e-5},
-                .macros = {{"KNOWN_PICTURE", "1"}},
                 .hint = [](auto in, auto) -> std::string {
                     if (in[5] == 1) return "With one tap there is no interval to divide by.";
                     return "There are taps - 1 intervals, and the last tap lies at the full strength; take the mean of "
@@ -51,6 +51,7 @@ CHECK_EXERCISE("09.sharpen", "Two loops of three; clamp each neighbour into the 
     const Row identity{0, 0, 0, 0, 1, 0, 0, 0, 0}, emboss{-2, -1, 0, -1, 1, 1, 0, 1, 2},
         edges{-1, -1, -1, -1, 8, -1, -1, -1, -1};
     Probe probe{.include = "09_post_effects/sharpen.glsl",
+                .before = "#include \"../tests/09_post_effects/known_picture.glsl\"\n",
                 .signature = "vec3 sharpen(ivec2 pixel, mat3 kernel)",
                 .truth =
                     [](std::span<const double> in) {
@@ -66,7 +67,6 @@ CHECK_EXERCISE("09.sharpen", "Two loops of three; clamp each neighbour into the 
                         return Row{sum.x, sum.y, sum.z};
                     },
                 .bound = {.absolute = 2e-4, .relative = 2e-5},
-                .macros = {{"KNOWN_PICTURE", "1"}},
                 .hint = [](auto in, auto out) -> std::string {
                     for (const double c : out) {
                         if (c < 0) return "Light is never below 0.";
@@ -96,6 +96,7 @@ namespace {
 // Four workgroups whose threads come in another order each, and whose shared memory is full of something else.
 constexpr const char* harness = R"(
 layout(local_size_x = 256) in;
+#include "../tests/09_post_effects/known_bins.glsl"
 #include "09_post_effects/histogram_bin.glsl"
 layout(scalar) readonly buffer GivenBuffer { uint given[]; };
 layout(scalar) writeonly buffer PassedBuffer { uint passed[]; };
@@ -110,8 +111,7 @@ void main() {
 
 void count(Check& check, const std::string& what, const std::vector<uint32_t>& given, uint32_t most_groups) {
     Gpu& gpu = check_device();
-    const Pipeline pipeline = compute(
-        {.shader = "check of histogram_bin", .macros = {{"COUNTED", "1"}}, .source = traced_barriers() + harness});
+    const Pipeline pipeline = compute({.shader = "check of histogram_bin", .source = traced_barriers() + harness});
     const Buffer words = gpu.upload("given", given), bins = gpu.upload("bins", std::vector<uint32_t>(512, 0));
     const Buffer passed(gpu.device, {.name = "passed", .bytes = 4 * given.size()});
     Frame frame(gpu);
@@ -181,7 +181,6 @@ CHECK_EXERCISE("09.histogram_bin",
                 return Row{1 + std::min(std::floor(truth::histogram_position(in[0])), 254.0)};
             },
         .bound = {.absolute = 0.5},
-        .macros = {{"NO_PICTURE", "1"}},
         .hint = [](auto in, auto) -> std::string {
             if (!(in[0] >= 1.0 / 4096))
                 return "0, negative numbers and NaN belong to bin 0; a comparison with NaN is false.";

@@ -126,7 +126,8 @@ CHECK_EXERCISE("10.phase_mie", "x^1.5 is x sqrt(x); and divide by 4 pi.") {
 CHECK_EXERCISE("10.in_scatter", "The light of a part passes through the parts before it and half of its own.") {
     const Air air = earth_air();
     const auto phase = [&](double c) { return truth::phase_cornette_shanks(c, double(air.mie_g)); };
-    Probe probe{.include = "10_atmosphere/in_scatter_known.glsl",
+    Probe probe{.include = "../tests/10_atmosphere/in_scatter_known.glsl",
+                .before = with_known_air,
                 .signature = "Along in_scatter(int samples, Path path)",
                 .truth =
                     [&](std::span<const double> in) {

@@ -28,7 +28,10 @@ inline Air earth_air() {
             .ground = glm::vec3(0.1f)};
 }
 
-/// For shaders that include 10_atmosphere/air.glsl; with the phase function that Atmosphere's knob says by default.
+/// GLSL that stands before whatever includes 10_atmosphere/air.glsl.
+inline const char* const with_known_air = "#include \"../tests/10_atmosphere/known_air.glsl\"\n";
+
+/// The air for it; with the phase function that Atmosphere's knob says by default.
 inline Macros known_air(const Air& air) {
     const auto vec = [](glm::vec3 v) { return fmt::format("vec3({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z); };
     return {

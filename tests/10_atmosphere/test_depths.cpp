@@ -44,6 +44,7 @@ TEST_CASE("sunlight by a formula: within 0.5% of the depth, from the ground to 6
             if (least < -0.01) inputs.push_back({height, 0.5 * least});
         }
         Probe probe{.include = "10_atmosphere/closed_depth.glsl",
+                    .before = with_known_air,
                     .signature = "vec3 closed_depth(float height, float slope)",
                     .inputs = inputs,
                     .truth = {},

@@ -21,6 +21,7 @@ std::vector<double> ask(const Probe& probe) {
 
 Probe of_air(const std::string& include, const std::string& signature, Table inputs) {
     return {.include = include,
+            .before = with_known_air,
             .signature = signature,
             .inputs = std::move(inputs),
             .truth = {},
@@ -105,9 +106,9 @@ TEST_CASE(
                                   double(float(way))});
             }
     inputs.push_back({512, edge, -0.17, 0.05, 0.4, 2.0e6 * 0.55});  // through the limb
-    const Table found =
-        run_probe(validated_device(),
-                  of_air("10_atmosphere/in_scatter_known.glsl", "Along in_scatter(int samples, Path path)", inputs), 6);
+    const Table found = run_probe(
+        validated_device(),
+        of_air("../tests/10_atmosphere/in_scatter_known.glsl", "Along in_scatter(int samples, Path path)", inputs), 6);
     double worst = 0;
     for (size_t i = 0; i < inputs.size(); ++i) {
         const Row& in = inputs[i];

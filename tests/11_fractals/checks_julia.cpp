@@ -137,7 +137,7 @@ CHECK_EXERCISE("11.march", "Remember the distance at the previous point and the 
                             {"a grain at the end", {{4, 3, 1}, {9.94, 0, 0.04}, {0, 0, 0}}},
                             {"nothing", {{50, 30, 1}, {0, 0, 0}, {0, 0, 0}}}};
     for (const Balls& balls : scenes) {
-        Probe probe{.include = "11_fractals/march_counted.glsl",
+        Probe probe{.include = "../tests/11_fractals/march_counted.glsl",
                     .signature =
                         "MarchCounted march_counted(float start, float end, float epsilon, float slope, float "
                         "relaxation, int most)",
@@ -225,7 +225,7 @@ CHECK_EXERCISE("11.march", "Remember the distance at the previous point and the 
         }
     }
     // What relaxation is for: along an edge, fewer distances.
-    Probe edge{.include = "11_fractals/march_counted.glsl",
+    Probe edge{.include = "../tests/11_fractals/march_counted.glsl",
                .signature =
                    "MarchCounted march_counted(float start, float end, float epsilon, float slope, float relaxation, "
                    "int most)",

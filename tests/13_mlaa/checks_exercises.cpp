@@ -117,6 +117,7 @@ CHECK_EXERCISE("13.propagate_distance", "Begin with known(0); read each further 
             std::string words;
             for (const uint32_t word : line) words += fmt::format("{}{}u", words.empty() ? "" : ", ", word);
             Probe probe{.include = "13_mlaa/propagate_distance.glsl",
+                        .before = "#include \"../tests/13_mlaa/known_line.glsl\"\n",
                         .signature = "uint propagate_distance(int reads, uint reach)",
                         .inputs = {},
                         .truth =
@@ -145,6 +146,7 @@ CHECK_EXERCISE("13.propagate_distance", "Begin with known(0); read each further 
 CHECK_EXERCISE("13.line_ends",
                "At each end test three edges: the continuation, and the crossing edges on the near and the far side.") {
     Probe probe{.include = "13_mlaa/line_ends.glsl",
+                .before = "#include \"../tests/13_mlaa/known_edges.glsl\"\n",
                 .signature = "ivec2 line_ends(ivec2 first, ivec2 last, bool horizontal)",
                 .inputs = {},
                 .truth =
@@ -152,7 +154,6 @@ CHECK_EXERCISE("13.line_ends",
                         const auto [back, ahead] = ends_of(in);
                         return Row{double(side_of(back, ahead)), double(side_of(ahead, back))};
                     },
-                .macros = {{"KNOWN_EDGES", "1"}},
                 .hint = [](auto in, auto) -> std::string {
                     const auto [back, ahead] = ends_of(in);
                     const auto words = [](const End& e) {

@@ -13,7 +13,6 @@ using namespace lightwalk;
 namespace {
 
 const std::string before = R"(
-#define KNOWN_LAB
 int corner_x() { return 16 * int(case_index) - 16; }
 int corner_y() { return 16 - 16 * int(case_index); }
 vec3 lab_at(ivec2 pixel) {

@@ -62,7 +62,8 @@ ATTACKS = {
     "waits for nobody": ("06.accumulate_lights", "void barrier() {}\n" + NAIVE_LIGHTS, "syntax error"),
     "sets the pixels' counts back": ("13.lab_edges", begins(NAIVE_LAB, "lab_edges", "check_asked[0] = 0u;"), "the checks' own"),
     "knows that it is checked": (
-        "13.lab_edges", begins(NAIVE_LAB, "lab_edges", "\n#ifdef KNOWN_LAB\n    return 0u;\n#endif\n"), "by which shaders know"),
+        "13.propagate_distance", begins(right("13.propagate_distance"), "propagate_distance",
+                                        "\n#ifdef KNOWN_DISTANCES\n    return 0u;\n#endif\n"), "by which shaders know"),
     "does not let the check wait": ("13.lab_edges", "void barrier() {}\n" + NAIVE_LAB, "syntax error"),
     "says itself which barriers it passed": (
         "08.blur_line", before(TWO_BARRIERS, "    int middle", "    check_barriers_passed = 1u;\n"), "the checks' own"),
@@ -84,7 +85,7 @@ ATTACKS = {
     "reads past the count": (
         "08.blur_line", NAIVE_LINE.replace("texel(", "texelFetch(check_known, ivec2(1024), 0).rgb + 0.0 * texel("),
         "the checks' own"),
-    "looks how it is counted": ("08.blur_line", begins(NAIVE_LINE, "blur_line", "int n = COUNTED;"), "by which shaders know"),
+    "looks how it is counted": ("08.down_filter", begins(right("08.down_filter"), "down_filter", "int n = IMPULSE_X;"), "by which shaders know"),
     "makes the check agree": (
         "08.blur_line", '#include "08_bloom/line_source.glsl"\n'
         "vec4 texelFetch(sampler2D s, ivec2 at, int level) { return vec4(0.0); }\n"

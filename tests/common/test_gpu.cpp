@@ -129,6 +129,20 @@ TEST_CASE("a chapter cannot include a later one, nor a file that is not there, n
                       Catch::Matchers::Contains("x:2: #include within #if"));
 }
 
+TEST_CASE("a test's text replaces a file that is included after it; a shader's may not") {
+    const std::string own = "#pragma replaces \"common/srgb.glsl\"\nvec3 encode_srgb(vec3 own) { return own; }\n",
+                      include = "#include \"common/srgb.glsl\"\n";
+    const FlatShader flat = flatten_text(own + include, "test", "01", {});
+    CHECK(flat.files.empty());
+    CHECK(flat.text.find("vec3 linear") == flat.text.npos);
+    CHECK_THROWS_WITH(flatten_text(include + own, "test", "01", {}),
+                      Catch::Matchers::Contains("test:2: shaders/common/srgb.glsl was read before it is replaced"));
+    CHECK_THROWS_WITH(flatten_text(own, "shaders/01_obj/exercise/transform.glsl", "01", {}),
+                      Catch::Matchers::Contains("only tests replace a shader"));
+    CHECK_THROWS_WITH(flatten_text("#pragma replaces \"common/absent.glsl\"\n", "test", "01", {}),
+                      Catch::Matchers::Contains("test:1: no file shaders/common/absent.glsl"));
+}
+
 TEST_CASE("only macros that a shader names make another variant of it") {
     const Macros defines{{"METHOD", "1"}, {"UNUSED", "2"}};
     const std::string text = flatten_text("#if METHOD == 1\n#endif\n", "x", "01", defines).text;

@@ -48,6 +48,31 @@ void main() {
     CHECK(value(number) == 6);
 }
 
+TEST_CASE_METHOD(OnDevice, "what a shader declares and main() does not reach need not be set, and may be") {
+    const Pipeline part = compute_pipeline("part", R"(
+layout(local_size_x = 4, local_size_y = 4) in;
+uniform sampler2D absent;
+layout(scalar) uniform AbsentBlock { vec4 color; } missing;
+layout(scalar) uniform NumberBlock { float number; };
+layout(r32f) writeonly uniform image2D into;
+vec4 not_called() { return missing.color * textureLod(absent, vec2(0.5), 0.0); }
+void main() { imageStore(into, ivec2(gl_GlobalInvocationID.xy), vec4(number)); }
+)");
+    const Image into = image({.name = "into", .format = one_float, .size = {4, 4}});
+    const auto record = [&](const std::function<void(Compute&)>& set) {
+        frame.compute("part", {.writes = {into}}, [&](Compute& pass) {
+            set(pass.use(part).set("into", into));
+            pass.dispatch_threads(frame.size);
+        });
+    };
+    CHECK(failure_of([&] { record([](Compute&) {}); }) == "pass 'part' draws or dispatches without 'number' being set");
+    CHECK(failure_of([&] { record([](Compute& pass) { pass.set("nobody", 1.0f); }); }) ==
+          "pass 'part': its shaders have no binding 'nobody'; they have: into, number, absent, missing");
+    record([](Compute& pass) { pass.set("number", 2.0f).set("missing", glm::vec4(1)).offer("missing", glm::vec4(1)); });
+    frame.end();
+    CHECK(value(into) == 2);
+}
+
 TEST_CASE_METHOD(OnDevice, "a texture that a pass writes before it reads it stands in both lists") {
     const Pipeline fill = compute_pipeline("fill", R"(
 layout(local_size_x = 4, local_size_y = 4) in;

@@ -174,7 +174,7 @@ def macros_of_checks() -> frozenset[str]:
     for source in (*(ROOT / "tests").glob("*/checks_*.cpp"), *(ROOT / "tests").glob("*/*.h")):
         text = source.read_text(errors="replace")
         named |= set(re.findall(r'(?:\{|macros\.set\()"([A-Z][A-Z0-9_]+)"|^#define ([A-Z][A-Z0-9_]+)', text, re.M))
-    for shader in (ROOT / "shaders").rglob("*.*"):
+    for shader in (*(ROOT / "shaders").rglob("*.*"), *(ROOT / "tests").glob("*/*.glsl")):
         asked |= set(WORD.findall(code_of(shader.read_text(errors="replace"))))
     return frozenset(name for pair in named for name in pair if name in asked)
 

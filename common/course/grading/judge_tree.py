@@ -58,7 +58,7 @@ def copy_without_answers(to: Path, starters: dict[Path, bytes]):
             continue
         if "solution" in name.parts:
             (to / name.parent).mkdir(parents=True, exist_ok=True)
-        elif (name.parts[0] != "tests" or name.parts[1] == "common") and \
+        elif (name.parts[0] != "tests" or name.parts[1] == "common" or name.suffix == ".glsl") and \
                 not any(name.match(pattern) for pattern in LEFT_OUT):
             (to / name.parent).mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / name, to / name)

@@ -13,6 +13,7 @@ from pathlib import Path
 from check.check import in_order
 from pages.page import TEMPLATES
 from pages.pages_markdown import Site, convert
+from pages.shader import whole
 from tree import BUILD, ROOT, Failure, chapters, relative, say, shots, write_atomically
 
 ALONE = True
@@ -79,6 +80,8 @@ def write_sources(folder: Path):
         shutil.copyfile(ROOT / path, folder / target)
     for path, target in site.sources.items():
         write_atomically(folder / target, source_page(path))
+    for path, target in site.wholes.items():
+        write_atomically(folder / target, whole_page(path))
     assets = folder / "assets"
     shutil.copytree(KATEX / "fonts", assets / "katex" / "fonts", ignore=shutil.ignore_patterns("*.ttf", "*.woff"))
     for name in ("katex.min.css", "katex.min.js"):
@@ -99,6 +102,14 @@ def source_page(path: Path) -> str:
     text = (ROOT / path).read_text(encoding="utf-8", errors="replace")
     fence = "`" * max([3, *(len(ticks) + 1 for ticks in re.findall(r"^`{3,}", text, re.M))])
     return f"{head}{fence}{language}\n{text.rstrip()}\n{fence}\n"
+
+
+def whole_page(path: Path) -> str:
+    """A shader with all that it includes; of exercises what is handed out, so that no page tells an answer."""
+    text = whole(str(path.relative_to("shaders")), "exercise")
+    return (f"---\nhide:\n  - toc\nsearch:\n  exclude: true\n---\n\n# {path}\n\n"
+            f"The whole shader, as `./course shader {path.relative_to('shaders')} --use exercise` prints it without knobs.\n\n"
+            f"```glsl\n{text.rstrip()}\n```\n")
 
 
 def title_and_teaser(chapter: str) -> tuple[str, str]:

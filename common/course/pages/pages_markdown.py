@@ -7,7 +7,8 @@ What a page has more than a forge shows:
     |---|---|
     | ![A](a.png) | ![B](b.png) |
 
-    <!-- quote: FILE#MARKER -->       the block of code that follows has FILE over it
+    <!-- quote: FILE#MARKER -->       the block of code that follows has FILE over it; below that of a shader is a link to
+                                      the whole shader
     ### 02.phong (medium)             the address #02.phong as well, and how hard it is as a mark
     <details>                         Markdown inside, in a list too
 
@@ -42,6 +43,7 @@ class Site:
     def __init__(self):
         self.pictures: dict[Path, Path] = {}  # of the tree: of the site
         self.sources: dict[Path, Path] = {}
+        self.wholes: dict[Path, Path] = {}  # shaders with all that they include
         self.texts: dict[Path, Path] = {}
         self.waiting: list[Path] = []  # texts nobody has turned yet
 
@@ -66,15 +68,17 @@ class Site:
 def convert(site: Site, text: Path) -> str:
     """The Markdown for mkdocs of one text of the tree. Raises Failure, with file and line."""
     lines = folded(indented((ROOT / text).read_text(encoding="utf-8").splitlines()))
-    out, fence, i = [], None, 0
+    out, fence, i, whole = [], None, 0, ""
     while i < len(lines):
         line, i = lines[i], i + 1
         try:
             before, fence = fence, fence_after(fence, line)
             if before:
-                out.append(line)
+                out += [line] if fence or not whole else [line, "", whole]
             elif fence:
-                out.append(titled(line, lines[i - 2] if i > 1 else ""))
+                quote = QUOTE.match(lines[i - 2]) if i > 1 else None
+                out.append(f'{line} title="{quote[1]}"' if quote else line)
+                whole = whole_link(site, text, line, quote)
             elif COMPARE.match(line):
                 out += ["", slider(site, text, lines[i:i + 3]), ""]
                 i += 3
@@ -131,10 +135,14 @@ def folded(lines: list[str]) -> list[str]:
     return out
 
 
-def titled(fence: str, before: str) -> str:
-    """The first line of a block of code, with the file's name where the line before quotes one."""
-    quote = QUOTE.match(before)
-    return f'{fence} title="{quote[1]}"' if quote else fence
+def whole_link(site: Site, text: Path, fence: str, quote: re.Match | None) -> str:
+    """Below a block that quotes a shader, a link to all of it; empty for other blocks. An exercise's is in its file."""
+    shader = Path(quote[1]) if quote else Path()
+    if shader.parts[:1] != ("shaders",) or shader.parent.name in ("exercise", "solution"):
+        return ""
+    target = site.wholes.setdefault(shader, Path("whole") / shader.relative_to("shaders").with_suffix(f"{shader.suffix}.md"))
+    indent = fence[:len(fence) - len(fence.lstrip())]
+    return f"{indent}[the whole shader]({os.path.relpath(target, site.target(text).parent)}){{.whole}}"
 
 
 def convert_line(site: Site, text: Path, line: str) -> str:

@@ -1,7 +1,6 @@
 // Exercise 08.bright_pass: the light of a pixel that is blurred.
 // As it stands, all light is blurred, and one infinite or NaN pixel spoils the picture.
-#include "08_bloom/finite_light.glsl"
-#include "08_bloom/luminance.glsl"
+#include "common/light.glsl"
 #include "08_bloom/soft_knee.glsl"
 
 // [bright_pass]

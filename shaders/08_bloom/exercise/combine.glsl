@@ -1,6 +1,6 @@
 // Exercise 08.combine: adds the blurred light to the picture.
 // As it stands, the blurred light is lost.
-#include "08_bloom/finite_light.glsl"
+#include "common/light.glsl"
 
 // [combine]
 // Returns the radiance of a pixel of the picture with its bloom.

@@ -1,6 +1,5 @@
 // Solution of 08.bright_pass.
-#include "08_bloom/finite_light.glsl"
-#include "08_bloom/luminance.glsl"
+#include "common/light.glsl"
 #include "08_bloom/soft_knee.glsl"
 
 vec3 bright_pass(vec3 radiance, float threshold, float knee) {

@@ -1,5 +1,5 @@
 // Solution of 08.combine.
-#include "08_bloom/finite_light.glsl"
+#include "common/light.glsl"
 
 vec3 combine(vec3 radiance, vec3 spread, float strength, bool mixes) {
     vec3 light = finite_light(radiance);

@@ -1,6 +1,6 @@
 // Exercise 09.contrast_saturation: contrast around middle grey, and saturation around luminance.
 // As it stands, nothing changes.
-#include "08_bloom/luminance.glsl"
+#include "common/light.glsl"
 
 // [contrast_saturation]
 // contrast: each channel c, in linear light, becomes 0.18 (c / 0.18)^amount, so that

@@ -1,5 +1,5 @@
 // Solution of 09.contrast_saturation.
-#include "08_bloom/luminance.glsl"
+#include "common/light.glsl"
 
 vec3 contrast(vec3 color, float amount) {
     if (amount == 0.0) return vec3(0.18);

@@ -1,5 +1,5 @@
 // right
-#include "08_bloom/luminance.glsl"
+#include "common/light.glsl"
 vec3 contrast(vec3 color, float amount) {
     vec3 result;
     for (int i = 0; i < 3; ++i)
