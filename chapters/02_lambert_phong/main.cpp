@@ -59,7 +59,7 @@ struct LambertPhong : ModelChapter {
             if (ambient) pass.set("ambient", scene.file.ambient);
             pass.draw(scene);
         };
-        if (mist > 0.0f) {  // before a sky, and in the air between: three passes
+        if (mist > 0.0f) {  // a sky behind, mist in between: three passes
             set_mist(frame);
             record_mist(frame, {sky, fade, draw_scene});
         } else {
