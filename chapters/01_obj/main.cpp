@@ -7,7 +7,7 @@
 using namespace lightwalk;
 
 struct Obj : ModelChapter {
-    // The textbook loader is the one the exercises complete; the others show what more can be had.
+    // The exercises complete the textbook loader; the others show faster ways.
     Choice method{*this,
                   "loader",
                   {"textbook", "tinyobjloader", "assimp", "scan", "parallel"},
@@ -33,7 +33,7 @@ struct Obj : ModelChapter {
     void frame(Frame& frame) override {
         set_view(frame);
 
-        // 1. The mesh into the HDR target; what is nearer has the greater depth.
+        // 1. The mesh, into the HDR target. Nearer surfaces have greater depth.
         frame.raster("clay",
                      {.color = {clear(frame.hdr, glm::vec4(scene.file.background, 1.0f))}, .depth = frame.depth},
                      [&](Raster& pass) { pass.use(clay).draw(scene); });

@@ -30,10 +30,10 @@ class VertexTable {
     }
 
     // [find]
-    /// The vertex's number in the mesh; a new one where `is_new`.
+    /// Number of the vertex in the mesh; `is_new` tells whether it was added.
     uint32_t find(const Corner& corner, bool& is_new) {
         int length = 0;
-        // Entries of earlier meshes lie behind all of this mesh's.
+        // In the chain, entries of earlier meshes follow all entries of this one.
         for (uint32_t i = first_[corner.position]; i != none && i >= mesh_start_; i = entries_[i].next) {
             if (entries_[i].uv == corner.uv && entries_[i].normal == corner.normal)
                 return is_new = false, i - mesh_start_;

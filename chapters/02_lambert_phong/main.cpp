@@ -24,11 +24,8 @@ struct LambertPhong : ModelChapter {
     Knob<bool> ambient{*this, "ambient", true, "Ambient light of the scene, added to every surface"};
     Knob<float> shininess{
         *this, "shininess", 0.0f, {0.0f, 4096.0f}, "Specular exponent for all materials; 0 keeps each material's own"};
-    Knob<float> wrap{*this,
-                     "wrap",
-                     0.5f,
-                     {0.0f, 1.0f},
-                     "Wrap: minus the cosine at which wrapped light ends, from 0 (Lambert) to 1 (lit all around)"};
+    Knob<float> wrap{
+        *this, "wrap", 0.5f, {0.0f, 1.0f}, "Wrap of the diffuse light: 0 is Lambert, 1 lights the whole object"};
     Knob<float> wrap_power{*this, "wrap_power", 1.5f, {0.1f, 8.0f}, "Exponent of the wrapped diffuse term"};
     Knob<glm::vec3> wrap_tint{*this,
                               "wrap_tint",
@@ -62,7 +59,7 @@ struct LambertPhong : ModelChapter {
             if (ambient) pass.set("ambient", scene.file.ambient);
             pass.draw(scene);
         };
-        if (mist > 0.0f) {  // before a sky, and in the air between: three passes
+        if (mist > 0.0f) {  // a sky behind, mist in between: three passes
             set_mist(frame);
             record_mist(frame, {sky, fade, draw_scene});
         } else {

@@ -43,10 +43,10 @@ struct Attenuation : ModelChapter {
     void frame(Frame& frame) override {
         const View view = set_view(frame);
 
-        // 1. The lights, where something has changed.
+        // 1. The lights, if any has changed.
         lights.update(frame, scene, lights_at(frame.time_s, frame.seed));
 
-        // 2. Depth alone, so that each pixel is lit once, and tiles know what they hold.
+        // 2. Depth alone, so that each pixel is lit once and tiles know their depth range.
         frame.raster("depth", {.depth = frame.depth}, [&](Raster& pass) { pass.use(depth).draw(scene); });
 
         // 3. Lights into cells.

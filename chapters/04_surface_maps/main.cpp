@@ -49,14 +49,14 @@ struct SurfaceMaps : ModelChapter {
         const bool measures = show.is("hit_error") || show.is("swim");
         const glm::vec4 behind(measures ? glm::vec3(-1.0f) : scene.file.background, 1.0f);
 
-        // 1. The lights of chapter 03, into tiles or clusters where those are its method.
+        // 1. The lights of chapter 03, into tiles or clusters if one of these is the method.
         lights.update(frame, scene, scene.file.lights);
         if (lights.needs_depth())
             frame.raster("depth", {.depth = frame.depth, .with = {maps}},
                          [&](Raster& pass) { maps.draw(pass, scene, depth, displaced_depth); });
         lights.record(frame, scene, view, frame.depth);
 
-        // 2. Every surface, each by the variant that has just its maps.
+        // 2. Every surface, each with the shader variant for exactly its maps.
         frame.raster("shade", {.color = {clear(frame.hdr, behind)}, .depth = frame.depth, .with = {maps, lights}},
                      [&](Raster& pass) { maps.draw(pass, scene, surface, displaced); });
 

@@ -43,13 +43,13 @@ void SurfaceScene::record_light(Frame& frame, const View& view, const ImageView&
 
 // [draw]
 void SurfaceScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
-    // 1. Lights into the view's tiles or clusters, where those are the method. Tiles ask the depth what they hold.
+    // 1. Lights into the view's tiles or clusters, if one of these is the method. Tiles need the depth.
     if (lights.needs_depth())
         frame.raster("depth", {.depth = canvas.single_depth_target(), .reads = shading_reads, .with = {maps}},
                      by(depth_));
     record_light(frame, view, canvas.single_depth());
 
-    // 2. Every surface that is opaque.
+    // 2. All opaque surfaces.
     frame.raster(
         "shade",
         {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = shading_reads, .with = given()},

@@ -14,7 +14,7 @@ void LitScene::record_light(Frame& frame, const View& view, const ImageView& dep
 }
 
 // [casters]
-// What textures cut holes into is drawn with its maps; all else is solid.
+// Casters with holes cut by textures are drawn with their maps; all others are solid.
 void LitScene::record_shadows(Frame& frame, const View& view) {
     const auto has_holes = [&](const DrawItem& item) { return maps.has_holes(item); };
     shadow.record(frame, *scene_, lights, view, {.with = {maps}, .draw = [&](Raster& pass, const DrawList& casters) {

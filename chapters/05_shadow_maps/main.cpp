@@ -78,7 +78,7 @@ struct ShadowMaps : ModelChapter {
         const View view = set_view(frame);
         choose_shading(frame);
 
-        // 1. Maps of depth from each light, then every surface, each light as far as it is visible (lit_scene.cpp).
+        // 1. The shadow maps, then every surface, lit by the visible part of each light (lit_scene.cpp).
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 0.0f));
         draw(frame, view, canvas, {objects});
 

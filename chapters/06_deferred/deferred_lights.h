@@ -25,7 +25,7 @@ class DeferredLights {
     Pipeline full_screen_ = compute({.shader = "06_deferred/full_screen.comp", .macros = all_});
     Pipeline tiled_ = compute({.shader = "06_deferred/tiled.comp", .macros = all_});
     // [volume]
-    // The back faces, where they are behind the surface: also with the eye inside, where there are no front faces.
+    // Back faces that lie behind the surface. They work with the camera inside, too, where there are no front faces.
     Pipeline volume_ = graphics({.vertex = "06_deferred/volume.vert",
                                  .fragment = "06_deferred/volume.frag",
                                  .cull = VK_CULL_MODE_FRONT_BIT,

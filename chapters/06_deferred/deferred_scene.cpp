@@ -16,7 +16,7 @@ std::function<void(Raster&)> DeferredScene::often_by(const SurfacePipelines& bot
 // [draw]
 void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (!canvas.has_depth()) return draw_alone(frame, view, canvas);
-    // What others have drawn has a depth, too, and nothing in the G-buffer: drawn apart, then what is nearer goes in.
+    // Earlier drawings have left depth but no G-buffer: this scene is drawn apart, then merged by depth.
     const auto fit = [&](Image& image, const char* name, VkFormat format) {
         image.fit(frame.gpu.device, {.name = path() + name, .format = format, .size = view.size});
     };
@@ -33,16 +33,15 @@ void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
 }
 
 void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
-    // 1. Depth from the lights that cast shadows.
+    // 1. The shadow maps.
     record_shadows(frame, view);
 
-    // 2. Depth alone, where somebody asks for it.
+    // 2. Depth alone, if requested.
     const bool forwards = gbuffer.is_forward() || gbuffer.shows_loss();
     if (depth_first || (forwards && lights.needs_depth()))
         frame.raster("depth", {.depth = canvas.depth_target(), .with = with({maps})}, often_by(depth_));
 
-    // 3. Every surface, lit where it is drawn; or what it is, for each pixel, and then light on what is seen in the end,
-    // and what glows by itself.
+    // 3. Either every surface, lit as it is drawn, or the G-buffer, then light on the visible surfaces, then emission.
     gbuffer.begin(frame, view, canvas.single_depth());
     if (forwards) return draw_forward(frame, view, canvas);
     write_gbuffer(frame, view, canvas);

@@ -49,11 +49,11 @@ struct Deferred : ModelChapter {
         objects.times = overdraw;
         objects.depth_first = prepass;
 
-        // 1. What other cameras see, on the screens of the scene: the same objects, drawn forward.
+        // 1. The views of other cameras, for the screens of the scene: the same objects, drawn forward.
         objects.update_once(frame);
         screens.record(frame, scene, [&](const View& from, Canvas& into) { objects.draw_lit(frame, from, into); });
 
-        // 2. The picture: a G-buffer, and light on it (deferred_scene.cpp).
+        // 2. The picture: a G-buffer, then its lighting (deferred_scene.cpp).
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 0.0f));
         draw(frame, view, canvas, {objects});
 

@@ -20,7 +20,7 @@ def distance(depth: float, reverse: bool) -> float:
 
 
 def draw() -> Drawing:
-    drawing = Drawing(900, 330, "Depths that a float can hold, as distances from the eye: with forward depth they crowd at the "
+    drawing = Drawing(900, 330, "Depths that a float can hold, as distances from the camera: with forward depth they crowd at the "
                                 "near plane, with reverse depth they are spread evenly")
     p = drawing.panel((20, 0), 100)
     p.eye((0.34, 2.05), 0, 46)
@@ -33,7 +33,7 @@ def draw() -> Drawing:
     for x, name in ((NEAR, "near plane"), (FAR, "far plane")):
         p.line([(x, 0.7), (x, 3.0)], GREY, THIN, dash=True)
         p.text((x, 0.48), name, GREY, SMALL)
-    p.text((4.5, 0.48), "distance from the eye →", GREY, SMALL)
+    p.text((4.5, 0.48), "distance from the camera →", GREY, SMALL)
     return drawing
 
 

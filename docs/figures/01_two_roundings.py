@@ -7,8 +7,8 @@ from drawing import BLUE, GREEN, GREY, RED, SMALL, THIN, Drawing
 
 
 def draw() -> Drawing:
-    drawing = Drawing(900, 330, "Floats, doubles between them and a decimal number just above the middle of two floats: rounded "
-                                "to the double in the middle first, it ends at the lower float instead of the upper one")
+    drawing = Drawing(900, 330, "Floats, doubles between them and a decimal number just above the midpoint of two floats: rounded "
+                                "to the double at the midpoint first, it ends at the lower float instead of the upper one")
     p = drawing.panel((90, 110), 1)
     p.line([(-40, 0), (760, 0)], GREY, THIN)
     for x in range(0, 721, 45):
@@ -17,7 +17,7 @@ def draw() -> Drawing:
         p.line([(x, -26), (x, 26)])
         p.text((x, -46), name)
     p.line([(360, -20), (360, 20)], BLUE)
-    p.text((360, -46), "the middle, a double", BLUE, SMALL)
+    p.text((360, -46), "the midpoint, a double", BLUE, SMALL)
     p.text((360, -86), "long marks: floats; short marks: doubles, 16 drawn of 2^{29}", GREY, SMALL)
     p.dot((374, 0), RED)
     p.arrow((450, 66), (379, 7), RED, width=THIN)

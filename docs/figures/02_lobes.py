@@ -68,7 +68,7 @@ def draw() -> Drawing:
     q.dot((0, 0), MIRROR, "*R*", offset=(44, 0))
     q.text((17, 9), "Phong", MIRROR, anchor="start")
     q.text((0, 19.5), "Blinn", HALF)
-    q.text((0, -31), "directions to the eye, low above a floor", INK, SMALL)
+    q.text((0, -31), "directions to the camera, low above a floor", INK, SMALL)
     q.span((10, -20), (30, -20), "20°", offset=(0, -34), size=SMALL)
     return drawing
 

@@ -7,7 +7,7 @@ from drawing import EYE, HALF, INK, LIGHT, MIRROR, NORMAL, Drawing, polar
 
 
 def draw() -> Drawing:
-    drawing = Drawing(900, 430, "The normal N, the directions L to the light and V to the eye, the mirror direction R "
+    drawing = Drawing(900, 430, "The normal N, the directions L to the light and V to the camera, the mirror direction R "
                                 "and the half vector H at a point of a surface")
     p = drawing.panel((430, 60), 300)
     p.ground(-1.35, 1.45)

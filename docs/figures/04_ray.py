@@ -48,9 +48,9 @@ def hits(p, found: float):
 
 
 def draw() -> Drawing:
-    drawing = Drawing(900, 550, "A ray enters a height field. The offset takes the depth at the entry; steep takes the first of five "
-                                "layers that is below; occlusion cuts that step with a straight line; relief halves it")
-    p = field(drawing, (30, 475), "offset: one look")
+    drawing = Drawing(900, 550, "A ray enters a height field. Offset uses the depth at the entry; steep takes the first of five "
+                                "layers that is below; occlusion intersects that step with a straight line; relief halves it")
+    p = field(drawing, (30, 475), "offset: one read")
     d = depth_at(ENTRY)
     p.line([(ENTRY, 0), surface(ENTRY)], RED, THIN, dash=True)
     p.line([surface(ENTRY), ray(d)], RED, THIN, dash=True)
@@ -81,8 +81,8 @@ def draw() -> Drawing:
         low, high = (low, middle) if middle >= depth_at(ray(middle)[0]) else (middle, high)
     hits(p, high)
     key = drawing.panel()
-    for x, color, name in ((45, GREEN, "the hit"), (180, RED, "what the method takes for it"), (500, ORANGE, "places it looked at"),
-                           (740, BLUE, "the eye's ray")):
+    for x, color, name in ((45, GREEN, "the hit"), (180, RED, "estimated by the method"), (500, ORANGE, "sampled positions"),
+                           (740, BLUE, "camera ray")):
         key.dot((x, 24), color, radius_px=7)
         key.text((x + 16, 24), name, INK, SMALL, anchor="start")
     return drawing

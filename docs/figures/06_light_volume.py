@@ -7,7 +7,7 @@ from drawing import EYE, GREEN, GREY, INK, LIGHT, PALE_ORANGE, RED, THIN, Drawin
 
 
 def draw() -> Drawing:
-    drawing = Drawing(900, 400, "Rays from an eye outside and an eye inside of a light's ball: the back face is behind "
+    drawing = Drawing(900, 400, "Rays from a camera outside and one inside a light's sphere: the back face is behind "
                                 "the surface where the surface may be lit, and in front of it where it is not")
     p = drawing.panel((440, 70), 100)
     p.circle((0, 1.1), 1.5, LIGHT, dash=True, fill=PALE_ORANGE)
@@ -24,8 +24,8 @@ def draw() -> Drawing:
     p.dot(polar(1.5, 45, (0, 1.1)), LIGHT)
     p.dot((2.5, 2.2), RED)
     p.text((2.8, 3.05), "back face first: skipped", RED, size=18)
-    p.text((-3.6, 2.95), "eye outside", EYE, size=18)
-    p.text((-0.45, 2.85), "eye inside", EYE, size=18)
+    p.text((-3.6, 2.95), "camera outside", EYE, size=18)
+    p.text((-0.45, 2.85), "camera inside", EYE, size=18)
     return drawing
 
 

@@ -8,7 +8,7 @@ from drawing import BLUE, GREEN, GREY, INK, ORANGE, PALE_BLUE, PALE_GREEN, PALE_
 
 def draw() -> Drawing:
     drawing = Drawing(900, 330, "Surfaces are written into a G-buffer with depth; lights read it and write radiance; "
-                                "what glows is added; the forward path does all at once")
+                                "emission is added; the forward path does all at once")
     p = drawing.panel((0, 0), 1)
 
     def box(x, y, wide, text, fill, color):
@@ -21,11 +21,11 @@ def draw() -> Drawing:
     box(750, 190, 120, "radiance", PALE_GREEN, GREEN)
     for a, b in ((180, 260), (430, 520), (670, 750)):
         p.arrow((a, 228), (b, 228), INK)
-    p.text((220, 290), "raster, 12 bytes a pixel", GREY, size=18)
+    p.text((220, 290), "raster, 12 bytes per pixel", GREY, size=18)
     p.text((600, 290), "compute, or volumes", GREY, size=18)
-    box(520, 70, 150, "what glows", PALE_BLUE, PURPLE)
+    box(520, 70, 150, "emission", PALE_BLUE, PURPLE)
     p.arrow((670, 108), (806, 186), PURPLE)
-    p.text((595, 36), "added where depth is its own", GREY, size=18)
+    p.text((595, 36), "added where depth is equal", GREY, size=18)
     p.arrow((105, 186), (105, 120), GREY)
     p.text((105, 92), "forward: lit at once,", GREY, size=18)
     p.text((105, 66), "layer by layer", GREY, size=18)

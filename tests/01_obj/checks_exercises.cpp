@@ -6,7 +6,7 @@
 using namespace lightwalk;
 
 CHECK_EXERCISE("01.parse_vertex_line",
-               "std::from_chars rounds correctly and knows no locale; count the numbers before you believe them") {
+               "std::from_chars rounds correctly and ignores the locale; check how many numbers there are") {
     check_parse_vertex_line(check, parse_vertex_line.function());
 }
 
@@ -14,7 +14,7 @@ CHECK_EXERCISE("01.parse_face", "a negative index counts back from the last one 
     check_parse_face(check, parse_face.function());
 }
 
-CHECK_EXERCISE("01.triangulate", "cut off an ear at a time: a corner that turns left and has no other corner inside") {
+CHECK_EXERCISE("01.triangulate", "cut off one ear at a time: a corner that turns left and has no other corner inside") {
     check_triangulate(check, triangulate.function());
 }
 

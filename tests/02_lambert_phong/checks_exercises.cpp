@@ -89,8 +89,9 @@ void check_lobe(Check& check, const Probe& probe) {
 
 }  // namespace
 
-CHECK_EXERCISE("02.lambert",
-               "the dot product of two unit vectors is the cosine between them; light from behind is no light") {
+CHECK_EXERCISE(
+    "02.lambert",
+    "the dot product of two unit vectors is the cosine between them; a light behind the surface adds nothing") {
     Probe probe{.include = "02_lambert_phong/lambert.glsl",
                 .signature = "float lambert(vec3 normal, vec3 to_light)",
                 .inputs = {directions({up, up}), directions({up, right}), directions({up, down})},
@@ -111,12 +112,11 @@ CHECK_EXERCISE("02.lambert",
 }
 
 CHECK_EXERCISE("02.phong",
-               "reflect(-to_light, normal) is the mirror direction; ask whether a cosine is above 0 before pow") {
+               "reflect(-to_light, normal) is the mirror direction; test that the cosine is above 0 before pow") {
     check_lobe(check, lobe_probe("phong", truth::phong));
 }
 
-CHECK_EXERCISE("02.blinn_phong",
-               "the half vector is to_light + to_eye made unit length; what if that sum has no length?") {
+CHECK_EXERCISE("02.blinn_phong", "the half vector is to_light + to_eye, normalised; what if this sum has length 0?") {
     check_lobe(check, lobe_probe("blinn_phong", truth::blinn_phong));
     Probe factor{.include = "02_lambert_phong/blinn_phong.glsl",
                  .signature = "float blinn_phong_normalisation(float shininess)",

@@ -24,10 +24,9 @@ std::string words_for(glm::vec3 got, bool scene) {
 
 }  // namespace
 
-CHECK_EXERCISE(
-    "02.record_mist",
-    "ask of each image, pass by pass: is what it holds needed, then keep it; is it of the frame before, then "
-    "clear it or write all of it") {
+CHECK_EXERCISE("02.record_mist",
+               "in each pass, keep an image whose content is still needed; clear it, or overwrite all of it, if it "
+               "belongs to the previous frame") {
     // A half float holds them exactly.
     const float red = 1.0f - 0.0625f * float(check_seed() % 8), blue = 1.0f - 0.0625f * float(check_seed() / 8 % 8);
     const MistSeen seen = try_record_mist(red, blue);

@@ -40,8 +40,7 @@ void check_falloff(Check& check, const Probe& probe, const Row& others) {
 
 }  // namespace
 
-CHECK_EXERCISE("03.range_fade",
-               "ask first whether the distance is below the range: then there is nothing to divide by 0") {
+CHECK_EXERCISE("03.range_fade", "test first that the distance is below the range; then nothing is divided by 0") {
     Probe probe{
         .include = "03_attenuation/range_fade.glsl",
         .signature = "float range_fade(float distance, float range, float k)",
@@ -56,7 +55,7 @@ CHECK_EXERCISE("03.range_fade",
 }
 
 CHECK_EXERCISE("03.inverse_square_window",
-               "the window is 1 - (distance / range)^4, squared; ask first whether the distance is below the range") {
+               "the window is 1 - (distance / range)^4, squared; test first that the distance is below the range") {
     Probe probe{.include = "03_attenuation/inverse_square_window.glsl",
                 .signature = "float inverse_square_window(float distance, float range)",
                 .inputs = {{0, 10}, {1, 100}, {5, 10}, {7.5, 10}, {9, 10}, {10, 10}, {12, 10}, {0, 0}, {1, 0}},
@@ -155,8 +154,9 @@ void expect_reach(Check& check, const Light& light, double radius_m, const Bound
 
 }  // namespace
 
-CHECK_EXERCISE("03.light_reaches_box",
-               "clamp the light's position to the box; then compare the cone's side with the ball around the box") {
+CHECK_EXERCISE(
+    "03.light_reaches_box",
+    "clamp the light's position to the box; then compare the cone's side with the bounding sphere of the box") {
     const Bounds unit{glm::vec3(-1.0f), glm::vec3(1.0f)};
     Light sun, lamp{.kind = Light::Kind::point}, spot{.kind = Light::Kind::spot};
     check.expect(light_reaches_box(sun, 0.0f, unit), "a directional light gave false: it reaches everything");

@@ -88,10 +88,9 @@ WorkgroupRun run_of(const std::vector<Leaves>& all) {
 
 }  // namespace
 
-CHECK_EXERCISE(
-    "04.alpha_scale",
-    "count what one scale keeps, all invocations together; halve the interval of scales; at the end ask which "
-    "of its two ends keeps a number nearer to the one that is wanted") {
+CHECK_EXERCISE("04.alpha_scale",
+               "count the texels that one scale keeps, with all invocations; halve the interval of scales; at the end "
+               "take the end whose count is nearer to the number wanted") {
     const std::vector<Leaves> all = levels();
     guard_call("alpha_scale.glsl, as a workgroup of 256");
     const WorkgroupResults seen(check_device(), run_of(all));

@@ -24,8 +24,9 @@ glm::vec3 upward(Random& random, float lowest) {
 
 }  // namespace
 
-CHECK_EXERCISE("04.unpack_normal",
-               "the codes 0 to 1 stand for -1 to 1; z is what is missing to length 1, or 0 where nothing is") {
+CHECK_EXERCISE(
+    "04.unpack_normal",
+    "the codes 0 to 1 stand for -1 to 1; z completes the vector to length 1, or is 0 if x and y are too long") {
     Probe probe{.include = "04_surface_maps/unpack_normal.glsl",
                 .signature = "vec3 unpack_normal(vec2 code, float strength)",
                 .inputs = {{0.5, 0.5, 1},
@@ -62,8 +63,7 @@ CHECK_EXERCISE("04.unpack_normal",
                    [](auto, auto out) { return std::fabs(glm::length(vector3(out, 0)) - 1) < 1e-5 && out[2] >= 0; });
 }
 
-CHECK_EXERCISE("04.blend_detail",
-               "add (0, 0, 1) to the base, turn x and y of the detail around, and follow the formula") {
+CHECK_EXERCISE("04.blend_detail", "add (0, 0, 1) to the base, negate x and y of the detail, and follow the formula") {
     Probe probe{
         .include = "04_surface_maps/blend_detail.glsl",
         .signature = "vec3 blend_detail(vec3 base, vec3 detail)",
@@ -86,7 +86,7 @@ CHECK_EXERCISE("04.blend_detail",
 }
 
 CHECK_EXERCISE("04.parallax_offset",
-               "going down by z, the ray goes sideways by x / z and y / z; the limit drops the / z") {
+               "per unit of depth the ray moves sideways by x / z and y / z; the limited version drops the / z") {
     const auto probe_of = [](const std::string& name, auto reference) {
         Probe probe{.include = "04_surface_maps/parallax_offset.glsl",
                     .signature = "vec2 " + name + "(float depth, vec3 to_eye, vec2 deepest)",
@@ -115,7 +115,7 @@ CHECK_EXERCISE("04.parallax_offset",
 }
 
 CHECK_EXERCISE("04.parallax_occlusion",
-               "compare the ray's depth with the surface's, layer by layer; then cut two straight lines") {
+               "compare the ray's depth with the surface's, layer by layer; then intersect two straight lines") {
     for (const int field : {4, 1, 2}) {
         const auto probe_of = [&](const std::string& name, double (*reference)(int, double, double, int)) {
             Probe probe{.include = "../tests/04_surface_maps/known_field.glsl",
@@ -218,7 +218,7 @@ CHECK_EXERCISE("04.mix_orm", "a metal has no diffuse colour; guard the division 
     check.probe(override);
 }
 
-CHECK_EXERCISE("04.cutout", "three shares of one whole are multiplied; a point at the cutoff stays") {
+CHECK_EXERCISE("04.cutout", "the three alphas are multiplied; a point at the cutoff stays") {
     Probe alpha{.include = "04_surface_maps/cutout.glsl",
                 .signature = "float surface_alpha(float color_alpha, float opacity_texel, float opacity)",
                 .inputs = {{1, 1, 1}, {0.5, 1, 1}, {1, 0.5, 1}, {1, 1, 0.5}, {0.5, 0.5, 0.5}, {0, 1, 1}},

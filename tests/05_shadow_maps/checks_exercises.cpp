@@ -37,7 +37,7 @@ glm::dmat4 matrix(std::span<const double> in) {
 
 }  // namespace
 
-CHECK_EXERCISE("05.light_clip_position", "multiply, look at w, divide by it, and bring -1 to 1 to 0 to 1") {
+CHECK_EXERCISE("05.light_clip_position", "multiply, test w, divide by w, and map -1 to 1 onto 0 to 1") {
     Probe probe{.include = "05_shadow_maps/light_clip_position.glsl",
                 .signature = "vec3 light_clip_position(mat4 to_clip, vec3 position)",
                 .truth =
@@ -87,7 +87,7 @@ CHECK_EXERCISE("05.light_clip_position", "multiply, look at w, divide by it, and
     check.probe(probe);
 }
 
-CHECK_EXERCISE("05.compare_depth", "greater depth is nearer to the light; what the map does not hold is lit") {
+CHECK_EXERCISE("05.compare_depth", "greater depth is nearer to the light; a point outside the map is lit") {
     Probe probe{.include = "05_shadow_maps/compare_depth.glsl",
                 .signature = "float compare_depth(vec3 place, float stored)",
                 .inputs = {{0.5, 0.5, 0.4, 0.6},
@@ -126,7 +126,8 @@ CHECK_EXERCISE("05.compare_depth", "greater depth is nearer to the light; what t
     check.probe(probe);
 }
 
-CHECK_EXERCISE("05.slope_bias", "along the diagonal a texel's middle is sqrt(2) times `reach` texels away; times tan") {
+CHECK_EXERCISE("05.slope_bias",
+               "along the diagonal a texel's centre is sqrt(2) * reach texels away; multiply by the tangent") {
     Probe probe{.include = "05_shadow_maps/slope_bias.glsl",
                 .signature = "float slope_bias(float cosine, float texel, float reach)",
                 .inputs = {{1, 0.01, 0.5},
@@ -154,7 +155,8 @@ CHECK_EXERCISE("05.slope_bias", "along the diagonal a texel's middle is sqrt(2) 
     check.probe(probe);
 }
 
-CHECK_EXERCISE("05.chebyshev", "what is not behind the mean is lit; a variance below `least` counts as `least`") {
+CHECK_EXERCISE("05.chebyshev",
+               "a point that is not behind the mean is lit; a variance below `least` counts as `least`") {
     Probe probe{.include = "05_shadow_maps/chebyshev.glsl",
                 .signature = "float chebyshev(vec2 moments, float depth, float least)",
                 .inputs = {{0.5, 0.25, 0.5, 1e-4},
@@ -185,7 +187,7 @@ CHECK_EXERCISE("05.chebyshev", "what is not behind the mean is lit; a variance b
                    [](auto, auto out) { return out[0] > 0 && out[0] <= 1; });
 }
 
-CHECK_EXERCISE("05.penumbra_width", "the lamp's width, by similar triangles: gap to blocker") {
+CHECK_EXERCISE("05.penumbra_width", "the light's width, scaled by similar triangles: gap over blocker distance") {
     Probe probe{
         .include = "05_shadow_maps/penumbra_width.glsl",
         .signature = "float penumbra_width(float receiver, float blocker, float size, bool parallel)",
@@ -226,7 +228,7 @@ CHECK_EXERCISE("05.penumbra_width", "the lamp's width, by similar triangles: gap
     check.probe(probe);
 }
 
-CHECK_EXERCISE("05.cascade_split", "one mean of two lists: equal steps, and equal factors") {
+CHECK_EXERCISE("05.cascade_split", "the weighted mean of two lists: equal steps, and equal factors") {
     const auto call = [&](float near_m, float far_m, int i, int count, float lambda) {
         const std::string text = "cascade_split(" + number_text(double(near_m)) + ", " + number_text(double(far_m)) +
                                  ", " + std::to_string(i) + ", " + std::to_string(count) + ", " +

@@ -4,7 +4,7 @@
 
 using namespace lightwalk;
 
-CHECK_EXERCISE("05.pcf", "begin at floor(uv * texels - kernel / 2); go on by two texels; weigh the outer ones") {
+CHECK_EXERCISE("05.pcf", "begin at floor(uv * texels - kernel / 2), advance by two texels, and weight the outer ones") {
     for (const int field : {1, 3, 2}) {
         Probe probe{
             .include = "../tests/05_shadow_maps/known_map.glsl",

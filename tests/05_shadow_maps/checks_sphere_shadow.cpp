@@ -85,7 +85,7 @@ void check_power(Check& check) {
 }  // namespace
 
 CHECK_EXERCISE("05.sphere_shadow",
-               "how far does the line towards the light pass from the sphere's middle, and where?") {
+               "at what distance does the line towards the light pass the sphere's centre, and on which side?") {
     check_hard(check);
     check_power(check);
 }

@@ -34,7 +34,7 @@ std::vector<glm::vec3> directions() {
 
 }  // namespace
 
-CHECK_EXERCISE("06.encode_normal", "divide by |x| + |y| + |z|; only where z is below 0 x and y are folded") {
+CHECK_EXERCISE("06.encode_normal", "divide by |x| + |y| + |z|; fold x and y only where z is negative") {
     Probe probe{.include = "06_deferred/encode_normal.glsl",
                 .signature = "vec2 encode_normal(vec3 normal)",
                 .truth = [](std::span<const double> in) { return row_of(truth::encode_normal(vector3(in, 0))); },
@@ -54,7 +54,7 @@ CHECK_EXERCISE("06.encode_normal", "divide by |x| + |y| + |z|; only where z is b
                    [](auto, auto out) { return std::fabs(out[0]) <= 1.00001 && std::fabs(out[1]) <= 1.00001; });
 }
 
-CHECK_EXERCISE("06.decode_normal", "z is 1 - |x| - |y|; below 0 x and y are folded back; then make it unit length") {
+CHECK_EXERCISE("06.decode_normal", "z is 1 - |x| - |y|; where it is negative, fold x and y back; then normalise") {
     Probe probe{.include = "06_deferred/decode_normal.glsl",
                 .signature = "vec3 decode_normal(vec2 code)",
                 .truth =
@@ -77,7 +77,7 @@ CHECK_EXERCISE("06.decode_normal", "z is 1 - |x| - |y|; below 0 x and y are fold
     check.probe(probe);
 }
 
-CHECK_EXERCISE("06.position_from_depth", "the pixel's middle to -1 ... 1, times the matrix, divided by w") {
+CHECK_EXERCISE("06.position_from_depth", "map the pixel's centre to -1 ... 1, multiply by the matrix, divide by w") {
     Probe probe{.include = "06_deferred/position_from_depth.glsl",
                 .signature = "vec3 position_from_depth(uvec2 pixel, float depth, vec2 size, mat4 clip_to_world)",
                 .truth =
@@ -125,7 +125,7 @@ CHECK_EXERCISE("06.position_from_depth", "the pixel's middle to -1 ... 1, times 
     check.probe(probe);
 }
 
-CHECK_EXERCISE("06.cull_back_face", "the sign of dot(cross(b - a, c - a), a), turned around for what is mirrored") {
+CHECK_EXERCISE("06.cull_back_face", "the sign of dot(cross(b - a, c - a), a), reversed for mirrored instances") {
     Probe probe{
         .include = "06_deferred/cull_back_face.glsl",
         .signature = "bool is_back_face(vec3 a, vec3 b, vec3 c, bool mirrored)",

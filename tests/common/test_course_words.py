@@ -142,6 +142,15 @@ class WordsTest(unittest.TestCase):
                      for shot in json.loads(file.read_text(encoding="utf-8"))["shots"]
                      for phrase in banned_in(shot["caption"])])
 
+    def test_specs_use_no_banned_phrase(self):
+        wrong, count = [], 0
+        for file in sorted(path for folder in ("shaders", "chapters") for path in (ROOT / folder).glob("*/exercise/*")):
+            comments = re.findall(r"^ *// ?(.*)$", file.read_text(encoding="utf-8"), re.M)
+            count += bool(comments)
+            wrong += [f"{file.relative_to(ROOT)}: {phrase}" for phrase in banned_in(" ".join(comments))]
+        self.assertGreater(count, 60)
+        self.report(wrong)
+
     def test_what_is_wrong_is_found(self):
         """The rules themselves, on declarations and sentences that break them."""
         source = '''

@@ -4,7 +4,7 @@
 namespace lightwalk::solution {
 namespace {
 
-// Any unit vector perpendicular to the normal: the axis that is least along it, made so.
+// A unit vector perpendicular to the normal, made from the axis least aligned with it.
 glm::vec3 perpendicular(glm::vec3 normal) {
     const glm::vec3 size = glm::abs(normal);
     const glm::vec3 axis = size.x <= size.y && size.x <= size.z ? glm::vec3(1, 0, 0)
@@ -16,10 +16,10 @@ glm::vec3 perpendicular(glm::vec3 normal) {
 }  // namespace
 
 TangentFrame tangent_frame(const Vertex& a, const Vertex& b, const Vertex& c) {
-    // Doubles: texture coordinates that differ in their last bits still have a determinant.
+    // In doubles, texture coordinates that differ in their last bits still have a determinant.
     const glm::dvec3 e1 = glm::dvec3(b.position) - glm::dvec3(a.position);
     const glm::dvec3 e2 = glm::dvec3(c.position) - glm::dvec3(a.position);
-    // Of a triangle as thin as the rounding of its corners no direction is left.
+    // A triangle as thin as the rounding of its corners has no usable direction.
     const bool has_area = glm::length(glm::cross(e1, e2)) > 1e-6 * std::max(glm::dot(e1, e1), glm::dot(e2, e2));
     const glm::dvec2 uv1 = glm::dvec2(b.uv) - glm::dvec2(a.uv), uv2 = glm::dvec2(c.uv) - glm::dvec2(a.uv);
     const double determinant = uv1.x * uv2.y - uv2.x * uv1.y;

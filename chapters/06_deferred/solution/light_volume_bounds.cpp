@@ -8,7 +8,7 @@ namespace lightwalk::solution {
 LightVolume light_volume_bounds(const Light& light, float radius_m) {
     const glm::vec4 position(light.position, 1.0f);
     const float base = std::tan(light.outer_rad);  // for a height of 1
-    // base^2 / 3 against 4 / 3: beyond 63 degrees the ball is the smaller one. From 90 degrees on there is no cone.
+    // base^2 / 3 against 4 / 3: beyond 63 degrees the sphere is smaller. From 90 degrees on there is no cone.
     if (light.kind == Light::Kind::spot && light.outer_rad < 1.5f && base * base < 4.0f) {
         const glm::vec3 z = light.direction;
         const glm::vec3 x =

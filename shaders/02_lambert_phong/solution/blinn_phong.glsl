@@ -7,7 +7,7 @@ float blinn_phong(vec3 normal, vec3 to_light, vec3 to_eye, float shininess) {
     return lit ? pow(min(cosine, 1.0), shininess) : 0.0;
 }
 
-// The exact integral of the lobe times the cosine over the hemisphere, eye at the zenith. The usual (n + 8) / 8
+// The exact integral of the lobe times the cosine over the hemisphere, camera at the zenith. The usual (n + 8) / 8
 // overshoots it by up to 7.5 %.
 float blinn_phong_normalisation(float shininess) {
     return (shininess + 2.0) * (shininess + 4.0) / (8.0 * (exp2(-0.5 * shininess) + shininess));

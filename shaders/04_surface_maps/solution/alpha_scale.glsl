@@ -1,9 +1,9 @@
-// Solution of 04.alpha_scale (after I. Castaño, "Computing Alpha Mipmaps", 2010): bisection of the alpha that is to end
-// at the cutoff.
+// Solution of 04.alpha_scale (after I. Castaño, "Computing Alpha Mipmaps", 2010): bisection for the alpha that is
+// scaled to the cutoff.
 shared uint kept;
 
 float kept_with(uint local, float scale) {
-    barrier();  // nobody sets to 0 what another still reads
+    barrier();  // no reset while another invocation still reads
     if (local == 0u) kept = 0u;
     barrier();
     for (uint i = local; i < level_texels(); i += LEVEL_INVOCATIONS)

@@ -16,7 +16,7 @@ float parallax_occlusion(vec2 uv, vec2 shift, int steps) {
     float below = first_layer_below(uv, shift, steps);
     if (below <= 0.0) return 0.0;
     float above = below - 1.0 / float(steps);
-    float gap = depth_at(uv - above * shift) - above;    // of the surface below the ray: above 0
-    float overlap = below - depth_at(uv - below * shift);  // of the ray below the surface: 0 or more
+    float gap = depth_at(uv - above * shift) - above;    // surface below the ray, above 0
+    float overlap = below - depth_at(uv - below * shift);  // ray below the surface, 0 or more
     return mix(above, below, gap / max(gap + overlap, 1e-6));
 }

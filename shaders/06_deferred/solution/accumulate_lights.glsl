@@ -18,7 +18,7 @@ Lit accumulate_lights(Surface surface, vec3 facing, vec3 position, Cell cell, bo
         for (uint mask = 0u; mask < tile_lights.length() && has_surface; ++mask)
             for (uint bits = tile_lights[mask]; bits != 0u; bits &= bits - 1u)
                 add_light(sum, first + LIGHTS_PER_MASK * mask + findLSB(bits), surface, facing, position);
-        barrier();  // nobody clears what another still reads
+        barrier();  // no clear while another invocation still reads
     }
     return sum;
 }

@@ -1,6 +1,6 @@
 // Solution of 06.cull_back_face.
 
 bool is_back_face(vec3 a, vec3 b, vec3 c, bool mirrored) {
-    float facing = dot(cross(b - a, c - a), a);  // below 0 where the normal points to the eye, which is the origin
+    float facing = dot(cross(b - a, c - a), a);  // negative if the normal points to the camera, the origin
     return (mirrored ? -facing : facing) >= 0.0;
 }
