@@ -26,10 +26,10 @@ the changes with their size. Look at each picture first: the tests take every ac
 An empty picture, or one with NaN in it, is refused.
 
 Each shot is drawn again by Mesa's llvmpipe restricted to AVX and to SSE4.1, and by a second driver: set LIGHTWALK_SECOND_DRIVER
-to its manifest (an ICD's .json, as Vulkan's loader takes it in VK_DRIVER_FILES), for instance another Mesa's lavapipe. Their
-distances from the golden are written to tests/NN_name/golden/distances.json; the tests allow three times as much, and never
-less than what common/course/shots.py says. If a distance is large, correct the shader or the scene first; usual
-causes are rays that barely hit or miss, and texture coordinates far from 0."""
+to its manifest (an ICD's .json, as Vulkan's loader takes it in VK_DRIVER_FILES), for instance another Mesa's lavapipe. How
+far these are from the golden goes to tests/NN_name/golden/distances.json; the tests allow three times as much, and never
+less than what common/course/shots.py says. Where a distance is large, mend the shader or the scene first: a ray that
+just hits or just misses, or texture coordinates far from 0."""
 
 
 def add_arguments(parser):

@@ -25,7 +25,7 @@ from format_tree import unformatted
 from shots import measured_distances
 from tree import ROOT, Failure, chapters, exercises, files, relative, say, shots, write_atomically
 
-HELP = "Copies the code that lessons quote (<!-- quote: FILE#MARKER --> before a block of code) from the source."
+HELP = "Fills the code that lessons quote (<!-- quote: FILE#MARKER --> before a block of code) from the source."
 
 QUOTE = re.compile(r"\s*<!-- quote: (\S+?)#(\S+) -->\s*$")
 FENCE = re.compile(r"\s*(```+|~~~+)")
