@@ -56,7 +56,7 @@ def main(words: list[str]) -> int:
     arguments, rest = parser.parse_known_args(words[1:])
     arguments.command = command
     if rest and not getattr(module, "PASSES_OPTIONS", False):
-        parser.error(f"'{rest[0]}' means nothing here")
+        parser.error(f"unrecognised argument '{rest[0]}'")
     if getattr(module, "ALONE", False):
         with alone(BUILD, COMMANDS[command]):
             return module.run(arguments, rest)

@@ -16,9 +16,9 @@ from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, f
 HELP = """Builds the course and starts it.
 
   ./course run                  a menu of the chapters; without a display, build/gallery/index.html
-  ./course run 02 [options]     chapter 02, by its number or its name; the options are the chapter's own
-  ./course run 02 --help        what they are
-  ./course run --gallery        the pictures, display or not"""
+  ./course run 02 [options]     chapter 02, by its number or its name, with the chapter's own options
+  ./course run 02 --help        a list of these options
+  ./course run --gallery        the pictures, with or without a display"""
 
 
 def run_words(words: list[str]) -> int:
@@ -26,7 +26,7 @@ def run_words(words: list[str]) -> int:
         say(HELP)
         return 0
     if words and words[0].startswith("-") and words != ["--gallery"]:
-        raise UsageError(f"say which chapter first, as in ./course run 01 {' '.join(words)}")
+        raise UsageError(f"name the chapter first, as in ./course run 01 {' '.join(words)}")
     if words and words != ["--gallery"]:
         return start(find_chapter(words[0]), words[1:])
     build(["programs"])

@@ -30,7 +30,7 @@ class Commands(Course):
         for words, expected in (("rum", "no command 'rum'; there are run"), ("run 03", "there are 01_obj, 02_lambert"),
                                 ("run --size 1x1", "./course run 01 --size"), ("check 01.two", "chapter 01 has 01.one"),
                                 ("accept 01.cat", "there are 01.bunny, 01.car"), ("fuzz 0", "no time to fuzz"),
-                                ("clean all", "means nothing here"), ("test (", "no regular expression"),
+                                ("clean all", "unrecognised argument"), ("test (", "not a regular expression"),
                                 ("handout /", "name a folder"), ("grade nobody", "no such file")):
             printed = self.course(*words.split(), code=2)
             self.assertIn(expected, printed)
@@ -175,7 +175,7 @@ class Shots(Course):
         self.assertEqual(self.limits(), LIMITS | {"flip_mean": 0.003})
 
     def test_a_second_driver_is_measured_and_remembered_while_the_golden_stays(self):
-        self.assertIn("which is no file", self.course("accept", "--yes", code=2, LIGHTWALK_SECOND_DRIVER="/no/such"))
+        self.assertIn("which is not a file", self.course("accept", "--yes", code=2, LIGHTWALK_SECOND_DRIVER="/no/such"))
         self.put("second")
         self.put("drift.second", "!")
         self.course("accept", "--yes", LIGHTWALK_SECOND_DRIVER=str(self.root / "second"))

@@ -34,7 +34,7 @@ class Refusals(Course):
         return str(folder)
 
     def test_an_unknown_system(self):
-        self.refuse("'woody' is no system to test on; there are bookworm, trixie", "woody")
+        self.refuse("'woody' is not a system to test on; there are bookworm, trixie", "woody")
 
     @unittest.skipUnless(can(*AS_OTHER, "true"), "only root can be another user")
     def test_not_root(self):

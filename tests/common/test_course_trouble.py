@@ -80,7 +80,7 @@ class Trouble(Course):
         (precious / "thesis").write_text("all of it")
         for folder in (precious, self.root, self.outside, "/"):
             printed = self.course("clean", LIGHTWALK_BUILD=str(folder), code=2)
-            self.assertIn("is no build folder of this course: nothing was removed", printed)
+            self.assertIn("is not a build folder of this course: nothing was removed", printed)
         self.assertTrue((precious / "thesis").exists() and (self.root / "course").exists())
         self.course("check", "01", code=1)
         elsewhere = self.outside / "elsewhere"

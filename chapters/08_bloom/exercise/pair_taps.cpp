@@ -12,9 +12,9 @@ namespace lightwalk::exercise {
 //
 // The first tap is pixel 0 alone. The following pixels form pairs, 1 with 2, 3 with 4
 // and so on, each replaced by a single tap that gives both pixels their weights, within
-// a millionth. A pixel left over at the end is a tap of its own. There are 1 + ceil(R /
-// 2) taps. Weights may be 0. If both weights of a pair are 0, the tap has the weight 0
-// and any offset between the two pixels, but not NaN.
+// a millionth. A pixel left over at the end is a tap of its own. There are
+// 1 + ceil(R / 2) taps. Weights may be 0. If both weights of a pair are 0, the tap has
+// the weight 0 and any offset between the two pixels, but not NaN.
 // [/pair_taps]
 std::vector<glm::vec2> pair_taps(const std::vector<float>& weights) {
     std::vector<glm::vec2> taps;

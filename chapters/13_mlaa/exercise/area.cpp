@@ -6,8 +6,8 @@ namespace lightwalk::exercise {
 
 // [area]
 // A line of `length` pixels (1 to 509) turns at its start. There the silhouette is half
-// a pixel above the line. It descends evenly and meets the line in the middle, length /
-// 2 pixels from the start; from there on it coincides with the line.
+// a pixel above the line. It descends evenly and meets the line in the middle,
+// length / 2 pixels from the start; from there on it coincides with the line.
 //
 // Returns the exact area between silhouette and line within the pixel number `position`
 // (0 is the first, length - 1 the last), within a millionth: 0 to 1/2. If the length is

@@ -33,7 +33,7 @@ def alone(folder: Path, what: str = "build"):
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            warn(f"waiting for another ./course that does the same here ({what})")
+            warn(f"waiting for another ./course with the same task in this folder ({what})")
             fcntl.flock(lock, fcntl.LOCK_EX)
         yield lock.fileno()
 

@@ -17,7 +17,7 @@ def run(_arguments, _rest) -> int:
         return 0
     folder = BUILD.resolve()
     if folder == ROOT or ROOT.is_relative_to(folder) or not is_ours(folder):
-        raise UsageError(f"{BUILD} is no build folder of this course: nothing was removed")
+        raise UsageError(f"{BUILD} is not a build folder of this course: nothing was removed")
     with alone(folder):  # not under another that builds there
         shutil.rmtree(folder)
     if BUILD.is_symlink():

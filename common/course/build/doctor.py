@@ -5,7 +5,7 @@ import subprocess
 
 from tree import chapter_program, chapters, say
 
-HELP = "Prints the versions of the tools and the Vulkan devices: say them when something does not work."
+HELP = "Prints the versions of the tools and the Vulkan devices. Include them when you report a problem."
 TOOLS = [["uname", "-sr"], ["c++", "--version"], ["cmake", "--version"], ["ninja", "--version"],
          ["python3", "--version"]]
 

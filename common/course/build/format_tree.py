@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tree import ROOT, Failure, files, say, warn
 
-HELP = "Runs clang-format over the tree's C++, or with --check says which files it would change."
+HELP = "Runs clang-format over the tree's C++, or with --check lists the files it would change."
 VERSION = "14"  # Debian 12's; others lay out some things differently
 
 

@@ -14,8 +14,8 @@ from tree import ROOT, Failure, UsageError, relative, say
 
 HELP = """Builds the fuzz targets with clang and runs each for its share of SECONDS (60).
 
-What breaks one is kept in build/fuzz/found: mend it, and move the file to the target's corpus in tests, so that the
-tests replay it. Exit code 1 if something was found."""
+Input that breaks a target is kept in build/fuzz/found. Correct the fault, and move the file to the target's corpus in tests,
+so that the tests replay it. Exit code 1 if something was found."""
 
 
 def add_arguments(parser):
@@ -24,7 +24,7 @@ def add_arguments(parser):
 
 def run(arguments, _rest) -> int:
     if arguments.seconds < 1:
-        raise UsageError(f"{arguments.seconds} seconds is no time to fuzz; give 1 or more")
+        raise UsageError(f"{arguments.seconds} seconds is too short; give 1 or more")
     sources = sorted(ROOT.glob("tests/*/fuzz/fuzz_*.cpp"))
     if not sources:
         raise Failure("there is no tests/*/fuzz/fuzz_*.cpp")

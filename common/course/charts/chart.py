@@ -114,7 +114,7 @@ def truth_note(chart: Chart) -> str:
 def main(words: list[str]) -> int:
     parser = argparse.ArgumentParser(description="Draws a study as SVG and PNG, with a table in Markdown.")
     parser.add_argument("study", type=Path)
-    parser.add_argument("--out", type=Path, help="the folder to write to; default: the study's")
+    parser.add_argument("--out", type=Path, help="folder to write to; default: that of the study")
     arguments = parser.parse_args(words)
     try:
         study = load(arguments.study)

@@ -25,27 +25,26 @@ from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, f
                   write_atomically)
 
 ALONE = True
-HELP = """Measures every method of a chapter against the truth and draws the chart, as SVG and PNG, with a table.
+HELP = """Measures the time and the error of every method of a chapter, and draws charts (SVG, PNG) and a table.
 
   ./course study                   every chapter that has a study
-  ./course study 02                one
+  ./course study 02                one chapter
   ./course study 02 --device H200 --out FOLDER
-  ./course study 02 --size 480x270  in pixels, in place of the study's own
+  ./course study 02 --size 480x270  pixels, in place of the study's own size
 
 The files are docs/studies/NN_name.DEVICE.json, .svg, .png and .md; a chart after the first has its name before .svg and
-.png. An interrupted study goes on where it was when it is
-started again. Times mean something on a machine that does nothing else; those of a software driver are labelled as the
-CPU's."""
+.png. An interrupted study continues where it stopped when it is started again. Times are meaningful only on a machine that
+does nothing else; those of a software driver are labelled as the CPU's."""
 # What a device's name says beside the device.
 NOISE = {"nvidia", "geforce", "amd", "radeon", "intel", "graphics", "apple", "mesa"}
 
 
 def add_arguments(parser):
-    parser.add_argument("chapter", nargs="?", metavar="NN", help="its number or its name")
+    parser.add_argument("chapter", nargs="?", metavar="NN", help="number or name of the chapter")
     parser.add_argument("--device", help="part of a device's name: ./course run 01 --list devices")
-    parser.add_argument("--size", metavar="WxH", help="pixels, such as 1920x1080, in place of what the study says")
+    parser.add_argument("--size", metavar="WxH", help="size in pixels, such as 1920x1080, in place of the study's own")
     parser.add_argument("--out", type=Path, default=ROOT / "docs" / "studies", metavar="FOLDER",
-                        help="where the JSON, the charts and the table go (docs/studies)")
+                        help="folder for the JSON, the charts and the table (docs/studies)")
 
 
 def run(arguments, _rest) -> int:

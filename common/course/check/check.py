@@ -42,15 +42,15 @@ from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, find_ch
                   shots)
 
 ALONE = True
-HELP = """Checks your exercises: what is right, and the first thing that is wrong with the others.
+HELP = """Checks your exercises: lists the solved ones, and the first error of each of the others.
 
   ./course check               all chapters
   ./course check 02            one chapter
   ./course check 02.phong      one exercise
-  ./course check 02 --hint     with a hint for each that is still open
+  ./course check 02 --hint     with a hint for each unsolved exercise
   ./course progress            one line per chapter
 
-Exit code 1 while something is open."""
+Exit code 1 while an exercise is unsolved."""
 TIMEOUT_S = 30  # of a whole check; a call that does not return is found after 5 s
 # Of a picture whose numbers are right. A light more or less per object, which 03.light_reaches_box leaves open, is
 # 0.0018 and 0.055; of the starters' pictures the nearest to the reference is 0.013.
@@ -59,8 +59,8 @@ PICTURE_LIMITS = {"flip_mean": 0.01, "flip_p99": 0.25}
 
 def add_arguments(parser):
     parser.add_argument("what", nargs="?", default="all", metavar="NN | NN.name | all")
-    parser.add_argument("--hint", action="store_true", help="a hint for each exercise that is open")
-    parser.add_argument("--json", action="store_true", help="one JSON object per exercise")
+    parser.add_argument("--hint", action="store_true", help="print a hint for each unsolved exercise")
+    parser.add_argument("--json", action="store_true", help="print one JSON object per exercise")
 
 
 def run(arguments, _rest) -> int:

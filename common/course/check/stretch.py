@@ -23,15 +23,15 @@ from tree import BUILD, ROOT, Failure, UsageError, exercises, find_chapter, has_
 
 HELP = """Judges a chapter's stretch task: an exercise that reaches the error of the reference, in less time.
 
-  ./course stretch 02           your version against the reference, drawn in turns
+  ./course stretch 02           your version against the reference, drawn alternately
 
-It says error and time of both, and what is still missing. Exit code 1 while something is."""
+It prints the error and the time of both, and what is still missing. Exit code 1 while the task is not met."""
 ROUNDS, FRAMES = 7, 5
 
 
 def add_arguments(parser):
     parser.add_argument("chapter", metavar="NN")
-    parser.add_argument("--json", action="store_true", help="as a JSON object")
+    parser.add_argument("--json", action="store_true", help="print a JSON object")
 
 
 def run(arguments, _rest) -> int:
@@ -40,7 +40,7 @@ def run(arguments, _rest) -> int:
     if not path.exists():
         raise UsageError(f"chapter {chapter[:2]} has no stretch task")
     if not has_solutions():
-        raise UsageError("this copy has no references to be faster than")
+        raise UsageError("this copy of the course has no reference to compare with")
     task = json.loads(path.read_text())
     if task["exercise"] not in exercises(chapter):
         raise Failure(f"{path.relative_to(ROOT)}: there is no exercise '{task['exercise']}'")

@@ -18,29 +18,29 @@ from grading.submission import cell, find, printable, read
 from progress import Progress
 from tree import BUILD, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, say, warn, write_atomically
 
-HELP = """Checks the exercises that students handed in, against this tree's checks.
+HELP = """Grades the exercises that students handed in, by the checks of this tree.
 
   ./course grade FOLDER             a class: a folder of folders, .zip and .tar.* files, one for each student
   ./course grade ann.zip ben        some students
   ./course grade FOLDER --chapter 02
 
-Prints a table and writes grades.csv and grades.json (what is wrong with each exercise) to build/grades, or to --out. What
-was judged before is not judged again: an interrupted run goes on where it was.
+Prints a table, and writes grades.csv and grades.json (the failures of each exercise) to build/grades or to --out. An answer
+that was judged before is not judged again: an interrupted run continues where it stopped.
 
-A ? in grades.csv and "look at" in the table is an exercise whose numbers are right and with whose picture the driver
-crashed: it has no mark until you have looked at it.
+A ? in grades.csv and "look at" in the table mark an exercise whose numbers are right, but whose picture crashed the driver:
+it has no mark until you have looked at it.
 
-Students' code is compiled and run in a sandbox (bubblewrap): it sees no network, no other student, no reference and no
-check, and has limits of time, memory and output. Without bubblewrap nothing runs. Exit code 0 whatever the grades are."""
+Students' code is compiled and run in a sandbox (bubblewrap): it has no access to the network, other
+students, references or checks, and limits on time, memory and output. Without bubblewrap nothing runs. The exit code is 0 for any grades."""
 
 MOST_NAMES = 12  # on one line
 
 
 def add_arguments(parser):
     parser.add_argument("paths", nargs="+", type=Path, metavar="PATH")
-    parser.add_argument("--chapter", metavar="NN", help="this chapter's exercises alone")
+    parser.add_argument("--chapter", metavar="NN", help="grade only the exercises of this chapter")
     parser.add_argument("--json", action="store_true", help="print one JSON object per student in place of the table")
-    parser.add_argument("--out", type=Path, default=None, metavar="FOLDER", help="where the files go (build/grades)")
+    parser.add_argument("--out", type=Path, default=None, metavar="FOLDER", help="folder for the files (build/grades)")
 
 
 def run(arguments, _rest) -> int:
@@ -63,7 +63,7 @@ def run(arguments, _rest) -> int:
     else:
         for line in table(grades, named):
             say(line)
-        warn(f"{printable(str(out / 'grades.csv'))} and grades.json say more")
+        warn(f"{printable(str(out / 'grades.csv'))} and grades.json have the details")
     failed = [(one["student"], result) for one in grades for result in one["results"] if result["state"] == "failed"]
     for student, result in failed[:5]:
         warn(f"{student}, {result['exercise']}: {result['first_failure']}")

@@ -15,14 +15,14 @@ from build.build import configure, is_configured
 from progress import Progress
 from tree import BUILD, ROOT, Failure, UsageError, chapters, exercises, files, git, say, warn
 
-HELP = """Copies the course to a new FOLDER without the solutions: what students are given.
+HELP = """Copies the course to a new FOLDER without the solutions, for students.
 
-The copy has the lessons, starters, checks and goldens, and no history. ./course run, check and test work in it; a test
-that needs a reference to draw with is not in it. Only files that git knows are handed out, and of the exercises what was
-committed: your own answers stay here.
+The copy has the lessons, starters, checks and goldens, but no history. ./course run, check and test work in it; tests that
+need a reference for drawing are left out. Only files known to git are handed out, with the exercises as committed: your own
+answers are not copied.
 
-What would give answers away (the checks and what they measure against) is compiled: the students' machines need the
-same kind of processor and the same release of the system as this one. --sources hands it out as it is."""
+Code that would give answers away (the checks and their references) is handed out compiled: the students' machines need the
+same kind of processor and the same release of the system as this one. --sources hands it out as source."""
 
 # Compiled on this machine, as an object beside where the source was.
 COMPILED = ("tests/*/checks_*.cpp", "chapters/01_obj/scan.cpp", "chapters/01_obj/load_bench.cpp",
@@ -36,7 +36,7 @@ LEFT_OUT = ("chapters/*/*truth.h", "tests/*/variants/*", "tests/*/test_stability
 
 def add_arguments(parser):
     parser.add_argument("folder", metavar="FOLDER", type=Path)
-    parser.add_argument("--sources", action="store_true", help="the checks as sources, answers and all")
+    parser.add_argument("--sources", action="store_true", help="hand out the checks as sources, which contain the answers")
 
 
 def run(arguments, _rest) -> int:
@@ -122,7 +122,7 @@ def starters(names: list[Path]) -> dict[Path, bytes]:
              if "exercise" in name.parts[:-1] and git("ls-tree", "HEAD", "--", name.as_posix())}
     for name, starter in found.items():
         if (ROOT / name).read_bytes() != starter:
-            warn(f"{name}: handed out as committed, not as it stands here")
+            warn(f"{name}: handed out as committed; changes here are not included")
     return found
 
 

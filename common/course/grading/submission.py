@@ -77,7 +77,7 @@ def _find(path: Path) -> list[Submission]:
             found.append(Submission(name_of(where), where))
         elif child.name.endswith(ARCHIVES):
             regular = child.is_file(follow_symlinks=False)
-            found.append(Submission(name_of(where), where, "" if regular else "is no ordinary file"))
+            found.append(Submission(name_of(where), where, "" if regular else "is not a regular file"))
     if not found:
         raise UsageError(f"{shown}: there is no submission in it")
     return found
@@ -158,7 +158,7 @@ def read_below(folder: Path, name: str, most: int) -> bytes:
             os.close(at)
             at = next_at
         if not stat.S_ISREG(os.fstat(at).st_mode):
-            raise Failure(f"{printable(name)}: is no ordinary file")
+            raise Failure(f"{printable(name)}: is not a regular file")
         data = b""
         while len(data) < most and (got := os.read(at, most - len(data))):
             data += got
@@ -187,7 +187,7 @@ def _archive(path: Path):
     with os.fdopen(handle, "rb") as file:
         status = os.fstat(handle)
         if not stat.S_ISREG(status.st_mode):
-            raise Failure("is no ordinary file")
+            raise Failure("is not a regular file")
         if status.st_size > MOST_ARCHIVE_BYTES:
             raise Failure(f"is larger than {MOST_ARCHIVE_BYTES >> 20} MiB")
         yield from _zip(file) if path.name.endswith(".zip") else _tar(file)

@@ -17,12 +17,12 @@ from pages.shader import whole
 from tree import BUILD, ROOT, Failure, chapters, relative, say, shots, write_atomically
 
 ALONE = True
-HELP = """Makes the lessons into pages: build/docs/index.html.
+HELP = """Writes the lessons as pages: build/docs/index.html.
 
-They open without a server and without a network. Formulas are set, code is coloured, and one can search.
+They open without a server and without a network, with typeset formulas, coloured code and a search.
 
-  ./course docs            make them
-  ./course docs --open     and show them"""
+  ./course docs            write the pages
+  ./course docs --open     write the pages and open them in the browser"""
 KATEX = Path("/usr/share/javascript/katex")
 LATO = Path("/usr/share/fonts/truetype/lato")
 LANGUAGES = {".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
@@ -30,7 +30,7 @@ OWN = Path(__file__).parent / "site"
 
 
 def add_arguments(parser):
-    parser.add_argument("--open", action="store_true", help="show them in the browser")
+    parser.add_argument("--open", action="store_true", help="open the pages in the browser")
 
 
 def run(arguments, _rest) -> int:

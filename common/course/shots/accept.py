@@ -16,16 +16,16 @@ PROCESSORS = {name: {"GALLIUM_OVERRIDE_CPU_CAPS": name} for name in ("avx", "sse
 SECOND = "LIGHTWALK_SECOND_DRIVER"
 
 ALONE = True
-HELP = """Renders shots with the reference and makes them the goldens of tests/NN_name/golden, after it said what
-changed and by how much. Look at each picture first: whatever is accepted is what the tests hold to be right.
+HELP = """Renders shots with the reference and makes them the goldens of tests/NN_name/golden, after listing
+the changes with their size. Look at each picture first: the tests take every accepted picture for right.
 
   ./course accept              every shot
-  ./course accept 02           those of chapter 02
-  ./course accept 02.bunny     one
+  ./course accept 02           the shots of chapter 02
+  ./course accept 02.bunny     one shot
 
-A picture on which nothing was drawn, or with NaN in it, is refused.
+An empty picture, or one with NaN in it, is refused.
 
-Each shot is drawn again by Mesa's llvmpipe held to AVX and to SSE4.1, and by a second driver: set LIGHTWALK_SECOND_DRIVER
+Each shot is drawn again by Mesa's llvmpipe restricted to AVX and to SSE4.1, and by a second driver: set LIGHTWALK_SECOND_DRIVER
 to its manifest (an ICD's .json, as Vulkan's loader takes it in VK_DRIVER_FILES), for instance another Mesa's lavapipe. How
 far these are from the golden goes to tests/NN_name/golden/distances.json; the tests allow three times as much, and never
 less than what common/course/shots/golden.py says. Where a distance is large, mend the shader or the scene first: a ray that
@@ -34,7 +34,7 @@ just hits or just misses, or texture coordinates far from 0."""
 
 def add_arguments(parser):
     parser.add_argument("shot", nargs="?", default="", metavar="NN[.SHOT]")
-    parser.add_argument("--yes", action="store_true", help="do not ask")
+    parser.add_argument("--yes", action="store_true", help="accept without asking")
 
 
 def run(arguments, _rest) -> int:
@@ -77,7 +77,7 @@ def other_drivers() -> dict:
         say(f"{SECOND} is not set: no second driver is measured (./course accept --help)")
         return PROCESSORS
     if not Path(manifest).is_file():
-        raise UsageError(f"{SECOND} is {manifest}, which is no file; it takes a Vulkan driver's manifest (.json)")
+        raise UsageError(f"{SECOND} is {manifest}, which is not a file; it takes a Vulkan driver's manifest (.json)")
     return PROCESSORS | {"second driver": {"VK_DRIVER_FILES": str(Path(manifest).absolute())}}
 
 

@@ -36,7 +36,7 @@ def test_on(system: str, words: list[str]) -> int:
 def require(system: str):
     """Raises UsageError where this machine cannot have such a container."""
     if system not in SYSTEMS:
-        raise UsageError(f"'{system}' is no system to test on; there are {', '.join(SYSTEMS)}")
+        raise UsageError(f"'{system}' is not a system to test on; there are {', '.join(SYSTEMS)}")
     if os.geteuid() != 0:
         raise UsageError("only root can make a container of another system: sudo ./course test --on " + system)
     for program, package in (("debootstrap", "debootstrap"), ("bwrap", "bubblewrap")):
@@ -46,7 +46,7 @@ def require(system: str):
 
 def make_system(system: str, root: Path):
     """A half-made one is thrown away. Raises UsageError with debootstrap's reason: no network, no space."""
-    warn(f"making a bare {SYSTEMS[system]} in {relative(root)}: 80 MiB to fetch, a minute or two")
+    warn(f"creating a bare {SYSTEMS[system]} in {relative(root)}: 80 MiB to fetch, a minute or two")
     making = root.with_name("making")
     shutil.rmtree(making, ignore_errors=True)
     making.mkdir(parents=True)

@@ -18,25 +18,25 @@ from tree import BUILD, Failure, UsageError, relative, say
 ALONE = True
 HELP = """Builds everything, runs every test and writes build/report/index.html.
 
-  ./course test                  all of them
-  ./course test shot.02          those whose name matches this regular expression
-  ./course test --sanitize       all, then again under the address and undefined-behaviour sanitizers, but for windows
-  ./course test -L window        other options go to ctest
-  ./course test --on trixie      ./course run and then all of them on a bare Debian 13, in a container in build/on/trixie;
-                                 bookworm is Debian 12. With a pattern or options, those tests. It takes root.
+  ./course test                  all tests
+  ./course test shot.02          the tests whose name matches this regular expression
+  ./course test --sanitize       all tests, then all but those of windows with the address and undefined-behaviour sanitizers
+  ./course test -L window        other options are passed to ctest
+  ./course test --on trixie      ./course run and then all tests on a bare Debian 13, in a container in build/on/trixie;
+                                 bookworm is Debian 12. A pattern or options select tests. It requires root.
 
-With CI=true in the environment studies, need rules, stretch tasks, the teeth of pictures and the test of all knobs, which
-draw most, are left out, and of each chapter's charts and each kind of page one is looked at. The last line counts all tests
-run."""
+With CI=true in the environment the tests that draw most are left out (studies, need rules, stretch tasks, the goldens'
+rejections, all knobs), and only one chart of each chapter and one page of each kind are checked. The last line counts all
+tests that ran."""
 PASSES_OPTIONS = True
 SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
 CI = ["-LE", "study", "-E", r"^teeth\.[0-9]+\.|\.(knobs|need|stretch)$"]  # a CI starts from nothing on each commit, and has minutes
 
 
 def add_arguments(parser):
-    parser.add_argument("pattern", nargs="?", metavar="PATTERN", help="a regular expression for the tests' names")
-    parser.add_argument("--on", metavar="SYSTEM", help="on a bare bookworm or trixie, in a container of its own")
-    parser.add_argument("--sanitize", action="store_true", help="all but window tests and studies under the sanitizers as well")
+    parser.add_argument("pattern", nargs="?", metavar="PATTERN", help="regular expression for the names of the tests")
+    parser.add_argument("--on", metavar="SYSTEM", help="test on a bare bookworm or trixie, in a container")
+    parser.add_argument("--sanitize", action="store_true", help="also run all but window tests and studies with the sanitizers")
 
 
 def run(arguments, rest) -> int:
@@ -44,7 +44,7 @@ def run(arguments, rest) -> int:
         try:
             re.compile(arguments.pattern)
         except re.error as error:
-            raise UsageError(f"'{arguments.pattern}' is no regular expression: {error}") from None
+            raise UsageError(f"'{arguments.pattern}' is not a regular expression: {error}") from None
     if arguments.on:
         return test_on(arguments.on, [word for word in (arguments.pattern, "--sanitize" if arguments.sanitize else None)
                                       if word] + rest)

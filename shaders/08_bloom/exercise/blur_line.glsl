@@ -6,8 +6,8 @@
 // [blur_line]
 // All 256 threads of a workgroup call this function together, once, with the same
 // `start` and `radius` (0 to 896). Thread t, which is int(gl_LocalInvocationIndex),
-// returns the sum over k from -radius to radius of weight_at(abs(k)) * texel(start + t
-// + k).
+// returns the sum over k from -radius to radius of
+// weight_at(abs(k)) * texel(start + t + k).
 //
 // texel(i) is slow. The workgroup must call it exactly once for each of the 256 + 2
 // radius texels that its threads need together. keep_texel(slot, value) stores a texel

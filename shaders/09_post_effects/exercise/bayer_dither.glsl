@@ -9,8 +9,8 @@
 // Let N = 4^bits. Each pixel of the square has a rank i from 0 to N - 1, each rank
 // occurs once, and the threshold is (0.5 + i) / N. So the mean threshold is 1/2, and
 // the mean of the resulting codes is v. Pixels of similar rank are far apart: for every
-// k from 1 to bits, the 4^k largest thresholds lie in 4^k different squares of 2^(bits
-// - k) by 2^(bits - k) pixels. Bayer's matrix of ranks is built recursively:
+// k from 1 to bits, the 4^k largest thresholds lie in 4^k different squares of
+// 2^(bits - k) by 2^(bits - k) pixels. Bayer's matrix of ranks is built recursively:
 //
 //     B(0) = [0],   B(n + 1) = [ 4 B(n)      4 B(n) + 2 ]
 //                              [ 4 B(n) + 3  4 B(n) + 1 ]

@@ -8,9 +8,10 @@
 // straight up. Height (0 or more), radius and scale_height are in metres. For a
 // scale_height of 0 the result is 0.
 //
-// Slope of 0 or more: with X = (radius + height) / scale_height and x = sqrt(X / 2) *
-// slope, the integral is scale_height * exp(-height / scale_height) * sqrt(pi X / 2) *
-// s(x), with the fit of Smith and Smith
+// Slope of 0 or more: with X = (radius + height) / scale_height and
+// x = sqrt(X / 2) * slope, the integral is
+// scale_height * exp(-height / scale_height) * sqrt(pi X / 2) * s(x), with the fit of
+// Smith and Smith
 //
 //     s(x) = (1.0606963 + 0.55643831 x) / (1.0619896 + 1.7245609 x + x^2)   for x up to 8
 //     s(x) = 0.56498823 / (0.06651874 + x)                                  above

@@ -8,8 +8,9 @@
 // ground, the smaller one first. A distance below 0 lies behind the start. If the ray
 // touches the sphere, both are equal. If it misses, the result is vec2(1, -1).
 //
-// The distances t solve t^2 + 2 b t + c = 0 with b = (radius + height) * slope and c =
-// (radius + height)^2 - (radius + shell)^2. In floats, two differences lose all digits:
+// The distances t solve t^2 + 2 b t + c = 0 with b = (radius + height) * slope and
+// c = (radius + height)^2 - (radius + shell)^2. In floats, two differences lose all
+// digits:
 // - At the radius of a planet, (radius + height)^2 is known only to 2,000,000 square
 //   metres. Write c as a product in which height and shell appear by themselves.
 // - Of the two roots -b + sqrt(b^2 - c) and -b - sqrt(b^2 - c), one is a small

@@ -21,8 +21,8 @@
 // where scale is the k-th power of `finer`.
 //
 // The derivative is that of the whole formula. d depends on the position as well,
-// through the second derivatives of the noise, and with it the weight 1 / (1 + erosion
-// * dot(d, d)). d itself is not the slope.
+// through the second derivatives of the noise, and with it the weight
+// 1 / (1 + erosion * dot(d, d)). d itself is not the slope.
 // [/eroded_fbm]
 vec3 eroded_fbm(ivec2 cell, vec2 offset, float octaves, float erosion, float gain) {
     settle(cell, offset);

@@ -11,8 +11,8 @@
 // which: D asks how far the facet is tilted from the surface, F at what angle the light
 // meets the facet. |l + v|^2 is that of the sum before it is normalised.
 //
-// The result is 0 if the light or the camera is below the horizon (n.l <= 0 or n.v <=
-// 0), and never negative. If l and v are opposite, there is no half vector; then one of
-// them is below the horizon, so test that first.
+// The result is 0 if the light or the camera is below the horizon (n.l <= 0 or
+// n.v <= 0), and never negative. If l and v are opposite, there is no half vector; then
+// one of them is below the horizon, so test that first.
 // [/kelemen_szirmay_kalos]
 float kelemen_szirmay_kalos(vec3 n, vec3 l, vec3 v, float m, float f0) { return 0.0; }
