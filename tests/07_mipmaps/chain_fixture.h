@@ -29,7 +29,6 @@ struct OnChain : OnModules {
             const auto bytes = to_bytes(texels, format);
             all.insert(all.end(), bytes.begin(), bytes.end());
         }
-        Frame frame(gpu);
         frame.begin({4, 4}, 0);
         frame.upload("first level", ImageView(made).mip(0), all);
         frame.end();
@@ -38,7 +37,6 @@ struct OnChain : OnModules {
 
     void fill(const ImageView& image, const std::string& method, Content content = Content::each, float cutoff = 0.5f) {
         chain.method.set(method);
-        Frame frame(gpu);
         frame.begin({4, 4}, 0);
         chain.record(frame, image, content, cutoff);
         frame.end();
