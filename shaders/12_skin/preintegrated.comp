@@ -1,7 +1,7 @@
 // E. Penner and G. Borshukov, "Pre-Integrated Skin Shading", GPU Pro 2, 2011: what a sphere of skin shows of one light, over
 // the cosine to it along u and the sphere's curvature along v. They integrate along a circle; here over the sphere.
 #include "12_skin/gaussian_profile.glsl"
-#include "12_skin/skin.glsl"
+#include "12_skin/profile.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f) writeonly uniform image2D result;
