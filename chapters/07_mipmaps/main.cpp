@@ -94,14 +94,14 @@ struct Mipmaps : ModelChapter {
         // 1. The levels of every texture.
         if (remake || !textures.recorded()) textures.record(frame, mips, objects.maps.cutoff);
 
-        // 2. What is seen of them.
+        // 2. The scene with these levels, or one level by itself.
         if (show.is("level") && !textures.entries().empty())
             viewer.record(frame, textures, mips);
         else
             draw_objects(frame, view, frame.hdr, !mips.method.is("none"));
         if (show.is("split")) split(frame, view);
 
-        // 3. Linear light to the codes a screen expects.
+        // 3. Linear light to the codes that a screen expects.
         encode_srgb(frame);
     }
     // [/frame]

@@ -71,19 +71,19 @@ struct BloomChapter : ModelChapter {
 
     // [frame]
     void frame(Frame& frame) override {
-        // 1. A picture in linear light, whose bright parts are brighter than a screen can show.
+        // 1. A picture in linear light, with values above the white of a screen.
         source.is("spot") ? draw_spot(frame) : draw_scene(frame);
 
         // 2. Its bloom.
         bloom.record(frame, frame.hdr);
 
-        // 3. What is looked at.
+        // 3. An image of the bloom in place of the picture, if the knob says so.
         if (!show.is("picture") && !bloom.method.is("none"))
             look_at(frame, show.is("cut_out")  ? bloom.cut_out()
                            : show.is("spread") ? bloom.spread()
                                                : bloom.level(static_cast<size_t>(level.value)));
 
-        // 4. Linear light to the codes a screen expects.
+        // 4. Linear light to the codes that a screen expects.
         encode_srgb(frame);
     }
     // [/frame]

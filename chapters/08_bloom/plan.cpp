@@ -192,8 +192,8 @@ class Planner {
     }
 
     // [pyramid]
-    // Levels until the next would blur too much; what is missing is a small Gaussian on the smallest; and up again, on
-    // the way adding each level's own where a sum of Gaussians is wanted.
+    // Takes levels until the next one would blur too much, adds the missing variance by a small Gaussian at the smallest
+    // level, and goes up again, adding each level's own light if a sum of Gaussians is requested.
     void pyramid() {
         const double sigma = wish_.sigma_px;
         const int levels = levels_for(sigma);

@@ -44,20 +44,20 @@ struct PostEffects : ModelChapter {
         const KnobsForFrame kept(post, reference, effects);
         const View view = set_view(frame);
 
-        // 1. A picture in linear light: chapter 06's objects, and what a lens leaves out of focus in it.
+        // 1. A picture in linear light: chapter 06's objects, with depth of field.
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 0.0f));
         if (source.is("chart"))
             draw_chart(frame);
         else
             dof.record(frame, view, canvas, {objects});
 
-        // 2. Chapter 08's light that strays.
+        // 2. Chapter 08's bloom.
         bloom.record(frame, frame.hdr);
 
-        // 3. What is shown of it.
+        // 3. Exposure, tone curve and post effects.
         post.record(frame, frame.hdr);
 
-        // 4. Linear light to the codes a screen expects.
+        // 4. Linear light to the codes that a screen expects.
         encode_srgb(frame);
     }
     // [/frame]

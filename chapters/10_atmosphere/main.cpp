@@ -43,18 +43,18 @@ struct AtmosphereChapter : ModelChapter {
         const View view = set_view(frame);
         scene.set_sun(atmosphere.sun());
 
-        // 1. What is solid: mountains, then the planet and what lies beyond it; and the air and the fog before it.
+        // 1. Mountains, the planet with the stars behind it, and the air and the fog in front.
         Canvas canvas(frame.hdr, frame.depth);
         draw(frame, view, canvas, {mountains, planet, atmosphere, fog});
 
-        // 2. What is looked at in place of it.
+        // 2. A table or the standard error in place of the picture, if the knob says so.
         if (atmosphere.method.is("tables") && show.index > 0 && show.index < 4)
             look_at(frame, show.is("sky")        ? atmosphere.sky()
                            : show.is("multiple") ? atmosphere.multiple()
                                                  : atmosphere.transmittance());
         if (atmosphere.method.is("truth") && show.is("doubt")) look_at(frame, atmosphere.doubt());
 
-        // 3. Linear light to the codes a screen expects; what is brighter than white fades into it.
+        // 3. Linear light to the codes that a screen expects; bright light fades to white.
         encode_film(frame);
     }
     // [/frame]

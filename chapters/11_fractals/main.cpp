@@ -62,7 +62,7 @@ struct Fractals : ModelChapter {
         else
             draw(frame, view, canvas, {terrain});
 
-        // Linear light to codes; what is brighter than white fades into it.
+        // Linear light to the codes that a screen expects; bright light fades to white.
         encode_film(frame);
     }
     // [/frame]

@@ -59,7 +59,7 @@ struct SkinChapter : ModelChapter {
         there.position = glm::mix(camera.target, camera.position, dolly.value);
         const View view = set_view(frame, there);
 
-        // 1. The light on the skin's map, how it spreads there, and the head in its surroundings (head.cpp).
+        // 1. The light on the map of the skin, its blur, and the head in its environment (head.cpp).
         head.shown = show.is("specular")    ? Skin::Shown::specular
                      : show.is("thickness") ? Skin::Shown::thickness
                      : show.is("seams")     ? Skin::Shown::seams
@@ -68,7 +68,7 @@ struct SkinChapter : ModelChapter {
         draw(frame, view, canvas, {head});
         if (!head.skin.empty()) look_at_maps(frame);
 
-        // 2. Linear light to the codes a screen expects.
+        // 2. Linear light to the codes that a screen expects.
         encode_srgb(frame);
     }
     // [/frame]

@@ -95,10 +95,10 @@ struct MlaaChapter : ModelChapter {
         // 1. A picture in linear light, or the mean of four.
         draw_light(frame);
 
-        // 2. Its edges made smooth, where that was not done while it was drawn.
+        // 2. Anti-aliasing by a filter, unless the picture was drawn with several samples.
         antialias.record(frame, frame.hdr);
 
-        // 3. What is looked at.
+        // 3. The edges or the lengths in place of the picture, if the knob says so.
         if (!show.is("picture") && antialias.follows_edges())
             frame.compute("look", {.reads = {antialias.distances(), frame.hdr}, .writes = {frame.hdr}},
                           [&](Compute& pass) {
@@ -106,7 +106,7 @@ struct MlaaChapter : ModelChapter {
                               pass.set("picture", frame.hdr).dispatch_threads(frame.size);
                           });
 
-        // 4. Linear light to the codes a screen expects.
+        // 4. Linear light to the codes that a screen expects.
         encode_srgb(frame);
     }
     // [/frame]

@@ -56,8 +56,8 @@ void Mlaa::set_up(Frame& frame, glm::uvec2 size) {
 }
 
 // [propagate]
-// Distances become as long as `reach`: from one image into the other and back, as often as that takes. Returns the one
-// that has them then.
+// Propagates distances up to `reach`, alternating between the two images for as many passes as needed. Returns the image
+// that holds the result.
 const Image* Mlaa::propagate(Compute& pass, const Image* from, const Image* into,
                              const glm::ivec2 (&directions)[4]) const {
     Step step{.directions = {}, .reads = reads.is("two") ? 2 : 4, .reach = reach};
@@ -93,7 +93,7 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
         pass.dispatch_threads(picture.desc.size);
     });
 
-    // 2. How long they are. From here on only what is listed is looked at: as many workgroups as that needs.
+    // 2. Line lengths. From here on only listed pixels are processed, by as many workgroups as they need.
     access.reads = {work_, list_, distances_[0], distances_[1]};
     access.writes = {distances_[0], distances_[1]};
     if (shapes)
@@ -116,7 +116,7 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
         lengths_ = propagate(pass, other, edges, straight);
     });
 
-    // 3. Shares, mixed light, and that into the picture.
+    // 3. Weights, mixed light, and its copy into the picture.
     access = {.reads = {work_, list_, mixed_, picture, areas_, crossings_, distances()},
               .writes = {work_, mixed_, picture},
               .with = {*this}};
