@@ -29,7 +29,7 @@ class Commands(Course):
     def test_bad_words_are_one_line_and_2(self):
         for words, expected in (("rum", "no command 'rum'; there are run"), ("run 03", "there are 01_obj, 02_lambert"),
                                 ("run --size 1x1", "./course run 01 --size"), ("check 01.two", "chapter 01 has 01.one"),
-                                ("accept 01.cat", "there are 01.bunny, 01.car"), ("fuzz 0", "no time to fuzz"),
+                                ("accept 01.cat", "there are 01.bunny, 01.car"), ("fuzz 0", "0 seconds is too short"),
                                 ("clean all", "unrecognised argument"), ("test (", "not a regular expression"),
                                 ("handout /", "name a folder"), ("grade nobody", "no such file")):
             printed = self.course(*words.split(), code=2)

@@ -9,9 +9,9 @@
 //   or more.
 // - If `mixes` is false, only bright light was blurred. Add strength * spread (strength
 //   0 or more).
-// - If `mixes` is true, all light of the picture was blurred. Adding it would make the
-//   picture brighter. Instead `strength` (0 to 1) is the share of light that moves: it
-//   is taken away from the pixel itself and arrives as spread light.
+// - If `mixes` is true, all light of the picture was blurred, and adding it would make
+//   the picture brighter. Light moves instead: the pixel loses the fraction `strength`
+//   (0 to 1) of its own light, and receives strength * spread.
 //
 // The result is finite light as well: apply finite_light to it.
 // [/combine]
