@@ -1,7 +1,7 @@
 """More submissions that attack their grading, in later chapters: answers that know where they run, that bring their own
 checks, and that have a table of the inputs everybody can see."""
 
-from grading import PLACES, REAL, right
+from graded_class import PLACES, REAL, right
 from check.variants import variants
 
 

@@ -8,7 +8,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
-from text_check import prose  # noqa: E402
+from test.text_check import prose  # noqa: E402
 
 DECLARED = re.compile(r"^\s*(Knob<[\w:]+>|Choice)\s+(\w+)\s*\{", re.M)
 STRING = re.compile(r'"((?:[^"\\\n]|\\.)*)"')

@@ -16,7 +16,7 @@ import zlib
 from pathlib import Path
 from unittest import mock
 
-from grading import CHAPTERS, PLACES, REAL, Class, right
+from graded_class import CHAPTERS, PLACES, REAL, Class, right
 from grading.grade import grade, table, write_files
 from grading.judge import Judge, same_text
 from grading.submission import cell, find

@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from grading import right, why_not
+from graded_class import right, why_not
 from grading.grade import table, write_files
 from grading.judge import Judge
 from grading.judge_picture import DriverEnded, Pictures

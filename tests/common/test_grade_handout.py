@@ -4,7 +4,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from grading import REAL
+from graded_class import REAL
 from grading import handout
 
 GUARDED = "__has_include"  # a file that asks first can do without

@@ -7,7 +7,7 @@ import time
 import unittest
 from pathlib import Path
 
-from grading import CHAPTERS, REAL, Class, right
+from graded_class import CHAPTERS, REAL, Class, right
 from hostile import ABSTRACT, ATTACKS, OUTSIDE
 from tree import BUILD
 

@@ -3,7 +3,7 @@
 import subprocess
 import unittest
 
-from grading import OF, Class, right, why_not
+from graded_class import OF, Class, right, why_not
 from build.build import build
 from hostile_grade import ATTACKS, TABLES
 from grading.judge import Judge, parts, targets

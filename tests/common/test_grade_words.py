@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from grading import OF, PLACES, REAL, right, why_not
+from graded_class import OF, PLACES, REAL, right, why_not
 from grading import sandbox
 from grading.alike import alike
 from check.check import note_what_grading_refuses

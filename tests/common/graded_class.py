@@ -1,6 +1,6 @@
 """A class for the tests of ./course grade: students with answers in a folder, judged once for all tests.
 
-python3 tests/common/grading.py [NN ...] judges a right answer to every exercise of these chapters (all): after a change of
+python3 tests/common/graded_class.py [NN ...] judges a right answer to every exercise of these chapters (all): after a change of
 a check it says whether grading still takes what is right. A C++ exercise that cannot be called in another process needs a
 TRIAL (common/check/trial.h).
 """
