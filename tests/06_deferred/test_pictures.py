@@ -189,7 +189,7 @@ class PicturesTest(ChapterPictures):
         done = subprocess.run([self.program, "--scene", file, "--screenshot", self.folder / "no.png"], capture_output=True,
                               text=True, cwd=ROOT)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("there is no object 'camera a'", done.stderr)
+        self.assertIn("add an object 'camera a'", done.stderr)
         self.assertFalse((self.folder / "no.png").exists())
 
     def test_what_is_decoded_is_what_was_written(self):

@@ -265,7 +265,7 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
         {"/scenes", "[]", "key 'scenes' is []"},
         {"/scenes/1/lights", "3", "key 'lights' is unknown here; known: scene, set, label"},
         {"/scenes/1/set/lamps", "3",
-         "key 'lamps': unknown knob 'lamps'; the nearest are light and looks; --list knobs lists all"},
+         "key 'lamps': unknown knob 'lamps'; the nearest are samples and looks; --list knobs lists all"},
         {"/scenes/1/set/light", "5", "key 'light': light=5: expected a number from 0 to 4"},
         {"/scenes/1/set/light", "[1, 2]", "key 'light' is [1,2], expected one value"},
         {"/scenes/1/set/looks", "2", "'looks' is set by the scene, so neither a curve nor the truth may set it"},

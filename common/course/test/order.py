@@ -73,8 +73,8 @@ def included(user: Path, used: str) -> Path:
         return beside.relative_to(ROOT)
     if CHAPTER.fullmatch(Path(used).parts[0]):
         return Path("chapters") / used
-    below = [Path(), Path("shaders"), Path("tests")]
-    return next((folder / used for folder in below if (ROOT / folder / used).is_file()), Path(used))
+    below = [(ROOT / folder / used).resolve() for folder in ("", "shaders", "tests")]
+    return next((path.relative_to(ROOT) for path in below if path.is_relative_to(ROOT) and path.is_file()), Path(used))
 
 
 def place(name: Path) -> tuple[str, int] | None:
