@@ -23,12 +23,12 @@ inline Sound made(int rate_hz, double seconds, const std::function<double(double
 
 inline double tone(double frequency_hz, double t) { return std::sin(2 * M_PI * frequency_hz * t); }
 
-/// An Ogg Vorbis file in memory, channel by channel.
-inline std::string encoded(int rate_hz, const std::vector<std::vector<float>>& channels, float quality = 0.6f) {
+/// An Ogg Vorbis file in memory, channel by channel. Streams in one file need different `serial` numbers.
+inline std::string encoded(int rate_hz, const std::vector<std::vector<float>>& channels, int serial = 1) {
     std::string bytes;
     vorbis_info info;
     vorbis_info_init(&info);
-    REQUIRE(vorbis_encode_init_vbr(&info, static_cast<long>(channels.size()), rate_hz, quality) == 0);
+    REQUIRE(vorbis_encode_init_vbr(&info, static_cast<long>(channels.size()), rate_hz, 0.6f) == 0);
     vorbis_comment comment;
     vorbis_comment_init(&comment);
     vorbis_dsp_state state;
@@ -36,7 +36,7 @@ inline std::string encoded(int rate_hz, const std::vector<std::vector<float>>& c
     vorbis_block block;
     vorbis_block_init(&state, &block);
     ogg_stream_state stream;
-    ogg_stream_init(&stream, 1);
+    ogg_stream_init(&stream, serial);
     ogg_page page;
     const auto append = [&] {
         bytes.append(reinterpret_cast<char*>(page.header), size_t(page.header_len));
