@@ -1,14 +1,48 @@
-// Chapter 14: a stand-in until the chapter's own frame is there.
+// Chapter 14: light from all around, out of a picture or out of the scene itself.
 #include "01_obj/model_chapter.h"
-#include "14_environment/music.h"
+#include "08_bloom/bloom.h"
+#include "09_post_effects/post.h"
+#include "14_environment/backdrop.h"
+#include "14_environment/beat_sphere.h"
+#include "14_environment/lit_around.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct EnvironmentChapter : ModelChapter {
+    ImageLight light{*this, "environment"};
+    Backdrop backdrop{*this, "backdrop", light};
+    LitAround objects{*this, "objects", light};
     Music music{*this, "music"};
-    std::string default_scene() const override { return "scenes/julia_sunset.json"; }
-    void frame(Frame& frame) override { encode_srgb(frame); }
+    BeatSphere sphere{*this, "sphere", light, music};
+    Bloom bloom{*this, "bloom"};
+    Post post{*this, "post"};
+
+    EnvironmentChapter() {
+        method_knob = "environment.reflection";
+        objects.lights.method.change_default("every_light");
+        objects.maps.method.change_default("normal");
+        bloom.method.change_default("none");
+    }
+    std::string default_scene() const override { return "scenes/lacquered_statue.json"; }
+
+    // [frame]
+    void frame(Frame& frame) override {
+        const View view = set_view(frame);
+
+        // 1. Cubes of light from the picture of the surroundings, where they are not there already.
+        light.record(frame, scene);
+
+        // 2. The surroundings, then what stands in them.
+        Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
+        draw(frame, view, canvas, {backdrop, objects, sphere});
+
+        // 3. Chapter 08's bloom, chapter 09's tones, and the codes a screen expects.
+        bloom.record(frame, frame.hdr);
+        post.record(frame, frame.hdr);
+        encode_srgb(frame);
+    }
+    // [/frame]
 };
 
 CHAPTER(EnvironmentChapter)

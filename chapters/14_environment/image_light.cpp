@@ -1,0 +1,129 @@
+#include "14_environment/image_light.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+
+namespace lightwalk {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// A level of the scene's picture as numbers, at most 128 texels wide: a cosine sees no more of it.
+ImageRgb small_picture(Gpu& gpu, const Image& picture) {
+    uint32_t level = 0;
+    while ((picture.desc.size.x >> level) > 128 && level + 1 < picture.desc.mips) ++level;
+    const ImageView view = picture.mip(level);
+    const std::vector<std::byte> bytes = gpu.read_back(view);
+    ImageRgb small(static_cast<int>(view.size().x), static_cast<int>(view.size().y));
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            uint64_t texel = 0;
+            std::memcpy(&texel, bytes.data() + 8 * (size_t(y) * size_t(small.width) + size_t(x)), 8);
+            small.at(x, y) = glm::vec3(glm::unpackHalf4x16(texel));
+        }
+    return small;
+}
+
+}  // namespace
+
+// P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008, "Windowing".
+std::array<double, 3> sh_window(size_t which) {
+    std::array<double, 3> factors{1, 1, 1};
+    for (int degree = 1; degree < 3; ++degree) {
+        const double hann = 0.5 * (1 + std::cos(pi * degree / 5)), x = pi * degree / 3;
+        factors[size_t(degree)] = which == 1 ? hann : which == 2 ? std::pow(std::sin(x) / x, 4) : 1;
+    }
+    return factors;
+}
+
+void ImageLight::prepare(Gpu& gpu, Scene& scene) {
+    made_.clear();
+    drawn_ = false;
+    if (scene.environment) {
+        picture_sh_ = sh_project(small_picture(gpu, *scene.environment));
+    } else {
+        ImageRgb even(64, 32);
+        for (int y = 0; y < even.height; ++y)
+            for (int x = 0; x < even.width; ++x) even.at(x, y) = scene.file.ambient;
+        picture_sh_ = sh_project(even);
+    }
+}
+
+const Image& ImageLight::picture_of(Frame& frame, const Scene& scene) {
+    if (scene.environment) return *scene.environment;
+    const std::vector<uint64_t> texels(64 * 32, glm::packHalf4x16(glm::vec4(scene.file.ambient, 1.0f)));
+    even_ = Image(frame.gpu.device, {.name = path() + " even", .size = {64, 32}});
+    frame.upload(path() + " even", even_, std::as_bytes(std::span(texels)));
+    return even_;
+}
+
+std::string ImageLight::made_from() const {
+    return fmt::format("{} {} {} {} {}", prefilter.samples.value, prefilter.bias.value, limit.value, sh_window.text(),
+                       Exercises::version());
+}
+
+void ImageLight::record_table(Frame& frame) {
+    frame.compute("split sum", {.writes = {table}}, [&](Compute& pass) {
+        pass.use(split_sum_).set("table", table).set("table_samples", 1024u);
+        pass.dispatch(glm::uvec3(table.desc.size, 1));
+    });
+}
+
+void ImageLight::upload_sh(Frame& frame, const Sh9& sh) {
+    std::vector<glm::vec4> windowed;
+    const std::array<double, 3> factors = lightwalk::sh_window(sh_window.index);
+    for (size_t i = 0; i < sh.size(); ++i)
+        windowed.emplace_back(glm::vec3(sh[i] * factors[i == 0 ? 0u : i < 4 ? 1u : 2u]), 0.0f);
+    frame.upload(path() + " sh", sh_, windowed);
+}
+
+// [record]
+void ImageLight::record(Frame& frame, const Scene& scene) {
+    scene_ = &scene;
+    if (made_ == made_from()) return;
+    const Image& picture = picture_of(frame, scene);
+    const ImageView cube = radiance.as_array().mip(0);
+    frame.compute("equirect to cube", {.reads = {picture}, .writes = {cube}}, [&](Compute& pass) {
+        pass.use(to_cube_).set("picture", picture).set("limit", limit.value).set("cube", cube);
+        pass.dispatch_threads(glm::uvec3(face_texels, face_texels, 6));
+    });
+    filter(frame);
+    upload_sh(frame, picture_sh_);
+    made_ = made_from();
+}
+
+void ImageLight::filter(Frame& frame) {
+    levels.record(frame, radiance.all_mips());
+    prefilter_faces(frame, {face_, radiance, prefiltered, {prefilter}});
+
+    // Levels of 16 texels: a cosine sees no more. 32 for sums over them.
+    const ImageView array = radiance.as_array();
+    frame.compute("irradiance", {.reads = {array}, .writes = {irradiance.as_array()}}, [&](Compute& pass) {
+        pass.use(irradiance_).set("radiance", array, nearest_clamp).set("source_level", 4);
+        pass.set("irradiance", irradiance.as_array());
+        pass.dispatch_threads(glm::uvec3(irradiance.desc.size, 6));
+    });
+    if (toggles_ != Exercises::version() || !has_table_) record_table(frame);
+    toggles_ = Exercises::version(), has_table_ = true;
+}
+// [/record]
+
+void ImageLight::bind(Pass& pass) const {
+    pass.offer("image_light_radiance", radiance, linear_clamp);
+    pass.offer("image_light_prefiltered", prefiltered, linear_clamp);
+    pass.offer("image_light_irradiance", irradiance, linear_clamp);
+    pass.offer("image_light_table", table, linear_clamp);
+    pass.offer("image_light_texels", radiance.as_array(), nearest_clamp);
+    pass.offer("image_light_sh", sh_);
+    ImageLightState state = state_;
+    state.levels = static_cast<float>(prefiltered.desc.mips);
+    state.texels = static_cast<float>(face_texels);
+    pass.offer("image_light_state", state);
+    pass.offer("environment_scale", drawn_ ? EnvironmentScale{1.0f, 0.0f, intensity.value}
+                                           : environment_scale(*scene_, intensity, turn_deg));
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,114 @@
+// Light from all around as a module: an environment as a cube, and what diffuse and glossy surfaces need of it.
+#pragma once
+#include "07_mipmaps/mip_chain.h"
+#include "11_fractals/environment.h"
+#include "14_environment/exercises.h"
+#include "14_environment/image_light_data.h"
+#include "common/app/module.h"
+#include "common/app/target.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+/// How the prefiltered cube is made.
+struct Prefilter : Module {
+    Prefilter(Module& owner, std::string name) : Module(owner, std::move(name), "prefilter") {}
+    Knob<int> samples{*this, "samples", 64, {1, 4096}, "Samples of each texel of the prefiltered cube"};
+    Knob<float> bias{
+        *this, "bias", 1.0f, {0.0f, 8.0f}, "Added to the level that each sample of a texel is read from", "levels"};
+};
+
+// [image_light]
+/// Gives shaders diffuse_light() and reflected_from_around() of 14_environment/image_light.glsl. In each frame, before the
+/// first pass that states it in `.with`:
+///
+///     light.record(frame, scene);   // from the scene's picture, or its ambient light where it has none
+///
+/// or, for surroundings that were drawn into light.radiance (its first level, six faces):
+///
+///     light.filter(frame);
+struct ImageLight : Module {
+    ImageLight(Module& owner, std::string name) : Module(owner, std::move(name), "image_light") {}
+
+    Choice diffuse{*this,
+                   "diffuse",
+                   {"constant", "sh9", "irradiance"},
+                   "irradiance",
+                   "Diffuse environment light: its mean, nine spherical-harmonic coefficients, or an irradiance cube"};
+    Choice reflection{*this,
+                      "reflection",
+                      {"none", "mirror", "box_mips", "prefiltered", "dominant", "multiscatter", "sampled", "truth"},
+                      "multiscatter",
+                      "Glossy reflection: none; the sharp cube; its box-filtered levels; levels filtered with GGX, looked "
+                      "up along the mirror direction or the dominant one; with multiple scattering; sampled for each "
+                      "pixel; or summed over all texels"};
+    // [/image_light]
+    Choice sh_window{*this,
+                     "sh_window",
+                     {"none", "hann", "sinc4"},
+                     "none",
+                     "Window on the spherical harmonics: none, Hann of width 5, or sinc^4 of width 3"};
+    Knob<int> samples{*this, "samples", 64, {1, 4096}, "Samples of each pixel, for the reflection 'sampled'"};
+    Knob<float> sample_bias{
+        *this, "sample_bias", 1.0f, {0.0f, 8.0f}, "Added to the level that each sample of a pixel is read from", "levels"};
+    Knob<float> limit{*this,
+                      "limit",
+                      65504.0f,
+                      {0.01f, 65504.0f},
+                      "Radiance of the picture above which it is cut off; half floats end at 65504"};
+    Knob<float> intensity{
+        *this, "intensity", 1.0f, {0.0f, 1e4f}, "Scale factor for the environment's radiance, besides the scene's own"};
+    Knob<float> turn_deg{
+        *this, "turn_deg", 0.0f, {-360.0f, 360.0f}, "Rotation of the environment about +y, besides the scene's own", "°"};
+
+    /// Fills the cubes where the scene has another picture than they were made from, or where a knob that they depend on
+    /// has changed; else records nothing.
+    void record(Frame& frame, const Scene& scene);
+
+    /// Everything that is made from the first level of `radiance`: its smaller levels, the prefiltered cube, irradiance
+    /// and spherical harmonics.
+    void filter(Frame& frame);
+
+    /// For surroundings that were drawn: how lookups are turned into the cube's space.
+    void look_from(const ImageLightState& state) { state_ = state, drawn_ = true; }
+
+    void prepare(Gpu& gpu, Scene& scene) override;
+    std::vector<std::string> load_exercises() const override { return {"14.sh_project"}; }
+    std::vector<Resource> reads() const override { return {radiance, prefiltered, irradiance, table, sh_}; }
+    void bind(Pass& pass) const override;
+
+    Prefilter prefilter{*this, "prefilter"};
+    MipChain levels{*this, "levels"};
+    static constexpr uint32_t face_texels = 256;
+    Target radiance{*this,
+                    {.name = "radiance", .size = {face_texels, face_texels}, .mips = 0, .layers = 6, .cube = true, .kept = true}};
+    Target prefiltered{
+        *this, {.name = "prefiltered", .size = {face_texels, face_texels}, .mips = 7, .layers = 6, .cube = true, .kept = true}};
+    Target irradiance{*this, {.name = "irradiance", .size = {16, 16}, .layers = 6, .cube = true, .kept = true}};
+    Target table{*this, {.name = "table", .size = {64, 64}, .kept = true}};
+
+  private:
+    const Image& picture_of(Frame& frame, const Scene& scene);
+    void record_table(Frame& frame);
+    void upload_sh(Frame& frame, const Sh9& sh);
+    std::string made_from() const;
+
+    Pipeline to_cube_ = compute({.shader = "14_environment/equirect_to_cube.comp"});
+    Pipeline face_ = compute({.shader = "14_environment/prefilter.comp"});
+    Pipeline irradiance_ = compute({.shader = "14_environment/irradiance.comp"});
+    Pipeline sh_sums_ = compute({.shader = "14_environment/sh_sums.comp"});
+    Pipeline split_sum_ = compute({.shader = "14_environment/split_sum.comp"});
+    const Scene* scene_ = nullptr;
+    Image even_;        ///< where there is no picture
+    Sh9 picture_sh_{};  ///< of the scene's picture, as 14.sh_project says
+    Buffer sh_;
+    ImageLightState state_{};
+    bool drawn_ = false, has_table_ = false;
+    std::string made_;  ///< made_from() of what is in the cubes
+    unsigned toggles_ = 0;
+};
+
+/// The windows that keep spherical harmonics from ringing: the factor of degree 0, 1 and 2.
+std::array<double, 3> sh_window(size_t which);
+
+}  // namespace lightwalk

@@ -1,0 +1,17 @@
+#include "14_environment/lit_around.h"
+
+namespace lightwalk {
+
+LitAround::LitAround(Module& owner, std::string name, const ImageLight& light)
+    : LitScene(owner, std::move(name)), substances(owner, "substances"), light_(light) {
+    shading = &surface_;
+    transparent_shading = &glass_;
+}
+
+std::vector<With> LitAround::given() const {
+    std::vector<With> with = LitScene::given();
+    with.insert(with.end(), {light_, substances});
+    return with;
+}
+
+}  // namespace lightwalk

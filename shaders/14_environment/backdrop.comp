@@ -1,0 +1,28 @@
+// The surroundings behind, and the ground below, on which what was photographed there is projected.
+#include "11_fractals/cubic_picture.glsl"
+#include "11_fractals/environment_turn.glsl"
+#include "14_environment/backdrop_data.h"
+#include "14_environment/direction_to_equirect.glsl"
+#include "common/view_rays.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+uniform sampler2D picture;
+layout(scalar) uniform RaysBlock { ViewRays rays; };
+layout(scalar) uniform BackdropNowBlock { BackdropNow now; };
+layout(rgba16f) writeonly uniform image2D result;
+
+// [backdrop]
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(result)))) return;
+    vec3 direction = normalize(ray_through(rays, vec2(pixel) + 0.5)), seen = direction;
+    float t = direction.y < 0.0 ? (now.ground_y - rays.eye.y) / direction.y : -1.0;
+    bool on_ground = now.has_ground == 1u && t > 0.0;
+    vec3 place = rays.eye + t * direction;
+    // As the camera saw it that took the picture, from its height above the ground.
+    if (on_ground) seen = place - vec3(0.0, now.ground_y + now.camera_m, 0.0);
+    vec3 light = cubic_picture(picture, direction_to_equirect(environment_space(seen)), now.level);
+    imageStore(result, pixel, vec4(min(environment_scale.intensity * light, 65504.0), 1.0));
+}
+// [/backdrop]
