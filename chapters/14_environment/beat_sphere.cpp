@@ -70,7 +70,7 @@ void BeatSphere::update(Frame& frame) {
     };
     now_ = {.center = center,
             .radius_m = radius_m,
-            .heights = glm::vec3(low, middle, high) * glm::vec3(levels),
+            .heights = glm::vec3(low.value, middle.value, high.value) * glm::vec3(levels),
             .brightness = brightness,
             .phases = {travelled(0), travelled(1), travelled(2)},
             .blur = blur,
@@ -87,7 +87,7 @@ void BeatSphere::draw(Frame& frame, const View&, Canvas& canvas) {
                  {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = {*this, light_}},
                  [&](Raster& pass) {
                      pass.use(surface_).set("directions", directions_);
-                     pass.draw_indexed(indices_, 0, static_cast<uint32_t>(indices_.size / sizeof(uint32_t)));
+                     pass.draw_indexed(indices_, 0, 20 * 3 * parts * parts);
                  });
 }
 

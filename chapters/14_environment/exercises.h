@@ -2,7 +2,6 @@
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>
-#include <vector>
 
 #include "common/base/exercise.h"
 #include "common/gpu/frame.h"
