@@ -1,20 +1,19 @@
 // The C++ exercises of this chapter. Each name calls the student's version or the reference, as the toggle says.
 #pragma once
-#include <array>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "common/base/exercise.h"
 #include "common/gpu/frame.h"
-#include "common/image/image.h"
 
 namespace lightwalk {
 
 /// The nine coefficients of an environment in real spherical harmonics up to degree 2: a colour each, in the order
 /// (0,0), (1,-1), (1,0), (1,1), (2,-2), (2,-1), (2,0), (2,1), (2,2). Degree 1 is along y, z and x.
-using Sh9 = std::array<glm::dvec3, 9>;
+using Sh9 = std::vector<glm::dvec3>;
 
-/// exercise/sh_project.cpp says what it must do.
-EXERCISE("14.sh_project", Sh9, sh_project, const ImageRgb& picture);
+/// exercise/sh_project.cpp says what it must do. `texels`: row by row, from the upper edge.
+EXERCISE("14.sh_project", Sh9, sh_project, int width, int height, const std::vector<glm::vec3>& texels);
 
 /// What 14.prefilter_faces has to work with.
 struct PrefilterPasses {
