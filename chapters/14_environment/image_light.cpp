@@ -6,6 +6,8 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
+#include "common/image/image.h"
+
 namespace lightwalk {
 namespace {
 
@@ -43,13 +45,12 @@ void ImageLight::prepare(Gpu& gpu, Scene& scene) {
     made_.clear();
     drawn_ = false;
     if (scene.environment) {
-        picture_sh_ = sh_project(small_picture(gpu, *scene.environment));
+        const ImageRgb small = small_picture(gpu, *scene.environment);
+        picture_sh_ = sh_project(small.width, small.height, small.pixels);
     } else {
-        ImageRgb even(64, 32);
-        for (int y = 0; y < even.height; ++y)
-            for (int x = 0; x < even.width; ++x) even.at(x, y) = scene.file.ambient;
-        picture_sh_ = sh_project(even);
+        picture_sh_ = sh_project(64, 32, std::vector<glm::vec3>(64 * 32, scene.file.ambient));
     }
+    picture_sh_.resize(9);
 }
 
 const Image& ImageLight::picture_of(Frame& frame, const Scene& scene) {

@@ -1,5 +1,7 @@
 // Light from all around as a module: an environment as a cube, and what diffuse and glossy surfaces need of it.
 #pragma once
+#include <array>
+
 #include "07_mipmaps/mip_chain.h"
 #include "11_fractals/environment.h"
 #include "14_environment/exercises.h"

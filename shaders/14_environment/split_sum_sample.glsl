@@ -2,6 +2,7 @@
 #include "14_environment/ggx.glsl"
 #include "14_environment/importance_sample_ggx.glsl"
 
+#ifndef SPLIT_SUM_GIVEN  // checks have samples of their own
 const uint split_sum_threads = 256u;
 
 // B. Karis, "Real Shading in Unreal Engine 4", SIGGRAPH course, 2013: under light of radiance 1 from everywhere a surface
@@ -18,3 +19,4 @@ vec2 split_sum_sample(uint i, uint samples, float n_dot_v, float alpha) {
     float power = schlick_power(v_dot_h);
     return weight * vec2(1.0 - power, power);
 }
+#endif
