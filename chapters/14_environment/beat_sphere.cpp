@@ -81,8 +81,23 @@ void BeatSphere::update(Frame& frame) {
 
 void BeatSphere::bind(Pass& pass) const { pass.offer("beat_now", now_); }
 
-void BeatSphere::draw(Frame& frame, const View&, Canvas& canvas) {
+// [shade]
+void BeatSphere::shade_ground(Frame& frame, const View& view, Canvas& canvas) {
+    const struct {
+        glm::vec3 sphere_light;
+        float height_m;
+    } now{glm::vec3(0.3f) + 0.3f * now_.glow * look.glow.value, ground_y};
+    const ImageView depth = canvas.depth(frame), color = canvas.color(frame);
+    frame.compute("beat ground", {.reads = {depth, color}, .writes = {color}, .with = {*this, light_}}, [&](Compute& pass) {
+        pass.use(ground_).set("depth", depth, nearest_clamp).set("picture", color).set("rays", view_rays(view));
+        pass.set("ground", now).dispatch_threads(view.size);
+    });
+}
+// [/shade]
+
+void BeatSphere::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (!shown) return;
+    if (ground) shade_ground(frame, view, canvas);
     frame.raster("beat sphere",
                  {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = {*this, light_}},
                  [&](Raster& pass) {

@@ -45,6 +45,8 @@ struct BeatSphere : Drawing {
     Knob<glm::vec3> speeds{*this, "speeds", {0.4f, -0.6f, 1.0f}, {glm::vec3(-100), glm::vec3(100)},
                            "Speed of the waves of the three bands", "rad/s"};
     Knob<float> glow{*this, "glow", 4.0f, {0.0f, 1e3f}, "Radiance of the valleys at full loudness"};
+    Knob<bool> ground{*this, "ground", true, "Shade and glow of the sphere on level ground"};
+    Knob<float> ground_y{*this, "ground_y", 0.0f, {-1e4f, 1e4f}, "Height of that ground", "m"};
     BeatLook look{*this, "look", "beat_look"};
     // [/beat_sphere]
 
@@ -57,10 +59,12 @@ struct BeatSphere : Drawing {
     const BeatNow& now() const { return now_; }
 
   private:
+    void shade_ground(Frame& frame, const View& view, Canvas& canvas);
     const ImageLight& light_;
     Music& music_;
     Pipeline surface_ =
         graphics({.vertex = "14_environment/beat_sphere.vert", .fragment = "14_environment/beat_sphere.frag"});
+    Pipeline ground_ = compute({.shader = "14_environment/beat_ground.comp"});
     Buffer directions_, indices_;
     BeatNow now_{};
 };

@@ -10,8 +10,8 @@ struct SphereHeight {
 };
 
 // [waves]
-// Plane waves along the six axes of an icosahedron: their sum has its symmetry on the sphere, and no pole. Cubed, for
-// narrow peaks and wide valleys: 0 to 1.
+// Plane waves along the six axes of an icosahedron: their sum has its symmetry on the sphere, and no pole. To the
+// fourth power, for narrow peaks and wide valleys: 0 to 1.
 SphereHeight waves(vec3 n, float frequency, float phase) {
     const float a = 0.5257311121, b = 0.8506508084;
     const vec3 axes[6] = vec3[](vec3(0, a, b), vec3(0, -a, b), vec3(a, b, 0), vec3(-a, b, 0), vec3(b, 0, a), vec3(b, 0, -a));
@@ -22,8 +22,8 @@ SphereHeight waves(vec3 n, float frequency, float phase) {
         sum += cos(along);
         slope -= sin(along) * axes[i];
     }
-    float u = sum / 12.0 + 0.5;
-    return SphereHeight(u * u * u, 3.0 * u * u * frequency / 12.0 * slope);
+    float u = sum / 12.0 + 0.5, square = u * u;
+    return SphereHeight(square * square, 4.0 * square * u * frequency / 12.0 * slope);
 }
 // [/waves]
 
