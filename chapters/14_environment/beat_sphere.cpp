@@ -65,17 +65,18 @@ bool BeatSphere::animated() const { return music_.animated(); }
 void BeatSphere::update(Frame& frame) {
     const double time_s = double(frame.time_s);
     const Levels levels = music_.levels(time_s);
-    const auto travelled = [&](int band) {  // in double: after an hour, too, a phase has six digits
-        return static_cast<float>(std::remainder(double(speeds.value[band]) * time_s, 2 * M_PI));
-    };
+    // In double: after an hour, too, the angle has six digits.
+    const double turn = std::remainder(glm::radians(double(spin_deg_per_s)) * time_s, 2 * M_PI);
+    const glm::mat4 to_world = glm::rotate(glm::rotate(glm::mat4(1.0f), glm::radians(tilt_deg.value), {1, 0, 0}),
+                                           static_cast<float>(turn), {0, 1, 0});
     now_ = {.center = center,
             .radius_m = radius_m,
             .heights = glm::vec3(low.value, middle.value, high.value) * glm::vec3(levels),
             .brightness = brightness,
-            .phases = {travelled(0), travelled(1), travelled(2)},
             .blur = blur,
             .frequencies = frequencies,
-            .glow = glow * levels.w};
+            .glow = glow * levels.w,
+            .from_world = glm::transpose(glm::mat3(to_world))};
 }
 // [/levels]
 

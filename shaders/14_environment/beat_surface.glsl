@@ -10,20 +10,20 @@ struct SphereHeight {
 };
 
 // [waves]
-// Plane waves along the six axes of an icosahedron: their sum has its symmetry on the sphere, and no pole. To the
-// fourth power, for narrow peaks and wide valleys: 0 to 1.
-SphereHeight waves(vec3 n, float frequency, float phase) {
+// Plane waves along the six axes of an icosahedron: their sum has its symmetry on the sphere, and no pole. 0 to 1; the
+// larger the exponent, the narrower the peaks and the wider the valleys.
+SphereHeight waves(vec3 n, float frequency, float exponent) {
     const float a = 0.5257311121, b = 0.8506508084;
     const vec3 axes[6] = vec3[](vec3(0, a, b), vec3(0, -a, b), vec3(a, b, 0), vec3(-a, b, 0), vec3(b, 0, a), vec3(b, 0, -a));
     float sum = 0.0;
     vec3 slope = vec3(0.0);
     for (int i = 0; i < 6; ++i) {
-        float along = frequency * dot(n, axes[i]) - phase;
+        float along = frequency * dot(n, axes[i]);
         sum += cos(along);
-        slope -= sin(along) * axes[i];
+        slope -= frequency * sin(along) * axes[i];
     }
-    float u = sum / 12.0 + 0.5, square = u * u;
-    return SphereHeight(square * square, 4.0 * square * u * frequency / 12.0 * slope);
+    float u = max(sum / 12.0 + 0.5, 1e-6), power = pow(u, exponent);
+    return SphereHeight(power, exponent * power / u / 12.0 * slope);
 }
 // [/waves]
 
@@ -39,12 +39,14 @@ float doublings(vec3 n) {
 // [/brightness]
 
 SphereHeight band_heights(vec3 n) {
+    const vec3 exponents = vec3(2.0, 6.0, 4.0);
     SphereHeight sum = SphereHeight(0.0, vec3(0.0));
     for (int band = 0; band < 3; ++band) {
-        SphereHeight one = waves(n, beat_now.frequencies[band], beat_now.phases[band]);
+        SphereHeight one = waves(beat_now.from_world * n, beat_now.frequencies[band], exponents[band]);
         sum.value += beat_now.heights[band] * one.value;
         sum.gradient += beat_now.heights[band] * one.gradient;
     }
+    sum.gradient = transpose(beat_now.from_world) * sum.gradient;
     return sum;
 }
 
