@@ -33,12 +33,12 @@ struct BeatSphere : Drawing {
                   "the derivatives of the waves"};
     Knob<glm::vec3> center{*this, "center", {0.0f, 1.5f, 0.0f}, {glm::vec3(-1e4f), glm::vec3(1e4f)}, "Centre", "m"};
     Knob<float> radius_m{*this, "radius_m", 1.0f, {1e-3f, 1e4f}, "Radius at rest", "m"};
-    Knob<float> low{*this, "low", 0.35f, {0.0f, 2.0f}, "Height of the waves of the low band, as a share of the radius"};
-    Knob<float> middle{*this, "middle", 0.16f, {0.0f, 2.0f}, "Height of the waves of the middle band"};
+    Knob<float> low{*this, "low", 0.4f, {0.0f, 2.0f}, "Height of the waves of the low band, as a share of the radius"};
+    Knob<float> middle{*this, "middle", 0.4f, {0.0f, 2.0f}, "Height of the waves of the middle band"};
     Knob<float> high{*this, "high", 0.06f, {0.0f, 2.0f}, "Height of the waves of the high band"};
     Knob<float> brightness{
         *this, "brightness", 0.015f, {0.0f, 0.15f}, "Height of each doubling of the surroundings' radiance over its mean"};
-    Knob<float> blur{*this, "blur", 3.0f, {0.0f, 8.0f}, "Level of the surroundings' cube whose brightness counts",
+    Knob<float> blur{*this, "blur", 4.0f, {0.0f, 8.0f}, "Level of the surroundings' cube whose brightness counts",
                      "levels"};
     Knob<glm::vec3> frequencies{*this, "frequencies", {7.0f, 14.0f, 56.0f}, {glm::vec3(0), glm::vec3(100)},
                                 "Spatial frequency of the waves of the three bands, in radians along a radius"};
