@@ -7,14 +7,20 @@ namespace lightwalk {
 void Backdrop::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (!scene_->environment || canvas.has_color()) return;
     const Image& picture = *scene_->environment;
+    const EnvironmentScale turn = environment_scale(*scene_, light_.intensity, light_.turn_deg);
+    const bool has_ground = ground.is("projected") && !scene_->items.empty();
+    if (has_ground) shadow.record(frame, *scene_, turn, ground_y);
     const ImageView behind = canvas.color_overwritten();
-    frame.compute("backdrop", {.reads = {picture}, .writes = {behind}}, [&](Compute& pass) {
+    const ImageView arriving = has_ground ? ImageView(shadow.arriving) : ImageView(picture).mip(0);
+    frame.compute("backdrop", {.reads = {picture, shadow.arriving}, .writes = {behind}}, [&](Compute& pass) {
         pass.use(fill_).set("picture", picture).set("rays", view_rays(view)).set("result", behind);
-        pass.set("environment_scale", environment_scale(*scene_, light_.intensity, light_.turn_deg));
+        pass.set("environment_scale", turn).set("arriving", arriving, linear_clamp);
         pass.set("now", BackdropNow{.ground_y = ground_y,
                                     .camera_m = camera_m,
-                                    .has_ground = ground.is("projected") ? 1u : 0u,
-                                    .level = level});
+                                    .has_ground = has_ground ? 1u : 0u,
+                                    .level = level,
+                                    .map_corner = shadow.state().corner,
+                                    .map_extent = shadow.state().extent});
         pass.dispatch_threads(glm::uvec2(behind.size()));
     });
 }

@@ -1,5 +1,6 @@
 // The environment's picture behind everything else, as a drawing.
 #pragma once
+#include "14_environment/ground_shadow.h"
 #include "14_environment/image_light.h"
 #include "common/app/drawing.h"
 
@@ -20,6 +21,7 @@ struct Backdrop : Drawing {
     Knob<float> camera_m{
         *this, "camera_m", 1.6f, {0.1f, 100.0f}, "Height above the plane from which the picture was taken", "m"};
     Knob<float> level{*this, "level", 0.0f, {0.0f, 8.0f}, "Level of the picture that is shown; 0 is sharp", "levels"};
+    GroundShadow shadow{*this, "shadow"};
     // [/backdrop]
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }

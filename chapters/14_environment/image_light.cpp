@@ -6,17 +6,16 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
-#include "common/image/image.h"
-
 namespace lightwalk {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// A level of the scene's picture as numbers, at most 128 texels wide: a cosine sees no more of it.
-ImageRgb small_picture(Gpu& gpu, const Image& picture) {
+}  // namespace
+
+ImageRgb small_picture(Gpu& gpu, const Image& picture, uint32_t most) {
     uint32_t level = 0;
-    while ((picture.desc.size.x >> level) > 128 && level + 1 < picture.desc.mips) ++level;
+    while ((picture.desc.size.x >> level) > most && level + 1 < picture.desc.mips) ++level;
     const ImageView view = picture.mip(level);
     const std::vector<std::byte> bytes = gpu.read_back(view);
     ImageRgb small(static_cast<int>(view.size().x), static_cast<int>(view.size().y));
@@ -28,8 +27,6 @@ ImageRgb small_picture(Gpu& gpu, const Image& picture) {
         }
     return small;
 }
-
-}  // namespace
 
 // P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008, "Windowing".
 std::array<double, 3> sh_window(size_t which) {
@@ -45,7 +42,7 @@ void ImageLight::prepare(Gpu& gpu, Scene& scene) {
     made_.clear();
     drawn_ = false;
     if (scene.environment) {
-        const ImageRgb small = small_picture(gpu, *scene.environment);
+        const ImageRgb small = small_picture(gpu, *scene.environment, 128);  // a cosine sees no more
         picture_sh_ = sh_project(small.width, small.height, small.pixels);
     } else {
         picture_sh_ = sh_project(64, 32, std::vector<glm::vec3>(64 * 32, scene.file.ambient));

@@ -8,6 +8,7 @@
 #include "14_environment/image_light_data.h"
 #include "common/app/module.h"
 #include "common/app/target.h"
+#include "common/image/image.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -109,6 +110,9 @@ struct ImageLight : Module {
     std::string made_;  ///< made_from() of what is in the cubes
     unsigned toggles_ = 0;
 };
+
+/// The largest level of an RGBA16F picture that is at most `most` texels wide, as numbers. Waits for the device.
+ImageRgb small_picture(Gpu& gpu, const Image& picture, uint32_t most);
 
 /// The windows that keep spherical harmonics from ringing: the factor of degree 0, 1 and 2.
 std::array<double, 3> sh_window(size_t which);

@@ -2,6 +2,7 @@
 #pragma once
 #include "05_shadow_maps/lit_scene.h"
 #include "14_environment/image_light.h"
+#include "14_environment/paint.h"
 #include "14_environment/substances.h"
 
 namespace lightwalk {
@@ -12,6 +13,12 @@ struct LitAround : LitScene {
     LitAround(Module& owner, std::string name, const ImageLight& light);
 
     Substances substances;
+    Paint paint;
+
+    void update(Frame& frame) override {
+        LitScene::update(frame);
+        paint.record(frame);
+    }
     // [/lit_around]
 
   protected:

@@ -8,6 +8,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2D picture;
+uniform sampler2D arriving;  // at the ground: its share of the light from all around
 layout(scalar) uniform RaysBlock { ViewRays rays; };
 layout(scalar) uniform BackdropNowBlock { BackdropNow now; };
 layout(rgba16f) writeonly uniform image2D result;
@@ -23,6 +24,11 @@ void main() {
     // As the camera saw it that took the picture, from its height above the ground.
     if (on_ground) seen = place - vec3(0.0, now.ground_y + now.camera_m, 0.0);
     vec3 light = cubic_picture(picture, direction_to_equirect(environment_space(seen)), now.level);
+    if (on_ground) {
+        // Outside of the map everything arrives; towards its edges shadows fade.
+        vec2 at = (place.xz - now.map_corner) / now.map_extent, inside = smoothstep(0.0, 0.1, at) * smoothstep(0.0, 0.1, 1.0 - at);
+        light *= mix(vec3(1.0), textureLod(arriving, at, 0.0).rgb, inside.x * inside.y);
+    }
     imageStore(result, pixel, vec4(min(environment_scale.intensity * light, 65504.0), 1.0));
 }
 // [/backdrop]

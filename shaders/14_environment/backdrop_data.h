@@ -9,6 +9,7 @@ struct BackdropNow {
     float camera_m;   // above the ground, when the picture was taken
     uint has_ground;
     float level;      // of the picture: 0 is sharp
+    vec2 map_corner, map_extent;  // metres: x and z of the map of light that arrives at the ground
 };
 
 END_SHARED

@@ -164,8 +164,7 @@ CHECK_EXERCISE("14.box_project",
                                  : glm::length(unit(d) - unit(g)) < 1e-5       ? "the ray begins at position, the cube's at center"
                                  : glm::length(unit(g) + want) < 1e-3          ? "the wall behind the ray is nearer"
                                                                                : "";
-        check.expect(right, fmt::format("{}, expected a direction along ({:.4g}, {:.4g}, {:.4g})",
-                                        wrong_text(probe, i, got[i]), want.x, want.y, want.z), hint);
+        check.expect(right, wrong_text(probe, i, got[i]) + " or another length", hint);
         if (!right) return;
     }
     // What GLSL leaves open, such as a division by 0, is looked for by the probe itself.

@@ -11,6 +11,5 @@ vec2 split_sum_table(float n_dot_v, float alpha, uint samples, uint thread) {
         barrier();
         if (thread < half_of) partial_sums[thread] += partial_sums[thread + half_of];
     }
-    barrier();
     return partial_sums[0] / float(samples);
 }
