@@ -12,7 +12,7 @@ layout(location = 2) out float raised;  // by the bands, a share of the radius
 // [displace]
 void main() {
     vec3 n = directions[gl_VertexIndex];
-    raised = band_heights(n).value;
+    raised = band_heights(n).w;
     position = beat_now.center + beat_now.radius_m * place_above(n);
     normal = displaced_normal(n);
     gl_Position = view.view_projection * vec4(position, 1.0);
