@@ -17,6 +17,7 @@ void Backdrop::draw(Frame& frame, const View& view, Canvas& canvas) {
         pass.set("environment_scale", turn).set("arriving", arriving, linear_clamp);
         pass.set("now", BackdropNow{.ground_y = ground_y,
                                     .camera_m = camera_m,
+                                    .radius_m = radius_m,
                                     .has_ground = has_ground ? 1u : 0u,
                                     .level = level,
                                     .map_corner = shaded ? shadow.state().corner : glm::vec2(1e9f),  // nothing is within the map

@@ -40,7 +40,7 @@ std::array<double, 3> sh_window(size_t which) {
 
 void ImageLight::prepare(Gpu& gpu, Scene& scene) {
     made_.clear();
-    drawn_ = false;
+    now_ = &sky;
     if (scene.environment) {
         const ImageRgb small = small_picture(gpu, *scene.environment, 128);  // a cosine sees no more
         picture_sh_ = sh_project(small.width, small.height, small.pixels);
@@ -70,39 +70,50 @@ void ImageLight::record_table(Frame& frame) {
     });
 }
 
-void ImageLight::upload_sh(Frame& frame, const Sh9& sh) {
-    std::vector<glm::vec4> windowed;
-    const std::array<double, 3> factors = lightwalk::sh_window(sh_window.index);
-    for (size_t i = 0; i < sh.size(); ++i)
-        windowed.emplace_back(glm::vec3(sh[i] * factors[i == 0 ? 0u : i < 4 ? 1u : 2u]), 0.0f);
-    frame.upload(path() + " sh", sh_, windowed);
-}
-
 // [record]
 void ImageLight::record(Frame& frame, const Scene& scene) {
     scene_ = &scene;
+    now_ = &sky;
     if (made_ == made_from()) return;
     const Image& picture = picture_of(frame, scene);
-    const ImageView cube = radiance.as_array().mip(0);
+    const ImageView cube = sky.radiance.as_array().mip(0);
     frame.compute("equirect to cube", {.reads = {picture}, .writes = {cube}}, [&](Compute& pass) {
         pass.use(to_cube_).set("picture", picture).set("limit", limit.value).set("cube", cube);
-        pass.dispatch_threads(glm::uvec3(face_texels, face_texels, 6));
+        pass.dispatch_threads(glm::uvec3(cube.size().x, cube.size().y, 6));
     });
-    filter(frame);
-    upload_sh(frame, picture_sh_);
+    filter(frame, sky);
+
+    // 14.sh_project has summed the picture itself; that of a drawn cube is summed on the device.
+    std::vector<glm::vec4> windowed;
+    const std::array<double, 3> factors = lightwalk::sh_window(sh_window.index);
+    for (size_t i = 0; i < 9; ++i)
+        windowed.emplace_back(glm::vec3(picture_sh_[i] * factors[i == 0 ? 0u : i < 4 ? 1u : 2u]), 0.0f);
+    frame.upload(path() + " sh", sky.sh, windowed);
     made_ = made_from();
 }
 
-void ImageLight::filter(Frame& frame) {
-    levels.record(frame, radiance.all_mips());
-    prefilter_faces(frame, {face_, radiance, prefiltered, {prefilter}});
+void ImageLight::record_drawn(Frame& frame, const ImageLightState& box) {
+    filter(frame, drawn);
+    const std::array<double, 3> factors = lightwalk::sh_window(sh_window.index);
+    const ImageView array = drawn.radiance.as_array();
+    if (!drawn.sh) drawn.sh = Buffer(frame.gpu.device, {.name = path() + " drawn sh", .bytes = 9 * sizeof(glm::vec4)});
+    frame.compute("spherical harmonics", {.reads = {array}, .writes = {drawn.sh}}, [&](Compute& pass) {
+        pass.use(sh_sums_).set("radiance", array, nearest_clamp).set("source_level", 4).set("sh_buffer", drawn.sh);
+        pass.set("window_now", glm::vec3(factors[0], factors[1], factors[2])).dispatch({1, 1, 1});
+    });
+    box_ = box;
+    now_ = &drawn;
+}
 
-    // Levels of 16 texels: a cosine sees no more. 32 for sums over them.
-    const ImageView array = radiance.as_array();
-    frame.compute("irradiance", {.reads = {array}, .writes = {irradiance.as_array()}}, [&](Compute& pass) {
-        pass.use(irradiance_).set("radiance", array, nearest_clamp).set("source_level", 4);
-        pass.set("irradiance", irradiance.as_array());
-        pass.dispatch_threads(glm::uvec3(irradiance.desc.size, 6));
+void ImageLight::filter(Frame& frame, LightCubes& cubes) {
+    levels.record(frame, cubes.radiance.all_mips());
+    prefilter_faces(frame, {face_, cubes.radiance, cubes.prefiltered, {prefilter}});
+
+    // From the level of 16 by 16: a cosine sees no more.
+    const ImageView array = cubes.radiance.as_array(), result = cubes.irradiance.as_array();
+    frame.compute("irradiance", {.reads = {array}, .writes = {result}}, [&](Compute& pass) {
+        pass.use(irradiance_).set("radiance", array, nearest_clamp).set("source_level", 4).set("irradiance", result);
+        pass.dispatch_threads(glm::uvec3(cubes.irradiance.desc.size, 6));
     });
     if (toggles_ != Exercises::version() || !has_table_) record_table(frame);
     toggles_ = Exercises::version(), has_table_ = true;
@@ -110,18 +121,20 @@ void ImageLight::filter(Frame& frame) {
 // [/record]
 
 void ImageLight::bind(Pass& pass) const {
-    pass.offer("image_light_radiance", radiance, linear_clamp);
-    pass.offer("image_light_prefiltered", prefiltered, linear_clamp);
-    pass.offer("image_light_irradiance", irradiance, linear_clamp);
+    const LightCubes& cubes = *now_;
+    pass.offer("image_light_radiance", cubes.radiance, linear_clamp);
+    pass.offer("image_light_texels", cubes.radiance.as_array(), nearest_clamp);
+    pass.offer("image_light_prefiltered", cubes.prefiltered, linear_clamp);
+    pass.offer("image_light_irradiance", cubes.irradiance, linear_clamp);
     pass.offer("image_light_table", table, linear_clamp);
-    pass.offer("image_light_texels", radiance.as_array(), nearest_clamp);
-    pass.offer("image_light_sh", sh_);
-    ImageLightState state = state_;
-    state.levels = static_cast<float>(prefiltered.desc.mips);
-    state.texels = static_cast<float>(face_texels);
+    pass.offer("image_light_sh", cubes.sh);
+    ImageLightState state = now_ == &drawn ? box_ : ImageLightState{};
+    state.levels = static_cast<float>(cubes.prefiltered.desc.mips);
+    state.texels = static_cast<float>(LightCubes::face_texels);
     pass.offer("image_light_state", state);
-    pass.offer("environment_scale", drawn_ ? EnvironmentScale{1.0f, 0.0f, intensity.value}
-                                           : environment_scale(*scene_, intensity, turn_deg));
+    // What was drawn has the scene's turn and intensity in it already.
+    pass.offer("environment_scale", now_ == &drawn ? EnvironmentScale{.cosine = 1.0f, .sine = 0.0f, .intensity = 1.0f}
+                                                   : environment_scale(*scene_, intensity, turn_deg));
 }
 
 }  // namespace lightwalk

@@ -21,15 +21,32 @@ struct Prefilter : Module {
         *this, "bias", 1.0f, {0.0f, 8.0f}, "Added to the level that each sample of a texel is read from", "levels"};
 };
 
+/// One set of surroundings: radiance, and what is made from it.
+struct LightCubes : Module {
+    static constexpr uint32_t face_texels = 256;
+    using Module::Module;
+
+    /// All levels; box-filtered from the first one on.
+    Target radiance{
+        *this,
+        {.name = "radiance", .size = {face_texels, face_texels}, .mips = 0, .layers = 6, .cube = true, .kept = true}};
+    /// By roughness, evenly from 0 in the first level to 1 in the last.
+    Target prefiltered{
+        *this,
+        {.name = "prefiltered", .size = {face_texels, face_texels}, .mips = 7, .layers = 6, .cube = true, .kept = true}};
+    Target irradiance{*this, {.name = "irradiance", .size = {16, 16}, .layers = 6, .cube = true, .kept = true}};
+    Buffer sh;  ///< nine coefficients of radiance, windowed, as vec4
+};
+
 // [image_light]
 /// Gives shaders diffuse_light() and reflected_from_around() of 14_environment/image_light.glsl. In each frame, before the
 /// first pass that states it in `.with`:
 ///
 ///     light.record(frame, scene);   // from the scene's picture, or its ambient light where it has none
 ///
-/// or, for surroundings that were drawn into light.radiance (its first level, six faces):
+/// or, for surroundings that were drawn into the first level of light.drawn.radiance:
 ///
-///     light.filter(frame);
+///     light.record_drawn(frame, box);
 struct ImageLight : Module {
     ImageLight(Module& owner, std::string name) : Module(owner, std::move(name), "image_light") {}
 
@@ -68,32 +85,27 @@ struct ImageLight : Module {
     /// has changed; else records nothing.
     void record(Frame& frame, const Scene& scene);
 
-    /// Everything that is made from the first level of `radiance`: its smaller levels, the prefiltered cube, irradiance
-    /// and spherical harmonics.
-    void filter(Frame& frame);
+    /// Makes all that is made from the first level of drawn.radiance. `box`: how it is looked up from elsewhere; levels
+    /// and texels are filled in.
+    void record_drawn(Frame& frame, const ImageLightState& box);
 
-    /// For surroundings that were drawn: how lookups are turned into the cube's space.
-    void look_from(const ImageLightState& state) { state_ = state, drawn_ = true; }
+    /// Which of the two shaders get from now on. record() and record_drawn() choose their own.
+    void use(LightCubes& cubes) { now_ = &cubes; }
 
     void prepare(Gpu& gpu, Scene& scene) override;
     std::vector<std::string> load_exercises() const override { return {"14.sh_project"}; }
-    std::vector<Resource> reads() const override { return {radiance, prefiltered, irradiance, table, sh_}; }
+    std::vector<Resource> reads() const override { return {now_->radiance, now_->prefiltered, now_->irradiance, table, now_->sh}; }
     void bind(Pass& pass) const override;
 
     Prefilter prefilter{*this, "prefilter"};
     MipChain levels{*this, "levels"};
-    static constexpr uint32_t face_texels = 256;
-    Target radiance{*this,
-                    {.name = "radiance", .size = {face_texels, face_texels}, .mips = 0, .layers = 6, .cube = true, .kept = true}};
-    Target prefiltered{
-        *this, {.name = "prefiltered", .size = {face_texels, face_texels}, .mips = 7, .layers = 6, .cube = true, .kept = true}};
-    Target irradiance{*this, {.name = "irradiance", .size = {16, 16}, .layers = 6, .cube = true, .kept = true}};
+    LightCubes sky{*this, "sky"}, drawn{*this, "drawn"};
     Target table{*this, {.name = "table", .size = {64, 64}, .kept = true}};
 
   private:
     const Image& picture_of(Frame& frame, const Scene& scene);
     void record_table(Frame& frame);
-    void upload_sh(Frame& frame, const Sh9& sh);
+    void filter(Frame& frame, LightCubes& cubes);
     std::string made_from() const;
 
     Pipeline to_cube_ = compute({.shader = "14_environment/equirect_to_cube.comp"});
@@ -104,9 +116,9 @@ struct ImageLight : Module {
     const Scene* scene_ = nullptr;
     Image even_;        ///< where there is no picture
     Sh9 picture_sh_{};  ///< of the scene's picture, as 14.sh_project says
-    Buffer sh_;
-    ImageLightState state_{};
-    bool drawn_ = false, has_table_ = false;
+    LightCubes* now_ = &sky;
+    ImageLightState box_{};
+    bool has_table_ = false;
     std::string made_;  ///< made_from() of what is in the cubes
     unsigned toggles_ = 0;
 };

@@ -5,6 +5,7 @@
 #include "14_environment/backdrop.h"
 #include "14_environment/beat_sphere.h"
 #include "14_environment/lit_around.h"
+#include "14_environment/probe.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -15,6 +16,7 @@ struct EnvironmentChapter : ModelChapter {
     LitAround objects{*this, "objects", light};
     Music music{*this, "music"};
     BeatSphere sphere{*this, "sphere", light, music};
+    Probe probe{*this, "probe"};
     Bloom bloom{*this, "bloom"};
     Post post{*this, "post"};
 
@@ -33,11 +35,14 @@ struct EnvironmentChapter : ModelChapter {
         // 1. Cubes of light from the picture of the surroundings, where they are not there already.
         light.record(frame, scene);
 
-        // 2. The surroundings, then what stands in them.
+        // 2. Or from the scene itself: six views of what stands in it.
+        probe.record(frame, scene, light, {backdrop, objects});
+
+        // 3. The surroundings, then what stands in them.
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
         draw(frame, view, canvas, {backdrop, objects, sphere});
 
-        // 3. Chapter 08's bloom, chapter 09's tones, and the codes a screen expects.
+        // 4. Chapter 08's bloom, chapter 09's tones, and the codes a screen expects.
         bloom.record(frame, frame.hdr);
         post.record(frame, frame.hdr);
         encode_srgb(frame);

@@ -22,7 +22,11 @@ void main() {
     bool on_ground = now.has_ground == 1u && t > 0.0;
     vec3 place = rays.eye + t * direction;
     // As the camera saw it that took the picture, from its height above the ground.
-    if (on_ground) seen = place - vec3(0.0, now.ground_y + now.camera_m, 0.0);
+    // Beyond the radius it goes over into what is infinitely far away: things stand there that are no ground.
+    if (on_ground) {
+        vec3 projected = normalize(place - vec3(0.0, now.ground_y + now.camera_m, 0.0));
+        seen = mix(projected, direction, smoothstep(now.radius_m, 2.5 * now.radius_m, length(place.xz)));
+    }
     vec3 light = cubic_picture(picture, direction_to_equirect(environment_space(seen)), now.level);
     if (on_ground) {
         // Outside of the map everything arrives; towards its edges shadows fade.

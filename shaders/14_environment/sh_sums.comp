@@ -6,6 +6,7 @@ layout(local_size_x = 128) in;
 
 uniform sampler2DArray radiance;
 layout(scalar) uniform SourceLevelBlock { int source_level; };
+layout(scalar) uniform WindowNowBlock { vec3 window_now; };  // factors of degree 0, 1 and 2
 layout(scalar) writeonly buffer ShBuffer { vec4 sh_buffer[]; };
 
 shared vec3 sums[128];
@@ -35,7 +36,7 @@ void main() {
             if (thread < count) sums[thread] += sums[thread + count];
         }
         barrier();
-        if (thread == 0u) sh_buffer[i] = vec4(sums[0], 0.0);
+        if (thread == 0u) sh_buffer[i] = vec4(sums[0] * window_now[i == 0 ? 0 : i < 4 ? 1 : 2], 0.0);
         barrier();
     }
 }
