@@ -25,6 +25,7 @@ struct SoundPlayer::Device {
     struct Sdl {
         void* library = dlopen("libSDL2-2.0.so.0", RTLD_NOW | RTLD_LOCAL);
 #define LIGHTWALK_SDL(name) decltype(&::name) name = library ? reinterpret_cast<decltype(&::name)>(dlsym(library, #name)) : nullptr
+        LIGHTWALK_SDL(SDL_SetHint);
         LIGHTWALK_SDL(SDL_InitSubSystem);
         LIGHTWALK_SDL(SDL_QuitSubSystem);
         LIGHTWALK_SDL(SDL_OpenAudioDevice);
@@ -33,7 +34,7 @@ struct SoundPlayer::Device {
         LIGHTWALK_SDL(SDL_GetError);
 #undef LIGHTWALK_SDL
         bool whole() const {
-            return SDL_InitSubSystem && SDL_QuitSubSystem && SDL_OpenAudioDevice && SDL_CloseAudioDevice &&
+            return SDL_SetHint && SDL_InitSubSystem && SDL_QuitSubSystem && SDL_OpenAudioDevice && SDL_CloseAudioDevice &&
                    SDL_PauseAudioDevice && SDL_GetError;
         }
     } sdl;
@@ -51,6 +52,8 @@ struct SoundPlayer::Device {
 
     std::string open() {
         if (!sdl.library || !sdl.whole()) return "SDL2 is not installed";
+        // Or it takes SIGINT and SIGTERM for itself, and the program no longer ends.
+        sdl.SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
         if (sdl.SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) return sdl.SDL_GetError();
         const SDL_AudioSpec wanted{
             .freq = 48000, .format = AUDIO_F32SYS, .channels = 1, .samples = 512, .callback = fill, .userdata = this};

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -71,6 +72,11 @@ TEST_CASE("the sample of the picture's time is heard; a clock that stands is sil
         run(player, &sound, stopped, 0.3, false);
         run(player, &sound, 7.0, 0.6, true);
         run(player, nullptr, 0, 0.2, true);
+        for (const int ends : {SIGINT, SIGTERM}) {
+            struct sigaction action {};
+            sigaction(ends, nullptr, &action);
+            CHECK(action.sa_handler == SIG_DFL);
+        }
     }
     const std::vector<float> played = device.samples();
     REQUIRE(played.size() > 48000);
