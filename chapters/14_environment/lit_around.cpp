@@ -3,7 +3,7 @@
 namespace lightwalk {
 
 LitAround::LitAround(Module& owner, std::string name, const ImageLight& light)
-    : LitScene(owner, std::move(name)), substances(owner, "substances"), paint(owner, "paint"), light_(light) {
+    : LitScene(owner, std::move(name)), substances(owner, "substance"), paint(owner, "paint"), light_(light) {
     shading = &surface_;
     transparent_shading = &glass_;
 }

@@ -18,6 +18,7 @@ struct EnvironmentChapter : ModelChapter {
     Post post{*this, "post"};
 
     EnvironmentChapter() {
+        light.reflection.alone = true;
         method_knob = "environment.reflection";
         objects.lights.method.change_default("every_light");
         objects.maps.method.change_default("normal");

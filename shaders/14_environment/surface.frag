@@ -10,7 +10,8 @@
 layout(location = 0) out vec4 color;
 
 layout(scalar) uniform ViewBlock { CameraView view; };
-layout(scalar) readonly buffer SubstanceBuffer { SubstanceData substances[]; };
+layout(scalar) uniform SubstanceBlock { float roughness; } substance;
+layout(scalar) readonly buffer SubstancesBuffer { SubstanceData substances[]; };
 
 // [paint_lights]
 // What the scene's lights leave of paint, by its table; each light's radiance is what a matt white surface shows.
@@ -45,6 +46,7 @@ void main() {
     // Chapter 04 keeps roughness as an exponent of Blinn and Phong's model, as Walter et al. (2007) convert it; where a
     // model's file says how rough a surface is, that is finer.
     float alpha = own.alpha >= 0.0 ? own.alpha : sqrt(2.0 / (m.surface.shininess + 2.0));
+    if (substance.roughness >= 0.0) alpha = substance.roughness * substance.roughness;
     if (is_paint) alpha = paint.coat_roughness * paint.coat_roughness;
 
     FromAround reflected = reflected_from_around(LitFromAround(m.position, normal, to_eye, f0, alpha));
