@@ -10,11 +10,12 @@
 using namespace lightwalk;
 
 struct EnvironmentChapter : ModelChapter {
-    Choice method{*this,
-                  "method",
-                  {"as_set", "none", "mirror", "box_mips", "prefiltered", "dominant", "multiscatter", "sampled", "truth"},
-                  "as_set",
-                  "Reflection method: as environment.reflection says, or this one"};
+    Choice method{
+        *this,
+        "method",
+        {"as_set", "none", "mirror", "box_mips", "prefiltered", "dominant", "multiscatter", "sampled", "truth"},
+        "as_set",
+        "Reflection method: as environment.reflection says, or this one"};
     ImageLight light{*this, "environment"};
     Backdrop backdrop{*this, "backdrop", light};
     LitAround objects{*this, "objects", light};

@@ -1,7 +1,6 @@
 // What tests of this chapter share: an environment, and what surfaces in it show.
 #pragma once
 #include <fmt/core.h>
-
 #include <unistd.h>
 
 #include <filesystem>
@@ -106,7 +105,8 @@ inline std::vector<glm::vec3> all_around(int count = 60) {
     std::vector<glm::vec3> directions{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     for (int i = 0; i < count; ++i) {
         const double y = 1 - (2 * i + 1) / double(count), turn = 2.399963 * i;
-        directions.push_back(glm::dvec3(std::sqrt(1 - y * y) * std::cos(turn), y, std::sqrt(1 - y * y) * std::sin(turn)));
+        directions.push_back(
+            glm::dvec3(std::sqrt(1 - y * y) * std::cos(turn), y, std::sqrt(1 - y * y) * std::sin(turn)));
     }
     return directions;
 }

@@ -95,7 +95,8 @@ TEST_CASE_METHOD(OnLight, "the split sum's table against sums in double precisio
         for (const uint32_t x : {6u, 20u, 40u, 63u}) {
             const double n_dot_v = x / 63.0, alpha = y / 63.0;
             const auto white = [](glm::dvec3) { return 1.0; };
-            const double both = truth::reflected(n_dot_v, alpha, 1, white), b = truth::reflected(n_dot_v, alpha, 0, white);
+            const double both = truth::reflected(n_dot_v, alpha, 1, white),
+                         b = truth::reflected(n_dot_v, alpha, 0, white);
             // 1,024 samples: at grazing angles most of them are wasted below the surface.
             const double margin = n_dot_v < 0.2 ? 0.016 : 4e-3;
             INFO("n.v " << n_dot_v << ", alpha " << alpha);

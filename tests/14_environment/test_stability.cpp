@@ -161,7 +161,8 @@ TEST_CASE_METHOD(OnLight, "every normal has a frame: the poles, the axes, and be
     std::vector<LookedAt> surfaces;
     for (const glm::vec3 n : all_around(200)) surfaces.push_back({n, n, glm::vec3(1), 0.05f});
     for (const float tiny : {1e-8f, -1e-8f, 1e-4f, -1e-4f})
-        for (const float side : {1.0f, -1.0f}) surfaces.push_back({{tiny, 0, side}, {tiny, 0, side}, glm::vec3(1), 0.05f});
+        for (const float side : {1.0f, -1.0f})
+            surfaces.push_back({{tiny, 0, side}, {tiny, 0, side}, glm::vec3(1), 0.05f});
     const auto found = shown(surfaces);
     for (size_t i = 0; i < surfaces.size(); ++i)
         CHECK(glm::length(glm::dvec3(found[i].specular) - (0.5 * glm::dvec3(surfaces[i].normal) + 0.5)) < 0.03);
@@ -172,7 +173,8 @@ TEST_CASE_METHOD(OnLight, "roughness 0 is a mirror, by every method that has one
     const glm::vec3 to_eye = glm::normalize(glm::vec3(-0.3f, 0.8f, 0.2f));
     for (const char* method : {"mirror", "box_mips", "prefiltered", "dominant", "multiscatter", "sampled", "truth"}) {
         light.reflection.set(method);
-        const auto found = shown({{{0, 1, 0}, to_eye, glm::vec3(1), 0.0f}, {{0, 1, 0}, {0.3f, 0.8f, 0.2f}, glm::vec3(1), 0.0f}});
+        const auto found =
+            shown({{{0, 1, 0}, to_eye, glm::vec3(1), 0.0f}, {{0, 1, 0}, {0.3f, 0.8f, 0.2f}, glm::vec3(1), 0.0f}});
         INFO(method);
         CHECK(double(found[0].specular.g) == Approx(1.0).margin(0.02));
         CHECK(double(found[1].specular.g) == Approx(0.25).margin(0.02));
@@ -247,7 +249,8 @@ TEST_CASE("a highlight in a table: 64 texels even in n·h keep 2, 16 and 75% of 
     }
 }
 
-TEST_CASE_METHOD(OnLight, "faces on their own jump at their edges, the more the fewer texels they have; a cube's levels join") {
+TEST_CASE_METHOD(OnLight,
+                 "faces on their own jump at their edges, the more the fewer texels they have; a cube's levels join") {
     // One side of an edge and the other, from each face alone and from the cube.
     load(256, 128, [](glm::dvec3 d) { return glm::dvec3(1 + 0.5 * d.x * d.z + 0.7 * d.x + d.z); });
     const Pipeline read_edges = compute_pipeline("read edges", R"(
@@ -268,11 +271,14 @@ void main() {
     const Buffer out(gpu.device, {.name = "found", .bytes = 64 * sizeof(glm::vec4)});
     double before = 0;
     for (const int level : {0, 4, 5, 6}) {
-        frame.compute("edges", {.reads = {light.sky.radiance, light.sky.radiance.as_array()}, .writes = {out}}, [&](Compute& pass) {
-            pass.use(read_edges).set("cube", light.sky.radiance, linear_clamp);
-            pass.set("faces", light.sky.radiance.as_array(), linear_clamp).set("level", float(level)).set("found", out);
-            pass.dispatch_threads(glm::uvec2(64, 1));
-        });
+        frame.compute("edges", {.reads = {light.sky.radiance, light.sky.radiance.as_array()}, .writes = {out}},
+                      [&](Compute& pass) {
+                          pass.use(read_edges).set("cube", light.sky.radiance, linear_clamp);
+                          pass.set("faces", light.sky.radiance.as_array(), linear_clamp)
+                              .set("level", float(level))
+                              .set("found", out);
+                          pass.dispatch_threads(glm::uvec2(64, 1));
+                      });
         frame.end();
         double cube = 0, faces = 0;
         for (const glm::vec4 one : read<glm::vec4>(out)) {
@@ -281,7 +287,8 @@ void main() {
         }
         frame.begin({4, 4}, 0);
         INFO("level " << level << ": cube " << cube << ", faces " << faces);
-        if (getenv("LIGHTWALK_PRINT")) fmt::print("edge jump at level {}: cube {:.4f} faces {:.4f}\n", level, cube, faces);
+        if (getenv("LIGHTWALK_PRINT"))
+            fmt::print("edge jump at level {}: cube {:.4f} faces {:.4f}\n", level, cube, faces);
         CHECK(cube < 0.004);
         CHECK(faces > before);
         before = faces;
