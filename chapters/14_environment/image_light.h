@@ -52,7 +52,9 @@ struct LightCubes : Module {
 ///
 ///     light.record_drawn(frame, box);
 struct ImageLight : Module {
-    ImageLight(Module& owner, std::string name) : Module(owner, std::move(name), "image_light") {}
+    ImageLight(Module& owner, std::string name) : Module(owner, std::move(name), "image_light") {
+        levels.method.change_default("box");
+    }
 
     Choice diffuse{*this,
                    "diffuse",

@@ -34,6 +34,7 @@ struct OnLight : OnDevice {
     std::vector<std::filesystem::path> made;
     Pipeline look = compute_pipeline("look at surfaces", R"(
 #include "14_environment/image_light.glsl"
+#include "14_environment/unoccluded.glsl"
 layout(local_size_x = 64) in;
 struct LookedAt { vec3 normal, to_eye, f0; float alpha; };
 struct Shown { vec3 diffuse, specular, diffuse_share; };
