@@ -13,12 +13,13 @@ namespace lightwalk {
 struct LitAround : LitScene {
     LitAround(Module& owner, std::string name, const ImageLight& light);
 
-    Choice occlusion{*this,
-                     "occlusion",
-                     {"none", "rays"},
-                     "none",
-                     "Occlusion of environment light: ignored, or found by a ray for each sample, for diffuse light and "
-                     "for the reflection 'sampled'"};
+    Choice occlusion{
+        *this,
+        "occlusion",
+        {"none", "rays"},
+        "none",
+        "Occlusion of environment light: ignored, or found by a ray for each sample, for diffuse light and "
+        "for the reflection 'sampled'"};
     Substances substances;
     Paint paint;
     Rays rays;
