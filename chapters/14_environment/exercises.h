@@ -17,10 +17,10 @@ EXERCISE("14.sh_project", Sh9, sh_project, int width, int height, const std::vec
 
 /// What 14.prefilter_faces has to work with.
 struct PrefilterPasses {
-    const Pipeline& filter;     ///< compute, groups of 8x8 threads: a thread for each texel of its image `face_level`
-    const Image& radiance;      ///< a cube with all its levels
-    const Image& prefiltered;   ///< a cube of the same size, and all its levels that are used
-    std::vector<With> with;     ///< modules whose names the shader uses
+    const Pipeline& filter;    ///< compute, groups of 8x8 threads: a thread for each texel of its image `face_level`
+    const Image& radiance;     ///< a cube with all its levels
+    const Image& prefiltered;  ///< a cube of the same size, and all its levels that are used
+    std::vector<With> with;    ///< modules whose names the shader uses
 };
 
 /// Of filter's uniform block `face_now`.

@@ -12,8 +12,11 @@ namespace lightwalk {
 struct GroundShadow : Module {
     GroundShadow(Module& owner, std::string name) : Module(owner, std::move(name), "ground_shadow") {}
 
-    Knob<int> directions{
-        *this, "directions", 96, {1, 1024}, "Directions that stand for the environment, each for an equal share of light"};
+    Knob<int> directions{*this,
+                         "directions",
+                         96,
+                         {1, 1024},
+                         "Directions that stand for the environment, each for an equal share of light"};
     Knob<int> resolution{*this, "resolution", 128, {8, 1024}, "Width and height of the map", "texels"};
     Rays rays{*this, "rays"};
     Target arriving{*this, {.name = "arriving", .size = {128, 128}, .kept = true}};

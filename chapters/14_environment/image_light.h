@@ -17,8 +17,8 @@ namespace lightwalk {
 struct Prefilter : Module {
     Prefilter(Module& owner, std::string name) : Module(owner, std::move(name), "prefilter") {}
     Knob<int> samples{*this, "samples", 64, {1, 4096}, "Samples of each texel of the prefiltered cube"};
-    Knob<float> bias{
-        *this, "bias", 1.0f, {0.0f, 8.0f}, "Added to the level that each sample of a texel is read from", "levels"};
+    Knob<float> bias{*this,   "bias", 1.0f, {0.0f, 8.0f}, "Added to the level that each sample of a texel is read from",
+                     "levels"};
 };
 
 /// One set of surroundings: radiance, and what is made from it.
@@ -31,9 +31,13 @@ struct LightCubes : Module {
         *this,
         {.name = "radiance", .size = {face_texels, face_texels}, .mips = 0, .layers = 6, .cube = true, .kept = true}};
     /// By roughness, evenly from 0 in the first level to 1 in the last.
-    Target prefiltered{
-        *this,
-        {.name = "prefiltered", .size = {face_texels, face_texels}, .mips = 7, .layers = 6, .cube = true, .kept = true}};
+    Target prefiltered{*this,
+                       {.name = "prefiltered",
+                        .size = {face_texels, face_texels},
+                        .mips = 7,
+                        .layers = 6,
+                        .cube = true,
+                        .kept = true}};
     Target irradiance{*this, {.name = "irradiance", .size = {16, 16}, .layers = 6, .cube = true, .kept = true}};
     Buffer sh;  ///< nine coefficients of radiance, windowed, as vec4
 };
@@ -48,20 +52,23 @@ struct LightCubes : Module {
 ///
 ///     light.record_drawn(frame, box);
 struct ImageLight : Module {
-    ImageLight(Module& owner, std::string name) : Module(owner, std::move(name), "image_light") {}
+    ImageLight(Module& owner, std::string name) : Module(owner, std::move(name), "image_light") {
+        levels.method.change_default("box");
+    }
 
     Choice diffuse{*this,
                    "diffuse",
                    {"constant", "sh9", "irradiance"},
                    "irradiance",
                    "Diffuse environment light: its mean, nine spherical-harmonic coefficients, or an irradiance cube"};
-    Choice reflection{*this,
-                      "reflection",
-                      {"none", "mirror", "box_mips", "prefiltered", "dominant", "multiscatter", "sampled", "truth"},
-                      "multiscatter",
-                      "Glossy reflection: none; the sharp cube; its box-filtered levels; levels filtered with GGX, looked "
-                      "up along the mirror direction or the dominant one; with multiple scattering; sampled for each "
-                      "pixel; or summed over all texels"};
+    Choice reflection{
+        *this,
+        "reflection",
+        {"none", "mirror", "box_mips", "prefiltered", "dominant", "multiscatter", "sampled", "truth"},
+        "multiscatter",
+        "Glossy reflection: none; the sharp cube; its box-filtered levels; levels filtered with GGX, looked "
+        "up along the mirror direction or the dominant one; with multiple scattering; sampled for each "
+        "pixel; or summed over all texels"};
     // [/image_light]
     Choice sh_window{*this,
                      "sh_window",
@@ -70,7 +77,8 @@ struct ImageLight : Module {
                      "Window on the spherical harmonics: none, Hann of width 5, or sinc^4 of width 3"};
     Knob<int> samples{*this, "samples", 64, {1, 4096}, "Samples of each pixel, for the reflection 'sampled'"};
     Knob<float> sample_bias{
-        *this, "sample_bias", 1.0f, {0.0f, 8.0f}, "Added to the level that each sample of a pixel is read from", "levels"};
+        *this,   "sample_bias", 1.0f, {0.0f, 8.0f}, "Added to the level that each sample of a pixel is read from",
+        "levels"};
     Knob<float> limit{*this,
                       "limit",
                       65504.0f,
@@ -79,7 +87,8 @@ struct ImageLight : Module {
     Knob<float> intensity{
         *this, "intensity", 1.0f, {0.0f, 1e4f}, "Scale factor for the environment's radiance, besides the scene's own"};
     Knob<float> turn_deg{
-        *this, "turn_deg", 0.0f, {-360.0f, 360.0f}, "Rotation of the environment about +y, besides the scene's own", "°"};
+        *this, "turn_deg", 0.0f, {-360.0f, 360.0f}, "Rotation of the environment about +y, besides the scene's own",
+        "°"};
 
     /// Fills the cubes where the scene has another picture than they were made from, or where a knob that they depend on
     /// has changed; else records nothing.
@@ -94,7 +103,9 @@ struct ImageLight : Module {
 
     void prepare(Gpu& gpu, Scene& scene) override;
     std::vector<std::string> load_exercises() const override { return {"14.sh_project"}; }
-    std::vector<Resource> reads() const override { return {now_->radiance, now_->prefiltered, now_->irradiance, table, now_->sh}; }
+    std::vector<Resource> reads() const override {
+        return {now_->radiance, now_->prefiltered, now_->irradiance, table, now_->sh};
+    }
     void bind(Pass& pass) const override;
 
     Prefilter prefilter{*this, "prefilter"};

@@ -3,9 +3,23 @@
 namespace lightwalk {
 
 LitAround::LitAround(Module& owner, std::string name, const ImageLight& light)
-    : LitScene(owner, std::move(name)), substances(owner, "substances"), paint(owner, "paint"), light_(light) {
-    shading = &surface_;
+    : LitScene(owner, std::move(name)),
+      substances(owner, "substance"),
+      paint(owner, "paint"),
+      rays(owner, "rays"),
+      light_(light) {
     transparent_shading = &glass_;
+}
+
+void LitAround::update(Frame& frame) {
+    LitScene::update(frame);
+    paint.record(frame);
+    shading = &surface_;
+    shading_with.clear();
+    if (occlusion.is("none")) return;
+    rays.record(frame, *scene_, maps.cutoff);
+    shading = &occluded_;
+    shading_with = {rays};
 }
 
 std::vector<With> LitAround::given() const {

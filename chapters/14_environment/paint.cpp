@@ -6,9 +6,8 @@ void Paint::record(Frame& frame) {
     std::string now;
     for (const KnobBase* knob : all_knobs()) now += knob->text() + " ";
     if (now == made_) return;
-    frame.compute("paint table", {.writes = {table}, .with = {*this}}, [&](Compute& pass) {
-        pass.use(fill_).set("table", table).dispatch_threads(table.desc.size);
-    });
+    frame.compute("paint table", {.writes = {table}, .with = {*this}},
+                  [&](Compute& pass) { pass.use(fill_).set("table", table).dispatch_threads(table.desc.size); });
     made_ = now;
 }
 

@@ -14,8 +14,11 @@ struct Paint : Module {
 
     Knob<glm::vec3> color{
         *this, "color", {0.35f, 0.008f, 0.012f}, {glm::vec3(0), glm::vec3(1)}, "Pigment's albedo, seen straight on"};
-    Knob<glm::vec3> edge_color{
-        *this, "edge_color", {0.09f, 0.002f, 0.02f}, {glm::vec3(0), glm::vec3(1)}, "Pigment's albedo at grazing angles"};
+    Knob<glm::vec3> edge_color{*this,
+                               "edge_color",
+                               {0.09f, 0.002f, 0.02f},
+                               {glm::vec3(0), glm::vec3(1)},
+                               "Pigment's albedo at grazing angles"};
     Knob<glm::vec3> flake_color{
         *this, "flake_color", {0.95f, 0.35f, 0.25f}, {glm::vec3(0), glm::vec3(1)}, "Reflectance of the metal flakes"};
     Knob<float> flakes{*this, "flakes", 0.25f, {0.0f, 1.0f}, "Share of the paint that the flakes cover"};

@@ -21,13 +21,14 @@ struct Probe : Module {
                   "off",
                   "When the probe is drawn: never (the scene's environment is used), in a frame in which something has "
                   "moved, in each frame, or one of its six faces in each frame"};
-    Knob<glm::vec3> center{*this, "center", glm::vec3(0, 1, 0), {glm::vec3(-1e4f), glm::vec3(1e4f)},
-                           "Place that the probe is drawn from", "m"};
+    Knob<glm::vec3> center{
+        *this, "center", glm::vec3(0, 1, 0), {glm::vec3(-1e4f), glm::vec3(1e4f)}, "Place that the probe is drawn from",
+        "m"};
     Knob<bool> box{*this, "box", true, "Lookups corrected for a box around the probe (parallax)"};
     Knob<glm::vec3> lower{
         *this, "lower", glm::vec3(-5, 0, -5), {glm::vec3(-1e4f), glm::vec3(1e4f)}, "Lower corner of that box", "m"};
-    Knob<glm::vec3> upper{
-        *this, "upper", glm::vec3(5), {glm::vec3(-1e4f), glm::vec3(1e4f)}, "Upper corner of that box", "m"};
+    Knob<glm::vec3> upper{*this, "upper", glm::vec3(5), {glm::vec3(-1e4f), glm::vec3(1e4f)}, "Upper corner of that box",
+                          "m"};
     // [/probe]
     Knob<float> near_m{*this, "near_m", 0.05f, {1e-4f, 100.0f}, "Near plane of the six views", "m"};
 

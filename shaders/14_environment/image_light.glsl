@@ -117,7 +117,7 @@ FromAround reflected_from_around(LitFromAround s) {
 #elif IMAGE_LIGHT_REFLECTION != IMAGE_LIGHT_REFLECTION_NONE
     vec2 ab = split_sum_at(n_dot_v, s.alpha);
     vec3 single = s.f0 * ab.x + ab.y;
-    r.diffuse_share = 1.0 - single;
+    r.diffuse_share = max(1.0 - single, 0.0);
 #if IMAGE_LIGHT_REFLECTION == IMAGE_LIGHT_REFLECTION_PREFILTERED
     r.specular = single * prefiltered_along(s.position, mirrored, roughness);
 #elif IMAGE_LIGHT_REFLECTION == IMAGE_LIGHT_REFLECTION_DOMINANT

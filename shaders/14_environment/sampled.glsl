@@ -3,6 +3,10 @@
 #include "14_environment/cube_texel.glsl"
 #include "14_environment/importance_sample_ggx.glsl"
 
+// Whether light from a direction (unit length, world space) arrives at a place. Whoever lights says so: by
+// 14_environment/unoccluded.glsl, for which everything arrives, or by rays.
+bool light_arrives(vec3 position, vec3 direction);
+
 uniform sampler2DArray image_light_texels;  // image_light_radiance as six layers
 layout(scalar) uniform ImageLightBlock { int samples; float sample_bias; } image_light;
 
@@ -25,11 +29,28 @@ vec3 reflection_of_samples(LitFromAround s, float n_dot_v, uint samples, float b
         float lod = 0.5 * log2(1.0 / (float(samples) * density * texel_rad2)) + bias;
         vec3 fresnel = s.f0 + (1.0 - s.f0) * schlick_power(v_dot_h);
         float weight = ggx_visibility(to_light.z, n_dot_v, alpha) * to_light.z * 4.0 * v_dot_h / half_vector.z;
-        sum += fresnel * weight * radiance_along(s.position, frame * to_light, max(lod, 0.0));
+        vec3 direction = frame * to_light;
+        if (light_arrives(s.position, direction))
+            sum += fresnel * weight * radiance_along(s.position, direction, max(lod, 0.0));
     }
     return sum / float(samples);
 }
 // [/sampled]
+
+// Irradiance over pi by directions distributed as the cosine is.
+vec3 diffuse_of_samples(vec3 position, vec3 normal, uint samples) {
+    mat3 frame = frame_around(normal);
+    float texel_rad2 = 4.0 * pi / (6.0 * image_light_state.texels * image_light_state.texels);
+    vec3 sum = vec3(0.0);
+    for (uint i = 0u; i < samples; ++i) {
+        vec2 random = hammersley(i, samples);
+        float cosine = sqrt(1.0 - random.x), sine = sqrt(random.x), phi = 2.0 * pi * random.y;
+        vec3 direction = frame * vec3(sine * cos(phi), sine * sin(phi), cosine);
+        float lod = 0.5 * log2(pi / (float(samples) * max(cosine, 1e-3) * texel_rad2)) + 1.0;
+        if (light_arrives(position, direction)) sum += radiance_along(position, direction, max(lod, 0.0));
+    }
+    return sum / float(samples);
+}
 
 // [truth]
 // Every texel of the cube's level of 64 by 64 times its solid angle, with GGX in full. A lobe that is narrower than six of

@@ -43,9 +43,10 @@ CHECK_EXERCISE("14.prefilter_faces",
                     else if (got.w != 2)
                         wrong = place + fmt::format("is from radiance {}, expected 2: passes.radiance", got.w);
                     else if (got.z != float(across * across))
-                        wrong = place + fmt::format("was written by {} groups of 8x8 threads, expected {}: a thread for "
-                                                    "each texel of the view",
-                                                    got.z, across * across);
+                        wrong = place + fmt::format(
+                                            "was written by {} groups of 8x8 threads, expected {}: a thread for "
+                                            "each texel of the view",
+                                            got.z, across * across);
                 }
         }
         check.expect(wrong.empty(), wrong, hint);

@@ -18,8 +18,17 @@ CHECK_EXERCISE("14.direction_to_equirect",
                "u is 1/2 + atan(x, -z) / (2 pi), v is the angle from +y over pi; ask before atan(0.0, 0.0)") {
     Probe probe{.include = "14_environment/direction_to_equirect.glsl",
                 .signature = "vec2 direction_to_equirect(vec3 direction)",
-                .inputs = {{0, 0, -1}, {1, 0, 0},  {-1, 0, 0},   {1e-3, 0, 1}, {-1e-3, 0, 1}, {0, 1, -1},
-                           {0, -1, 1e-4}, {3, 4, 5}, {0, 1e3, -0.1}, {0, -7, -7}, {1e-3, 1e-3, 0}},
+                .inputs = {{0, 0, -1},
+                           {1, 0, 0},
+                           {-1, 0, 0},
+                           {1e-3, 0, 1},
+                           {-1e-3, 0, 1},
+                           {0, 1, -1},
+                           {0, -1, 1e-4},
+                           {3, 4, 5},
+                           {0, 1e3, -0.1},
+                           {0, -7, -7},
+                           {1e-3, 1e-3, 0}},
                 .truth =
                     [](auto in) {
                         const glm::dvec2 uv = truth::equirect(three(in));
@@ -86,8 +95,9 @@ CHECK_EXERCISE("14.schlick_roughness", "f0 + (max(1 - roughness, f0) - f0) * (1 
     check.probe(probe);
 }
 
-CHECK_EXERCISE("14.importance_sample_ggx",
-               "cos² theta = (1 - r) / (1 + (alpha² - 1) r), phi = 2 pi random.x; then (sin cos phi, sin sin phi, cos)") {
+CHECK_EXERCISE(
+    "14.importance_sample_ggx",
+    "cos² theta = (1 - r) / (1 + (alpha² - 1) r), phi = 2 pi random.x; then (sin cos phi, sin sin phi, cos)") {
     Probe probe{.include = "14_environment/importance_sample_ggx.glsl",
                 .signature = "vec3 importance_sample_ggx(vec2 random, float alpha)",
                 .inputs = {{0, 0, 0.5}, {0, 0, 0}, {0.25, 0.5, 0}, {0.7, 0.9999, 0}, {0.5, 0.9999, 1}, {0.25, 0.25, 1}},
@@ -119,31 +129,37 @@ CHECK_EXERCISE("14.box_project",
                "for each axis the wall that the ray goes towards; the nearest of the three; from the center to there") {
     // A ray that meets a wall at once has no direction of its own; the lengths of results are free.
     const auto unit = [](glm::dvec3 v) { return v / glm::length(v); };
-    Probe probe{
-        .include = "14_environment/box_project.glsl",
-        .signature = "vec3 box_project(vec3 position, vec3 direction, vec3 lower, vec3 upper, vec3 center)",
-        .truth = [unit](auto in) {
-            const glm::dvec3 p = three(in), d = three(in.subspan(3)), lower = three(in.subspan(6)),
-                             upper = three(in.subspan(9)), center = three(in.subspan(12));
-            double t = 1e300;
-            for (int a = 0; a < 3; ++a)
-                if (d[a] != 0) t = std::min(t, ((d[a] > 0 ? upper[a] : lower[a]) - p[a]) / d[a]);
-            const glm::dvec3 hit = p + std::max(t, 0.0) * d - center;
-            return row_of(unit(hit == glm::dvec3(0) ? d : hit));
-        }};
+    Probe probe{.include = "14_environment/box_project.glsl",
+                .signature = "vec3 box_project(vec3 position, vec3 direction, vec3 lower, vec3 upper, vec3 center)",
+                .truth = [unit](auto in) {
+                    const glm::dvec3 p = three(in), d = three(in.subspan(3)), lower = three(in.subspan(6)),
+                                     upper = three(in.subspan(9)), center = three(in.subspan(12));
+                    double t = 1e300;
+                    for (int a = 0; a < 3; ++a)
+                        if (d[a] != 0) t = std::min(t, ((d[a] > 0 ? upper[a] : lower[a]) - p[a]) / d[a]);
+                    const glm::dvec3 hit = p + std::max(t, 0.0) * d - center;
+                    return row_of(unit(hit == glm::dvec3(0) ? d : hit));
+                }};
     const auto add = [&](glm::dvec3 p, glm::dvec3 d, glm::dvec3 lower, glm::dvec3 upper, glm::dvec3 center) {
         Row row;
         for (const glm::dvec3 v : {p, d, lower, upper, center}) append(row, v);
         probe.inputs.push_back(row);
     };
     const glm::dvec3 low(-1, -2, -3), high(3, 2, 1);
-    for (const glm::dvec3 d : {glm::dvec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {1, 1, 0},
-                               {0, -2, 2}, {-0.5, 0, 0.25}}) {
+    for (const glm::dvec3 d : {glm::dvec3(1, 0, 0),
+                               {0, 1, 0},
+                               {0, 0, 1},
+                               {-1, 0, 0},
+                               {0, -1, 0},
+                               {0, 0, -1},
+                               {1, 1, 0},
+                               {0, -2, 2},
+                               {-0.5, 0, 0.25}}) {
         add({0.5, 0.25, -0.5}, d, low, high, {0, 0, 0});
         add({0, 0, 0}, d, low, high, {0, 0, 0});
     }
-    add({4, 0, 0}, {1, 0.25, 0}, low, high, {0, 0, 0});   // outside, away from it
-    add({3, 0, 0}, {1, 0, 0.5}, low, high, {3, 0, 0});    // on the wall, from the cube's own middle
+    add({4, 0, 0}, {1, 0.25, 0}, low, high, {0, 0, 0});  // outside, away from it
+    add({3, 0, 0}, {1, 0, 0.5}, low, high, {3, 0, 0});   // on the wall, from the cube's own middle
     Random random;
     for (int i = 0; i < 300; ++i) {
         glm::dvec3 p, center;
@@ -160,10 +176,11 @@ CHECK_EXERCISE("14.box_project",
         const double length = glm::length(g);
         const bool right = std::isfinite(length) && length > 0 && glm::length(g / length - want) < 1e-4;
         const glm::dvec3 d = three(std::span(probe.inputs[i]).subspan(3));
-        const std::string hint = !std::isfinite(length)                        ? "a component of the direction is 0"
-                                 : glm::length(unit(d) - unit(g)) < 1e-5       ? "the ray begins at position, the cube's at center"
-                                 : glm::length(unit(g) + want) < 1e-3          ? "the wall behind the ray is nearer"
-                                                                               : "";
+        const std::string hint = !std::isfinite(length) ? "a component of the direction is 0"
+                                 : glm::length(unit(d) - unit(g)) < 1e-5
+                                     ? "the ray begins at position, the cube's at center"
+                                 : glm::length(unit(g) + want) < 1e-3 ? "the wall behind the ray is nearer"
+                                                                      : "";
         check.expect(right, wrong_text(probe, i, got[i]) + " or another length", hint);
         if (!right) return;
     }

@@ -64,16 +64,18 @@ CHECK_EXERCISE("14.sh_project",
             for (size_t i = 0; i < 9; ++i) {
                 const double away = glm::length(got[i] - right[i]);
                 if (!(away < 1e-5 + 1e-5 * glm::length(right[i])))
-                    return fmt::format("{}: coefficient {} is ({:.5g}, {:.5g}, {:.5g}), expected ({:.5g}, {:.5g}, {:.5g})",
-                                       what, i, got[i].x, got[i].y, got[i].z, right[i].x, right[i].y, right[i].z);
+                    return fmt::format(
+                        "{}: coefficient {} is ({:.5g}, {:.5g}, {:.5g}), expected ({:.5g}, {:.5g}, {:.5g})", what, i,
+                        got[i].x, got[i].y, got[i].z, right[i].x, right[i].y, right[i].z);
             }
             return "";
         });
     }
 }
 
-CHECK_EXERCISE("14.split_sum_table",
-               "thread t sums samples t, t + 256, ...; then halves of the shared sums, a barrier() before each reading") {
+CHECK_EXERCISE(
+    "14.split_sum_table",
+    "thread t sums samples t, t + 256, ...; then halves of the shared sums, a barrier() before each reading") {
     // Samples that are whole numbers, so that sums are exact in any order.
     const std::string before = R"(
 #define SPLIT_SUM_GIVEN
@@ -109,22 +111,24 @@ put(1u, floatBitsToUint(sum.y));
             for (uint32_t i = 0; i < 1300; ++i) {
                 const uint32_t times = results.count(which, order, i), wanted = i < samples ? 1 : 0;
                 if (times == wanted) continue;
-                check.expect(false,
-                             fmt::format("split_sum_table with {} samples: sample {} was computed {} times, expected {}",
-                                         samples, i, times, wanted),
-                             "a loop from thread to below samples, in steps of split_sum_threads");
+                check.expect(
+                    false,
+                    fmt::format("split_sum_table with {} samples: sample {} was computed {} times, expected {}",
+                                samples, i, times, wanted),
+                    "a loop from thread to below samples, in steps of split_sum_threads");
                 return;
             }
             const double got_x = std::bit_cast<float>(results.at(which, order, 0, 0));
             const double got_y = std::bit_cast<float>(results.at(which, order, 0, 1));
             const bool right = std::fabs(got_x - x) < 1e-4 * (1 + x) && std::fabs(got_y - y) < 1e-4 * (1 + y);
-            check.expect(right,
-                         fmt::format("split_sum_table with {} samples: thread 0 returned ({:.6g}, {:.6g}), expected the "
-                                     "mean ({:.6g}, {:.6g})",
-                                     samples, got_x, got_y, x, y),
-                         order > 0 ? "with the threads in another order: is there a barrier() between what one thread "
-                                     "writes to shared memory and what another reads?"
-                                   : "");
+            check.expect(
+                right,
+                fmt::format("split_sum_table with {} samples: thread 0 returned ({:.6g}, {:.6g}), expected the "
+                            "mean ({:.6g}, {:.6g})",
+                            samples, got_x, got_y, x, y),
+                order > 0 ? "with the threads in another order: is there a barrier() between what one thread "
+                            "writes to shared memory and what another reads?"
+                          : "");
             if (!right) return;
         }
     }
