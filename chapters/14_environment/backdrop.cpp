@@ -20,7 +20,8 @@ void Backdrop::draw(Frame& frame, const View& view, Canvas& canvas) {
                                     .radius_m = radius_m,
                                     .has_ground = has_ground ? 1u : 0u,
                                     .level = level,
-                                    .map_corner = shaded ? shadow.state().corner : glm::vec2(1e9f),  // nothing is within the map
+                                    .map_corner =
+                                        shaded ? shadow.state().corner : glm::vec2(1e9f),  // nothing is within the map
                                     .map_extent = shaded ? shadow.state().extent : glm::vec2(1.0f)});
         pass.dispatch_threads(glm::uvec2(behind.size()));
     });

@@ -18,7 +18,7 @@ BeatSphere::BeatSphere(Module& owner, std::string name, const ImageLight& light,
 // [geodesic]
 Geodesic geodesic_sphere(uint32_t count) {
     constexpr double a = 0.5257311121191336, b = 0.8506508083520399;
-    constexpr glm::dvec3 corners[12] = {{-a, b, 0}, {a, b, 0},  {-a, -b, 0}, {a, -b, 0}, {0, -a, b},  {0, a, b},
+    constexpr glm::dvec3 corners[12] = {{-a, b, 0},  {a, b, 0},  {-a, -b, 0}, {a, -b, 0}, {0, -a, b},  {0, a, b},
                                         {0, -a, -b}, {0, a, -b}, {b, 0, -a},  {b, 0, a},  {-b, 0, -a}, {-b, 0, a}};
     constexpr uint32_t faces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
                                        {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
@@ -27,7 +27,7 @@ Geodesic geodesic_sphere(uint32_t count) {
     Geodesic sphere;
     // A vertex is known by how much it has of which corner; on an edge two faces say the same.
     std::unordered_map<uint64_t, uint32_t> known;
-    const auto vertex = [&](const uint32_t (&face)[3], uint32_t i, uint32_t j) {
+    const auto vertex = [&](const uint32_t(&face)[3], uint32_t i, uint32_t j) {
         std::array<std::pair<uint32_t, uint32_t>, 3> of{{{face[0], count - i - j}, {face[1], i}, {face[2], j}}};
         std::sort(of.begin(), of.end());
         uint64_t key = 0;
@@ -46,7 +46,8 @@ Geodesic geodesic_sphere(uint32_t count) {
             for (uint32_t j = 0; i + j < count; ++j) {
                 const uint32_t at = vertex(face, i, j), right = vertex(face, i + 1, j), up = vertex(face, i, j + 1);
                 sphere.indices.insert(sphere.indices.end(), {at, right, up});
-                if (i + j + 1 < count) sphere.indices.insert(sphere.indices.end(), {right, vertex(face, i + 1, j + 1), up});
+                if (i + j + 1 < count)
+                    sphere.indices.insert(sphere.indices.end(), {right, vertex(face, i + 1, j + 1), up});
             }
     return sphere;
 }
@@ -89,10 +90,11 @@ void BeatSphere::shade_ground(Frame& frame, const View& view, Canvas& canvas) {
         float height_m;
     } now{glm::vec3(0.3f) + 0.3f * now_.glow * look.glow.value, ground_y};
     const ImageView depth = canvas.depth(frame), color = canvas.color(frame);
-    frame.compute("beat ground", {.reads = {depth, color}, .writes = {color}, .with = {*this, light_}}, [&](Compute& pass) {
-        pass.use(ground_).set("depth", depth, nearest_clamp).set("picture", color).set("rays", view_rays(view));
-        pass.set("ground", now).dispatch_threads(view.size);
-    });
+    frame.compute(
+        "beat ground", {.reads = {depth, color}, .writes = {color}, .with = {*this, light_}}, [&](Compute& pass) {
+            pass.use(ground_).set("depth", depth, nearest_clamp).set("picture", color).set("rays", view_rays(view));
+            pass.set("ground", now).dispatch_threads(view.size);
+        });
 }
 // [/shade]
 

@@ -9,11 +9,20 @@ namespace lightwalk {
 
 struct BeatLook : Module {
     using Module::Module;
-    Knob<glm::vec3> valley{*this, "valley", {0.10f, 0.11f, 0.14f}, {glm::vec3(0), glm::vec3(1)},
+    Knob<glm::vec3> valley{*this,
+                           "valley",
+                           {0.10f, 0.11f, 0.14f},
+                           {glm::vec3(0), glm::vec3(1)},
                            "Reflectance of the metal in the valleys at normal incidence, linear"};
-    Knob<glm::vec3> peak{*this, "peak", {1.0f, 0.78f, 0.5f}, {glm::vec3(0), glm::vec3(1)},
+    Knob<glm::vec3> peak{*this,
+                         "peak",
+                         {1.0f, 0.78f, 0.5f},
+                         {glm::vec3(0), glm::vec3(1)},
                          "Reflectance of the metal on the peaks at normal incidence, linear"};
-    Knob<glm::vec3> glow{*this, "glow", {1.0f, 0.16f, 0.03f}, {glm::vec3(0), glm::vec3(1)},
+    Knob<glm::vec3> glow{*this,
+                         "glow",
+                         {1.0f, 0.16f, 0.03f},
+                         {glm::vec3(0), glm::vec3(1)},
                          "Colour of the light that valleys emit, linear"};
     Knob<float> roughness{*this, "roughness", 0.22f, {0.0f, 1.0f}, "Roughness of the metal"};
 };
@@ -36,14 +45,22 @@ struct BeatSphere : Drawing {
     Knob<float> low{*this, "low", 0.4f, {0.0f, 2.0f}, "Height of the waves of the low band, as a share of the radius"};
     Knob<float> middle{*this, "middle", 0.4f, {0.0f, 2.0f}, "Height of the waves of the middle band"};
     Knob<float> high{*this, "high", 0.06f, {0.0f, 2.0f}, "Height of the waves of the high band"};
-    Knob<float> brightness{
-        *this, "brightness", 0.015f, {0.0f, 0.15f}, "Height of each doubling of the surroundings' radiance over its mean"};
-    Knob<float> blur{*this, "blur", 4.0f, {0.0f, 8.0f}, "Level of the surroundings' cube whose brightness counts",
+    Knob<float> brightness{*this,
+                           "brightness",
+                           0.015f,
+                           {0.0f, 0.15f},
+                           "Height of each doubling of the surroundings' radiance over its mean"};
+    Knob<float> blur{*this,   "blur", 4.0f, {0.0f, 8.0f}, "Level of the surroundings' cube whose brightness counts",
                      "levels"};
-    Knob<glm::vec3> frequencies{*this, "frequencies", {7.0f, 14.0f, 56.0f}, {glm::vec3(0), glm::vec3(100)},
+    Knob<glm::vec3> frequencies{*this,
+                                "frequencies",
+                                {7.0f, 14.0f, 56.0f},
+                                {glm::vec3(0), glm::vec3(100)},
                                 "Spatial frequency of the waves of the three bands, in radians along a radius"};
-    Knob<float> spin_deg_per_s{*this, "spin_deg_per_s", 12.0f, {-3600.0f, 3600.0f}, "Rotation of the waves about +y", "deg/s"};
-    Knob<float> tilt_deg{*this, "tilt_deg", 20.0f, {-360.0f, 360.0f}, "Tilt of the axis of that rotation towards +z", "deg"};
+    Knob<float> spin_deg_per_s{*this,  "spin_deg_per_s", 12.0f, {-3600.0f, 3600.0f}, "Rotation of the waves about +y",
+                               "deg/s"};
+    Knob<float> tilt_deg{*this, "tilt_deg", 20.0f, {-360.0f, 360.0f}, "Tilt of the axis of that rotation towards +z",
+                         "deg"};
     Knob<float> glow{*this, "glow", 3.0f, {0.0f, 1e3f}, "Radiance of the valleys at full loudness"};
     Knob<bool> ground{*this, "ground", true, "Shade and glow of the sphere on level ground"};
     Knob<float> ground_y{*this, "ground_y", 0.0f, {-1e4f, 1e4f}, "Height of that ground", "m"};

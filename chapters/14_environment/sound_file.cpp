@@ -66,7 +66,8 @@ struct Decoder {
         const bool ogg = all.substr(0, 4) == "OggS";
         if (error == OV_EREAD || (ogg && !last_page_is_marked(all)))
             throw InputError("{}: ends before its sound begins: the file is incomplete", name);
-        throw InputError("{}: is {}; expected Ogg Vorbis", name, ogg ? "an Ogg file without Vorbis sound" : "not sound");
+        throw InputError("{}: is {}; expected Ogg Vorbis", name,
+                         ogg ? "an Ogg file without Vorbis sound" : "not sound");
     }
     ~Decoder() { ov_clear(&file); }
     Decoder(const Decoder&) = delete;

@@ -24,7 +24,8 @@ struct SoundPlayer::Device {
     // picture without a window.
     struct Sdl {
         void* library = dlopen("libSDL2-2.0.so.0", RTLD_NOW | RTLD_LOCAL);
-#define LIGHTWALK_SDL(name) decltype(&::name) name = library ? reinterpret_cast<decltype(&::name)>(dlsym(library, #name)) : nullptr
+#define LIGHTWALK_SDL(name) \
+    decltype(&::name) name = library ? reinterpret_cast<decltype(&::name)>(dlsym(library, #name)) : nullptr
         LIGHTWALK_SDL(SDL_SetHint);
         LIGHTWALK_SDL(SDL_InitSubSystem);
         LIGHTWALK_SDL(SDL_QuitSubSystem);
@@ -34,8 +35,8 @@ struct SoundPlayer::Device {
         LIGHTWALK_SDL(SDL_GetError);
 #undef LIGHTWALK_SDL
         bool whole() const {
-            return SDL_SetHint && SDL_InitSubSystem && SDL_QuitSubSystem && SDL_OpenAudioDevice && SDL_CloseAudioDevice &&
-                   SDL_PauseAudioDevice && SDL_GetError;
+            return SDL_SetHint && SDL_InitSubSystem && SDL_QuitSubSystem && SDL_OpenAudioDevice &&
+                   SDL_CloseAudioDevice && SDL_PauseAudioDevice && SDL_GetError;
         }
     } sdl;
 

@@ -25,8 +25,8 @@ std::vector<float> tone(double frequency_hz, double rate_hz, double amplitude = 
 std::vector<Input> inputs() {
     std::vector<Input> all{{"silence", 48000, std::vector<float>(2048)}};
     const auto add = [&](double frequency_hz, double rate_hz) {
-        all.push_back({fmt::format("a tone of {:g} Hz and amplitude 0.5", frequency_hz), rate_hz,
-                       tone(frequency_hz, rate_hz)});
+        all.push_back(
+            {fmt::format("a tone of {:g} Hz and amplitude 0.5", frequency_hz), rate_hz, tone(frequency_hz, rate_hz)});
     };
     add(93.75, 48000), add(1500, 48000), add(9000, 48000);  // at one of the 1,025 frequencies
     // At these rates the bands' edges are among the frequencies.
@@ -49,8 +49,9 @@ std::vector<Input> inputs() {
 
 }  // namespace
 
-CHECK_EXERCISE("14.spectrum_bands", "window, then transform; squares are averaged over the bins of a band, and the root "
-                                    "is taken last") {
+CHECK_EXERCISE("14.spectrum_bands",
+               "window, then transform; squares are averaged over the bins of a band, and the root "
+               "is taken last") {
     for (const Input& input : inputs()) {
         const std::string what = fmt::format("spectrum_bands({}, {:g} samples per second)", input.name, input.rate_hz);
         check.call(what, [&]() -> std::string {

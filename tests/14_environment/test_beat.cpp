@@ -34,12 +34,13 @@ glm::dvec3 somewhere(Random& random) {
 // The normal of (1 + h(n)) n by differences, for any h.
 template <class Height>
 glm::dvec3 normal_by_differences(glm::dvec3 n, const Height& h) {
-    const glm::dvec3 right = glm::normalize(glm::cross(std::abs(n.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), n));
+    const glm::dvec3 right =
+        glm::normalize(glm::cross(std::abs(n.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), n));
     const glm::dvec3 up = glm::cross(n, right);
     const double step = 1e-5;
     const auto place = [&](glm::dvec3 at) { return (1 + h(glm::normalize(at))) * glm::normalize(at); };
-    return glm::normalize(glm::cross(place(n + step * right) - place(n - step * right),
-                                     place(n + step * up) - place(n - step * up)));
+    return glm::normalize(
+        glm::cross(place(n + step * right) - place(n - step * right), place(n + step * up) - place(n - step * up)));
 }
 
 }  // namespace

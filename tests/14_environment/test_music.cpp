@@ -127,7 +127,8 @@ TEST_CASE("a file that is no whole piece of music is refused in words") {
 TEST_CASE("a scene's music that is none is refused with the scene's file and line") {
     const Folder folder;
     folder.write("bad.ogg", "no sound");
-    const std::string scene = folder.write("scene.json", "{\n\"music\": \"" + (folder.path / "bad.ogg").string() + "\"}");
+    const std::string scene =
+        folder.write("scene.json", "{\n\"music\": \"" + (folder.path / "bad.ogg").string() + "\"}");
     Scene loaded;
     loaded.file = read_scene(scene);
     struct Owner : Module {
@@ -153,8 +154,8 @@ TEST_CASE("the table's levels are those of a direct double-precision transform o
         for (size_t i = 0; i < table.entries.size(); i += table.entries.size() / 12) {
             const glm::dvec3 exact = truth::spectrum_bands(around(sound, double(i) * LevelTable::hop_s), rate);
             for (int band = 0; band < 3; ++band)
-                worst = std::max(worst, std::abs(double(table.entries[i][band]) - exact[band]) /
-                                            std::max(exact[band], 1e-3));
+                worst = std::max(worst,
+                                 std::abs(double(table.entries[i][band]) - exact[band]) / std::max(exact[band], 1e-3));
         }
         INFO(rate);
         CHECK(worst < 1e-4);
@@ -186,8 +187,8 @@ TEST_CASE("silence has levels of 0, and music that ends comes to rest") {
 }
 
 TEST_CASE("one tone lands in its band") {
-    for (const auto& [frequency, band] : {std::pair{60.0, 0}, {120.0, 0}, {400.0, 1}, {3000.0, 1}, {5000.0, 2},
-                                          {15000.0, 2}}) {
+    for (const auto& [frequency, band] :
+         {std::pair{60.0, 0}, {120.0, 0}, {400.0, 1}, {3000.0, 1}, {5000.0, 2}, {15000.0, 2}}) {
         const LevelTable table = measure_levels(made(44100, 1, [&](double t) { return 0.5 * tone(frequency, t); }));
         const Levels level = table.at(0.5);
         INFO(frequency << " Hz");

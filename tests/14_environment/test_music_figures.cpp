@@ -51,7 +51,8 @@ TEST_CASE("a window trades a wider peak for less leakage: 10 bins off -26 dB wit
     CHECK(on_a_bin[98] < 1e-6);
 }
 
-TEST_CASE("the bands have 10, 160 and 683 bins at 48 kHz: of the same noise their sums differ by 70, their means by none") {
+TEST_CASE(
+    "the bands have 10, 160 and 683 bins at 48 kHz: of the same noise their sums differ by 70, their means by none") {
     Sound noise{.rate_hz = 48000};
     uint32_t state = 3;
     for (int i = 0; i < 96000; ++i) {
@@ -73,7 +74,8 @@ TEST_CASE("the bands have 10, 160 and 683 bins at 48 kHz: of the same noise thei
     CHECK(power.z * bins.z / (power.x * bins.x) == Approx(68.3).epsilon(0.1));
 }
 
-TEST_CASE("smoothing by 0.8 a frame lasts 149, 75 or 31 ms at 30, 60 or 144 frames a second; by a time constant, as long") {
+TEST_CASE(
+    "smoothing by 0.8 a frame lasts 149, 75 or 31 ms at 30, 60 or 144 frames a second; by a time constant, as long") {
     const auto constant_ms = [](double frames) { return -1000 / (frames * std::log(0.8)); };
     CHECK(constant_ms(30) == Approx(149.4).margin(0.1));
     CHECK(constant_ms(60) == Approx(74.7).margin(0.1));

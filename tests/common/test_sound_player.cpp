@@ -86,14 +86,14 @@ TEST_CASE("the sample of the picture's time is heard; a clock that stands is sil
         steepest = std::max(steepest, std::abs(double(played[i]) - double(played[i - 1])));
         if (played[i] != 0.0f && !first) first = i;
         if (played[i] < -0.3f && heard_s(played[i]) < 4) last_before = i;  // 1 to 1.6 s
-        if (played[i] > 0.3f && !after) after = i;                        // 7 s and more, faded in
+        if (played[i] > 0.3f && !after) after = i;                         // 7 s and more, faded in
         silent += last_before && !after && played[i] == 0.0f;
     }
     REQUIRE(first > 0);
     REQUIRE(after > last_before);
-    CHECK(steepest < 0.006);         // no click: it fades over 240 samples
-    CHECK(silent > 7200);   // while the clock stood
-    CHECK(played.back() == 0.0f);    // and at the end
+    CHECK(steepest < 0.006);       // no click: it fades over 240 samples
+    CHECK(silent > 7200);          // while the clock stood
+    CHECK(played.back() == 0.0f);  // and at the end
     const size_t middle = (first + last_before) / 2;
     CHECK(played[middle + 4800] - played[middle] == Approx(0.1 / 5).margin(1e-4));  // at the sound's own speed
     CHECK(heard_s(played[after + 9600]) == Approx(7.2).margin(0.15));
