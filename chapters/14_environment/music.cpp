@@ -4,7 +4,6 @@
 
 #include "14_environment/exercises.h"
 #include "14_environment/sound_file.h"
-#include "common/gpu/pass.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -102,7 +101,5 @@ Levels Music::levels(double time_s) const {
     }
     return smoothed_.at(time_s) / glm::max(measured_.most(), Levels(softest));
 }
-
-void Music::bind(Pass& pass) const { pass.offer("music_levels", now_); }
 
 }  // namespace lightwalk

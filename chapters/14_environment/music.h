@@ -28,7 +28,7 @@ LevelTable measure_levels(const Sound& sound);
 /// is done (0: at once). From the first entry on, and beyond the last until all is below 1e-5 of `most`.
 LevelTable smooth_levels(const LevelTable& table, double attack_s, double release_s);
 
-/// The scene's `music`. Gives shaders the block `music_levels`, which GLSL reads through 14_environment/music.glsl.
+/// The scene's `music`, as levels for whatever moves to it.
 struct Music : Module {
     Music(Module& owner, std::string name) : Module(owner, std::move(name), "music") {}
     Knob<float> attack_ms{*this, "attack_ms", 10.0f, {0.0f, 5000.0f}, "Time constant of rising levels", "ms"};
@@ -40,7 +40,6 @@ struct Music : Module {
     bool animated() const override { return plays && !sound_.samples.empty(); }
     std::vector<std::string> load_exercises() const override { return {"14.spectrum_bands"}; }
     const Sound* sound() const override { return animated() ? &sound_ : nullptr; }
-    void bind(Pass& pass) const override;
 
     /// What prepare() does: the file's `music`, or none.
     void load(const SceneFile& scene);
@@ -52,15 +51,11 @@ struct Music : Module {
     /// (1e-4) is a share of that.
     Levels levels(double time_s) const;
 
-    /// What levels() are at the time of the frame that is drawn; whoever draws says so.
-    void set_time(double time_s) { now_ = levels(time_s); }
-
   private:
     Sound sound_;
     LevelTable measured_;
     mutable LevelTable smoothed_;
     mutable glm::vec2 smoothed_with_{-1.0f};
-    Levels now_{0.0f};
 };
 
 }  // namespace lightwalk
