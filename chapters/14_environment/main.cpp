@@ -19,7 +19,7 @@ struct EnvironmentChapter : ModelChapter {
     ImageLight light{*this, "environment"};
     Backdrop backdrop{*this, "backdrop", light};
     LitAround objects{*this, "objects", light};
-    Probe probe{*this, "probe"};
+    SceneProbe probe{*this, "probe"};
     Bloom bloom{*this, "bloom"};
     Post post{*this, "post"};
 

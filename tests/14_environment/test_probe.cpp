@@ -34,7 +34,7 @@ void main() {
 };
 
 struct OnProbe : OnLight {
-    Probe probe{owner, "probe"};
+    SceneProbe probe{owner, "probe"};
     Directions directions{owner, "directions"};
     void record() { probe.record(frame, scene, light, {directions}); }
     void next_frame() {
