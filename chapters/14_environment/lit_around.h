@@ -21,7 +21,7 @@ struct LitAround : LitScene {
         "Occlusion of environment light: ignored, or found by a ray for each sample, for diffuse light and "
         "for the reflection 'sampled'"};
     Substances substances;
-    Paint paint;
+    CarPaint paint;
     Rays rays;
 
     void update(Frame& frame) override;

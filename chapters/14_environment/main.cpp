@@ -22,7 +22,7 @@ struct EnvironmentChapter : ModelChapter {
     LitAround objects{*this, "objects", light};
     Music music{*this, "music"};
     BeatSphere sphere{*this, "sphere", light, music};
-    Probe probe{*this, "probe"};
+    SceneProbe probe{*this, "probe"};
     Bloom bloom{*this, "bloom"};
     Post post{*this, "post"};
 

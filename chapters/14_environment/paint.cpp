@@ -2,7 +2,7 @@
 
 namespace lightwalk {
 
-void Paint::record(Frame& frame) {
+void CarPaint::record(Frame& frame) {
     std::string now;
     for (const KnobBase* knob : all_knobs()) now += knob->text() + " ";
     if (now == made_) return;
@@ -11,6 +11,6 @@ void Paint::record(Frame& frame) {
     made_ = now;
 }
 
-void Paint::bind(Pass& pass) const { pass.offer("paint_table", table, linear_clamp); }
+void CarPaint::bind(Pass& pass) const { pass.offer("paint_table", table, linear_clamp); }
 
 }  // namespace lightwalk

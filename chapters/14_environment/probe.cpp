@@ -18,7 +18,8 @@ Camera face_camera(uint32_t face, glm::vec3 center, float near_m, float far_m) {
 }
 
 // [face]
-void Probe::draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, uint32_t face, const Drawings& drawings) {
+void SceneProbe::draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, uint32_t face,
+                           const Drawings& drawings) {
     const glm::uvec2 size = cubes.radiance.desc.size;
     color_.fit(frame.gpu.device, {.name = path() + " color", .size = size});
     depth_.fit(frame.gpu.device, {.name = path() + " depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
@@ -37,7 +38,7 @@ void Probe::draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, uint3
 // [/face]
 
 // [record]
-void Probe::record(Frame& frame, const Scene& scene, ImageLight& light, const Drawings& drawings) {
+void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, const Drawings& drawings) {
     drawn_faces = 0;
     if (update.is("off")) return;
     std::string now = fmt::format("{} {}", scene.placed, Exercises::version());

@@ -12,8 +12,8 @@ namespace lightwalk {
 /// In a frame, after light.record():
 ///
 ///     probe.record(frame, scene, light, {objects});
-struct Probe : Module {
-    Probe(Module& owner, std::string name) : Module(owner, std::move(name), "probe") {}
+struct SceneProbe : Module {
+    SceneProbe(Module& owner, std::string name) : Module(owner, std::move(name), "probe") {}
 
     Choice update{*this,
                   "update",

@@ -1,4 +1,8 @@
 // Environment light against sums in double precision.
+#include <fmt/core.h>
+
+#include <glm/gtc/packing.hpp>
+
 #include "light_fixture.h"
 
 using namespace lightwalk;

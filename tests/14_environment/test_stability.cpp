@@ -1,4 +1,6 @@
 // Where environment light goes wrong: a bound where the methods hold, the size of the failure where they do not.
+#include <fmt/core.h>
+
 #include "light_fixture.h"
 
 using namespace lightwalk;
