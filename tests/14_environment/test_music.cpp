@@ -145,6 +145,14 @@ TEST_CASE("a scene's music that is none is refused with the scene's file and lin
     CHECK_THROWS_WITH(parse_scene("{\"music\": 3}", "s.json"), Catch::Matchers::Contains("must be a text in quotes"));
 }
 
+TEST_CASE("a scene that is written keeps its music") {
+    const Folder folder;
+    SceneFile scene;
+    scene.music.file = "audio/beat.ogg";
+    write_scene(scene, folder.path / "out.json");
+    CHECK(read_scene(folder.path / "out.json").music.file == "audio/beat.ogg");
+}
+
 TEST_CASE("the table's levels are those of a direct double-precision transform of the same samples, to 1e-4") {
     for (const int rate : {8000, 44100, 96000}) {
         Sound sound = piece();

@@ -31,19 +31,19 @@ double over_phases(size_t count) {
 
 }  // namespace
 
-TEST_CASE("bass needs a long window: 60 Hz in 512 samples depends on the phase by 1.5, in 2,048 by a thousandth") {
-    CHECK(over_phases(512) == Approx(1.5).margin(0.1));
-    CHECK(over_phases(1024) == Approx(1.06).margin(0.01));
+TEST_CASE("bass needs a long window: 60 Hz in 512 samples depends on the phase by 22%, in 2,048 by 0.1%") {
+    CHECK(over_phases(512) == Approx(1.22).margin(0.01));
+    CHECK(over_phases(1024) == Approx(1.03).margin(0.01));
     CHECK(over_phases(2048) < 1.0015);
 }
 
-TEST_CASE("a window trades a wider peak for less leakage: 10 bins off -26 dB without one, -67 dB with Hann's") {
+TEST_CASE("a window trades a wider peak for less leakage: 10 bins off -25 dB without one, -67 dB with Hann's") {
     const std::vector<float> between = tone_samples(100.5, 2048);
     const auto rectangle = truth::amplitudes(between, [](size_t, size_t) { return 1.0; });
     const auto hann = truth::amplitudes(between);
     CHECK(decibels(rectangle[100]) == Approx(-3.9).margin(0.1));
     CHECK(decibels(hann[100]) == Approx(-1.4).margin(0.1));
-    CHECK(decibels(rectangle[110] / rectangle[100]) == Approx(-25.7).margin(0.5));
+    CHECK(decibels(rectangle[110] / rectangle[100]) == Approx(-25.2).margin(0.1));
     CHECK(decibels(hann[110] / hann[100]) == Approx(-67).margin(0.5));
     const auto on_a_bin = truth::amplitudes(tone_samples(100, 2048));
     CHECK(on_a_bin[100] == Approx(1));
