@@ -18,9 +18,7 @@ const Image& EnvironmentLight::picture_of(Frame& frame, const Scene& scene) {
 }
 
 void EnvironmentLight::record(Frame& frame, const Scene& scene) {
-    const bool given = static_cast<bool>(scene.environment);
-    scene_intensity_ = given ? scene.file.environment.intensity : 1.0f;
-    scene_turn_deg_ = given ? scene.file.environment.rotation_deg : 0.0f;
+    scene_ = &scene;
     const Image& picture = picture_of(frame, scene);
     if (made_) return;
 
@@ -40,11 +38,18 @@ void EnvironmentLight::record(Frame& frame, const Scene& scene) {
     made_ = true;
 }
 
+EnvironmentScale environment_scale(const Scene& scene, float intensity, float turn_deg) {
+    const bool given = static_cast<bool>(scene.environment);
+    const float turn = glm::radians((given ? scene.file.environment.rotation_deg : 0.0f) + turn_deg);
+    return {.cosine = std::cos(turn),
+            .sine = std::sin(turn),
+            .intensity = (given ? scene.file.environment.intensity : 1.0f) * intensity};
+}
+
 void EnvironmentLight::bind(Pass& pass) const {
-    const float turn = glm::radians(scene_turn_deg_ + turn_deg);
     pass.offer("environment_cube", radiance, linear_clamp);
     pass.offer("environment_irradiance_cube", irradiance, linear_clamp);
-    pass.offer("environment_scale", glm::vec3(std::cos(turn), std::sin(turn), scene_intensity_ * intensity));
+    pass.offer("environment_scale", environment_scale(*scene_, intensity, turn_deg));
 }
 
 }  // namespace lightwalk

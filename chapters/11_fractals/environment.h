@@ -1,12 +1,16 @@
 // A scene's environment picture as light: a cube of radiance for reflections and a cube of irradiance for diffuse
 // surfaces. Chapter 14 does it with a model of roughness; this is what chapters before it need.
 #pragma once
+#include "11_fractals/environment_data.h"
 #include "common/app/module.h"
 #include "common/app/target.h"
 #include "common/gpu/frame.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
+
+/// How a scene's environment is turned and scaled: by what its file says, and by these two besides.
+EnvironmentScale environment_scale(const Scene& scene, float intensity, float turn_deg);
 
 // [environment]
 /// Gives shaders environment_radiance() and environment_irradiance() of 11_fractals/environment.glsl. In each frame
@@ -51,7 +55,7 @@ struct EnvironmentLight : Module {
     Image even_;                      ///< where there is no picture
     glm::vec3 even_radiance_{-1.0f};
     bool made_ = false;
-    float scene_intensity_ = 1, scene_turn_deg_ = 0;
+    const Scene* scene_ = nullptr;  ///< of the last record()
 };
 
 }  // namespace lightwalk

@@ -94,6 +94,14 @@ bool Module::any_animated() const {
     return any;
 }
 
+const Sound* Module::any_sound() const {
+    const Sound* any = nullptr;
+    visit_used(*this, [&](const Module& module) {
+        if (!any) any = module.sound();
+    });
+    return any;
+}
+
 std::string Module::load_state() const {
     std::string state;
     visit_used(*this, [&](const Module& module) {

@@ -9,6 +9,7 @@ namespace lightwalk {
 
 class Gpu;
 class Scene;
+struct Sound;
 class TargetBase;
 
 // [module]
@@ -62,11 +63,15 @@ class Module : public Given {
     /// Exercises that run while a scene is loaded: toggling one of them loads it again.
     virtual std::vector<std::string> load_exercises() const { return {}; }
 
+    /// What a window plays beside the picture, from 0 s on; null: nothing. It stays until the next prepare().
+    virtual const Sound* sound() const { return nullptr; }
+
     /// False: not asked any of the above, nor are its modules. None given: always true.
     std::function<bool()> in_use;
 
     void prepare_all(Gpu& gpu, Scene& scene);
     bool any_animated() const;
+    const Sound* any_sound() const;  ///< of the first module that has one
     std::string load_state() const;  ///< all load keys, and the toggles of all load exercises
     bool loads_exercise() const;     ///< some exercise runs at load, in the student's version
                                      // [/life]

@@ -11,6 +11,7 @@
 //     image          .hdr or .pfm, all directions, twice as wide as high; below assets/ or a whole path; required
 //     intensity      1, by what its radiance is multiplied, 0 to 1e6
 //     rotation_deg   0, by what it is turned about +y, counter-clockwise seen from above; -1e6 to 1e6
+//   music        an Ogg Vorbis file; below assets/ or a whole path; its time 0 is the scene's
 //   objects      list of
 //     name, parent   texts; a parent is another object's name; none
 //     role           what the chapters that know it take the object for: planet, ring (of the planet), screen, skin, eye
@@ -90,6 +91,13 @@ struct Environment {
     explicit operator bool() const { return !image.empty(); }
 };
 
+/// A piece of music that begins at 0 s.
+struct SceneMusic {
+    std::filesystem::path file;  ///< relative to assets/, or absolute; empty: none
+    std::string where{};         ///< "file:line: key 'music'", for what is only found when it is loaded
+    explicit operator bool() const { return !file.empty(); }
+};
+
 struct SceneFile {
     std::filesystem::path file;
     Camera camera;
@@ -98,6 +106,7 @@ struct SceneFile {
     glm::vec3 ambient{0.05f};     ///< linear radiance from everywhere
     glm::vec3 background{0.02f};  ///< linear
     Environment environment;
+    SceneMusic music;
     std::map<std::string, std::string> knobs;
 };
 

@@ -225,4 +225,12 @@ Environment read_environment(const JsonWithLines& source, KeyReader& scene) {
     return environment;
 }
 
+SceneMusic read_music(const JsonWithLines& source, KeyReader& scene) {
+    const std::string pointer = scene.at("music");
+    std::string file;
+    scene.string("music", file);
+    if (file.empty()) scene.refuse("music", "is empty: the name of an Ogg Vorbis file");
+    return {.file = asset(source, pointer, file), .where = source.where(pointer)};
+}
+
 }  // namespace lightwalk

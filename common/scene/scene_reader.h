@@ -103,4 +103,7 @@ SceneObject read_object(const JsonWithLines& source, KeyReader r, const std::str
 /// `environment`, as a file name or as an object.
 Environment read_environment(const JsonWithLines& source, KeyReader& scene);
 
+/// `music`, the name of an Ogg Vorbis file.
+SceneMusic read_music(const JsonWithLines& source, KeyReader& scene);
+
 }  // namespace lightwalk

@@ -105,6 +105,7 @@ void write_scene(const SceneFile& scene, const std::filesystem::path& path) {
     if (const Environment& e = scene.environment)
         j["environment"] = {
             {"image", e.image.generic_string()}, {"intensity", e.intensity}, {"rotation_deg", e.rotation_deg}};
+    if (scene.music) j["music"] = scene.music.file.generic_string();
     j["objects"] = json::array();
     for (const SceneObject& o : scene.objects) j["objects"].push_back(object_json(o));
     j["lights"] = json::array();

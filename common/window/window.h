@@ -4,6 +4,7 @@
 #include "common/window/lesson_pages.h"
 #include "common/window/live_chapter.h"
 #include "common/window/panel.h"
+#include "common/window/sound_player.h"
 
 namespace lightwalk {
 
@@ -56,6 +57,7 @@ class Window {
     Look look_;
     ExerciseChecks checks_;
     LessonPages lessons_;
+    SoundPlayer sound_;
     Image viewed_;    ///< of what is looked at in frame_
     Image composed_;  ///< both sides of the split view
     Frame frame_;     ///< the chapter's

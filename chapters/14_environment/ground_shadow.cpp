@@ -1,0 +1,77 @@
+#include "14_environment/ground_shadow.h"
+
+#include <fmt/core.h>
+
+#include "14_environment/truth.h"
+
+namespace lightwalk {
+
+std::vector<GroundLight> ground_lights(const ImageRgb& picture, const EnvironmentScale& turn, int count) {
+    struct Texel {
+        glm::dvec3 direction, light;
+        double until;  ///< luminance of all texels so far
+    };
+    std::vector<Texel> texels;
+    double sum = 0;
+    for (int row = 0; row < picture.height; ++row) {
+        // Every other row is walked the other way, so that neighbours in the list are neighbours in the sky.
+        for (int i = 0; i < picture.width; ++i) {
+            const int column = row % 2 ? picture.width - 1 - i : i;
+            const glm::dvec3 d =
+                truth::direction_at({(column + 0.5) / picture.width, (row + 0.5) / double(picture.height)});
+            if (d.y <= 0) continue;
+            const glm::dvec3 light = truth::equirect_solid_angle(row, picture.width, picture.height) * d.y *
+                                     glm::dvec3(picture.at(column, row));
+            sum += glm::dot(light, {0.2126, 0.7152, 0.0722});
+            texels.push_back({d, light, sum});
+        }
+    }
+    std::vector<GroundLight> lights;
+    if (sum <= 0) return lights;
+    glm::dvec3 all(0);
+    std::vector<glm::dvec3> colors;
+    size_t at = 0;
+    for (int i = 0; i < count; ++i) {
+        while (at + 1 < texels.size() && texels[at].until < (i + 0.5) / count * sum) ++at;
+        const Texel& texel = texels[at];
+        const glm::dvec3 color = texel.light / std::max(glm::dot(texel.light, {0.2126, 0.7152, 0.0722}), 1e-30);
+        const glm::dvec3& d = texel.direction;  // from the picture's space to the world's
+        lights.push_back({{turn.cosine * d.x + turn.sine * d.z, d.y, turn.cosine * d.z - turn.sine * d.x}, {}});
+        colors.push_back(color);
+        all += color;
+    }
+    for (size_t i = 0; i < lights.size(); ++i) lights[i].share = colors[i] / glm::max(all, glm::dvec3(1e-9));
+    return lights;
+}
+
+void GroundShadow::prepare(Gpu& gpu, Scene& scene) {
+    made_.clear();
+    picture_ = scene.environment ? small_picture(gpu, *scene.environment, 256) : ImageRgb();
+}
+
+void GroundShadow::record(Frame& frame, const Scene& scene, const EnvironmentScale& turn, float ground_y) {
+    arriving.wanted.size = glm::uvec2(uint32_t(resolution.value));
+    const std::string now = fmt::format("{} {} {} {} {} {}", scene.placed, turn.cosine, turn.sine, ground_y,
+                                        directions.value, arriving.desc.size.x);
+    if (now == made_ || scene.items.empty()) return;
+    rays.record(frame, scene);
+    std::vector<GroundLight> lights = ground_lights(picture_, turn, directions);
+    const auto count = static_cast<int>(lights.size());
+    if (lights.empty()) lights.emplace_back();
+    frame.upload(path() + " lights", lights_, lights);
+
+    // As far around as what stands there is high, and half as wide again.
+    const Bounds& box = scene.bounds;
+    const float margin = 0.5f + 1.0f * std::max(box.extent().y, 0.0f);
+    state_ = {.corner = glm::vec2(box.lower.x, box.lower.z) - margin,
+              .extent = glm::vec2(box.extent().x, box.extent().z) + 2.0f * margin,
+              .ground_y = ground_y,
+              .directions = count};
+    frame.compute("ground shadow", {.reads = {lights_}, .writes = {arriving}, .with = {rays}}, [&](Compute& pass) {
+        pass.use(trace_).set("state", state_).set("ground_lights", lights_).set("arriving", arriving);
+        pass.dispatch_threads(arriving.desc.size);
+    });
+    made_ = now;
+}
+
+}  // namespace lightwalk

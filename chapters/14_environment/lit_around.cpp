@@ -1,0 +1,31 @@
+#include "14_environment/lit_around.h"
+
+namespace lightwalk {
+
+LitAround::LitAround(Module& owner, std::string name, const ImageLight& light)
+    : LitScene(owner, std::move(name)),
+      substances(owner, "substance"),
+      paint(owner, "paint"),
+      rays(owner, "rays"),
+      light_(light) {
+    transparent_shading = &glass_;
+}
+
+void LitAround::update(Frame& frame) {
+    LitScene::update(frame);
+    paint.record(frame);
+    shading = &surface_;
+    shading_with.clear();
+    if (occlusion.is("none")) return;
+    rays.record(frame, *scene_, maps.cutoff);
+    shading = &occluded_;
+    shading_with = {rays};
+}
+
+std::vector<With> LitAround::given() const {
+    std::vector<With> with = LitScene::given();
+    with.insert(with.end(), {light_, substances, paint});
+    return with;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,41 @@
+// A scene's objects in the light of their surroundings, as a drawing.
+#pragma once
+#include "05_shadow_maps/lit_scene.h"
+#include "05_shadow_maps/rays.h"
+#include "14_environment/image_light.h"
+#include "14_environment/paint.h"
+#include "14_environment/substances.h"
+
+namespace lightwalk {
+
+// [lit_around]
+/// LitScene, whose ambient light is an ImageLight: the owner records that before it draws.
+struct LitAround : LitScene {
+    LitAround(Module& owner, std::string name, const ImageLight& light);
+
+    Choice occlusion{
+        *this,
+        "occlusion",
+        {"none", "rays"},
+        "none",
+        "Occlusion of environment light: ignored, or found by a ray for each sample, for diffuse light and "
+        "for the reflection 'sampled'"};
+    Substances substances;
+    CarPaint paint;
+    Rays rays;
+
+    void update(Frame& frame) override;
+    // [/lit_around]
+
+  protected:
+    std::vector<With> given() const override;
+
+  private:
+    const ImageLight& light_;
+    SurfacePipelines surface_{{.fragment = "14_environment/surface.frag"}};
+    SurfacePipelines occluded_{{.fragment = "14_environment/surface_occluded.frag", .macros = {{"OCCLUDED", "1"}}}};
+    SurfacePipelines glass_ =
+        see_through("14_environment/surface.frag", {{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}});
+};
+
+}  // namespace lightwalk

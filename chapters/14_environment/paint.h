@@ -1,0 +1,44 @@
+// Car paint as a module: a table over (n·l, n·v), made from layers.
+#pragma once
+#include "common/app/module.h"
+#include "common/app/target.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+// [paint]
+/// Gives shaders paint_brdf(), paint_albedo() and flake_light() of 14_environment/paint.glsl, for surfaces whose material is
+/// called "paint". record() before the first pass that states it in `.with`.
+struct CarPaint : Module {
+    CarPaint(Module& owner, std::string name) : Module(owner, std::move(name), "paint") {}
+
+    Knob<glm::vec3> color{
+        *this, "color", {0.35f, 0.008f, 0.012f}, {glm::vec3(0), glm::vec3(1)}, "Pigment's albedo, seen straight on"};
+    Knob<glm::vec3> edge_color{*this,
+                               "edge_color",
+                               {0.09f, 0.002f, 0.02f},
+                               {glm::vec3(0), glm::vec3(1)},
+                               "Pigment's albedo at grazing angles"};
+    Knob<glm::vec3> flake_color{
+        *this, "flake_color", {0.95f, 0.35f, 0.25f}, {glm::vec3(0), glm::vec3(1)}, "Reflectance of the metal flakes"};
+    Knob<float> flakes{*this, "flakes", 0.25f, {0.0f, 1.0f}, "Share of the paint that the flakes cover"};
+    Knob<float> flake_roughness{
+        *this, "flake_roughness", 0.45f, {0.1f, 1.0f}, "Spread of the flakes' normals, as a roughness"};
+    Knob<float> coat_roughness{*this, "coat_roughness", 0.05f, {0.0f, 1.0f}, "Roughness of the clear coat"};
+    Knob<float> flake_mm{*this, "flake_mm", 1.0f, {0.05f, 50.0f}, "Distance from one flake to the next", "mm"};
+    // [/paint]
+
+    /// Makes the table where a knob has changed.
+    void record(Frame& frame);
+    void prepare(Gpu&, Scene&) override { made_.clear(); }
+    std::vector<Resource> reads() const override { return {table}; }
+    void bind(Pass& pass) const override;
+
+    Target table{*this, {.name = "table", .size = {64, 66}, .kept = true}};
+
+  private:
+    std::string made_;  ///< the knobs, as text
+    Pipeline fill_ = compute({.shader = "14_environment/paint_table.comp"});
+};
+
+}  // namespace lightwalk

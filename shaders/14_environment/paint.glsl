@@ -1,0 +1,51 @@
+// Car paint as the module Paint gives it to shaders. Its table and its flakes; the clear coat is a surface of its own.
+#include "14_environment/image_light.glsl"
+#include "14_environment/paint_data.h"
+#include "14_environment/paint_model.glsl"
+
+uniform sampler2D paint_table;
+
+// BRDF per steradian.
+vec3 paint_brdf(float n_dot_l, float n_dot_v) {
+    vec2 at = vec2(n_dot_v, n_dot_l) * float(PAINT_TEXELS - 1) + 0.5;
+    return textureLod(paint_table, at / vec2(textureSize(paint_table, 0)), 0.0).rgb;
+}
+
+// Albedo towards n·v: row 0 of the pigment, row 1 of the flakes.
+vec3 paint_albedo(float n_dot_v, int row) {
+    float x = n_dot_v * float(PAINT_TEXELS - 1);
+    int left = min(int(x), PAINT_TEXELS - 2);
+    return mix(texelFetch(paint_table, ivec2(left, PAINT_TEXELS + row), 0).rgb,
+               texelFetch(paint_table, ivec2(left + 1, PAINT_TEXELS + row), 0).rgb, x - float(left));
+}
+
+// M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020: pcg3d. 0 to 1.
+vec3 hash3(ivec3 cell) {
+    uvec3 v = uvec3(cell) * 1664525u + 1013904223u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return vec3(v >> 8u) / 16777216.0;
+}
+
+// [flakes]
+// Light from the flakes: each cell of the coat holds one, which mirrors along a normal of its own. Where cells are smaller than
+// a pixel, all of them together are a lobe.
+vec3 flake_light(vec3 position, vec3 normal, vec3 to_eye) {
+    float cell_m = 0.001 * paint.flake_mm;
+    vec3 along_x = dFdx(position), along_y = dFdy(position);
+    float pixel_m = sqrt(max(dot(along_x, along_x), dot(along_y, along_y)));
+    vec3 mean = prefiltered_along(position, reflect(-to_eye, normal), paint.flake_roughness);
+    float apart = clamp(1.5 - pixel_m / cell_m, 0.0, 1.0);
+    if (apart == 0.0) return mean;
+    vec3 random = hash3(ivec3(floor(position / cell_m)));
+    float alpha = paint.flake_roughness * paint.flake_roughness;
+    vec3 tilted = frame_around(normal) * importance_sample_ggx(random.xy, alpha);
+    vec3 single = prefiltered_along(position, reflect(-to_eye, tilted), 0.25);
+    return mix(mean, single, apart);
+}
+// [/flakes]

@@ -1,0 +1,39 @@
+// Car paint without its clear coat's own reflection: pigment, and metal flakes above it, both below the coat. The model from
+// which 14_environment/paint_table.comp makes its table.
+#include "14_environment/ggx.glsl"
+
+layout(scalar) uniform PaintBlock {
+    vec3 color, edge_color, flake_color;
+    float flakes, flake_roughness, coat_roughness, flake_mm;
+} paint;
+
+const float coat_f0 = 0.04, coat_index = 1.5;
+
+// The cosine within the coat of a ray that meets it at `cosine`: Snell's law.
+float below_coat(float cosine) {
+    return sqrt(1.0 - (1.0 - cosine * cosine) / (coat_index * coat_index));
+}
+
+// The pigment: what light goes through on its way in and out tints it twice, the more the more it slants.
+vec3 pigment_brdf(float n_dot_l, float n_dot_v) {
+    float way = 0.5 * (1.0 / below_coat(n_dot_l) + 1.0 / below_coat(n_dot_v)) - 1.0;  // 0 to 0.34
+    return mix(paint.color, paint.edge_color, clamp(3.0 * way, 0.0, 1.0)) / pi;
+}
+
+// The flakes: a GGX lobe, in the mean over the angle between the two planes, which the table does not have.
+float flake_brdf(float n_dot_l, float n_dot_v) {
+    float l = below_coat(n_dot_l), v = below_coat(n_dot_v), alpha = paint.flake_roughness * paint.flake_roughness;
+    float across = sqrt((1.0 - l * l) * (1.0 - v * v)), sum = 0.0;
+    const int angles = 32;
+    for (int i = 0; i < angles; ++i) {
+        float l_dot_v = l * v + across * cos(2.0 * pi * (float(i) + 0.5) / float(angles));
+        float n_dot_h = min((l + v) / sqrt(max(2.0 + 2.0 * l_dot_v, 1e-6)), 1.0);
+        sum += ggx_density(n_dot_h, alpha);
+    }
+    return ggx_visibility(l, v, alpha) * sum / float(angles);
+}
+
+// What of the light gets through the coat, in and out.
+float through_coat(float n_dot_l, float n_dot_v) {
+    return (1.0 - coat_f0) * (1.0 - schlick_power(n_dot_l)) * (1.0 - coat_f0) * (1.0 - schlick_power(n_dot_v));
+}

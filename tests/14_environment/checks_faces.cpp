@@ -1,0 +1,56 @@
+// What ./course check runs for 14.prefilter_faces: what its dispatches have left in every face of every level.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/check/check.h"
+#include "trials.h"
+
+using namespace lightwalk;
+
+CHECK_EXERCISE("14.prefilter_faces",
+               "two loops, over levels and faces: set face_level and face_now, then dispatch; all in one pass") {
+    struct Size {
+        uint32_t texels, levels;
+    };
+    for (const Size size : {Size{16, 5}, Size{24, 3}, Size{8, 1}}) {
+        const FacesSeen seen = try_prefilter_faces(size.texels, size.levels);
+        const std::string what = fmt::format("a cube of {} texels and {} levels: ", size.texels, size.levels);
+        if (!seen.error.empty()) {
+            check.expect(false, what + seen.error, "what a pass binds stands in its reads or writes");
+            return;
+        }
+        check.expect(seen.passes == "prefilter",
+                     what + fmt::format("the compute passes are \"{}\", expected one, \"prefilter\"", seen.passes));
+        std::string wrong, hint;
+        size_t next = 0;
+        for (uint32_t m = 0; m < size.levels && wrong.empty(); ++m) {
+            const uint32_t side = std::max(size.texels >> m, 1u), across = (side + 7) / 8;
+            const float roughness = size.levels > 1 ? float(m) / float(size.levels - 1) : 0.0f;
+            for (uint32_t face = 0; face < 6 && wrong.empty(); ++face)
+                for (uint32_t i = 0; i < side * side && wrong.empty(); ++i, ++next) {
+                    const glm::vec4 got = next < seen.texels.size() ? seen.texels[next] : glm::vec4(-9);
+                    const std::string place =
+                        fmt::format("{}the texel ({}, {}) of face {} of level {} ", what, i % side, i / side, face, m);
+                    if (got.x == -9)
+                        wrong = place + "was never written";
+                    else if (got.x != float(face + 1))
+                        wrong = place + fmt::format("was written for face {}", got.x - 1);
+                    else if (!(std::fabs(got.y - roughness) < 1e-5f))
+                        wrong = place + fmt::format("has roughness {}, expected {}", got.y, roughness),
+                        hint = "even steps: level / (levels - 1), and 0 for a cube of one level";
+                    else if (got.w != 2)
+                        wrong = place + fmt::format("is from radiance {}, expected 2: passes.radiance", got.w);
+                    else if (got.z != float(across * across))
+                        wrong = place + fmt::format(
+                                            "was written by {} groups of 8x8 threads, expected {}: a thread for "
+                                            "each texel of the view",
+                                            got.z, across * across);
+                }
+        }
+        check.expect(wrong.empty(), wrong, hint);
+        check.expect(seen.validation.empty(), what + "validation says: " + seen.validation);
+        if (!wrong.empty()) return;
+    }
+}

@@ -1,0 +1,195 @@
+// What ./course check runs for the exercises about directions and reflectances: values against double precision.
+#include <fmt/core.h>
+
+#include "14_environment/truth.h"
+#include "common/check/check.h"
+
+using namespace lightwalk;
+
+namespace {
+
+glm::dvec3 three(std::span<const double> in) { return {in[0], in[1], in[2]}; }
+
+Row row_of(glm::dvec3 v) { return {v.x, v.y, v.z}; }
+
+}  // namespace
+
+CHECK_EXERCISE("14.direction_to_equirect",
+               "u is 1/2 + atan(x, -z) / (2 pi), v is the angle from +y over pi; ask before atan(0.0, 0.0)") {
+    Probe probe{.include = "14_environment/direction_to_equirect.glsl",
+                .signature = "vec2 direction_to_equirect(vec3 direction)",
+                .inputs = {{0, 0, -1},
+                           {1, 0, 0},
+                           {-1, 0, 0},
+                           {1e-3, 0, 1},
+                           {-1e-3, 0, 1},
+                           {0, 1, -1},
+                           {0, -1, 1e-4},
+                           {3, 4, 5},
+                           {0, 1e3, -0.1},
+                           {0, -7, -7},
+                           {1e-3, 1e-3, 0}},
+                .truth =
+                    [](auto in) {
+                        const glm::dvec2 uv = truth::equirect(three(in));
+                        return Row{uv.x, uv.y};
+                    },
+                // acos of a component has lost half of its digits near the poles.
+                .bound = {.absolute = 2e-4},
+                .hint = [](auto in, auto out) -> std::string {
+                    const glm::dvec2 uv = truth::equirect(three(in));
+                    if (std::fabs(out[0] - uv.x) < 1e-3 && std::fabs(out[1] - (1 - uv.y)) < 1e-3)
+                        return "v is 0 at the upper edge, which is +y";
+                    if (std::fabs(out[1] - uv.y) < 1e-3 && std::fabs(out[0] - (1 - uv.x)) < 1e-3)
+                        return "to the right of the middle lies +x";
+                    return "";
+                }};
+    Random random;
+    for (int i = 0; i < 400; ++i) {
+        const glm::vec3 d = random.direction() * static_cast<float>(random.logarithmic(0.01, 100));
+        if (std::hypot(d.x, d.z) > 0.02 * std::fabs(d.y) && !(d.z > 0 && std::fabs(d.x) < 1e-3 * d.z))
+            probe.inputs.push_back({d.x, d.y, d.z});
+    }
+    check.probe(probe);
+
+    Probe poles = probe;
+    poles.inputs = {{0, 1, 0}, {0, -1, 0}, {0, 20, 0}, {0, -0.01, 0}};
+    poles.truth = [](auto in) { return Row{0.5, in[1] > 0 ? 0.0 : 1.0}; };
+    poles.hint = nullptr;
+    check.probe(poles);
+}
+
+CHECK_EXERCISE("14.schlick_roughness", "f0 + (max(1 - roughness, f0) - f0) * (1 - n·v)^5, each colour on its own") {
+    Probe probe{.include = "14_environment/schlick_roughness.glsl",
+                .signature = "vec3 schlick_roughness(float n_dot_v, vec3 f0, float roughness)",
+                .inputs = {{1, 0.04, 0.04, 0.04, 0.5},
+                           {0, 0.04, 0.04, 0.04, 0},
+                           {0, 0.04, 0.04, 0.04, 1},
+                           {0, 0.9, 0.6, 0.2, 0.5},
+                           {1.0000001, 0.5, 0.5, 0.5, 0},
+                           {-1e-7, 0.5, 0.5, 0.5, 0},
+                           {-0.1, 0.04, 0.3, 1, 0.3},
+                           {1.1, 0.04, 0.3, 1, 0.3},
+                           {0, 0, 0, 0, 0}},
+                .truth =
+                    [](auto in) {
+                        Row row;
+                        const double power = std::pow(std::clamp(1 - in[0], 0.0, 1.0), 5);
+                        for (size_t c = 1; c < 4; ++c)
+                            row.push_back(in[c] + (std::max(1 - in[4], in[c]) - in[c]) * power);
+                        return row;
+                    },
+                .bound = {.absolute = 2e-6, .relative = 2e-5},
+                .hint = [](auto in, auto out) -> std::string {
+                    if (in[0] < 0 || in[0] > 1) return "clamp 1 - n·v to 0 to 1: rounding may lead a little outside";
+                    const double power = std::pow(1 - in[0], 5);
+                    if (in[4] > 0 && std::fabs(out[0] - (in[1] + (1 - in[1]) * power)) < 1e-4)
+                        return "f90 is 1 for a smooth surface only";
+                    if (in[1] > 1 - in[4] && out[0] < in[1]) return "f90 is never less than f0";
+                    return "";
+                }};
+    Random random;
+    for (int i = 0; i < 300; ++i)
+        probe.inputs.push_back({random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1),
+                                random.uniform(0, 1)});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE(
+    "14.importance_sample_ggx",
+    "cos² theta = (1 - r) / (1 + (alpha² - 1) r), phi = 2 pi random.x; then (sin cos phi, sin sin phi, cos)") {
+    Probe probe{.include = "14_environment/importance_sample_ggx.glsl",
+                .signature = "vec3 importance_sample_ggx(vec2 random, float alpha)",
+                .inputs = {{0, 0, 0.5}, {0, 0, 0}, {0.25, 0.5, 0}, {0.7, 0.9999, 0}, {0.5, 0.9999, 1}, {0.25, 0.25, 1}},
+                .truth =
+                    [](auto in) {
+                        const double a = in[2] * in[2], phi = truth::around * in[0];
+                        // 1 - c in a form that keeps its digits near the normal.
+                        const double sine2 = a * in[1] / (1 + (a - 1) * in[1]), s = std::sqrt(sine2);
+                        return Row{s * std::cos(phi), s * std::sin(phi), std::sqrt(1 - sine2)};
+                    },
+                // Near the normal 1 - cos² has half of a float's digits.
+                .bound = {.absolute = 6e-4},
+                .hint = [](auto in, auto out) -> std::string {
+                    const double length = glm::length(three(out));
+                    if (std::isfinite(length) && std::fabs(length - 1) > 1e-3)
+                        return fmt::format("its length is {:.3g}; sin² = 1 - cos²", length);
+                    const double a = in[2], c2 = (1 - in[1]) / (1 + (a - 1) * in[1]);
+                    if (in[2] > 0 && in[2] < 1 && std::fabs(out[2] - std::sqrt(c2)) < 1e-3)
+                        return "D has alpha squared";
+                    return "";
+                }};
+    Random random;
+    for (int i = 0; i < 400; ++i)
+        probe.inputs.push_back({random.uniform(0, 0.999), random.uniform(0, 0.999), random.uniform(0.02, 1)});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("14.box_project",
+               "for each axis the wall that the ray goes towards; the nearest of the three; from the center to there") {
+    // A ray that meets a wall at once has no direction of its own; the lengths of results are free.
+    const auto unit = [](glm::dvec3 v) { return v / glm::length(v); };
+    Probe probe{.include = "14_environment/box_project.glsl",
+                .signature = "vec3 box_project(vec3 position, vec3 direction, vec3 lower, vec3 upper, vec3 center)",
+                .truth = [unit](auto in) {
+                    const glm::dvec3 p = three(in), d = three(in.subspan(3)), lower = three(in.subspan(6)),
+                                     upper = three(in.subspan(9)), center = three(in.subspan(12));
+                    double t = 1e300;
+                    for (int a = 0; a < 3; ++a)
+                        if (d[a] != 0) t = std::min(t, ((d[a] > 0 ? upper[a] : lower[a]) - p[a]) / d[a]);
+                    const glm::dvec3 hit = p + std::max(t, 0.0) * d - center;
+                    return row_of(unit(hit == glm::dvec3(0) ? d : hit));
+                }};
+    const auto add = [&](glm::dvec3 p, glm::dvec3 d, glm::dvec3 lower, glm::dvec3 upper, glm::dvec3 center) {
+        Row row;
+        for (const glm::dvec3 v : {p, d, lower, upper, center}) append(row, v);
+        probe.inputs.push_back(row);
+    };
+    const glm::dvec3 low(-1, -2, -3), high(3, 2, 1);
+    for (const glm::dvec3 d : {glm::dvec3(1, 0, 0),
+                               {0, 1, 0},
+                               {0, 0, 1},
+                               {-1, 0, 0},
+                               {0, -1, 0},
+                               {0, 0, -1},
+                               {1, 1, 0},
+                               {0, -2, 2},
+                               {-0.5, 0, 0.25}}) {
+        add({0.5, 0.25, -0.5}, d, low, high, {0, 0, 0});
+        add({0, 0, 0}, d, low, high, {0, 0, 0});
+    }
+    add({4, 0, 0}, {1, 0.25, 0}, low, high, {0, 0, 0});  // outside, away from it
+    add({3, 0, 0}, {1, 0, 0.5}, low, high, {3, 0, 0});   // on the wall, from the cube's own middle
+    Random random;
+    for (int i = 0; i < 300; ++i) {
+        glm::dvec3 p, center;
+        for (int a = 0; a < 3; ++a) {
+            p[a] = random.uniform(low[a] + 0.05, high[a] - 0.05);
+            center[a] = random.uniform(low[a] + 0.5, high[a] - 0.5);
+        }
+        add(p, glm::dvec3(random.direction()) * random.logarithmic(0.1, 10), low, high, center);
+    }
+    // Any length is right: compared as directions.
+    const Table got = run_probe(check_device(), probe, 3);
+    for (size_t i = 0; i < got.size(); ++i) {
+        const glm::dvec3 g = three(got[i]), want = three(probe.truth(probe.inputs[i]));
+        const double length = glm::length(g);
+        const bool right = std::isfinite(length) && length > 0 && glm::length(g / length - want) < 1e-4;
+        const glm::dvec3 d = three(std::span(probe.inputs[i]).subspan(3));
+        const std::string hint = !std::isfinite(length) ? "a component of the direction is 0"
+                                 : glm::length(unit(d) - unit(g)) < 1e-5
+                                     ? "the ray begins at position, the cube's at center"
+                                 : glm::length(unit(g) + want) < 1e-3 ? "the wall behind the ray is nearer"
+                                                                      : "";
+        check.expect(right, wrong_text(probe, i, got[i]) + " or another length", hint);
+        if (!right) return;
+    }
+    // What GLSL leaves open, such as a division by 0, is looked for by the probe itself.
+    probe.truth = [got, inputs = probe.inputs](auto in) -> Row {
+        for (size_t i = 0; i < inputs.size(); ++i)
+            if (std::equal(in.begin(), in.end(), inputs[i].begin())) return got[i];
+        return {0, 0, 0};
+    };
+    probe.bound = {.absolute = 1e-4, .relative = 1e-4};
+    check.probe(probe);
+}

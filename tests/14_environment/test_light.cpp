@@ -1,0 +1,120 @@
+// Environment light against sums in double precision.
+#include <fmt/core.h>
+
+#include <glm/gtc/packing.hpp>
+
+#include "light_fixture.h"
+
+using namespace lightwalk;
+
+TEST_CASE_METHOD(OnLight, "an even environment: every method of diffuse light shows its radiance") {
+    load("", {0.25f, 0.5f, 2.0f});
+    for (const char* method : {"constant", "sh9", "irradiance"}) {
+        light.diffuse.set(method);
+        INFO(method);
+        for (const glm::vec3 found : diffuse(all_around()))
+            for (int c = 0; c < 3; ++c) CHECK(double(found[c]) == Approx(double(scene.file.ambient[c])).epsilon(4e-3));
+    }
+}
+
+TEST_CASE_METHOD(OnLight, "what is where: the cube, irradiance and spherical harmonics agree with the picture") {
+    load(64, 32, [](glm::dvec3 d) { return 0.5 * d + 0.5; });
+    const auto normals = all_around();
+    for (const char* method : {"sh9", "irradiance"}) {
+        light.diffuse.set(method);
+        INFO(method);
+        for (const float turn : {0.0f, 90.0f, -37.0f}) {
+            light.turn_deg.value = turn;
+            const auto found = diffuse(normals);
+            const double a = glm::radians(double(turn));
+            for (size_t i = 0; i < normals.size(); ++i) {
+                const glm::dvec3 n(normals[i]);  // in the picture's space, then 2/3 of a linear light
+                const glm::dvec3 in(std::cos(a) * n.x - std::sin(a) * n.z, n.y, std::cos(a) * n.z + std::sin(a) * n.x);
+                CHECK(glm::length(glm::dvec3(found[i]) - (in / 3.0 + 0.5)) < 0.01);
+            }
+        }
+    }
+    light.turn_deg.value = 0;
+    light.reflection.set("mirror");
+    std::vector<LookedAt> mirrors;
+    for (const glm::vec3 n : normals) mirrors.push_back({n, n, glm::vec3(1), 1e-4f});
+    const auto seen = shown(mirrors);
+    for (size_t i = 0; i < normals.size(); ++i)
+        CHECK(glm::length(glm::dvec3(seen[i].specular) - (0.5 * glm::dvec3(normals[i]) + 0.5)) < 0.02);
+}
+
+TEST_CASE_METHOD(OnLight, "irradiance of photographed places: the cube within 4% of the brightest, sh9 within 20%") {
+    for (const std::string name : {"city_1k", "sunset_1k", "courtyard_1k", "sunrise_1k"}) {
+        load("environments/" + name + ".hdr");
+        const ImageRgb picture = small_picture(gpu, *scene.environment, 256);
+        const auto normals = all_around();
+        const auto right = true_diffuse(picture, normals);
+        double most = 0;
+        for (const glm::dvec3& one : right) most = std::max(most, one.g);
+        for (const auto& [method, bound] : {std::pair{"irradiance", 0.04}, {"sh9", 0.2}}) {
+            light.diffuse.set(method);
+            const auto found = diffuse(normals);
+            double worst = 0, least = 1;
+            for (size_t i = 0; i < normals.size(); ++i)
+                worst = std::max(worst, std::fabs(double(found[i].g) - right[i].g) / most),
+                least = std::min(least, double(found[i].g));
+            INFO(name << " " << method << ": worst " << worst << " least " << least);
+            CHECK(worst < bound);
+            if (getenv("LIGHTWALK_PRINT")) fmt::print("{} {} worst {:.4f} least {:.4f}\n", name, method, worst, least);
+        }
+    }
+}
+
+TEST_CASE_METHOD(OnLight, "coefficients that the device sums are those of 14.sh_project") {
+    load("environments/courtyard_1k.hdr");
+    // The same radiance as if it had been drawn.
+    const Pipeline to_cube = compute({.shader = "14_environment/equirect_to_cube.comp"});
+    const ImageView cube = light.drawn.radiance.as_array().mip(0);
+    frame.compute("cube", {.reads = {*scene.environment}, .writes = {cube}}, [&](Compute& pass) {
+        pass.use(to_cube).set("picture", *scene.environment).set("limit", 65504.0f).set("cube", cube);
+        pass.dispatch_threads(glm::uvec3(cube.size().x, cube.size().y, 6));
+    });
+    light.record_drawn(frame, {});
+    frame.end();
+    const auto of_picture = read<glm::vec4>(light.sky.sh);
+    const auto of_cube = read<glm::vec4>(light.drawn.sh);
+    frame.begin({4, 4}, 0);
+    for (size_t i = 0; i < 9; ++i) {
+        INFO(i);
+        CHECK(glm::length(of_cube[i] - of_picture[i]) < 0.01f * glm::length(of_picture[0]));
+    }
+}
+
+TEST_CASE_METHOD(OnLight, "the split sum's table against sums in double precision") {
+    load("");
+    frame.end();
+    const auto bytes = gpu.read_back(light.table);
+    frame.begin({4, 4}, 0);
+    const auto at = [&](uint32_t x, uint32_t y) {
+        uint64_t texel = 0;
+        std::memcpy(&texel, bytes.data() + 8 * (y * 64 + x), 8);
+        return glm::unpackHalf4x16(texel);
+    };
+    for (const uint32_t y : {6u, 16u, 32u, 63u})
+        for (const uint32_t x : {6u, 20u, 40u, 63u}) {
+            const double n_dot_v = x / 63.0, alpha = y / 63.0;
+            const auto white = [](glm::dvec3) { return 1.0; };
+            const double both = truth::reflected(n_dot_v, alpha, 1, white),
+                         b = truth::reflected(n_dot_v, alpha, 0, white);
+            // 1,024 samples: at grazing angles most of them are wasted below the surface.
+            const double margin = n_dot_v < 0.2 ? 0.016 : 4e-3;
+            INFO("n.v " << n_dot_v << ", alpha " << alpha);
+            CHECK(double(at(x, y).x) == Approx(both - b).margin(margin));
+            CHECK(double(at(x, y).y) == Approx(b).margin(margin));
+        }
+}
+
+TEST_CASE_METHOD(OnLight, "a table or a cube is made once, and again after a knob has changed") {
+    load("environments/courtyard_1k.hdr");
+    const size_t outputs = frame.outputs.size();
+    light.record(frame, scene);
+    CHECK(frame.outputs.size() == outputs);
+    light.prefilter.samples.value = 32;
+    light.record(frame, scene);
+    CHECK(frame.outputs.size() > outputs);
+}

@@ -1,0 +1,308 @@
+// Where environment light goes wrong: a bound where the methods hold, the size of the failure where they do not.
+#include <fmt/core.h>
+
+#include "light_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+/// What nine coefficients of a lone sun along +y show at an angle from it; facing it the truth is 1.
+double lone_sun(double angle_deg, size_t window) {
+    const auto factors = sh_window(window);
+    std::vector<double> sun = truth::harmonics({0, 1, 0});
+    for (size_t i = 0; i < 9; ++i) sun[i] *= 0.5 * truth::around * factors[i == 0 ? 0u : i < 4 ? 1u : 2u];
+    const double a = angle_deg * truth::around / 360;
+    return truth::sh_irradiance(sun, {std::sin(a), std::cos(a), 0});
+}
+
+/// The mean over directions of |found - right| / mean of right, of green.
+double mean_error(const std::vector<glm::dvec3>& found, const std::vector<glm::dvec3>& right) {
+    double away = 0, sum = 0;
+    for (size_t i = 0; i < right.size(); ++i) away += std::fabs(found[i].g - right[i].g), sum += right[i].g;
+    return away / sum;
+}
+
+/// What the prefiltered cube ought to hold: samples weighed by n·l, in the limit of every texel of a picture.
+std::vector<glm::dvec3> true_prefiltered(const ImageRgb& picture, const std::vector<glm::vec3>& normals, double alpha) {
+    std::vector<glm::dvec3> sums(normals.size(), glm::dvec3(0));
+    std::vector<double> weights(normals.size(), 0);
+    for (int y = 0; y < picture.height; ++y) {
+        const double solid_angle = truth::equirect_solid_angle(y, picture.width, picture.height);
+        for (int x = 0; x < picture.width; ++x) {
+            const glm::dvec3 l = truth::direction_at({(x + 0.5) / picture.width, (y + 0.5) / double(picture.height)});
+            for (size_t i = 0; i < normals.size(); ++i) {
+                const double n_dot_l = glm::dot(glm::dvec3(normals[i]), l);
+                if (n_dot_l <= 0) continue;
+                const double weight =
+                    solid_angle * n_dot_l * truth::ggx_density(std::sqrt(0.5 + 0.5 * n_dot_l), alpha) / 4;
+                sums[i] += weight * glm::dvec3(picture.at(x, y)), weights[i] += weight;
+            }
+        }
+    }
+    for (size_t i = 0; i < sums.size(); ++i) sums[i] /= weights[i];
+    return sums;
+}
+
+}  // namespace
+
+TEST_CASE("a lone sun in nine coefficients rings: 1.06 facing it, -0.04 at 122 degrees, light behind it") {
+    CHECK(lone_sun(0, 0) == Approx(1.0625).margin(1e-3));
+    CHECK(lone_sun(90, 0) == Approx(0.094).margin(1e-3));
+    CHECK(lone_sun(122, 0) == Approx(-0.040).margin(1e-3));
+    CHECK(lone_sun(180, 0) == Approx(0.0625).margin(1e-3));
+}
+
+TEST_CASE("windows trade the ringing for the peak: Hann 0.91 and -0.019, sinc^4 0.49 and never negative") {
+    double least_hann = 1, least_sinc = 1;
+    for (int a = 0; a <= 180; ++a)
+        least_hann = std::min(least_hann, lone_sun(a, 1)), least_sinc = std::min(least_sinc, lone_sun(a, 2));
+    CHECK(lone_sun(0, 1) == Approx(0.91).margin(0.005));
+    CHECK(least_hann == Approx(-0.019).margin(0.002));
+    CHECK(lone_sun(0, 2) == Approx(0.49).margin(0.005));
+    CHECK(least_sinc == Approx(0.025).margin(0.002));
+}
+
+TEST_CASE_METHOD(OnLight, "the same on the device: a small sun leaves negative light in sh9, none in the cube") {
+    load(256, 128, [](glm::dvec3 d) { return glm::dvec3(d.y > std::cos(0.05) ? 400.0 : 0.0); });
+    std::vector<glm::vec3> normals;
+    for (int i = 0; i <= 36; ++i) normals.emplace_back(std::sin(i * 0.0872665), std::cos(i * 0.0872665), 0.0f);
+    light.diffuse.set("sh9");
+    const auto sh = diffuse(normals);
+    light.diffuse.set("irradiance");
+    const auto cube = diffuse(normals);
+    float least_sh = 1, least_cube = 1;
+    for (size_t i = 0; i < normals.size(); ++i)
+        least_sh = std::min(least_sh, sh[i].g / sh[0].g), least_cube = std::min(least_cube, cube[i].g);
+    CHECK(least_sh < -0.03f);
+    CHECK(least_sh > -0.05f);
+    CHECK(least_cube >= 0.0f);
+    light.sh_window.set("sinc4");
+    light.diffuse.set("sh9");
+    for (const glm::vec3 one : diffuse(normals)) CHECK(one.g > 0.0f);
+}
+
+TEST_CASE_METHOD(OnLight, "prefiltering at roughness 0.5: samples read from levels, and one level smoother") {
+    const auto normals = all_around(120);
+    for (const std::string name : {"city_1k", "sunset_1k"}) {
+        double error[2][3];
+        for (int biased = 0; biased < 2; ++biased)
+            for (int i = 0; i < 3; ++i) {
+                light.prefilter.bias.value = float(biased), light.prefilter.samples.value = 16 << (2 * i);
+                load("environments/" + name + ".hdr");
+                // Level 3 of 7 has roughness 0.5; f0 1 and n·v 1, over what the table says of it.
+                light.reflection.set("prefiltered");
+                std::vector<LookedAt> surfaces;
+                for (const glm::vec3 n : normals) surfaces.push_back({n, n, glm::vec3(1), 0.25f});
+                std::vector<glm::dvec3> found;
+                for (const Shown& one : shown(surfaces))
+                    found.push_back(glm::dvec3(one.specular) / (1.0 - glm::dvec3(one.diffuse_share)));
+                error[biased][i] =
+                    mean_error(found, true_prefiltered(small_picture(gpu, *scene.environment, 256), normals, 0.25));
+            }
+        const std::string text =
+            fmt::format("{}: 16/64/256 samples {:.3f} {:.3f} {:.3f}, one level smoother {:.3f} {:.3f} {:.3f}", name,
+                        error[0][0], error[0][1], error[0][2], error[1][0], error[1][1], error[1][2]);
+        INFO(text);
+        if (getenv("LIGHTWALK_PRINT")) fmt::print("{}\n", text);
+        CHECK(error[1][1] < 0.12);
+        CHECK(error[1][2] < 0.08);
+        CHECK(error[1][2] < error[1][0]);
+    }
+}
+
+TEST_CASE("a white rough surface looked at straight on loses ln 2 of the light: 1 - ln 2 comes back") {
+    const auto white = [](glm::dvec3) { return 1.0; };
+    CHECK(truth::reflected(1, 1, 1, white) == Approx(1 - std::log(2.0)).margin(1e-3));
+}
+
+TEST_CASE_METHOD(OnLight, "furnace: GGX loses up to 59% of white light; with multiple scattering nothing is lost") {
+    load("", glm::vec3(0.5f));
+    const double lost[] = {0.013, 0.12, 0.30, 0.46, 0.59};
+    int row = 0;
+    for (const float alpha : {0.0625f, 0.25f, 0.5f, 0.75f, 1.0f}) {
+        std::vector<LookedAt> surfaces;  // the mean over angles: cosines are even in the projected area
+        for (int i = 0; i < 32; ++i) {
+            const float c = std::sqrt((float(i) + 0.5f) / 32.0f);
+            surfaces.push_back({{0, 1, 0}, {std::sqrt(1 - c * c), c, 0}, glm::vec3(1), alpha});
+        }
+        const auto mean = [&](const char* method) {
+            light.reflection.set(method);
+            double sum = 0;
+            for (const Shown& one : shown(surfaces)) sum += double(one.specular.g) / 0.5 / 32;
+            return sum;
+        };
+        INFO("alpha " << alpha);
+        CHECK(1 - mean("dominant") == Approx(lost[row++]).margin(0.012));
+        CHECK(mean("multiscatter") == Approx(1).margin(0.006));
+    }
+}
+
+TEST_CASE_METHOD(OnLight, "nothing reflects more than arrives: every method, colour and roughness in a furnace") {
+    load("", glm::vec3(1.0f));
+    std::vector<LookedAt> surfaces;
+    for (const float alpha : {1e-4f, 0.01f, 0.1f, 0.4f, 1.0f})
+        for (const float c : {1e-4f, 0.05f, 0.3f, 0.7f, 1.0f})
+            for (const float f0 : {0.0f, 0.04f, 0.5f, 1.0f})
+                surfaces.push_back({{0, 0, 1}, {0, std::sqrt(1 - c * c), c}, glm::vec3(f0), alpha});
+    for (const std::string& method : light.reflection.options) {
+        light.reflection.set(method);
+        for (const Shown& one : shown(surfaces)) {
+            const float all = one.specular.g + one.diffuse_share.g;
+            INFO(method);
+            CHECK(is_finite(one.specular));
+            CHECK(all <= 1.05f);  // 64 samples
+            CHECK(one.diffuse_share.g >= 0.0f);
+        }
+    }
+}
+
+TEST_CASE_METHOD(OnLight, "every normal has a frame: the poles, the axes, and between them") {
+    load(64, 32, [](glm::dvec3 d) { return 0.5 * d + 0.5; });
+    light.reflection.set("sampled");
+    std::vector<LookedAt> surfaces;
+    for (const glm::vec3 n : all_around(200)) surfaces.push_back({n, n, glm::vec3(1), 0.05f});
+    for (const float tiny : {1e-8f, -1e-8f, 1e-4f, -1e-4f})
+        for (const float side : {1.0f, -1.0f})
+            surfaces.push_back({{tiny, 0, side}, {tiny, 0, side}, glm::vec3(1), 0.05f});
+    const auto found = shown(surfaces);
+    for (size_t i = 0; i < surfaces.size(); ++i)
+        CHECK(glm::length(glm::dvec3(found[i].specular) - (0.5 * glm::dvec3(surfaces[i].normal) + 0.5)) < 0.03);
+}
+
+TEST_CASE_METHOD(OnLight, "roughness 0 is a mirror, by every method that has one") {
+    load(128, 64, [](glm::dvec3 d) { return glm::dvec3(d.x > 0 ? 1.0 : 0.25); });
+    const glm::vec3 to_eye = glm::normalize(glm::vec3(-0.3f, 0.8f, 0.2f));
+    for (const char* method : {"mirror", "box_mips", "prefiltered", "dominant", "multiscatter", "sampled", "truth"}) {
+        light.reflection.set(method);
+        const auto found =
+            shown({{{0, 1, 0}, to_eye, glm::vec3(1), 0.0f}, {{0, 1, 0}, {0.3f, 0.8f, 0.2f}, glm::vec3(1), 0.0f}});
+        INFO(method);
+        CHECK(double(found[0].specular.g) == Approx(1.0).margin(0.02));
+        CHECK(double(found[1].specular.g) == Approx(0.25).margin(0.02));
+    }
+}
+
+TEST_CASE_METHOD(OnLight, "a sun of 3e5 in a sky of 1: half floats keep a fifth of it, and nothing overflows") {
+    const auto sky = [](glm::dvec3 d) { return glm::dvec3(d.y > std::cos(0.03) ? 3e5 : 1.0); };
+    load(256, 128, sky);
+    ImageRgb right(256, 128);
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 256; ++x)
+            right.at(x, y) = glm::vec3(sky(truth::direction_at({(x + 0.5) / 256, (y + 0.5) / 128})));
+    const std::vector<glm::vec3> up{{0, 1, 0}};
+    const double found = diffuse(up)[0].g, whole = true_diffuse(right, up)[0].g;
+    INFO(found << " of " << whole);
+    CHECK(found / whole > 0.15);
+    CHECK(found / whole < 0.28);
+    for (const std::string& method : light.reflection.options) {
+        light.reflection.set(method);
+        std::vector<LookedAt> surfaces;
+        for (const glm::vec3 n : all_around()) surfaces.push_back({n, n, glm::vec3(1), 0.1f});
+        for (const Shown& one : shown(surfaces)) CHECK(is_finite(one.specular));
+    }
+}
+
+TEST_CASE_METHOD(OnLight, "a black picture shows nothing, and a picture of two texels its colours") {
+    load(2, 1, [](glm::dvec3) { return glm::dvec3(0); });
+    for (const std::string& method : light.reflection.options) {
+        light.reflection.set(method);
+        for (const Shown& one : shown({{{0, 1, 0}, {0, 1, 0}, glm::vec3(1), 0.2f}})) {
+            CHECK(one.specular == glm::vec3(0));
+            CHECK(one.diffuse == glm::vec3(0));
+        }
+    }
+    load(2, 1, [](glm::dvec3) { return glm::dvec3(0.5, 1, 2); });
+    for (const glm::vec3 one : diffuse(all_around())) CHECK(glm::length(one - glm::vec3(0.5, 1, 2)) < 0.02f);
+}
+
+TEST_CASE_METHOD(OnLight, "a turn of the environment changes no mean") {
+    load("environments/courtyard_1k.hdr");
+    light.diffuse.set("irradiance");
+    double first = 0;
+    for (const float turn : {0.0f, 33.0f, 90.0f, 200.0f}) {
+        light.turn_deg.value = turn;
+        double mean = 0;
+        const auto normals = all_around(4000);
+        for (const glm::vec3 one : diffuse(normals)) mean += double(one.g) / double(normals.size());
+        if (turn == 0) first = mean;
+        CHECK(mean == Approx(first).epsilon(0.005));
+    }
+}
+
+TEST_CASE("taken for a cosine distribution, cos = 1 - u is off by a sixth and more") {
+    // Irradiance of a sky that is bright at the horizon: the sampler's mean against the integral.
+    const auto sky = [](double c) { return std::exp(-4 * c); };
+    double wrong = 0, right = 0;
+    const int n = 100000;
+    for (int i = 0; i < n; ++i) {
+        const double u = (i + 0.5) / n;
+        wrong += sky(1 - u) / n, right += sky(std::sqrt(1 - u)) / n;
+    }
+    CHECK(std::fabs(wrong / right - 1) > 0.17);
+}
+
+TEST_CASE("a highlight in a table: 64 texels even in n·h keep 2, 16 and 75% of GGX's peak; in a root 91, 98 and 100%") {
+    const double alphas[] = {0.05, 0.1, 0.3}, even[] = {0.02, 0.16, 0.75}, root[] = {0.91, 0.98, 1.0};
+    for (int i = 0; i < 3; ++i) {
+        const double peak = truth::ggx_density(1, alphas[i]), last = 1.0 / 128;
+        CHECK(truth::ggx_density(1 - last, alphas[i]) / peak == Approx(even[i]).margin(0.01));
+        CHECK(truth::ggx_density(1 - last * last, alphas[i]) / peak == Approx(root[i]).margin(0.01));
+    }
+}
+
+TEST_CASE_METHOD(OnLight,
+                 "faces on their own jump at their edges, the more the fewer texels they have; a cube's levels join") {
+    // One side of an edge and the other, from each face alone and from the cube.
+    load(256, 128, [](glm::dvec3 d) { return glm::dvec3(1 + 0.5 * d.x * d.z + 0.7 * d.x + d.z); });
+    const Pipeline read_edges = compute_pipeline("read edges", R"(
+#include "11_fractals/environment_map.glsl"
+layout(local_size_x = 64) in;
+uniform samplerCube cube;
+uniform sampler2DArray faces;
+layout(scalar) uniform LevelBlock { float level; };
+layout(scalar) writeonly buffer FoundBuffer { vec4 found[]; };
+void main() {
+    float t = (float(gl_GlobalInvocationID.x) + 0.5) / 32.0 - 1.0;
+    // +z ends at x = 1, where +x begins: s is 1 there, and -1 here.
+    vec3 left = vec3(0.99999, -t, 1.0), right = vec3(1.0, -t, 0.99999);
+    float v = 0.5 * t + 0.5;
+    found[gl_GlobalInvocationID.x] = vec4(textureLod(cube, left, level).g, textureLod(cube, right, level).g,
+                                          textureLod(faces, vec3(1.0, v, 4.0), level).g, textureLod(faces, vec3(0.0, v, 0.0), level).g);
+})");
+    const Buffer out(gpu.device, {.name = "found", .bytes = 64 * sizeof(glm::vec4)});
+    double before = 0;
+    for (const int level : {0, 4, 5, 6}) {
+        frame.compute("edges", {.reads = {light.sky.radiance, light.sky.radiance.as_array()}, .writes = {out}},
+                      [&](Compute& pass) {
+                          pass.use(read_edges).set("cube", light.sky.radiance, linear_clamp);
+                          pass.set("faces", light.sky.radiance.as_array(), linear_clamp)
+                              .set("level", float(level))
+                              .set("found", out);
+                          pass.dispatch_threads(glm::uvec2(64, 1));
+                      });
+        frame.end();
+        double cube = 0, faces = 0;
+        for (const glm::vec4 one : read<glm::vec4>(out)) {
+            cube = std::max(cube, double(std::fabs(one.x - one.y)));
+            faces = std::max(faces, double(std::fabs(one.z - one.w)));
+        }
+        frame.begin({4, 4}, 0);
+        INFO("level " << level << ": cube " << cube << ", faces " << faces);
+        if (getenv("LIGHTWALK_PRINT"))
+            fmt::print("edge jump at level {}: cube {:.4f} faces {:.4f}\n", level, cube, faces);
+        CHECK(cube < 0.004);
+        CHECK(faces > before);
+        before = faces;
+    }
+    CHECK(before > 0.05);
+}
+
+TEST_CASE_METHOD(OnLight, "an environment of the wrong shape is refused in one line") {
+    const auto file = std::filesystem::temp_directory_path() / "lightwalk_square.pfm";
+    made.push_back(file);
+    write_pfm(file, ImageRgb(32, 32, glm::vec3(1)));
+    CHECK_THROWS_WITH(load(file.string()), Catch::Contains("twice as wide as high"));
+    write_pfm(file, ImageRgb(1, 1, glm::vec3(1)));
+    CHECK_THROWS_WITH(load(file.string()), Catch::Contains("twice as wide as high"));
+}

@@ -1,0 +1,109 @@
+// Sound beside the picture: what a device is given, which here is SDL's that writes to a file.
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <thread>
+
+#include "catch.h"
+#include "common/base/files.h"
+#include "common/window/sound_player.h"
+
+using namespace lightwalk;
+namespace fs = std::filesystem;
+
+namespace {
+
+// Each sample says where it is: -1 at 0 s to 1 at 10 s.
+Sound ruler() {
+    Sound sound{.rate_hz = 22050};
+    for (int i = 0; i < 220500; ++i) sound.samples.push_back(static_cast<float>(i) / 110250.0f - 1.0f);
+    return sound;
+}
+
+struct ToFile {
+    fs::path file = fs::temp_directory_path() / ("lightwalk_sound_" + std::to_string(getpid()) + ".raw");
+    ToFile() {
+        setenv("SDL_AUDIODRIVER", "disk", 1);
+        setenv("SDL_DISKAUDIOFILE", file.c_str(), 1);
+    }
+    ~ToFile() {
+        unsetenv("SDL_AUDIODRIVER");
+        unsetenv("SDL_DISKAUDIOFILE");
+        fs::remove(file);
+    }
+    std::vector<float> samples() const {
+        const std::string bytes = read_file(file);
+        std::vector<float> values(bytes.size() / sizeof(float));
+        std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
+        return values;
+    }
+};
+
+using Clock = std::chrono::steady_clock;
+
+// Frames of 20 ms for so long, from a time of the chapter on.
+double run(SoundPlayer& player, const Sound* sound, double from_s, double seconds, bool clock_runs) {
+    const auto start = Clock::now();
+    double passed = 0;
+    while (passed < seconds) {
+        player.follow(sound, from_s + (clock_runs ? passed : 0), clock_runs);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        passed = std::chrono::duration<double>(Clock::now() - start).count();
+    }
+    return from_s + passed;
+}
+
+double heard_s(float value) { return 5 * (double(value) + 1); }
+
+}  // namespace
+
+TEST_CASE("the sample of the picture's time is heard; a clock that stands is silent, and one that jumps is followed") {
+    const ToFile device;
+    const Sound sound = ruler();
+    double stopped = 0;
+    {
+        SoundPlayer player;
+        stopped = run(player, &sound, 1.0, 0.6, true);
+        run(player, &sound, stopped, 0.3, false);
+        run(player, &sound, 7.0, 0.6, true);
+        run(player, nullptr, 0, 0.2, true);
+        for (const int ends : {SIGINT, SIGTERM}) {
+            struct sigaction action {};
+            sigaction(ends, nullptr, &action);
+            CHECK(action.sa_handler == SIG_DFL);
+        }
+    }
+    const std::vector<float> played = device.samples();
+    REQUIRE(played.size() > 48000);
+    size_t first = 0, last_before = 0, silent = 0, after = 0;
+    double steepest = 0;
+    for (size_t i = 1; i < played.size(); ++i) {
+        steepest = std::max(steepest, std::abs(double(played[i]) - double(played[i - 1])));
+        if (played[i] != 0.0f && !first) first = i;
+        if (played[i] < -0.3f && heard_s(played[i]) < 4) last_before = i;  // 1 to 1.6 s
+        if (played[i] > 0.3f && !after) after = i;                         // 7 s and more, faded in
+        silent += last_before && !after && played[i] == 0.0f;
+    }
+    REQUIRE(first > 0);
+    REQUIRE(after > last_before);
+    CHECK(steepest < 0.006);       // no click: it fades over 240 samples
+    CHECK(silent > 7200);          // while the clock stood
+    CHECK(played.back() == 0.0f);  // and at the end
+    const size_t middle = (first + last_before) / 2;
+    CHECK(played[middle + 4800] - played[middle] == Approx(0.1 / 5).margin(1e-4));  // at the sound's own speed
+    CHECK(heard_s(played[after + 9600]) == Approx(7.2).margin(0.15));
+}
+
+TEST_CASE("without a sound device nothing is played, and nothing fails") {
+    setenv("SDL_AUDIODRIVER", "none_of_that_name", 1);
+    const Sound sound = ruler();
+    SoundPlayer player;
+    for (int i = 0; i < 3; ++i) player.follow(&sound, i, true);
+    player.follow(nullptr, 3, true);
+    unsetenv("SDL_AUDIODRIVER");
+}
