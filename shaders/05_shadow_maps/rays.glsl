@@ -1,4 +1,5 @@
 // How much of a lamp a point sees, by rays: the truth of shadows.
+#include "05_shadow_maps/basis.glsl"
 #include "05_shadow_maps/bvh.glsl"
 #include "05_shadow_maps/sampling.glsl"
 
@@ -16,13 +17,6 @@ struct Lamp {
 };
 const float on_and_on = 1e13;
 // [/lamp]
-
-// T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017. `n` has unit length.
-void basis_of(vec3 n, out vec3 x, out vec3 y) {
-    float s = n.z < 0.0 ? -1.0 : 1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;
-    x = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);
-    y = vec3(b, s + n.y * n.y * a, -n.y);
-}
 
 // Rays begin a little above the surface, so that it does not shadow itself. `facing` is the normal of the mesh.
 vec3 above(vec3 position, vec3 facing) { return position + rays_state.offset_m * facing; }

@@ -1,4 +1,6 @@
 // The microfacet model of this chapter: GGX with the height-correlated masking of Smith.
+#include "05_shadow_maps/basis.glsl"
+
 const float pi = 3.14159265358979;
 
 // T. Trowbridge and K. Reitz, 1975; B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007,
@@ -24,10 +26,11 @@ float schlick_power(float cosine) {
     return square * square * grazing;
 }
 
-// T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017. `n` has unit length, and may point anywhere.
+// Columns: two directions across `n`, which has unit length and may point anywhere, and `n` itself.
 mat3 frame_around(vec3 n) {
-    float s = n.z < 0.0 ? -1.0 : 1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;
-    return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
+    vec3 x, y;
+    basis_of(n, x, y);
+    return mat3(x, y, n);
 }
 
 // Point i of `count`, evenly spread over the square: J. M. Hammersley, 1960; the second number is i's bits in reverse.

@@ -53,13 +53,11 @@ vec3 diffuse_of_samples(vec3 position, vec3 normal, uint samples) {
 }
 
 // [truth]
-// Every texel of the cube's level of 64 by 64 times its solid angle, with GGX in full. A lobe that is narrower than six of
-// these texels is sampled instead, from the finest level.
-vec3 reflection_of_texels(LitFromAround s, float n_dot_v) {
-    const int level = 2;
+// Every texel of a level of the cube times its solid angle, with GGX in full: 32 by 32 texels a face where the lobe is at
+// least four of them wide, else 64 by 64. A lobe that is narrower than four of those is sampled, from the finest level.
+// `level` is a constant wherever it is called: Mesa 22.3 takes one level for all of a texelFetch's invocations.
+vec3 sum_of_texels(LitFromAround s, float n_dot_v, int level) {
     uint size = uint(textureSize(image_light_texels, level).x);
-    if (2.0 * atan(s.alpha) < 6.0 * (0.5 * pi / float(size)) || image_light_state.has_box == 1u)
-        return reflection_of_samples(s, n_dot_v, 4096u, 0.0);
     vec3 normal = environment_space(s.normal), to_eye = environment_space(s.to_eye), sum = vec3(0.0);
     for (uint n = 0u; n < 6u * size * size; ++n) {
         uvec3 texel = uvec3(n % size, n / size % size, n / (size * size));
@@ -73,6 +71,15 @@ vec3 reflection_of_texels(LitFromAround s, float n_dot_v) {
         sum += fresnel * weight * texelFetch(image_light_texels, ivec3(texel), level).rgb;
     }
     return environment_scale.intensity * sum;
+}
+
+vec3 reflection_of_texels(LitFromAround s, float n_dot_v) {
+    float wide = 2.0 * atan(s.alpha) / 4.0, quarter = 0.5 * pi;  // as a texel may be; as a face is
+    if (image_light_state.has_box == 0u) {
+        if (wide >= quarter / float(textureSize(image_light_texels, 3).x)) return sum_of_texels(s, n_dot_v, 3);
+        if (wide >= quarter / float(textureSize(image_light_texels, 2).x)) return sum_of_texels(s, n_dot_v, 2);
+    }
+    return reflection_of_samples(s, n_dot_v, 4096u, 0.0);
 }
 // [/truth]
 

@@ -118,3 +118,23 @@ TEST_CASE_METHOD(OnLight, "a table or a cube is made once, and again after a kno
     light.record(frame, scene);
     CHECK(frame.outputs.size() > outputs);
 }
+
+TEST_CASE_METHOD(OnLight, "the sum over all texels and many samples agree, with every roughness in one dispatch") {
+    load("environments/courtyard_1k.hdr");
+    std::vector<LookedAt> surfaces;
+    for (const glm::vec3 n : all_around(10))
+        for (const float alpha : {0.01f, 0.06f, 0.12f, 0.3f, 0.6f, 1.0f}) {
+            const glm::vec3 side = std::fabs(n.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+            const glm::vec3 to_eye = glm::normalize(n + 0.7f * glm::normalize(glm::cross(n, side)));
+            surfaces.push_back({n, to_eye, glm::vec3(1), alpha});
+        }
+    light.reflection.set("truth");
+    const auto sums = shown(surfaces);
+    light.reflection.set("sampled"), light.samples.value = 2048, light.sample_bias.value = 0;
+    const auto samples = shown(surfaces);
+    double away = 0, all = 0;
+    for (size_t i = 0; i < surfaces.size(); ++i)
+        away += double(std::fabs(sums[i].specular.g - samples[i].specular.g)), all += double(samples[i].specular.g);
+    INFO(away / all);
+    CHECK(away / all < 0.02);
+}
