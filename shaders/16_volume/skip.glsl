@@ -1,0 +1,24 @@
+// Which parts of a ray are empty, by a pyramid of blocks.
+#if VOLUME_METHOD == VOLUME_METHOD_SKIPPING
+uniform sampler3D volume_blocks;
+
+// [skip]
+// How far, in metres along the ray, the block at `position` reaches that decides about it: the largest that is empty
+// (`empty` is true), or, where none is, the smallest.
+float block_leaves(vec3 position, vec3 along, float t, out bool empty) {
+    vec3 voxel = to_texture(position) * volume_now.size;
+    vec3 speed = 0.5 * volume_now.size / volume_now.half_m * opaque(volume_now.to_volume * along);  // voxels a metre
+    speed = mix(speed, vec3(1e-12), lessThan(abs(speed), vec3(1e-12)));
+    for (int level = BLOCK_LEVELS - 1; level >= 0; --level) {
+        float edge = float(BLOCK_VOXELS << level);
+        ivec3 block = clamp(ivec3(floor(voxel / edge)), ivec3(0), textureSize(volume_blocks, level) - 1);
+        empty = texelFetch(volume_blocks, block, level).r == 0.0;
+        if (!empty && level > 0) continue;
+        vec3 face = (vec3(block) + vec3(greaterThan(speed, vec3(0.0)))) * edge;
+        vec3 way = max((face - voxel) / speed, 0.0);
+        return t + min(way.x, min(way.y, way.z));
+    }
+    return t;
+}
+// [/skip]
+#endif
