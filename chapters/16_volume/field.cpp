@@ -56,26 +56,23 @@ void BlockPyramid::record(Frame& frame, const Field& field, const Image& transfe
     // Whole blocks of the coarsest level.
     const uint32_t most = 1u << (BLOCK_LEVELS - 1);
     const glm::uvec3 edges = (blocks + most - 1u) / most * most;
-    occupied_.fit(frame.gpu.device, {.name = "occupied blocks",
-                                     .format = VK_FORMAT_R8_UNORM,
-                                     .size = {edges.x, edges.y},
-                                     .mips = BLOCK_LEVELS,
-                                     .depth = edges.z,
-                                     .kept = true});
+    for (Image* image : {&occupied_, &blocks_})
+        image->fit(frame.gpu.device, {.name = image == &blocks_ ? "empty blocks" : "occupied blocks",
+                                      .format = VK_FORMAT_R8_UNORM,
+                                      .size = {edges.x, edges.y},
+                                      .depth = edges.z,
+                                      .kept = true});
     frame.compute("block ranges", {.reads = {field.density()}, .writes = {ranges_}}, [&](Compute& pass) {
         pass.use(find_).set("voxels", field.density(), nearest_clamp).set("ranges", ranges_).set("border", border);
         pass.dispatch(blocks);
     });
-    frame.compute("occupied blocks", {.reads = {ranges_, transfer}, .writes = {occupied_.mip(0)}}, [&](Compute& pass) {
+    frame.compute("occupied blocks", {.reads = {ranges_, transfer}, .writes = {occupied_}}, [&](Compute& pass) {
         pass.use(occupy_).set("ranges", ranges_, nearest_clamp).set("volume_transfer", transfer, nearest_clamp);
-        pass.set("result", occupied_.mip(0)).dispatch_threads(edges);
+        pass.set("result", occupied_).dispatch_threads(edges);
     });
-    for (uint32_t level = 1; level < static_cast<uint32_t>(BLOCK_LEVELS); ++level) {
-        const ImageView finer = occupied_.mip(level - 1), into = occupied_.mip(level);
-        frame.compute("occupied blocks", {.reads = {finer}, .writes = {into}}, [&](Compute& pass) {
-            pass.use(coarser_).set("finer", finer, nearest_clamp).set("result", into).dispatch_threads(into.size());
-        });
-    }
+    frame.compute("empty blocks", {.reads = {occupied_}, .writes = {blocks_}}, [&](Compute& pass) {
+        pass.use(coarser_).set("occupied", occupied_, nearest_clamp).set("result", blocks_).dispatch_threads(edges);
+    });
 }
 // [/record]
 

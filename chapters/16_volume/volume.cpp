@@ -23,8 +23,8 @@ std::vector<uint64_t> as_halves(const std::vector<glm::vec4>& numbers) {
 
 float turn_of(double radians) { return static_cast<float>(std::fmod(radians, glm::two_pi<double>())); }
 
-// From the world to a scan's axes: x to the right, y from back to front, z upwards.
-const glm::mat3 to_scan{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
+// From the world, whose +z a face looks along, to a scan's axes: x from left to right of the head, y from back to front, z up.
+const glm::mat3 to_scan{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
 
 }  // namespace
 
@@ -86,7 +86,8 @@ void Volume::make_transfer(Frame& frame) {
     transfer_made_ = std::move(wanted);
     ++transfer_number_;
     transfer_texels_ = transfer_function(transfer.text(), density);
-    transfer_.fit(frame.gpu.device, {.name = "transfer function", .size = {static_cast<uint32_t>(TRANSFER_TEXELS), 1}, .kept = true});
+    transfer_.fit(frame.gpu.device,
+                  {.name = "transfer function", .size = {static_cast<uint32_t>(TRANSFER_TEXELS), 1}, .kept = true});
     const std::vector<uint64_t> halves = as_halves(transfer_texels_);
     frame.upload("transfer function", transfer_, std::as_bytes(std::span(halves)));
 }

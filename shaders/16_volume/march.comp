@@ -107,7 +107,7 @@ void main() {
     vec4 behind = imageLoad(result, pixel);
     vec3 light = sum.rgb + sum.a * behind.rgb;
 #if VOLUME_SHELL
-    if (enters && range.y > range.x) light = shell_over(light, from + range.x * along, along);
+    if (enters && range.y > range.x && opaque(volume_now.radius_m) > 0.0) light = shell_over(light, from + range.x * along, along);
 #endif
     imageStore(result, pixel, vec4(min(light, 65504.0), behind.a));
 }

@@ -9,16 +9,13 @@ float block_leaves(vec3 position, vec3 along, float t, out bool empty) {
     vec3 voxel = to_texture(position) * volume_now.size;
     vec3 speed = 0.5 * volume_now.size / volume_now.half_m * opaque(volume_now.to_volume * along);  // voxels a metre
     speed = mix(speed, vec3(1e-12), lessThan(abs(speed), vec3(1e-12)));
-    for (int level = BLOCK_LEVELS - 1; level >= 0; --level) {
-        float edge = float(BLOCK_VOXELS << level);
-        ivec3 block = clamp(ivec3(floor(voxel / edge)), ivec3(0), textureSize(volume_blocks, level) - 1);
-        empty = texelFetch(volume_blocks, block, level).r == 0.0;
-        if (!empty && level > 0) continue;
-        vec3 face = (vec3(block) + vec3(greaterThan(speed, vec3(0.0)))) * edge;
-        vec3 way = max((face - voxel) / speed, 0.0);
-        return t + min(way.x, min(way.y, way.z));
-    }
-    return t;
+    ivec3 block = clamp(ivec3(floor(voxel / float(BLOCK_VOXELS))), ivec3(0), textureSize(volume_blocks, 0) - 1);
+    int levels = int(round(255.0 * texelFetch(volume_blocks, block, 0).r));
+    empty = levels > 0;
+    int edge = 1 << max(levels - 1, 0);
+    vec3 first = vec3(block / edge * edge), face = (first + float(edge) * vec3(greaterThan(speed, vec3(0.0)))) * float(BLOCK_VOXELS);
+    vec3 way = max((face - voxel) / speed, 0.0);
+    return t + min(way.x, min(way.y, way.z));
 }
 // [/skip]
 #endif
