@@ -17,9 +17,9 @@ glm::vec4 entry_at(std::span<const glm::vec4> transfer, float density) {
 // K. Engel, M. Kraus and T. Ertl, "High-Quality Pre-Integrated Volume Rendering Using Hardware-Accelerated Pixel
 // Shading", Graphics Hardware 2001: the integral of the transfer function along a step, cut into thin layers.
 glm::vec4 preintegrate(std::span<const glm::vec4> transfer, float front, float back, float ratio) {
-    // Six layers for each entry that is passed; more where a step is long, so that none of them hides much of itself.
+    // Four layers for each entry that is passed; more where a step is long, so that none of them hides much of itself.
     const float passed = std::abs(back - front) * static_cast<float>(transfer.size() - 1);
-    const int layers = passed == 0 ? 1 : 4 + static_cast<int>(6 * passed) + static_cast<int>(2 * ratio);
+    const int layers = passed == 0 ? 1 : 16 + static_cast<int>(4 * passed) + static_cast<int>(8 * ratio);
     const float each = ratio / static_cast<float>(layers);
     glm::vec3 light(0.0f);
     float through = 1;
