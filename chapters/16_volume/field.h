@@ -24,8 +24,10 @@ struct Field : Module {
     const Image& density() const { return density_; }
     bool is_file() const { return from_file_; }
     glm::vec3 half_m() const { return half_m_; }  ///< half the edges of its box; the longest is 1 m
-    uint64_t number() const { return number_; }   ///< another one whenever the densities are others
-                                                  // [/field]
+    uint64_t number() const {
+        return number_;
+    }  ///< another one whenever the densities are others
+       // [/field]
 
   private:
     Image density_;
