@@ -41,9 +41,17 @@ struct VolumeChapter : ModelChapter {
     void frame(Frame& frame) override {
         const View view = set_view(frame);
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
-        dof.record(frame, view, canvas, {objects, volume});
+
+        // 1. What is solid, and what a lens leaves out of focus of it. The depth is theirs alone: so the volume comes
+        //    after it, sharp, and ends where they begin.
+        dof.record(frame, view, canvas, {objects});
+        draw(frame, view, canvas, {volume});
+
+        // 2. The glare of what is bright, the tones of a film and its grain.
         bloom.record(frame, frame.hdr);
         post.record(frame, frame.hdr);
+
+        // 3. Linear light to the codes a screen expects.
         encode_srgb(frame);
     }
     // [/frame]

@@ -94,7 +94,7 @@ void Volume::make_transfer(Frame& frame) {
 
 void Volume::make_tables(Frame& frame) {
     Device& device = frame.gpu.device;
-    if (shell && noise.is("texture") && !noise_) {
+    if (noise.is("texture") && !noise_) {
         noise_ = Image(device,
                        {.name = "noise", .format = VK_FORMAT_R16_SFLOAT, .size = {32, 32}, .depth = 32, .kept = true});
         frame.compute("noise", {.writes = {noise_}}, [&](Compute& pass) {

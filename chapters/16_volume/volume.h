@@ -67,7 +67,12 @@ struct Volume : Drawing {
     Knob<float> shell_scale{*this, "shell_scale", 3.0f, {0.1f, 64.0f}, "Number of noise cells in the shell's radius."};
     Knob<float> shell_speed{
         *this, "shell_speed", 0.6f, {0.0f, 100.0f}, "Noise cells that the shell passes in a second.", "1/s"};
-    Choice show{*this, "show", {"picture", "blocks"}, "picture", "blocks: the blocks that skipping marches through."};
+    Choice show{*this,
+                "show",
+                {"picture", "blocks", "error", "noise"},
+                "picture",
+                "Image shown: the picture; the edges of full and empty blocks; 16 times the error against four samples "
+                "per voxel; the shell's noise at four moments."};
     Field field{*this, "field"};
 
     void prepare(Gpu&, Scene& loaded) override;

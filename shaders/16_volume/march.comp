@@ -10,6 +10,7 @@ layout(scalar) uniform VolumeBlock { float glow, shine, threshold, shell_strengt
 #include "16_volume/shading.glsl"
 #include "16_volume/shell.glsl"
 #include "16_volume/skip.glsl"
+#include "16_volume/show.glsl"
 #if VOLUME_METHOD == VOLUME_METHOD_PREINTEGRATED
 uniform sampler2D volume_preintegrated;
 #endif
@@ -26,9 +27,9 @@ float turned_offset(ivec2 pixel) {
 }
 
 // [march]
-vec4 march(vec3 from, vec3 along, vec2 range, ivec2 pixel) {
+vec4 march(vec3 from, vec3 along, vec2 range, ivec2 pixel, float step_m) {
     vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
-    float step_m = opaque(volume_now.step_m), way = range.y - range.x;
+    float way = range.y - range.x;
     int count = int(ceil(way / step_m));
 #if VOLUME_METHOD == VOLUME_METHOD_JITTERED
     float offset = turned_offset(pixel);
@@ -99,15 +100,27 @@ void main() {
     vec2 range = volume_range(from, along);
     bool enters = range.x > 0.0;
     if (stored > 0.0) range.y = min(range.y, stretch * distance_along_view(volume_now.rays, stored));
-    vec4 sum = range.y > range.x ? march(from, along, range, pixel) : vec4(0.0, 0.0, 0.0, 1.0);
+    vec4 sum = range.y > range.x ? march(from, along, range, pixel, opaque(volume_now.step_m)) : vec4(0.0, 0.0, 0.0, 1.0);
 #if VOLUME_METHOD == VOLUME_METHOD_JITTERED
     if (volume_now.history > 0.0) sum = mix(imageLoad(marched, pixel), sum, 1.0 / (volume_now.history + 1.0));
     imageStore(marched, pixel, sum);
+#endif
+#if VOLUME_SHOW == VOLUME_SHOW_ERROR
+    // Sixteen times the difference from four steps a voxel.
+    float fine = 2.0 / (4.0 * max(volume_now.size.x, max(volume_now.size.y, volume_now.size.z)));
+    vec4 right = range.y > range.x ? march(from, along, range, pixel, fine) : vec4(0.0, 0.0, 0.0, 1.0);
+    imageStore(result, pixel, vec4(16.0 * abs(sum.rgb - right.rgb), 1.0));
+    return;
 #endif
     vec4 behind = imageLoad(result, pixel);
     vec3 light = sum.rgb + sum.a * behind.rgb;
 #if VOLUME_SHELL
     if (enters && range.y > range.x && opaque(volume_now.radius_m) > 0.0) light = shell_over(light, from + range.x * along, along);
+#endif
+#if VOLUME_SHOW == VOLUME_SHOW_BLOCKS
+    if (range.y > range.x) light = 0.5 * light + block_edges(from, along, range);
+#elif VOLUME_SHOW == VOLUME_SHOW_NOISE
+    light = noise_phases(vec2(pixel), vec2(imageSize(result)));
 #endif
     imageStore(result, pixel, vec4(min(light, 65504.0), behind.a));
 }

@@ -18,10 +18,10 @@ float nebula_density(vec3 at) {
     float ridge = 1.0 - abs(octaves_3d(2.6 * place + 3.0, layer + 8, 5)) * 2.1;
     float clouds = octaves_3d(1.7 * place - 7.0, layer + 24, 4);
     float strands = pow(clamp(ridge, 0.0, 1.0), 3.0) * smoothstep(-0.25, 0.45, clouds);
-    float disc = exp(-3.0 * at.y * at.y * (1.0 - 0.5 * radius));
-    float fade = 1.0 - smoothstep(0.55, 0.97, radius + 0.12 * clouds);
-    float heart = 0.9 * exp(-28.0 * radius * radius);
-    return clamp((1.15 * strands * mix(0.45, 1.0, disc) + heart * (0.6 + 0.6 * ridge)) * fade, 0.0, 1.0);
+    float disc = exp(-2.2 * at.y * at.y);
+    float fade = 1.0 - smoothstep(0.68, 0.98, radius + 0.1 * clouds);
+    float heart = 0.9 * exp(-34.0 * radius * radius);
+    return clamp((1.25 * strands * mix(0.5, 1.0, disc) + heart * (0.6 + 0.6 * ridge)) * fade, 0.0, 1.0);
 }
 // [/nebula]
 

@@ -1,5 +1,5 @@
 // Which parts of a ray are empty, by a pyramid of blocks.
-#if VOLUME_METHOD == VOLUME_METHOD_SKIPPING
+#if VOLUME_METHOD == VOLUME_METHOD_SKIPPING || VOLUME_SHOW == VOLUME_SHOW_BLOCKS
 uniform sampler3D volume_blocks;
 
 // [skip]
