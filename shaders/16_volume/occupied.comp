@@ -11,7 +11,7 @@ void main() {
     if (any(greaterThanEqual(block, imageSize(result)))) return;
     float most = 0.0;
     bool outside = any(greaterThanEqual(block, textureSize(ranges, 0)));  // levels have whole blocks, the volume need not
-    vec2 range = outside ? vec2(0.0, -1.0) : texelFetch(ranges, block, 0).rg * float(TRANSFER_TEXELS - 1);
+    vec2 range = outside ? vec2(0.0, -1.0) : min(texelFetch(ranges, block, 0).rg, 1.0) * float(TRANSFER_TEXELS - 1);
     for (int i = int(floor(range.x)); i <= min(int(ceil(range.y)), TRANSFER_TEXELS - 1); ++i)
         most = max(most, texelFetch(volume_transfer, ivec2(i, 0), 0).a);
     imageStore(result, block, vec4(most > 0.0 ? 1.0 : 0.0));

@@ -22,7 +22,7 @@ std::string error_of(const std::filesystem::path& file) {
 }
 
 const char* const plain_lathe =
-    R"({"profile": [[1, 0], [1.2, 0], [1.2, 0.3], [1, 0.3]], "rows": [1, 1, 1, 1], "columns": 16})";
+    R"({"profile": [[1, 0], [1.1, 0], [1.1, 2], [1, 2]], "rows": [1, 1, 1, 1], "columns": 16})";
 
 }  // namespace
 
@@ -108,7 +108,7 @@ TEST_CASE_METHOD(OnDevice, "occlusion is baked once; a cut or changed entry of t
     struct Owner : Module {
     } owner;
     Finish finish(owner, "finish");
-    finish.width.value = 128, finish.bake_rays.value = 4;
+    finish.width.value = 128, finish.bake_rays.value = 8, finish.bake_m.value = 10;
     Scene scene;
     SceneFile scene_file;
     scene_file.objects.push_back({.name = "ring", .parent = "", .model = file});
@@ -144,6 +144,6 @@ TEST_CASE_METHOD(OnDevice, "occlusion is baked once; a cut or changed entry of t
     double sum = 0;
     for (size_t i = 0; i < shown.size(); i += 4) sum += std::to_integer<int>(shown[i]);
     const double mean = sum / double(shown.size() / 4) / 255;
-    CHECK(mean > 0.5);  // a small ring hides some of the sky from its inner side
-    CHECK(mean < 0.99);
+    CHECK(mean > 0.5);  // a tall ring hides some of the sky from its inner side
+    CHECK(mean < 0.9);
 }
