@@ -5,16 +5,16 @@
 
 BEGIN_SHARED
 
-const int TRANSFER_TEXELS = 256;    // of the transfer function, over densities from 0 to 1
-const float REFERENCE_M = 0.01f;    // metres: the length for which the transfer function states its opacities
-const int BLOCK_VOXELS = 8;         // along an edge of the blocks whose ranges of density are known
-const int BLOCK_LEVELS = 3;         // of the pyramid over them: blocks, then 2, then 4 of them along an edge
+const int TRANSFER_TEXELS = 256;  // of the transfer function, over densities from 0 to 1
+const float REFERENCE_M = 0.01f;  // metres: the length for which the transfer function states its opacities
+const int BLOCK_VOXELS = 8;       // along an edge of the blocks whose ranges of density are known
+const int BLOCK_LEVELS = 3;       // of the pyramid over them: blocks, then 2, then 4 of them along an edge
 
 // A moment of noise over space and time: whole cells of time and the rest, which the processor parts in double precision.
 struct NoiseMoment {
-    int cell;         // of time
-    float time;       // within it, 0 to 1
-    int skew_cell;    // simplex noise skews its axes by (sqrt(5) - 1) / 4 of their sum: of the time's share of that, the
+    int cell;       // of time
+    float time;     // within it, 0 to 1
+    int skew_cell;  // simplex noise skews its axes by (sqrt(5) - 1) / 4 of their sum: of the time's share of that, the
     float skew_time;  // whole cells and the rest
     int seed;
 };
