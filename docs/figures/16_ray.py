@@ -29,10 +29,10 @@ def draw() -> Drawing:
         p.dot((enters + (leaves - enters) * (i + 0.5) / steps, HEIGHT), GREEN)
     p.eye((0, HEIGHT), 0)
     p.text((0, HEIGHT), "eye", EYE, SMALL, offset=(0, -40))
-    p.text((enters, HEIGHT), "enters", BLUE, SMALL, offset=(-56, -16))
-    p.text((leaves, HEIGHT), "leaves", BLUE, SMALL, offset=(14, -20))
-    p.text((CENTER, HEIGHT / 2), "distance from the centre", ORANGE, SMALL, offset=(12, 34))
-    p.text((CENTER, HEIGHT), "half a chord to either side", GREEN, SMALL, offset=(-110, -62))
+    p.text((enters, HEIGHT), "enters", BLUE, SMALL, offset=(-64, 22))
+    p.text((leaves, HEIGHT), "leaves", BLUE, SMALL, offset=(12, 22))
+    p.text((CENTER, HEIGHT / 2), "distance from the centre", ORANGE, SMALL, offset=(0, -64))
+    p.text((CENTER, HEIGHT), "half a chord to either side", GREEN, SMALL, offset=(-110, 58))
     return drawing
 
 
