@@ -21,7 +21,7 @@ struct Volume : Drawing {
                   "ends; its middle; a random place in it, averaged over pictures; the middle, without empty blocks; a "
                   "table over both ends; the reference."};
     // [/volume]
-    Knob<int> steps{*this, "steps", 256, {1, 8192}, "Number of samples along the box's longest edge."};
+    Knob<int> steps{*this, "steps", 256, {1, 4096}, "Number of samples along the box's longest edge."};
     Knob<int> truth_samples{*this, "truth_samples", 16, {1, 64}, "Reference: samples per voxel."};
     Choice transfer{*this,
                     "transfer",
@@ -43,7 +43,7 @@ struct Volume : Drawing {
                           {1.5f, 1.15f, 0.85f},
                           {glm::vec3(0.0f), glm::vec3(1e4f)},
                           "Irradiance 1 m from the lamp in the middle."};
-    Knob<int> light_steps{*this, "light_steps", 24, {1, 512}, "Number of samples on the way to the light."};
+    Knob<int> light_steps{*this, "light_steps", 24, {1, 128}, "Number of samples on the way to the light."};
     Choice shading{*this,
                    "shading",
                    {"none", "gradient"},
