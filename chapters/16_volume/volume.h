@@ -22,7 +22,7 @@ struct Volume : Drawing {
                   "table over both ends; the reference."};
     // [/volume]
     Knob<int> steps{*this, "steps", 256, {1, 4096}, "Number of samples along the box's longest edge."};
-    Knob<int> truth_samples{*this, "truth_samples", 16, {1, 64}, "Reference: samples per voxel."};
+    Knob<int> truth_samples{*this, "truth_samples", 16, {1, 192}, "Reference: samples per voxel."};
     Choice transfer{*this,
                     "transfer",
                     {"nebula", "skin", "inside", "shell", "even"},
