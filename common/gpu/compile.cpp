@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "common/base/files.h"
+#include "common/gpu/cache_folder.h"
 #include "common/gpu/glsl.h"
 
 namespace lightwalk {
@@ -89,23 +90,6 @@ std::vector<uint32_t> compile_now(Stage stage, const std::string& text, const st
     return spirv;
 }
 
-const fs::path& cache_folder() {
-    static const fs::path folder = [] {
-        std::error_code error;
-        if (const char* given = std::getenv("LIGHTWALK_CACHE")) {
-            fs::create_directories(given, error);
-            return fs::path(given);
-        }
-        fs::path beside = course_root() / "build" / "shader_cache";
-        fs::create_directories(beside, error);
-        if (!error) return beside;
-        fs::path temporary = fs::temp_directory_path(error) / "lightwalk_shader_cache";
-        fs::create_directories(temporary, error);
-        return temporary;
-    }();
-    return folder;
-}
-
 // An entry: the words of the module, then their hash, so that a damaged file is not believed.
 bool load(const fs::path& file, std::vector<uint32_t>& spirv) {
     std::ifstream in(file, std::ios::binary);
@@ -132,6 +116,23 @@ void store(const fs::path& file, const std::vector<uint32_t>& spirv) {
 }
 
 }  // namespace
+
+const fs::path& cache_folder() {
+    static const fs::path folder = [] {
+        std::error_code error;
+        if (const char* given = std::getenv("LIGHTWALK_CACHE")) {
+            fs::create_directories(given, error);
+            return fs::path(given);
+        }
+        fs::path beside = course_root() / "build" / "shader_cache";
+        fs::create_directories(beside, error);
+        if (!error) return beside;
+        fs::path temporary = fs::temp_directory_path(error) / "lightwalk_shader_cache";
+        fs::create_directories(temporary, error);
+        return temporary;
+    }();
+    return folder;
+}
 
 std::vector<uint32_t> compile(Stage stage, const std::string& flat_text, const std::string& name) {
     const std::string key =

@@ -70,7 +70,7 @@ def settings_of(knob, borrowed: bool) -> list[str]:
 WITH = {"bloom.method=window": ["sigma_px=4"], "skin.sky_rays=1024": ["skin.sky_size=16"],
         "skin.map_size=4096": ["skin.sky_rays=1", "skin.method=gaussians_1", "shadow.method=none"],
         "skin.": ["skin.sky_rays=1"],
-        "maps.mesh=displaced": ["maps.subdivide=2"]}
+        "maps.mesh=displaced": ["maps.subdivide=2"], "finish.width=4096": ["finish.bake_rays=1"]}
 
 
 def others_of(setting: str) -> list[str]:

@@ -1,0 +1,79 @@
+#include "16_volume/field.h"
+
+#include <algorithm>
+
+#include "16_volume/volume_file.h"
+
+namespace lightwalk {
+
+bool is_volume_file(const std::filesystem::path& file) { return file.extension() == ".volume"; }
+
+void Field::prepare(Gpu& gpu, Scene& scene) {
+    from_file_ = false, made_size_ = 0;
+    for (const SceneObject& object : scene.file.objects) {
+        if (!is_volume_file(object.model)) continue;
+        const VolumeData data = read_volume(find_asset(object.model));
+        density_ = Image(gpu.device, {.name = path() + " density",
+                                      .format = data.is_half ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R8_UNORM,
+                                      .size = {data.size.x, data.size.y},
+                                      .depth = data.size.z});
+        gpu.upload(density_, data.bytes);
+        const glm::vec3 extent = glm::vec3(data.size) * data.spacing_m;
+        half_m_ = extent / std::max({extent.x, extent.y, extent.z});
+        from_file_ = true;
+        ++number_;
+        return;
+    }
+}
+
+void Field::record(Frame& frame) {
+    if (from_file_ || (made_size_ == voxels && made_seed_ == variety)) return;
+    made_size_ = voxels, made_seed_ = variety, half_m_ = glm::vec3(1.0f);
+    ++number_;
+    const auto edge = static_cast<uint32_t>(voxels);
+    density_ = Image(frame.gpu.device, {.name = path() + " density",
+                                        .format = VK_FORMAT_R16_SFLOAT,
+                                        .size = {edge, edge},
+                                        .depth = edge,
+                                        .kept = true});
+    frame.compute("nebula", {.writes = {density_}, .with = {*this}},
+                  [&](Compute& pass) { pass.use(nebula_).set("result", density_).dispatch_threads(glm::uvec3(edge)); });
+}
+
+// [record]
+void BlockPyramid::record(Frame& frame, const Field& field, const Image& transfer, uint64_t transfer_number,
+                          int border) {
+    const glm::u64vec3 of{field.number(), transfer_number, static_cast<uint64_t>(border)};
+    if (of == made_of_) return;
+    made_of_ = of;
+    const glm::uvec3 voxels = ImageView(field.density()).size();
+    const glm::uvec3 blocks = (voxels + static_cast<uint32_t>(BLOCK_VOXELS - 1)) / static_cast<uint32_t>(BLOCK_VOXELS);
+    ranges_.fit(frame.gpu.device, {.name = "block ranges",
+                                   .format = VK_FORMAT_R16G16_SFLOAT,
+                                   .size = {blocks.x, blocks.y},
+                                   .depth = blocks.z,
+                                   .kept = true});
+    // Whole blocks of the coarsest level.
+    const uint32_t most = 1u << (BLOCK_LEVELS - 1);
+    const glm::uvec3 edges = (blocks + most - 1u) / most * most;
+    for (Image* image : {&occupied_, &blocks_})
+        image->fit(frame.gpu.device, {.name = image == &blocks_ ? "empty blocks" : "occupied blocks",
+                                      .format = VK_FORMAT_R8_UNORM,
+                                      .size = {edges.x, edges.y},
+                                      .depth = edges.z,
+                                      .kept = true});
+    frame.compute("block ranges", {.reads = {field.density()}, .writes = {ranges_}}, [&](Compute& pass) {
+        pass.use(find_).set("voxels", field.density(), nearest_clamp).set("ranges", ranges_).set("border", border);
+        pass.dispatch(blocks);
+    });
+    frame.compute("occupied blocks", {.reads = {ranges_, transfer}, .writes = {occupied_}}, [&](Compute& pass) {
+        pass.use(occupy_).set("ranges", ranges_, nearest_clamp).set("volume_transfer", transfer, nearest_clamp);
+        pass.set("result", occupied_).dispatch_threads(edges);
+    });
+    frame.compute("empty blocks", {.reads = {occupied_}, .writes = {blocks_}}, [&](Compute& pass) {
+        pass.use(coarser_).set("occupied", occupied_, nearest_clamp).set("result", blocks_).dispatch_threads(edges);
+    });
+}
+// [/record]
+
+}  // namespace lightwalk

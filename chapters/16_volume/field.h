@@ -1,0 +1,62 @@
+// The densities of a volume, and what is known of them ahead of the march.
+#pragma once
+#include "16_volume/volume_data.h"
+#include "common/app/module.h"
+#include "common/gpu/frame.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+// [field]
+/// The first object of a scene whose model is a .volume file (volume_file.h), or a nebula made on the device. record() in
+/// each frame before a pass reads density().
+struct Field : Module {
+    Field(Module& owner, std::string name) : Module(owner, std::move(name), "nebula") {}
+
+    Knob<int> voxels{*this, "voxels", 256, {8, 256}, "Nebula resolution: voxels along each edge."};
+    Knob<int> variety{*this, "variety", 7, {0, 1000}, "Which nebula: the seed of its noise."};
+
+    void prepare(Gpu& gpu, Scene& scene) override;
+
+    /// Makes the nebula where there is none yet, or a knob was turned.
+    void record(Frame& frame);
+
+    const Image& density() const { return density_; }
+    bool is_file() const { return from_file_; }
+    glm::vec3 half_m() const { return half_m_; }  ///< half the edges of its box; the longest is 1 m
+    uint64_t number() const {
+        return number_;
+    }  ///< another one whenever the densities are others
+       // [/field]
+
+  private:
+    Image density_;
+    bool from_file_ = false;
+    glm::vec3 half_m_{1.0f};
+    uint64_t number_ = 0;
+    int made_size_ = 0, made_seed_ = -1;
+    Pipeline nebula_ = compute({.shader = "16_volume/nebula.comp"});
+};
+
+/// True for the name of a file that read_volume() reads.
+bool is_volume_file(const std::filesystem::path& file);
+
+// [pyramid]
+/// Which blocks of a field show nothing: what the method `skipping` reads. Each says how large the largest empty block is
+/// that it lies in: of BLOCK_VOXELS along an edge, or of twice or four times as many.
+struct BlockPyramid {
+    /// Records its making where the field, the transfer function or the border is another one. `border`: how many voxels
+    /// beyond a block a sample in it may read, 1 or more. `transfer_number`: another one for each transfer function.
+    void record(Frame& frame, const Field& field, const Image& transfer, uint64_t transfer_number, int border);
+    const Image& blocks() const { return blocks_; }
+    // [/pyramid]
+
+  private:
+    Image ranges_, occupied_, blocks_;
+    glm::u64vec3 made_of_{0};
+    Pipeline find_ = compute({.shader = "16_volume/ranges.comp"});
+    Pipeline occupy_ = compute({.shader = "16_volume/occupied.comp"});
+    Pipeline coarser_ = compute({.shader = "16_volume/coarser.comp"});
+};
+
+}  // namespace lightwalk

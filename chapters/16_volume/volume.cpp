@@ -1,0 +1,181 @@
+#include "16_volume/volume.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+
+#include "16_volume/transfer.h"
+#include "common/base/bytes.h"
+#include "common/base/exercise.h"
+
+namespace lightwalk {
+namespace {
+
+constexpr int table_texels = 256;
+
+std::vector<uint64_t> as_halves(const std::vector<glm::vec4>& numbers) {
+    std::vector<uint64_t> halves;
+    halves.reserve(numbers.size());
+    for (const glm::vec4& number : numbers) halves.push_back(glm::packHalf4x16(number));
+    return halves;
+}
+
+float turn_of(double radians) { return static_cast<float>(std::fmod(radians, glm::two_pi<double>())); }
+
+// From the world, whose +z a face looks along, to a scan's axes: x from left to right of the head, y from back to front, z up.
+const glm::mat3 to_scan{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
+
+}  // namespace
+
+NoiseMoment noise_moment(double cells, int seed) {
+    const double skewed = cells * (std::sqrt(5.0) - 1) / 4;
+    const double whole = std::floor(cells), skew_whole = std::floor(skewed);
+    return {.cell = static_cast<int>(whole),
+            .time = static_cast<float>(cells - whole),
+            .skew_cell = static_cast<int>(skew_whole),
+            .skew_time = static_cast<float>(skewed - skew_whole),
+            .seed = seed};
+}
+
+void Volume::prepare(Gpu&, Scene& loaded) {
+    scene_ = &loaded;
+    past_.clear();
+    light_made_.clear();
+}
+
+VolumeNow Volume::now(const Frame& frame) const {
+    const double time_s = static_cast<double>(frame.time_s), turn = time_s * static_cast<double>(wave_speed);
+    const Sun sun = scene_->sun();
+    const bool near = light_from.is("heart");
+    const glm::vec3 size(ImageView(field.density()).size());
+    const float samples = method.is("exact") ? static_cast<float>(truth_samples) * std::max({size.x, size.y, size.z})
+                                             : static_cast<float>(steps);
+    return {.half_m = field.half_m(),
+            .radius_m = field.is_file() ? 0.0f : 1.0f,
+            .to_volume = field.is_file() ? to_scan : glm::mat3(1.0f),
+            .size = size,
+            .step_m = 2.0f / samples,
+            .light_at = near ? glm::vec3(0.0f) : sun.to_sun,
+            .is_near = near ? 1.0f : 0.0f,
+            .light = near ? heart.value : sun.light,
+            .brightest = brightest,
+            .wave_phase = {turn_of(turn), turn_of(1.31 * turn + 1), turn_of(0.73 * turn + 2)},
+            .wave = wave,
+            .moment = noise_moment(time_s * static_cast<double>(shell_speed), field.variety)};
+}
+
+// [update]
+void Volume::update(Frame& frame) {
+    field.record(frame);
+    make_transfer(frame);
+    now_ = now(frame);
+    if (method.is("skipping") || show.is("blocks")) {
+        // A wave takes a sample up to 1.5 amplitudes away along each axis.
+        const float voxels = 1.5f * wave * std::max({now_.size.x, now_.size.y, now_.size.z});
+        pyramid_.record(frame, field, transfer_, transfer_number_, 1 + static_cast<int>(std::ceil(voxels)));
+    }
+    make_tables(frame);
+    if (light.is("volume")) make_light(frame);
+}
+// [/update]
+
+void Volume::make_transfer(Frame& frame) {
+    std::string wanted = fmt::format("{} {}", transfer.text(), density.value);
+    if (wanted == transfer_made_) return;
+    transfer_made_ = std::move(wanted);
+    ++transfer_number_;
+    transfer_texels_ = transfer_function(transfer.text(), density);
+    transfer_.fit(frame.gpu.device,
+                  {.name = "transfer function", .size = {static_cast<uint32_t>(TRANSFER_TEXELS), 1}, .kept = true});
+    const std::vector<uint64_t> halves = as_halves(transfer_texels_);
+    frame.upload("transfer function", transfer_, std::as_bytes(std::span(halves)));
+}
+
+void Volume::make_tables(Frame& frame) {
+    Device& device = frame.gpu.device;
+    if (noise.is("texture") && !noise_) {
+        noise_ = Image(device,
+                       {.name = "noise", .format = VK_FORMAT_R16_SFLOAT, .size = {32, 32}, .depth = 32, .kept = true});
+        frame.compute("noise", {.writes = {noise_}}, [&](Compute& pass) {
+            pass.use(make_noise_).set("result", noise_).dispatch_threads(glm::uvec3(32));
+        });
+    }
+    if (!method.is("preintegrated")) return;
+    std::string wanted = fmt::format("{} {} {}", transfer_number_, now_.step_m, Exercises::state());
+    if (wanted == preintegrated_made_) return;
+    preintegrated_made_ = std::move(wanted);
+    preintegrated_.fit(device, {.name = "preintegrated", .size = glm::uvec2(table_texels), .kept = true});
+    const std::vector<uint64_t> halves =
+        as_halves(preintegrated_table(transfer_texels_, table_texels, now_.step_m / REFERENCE_M));
+    frame.upload("preintegrated", preintegrated_, std::as_bytes(std::span(halves)));
+}
+
+// At half the field's resolution; made again in each frame in which anything it depends on has changed.
+void Volume::make_light(Frame& frame) {
+    const glm::uvec3 size = glm::max((ImageView(field.density()).size() + 1u) / 2u, glm::uvec3(1));
+    light_.fit(frame.gpu.device, {.name = "light in the volume",
+                                  .format = VK_FORMAT_R16_SFLOAT,
+                                  .size = {size.x, size.y},
+                                  .depth = size.z,
+                                  .kept = true});
+    std::string wanted =
+        fmt::format("{} {} {} {} {} {} {}", field.number(), transfer_number_, light_from.text(), light_steps.value,
+                    now_.light_at.x + 3 * now_.light_at.y, wave > 0 ? frame.time_s : 0.0f, wave.value);
+    if (wanted == light_made_) return;
+    light_made_ = std::move(wanted);
+    frame.compute("light in the volume", {.reads = {field.density(), transfer_}, .writes = {light_}, .with = {*this}},
+                  [&](Compute& pass) { pass.use(make_light_).set("result", light_).dispatch_threads(size); });
+}
+
+std::vector<Resource> Volume::reads() const { return {field.density()}; }
+
+void Volume::bind(Pass& pass) const {
+    pass.offer("volume_field", field.density(), linear_clamp);
+    pass.offer("volume_transfer", transfer_, linear_clamp);
+    pass.offer("volume_now", now_);
+}
+
+int Volume::pictures(uint32_t view) const {
+    const auto found = past_.find(view);
+    return found == past_.end() ? 0 : found->second.pictures;
+}
+
+// [draw]
+void Volume::draw(Frame& frame, const View& view, Canvas& canvas) {
+    const ImageView color = canvas.color(frame), depth = canvas.depth(frame);
+    now_ = now(frame);
+    now_.rays = view_rays(view);
+    Past& past = past_[view.id];
+    if (past.marched.fit(
+            frame.gpu.device,
+            {.name = path() + " marched", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = view.size, .kept = true}))
+        past.of.clear();
+    // The history is that of this very picture: the same view, volume, knobs and objects.
+    ByteWriter of;
+    of(now_, field.number(), transfer_number_, scene_->placed, Exercises::state());
+    for (const KnobBase* knob : all_knobs()) of(knob->text());
+    past.pictures = of.bytes == past.of ? past.pictures : 0;
+    past.of = std::move(of.bytes);
+    now_.history = static_cast<float>(past.pictures);
+    now_.turn = static_cast<float>(std::fmod(0.6180339887498949 * (past.pictures + frame.samples.index), 1.0));
+
+    ComputeAccess access{
+        .reads = {color, depth, transfer_, past.marched}, .writes = {color, past.marched}, .with = {*this}};
+    for (const Image* image :
+         std::initializer_list<const Image*>{&light_, &preintegrated_, &noise_, &pyramid_.blocks()})
+        if (*image) access.reads.emplace_back(*image);
+    frame.compute("volume", access, [&](Compute& pass) {
+        pass.use(march_).set("result", color).set("depth", depth, nearest_clamp);
+        pass.offer("marched", past.marched);
+        pass.offer("volume_light", light_, linear_clamp);
+        pass.offer("volume_preintegrated", preintegrated_, linear_clamp);
+        pass.offer("volume_noise", noise_, linear_repeat);
+        pass.offer("volume_blocks", pyramid_.blocks(), nearest_clamp);
+        pass.dispatch_threads(view.size);
+    });
+    if (method.is("jittered")) ++past.pictures;
+}
+// [/draw]
+
+}  // namespace lightwalk

@@ -1,0 +1,16 @@
+// What of the light gets through to each place of the volume, at half of its resolution.
+#include "16_volume/volume_inputs.glsl"
+#include "16_volume/bounds.glsl"
+#include "16_volume/correct_opacity.glsl"
+
+layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
+layout(scalar) uniform VolumeBlock { int light_steps; } volume;
+#include "16_volume/light_through.glsl"
+layout(r16f) writeonly uniform image3D result;
+
+void main() {
+    ivec3 at = ivec3(gl_GlobalInvocationID), size = imageSize(result);
+    if (any(greaterThanEqual(at, size))) return;
+    vec3 position = ((vec3(at) + 0.5) / vec3(size) * 2.0 - 1.0) * volume_now.half_m * volume_now.to_volume;
+    imageStore(result, at, vec4(light_through(position, 0.5, volume.light_steps)));
+}

@@ -1,0 +1,32 @@
+// A nebula: ridges of noise whose places other noise has moved, wound up around a hot heart, in a ball.
+#include "16_volume/noise_3d.glsl"
+
+layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
+layout(r16f) writeonly uniform image3D result;
+layout(scalar) uniform NebulaBlock { int variety; } nebula;
+
+// [nebula]
+float nebula_density(vec3 at) {
+    float radius = length(at);
+    if (radius >= 1.0) return 0.0;
+    int layer = 64 * nebula.variety;
+    // Wound up: the nearer to the middle, the farther it is turned.
+    float turn = 2.2 / (0.35 + radius) - 1.0;
+    vec3 wound = vec3(cos(turn) * at.x - sin(turn) * at.z, at.y, sin(turn) * at.x + cos(turn) * at.z);
+    vec3 warp = vec3(noise_3d(1.9 * wound, layer), noise_3d(1.9 * wound + 17.0, layer + 1), noise_3d(1.9 * wound - 23.0, layer + 2));
+    vec3 place = wound + 0.35 * warp;
+    float ridge = 1.0 - abs(octaves_3d(2.6 * place + 3.0, layer + 8, 5)) * 2.1;
+    float clouds = octaves_3d(1.7 * place - 7.0, layer + 24, 4);
+    float strands = pow(clamp(ridge, 0.0, 1.0), 3.0) * smoothstep(-0.25, 0.45, clouds);
+    float disc = exp(-2.2 * at.y * at.y);
+    float fade = 1.0 - smoothstep(0.68, 0.98, radius + 0.1 * clouds);
+    float heart = 0.9 * exp(-34.0 * radius * radius);
+    return clamp((1.25 * strands * mix(0.5, 1.0, disc) + heart * (0.6 + 0.6 * ridge)) * fade, 0.0, 1.0);
+}
+// [/nebula]
+
+void main() {
+    ivec3 voxel = ivec3(gl_GlobalInvocationID), size = imageSize(result);
+    if (any(greaterThanEqual(voxel, size))) return;
+    imageStore(result, voxel, vec4(nebula_density((vec3(voxel) + 0.5) / vec3(size) * 2.0 - 1.0)));
+}

@@ -1,0 +1,262 @@
+// What ./course check runs for chapter 16's functions: values against double precision, then properties.
+#include <fmt/core.h>
+
+#include "16_volume/exercises.h"
+#include "16_volume/truth.h"
+#include "common/check/check.h"
+
+using namespace lightwalk;
+
+namespace {
+
+glm::dvec3 three(std::span<const double> in, size_t first = 0) { return {in[first], in[first + 1], in[first + 2]}; }
+
+}  // namespace
+
+CHECK_EXERCISE("16.ray_shell",
+               "the place on the ray that is nearest to the centre; from there half a chord to either side") {
+    Probe probe{.include = "16_volume/ray_shell.glsl",
+                .signature = "vec2 ray_shell(vec3 origin, vec3 direction, float radius)",
+                .truth =
+                    [](auto in) {
+                        const glm::dvec2 range = truth::ray_shell(three(in), three(in, 3), in[6]);
+                        return Row{range.x, range.y};
+                    },
+                .bound = {.absolute = 1e-3},
+                .hint = [](auto in, auto out) -> std::string {
+                    const glm::dvec2 right = truth::ray_shell(three(in), three(in, 3), in[6]);
+                    const double away = glm::length(three(in));
+                    if (away < in[6] && out[0] < 0) return "the eye is inside the ball: the ray enters it at 0";
+                    if (right.y == 0 && out[1] < 0) return "the ball lies behind the eye: nothing of the ray is in it";
+                    if (away > 100 * in[6])
+                        return "far away b² - c loses the ball: take the ray's distance from the centre";
+                    return "";
+                }};
+    const auto add = [&](glm::dvec3 origin, glm::dvec3 direction, double radius) {
+        Row row;
+        append(row, glm::vec3(origin)), append(row, glm::vec3(glm::normalize(direction))), row.push_back(radius);
+        // At the rim the chord is the root of a small number: there either answer is right.
+        const glm::dvec3 from = three(row), along = three(row, 3);
+        const double beside = glm::length(from - glm::dot(from, along) * along) / radius;
+        if (std::abs(beside - 1) > 1e-3 * std::max(1.0, glm::length(from) / radius / 100)) probe.inputs.push_back(row);
+    };
+    add({0, 0, 3}, {0, 0, -1}, 1), add({0, 0, 3}, {0, 0, 1}, 1), add({0, 0, 0}, {0, 1, 0}, 1);
+    add({0, 0.5, 0.5}, {1, 0, 0}, 1), add({0, 0, 3}, {0, 1, 0}, 1), add({0, 0, 1000}, {0, 0, -1}, 1);
+    add({0, 0.9, 1000}, {0, 0, -1}, 1), add({600, 0, 800}, {-0.6, 0, -0.8}, 1), add({0, 0, 0.99}, {0, 0, 1}, 1);
+    Random random(16);
+    for (int i = 0; i < 300; ++i) {
+        const double radius = random.logarithmic(0.1, 10), away = random.logarithmic(0.05, i % 3 ? 10 : 1000) * radius;
+        const glm::dvec3 origin = away * glm::dvec3(random.direction());
+        const glm::dvec3 to = random.uniform(0, 1.6) * radius * glm::dvec3(random.direction());
+        add(origin, (i % 7 == 0 ? -1.0 : 1.0) * (to - origin), radius);
+    }
+    const Table results = check.probe(probe);
+    // A ray that just touches it, give or take rounding: no bound says what it returns, but that they are numbers.
+    Probe tangent = probe;
+    tangent.inputs.clear();
+    for (int i = -20; i <= 20; ++i) tangent.inputs.push_back({1 + i * 6e-8, 0, 3, 0, 0, -1, 1});
+    check.property(tangent, run_probe(check_device(), tangent, 2), "expected numbers, both from 0 to 3.01",
+                   [](auto, auto out) { return out[0] >= 0 && out[0] <= 3.01 && out[1] >= 0 && out[1] <= 3.01; });
+}
+
+CHECK_EXERCISE("16.correct_opacity", "transmittances multiply: 1 - opacity to the power of the ratio") {
+    Probe probe{.include = "16_volume/correct_opacity.glsl",
+                .signature = "float correct_opacity(float opacity, float ratio)",
+                .inputs = {{0, 0}, {0, 1}, {0, 5}, {1, 0}, {1, 1}, {1, 0.001}, {1, 7}, {0.5, 0}, {0.5, 1}, {0.5, 2}},
+                .truth = [](auto in) { return Row{truth::correct_opacity(in[0], in[1])}; },
+                .bound = {.absolute = 2e-5},
+                .hint = [](auto in, auto out) -> std::string {
+                    if (in[0] == 1)
+                        return "opaque is opaque at any length but none; pow(0, 0) and log(0) are not defined";
+                    if (std::fabs(out[0] - in[0] * in[1]) < 1e-5)
+                        return "opacities do not add up: two layers of 0.8 would absorb more than all";
+                    if (std::fabs(out[0] - std::pow(in[0], in[1])) < 1e-5)
+                        return "that is the power of the opacity: it is the transmittances that multiply";
+                    return "";
+                }};
+    Random random(3);
+    for (int i = 0; i < 300; ++i) probe.inputs.push_back({random.uniform(0, 1), random.logarithmic(1e-3, 50)});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("16.composite_front_to_back", "what a sample adds is weakened by what lies before it: times so_far.a") {
+    Probe probe{.include = "16_volume/composite_front_to_back.glsl",
+                .signature = "vec4 composite_front_to_back(vec4 so_far, vec3 radiance, float opacity)",
+                .inputs = {{0, 0, 0, 1, 1, 2, 3, 0.25},
+                           {1, 1, 1, 0.5, 4, 2, 0, 0.5},
+                           {1, 2, 3, 0, 9, 9, 9, 1},
+                           {0, 0, 0, 1, 5, 5, 5, 0},
+                           {0.1, 0.2, 0.3, 0.9, 1, 1, 1, 1}},
+                .truth =
+                    [](auto in) {
+                        Row out;
+                        for (size_t c = 0; c < 3; ++c) out.push_back(in[c] + in[3] * in[7] * in[4 + c]);
+                        out.push_back(in[3] * (1 - in[7]));
+                        return out;
+                    },
+                .bound = {.absolute = 1e-5, .relative = 1e-5},
+                .hint = [](auto in, auto out) -> std::string {
+                    if (std::fabs(out[3] - in[3] * in[7]) < 1e-6 && in[7] != 0.5)
+                        return "a is what gets through, not what is held back";
+                    if (std::fabs(out[0] - in[0] - in[7] * in[4]) < 1e-6 && in[3] < 1)
+                        return "what lies before it weakens it";
+                    if (std::fabs(out[0] - in[0] - in[3] * in[4]) < 1e-6 && in[7] < 1)
+                        return "it shines as far as it is opaque: the radiance is not weighted yet";
+                    return "";
+                }};
+    Random random(4);
+    for (int i = 0; i < 300; ++i) {
+        Row row;
+        for (int c = 0; c < 3; ++c) row.push_back(random.uniform(0, 4));
+        row.push_back(random.uniform(0, 1));
+        for (int c = 0; c < 3; ++c) row.push_back(random.uniform(0, 9));
+        row.push_back(random.uniform(0, 1));
+        probe.inputs.push_back(row);
+    }
+    check.probe(probe);
+
+    Probe finished{.include = "16_volume/composite_front_to_back.glsl",
+                   .signature = "bool is_finished(float transmittance, float brightest, float threshold)",
+                   .inputs = {{1, 1, 0.002},
+                              {0.01, 1, 0.002},
+                              {0.0019, 1, 0.002},
+                              {0.0019, 50, 0.002},
+                              {0.00003, 50, 0.002},
+                              {0.01, 0.1, 0.002},
+                              {1, 0, 0.002},
+                              {0, 1000, 0.002},
+                              {1, 0.001, 0.01}},
+                   .truth = [](auto in) { return Row{in[0] * in[1] <= in[2] ? 1.0 : 0.0}; },
+                   .bound = {.absolute = 0.5},
+                   .hint = [](auto in, auto out) -> std::string {
+                       if (out[0] != 0 && in[1] > 1) return fmt::format("a lamp of {} behind would still show", in[1]);
+                       if (out[0] == 0 && in[1] < 1) return "nothing behind is bright enough to show";
+                       return "";
+                   }};
+    for (int i = 0; i < 200; ++i) {
+        const double t = random.logarithmic(1e-6, 1), b = random.logarithmic(0.01, 100),
+                     e = random.logarithmic(1e-4, 0.1);
+        if (std::fabs(t * b / e - 1) > 1e-3) finished.inputs.push_back({t, b, e});
+    }
+    check.probe(finished);
+}
+
+CHECK_EXERCISE("16.noise_4d", "16 corners, each weighted by the product of four numbers that are s(t) or 1 - s(t)") {
+    Probe probe{.include = "16_volume/noise_4d.glsl",
+                .signature = "float noise_4d(ivec4 cell, vec4 f)",
+                .truth =
+                    [](auto in) {
+                        return Row{truth::noise_4d({int(in[0]), int(in[1]), int(in[2]), int(in[3])},
+                                                   {in[4], in[5], in[6], in[7]})};
+                    },
+                .bound = {.absolute = 5e-6},
+                .hint = [](auto in, auto out) -> std::string {
+                    const glm::ivec4 cell{int(in[0]), int(in[1]), int(in[2]), int(in[3])};
+                    const glm::dvec4 f{in[4], in[5], in[6], in[7]};
+                    if (std::fabs(out[0] - truth::noise_4d(cell, f, truth::Weight::linear)) < 1e-4)
+                        return "those are linear weights: the noise has creases at the cells' faces";
+                    if (std::fabs(out[0] - truth::noise_4d(cell, f, truth::Weight::cubic)) < 1e-4)
+                        return "that is smoothstep: its second derivative has a step";
+                    return "";
+                }};
+    Random random(5);
+    for (const double time : {0.0, 604800.0, -1.0, 2147483646.0})
+        for (const double f : {0.0, 0.5, 1.0}) probe.inputs.push_back({1, -2, 3, time, f, 0.25, 1 - f, f});
+    for (int i = 0; i < 16; ++i)
+        probe.inputs.push_back({5, 6, 7, 8, double(i & 1), double(i >> 1 & 1), double(i >> 2 & 1), double(i >> 3)});
+    for (int i = 0; i < 400; ++i) {
+        Row row;
+        for (int k = 0; k < 4; ++k) row.push_back(std::floor(random.uniform(-1e6, 1e6)));
+        for (int k = 0; k < 4; ++k) row.push_back(random.uniform(0, 1));
+        probe.inputs.push_back(row);
+    }
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("16.gradient", "two densities along each axis, one voxel of that axis away; over two voxels in metres") {
+    // Known densities: one that is straight, and two that are not.
+    for (const char* density : {"(0.1 + at.x + 2.0 * at.y - 3.0 * at.z)", "(at.x * at.x * at.y + at.z * at.z)",
+                                "sin(3.0 * at.x + 2.0 * at.y + at.z)"}) {
+        Probe probe{
+            .include = "16_volume/gradient.glsl",
+            .signature = "vec3 gradient(vec3 at, vec3 voxel, vec3 voxel_m)",
+            .truth =
+                [&](auto in) {
+                    const std::string name = density;
+                    const auto value = [&](glm::dvec3 at) {
+                        if (name[0] == 's') return std::sin(3 * at.x + 2 * at.y + at.z);
+                        return name[1] == '0' ? 0.1 + at.x + 2 * at.y - 3 * at.z : at.x * at.x * at.y + at.z * at.z;
+                    };
+                    Row out;
+                    for (int axis = 0; axis < 3; ++axis) {
+                        glm::dvec3 step(0);
+                        step[axis] = in[size_t(3 + axis)];
+                        out.push_back((value(three(in) + step) - value(three(in) - step)) / (2 * in[size_t(6 + axis)]));
+                    }
+                    return out;
+                },
+            .bound = {.absolute = 2e-3, .relative = 2e-3},
+            .macros = {{"KNOWN_DENSITY", density}},
+            .hint = [](auto in, auto out) -> std::string {
+                const auto is = [&](double factor) {
+                    return std::fabs(out[0] * factor) > 1e-6 && in[3] != in[4] && factor != 1;
+                };
+                if (in[6] != in[7] && is(2)) return "each axis has its own voxel: its step, and its length in metres";
+                return "";
+            }};
+        Random random(6);
+        for (int i = 0; i < 120; ++i) {
+            Row row{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
+            const bool even = i % 4 == 0;
+            const double size = random.uniform(0.02, 0.2), metres = random.uniform(0.02, 0.2);
+            for (int k = 0; k < 3; ++k) row.push_back(even ? size : random.uniform(0.02, 0.2));
+            for (int k = 0; k < 3; ++k) row.push_back(even ? metres : random.uniform(0.02, 0.2));
+            probe.inputs.push_back(row);
+        }
+        check.probe(probe);
+        if (check.failed) return;
+    }
+}
+
+CHECK_EXERCISE("16.preintegrate",
+               "cut the step into layers of almost one density and composite them, the nearest first") {
+    Random random(7);
+    for (int kind = 0; kind < 5; ++kind) {
+        // Even; smooth; one entry alone; opaque from the middle on; a colour that changes.
+        std::vector<glm::vec4> transfer;
+        const int entries = kind == 1 ? 256 : kind == 3 ? 2 : 64;
+        for (int i = 0; i < entries; ++i) {
+            const float x = float(i) / float(entries - 1);
+            transfer.push_back(kind == 0   ? glm::vec4(1, 0.5, 0.25, 0.1)
+                               : kind == 1 ? glm::vec4(x, 1 - x, 2, 0.3f * x * x)
+                               : kind == 2 ? glm::vec4(1, 1, 1, i == 40 ? 0.7f : 0.0f)
+                               : kind == 3 ? glm::vec4(3, 1, 0, 0.95f * float(i))
+                                           : glm::vec4(i < 32 ? 1 : 0, i < 32 ? 0 : 4, 0, 0.4));
+        }
+        float brightest = 0;
+        for (const glm::vec4& entry : transfer) brightest = std::max({brightest, entry.x, entry.y, entry.z});
+        for (int i = 0; i < 40; ++i) {
+            const float front = i < 4 ? float(i & 1) : float(random.uniform(0, 1));
+            const float back = i < 4 ? float(i >> 1) : i % 5 == 0 ? front : float(random.uniform(0, 1));
+            const float ratio = i == 7 ? 0.0f : float(random.logarithmic(0.01, i % 3 ? 5 : 100));
+            const std::string what = fmt::format("preintegrate(a function of {} entries, {:.3f}, {:.3f}, {:.3f})",
+                                                 entries, front, back, ratio);
+            check.call(what, [&]() -> std::string {
+                const glm::dvec4 got(preintegrate(transfer, front, back, ratio));
+                const glm::dvec4 right = truth::preintegrate(transfer, double(front), double(back), double(ratio));
+                const double allowed = 0.002 * std::max(1.0, double(brightest));
+                for (int c = 0; c < 4; ++c)
+                    if (!(std::abs(got[c] - right[c]) <= allowed))
+                        return fmt::format(
+                            "{} gave ({:.4f}, {:.4f}, {:.4f}, {:.4f}), expected ({:.4f}, {:.4f}, {:.4f}, "
+                            "{:.4f}){}",
+                            what, got.x, got.y, got.z, got.w, right.x, right.y, right.z, right.w,
+                            kind == 2   ? ": one entry alone is not 0, and the step passes it"
+                            : kind == 4 ? ": what is near hides what is far"
+                                        : "");
+                return "";
+            });
+            if (check.failed) return;
+        }
+    }
+}

@@ -1,0 +1,393 @@
+// Where volumes go wrong: a bound where the methods hold, the size of the failure where they do not.
+#include <fmt/core.h>
+
+#include "16_volume/transfer.h"
+#include "volume_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+// Of the transfer function `even` at density 1: the opacity of 0.01 m, and what a way through it adds and lets through.
+constexpr double even_opacity = 0.2;
+double even_light(double way_m, double density) {
+    return truth::correct_opacity(even_opacity, density * way_m / double(REFERENCE_M));
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(OnVolume,
+                 "an even volume: every method gives the closed form, from outside, inside and before a wall") {
+    load({8, 8, 8}, [](int, int, int) { return 1.0f; });
+    volume.transfer.set("even"), volume.density.value = 0.03f, volume.steps.value = 128;
+    for (const char* method : every_method) {
+        volume.method.set(method);
+        INFO(method);
+        // Rays through the middle go 2 m through the box, a pixel or so off the axis.
+        camera.position = {0, 0, 3}, wall_m = 0;
+        CHECK(double(middle().g) == Approx(even_light(2, 0.03)).margin(std::string(method) == "sum" ? 0.01 : 0.002));
+        // The eye in the middle: the half that lies before it, and no more.
+        camera.position = {0, 0, 1e-4f};
+        CHECK(double(middle().g) == Approx(even_light(1, 0.03)).margin(0.01));
+        // A wall a quarter of the way in.
+        camera.position = {0, 0, 3}, wall_m = 2.5f;
+        CHECK(double(middle().g) == Approx(even_light(0.5, 0.03)).margin(0.01));
+        // The eye behind it: nothing.
+        camera.position = {0, 0, -3}, camera.target = {0, 0, -9}, wall_m = 0;
+        CHECK(middle().g == 0);
+        camera.target = {0, 0, 0};
+    }
+}
+
+TEST_CASE_METHOD(OnVolume,
+                 "a ball seen from 1,000 m, its rim on pixels: every one is a number, and the ball is there") {
+    camera = {.position = {0.0f, 0.0f, 1000.0f}, .fov_y_rad = 0.0025f};
+    for (const char* method : every_method) {
+        volume.method.set(method), volume.shell.value = true;
+        const ImageRgb seen = picture();
+        CHECK(all_finite(seen));
+        double sum = 0;
+        for (const glm::vec3& pixel : seen.pixels) sum += double(pixel.g);
+        CHECK(sum > 1);
+    }
+    // b² - c with floats: at 1,000 m what is subtracted has steps of 1/16, and a ball of 1 m is lost in them.
+    const float b = 1000.0f, c = b * b - 1.0f;
+    CHECK(std::fabs((b * b - c) - 1.0f) < 0.07f);
+    CHECK(std::nextafter(b * b, 2e6f) - b * b == 0.0625f);
+}
+
+TEST_CASE_METHOD(OnVolume, "opacity that is not corrected: twice the steps let 0.04 through in place of 0.19") {
+    CHECK(std::pow(0.95, 32) == Approx(0.19).margin(0.005));
+    CHECK(std::pow(0.95, 64) == Approx(0.04).margin(0.005));
+    CHECK(std::pow(1 - truth::correct_opacity(0.05, 0.5), 64) == Approx(std::pow(0.95, 32)));
+    load({16, 16, 16}, [](int x, int y, int z) { return float((x + y + z) % 3) / 2; });
+    volume.transfer.set("even"), volume.density.value = 0.05f, volume.method.set("midpoint");
+    volume.steps.value = 128;
+    const ImageRgb coarse = picture();
+    volume.steps.value = 256;
+    const double change = mean_difference(coarse, picture());
+    fmt::print("128 or 256 steps: {:.5f} mean difference\n", change);
+    CHECK(change < 0.002);
+    CHECK(change > 0);
+}
+
+TEST_CASE_METHOD(OnVolume,
+                 "an early exit at a transmittance of 0.01 loses 0.5 of a lamp of radiance 50 behind the volume") {
+    load({8, 8, 8}, [](int, int, int) { return 1.0f; });
+    volume.transfer.set("even"), volume.method.set("midpoint"), volume.steps.value = 400;
+    volume.glow.value = 0;
+    background = {50, 50, 50, 1};
+    // 0.0099 of the light gets through 2 m.
+    volume.density.value = float(std::log(0.0099) / (200 * std::log(0.8)));
+    volume.brightest.value = 60;
+    CHECK(double(middle().g) == Approx(50 * 0.0099).epsilon(0.02));
+    // Denser, so that the exit is met within: with the rule of thumb (0.002 / 0.2) the ray stops, and light of 1 % of 50
+    // comes through that is not there.
+    volume.density.value *= 2;
+    const double right = double(middle().g);
+    volume.brightest.value = 0.2f;
+    const double early = double(middle().g);
+    fmt::print("a lamp of 50 behind: {:.4f}, with an exit at T = 0.01 {:.4f}\n", right, early);
+    CHECK(right < 0.01);
+    CHECK(early > 0.4);
+}
+
+TEST_CASE("blocks without a border lose samples: of those that read something in a sparse volume a good part",
+          "[figures]") {
+    // A sample reads 8 voxels; its block is that of the voxel it lies in.
+    Random random(5);
+    const int n = 64;
+    std::vector<float> voxels(size_t(n * n * n), 0.0f);
+    for (int blob = 0; blob < 40; ++blob) {
+        const glm::ivec3 at(random.uniform(2, n - 3), random.uniform(2, n - 3), random.uniform(2, n - 3));
+        for (int i = 0; i < 27; ++i) {
+            const glm::ivec3 p = at + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
+            voxels[size_t(p.x + n * (p.y + n * p.z))] = 1;
+        }
+    }
+    const auto voxel = [&](glm::ivec3 p) {
+        p = glm::clamp(p, glm::ivec3(0), glm::ivec3(n - 1));
+        return voxels[size_t(p.x + n * (p.y + n * p.z))];
+    };
+    const auto is_empty = [&](glm::ivec3 block, int border) {
+        for (int z = -border; z < BLOCK_VOXELS + border; ++z)
+            for (int y = -border; y < BLOCK_VOXELS + border; ++y)
+                for (int x = -border; x < BLOCK_VOXELS + border; ++x)
+                    if (voxel(block * BLOCK_VOXELS + glm::ivec3(x, y, z)) > 0) return false;
+        return true;
+    };
+    int reads = 0, lost[2] = {0, 0};
+    for (int i = 0; i < 400000; ++i) {
+        const glm::dvec3 at(random.uniform(0, n), random.uniform(0, n), random.uniform(0, n));
+        const glm::ivec3 first(glm::floor(at - 0.5)), block(glm::floor(at / double(BLOCK_VOXELS)));
+        float most = 0;
+        for (int k = 0; k < 8; ++k) most = std::max(most, voxel(first + glm::ivec3(k & 1, k >> 1 & 1, k >> 2)));
+        if (most == 0) continue;
+        ++reads;
+        for (const int border : {0, 1}) lost[border] += is_empty(block, border);
+    }
+    fmt::print("blocks of {}: without a border {:.1f}% of the samples that read something are lost, with one {}\n",
+               BLOCK_VOXELS, 100.0 * lost[0] / reads, lost[1]);
+    CHECK(lost[0] > 0.05 * reads);
+    CHECK(lost[1] == 0);
+}
+
+TEST_CASE_METHOD(OnVolume, "skipping gives midpoint's picture to the last bit: a nebula, one voxel, none, and waves") {
+    volume.steps.value = 64;
+    const auto same = [&](const char* what) {
+        INFO(what);
+        volume.method.set("midpoint");
+        const ImageRgb right = picture(1.5f);
+        volume.method.set("skipping");
+        CHECK(mean_difference(right, picture(1.5f)) == 0);
+        return right;
+    };
+    same("nebula");
+    volume.wave.value = 0.05f;
+    same("waves");
+    volume.transfer.set("even");
+    load({19, 9, 33}, [](int x, int y, int z) { return x == 8 && y == 4 && z == 16 ? 1.0f : 0.0f; });
+    same("one voxel and waves");
+    volume.wave.value = 0;
+    const ImageRgb one = same("one voxel");
+    CHECK(one.pixels[size_t(size.y / 2) * size.x + size.x / 2].g > 0.0f);
+    load({19, 9, 33}, [](int, int, int) { return 0.0f; });
+    same("nothing");
+    load({1, 1, 256}, [](int, int, int z) { return z % 2 ? 1.0f : 0.0f; });
+    same("1 x 1 x 256");
+}
+
+TEST_CASE_METHOD(OnVolume, "an empty volume leaves the picture as it was, by every method") {
+    load({8, 8, 8}, [](int, int, int) { return 0.0f; });
+    background = {0.25f, 0.5f, 2, 1};
+    for (const char* method : every_method)
+        for (const char* transfer : {"even", "nebula", "skin"}) {
+            volume.method.set(method), volume.transfer.set(transfer);
+            for (const glm::vec3& pixel : picture().pixels) CHECK(pixel == glm::vec3(0.25f, 0.5f, 2));
+        }
+}
+
+TEST_CASE_METHOD(OnVolume,
+                 "one voxel that is NaN, one that is infinite, one below 0: no pixel is, nor its neighbours dark") {
+    const auto plain = [](int, int, int) { return 0.5f; };
+    volume.transfer.set("even"), volume.density.value = 0.02f;
+    load({16, 16, 16}, plain);
+    for (const char* method : every_method) {
+        volume.method.set(method);
+        load({16, 16, 16}, plain);
+        const ImageRgb right = picture();
+        for (const float bad : {NAN, INFINITY, -INFINITY, -1.0f}) {
+            INFO(method << " " << bad);
+            load({16, 16, 16}, [&](int x, int y, int z) { return x == 8 && y == 8 && z == 8 ? bad : 0.5f; });
+            for (const char* light : {"none", "volume"}) {
+                volume.light.set(light);
+                CHECK(all_finite(picture()));
+            }
+            volume.light.set("none");
+            CHECK(mean_difference(right, picture()) < 0.002);
+        }
+    }
+}
+
+TEST_CASE_METHOD(OnVolume,
+                 "jitter moves on from picture to picture, and their mean goes to the truth; what moves starts anew") {
+    volume.steps.value = 12, volume.method.set("exact");
+    const ImageRgb right = picture();
+    volume.method.set("jittered");
+    const ImageRgb first = picture();
+    CHECK(volume.pictures(0) == 1);
+    ImageRgb mean = first;
+    for (int i = 1; i < 16; ++i) mean = picture();
+    CHECK(volume.pictures(0) == 16);
+    const double one = mean_difference(first, right), many = mean_difference(mean, right);
+    fmt::print("12 jittered steps: off by {:.5f}, the mean of 16 pictures by {:.5f}\n", one, many);
+    CHECK(many < 0.35 * one);
+    // A pattern that stays on the screen while the camera moves is seen as a dirty pane: the first picture of another
+    // view begins anew, with the same number for each pixel, and the next has others.
+    camera.position.x += 0.1f;
+    picture();
+    CHECK(volume.pictures(0) == 1);
+    volume.glow.value = 2;
+    picture();
+    CHECK(volume.pictures(0) == 1);
+    volume.wave.value = 0.01f;
+    picture(1), picture(2);
+    CHECK(volume.pictures(0) == 1);
+}
+
+TEST_CASE("time in floats: after a week a frame is less than a step; the noise's moment keeps its parts") {
+    const auto step = [](float seconds) { return std::nextafter(seconds, 1e9f) - seconds; };
+    CHECK(step(3600) == Approx(2.4e-4).epsilon(0.05));
+    CHECK(step(86400) == Approx(0.0078).epsilon(0.05));
+    CHECK(step(604800) == Approx(0.0625).epsilon(0.01));
+    CHECK(step(604800) > 1.0f / 60);
+    for (const double week : {0.0, 604800.0, 31536000.0}) {
+        const NoiseMoment now = noise_moment(week + 0.25, 0), next = noise_moment(week + 0.25 + 1.0 / 60, 0);
+        CHECK(now.cell == int(week));
+        CHECK(double(next.time - now.time) == Approx(1.0 / 60).epsilon(1e-5));
+        const double skew = (std::sqrt(5.0) - 1) / 4;
+        const double moved = double(next.skew_cell - now.skew_cell) + double(next.skew_time) - double(now.skew_time);
+        CHECK(moved == Approx(skew / 60).epsilon(1e-3));
+    }
+}
+
+TEST_CASE_METHOD(OnVolume, "a week later the shell still moves, and evenly, for each noise") {
+    volume.shell.value = true, volume.shell_bumps.value = 0.3f;
+    for (const char* noise : {"lattice", "simplex", "texture"}) {
+        volume.noise.set(noise);
+        const auto change = [&](float from, float to) { return mean_difference(picture(from), picture(to)); };
+        const double early = change(10, 10.5f), late = change(604800, 604800.5f);
+        fmt::print("{}: in half a second the picture changes by {:.5f}, a week later by {:.5f}\n", noise, early, late);
+        CHECK(early > 1e-5);
+        CHECK(late > 0.2 * early);
+        CHECK(late < 5 * early);
+    }
+}
+
+TEST_CASE_METHOD(OnVolume, "a hash by sine differs between float and double, even near 0; whole numbers are the same") {
+    double apart = 0;
+    int count = 0;
+    for (int x = -10; x <= 10; ++x)
+        for (int y = -10; y <= 10; ++y, ++count) {
+            const double exact = std::sin(x * 12.9898 + y * 78.233) * 43758.5453;
+            const float rounded = std::sin(float(x) * 12.9898f + float(y) * 78.233f) * 43758.5453f;
+            const double one = exact - std::floor(exact), other = double(rounded) - std::floor(double(rounded));
+            const double way = std::fabs(one - other);
+            apart += std::min(way, 1 - way);
+        }
+    // Chance: 0.25. Within 10 of 0 sines by float are off by 1e-7 or less of what is multiplied by 43,758.
+    fmt::print("hash by sine: float and double are {:.3f} apart in the mean; chance is 0.25\n", apart / count);
+    CHECK(apart / count > 1e-4);
+    Probe probe{.include = "16_volume/lattice_4d.glsl", .signature = "float lattice_4d(ivec4 cell)", .inputs = {}};
+    Random random(9);
+    for (int i = 0; i < 500; ++i) {
+        Row row;
+        for (int k = 0; k < 4; ++k) row.push_back(std::floor(random.uniform(-2e9, 2e9)));
+        probe.inputs.push_back(row);
+    }
+    const Table found = run_probe(gpu, probe, 1);
+    double sum = 0, squares = 0;
+    for (size_t i = 0; i < found.size(); ++i) {
+        const Row& in = probe.inputs[i];
+        CHECK(found[i][0] == Approx(truth::lattice_4d({int(in[0]), int(in[1]), int(in[2]), int(in[3])})).margin(1e-6));
+        sum += found[i][0], squares += found[i][0] * found[i][0];
+    }
+    CHECK(std::fabs(sum / 500) < 0.1);
+    CHECK(squares / 500 == Approx(1.0 / 3).margin(0.06));
+}
+
+TEST_CASE("4-D noise in a cell's middle has 1/16 of its variance with linear weights, and with any that are even there",
+          "[figures]") {
+    Random random(4);
+    double at_corner = 0, in_middle = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const glm::ivec4 cell(random.uniform(-1e6, 1e6), random.uniform(-1e6, 1e6), random.uniform(-1e6, 1e6), i);
+        const double corner = truth::noise_4d(cell, glm::dvec4(0), truth::Weight::linear),
+                     middle = truth::noise_4d(cell, glm::dvec4(0.5), truth::Weight::linear);
+        at_corner += corner * corner, in_middle += middle * middle;
+    }
+    fmt::print("variance in the middle: 1/{:.1f} of that at a corner\n", at_corner / in_middle);
+    CHECK(at_corner / in_middle == Approx(16).epsilon(0.05));
+}
+
+TEST_CASE(
+    "sampling rules against 2^16 steps: midpoint and trapezium for what is smooth, preintegration for a thin layer",
+    "[figures]") {
+    // A density that goes up and down along the ray; a transfer function that is smooth, and one 0.02 of the range thick.
+    const auto density = [](double s) { return 0.5 + 0.45 * std::sin(3 * s + 1) * std::cos(2 * s); };
+    for (const bool thin : {false, true}) {
+        std::vector<glm::vec4> transfer;
+        for (int i = 0; i < 256; ++i) {
+            const double x = i / 255.0;
+            const double opacity = thin ? (std::fabs(x - 0.6) < 0.01 ? 0.3 : 0) : 0.02 * x;
+            transfer.emplace_back(1, 1, 1, float(opacity));
+        }
+        const auto opacity_at = [&](double d) {
+            const double at = std::clamp(d, 0.0, 1.0) * 255;
+            const size_t below = std::min(size_t(at), size_t(254));
+            return glm::mix(double(transfer[below].a), double(transfer[below + 1].a), at - double(below));
+        };
+        const auto extinction = [&](double s) { return -std::log1p(-opacity_at(density(s))) / double(REFERENCE_M); };
+        const double right = truth::march(2, extinction, [](double) { return 1.0; }).light;
+        for (const int steps : {16, 64, 256}) {
+            const double length = 2.0 / steps;
+            double sum[5] = {0, 0, 0, 0, 0}, through[5] = {1, 1, 1, 1, 1};
+            for (int i = 0; i < steps; ++i) {
+                const double a = i * length, b = a + length;
+                const double ratio = length / double(REFERENCE_M);
+                const double opacities[5] = {-std::expm1(-extinction(a) * length),
+                                             -std::expm1(-0.5 * (extinction(a) + extinction(b)) * length),
+                                             -std::expm1(-extinction(0.5 * (a + b)) * length),
+                                             truth::preintegrate(transfer, density(a), density(b), ratio).w,
+                                             std::min(extinction(a) * length, 1.0)};
+                for (int m = 0; m < 5; ++m) sum[m] += through[m] * opacities[m], through[m] *= 1 - opacities[m];
+            }
+            fmt::print(
+                "{}, {:3} steps: off by left {:.5f}, trapezium {:.5f}, midpoint {:.5f}, preintegrated {:.5f}, "
+                "opacity by length {:.5f}\n",
+                thin ? "thin  " : "smooth", steps, std::fabs(sum[0] - right), std::fabs(sum[1] - right),
+                std::fabs(sum[2] - right), std::fabs(sum[3] - right), std::fabs(sum[4] - right));
+            if (thin && steps == 64) CHECK(std::fabs(sum[3] - right) < 0.3 * std::fabs(sum[2] - right));
+            if (!thin && steps == 64) CHECK(std::fabs(sum[2] - right) < 0.5 * std::fabs(sum[4] - right));
+            if (!thin && steps == 256) CHECK(std::fabs(sum[2] - right) < 2e-4);
+        }
+    }
+}
+
+TEST_CASE("gradients by central differences of Marschner and Lobb's signal: finer is better, but not in 8 bits",
+          "[figures]") {
+    constexpr double pi = 3.14159265358979;
+    const auto signal = [](glm::dvec3 p) {
+        const double r = std::sqrt(p.x * p.x + p.y * p.y);
+        return (1 - std::sin(pi * p.z / 2) + 0.25 * (1 + std::cos(2 * pi * 6 * std::cos(pi * r / 2)))) / 2.5;
+    };
+    double degrees[4][2];
+    const int sizes[] = {41, 64, 128, 256};
+    for (int k = 0; k < 4; ++k)
+        for (const bool bytes : {false, true}) {
+            const int n = sizes[k];
+            const auto voxel = [&](glm::ivec3 at) {
+                const double value = signal(glm::dvec3(at) / double(n - 1) * 2.0 - 1.0);
+                return bytes ? std::round(255 * value) / 255 : value;
+            };
+            Random random(3);
+            double sum = 0;
+            const int count = 1500;
+            for (int i = 0; i < count; ++i) {
+                const glm::ivec3 at(random.uniform(2, n - 3), random.uniform(2, n - 3), random.uniform(2, n - 3));
+                glm::dvec3 found, right;
+                const glm::dvec3 place = glm::dvec3(at) / double(n - 1) * 2.0 - 1.0;
+                for (int axis = 0; axis < 3; ++axis) {
+                    glm::ivec3 step(0);
+                    step[axis] = 1;
+                    found[axis] = voxel(at + step) - voxel(at - step);
+                    glm::dvec3 little(0);
+                    little[axis] = 1e-5;
+                    right[axis] = signal(place + little) - signal(place - little);
+                }
+                if (glm::length(found) == 0) continue;
+                sum += std::acos(std::clamp(glm::dot(glm::normalize(found), glm::normalize(right)), -1.0, 1.0));
+            }
+            degrees[k][bytes] = sum / count * 180 / pi;
+        }
+    for (int k = 0; k < 4; ++k)
+        fmt::print("{}³ voxels: off by {:.2f}° as floats, {:.2f}° in 8 bits\n", sizes[k], degrees[k][0], degrees[k][1]);
+    CHECK(degrees[0][0] > 10);
+    CHECK(degrees[3][0] < 1);
+    CHECK(degrees[3][1] > degrees[2][1]);
+}
+
+TEST_CASE_METHOD(OnVolume, "light from a volume of half resolution is near that of a second march") {
+    volume.field.voxels.value = 96;
+    volume.light.set("march"), volume.light_steps.value = 24, volume.glow.value = 0;
+    const ImageRgb right = picture();
+    volume.light.set("volume");
+    const double off = mean_difference(right, picture());
+    double mean = 0;
+    for (const glm::vec3& pixel : right.pixels)
+        mean += double(pixel.r + pixel.g + pixel.b) / (3 * double(right.pixels.size()));
+    fmt::print("light by a volume: {:.2f}% of the mean off\n", 100 * off / mean);
+    CHECK(off < 0.05 * mean);
+    volume.light.set("none");
+    CHECK(mean_difference(right, picture()) > 0.5 * mean);
+}
