@@ -1,6 +1,6 @@
 // How the surroundings are shown behind what stands in them.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

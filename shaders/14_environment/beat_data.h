@@ -1,6 +1,6 @@
 // A sphere that music moves: where it is, and how far which levels move it at this moment.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -1,6 +1,6 @@
 // Where the ground is kept as a map, and from where light comes to it.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

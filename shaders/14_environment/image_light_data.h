@@ -1,6 +1,6 @@
 // What shaders know of the light from all around.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -1,6 +1,6 @@
 // The layered model from which car paint is tabulated.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 

@@ -1,6 +1,6 @@
 // What a model's material says of its surface beyond chapter 04's numbers, for each of the scene's items.
 #pragma once
-#include "common/shared.h"
+#include <common/shared.h>
 
 BEGIN_SHARED
 
