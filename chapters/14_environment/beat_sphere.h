@@ -33,15 +33,17 @@ struct BeatLook : Module {
 struct BeatSphere : Drawing {
     BeatSphere(Module& owner, std::string name, const ImageLight& light, Music& music);
 
-    Knob<bool> shown{*this, "shown", false, "Whether the sphere is in the scene"};
+    Knob<bool> shown{*this, "shown", false, "Presence of the sphere in the scene"};
     Choice normal{*this,
                   "normal",
                   {"sphere", "differences", "analytic"},
                   "analytic",
                   "Normal of the displaced surface: the undisplaced sphere's, from four displaced neighbours, or from "
                   "the derivatives of the waves"};
-    Knob<glm::vec3> center{*this, "center", {0.0f, 1.5f, 0.0f}, {glm::vec3(-1e4f), glm::vec3(1e4f)}, "Centre", "m"};
-    Knob<float> radius_m{*this, "radius_m", 1.0f, {1e-3f, 1e4f}, "Radius at rest", "m"};
+    Knob<glm::vec3> center{
+        *this, "center", {0.0f, 1.5f, 0.0f}, {glm::vec3(-1e4f), glm::vec3(1e4f)}, "Position of the centre, world space",
+        "m"};
+    Knob<float> radius_m{*this, "radius_m", 1.0f, {1e-3f, 1e4f}, "Radius of the sphere at rest", "m"};
     Knob<float> low{*this, "low", 0.4f, {0.0f, 2.0f}, "Height of the waves of the low band, as a share of the radius"};
     Knob<float> middle{*this, "middle", 0.4f, {0.0f, 2.0f}, "Height of the waves of the middle band"};
     Knob<float> high{*this, "high", 0.06f, {0.0f, 2.0f}, "Height of the waves of the high band"};

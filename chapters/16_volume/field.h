@@ -13,8 +13,8 @@ namespace lightwalk {
 struct Field : Module {
     Field(Module& owner, std::string name) : Module(owner, std::move(name), "nebula") {}
 
-    Knob<int> voxels{*this, "voxels", 256, {8, 256}, "Nebula resolution: voxels along each edge."};
-    Knob<int> variety{*this, "variety", 7, {0, 1000}, "Which nebula: the seed of its noise."};
+    Knob<int> voxels{*this, "voxels", 256, {8, 256}, "Nebula resolution: voxels along each edge"};
+    Knob<int> variety{*this, "variety", 7, {0, 1000}, "Which nebula: the seed of its noise"};
 
     void prepare(Gpu& gpu, Scene& scene) override;
 

@@ -13,9 +13,9 @@ struct Finish : Module {
     Finish(Module& owner, std::string name) : Module(owner, std::move(name), "finish") {}
 
     Knob<int> width{*this, "width", 2048, {64, 4096}, "Width of the maps, in texels; they are an eighth as high."};
-    Knob<int> bake_rays{*this, "bake_rays", 48, {1, 256}, "Rays per texel of the baked occlusion."};
+    Knob<int> bake_rays{*this, "bake_rays", 48, {1, 256}, "Rays per texel of the baked occlusion"};
     Knob<float> bake_m{
-        *this, "bake_m", 1.0f, {0.01f, 1000.0f}, "Length of these rays: what is farther away occludes nothing.", "m"};
+        *this, "bake_m", 1.0f, {0.01f, 1000.0f}, "Length of these rays: what is farther away occludes nothing", "m"};
 
     void prepare(Gpu& gpu, Scene& scene) override;
     std::string load_key() const override { return width.text() + " " + bake_rays.text() + " " + bake_m.text(); }

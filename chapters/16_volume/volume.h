@@ -17,62 +17,63 @@ struct Volume : Drawing {
                   "method",
                   {"sum", "trapezium", "midpoint", "jittered", "skipping", "preintegrated", "exact"},
                   "skipping",
-                  "How samples along a ray become light: sums of densities times lengths; the mean of each step's two "
-                  "ends; its middle; a random place in it, averaged over pictures; the middle, without empty blocks; a "
-                  "table over both ends; the reference."};
+                  "Integration along the ray: densities times lengths (sum), the mean of each step's two ends "
+                  "(trapezium), its middle (midpoint), a random place in it, averaged over pictures (jittered), the "
+                  "middle, without empty blocks (skipping), a table over both ends (preintegrated), or the reference "
+                  "(exact)"};
     // [/volume]
-    Knob<int> steps{*this, "steps", 256, {1, 4096}, "Number of samples along the box's longest edge."};
-    Knob<int> truth_samples{*this, "truth_samples", 16, {1, 192}, "Reference: samples per voxel."};
+    Knob<int> steps{*this, "steps", 256, {1, 4096}, "Number of samples along the box's longest edge"};
+    Knob<int> truth_samples{*this, "truth_samples", 16, {1, 192}, "Reference: samples per voxel"};
     Choice transfer{*this,
                     "transfer",
                     {"nebula", "skin", "inside", "shell", "even"},
                     "nebula",
-                    "Transfer function: which colour and opacity a density has."};
-    Knob<float> density{*this, "density", 1.0f, {0.0f, 1000.0f}, "Scale factor for the optical depth."};
-    Knob<float> glow{*this, "glow", 0.35f, {0.0f, 100.0f}, "Radiance of opaque matter by itself, times its colour."};
+                    "Transfer function: which colour and opacity a density has"};
+    Knob<float> density{*this, "density", 1.0f, {0.0f, 1000.0f}, "Scale factor for the optical depth"};
+    Knob<float> glow{*this, "glow", 0.35f, {0.0f, 100.0f}, "Radiance of opaque matter by itself, times its colour"};
     Choice light{
         *this,
         "light",
         {"none", "march", "volume"},
         "volume",
-        "Light that reaches a sample: none; by a second march from each; read from a volume of half resolution."};
+        "Light that reaches a sample: none; by a second march from each; read from a volume of half resolution"};
     Choice light_from{
-        *this, "light_from", {"heart", "sun"}, "heart", "Light source: a lamp in the middle, or the scene's sun."};
+        *this, "light_from", {"heart", "sun"}, "heart", "Light source: a lamp in the middle, or the scene's sun"};
     Knob<glm::vec3> heart{*this,
                           "heart",
                           {1.5f, 1.15f, 0.85f},
                           {glm::vec3(0.0f), glm::vec3(1e4f)},
-                          "Irradiance 1 m from the lamp in the middle."};
-    Knob<int> light_steps{*this, "light_steps", 24, {1, 128}, "Number of samples on the way to the light."};
+                          "Irradiance 1 m from the lamp in the middle"};
+    Knob<int> light_steps{*this, "light_steps", 24, {1, 128}, "Number of samples on the way to the light"};
     Choice shading{*this,
                    "shading",
                    {"none", "gradient"},
                    "none",
-                   "Reflection: the same in all directions, or as a surface across the gradient."};
-    Knob<float> shine{*this, "shine", 0.2f, {0.0f, 10.0f}, "Strength of the highlights of gradient shading."};
-    Knob<float> threshold{*this, "threshold", 0.002f, {1e-6f, 1.0f}, "Largest radiance that an early exit may lose."};
+                   "Reflection: the same in all directions, or as a surface across the gradient"};
+    Knob<float> shine{*this, "shine", 0.2f, {0.0f, 10.0f}, "Strength of the highlights of gradient shading"};
+    Knob<float> threshold{*this, "threshold", 0.002f, {1e-6f, 1.0f}, "Largest radiance that an early exit may lose"};
     Knob<float> brightest{
-        *this, "brightest", 60.0f, {0.0f, 1e5f}, "Radiance that nothing on a ray exceeds, for the early exit."};
-    Knob<float> wave{*this, "wave", 0.0f, {0.0f, 0.2f}, "Amplitude of the waves, as a share of the box's edge."};
-    Knob<float> wave_speed{*this, "wave_speed", 0.7f, {0.0f, 100.0f}, "Angular speed of the waves.", "rad/s"};
-    Knob<bool> shell{*this, "shell", true, "A shell of glass around the ball that reflects what surrounds it."};
+        *this, "brightest", 60.0f, {0.0f, 1e5f}, "Radiance that nothing on a ray exceeds, for the early exit"};
+    Knob<float> wave{*this, "wave", 0.0f, {0.0f, 0.2f}, "Amplitude of the waves, as a share of the box's edge"};
+    Knob<float> wave_speed{*this, "wave_speed", 0.7f, {0.0f, 100.0f}, "Angular speed of the waves", "rad/s"};
+    Knob<bool> shell{*this, "shell", true, "A shell of glass around the ball that reflects what surrounds it"};
     Choice noise{
         *this,
         "noise",
         {"lattice", "simplex", "texture"},
         "lattice",
-        "4-D noise of the shell's normals: 16 corners of a lattice, 5 of a simplex, or two reads of a texture."};
-    Knob<float> shell_strength{*this, "shell_strength", 1.0f, {0.0f, 1.0f}, "Scale factor for the shell's reflection."};
-    Knob<float> shell_bumps{*this, "shell_bumps", 0.05f, {0.0f, 2.0f}, "Height of the shell's bumps."};
-    Knob<float> shell_scale{*this, "shell_scale", 3.0f, {0.1f, 64.0f}, "Number of noise cells in the shell's radius."};
-    Knob<float> shell_speed{
-        *this, "shell_speed", 0.6f, {0.0f, 100.0f}, "Noise cells that the shell passes in a second.", "1/s"};
+        "4-D noise of the shell's normals: 16 corners of a lattice, 5 of a simplex, or two reads of a texture"};
+    Knob<float> shell_strength{*this, "shell_strength", 1.0f, {0.0f, 1.0f}, "Scale factor for the shell's reflection"};
+    Knob<float> shell_bumps{*this, "shell_bumps", 0.05f, {0.0f, 2.0f}, "Height of the shell's bumps"};
+    Knob<float> shell_scale{*this, "shell_scale", 3.0f, {0.1f, 64.0f}, "Number of noise cells in the shell's radius"};
+    Knob<float> shell_speed{*this, "shell_speed", 0.6f, {0.0f, 100.0f}, "Noise cells that the shell passes in a second",
+                            "1/s"};
     Choice show{*this,
                 "show",
                 {"picture", "blocks", "error", "noise"},
                 "picture",
                 "Image shown: the picture; the edges of full and empty blocks; 16 times the error against four samples "
-                "per voxel; the shell's noise at four moments."};
+                "per voxel; the shell's noise at four moments"};
     Field field{*this, "field"};
 
     void prepare(Gpu&, Scene& loaded) override;

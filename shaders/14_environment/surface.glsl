@@ -10,7 +10,6 @@
 
 layout(location = 0) out vec4 color;
 
-layout(scalar) uniform ViewBlock { CameraView view; };
 layout(scalar) uniform SubstanceBlock { float roughness; } substance;
 layout(scalar) readonly buffer SubstancesBuffer { SubstanceData substances[]; };
 

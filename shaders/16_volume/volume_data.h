@@ -1,6 +1,7 @@
 // What the passes of a volume know beside its knobs.
 #pragma once
 #include <common/shared.h>
+
 #include "common/view_rays.h"
 
 BEGIN_SHARED

@@ -60,7 +60,6 @@ TEST_CASE_METHOD(OnLight, "irradiance of photographed places: the cube within 4%
                 least = std::min(least, double(found[i].g));
             INFO(name << " " << method << ": worst " << worst << " least " << least);
             CHECK(worst < bound);
-            if (getenv("LIGHTWALK_PRINT")) fmt::print("{} {} worst {:.4f} least {:.4f}\n", name, method, worst, least);
         }
     }
 }

@@ -104,7 +104,6 @@ TEST_CASE_METHOD(OnLight, "prefiltering at roughness 0.5: samples read from leve
             fmt::format("{}: 16/64/256 samples {:.3f} {:.3f} {:.3f}, one level smoother {:.3f} {:.3f} {:.3f}", name,
                         error[0][0], error[0][1], error[0][2], error[1][0], error[1][1], error[1][2]);
         INFO(text);
-        if (getenv("LIGHTWALK_PRINT")) fmt::print("{}\n", text);
         CHECK(error[1][1] < 0.12);
         CHECK(error[1][2] < 0.08);
         CHECK(error[1][2] < error[1][0]);
@@ -289,8 +288,6 @@ void main() {
         }
         frame.begin({4, 4}, 0);
         INFO("level " << level << ": cube " << cube << ", faces " << faces);
-        if (getenv("LIGHTWALK_PRINT"))
-            fmt::print("edge jump at level {}: cube {:.4f} faces {:.4f}\n", level, cube, faces);
         CHECK(cube < 0.004);
         CHECK(faces > before);
         before = faces;

@@ -179,6 +179,7 @@ CHECK_EXERCISE("16.gradient", "two densities along each axis, one voxel of that 
                                 "sin(3.0 * at.x + 2.0 * at.y + at.z)"}) {
         Probe probe{
             .include = "16_volume/gradient.glsl",
+            .before = "#include \"../tests/16_volume/known_density.glsl\"\n",
             .signature = "vec3 gradient(vec3 at, vec3 voxel, vec3 voxel_m)",
             .truth =
                 [&](auto in) {

@@ -1,6 +1,6 @@
 // Exercise 16.gradient: which way the density grows.
 // As it stands it does not grow, and surfaces are lit as if they faced nobody.
-#include "16_volume/known_voxels.glsl"
+#include "16_volume/voxel_density.glsl"
 
 // [gradient]
 // The gradient of the density at a place of the volume, per metre along the volume's axes. voxel_density(at) is the density

@@ -7,7 +7,7 @@
 // read. The block holds the voxels from block * BLOCK_VOXELS on, BLOCK_VOXELS along each edge; a sample at its face mixes
 // them with the voxels of the next block: with those up to `border` voxels (1 or more) beyond each face. Voxels outside of
 // the volume are those at its border, once more: clamp the coordinate to textureSize(voxels, 0) - 1. A voxel is
-// texelFetch(voxels, at, 0).r; one that is no number counts as 0.
+// texelFetch(voxels, at, 0).r; one that is NaN counts as 0.
 //
 // All 64 threads call it. Each looks at its share of the voxels and puts its range into thread_ranges; then the 64 become
 // one, halving their number with a barrier() between: log2(64) = 6 rounds. Thread 0 writes. memoryBarrierShared() waits for
