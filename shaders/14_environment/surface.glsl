@@ -1,5 +1,6 @@
 // A surface with all its maps, lit by the scene's lights and by its surroundings. Car paint is a layer below a clear coat.
 // Whoever includes it says what stands in the way of light: unoccluded.glsl or occluded.glsl.
+#include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/lighting.glsl"
 #include "04_surface_maps/surface_maps.glsl"
 #include "05_shadow_maps/shadow.glsl"
