@@ -1,5 +1,6 @@
 // Dark metal in the valleys, which glow with the music, and bright metal on the peaks.
 #include "14_environment/beat_surface.glsl"
+#include "14_environment/unoccluded.glsl"
 #include "common/structs.h"
 
 layout(location = 0) in vec3 position;
