@@ -1,13 +1,18 @@
 // A scene's environment picture as light: a cube of radiance for reflections and a cube of irradiance for diffuse
 // surfaces. Chapter 14 does it with a model of roughness; this is what chapters before it need.
 #pragma once
-#include "11_fractals/environment_data.h"
 #include "common/app/module.h"
 #include "common/app/target.h"
 #include "common/gpu/frame.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
+
+/// The uniform block of 11_fractals/environment.glsl.
+struct EnvironmentScale {
+    float cosine, sine;  ///< of the turn about +y, counter-clockwise seen from above
+    float intensity;
+};
 
 /// How a scene's environment is turned and scaled: by what its file says, and by these two besides.
 EnvironmentScale environment_scale(const Scene& scene, float intensity, float turn_deg);

@@ -2,9 +2,19 @@
 
 #include <fmt/core.h>
 
-#include "14_environment/truth.h"
+#include <glm/gtc/constants.hpp>
 
 namespace lightwalk {
+namespace {
+
+// What the middle of a texel looks at: unit length.
+glm::dvec3 direction_of(int column, int row, const ImageRgb& picture) {
+    const double pi = glm::pi<double>();
+    const double phi = pi * (2.0 * (column + 0.5) / picture.width - 1.0), theta = pi * (row + 0.5) / picture.height;
+    return {std::sin(phi) * std::sin(theta), std::cos(theta), -std::cos(phi) * std::sin(theta)};
+}
+
+}  // namespace
 
 std::vector<GroundLight> ground_lights(const ImageRgb& picture, const EnvironmentScale& turn, int count) {
     struct Texel {
@@ -17,11 +27,10 @@ std::vector<GroundLight> ground_lights(const ImageRgb& picture, const Environmen
         // Every other row is walked the other way, so that neighbours in the list are neighbours in the sky.
         for (int i = 0; i < picture.width; ++i) {
             const int column = row % 2 ? picture.width - 1 - i : i;
-            const glm::dvec3 d =
-                truth::direction_at({(column + 0.5) / picture.width, (row + 0.5) / double(picture.height)});
+            const glm::dvec3 d = direction_of(column, row, picture);
             if (d.y <= 0) continue;
-            const glm::dvec3 light = truth::equirect_solid_angle(row, picture.width, picture.height) * d.y *
-                                     glm::dvec3(picture.at(column, row));
+            // Rows are shorter near the zenith; only shares of the whole count.
+            const glm::dvec3 light = std::hypot(d.x, d.z) * d.y * glm::dvec3(picture.at(column, row));
             sum += glm::dot(light, {0.2126, 0.7152, 0.0722});
             texels.push_back({d, light, sum});
         }

@@ -1,9 +1,18 @@
 // Light from all around: radiance along a direction, and irradiance of a surface. A pass that states the module
 // EnvironmentLight in `.with` has them.
-#include "11_fractals/environment_turn.glsl"
-
 uniform samplerCube environment_cube;
 uniform samplerCube environment_irradiance_cube;
+layout(scalar) uniform EnvironmentScaleBlock {  // EnvironmentScale of 11_fractals/environment.h
+    float cosine, sine;                         // of the turn about +y, counter-clockwise seen from above
+    float intensity;                            // by what radiance and irradiance are multiplied
+} environment_scale;
+
+// From world space to the picture's.
+vec3 environment_space(vec3 direction) {
+    vec2 xz = mat2(environment_scale.cosine, environment_scale.sine, -environment_scale.sine, environment_scale.cosine) *
+              direction.xz;
+    return vec3(xz.x, direction.y, xz.y);
+}
 
 // What comes from `direction` (world space, any length above 0), RGB; level 0 is sharp, each level more a mean over
 // texels twice as wide, which are 0.35° in level 0.

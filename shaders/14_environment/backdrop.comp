@@ -1,6 +1,6 @@
 // The surroundings behind, and the ground below, on which what was photographed there is projected.
 #include "11_fractals/cubic_picture.glsl"
-#include "11_fractals/environment_turn.glsl"
+#include "11_fractals/environment.glsl"
 #include "14_environment/backdrop_data.h"
 #include "14_environment/direction_to_equirect.glsl"
 #include "common/view_rays.h"

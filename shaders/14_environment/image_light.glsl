@@ -1,5 +1,5 @@
 // Light from all around: what the module ImageLight gives to shaders.
-#include "11_fractals/environment_turn.glsl"
+#include "11_fractals/environment.glsl"
 #include "14_environment/box_project.glsl"
 #include "14_environment/ggx.glsl"
 #include "14_environment/image_light_data.h"
