@@ -6,7 +6,7 @@
 namespace lightwalk {
 
 /// The lists of all draw calls, one after the other, made on the CPU. They do not depend on the camera: only a change
-/// of the lights, of where the scene's parts are, of the threshold or of the exercise's toggle makes them anew.
+/// of the lights, of where the scene's parts are, of the threshold or of the exercise's toggle rebuilds them.
 class ObjectLights {
   public:
     /// `threshold` is influence_radius()'s. Lists that are new are uploaded in passes of the frame.

@@ -59,8 +59,10 @@ const Image& ImageLight::picture_of(Frame& frame, const Scene& scene) {
 }
 
 std::string ImageLight::made_from() const {
-    return fmt::format("{} {} {} {} {}", prefilter.samples.value, prefilter.bias.value, limit.value, sh_window.text(),
-                       Exercises::version());
+    std::string from = fmt::format("{} {} {}", limit.value, sh_window.text(), Exercises::version());
+    for (const Module* made_by : std::initializer_list<const Module*>{&prefilter, &levels})
+        for (const KnobBase* knob : made_by->all_knobs()) from += " " + knob->text();
+    return from;
 }
 
 void ImageLight::record_table(Frame& frame) {

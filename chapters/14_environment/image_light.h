@@ -61,21 +61,20 @@ struct ImageLight : Module {
                    {"constant", "sh9", "irradiance"},
                    "irradiance",
                    "Diffuse environment light: its mean, nine spherical-harmonic coefficients, or an irradiance cube"};
-    Choice reflection{
-        *this,
-        "reflection",
-        {"none", "mirror", "box_mips", "prefiltered", "dominant", "multiscatter", "sampled", "truth"},
-        "multiscatter",
-        "Glossy reflection: none; the sharp cube; its box-filtered levels; levels filtered with GGX, looked "
-        "up along the mirror direction or the dominant one; with multiple scattering; sampled for each "
-        "pixel; or summed over all texels"};
+    Choice method{*this,
+                  "method",
+                  {"none", "mirror", "box_mips", "prefiltered", "dominant", "multiscatter", "sampled", "truth"},
+                  "multiscatter",
+                  "Glossy reflection: none; the sharp cube; its box-filtered levels; levels filtered with GGX, looked "
+                  "up along the mirror direction or the dominant one; with multiple scattering; sampled for each "
+                  "pixel; or summed over all texels"};
     // [/image_light]
     Choice sh_window{*this,
                      "sh_window",
                      {"none", "hann", "sinc4"},
                      "none",
                      "Window on the spherical harmonics: none, Hann of width 5, or sinc^4 of width 3"};
-    Knob<int> samples{*this, "samples", 64, {1, 4096}, "Samples of each pixel, for the reflection 'sampled'"};
+    Knob<int> samples{*this, "samples", 64, {1, 4096}, "Samples of each pixel, for the method 'sampled'"};
     Knob<float> sample_bias{
         *this,   "sample_bias", 1.0f, {0.0f, 8.0f}, "Added to the level that each sample of a pixel is read from",
         "levels"};

@@ -11,12 +11,6 @@
 using namespace lightwalk;
 
 struct EnvironmentChapter : ModelChapter {
-    Choice method{
-        *this,
-        "method",
-        {"as_set", "none", "mirror", "box_mips", "prefiltered", "dominant", "multiscatter", "sampled", "truth"},
-        "as_set",
-        "Reflection method: as environment.reflection says, or this one"};
     ImageLight light{*this, "environment"};
     Backdrop backdrop{*this, "backdrop", light};
     LitAround objects{*this, "objects", light};
@@ -27,7 +21,7 @@ struct EnvironmentChapter : ModelChapter {
     Post post{*this, "post"};
 
     EnvironmentChapter() {
-        method.alone = true;  // --method is about reflections here
+        light.method.alone = true;  // --method is about reflections here
         objects.lights.method.change_default("every_light");
         objects.maps.method.change_default("normal");
         bloom.method.change_default("none");
@@ -37,7 +31,6 @@ struct EnvironmentChapter : ModelChapter {
     // [frame]
     void frame(Frame& frame) override {
         const View view = set_view(frame);
-        if (!method.is("as_set")) light.reflection.set(method.text());
 
         // 1. Cubes of light from the picture of the surroundings, where they are not there already.
         light.record(frame, scene);

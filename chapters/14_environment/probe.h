@@ -13,7 +13,7 @@ namespace lightwalk {
 ///
 ///     probe.record(frame, scene, light, {objects});
 struct SceneProbe : Module {
-    SceneProbe(Module& owner, std::string name) : Module(owner, std::move(name), "probe") {}
+    SceneProbe(Module& owner, std::string name) : Module(owner, std::move(name), "probe"), owner_(owner) {}
 
     Choice update{*this,
                   "update",
@@ -38,6 +38,7 @@ struct SceneProbe : Module {
     int drawn_faces = 0;  ///< of the last frame
 
   private:
+    const Module& owner_;  ///< of the drawings too: their knobs are its
     void draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, uint32_t face, const Drawings& drawings);
     Image color_, depth_;
     std::string made_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "16_volume/volume_file.h"
+#include "common/base/exercise.h"
 
 namespace lightwalk {
 
@@ -43,7 +44,7 @@ void Field::record(Frame& frame) {
 // [record]
 void BlockPyramid::record(Frame& frame, const Field& field, const Image& transfer, uint64_t transfer_number,
                           int border) {
-    const glm::u64vec3 of{field.number(), transfer_number, static_cast<uint64_t>(border)};
+    const glm::u64vec4 of{field.number(), transfer_number, static_cast<uint64_t>(border), Exercises::version()};
     if (of == made_of_) return;
     made_of_ = of;
     const glm::uvec3 voxels = ImageView(field.density()).size();

@@ -45,7 +45,7 @@ bool is_volume_file(const std::filesystem::path& file);
 /// Which blocks of a field show nothing: what the method `skipping` reads. Each says how large the largest empty block is
 /// that it lies in: of BLOCK_VOXELS along an edge, or of twice or four times as many.
 struct BlockPyramid {
-    /// Records its making where the field, the transfer function or the border is another one. `border`: how many voxels
+    /// Records its making where the field, the transfer function, the border or a toggle is another one. `border`: how many voxels
     /// beyond a block a sample in it may read, 1 or more. `transfer_number`: another one for each transfer function.
     void record(Frame& frame, const Field& field, const Image& transfer, uint64_t transfer_number, int border);
     const Image& blocks() const { return blocks_; }
@@ -53,7 +53,7 @@ struct BlockPyramid {
 
   private:
     Image ranges_, occupied_, blocks_;
-    glm::u64vec3 made_of_{0};
+    glm::u64vec4 made_of_{0};
     Pipeline find_ = compute({.shader = "16_volume/ranges.comp"});
     Pipeline occupy_ = compute({.shader = "16_volume/occupied.comp"});
     Pipeline coarser_ = compute({.shader = "16_volume/coarser.comp"});

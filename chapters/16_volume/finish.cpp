@@ -9,6 +9,7 @@
 #include "common/base/files.h"
 #include "common/base/patience.h"
 #include "common/gpu/cache_folder.h"
+#include "common/image/image.h"
 
 namespace lightwalk {
 namespace {
@@ -30,9 +31,7 @@ void for_each_texel(const std::vector<LatheQuad>& quads, glm::uvec2 size, const 
 }
 
 std::byte code(float value) { return std::byte(std::lround(255 * std::clamp(value, 0.0f, 1.0f))); }
-std::byte srgb_code(float value) {
-    return code(value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1 / 2.4f) - 0.055f);
-}
+std::byte srgb_code(float value) { return code(linear_to_srgb(value)); }
 
 using Texels = std::vector<std::byte>;
 

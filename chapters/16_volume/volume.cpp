@@ -119,11 +119,11 @@ void Volume::make_light(Frame& frame) {
                                   .size = {size.x, size.y},
                                   .depth = size.z,
                                   .kept = true});
-    std::string wanted =
-        fmt::format("{} {} {} {} {} {} {}", field.number(), transfer_number_, light_from.text(), light_steps.value,
-                    now_.light_at.x + 3 * now_.light_at.y, wave > 0 ? frame.time_s : 0.0f, wave.value);
-    if (wanted == light_made_) return;
-    light_made_ = std::move(wanted);
+    ByteWriter wanted;
+    wanted(field.number(), transfer_number_, light_steps.value, now_.light_at, now_.is_near, Exercises::state());
+    if (wave > 0) wanted(now_.wave, now_.wave_phase);
+    if (wanted.bytes == light_made_) return;
+    light_made_ = std::move(wanted.bytes);
     frame.compute("light in the volume", {.reads = {field.density(), transfer_}, .writes = {light_}, .with = {*this}},
                   [&](Compute& pass) { pass.use(make_light_).set("result", light_).dispatch_threads(size); });
 }

@@ -8,7 +8,7 @@
 namespace lightwalk {
 
 // [volume]
-/// Comes after all that is solid, whose depth ends its rays; it lets light through and writes no depth. The box of its
+/// Comes after all that is solid, whose depth ends its rays; it is transparent and writes no depth. The box of its
 /// field stands around the world's origin, its longest edge 2 m long.
 struct Volume : Drawing {
     Volume(Module& owner, std::string name) : Drawing(owner, std::move(name), "volume") {}

@@ -18,7 +18,7 @@ struct State {
 
 struct Table {
     std::map<std::string, State, std::less<>> exercises;
-    std::string state;  ///< made anew on the first question after a change
+    std::string state;  ///< rebuilt on the first question after a change
     bool scanned = false;
     unsigned version = 0;
     void changed() { state.clear(), ++version; }

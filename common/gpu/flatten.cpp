@@ -49,7 +49,7 @@ class Flattener {
         const fs::path file = resolve(name, from, line);
         if (!seen_.insert(file).second) return;
         if (!fs::is_regular_file(overlaid(file)))  // a device has no end
-            throw ShaderError("{}:{}: shaders/{} is no ordinary file", from, line, name);
+            throw ShaderError("{}:{}: shaders/{} is not a regular file", from, line, name);
         result.files.push_back(file);
         std::string text;
         try {

@@ -13,7 +13,7 @@ VkDescriptorBufferInfo Frame::copy_to_arena(std::span<const std::byte> bytes) {
 
 void Frame::upload(const std::string& name, Buffer& buffer, std::span<const std::byte> bytes) {
     const VkDeviceSize needed = std::max<VkDeviceSize>(bytes.size(), 16);
-    // Half as much again, so that one which grows a little each frame is not made anew each frame.
+    // Half as much again, so that one which grows a little each frame is not recreated each frame.
     if (buffer.capacity < needed)
         buffer = Buffer(gpu.device, {.name = name, .bytes = std::max(needed, buffer.capacity + buffer.capacity / 2)});
     buffer.bytes = needed;

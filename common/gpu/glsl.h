@@ -40,7 +40,7 @@ FlatShader flatten_text(const std::string& text, const std::string& name, const 
 
 /// SPIR-V 1.5 for Vulkan 1.3, from the cache where it holds this very text. `name` is for messages. Throws ShaderError.
 /// The cache ($LIGHTWALK_CACHE, else build/shader_cache below the course, else a temporary folder) may be shared by
-/// processes: an entry appears whole or not at all, and one that is damaged is made anew.
+/// processes: an entry appears whole or not at all, and one that is damaged is rebuilt.
 std::vector<uint32_t> compile(Stage stage, const std::string& flat_text, const std::string& name);
 
 /// What spirv-val says against it for Vulkan 1.3 with scalar block layout; empty: valid.

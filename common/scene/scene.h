@@ -122,7 +122,7 @@ class Scene : public Drawable {
 
 /// Places every object and every model's nodes as they are at that time, whatever was shown before; bounds follow.
 /// Objects move by the `motion` of the scene file, nodes by the first animation of their model file; children go with
-/// their parents. What was made from the scene's items (batches, lists' order) is to be made anew.
+/// their parents. What was made from the scene's items (batches, lists' order) has to be rebuilt.
 void animate(Scene& scene, float time_s);
 
 template <class Predicate>

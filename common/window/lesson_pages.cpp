@@ -15,7 +15,7 @@ std::string LessonPages::open(const std::string& name) {
     if (!std::filesystem::is_regular_file(page, error)) {
         log_event("no page " + name);
         return std::filesystem::is_directory(pages, error)
-                   ? "The lessons' pages have none of " + name + "; ./course docs makes them anew."
+                   ? "The lessons' pages have none of " + name + "; ./course docs rebuilds them."
                    : "The lessons' pages are not made yet: ./course docs makes them.";
     }
     page_ = page.string();

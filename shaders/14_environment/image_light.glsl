@@ -104,30 +104,30 @@ FromAround reflected_from_around(LitFromAround s) {
     float n_dot_v = clamp(dot(s.normal, s.to_eye), 1e-3, 1.0), roughness = sqrt(s.alpha);
     vec3 mirrored = reflect(-s.to_eye, s.normal);
     FromAround r = FromAround(vec3(0.0), vec3(1.0), vec3(0.0));
-#if IMAGE_LIGHT_REFLECTION == IMAGE_LIGHT_REFLECTION_MIRROR
+#if IMAGE_LIGHT_METHOD == IMAGE_LIGHT_METHOD_MIRROR
     vec3 fresnel = schlick_roughness(n_dot_v, s.f0, roughness);
     r.specular = fresnel * radiance_along(s.position, mirrored, 0.0);
     r.diffuse_share = 1.0 - fresnel;
-#elif IMAGE_LIGHT_REFLECTION == IMAGE_LIGHT_REFLECTION_BOX_MIPS
+#elif IMAGE_LIGHT_METHOD == IMAGE_LIGHT_METHOD_BOX_MIPS
     // The level whose texels are as wide as the lobe: half of its light lies within atan(alpha) of half vectors.
     vec3 fresnel = schlick_roughness(n_dot_v, s.f0, roughness);
     float level = log2(max(2.0 * atan(s.alpha) * image_light_state.texels / (0.5 * pi), 1.0));
     r.specular = fresnel * radiance_along(s.position, mirrored, level);
     r.diffuse_share = 1.0 - fresnel;
-#elif IMAGE_LIGHT_REFLECTION != IMAGE_LIGHT_REFLECTION_NONE
+#elif IMAGE_LIGHT_METHOD != IMAGE_LIGHT_METHOD_NONE
     vec2 ab = split_sum_at(n_dot_v, s.alpha);
     vec3 single = s.f0 * ab.x + ab.y;
     r.diffuse_share = max(1.0 - single, 0.0);
-#if IMAGE_LIGHT_REFLECTION == IMAGE_LIGHT_REFLECTION_PREFILTERED
+#if IMAGE_LIGHT_METHOD == IMAGE_LIGHT_METHOD_PREFILTERED
     r.specular = single * prefiltered_along(s.position, mirrored, roughness);
-#elif IMAGE_LIGHT_REFLECTION == IMAGE_LIGHT_REFLECTION_DOMINANT
+#elif IMAGE_LIGHT_METHOD == IMAGE_LIGHT_METHOD_DOMINANT
     r.specular = single * prefiltered_along(s.position, dominant_direction(s.normal, mirrored, s.alpha), roughness);
-#elif IMAGE_LIGHT_REFLECTION == IMAGE_LIGHT_REFLECTION_MULTISCATTER
+#elif IMAGE_LIGHT_METHOD == IMAGE_LIGHT_METHOD_MULTISCATTER
     r.specular = single * prefiltered_along(s.position, dominant_direction(s.normal, mirrored, s.alpha), roughness);
 #else
     r.specular = sampled_reflection(s, n_dot_v);
 #endif
-#if IMAGE_LIGHT_REFLECTION >= IMAGE_LIGHT_REFLECTION_MULTISCATTER
+#if IMAGE_LIGHT_METHOD >= IMAGE_LIGHT_METHOD_MULTISCATTER
     vec3 multiple = multiple_scattering(s.f0, ab);
     r.multiple = multiple * diffuse_light(s.position, s.normal);
     r.specular += r.multiple;

@@ -84,7 +84,7 @@ vec3 reflection_of_texels(LitFromAround s, float n_dot_v) {
 // [/truth]
 
 vec3 sampled_reflection(LitFromAround s, float n_dot_v) {
-#if IMAGE_LIGHT_REFLECTION == IMAGE_LIGHT_REFLECTION_TRUTH
+#if IMAGE_LIGHT_METHOD == IMAGE_LIGHT_METHOD_TRUTH
     return reflection_of_texels(s, n_dot_v);
 #else
     return reflection_of_samples(s, n_dot_v, uint(image_light.samples), image_light.sample_bias);

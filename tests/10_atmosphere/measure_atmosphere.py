@@ -2,7 +2,7 @@
 """Times the air's passes and prints a table: tests/10_atmosphere/measure_atmosphere.py [WxH] [FRAMES] [DEVICE]
 
 GPU milliseconds, medians over FRAMES (21), the least of three rounds. 1920x1080 unless it is said. Each table of the method
-`tables`, all made anew in each frame, beside what others have published for theirs; then what the lesson promises: all tables
+`tables`, all rebuilt in each frame, beside what others have published for theirs; then what the lesson promises: all tables
 below 0.5 ms, the last pass within twice the time of one read and one write (the pass of `none`), and `tables` five times as
 fast as marching 16 places with 8 each. Prints "missed" where a promise is not kept on this device, and asserts nothing.
 """
@@ -58,7 +58,7 @@ def main():
     last, copy, march = (ms["sunset", method, "atmosphere"] for method in ("tables", "none", "march"))
     promise(f"all tables of a frame at sunset take {tables('sunset'):.3f} ms (promised: 0.5)", tables("sunset") < 0.5)
     promise(f"the last pass takes {last / copy:.2f} times as long as one read and one write (promised: 2)", last <= 2 * copy)
-    promise(f"marching takes {march / (last + tables('sunset')):.1f} times as long as tables, all made anew (promised: 5)",
+    promise(f"marching takes {march / (last + tables('sunset')):.1f} times as long as tables, all rebuilt (promised: 5)",
             march >= 5 * (last + tables("sunset")))
     changed = last + ms["sunset", "tables", "sky table"] + ms["sunset", "tables", "aerial volume"]
     promise(f"and {march / changed:.1f} times as long as with those of the air kept (promised: 5)", march >= 5 * changed)

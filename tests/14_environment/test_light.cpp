@@ -35,7 +35,7 @@ TEST_CASE_METHOD(OnLight, "what is where: the cube, irradiance and spherical har
         }
     }
     light.turn_deg.value = 0;
-    light.reflection.set("mirror");
+    light.method.set("mirror");
     std::vector<LookedAt> mirrors;
     for (const glm::vec3 n : normals) mirrors.push_back({n, n, glm::vec3(1), 1e-4f});
     const auto seen = shown(mirrors);
@@ -127,9 +127,9 @@ TEST_CASE_METHOD(OnLight, "the sum over all texels and many samples agree, with 
             const glm::vec3 to_eye = glm::normalize(n + 0.7f * glm::normalize(glm::cross(n, side)));
             surfaces.push_back({n, to_eye, glm::vec3(1), alpha});
         }
-    light.reflection.set("truth");
+    light.method.set("truth");
     const auto sums = shown(surfaces);
-    light.reflection.set("sampled"), light.samples.value = 2048, light.sample_bias.value = 0;
+    light.method.set("sampled"), light.samples.value = 2048, light.sample_bias.value = 0;
     const auto samples = shown(surfaces);
     double away = 0, all = 0;
     for (size_t i = 0; i < surfaces.size(); ++i)

@@ -49,7 +49,7 @@ struct OnProbe : OnLight {
 
 TEST_CASE_METHOD(OnProbe, "a probe sees each direction where the cube is looked up along it") {
     load("");
-    light.reflection.set("mirror");
+    light.method.set("mirror");
     probe.update.set("always"), probe.box.set("off");
     record();
     CHECK(directions.views == 6);
@@ -72,6 +72,9 @@ TEST_CASE_METHOD(OnProbe, "a probe is drawn in each frame, or where something ha
     probe.center.value.x += 1;
     next_frame(), record();
     CHECK(probe.drawn_faces == 6);
+    light.turn_deg.value += 90;  // another module's knob, which its picture depends on
+    next_frame(), record();
+    CHECK(probe.drawn_faces == 6);
     probe.update.set("face");
     for (int i = 0; i < 3; ++i) {
         next_frame(), record();
@@ -83,7 +86,7 @@ TEST_CASE_METHOD(OnProbe, "a probe is drawn in each frame, or where something ha
     probe.update.set("off");
     next_frame(), record();
     CHECK(probe.drawn_faces == 0);
-    CHECK(directions.views == 6 + 6 + 3 + 6);
+    CHECK(directions.views == 6 + 6 + 6 + 3 + 6);
 }
 
 TEST_CASE("directions that stand for equal shares of light: their weights add up, and a sun gets its part") {

@@ -91,7 +91,7 @@ TEST_CASE_METHOD(OnLight, "prefiltering at roughness 0.5: samples read from leve
                 light.prefilter.bias.value = float(biased), light.prefilter.samples.value = 16 << (2 * i);
                 load("environments/" + name + ".hdr");
                 // Level 3 of 7 has roughness 0.5; f0 1 and n·v 1, over what the table says of it.
-                light.reflection.set("prefiltered");
+                light.method.set("prefiltered");
                 std::vector<LookedAt> surfaces;
                 for (const glm::vec3 n : normals) surfaces.push_back({n, n, glm::vec3(1), 0.25f});
                 std::vector<glm::dvec3> found;
@@ -126,7 +126,7 @@ TEST_CASE_METHOD(OnLight, "furnace: GGX loses up to 59% of white light; with mul
             surfaces.push_back({{0, 1, 0}, {std::sqrt(1 - c * c), c, 0}, glm::vec3(1), alpha});
         }
         const auto mean = [&](const char* method) {
-            light.reflection.set(method);
+            light.method.set(method);
             double sum = 0;
             for (const Shown& one : shown(surfaces)) sum += double(one.specular.g) / 0.5 / 32;
             return sum;
@@ -144,8 +144,8 @@ TEST_CASE_METHOD(OnLight, "nothing reflects more than arrives: every method, col
         for (const float c : {1e-4f, 0.05f, 0.3f, 0.7f, 1.0f})
             for (const float f0 : {0.0f, 0.04f, 0.5f, 1.0f})
                 surfaces.push_back({{0, 0, 1}, {0, std::sqrt(1 - c * c), c}, glm::vec3(f0), alpha});
-    for (const std::string& method : light.reflection.options) {
-        light.reflection.set(method);
+    for (const std::string& method : light.method.options) {
+        light.method.set(method);
         for (const Shown& one : shown(surfaces)) {
             const float all = one.specular.g + one.diffuse_share.g;
             INFO(method);
@@ -158,7 +158,7 @@ TEST_CASE_METHOD(OnLight, "nothing reflects more than arrives: every method, col
 
 TEST_CASE_METHOD(OnLight, "every normal has a frame: the poles, the axes, and between them") {
     load(64, 32, [](glm::dvec3 d) { return 0.5 * d + 0.5; });
-    light.reflection.set("sampled");
+    light.method.set("sampled");
     std::vector<LookedAt> surfaces;
     for (const glm::vec3 n : all_around(200)) surfaces.push_back({n, n, glm::vec3(1), 0.05f});
     for (const float tiny : {1e-8f, -1e-8f, 1e-4f, -1e-4f})
@@ -173,7 +173,7 @@ TEST_CASE_METHOD(OnLight, "roughness 0 is a mirror, by every method that has one
     load(128, 64, [](glm::dvec3 d) { return glm::dvec3(d.x > 0 ? 1.0 : 0.25); });
     const glm::vec3 to_eye = glm::normalize(glm::vec3(-0.3f, 0.8f, 0.2f));
     for (const char* method : {"mirror", "box_mips", "prefiltered", "dominant", "multiscatter", "sampled", "truth"}) {
-        light.reflection.set(method);
+        light.method.set(method);
         const auto found =
             shown({{{0, 1, 0}, to_eye, glm::vec3(1), 0.0f}, {{0, 1, 0}, {0.3f, 0.8f, 0.2f}, glm::vec3(1), 0.0f}});
         INFO(method);
@@ -194,8 +194,8 @@ TEST_CASE_METHOD(OnLight, "a sun of 3e5 in a sky of 1: half floats keep a fifth 
     INFO(found << " of " << whole);
     CHECK(found / whole > 0.15);
     CHECK(found / whole < 0.28);
-    for (const std::string& method : light.reflection.options) {
-        light.reflection.set(method);
+    for (const std::string& method : light.method.options) {
+        light.method.set(method);
         std::vector<LookedAt> surfaces;
         for (const glm::vec3 n : all_around()) surfaces.push_back({n, n, glm::vec3(1), 0.1f});
         for (const Shown& one : shown(surfaces)) CHECK(is_finite(one.specular));
@@ -204,8 +204,8 @@ TEST_CASE_METHOD(OnLight, "a sun of 3e5 in a sky of 1: half floats keep a fifth 
 
 TEST_CASE_METHOD(OnLight, "a black picture shows nothing, and a picture of two texels its colours") {
     load(2, 1, [](glm::dvec3) { return glm::dvec3(0); });
-    for (const std::string& method : light.reflection.options) {
-        light.reflection.set(method);
+    for (const std::string& method : light.method.options) {
+        light.method.set(method);
         for (const Shown& one : shown({{{0, 1, 0}, {0, 1, 0}, glm::vec3(1), 0.2f}})) {
             CHECK(one.specular == glm::vec3(0));
             CHECK(one.diffuse == glm::vec3(0));

@@ -64,7 +64,7 @@ EQUAL = [
     # docs/01: they read one file; assimp rounds a normal otherwise.
     Equal("loader", ("textbook", "tinyobjloader", "assimp", "scan", "parallel"), codes=1, scenes=("default",)),
 ]
-# (options, the picture's size); every chapter's own scene, and one with many lights and what lets light through, at a
+# (options, the picture's size); every chapter's own scene, and one with many lights and transparent surfaces, at a
 # size that no tile divides. Where things move, the time is one at which they have.
 SCENES = {"default": ["--size", "240x135"], "everything": ["--size", "127x71", "--time", "0.5"]}
 # Of these the other scene is nothing: they draw no objects, or those alone that are skin.
@@ -119,7 +119,7 @@ class EqualMethods(unittest.TestCase):
         self.assertEqual([equal for equal in EQUAL if equal not in compared], [])  # a knob that no chapter has any more
 
     def test_the_scene_shows_what_methods_could_get_wrong(self):
-        """Without its lights, its shadows or what lets light through the scene is another picture: it would show."""
+        """Without its lights, its shadows or its transparent surfaces the scene is another picture: it would show."""
         def less(name, change):
             scene = json.loads(json.dumps(EVERYTHING))
             change(scene)

@@ -150,7 +150,7 @@ TEST_CASE("only macros that a shader names make another variant of it") {
     CHECK(text.find("UNUSED") == text.npos);
 }
 
-TEST_CASE("a damaged cache entry is made anew, and many threads may fill the cache at once") {
+TEST_CASE("a damaged cache entry is rebuilt, and many threads may fill the cache at once") {
     const std::string text =
         flatten_text("layout(local_size_x = 1) in;\nvoid main() {}\n// " + std::to_string(getpid()), "cache.comp", "99",
                      {})
