@@ -213,6 +213,7 @@ function(lightwalk_variants name folder library)
                           RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/variants)
     lightwalk_precompiled(${target})
     target_compile_options(${target} PRIVATE -Wno-error -w)
+    target_link_options(${target} PRIVATE -s) # nobody debugs them, and names are half of their size
     target_link_libraries(${target} PRIVATE check_main ${library})
   endforeach()
 endfunction()

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "common/base/files.h"
+#include "common/base/kept.h"
 #include "common/base/patience.h"
-#include "common/gpu/cache_folder.h"
 #include "common/image/image.h"
 
 namespace lightwalk {
@@ -53,32 +53,6 @@ bool is_glowing(const LathePanel& panel, glm::vec2 at, float cell) {
     const glm::vec2 share = (at - panel.lower) / (panel.upper - panel.lower);
     const float within = std::fmod((at.x - panel.lower.x) / cell, 1.0f);
     return panel.glows && share.y > 0.34f && share.y < 0.66f && within > 0.25f && within < 0.75f;
-}
-
-/// Kept bytes with their hash behind them. Empty where there are none, or other ones.
-std::vector<std::byte> read_kept(const std::filesystem::path& file, size_t bytes) {
-    if (!file_exists(file)) return {};
-    try {
-        const std::string all = read_file(file, bytes + 8);
-        uint64_t hash = 0;
-        if (all.size() != bytes + 8) return {};
-        std::memcpy(&hash, all.data() + bytes, 8);
-        if (hash != hash_bytes(std::string_view(all.data(), bytes))) return {};
-        std::vector<std::byte> kept(bytes);
-        std::memcpy(kept.data(), all.data(), bytes);
-        return kept;
-    } catch (const InputError&) { return {}; }
-}
-
-void keep_bytes(const std::filesystem::path& file, const std::vector<std::byte>& bytes) {
-    std::string all(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    const uint64_t hash = hash_bytes(all);
-    all.append(reinterpret_cast<const char*>(&hash), 8);
-    try {
-        write_file(file, all);
-    } catch (const InputError&) {
-        // A cache that cannot be written is only slower.
-    }
 }
 
 }  // namespace
@@ -128,14 +102,16 @@ Finish::Maps Finish::make(Gpu& gpu, const std::filesystem::path& file) {
 std::vector<std::byte> Finish::occlusion(Gpu& gpu, const std::filesystem::path& file, const LatheParts& parts,
                                          glm::uvec2 size) {
     const std::string key =
-        fmt::format("occlusion 1 {} {} {} {} ", size.x, size.y, bake_rays.value, bake_m.value) + read_file(file);
-    const std::filesystem::path kept =
-        cache_folder() / fmt::format("{:016x}{:016x}.occlusion", hash_bytes(key), hash_bytes(key, 7));
-    std::vector<std::byte> seen = read_kept(kept, size_t{size.x} * size.y);
-    if (!seen.empty()) return seen;
+        fmt::format("occlusion {} {} {} {} ", size.x, size.y, bake_rays.value, bake_m.value) + read_file(file);
+    const std::filesystem::path file_kept = kept_file(key, ".occlusion");
+    const size_t bytes = size_t{size.x} * size.y;
+    if (const auto kept = read_kept(file_kept, bytes); kept && kept->size() == bytes) {
+        const auto* const texels = reinterpret_cast<const std::byte*>(kept->data());
+        return {texels, texels + bytes};
+    }
     ++baked;
-    seen = bake(gpu, file, parts, size);
-    keep_bytes(kept, seen);
+    const std::vector<std::byte> seen = bake(gpu, file, parts, size);
+    keep(file_kept, {reinterpret_cast<const char*>(seen.data()), seen.size()});
     return seen;
 }
 

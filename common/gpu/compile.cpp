@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "common/base/files.h"
-#include "common/gpu/cache_folder.h"
+#include "common/base/kept.h"
 #include "common/gpu/glsl.h"
 
 namespace lightwalk {
@@ -90,59 +90,22 @@ std::vector<uint32_t> compile_now(Stage stage, const std::string& text, const st
     return spirv;
 }
 
-// An entry: the words of the module, then their hash, so that a damaged file is not believed.
-bool load(const fs::path& file, std::vector<uint32_t>& spirv) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(in), {});
-    uint64_t stored = 0;
-    if (bytes.size() < 20 + sizeof stored || (bytes.size() - sizeof stored) % 4 != 0) return false;
-    const std::string_view words(bytes.data(), bytes.size() - sizeof stored);
-    std::memcpy(&stored, bytes.data() + words.size(), sizeof stored);
-    if (stored != hash_bytes(words)) return false;
-    spirv.resize(words.size() / 4);
-    std::memcpy(spirv.data(), words.data(), words.size());
-    return true;
-}
-
-void store(const fs::path& file, const std::vector<uint32_t>& spirv) {
-    std::string bytes(reinterpret_cast<const char*>(spirv.data()), spirv.size() * 4);
-    const uint64_t hash = hash_bytes(bytes);
-    bytes.append(reinterpret_cast<const char*>(&hash), sizeof hash);
-    try {
-        write_file(file, bytes);
-    } catch (const InputError&) {
-        // A cache that cannot be written is only slower.
-    }
-}
+// Larger than any module; a cache's entry may say any size.
+constexpr size_t most_module_bytes = size_t{1} << 26;
 
 }  // namespace
 
-const fs::path& cache_folder() {
-    static const fs::path folder = [] {
-        std::error_code error;
-        if (const char* given = std::getenv("LIGHTWALK_CACHE")) {
-            fs::create_directories(given, error);
-            return fs::path(given);
-        }
-        fs::path beside = course_root() / "build" / "shader_cache";
-        fs::create_directories(beside, error);
-        if (!error) return beside;
-        fs::path temporary = fs::temp_directory_path(error) / "lightwalk_shader_cache";
-        fs::create_directories(temporary, error);
-        return temporary;
-    }();
-    return folder;
-}
-
 std::vector<uint32_t> compile(Stage stage, const std::string& flat_text, const std::string& name) {
-    const std::string key =
+    const std::string made_by =
         fmt::format("{} glslang {} spirv 1.5\n", static_cast<int>(stage), glslang::GetSpirvGeneratorVersion());
-    const fs::path file = cache_folder() / fmt::format("{:016x}{:016x}.spv", hash_bytes(flat_text, hash_bytes(key)),
-                                                       hash_bytes(flat_text, hash_bytes(key, 7)));
-    std::vector<uint32_t> spirv;
-    if (load(file, spirv)) return spirv;
-    spirv = compile_now(stage, flat_text, name);
-    store(file, spirv);
+    const fs::path file = kept_file(made_by + flat_text, ".spv");
+    if (const auto kept = read_kept(file, most_module_bytes); kept && kept->size() % 4 == 0) {
+        std::vector<uint32_t> spirv(kept->size() / 4);
+        std::memcpy(spirv.data(), kept->data(), kept->size());
+        return spirv;
+    }
+    const std::vector<uint32_t> spirv = compile_now(stage, flat_text, name);
+    keep(file, {reinterpret_cast<const char*>(spirv.data()), spirv.size() * 4});
     return spirv;
 }
 

@@ -4,7 +4,7 @@
 #include "16_volume/finish.h"
 #include "16_volume/lathe.h"
 #include "16_volume/volume_file.h"
-#include "common/gpu/cache_folder.h"
+#include "common/base/kept.h"
 #include "volume_fixture.h"
 
 using namespace lightwalk;

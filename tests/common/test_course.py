@@ -8,13 +8,16 @@ import re
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
 from small_course import LESSON, REAL, SHOTS_02, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
 import cli  # noqa: E402
+from build.build import trim  # noqa: E402
 from progress import Progress  # noqa: E402
 from shots.golden import LIMITS, exceeded  # noqa: E402
 
@@ -92,6 +95,20 @@ class Commands(Course):
             for i in range(1001):
                 progress.show(i, 1000)
         self.assertEqual(out.getvalue().count("\n"), 11)
+
+
+class Cache(unittest.TestCase):
+    def test_what_was_used_longest_ago_goes_first(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for at in range(8):
+                path = Path(folder, f"{at}.spv")
+                path.write_bytes(bytes(4096))
+                os.utime(path, (0, (3 - at) % 8))
+            trim(Path(folder), 8 * 4096)
+            self.assertEqual(len(os.listdir(folder)), 8)
+            trim(Path(folder), 7 * 4096)
+            self.assertEqual(sorted(os.listdir(folder)), ["0.spv", "4.spv", "5.spv", "6.spv", "7.spv"])
+            trim(Path(folder) / "absent", 0)
 
 
 class Tests(Course):

@@ -20,6 +20,7 @@
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/base/guarded.h"
+#include "common/base/kept.h"
 #include "common/base/sanitized.h"
 #include "common/base/text.h"
 #include "common/image/image.h"
@@ -269,6 +270,33 @@ TEST_CASE("bytes: what is written is read back, and what is cut off is noticed")
         ByteReader cut(std::string_view(writer.bytes).substr(0, length));
         CHECK_THROWS_AS(cut(number, text, read_names, floats, path), Failure);
     }
+}
+
+TEST_CASE("kept: what was kept is read back; a file that is cut, changed, longer or another is not believed") {
+    const Folder folder;
+    const auto file = folder / "entry.kept";
+    const std::string bytes = "a module's words " + std::string(10000, '\0') + "and its end";
+    CHECK_FALSE(read_kept(file, bytes.size()));
+    keep(file, bytes);
+    CHECK(read_kept(file, bytes.size()) == bytes);
+    CHECK(std::filesystem::file_size(file) < 200);
+    CHECK_FALSE(read_kept(file, bytes.size() - 1));
+    const std::string whole = read_file(file);
+    for (size_t i = 0; i < whole.size(); ++i) {
+        std::string changed = whole;
+        changed[i] ^= 4;
+        write_file(file, changed);
+        CHECK(read_kept(file, bytes.size()).value_or(bytes) == bytes);
+        write_file(file, whole.substr(0, i));
+        CHECK_FALSE(read_kept(file, bytes.size()));
+    }
+    // When it was used last decides what is removed first.
+    keep(file, bytes);
+    const auto old = std::filesystem::file_time_type::clock::now() - std::chrono::hours(48);
+    std::filesystem::last_write_time(file, old);
+    CHECK(read_kept(file, bytes.size()));
+    CHECK(std::filesystem::last_write_time(file) > old + std::chrono::hours(24));
+    keep("/proc/no/such/folder", bytes);
 }
 
 TEST_CASE("a crash says one line, and its signal ends the program") {

@@ -7,6 +7,7 @@
 #include "catch.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/kept.h"
 #include "common/check/check.h"
 #include "common/gpu/frame.h"
 
@@ -162,9 +163,8 @@ TEST_CASE("a damaged cache entry is rebuilt, and many threads may fill the cache
             threads.emplace_back([&] { result = compile(Stage::compute, text, "cache.comp"); });
     }
     for (const auto& result : results) CHECK(result == results[0]);
-    const auto folder = course_root() / "build" / "shader_cache";
     std::filesystem::path newest;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    for (const auto& entry : std::filesystem::directory_iterator(cache_folder()))
         if (newest.empty() || entry.last_write_time() > std::filesystem::last_write_time(newest)) newest = entry.path();
     std::ofstream(newest, std::ios::binary | std::ios::in | std::ios::out).seekp(24).put('x');
     CHECK(compile(Stage::compute, text, "cache.comp") == results[0]);

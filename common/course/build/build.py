@@ -47,8 +47,29 @@ def build(targets: list[str] = (), preset: str = "default") -> Path:
     with alone(folder) as lock:
         if not is_configured(folder):
             configure(preset, folder, lock)
-        run_ninja(folder, list(targets), lock)
+        if run_ninja(folder, list(targets), lock):
+            trim(ROOT / "build" / "shader_cache")
     return folder
+
+
+CACHE_BYTES = 700 * 2**20  # the shaders of every chapter take about 450 MiB
+
+
+def trim(cache: Path, most: int = CACHE_BYTES):
+    """Removes from a cache that is larger than `most` bytes what was used longest ago, until three quarters are left."""
+    try:
+        entries = [(entry.stat(), entry.path) for entry in os.scandir(cache)]
+    except OSError:
+        return  # there is none, or something else removes from it as well
+    kept = sum(at.st_blocks * 512 for at, _ in entries)
+    if kept <= most:
+        return
+    for at, path in sorted(entries, key=lambda entry: entry[0].st_mtime):
+        if kept <= 0.75 * most:
+            return
+        with contextlib.suppress(OSError):
+            os.unlink(path)
+            kept -= at.st_blocks * 512
 
 
 def is_configured(folder: Path) -> bool:
@@ -77,15 +98,16 @@ def configure(preset: str, folder: Path, lock: int | None = None):
         raise Failure(f"cmake --preset {preset} failed")
 
 
-def run_ninja(folder: Path, targets: list[str], lock: int):
-    """Whatever ends us, two ninjas never build in one folder: one that outlives us has the lock."""
+def run_ninja(folder: Path, targets: list[str], lock: int) -> bool:
+    """True where there was something to do. Whatever ends us, two ninjas never build in one folder: one that outlives us
+    has the lock."""
     said = []
     ninja = subprocess.Popen(["ninja", "-C", folder, *targets], env=dict(os.environ, NINJA_STATUS="[%f/%t] "), text=True,
                              errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              pass_fds=(lock,))
     try:
         with ninja.stdout, Progress("building") as progress:
-            skip = False
+            skip = built = False
             for line in ninja.stdout:
                 status = STATUS.match(line)
                 if skip:  # the command of the step that failed, some lines long on a screen
@@ -95,6 +117,7 @@ def run_ninja(folder: Path, targets: list[str], lock: int):
                 if status:
                     note = line[status.end():].strip()
                     if not note.startswith(("Re-checking globbed", "Re-running CMake")):
+                        built = True
                         progress.show(int(status[1]), int(status[2]), note.rsplit("/", 1)[-1])
                 elif not line.startswith(("ninja: Entering", "ninja: no work", "-- ")):
                     said.append(line)
@@ -108,3 +131,4 @@ def run_ninja(folder: Path, targets: list[str], lock: int):
         failure = BuildFailure("the build failed")
         failure.said = "".join(said)
         raise failure
+    return built
