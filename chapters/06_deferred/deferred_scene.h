@@ -40,7 +40,8 @@ struct DeferredScene : LitScene {
 
     DeferredLights deferred_lights_;
     Image own_color_, own_depth_;  ///< where others have drawn before
-    Pipeline merge_ = graphics({.vertex = "06_deferred/whole.vert", .fragment = "06_deferred/merge.frag"});
+    Pipeline merge_ =
+        graphics({.vertex = "06_deferred/whole.vert", .fragment = "06_deferred/merge.frag", .cull = VK_CULL_MODE_NONE});
     SurfacePipelines lost_{{.fragment = "06_deferred/lost.frag"}};
     SurfacePipelines write_{{.fragment = "06_deferred/write.frag"}};
     SurfacePipelines write_all_{{.fragment = "06_deferred/write.frag", .cull = VK_CULL_MODE_NONE}};

@@ -68,16 +68,21 @@ void Julia::draw(Frame& frame, const View& view, Canvas& canvas) {
                       pass.use(shade_).set("found", found, nearest_clamp).set("result", into);
                       pass.dispatch_threads(view.size);
                   });
-    if (alone) return;
-    frame.raster("julia merge",
-                 {.color = {canvas.color_target()},
-                  .depth = canvas.depth_target(),
-                  .reads = {found, own_color_},
-                  .with = {*this}},
-                 [&](Raster& pass) {
-                     pass.use(merge_).set("found", found, nearest_clamp).set("color_map", own_color_, nearest_clamp);
-                     pass.draw(3);
-                 });
+
+    // Its depth, for what is drawn afterwards; where others have drawn before, only what is nearer stays.
+    if (alone)
+        frame.raster("julia depth", {.depth = canvas.depth_target(), .reads = {found}, .with = {*this}},
+                     [&](Raster& pass) { pass.use(depth_).set("found", found, nearest_clamp).draw(3); });
+    else
+        frame.raster("julia merge",
+                     {.color = {canvas.color_target()},
+                      .depth = canvas.depth_target(),
+                      .reads = {found, own_color_},
+                      .with = {*this}},
+                     [&](Raster& pass) {
+                         pass.use(merge_).set("found", found, nearest_clamp);
+                         pass.set("color_map", own_color_, nearest_clamp).draw(3);
+                     });
 }
 // [/draw]
 

@@ -112,7 +112,12 @@ struct Julia : Drawing {
     EnvironmentLight& environment_;
     const Scene* scene_ = nullptr;
     Image starts_, own_color_;
-    Pipeline merge_ = graphics({.vertex = "06_deferred/whole.vert", .fragment = "11_fractals/julia_merge.frag"});
+    Pipeline merge_ = graphics(
+        {.vertex = "06_deferred/whole.vert", .fragment = "11_fractals/julia_merge.frag", .cull = VK_CULL_MODE_NONE});
+    Pipeline depth_ = graphics({.vertex = "06_deferred/whole.vert",
+                                .fragment = "11_fractals/julia_merge.frag",
+                                .cull = VK_CULL_MODE_NONE,
+                                .macros = {{"DEPTH_ALONE", "1"}}});
     Pipeline cone_ = compute({.shader = "11_fractals/julia_cone.comp"});
     Pipeline march_ = compute({.shader = "11_fractals/julia_march.comp"});
     Pipeline shade_ = compute({.shader = "11_fractals/julia_shade.comp"});

@@ -14,17 +14,14 @@ LitAround::LitAround(Module& owner, std::string name, const ImageLight& light)
 void LitAround::update(Frame& frame) {
     LitScene::update(frame);
     paint.record(frame);
-    shading = &surface_;
-    shading_with.clear();
-    if (occlusion.is("none")) return;
-    rays.record(frame, *scene_, maps.cutoff);
-    shading = &occluded_;
-    shading_with = {rays};
+    shading = occlusion.is("none") ? &surface_ : &occluded_;
+    if (!occlusion.is("none")) rays.record(frame, *scene_, maps.cutoff);
 }
 
 std::vector<With> LitAround::given() const {
     std::vector<With> with = LitScene::given();
     with.insert(with.end(), {light_, substances, paint});
+    if (!occlusion.is("none")) with.push_back(rays);
     return with;
 }
 

@@ -1,0 +1,84 @@
+"""Drawings of many chapters in one frame (compositions/everything.cpp), at the first try: a cold start, an odd size,
+validation. Whatever is drawn first, twice, on a screen within the picture or into a cube, the picture is the same.
+"""
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from picture_drawing import BUILD, BUILT, HAS_SOLUTION, sets, steps
+from window_session import Session, XServer
+
+SCENES = Path(__file__).resolve().parent / "compositions"
+PROGRAMS = ("everything", "everything_deferred")
+# The set draws its surroundings only where it is the first drawing.
+NO_SURROUNDINGS = ("bloom.method=none", "around.intensity=0")
+
+
+@unittest.skipUnless(BUILT and HAS_SOLUTION, "needs the programs and the reference solutions")
+class Compositions(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="lightwalk_compositions_")
+        self.addCleanup(self.folder.cleanup)
+        self.count = 0
+
+    def draw(self, program: str, scene: str, *options) -> Path:
+        self.count += 1
+        picture = Path(self.folder.name, f"{self.count}.png")
+        done = subprocess.run([BUILD / "tests" / program, "--scene", SCENES / f"{scene}.json", "--size", "127x71",
+                               "--validate", "on", "--screenshot", picture, *options], capture_output=True, text=True,
+                              timeout=300)
+        said = re.sub(r"drawing: .*", "", done.stdout + done.stderr).strip()
+        self.assertEqual((done.returncode, said), (0, ""), f"{program} {scene} {options}")
+        return picture
+
+    def test_the_order_of_opaque_drawings_does_not_matter(self):
+        for program in PROGRAMS:
+            with self.subTest(program=program):
+                behind, before = (self.draw(program, "everything", *sets(f"order={order}")) for order in ("behind", "before"))
+                self.assertEqual(steps(behind, before), 0)
+
+    def test_a_set_and_objects_hide_each_other_in_any_order(self):
+        for program in PROGRAMS:
+            with self.subTest(program=program):
+                behind, before = (self.draw(program, "julia", *sets(f"order={order}", *NO_SURROUNDINGS))
+                                  for order in ("behind", "before"))
+                alone = self.draw(program, "julia", *sets("julia.iterations=1", *NO_SURROUNDINGS))
+                self.assertLessEqual(steps(behind, before), 1)
+                self.assertGreater(steps(behind, alone), 50)
+
+    def test_drawn_twice_in_a_frame_it_is_the_same(self):
+        for program in PROGRAMS:
+            for frames in ("1", "2"):
+                with self.subTest(program=program, frames=frames):
+                    once, twice = (self.draw(program, "everything", "--frames", frames, *sets(f"show={show}"))
+                                   for show in ("picture", "again"))
+                    self.assertEqual(steps(once, twice), 0)
+
+    def test_a_screen_shows_it_again(self):
+        """A camera that sees what the picture's camera sees: nothing else of the picture changes with the screen's size."""
+        small, large = (self.draw("everything", "everything", *sets("bloom.method=none", f"screens.width={width}"))
+                        for width in (64, 480))
+        self.assertGreater(steps(small, large), 5)
+
+    def test_it_lights_itself_from_six_sides(self):
+        off = self.draw("everything", "everything")
+        for when in ("always", "moved"):
+            lit = self.draw("everything", "everything", *sets(f"probe.update={when}", "probe.center=0,60,-9"))
+            self.assertGreater(steps(lit, off), 20)
+
+    def test_in_a_window(self):
+        server = XServer()
+        self.addCleanup(server.close)
+        for program in PROGRAMS:
+            with self.subTest(program=program):
+                session = Session(server, BUILD / "tests" / program,
+                                  ["--validate", "on", "--scene", str(SCENES / "everything.json"), "--size", "640x360"],
+                                  Path(self.folder.name))
+                session.key("Escape")
+                self.assertEqual((session.end(), session.errors), (0, []))
+
+
+if __name__ == "__main__":
+    unittest.main()
