@@ -60,9 +60,19 @@ void watch_x_server() {
     dlclose(xlib);
 }
 
+// From GLFW 3.4 on a program chooses between X11 and Wayland when it starts, and Wayland's library complains on the
+// terminal where no session of it can be.
+void choose_platform() {
+#ifdef GLFW_PLATFORM
+    const bool may_be_wayland = std::getenv("WAYLAND_DISPLAY") || std::getenv("XDG_RUNTIME_DIR");
+    glfwInitHint(GLFW_PLATFORM, may_be_wayland ? GLFW_ANY_PLATFORM : GLFW_PLATFORM_X11);
+#endif
+}
+
 }  // namespace
 
 Display::Display(const std::string& title, glm::ivec2 wanted, const std::string& without) {
+    choose_platform();
     if (!glfwInit()) {
         const char* why = nullptr;
         glfwGetError(&why);
