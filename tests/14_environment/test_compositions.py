@@ -3,12 +3,14 @@ validation. Whatever is drawn first, twice, on a screen within the picture or in
 """
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from picture_drawing import BUILD, BUILT, HAS_SOLUTION, sets, steps
-from window_session import Session, XServer
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
+from picture_drawing import BUILD, BUILT, HAS_SOLUTION, sets, steps  # noqa: E402
+from window_session import Session, XServer  # noqa: E402
 
 SCENES = Path(__file__).resolve().parent / "compositions"
 PROGRAMS = ("everything", "everything_deferred")
