@@ -17,11 +17,16 @@ void LitScene::record_light(Frame& frame, const View& view, const ImageView& dep
 // Casters with holes cut by textures are drawn with their maps; all others are solid.
 void LitScene::record_shadows(Frame& frame, const View& view) {
     const auto has_holes = [&](const DrawItem& item) { return maps.has_holes(item); };
-    shadow.record(frame, *scene_, lights, view, {.with = {maps}, .draw = [&](Raster& pass, const DrawList& casters) {
-                                                     pass.use(shadow.solid).draw(casters.where(std::not_fn(has_holes)));
-                                                     maps.draw(pass, *scene_, casters.where(has_holes), caster_,
-                                                               caster_);
-                                                 }});
+    const auto draw = [&](Raster& pass, const DrawList& casters) {
+        pass.use(shadow.solid).draw(casters.where(std::not_fn(has_holes)));
+        maps.draw(pass, *scene_, casters.where(has_holes), caster_, caster_);
+    };
+    const auto by = [&](const SurfacePipelines& both) {
+        return [&](Raster& pass, const DrawList& casters) {
+            maps.draw(pass, *scene_, casters, both.loaded, both.displaced);
+        };
+    };
+    shadow.record(frame, *scene_, lights, view, {{maps}, draw, by(first_), by(passed_)});
 }
 // [/casters]
 

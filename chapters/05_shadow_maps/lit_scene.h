@@ -26,6 +26,14 @@ struct LitScene : SurfaceScene {
                                  .fragment = "04_surface_maps/depth.frag",
                                  .cull = VK_CULL_MODE_NONE,
                                  .depth_clamp = true});
+    SurfacePipelines first_{{.fragment = "05_shadow_maps/passed.frag",
+                             .depth_clamp = true,
+                             .macros = {{"TRANSPARENT", "1"}, {"FIRST", "1"}}}};
+    SurfacePipelines passed_{{.fragment = "05_shadow_maps/passed.frag",
+                              .depth_write = false,
+                              .depth_clamp = true,
+                              .blend = {Blend::multiply, Blend::minimum},
+                              .macros = {{"TRANSPARENT", "1"}}}};
 };
 
 }  // namespace lightwalk

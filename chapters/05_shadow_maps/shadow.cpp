@@ -14,6 +14,7 @@ Shadow::Shadow(Module& owner, std::string name) : Module(owner, std::move(name),
 std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const Lights& lights, const Camera& camera) {
     const LightViewOptions options{resolution, near_m, cascades, split, distance_m, snap};
     std::vector<Wanted> wanted;
+    const auto has_shadow = [this](const DrawItem&) { return has_passed(); };
     shadow_lights_.clear();
     for (const Light& light : lights.buffer().lights()) {
         ShadowLight& shadow = shadow_lights_.emplace_back();
@@ -21,11 +22,15 @@ std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const Lights&
         if (!light.shadow || method.is("none") || scene.bounds.empty()) continue;
         bool any = false;
         for (const LightView& view : light_views(light, lights.reach_m(light), scene.bounds, camera, options)) {
-            DrawList casters = scene.opaque().inside(view.casters);
-            Drawn key{view.view.view_projection, {}};
-            for (const uint32_t i : casters.items()) key.casters.emplace_back(i, scene.items[i].transform);
-            any |= casters.size() > 0;
-            wanted.push_back({view, std::move(casters), std::move(key)});
+            const auto inside = [&](const DrawList& list) { return list.inside(view.casters); };
+            Wanted one{view,
+                       inside(scene.opaque()),
+                       inside(scene.transparent()).where(has_shadow),
+                       {view.view.view_projection, {}}};
+            for (const DrawList* const list : {&one.casters, &one.passed})
+                for (const uint32_t i : list->items()) one.key.casters.emplace_back(i, scene.items[i].transform);
+            any |= one.is_needed();
+            wanted.push_back(std::move(one));
         }
         if (!any) wanted.erase(wanted.begin() + shadow.first_view, wanted.end());
         shadow.views = static_cast<uint32_t>(wanted.size()) - shadow.first_view;
@@ -35,7 +40,7 @@ std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const Lights&
     }
     uint32_t layer = 0;
     for (Wanted& w : wanted)
-        if (w.casters.size() > 0) w.view.data.layer = layer++;
+        if (w.is_needed()) w.view.data.layer = layer++;
     return wanted;
 }
 // [/find_views]
@@ -54,6 +59,16 @@ void Shadow::reserve(Frame& frame, uint32_t layers) {
         now_->drawn.assign(wanted.layers, {});
         frame.raster("clear_shadows", {.depth = clear(now_->map.as_array(), 0.0f), .layers = wanted.layers},
                      [](Raster&) {});
+    }
+    if (has_passed()) {
+        constexpr VkFormat color = VK_FORMAT_R8G8B8A8_UNORM;
+        const auto fit = [&](Image& image, const char* name, VkFormat of) {
+            Image::Desc desc = wanted;
+            desc.name = path() + name, desc.format = of;
+            image.fit(frame.gpu.device, desc);
+        };
+        fit(now_->first, ".first", color), fit(now_->first_depth, ".first_depth", VK_FORMAT_D32_SFLOAT);
+        fit(now_->passed, ".passed", color), fit(now_->last_depth, ".last_depth", VK_FORMAT_R32_SFLOAT);
     }
     if (!has_moments()) return;
     if (now_->moments.reserve(frame.gpu, now_->map,
@@ -74,13 +89,32 @@ void Shadow::draw_view(Frame& frame, const Wanted& wanted, const Casters& caster
 }
 // [/draw_view]
 
+// [draw_passed]
+// What transparent casters let through: the first, and the product of all. A point between the first and the last takes
+// the first for all that are before it, which is right for two.
+void Shadow::draw_passed(Frame& frame, const Wanted& wanted, const Casters& casters) {
+    const ViewScope scope(frame, wanted.view.view);
+    const uint32_t layer = wanted.view.data.layer;
+    const auto draw = [&](const char* name, std::vector<Attachment> color, Attachment depth, const Casters::Draw& by) {
+        frame.raster(name, {.color = std::move(color), .depth = depth, .with = casters.with}, [&](Raster& pass) {
+            if (by && wanted.passed.size() > 0) by(pass, wanted.passed);
+        });
+    };
+    draw("shadow_first", {clear(now_->first.layer(layer), glm::vec4(1.0f))},
+         clear(now_->first_depth.layer(layer), 0.0f), casters.draw_first);
+    draw("shadow_passed",
+         {clear(now_->passed.layer(layer), glm::vec4(1.0f)), clear(now_->last_depth.layer(layer), glm::vec4(1.0f))},
+         read_only(now_->map.layer(layer)), casters.draw_passed);
+}
+// [/draw_passed]
+
 void Shadow::forget() {
     for (auto& [id, maps] : by_view_) maps.drawn.assign(maps.drawn.size(), {});
 }
 
-// What moments depend on beside the depths.
-std::string Shadow::moments_key() const {
-    std::string key;
+// What maps depend on beside the casters.
+std::string Shadow::map_key() const {
+    std::string key = transparent.text();
     if (!has_moments()) return key;
     for (const KnobBase* knob :
          std::initializer_list<const KnobBase*>{&method, &format, &blur, &blur_by, &exponent, &exponent_negative})
@@ -102,12 +136,13 @@ void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, cons
     reserve(frame, static_cast<uint32_t>(views));
     frame.upload("shadow_lights", now_->lights, shadow_lights_);
     frame.upload("shadow_views", now_->views, data);
-    if (std::exchange(now_->blurred, moments_key()) != moments_key()) now_->drawn.assign(now_->drawn.size(), {});
+    if (std::exchange(now_->made, map_key()) != map_key()) now_->drawn.assign(now_->drawn.size(), {});
     for (uint32_t i = 0; i < wanted.size(); ++i) {
         const Wanted& w = wanted[i];
         const uint32_t layer = w.view.data.layer;
         if (layer == NO_LAYER || (keep && now_->drawn[layer] == w.key)) continue;
         draw_view(frame, w, casters);
+        if (has_passed()) draw_passed(frame, w, casters);
         if (has_moments())
             now_->moments.record(frame, now_->map.layer(layer), now_->views, i,
                                  blur_of(blur, exponent, exponent_negative), macros());
@@ -120,6 +155,7 @@ void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, cons
 std::vector<Resource> Shadow::reads() const {
     std::vector<Resource> reads{now_->map, now_->lights, now_->views};
     if (has_moments()) reads.push_back(now_->moments.moments);
+    if (has_passed()) reads.insert(reads.end(), {now_->first, now_->first_depth, now_->passed, now_->last_depth});
     return reads;
 }
 
@@ -129,6 +165,12 @@ void Shadow::bind(Pass& pass) const {
     pass.offer("shadow_views", now_->views);
     pass.offer("shadow_eye", now_->eye);
     pass.offer("shadow_map", now_->map.as_array(), of_depth);
+    if (has_passed()) {
+        pass.offer("shadow_first", now_->first.as_array(), linear_clamp);
+        pass.offer("shadow_first_depth", now_->first_depth.as_array(), nearest_clamp);
+        pass.offer("shadow_passed", now_->passed.as_array(), linear_clamp);
+        pass.offer("shadow_last_depth", now_->last_depth.as_array(), nearest_clamp);
+    }
     // A method without moments names them all the same, and reads none.
     pass.offer("shadow_moments", has_moments() ? now_->moments.moments.as_array() : now_->map.as_array(), linear_clamp);
 }

@@ -42,6 +42,11 @@ struct Shadow : Module {
     Knob<float> near_m{*this, "near_m", 0.05f, {1e-3f, 10.0f}, "Near plane of point and spot light maps, in metres",
                        "m"};
 
+    Choice transparent{*this,
+                       "transparent",
+                       {"none", "colored"},
+                       "none",
+                       "Shadow of transparent surfaces: none, or coloured by the light that they let through"};
     Knob<bool> keep{*this, "keep", true, "Caching: a map is redrawn only if its light or a caster in it has moved"};
 
     // Bias: each alone, or together.
@@ -105,8 +110,11 @@ struct Shadow : Module {
     /// How casters are drawn into a map, for chapters that cut holes into surfaces: a pass with these modules, which
     /// has the light's `view`. Otherwise all of them are solid.
     struct Casters {
+        using Draw = std::function<void(Raster& pass, const DrawList& casters)>;
         std::vector<With> with;
-        std::function<void(Raster& pass, const DrawList& casters)> draw;
+        Draw draw;
+        /// Of transparent casters by 05_shadow_maps/passed.frag: the first that the light meets, or the product of all.
+        Draw draw_first, draw_passed;
     };
     Pipeline solid =
         graphics({.vertex = "03_attenuation/surface.vert", .cull = VK_CULL_MODE_NONE, .depth_clamp = true});
@@ -135,22 +143,27 @@ struct Shadow : Module {
     };
     struct Wanted {
         LightView view;
-        DrawList casters;
+        DrawList casters, passed;  ///< opaque, and transparent ones where these have shadows
         Drawn key;
+        bool is_needed() const { return casters.size() + passed.size() > 0; }
     };
     std::vector<Wanted> find_views(const Scene& scene, const Lights& lights, const Camera& camera);
     void draw_view(Frame& frame, const Wanted& wanted, const Casters& casters);
+    void draw_passed(Frame& frame, const Wanted& wanted, const Casters& casters);
     void reserve(Frame& frame, uint32_t layers);
 
+    bool has_passed() const { return transparent.is("colored") && !method.is("none"); }
     bool has_moments() const { return method.is("vsm") || method.is("evsm") || method.is("msm"); }
-    std::string moments_key() const;
+    std::string map_key() const;
 
     /// Cascades follow the eye. So that two views of one frame do not draw each other's maps again and again, each
     /// View::id has maps of its own where a light has cascades; else all views share those of id 0.
     struct ViewMaps {
         Image map;
+        /// What the first transparent caster lets through, and all of them; where the first and the last are.
+        Image first, first_depth, passed, last_depth;
         MomentMaps moments;
-        std::string blurred;       ///< how
+        std::string made;          ///< how
         std::vector<Drawn> drawn;  ///< by layer
         Buffer lights, views;
         ShadowEye eye{};

@@ -46,9 +46,10 @@ layout(scalar) readonly buffer GroupBuffer { uint lights_groups[]; };
 #endif
 layout(scalar) uniform LightsBlock { float fade_k; } lights;
 
-// What of a light's way to a point is free, 0 to 1. Whoever lights says how: by 03_attenuation/unshadowed.glsl, which
-// takes all for free, or by a file that knows what stands in between. `facing` is the normal of the mesh.
-float light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light);
+// What arrives of a light past all that is in its way, 0 to 1 by colour. Whoever lights says how: by
+// 03_attenuation/unshadowed.glsl, which takes the way for free, or by a file that knows what stands in it. `facing` is
+// the normal of the mesh.
+vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light);
 
 // How a surface reflects it: 02_lambert_phong/reflection.glsl for all who call light_surface().
 Reflected reflect_light(Surface surface, vec3 to_light);
@@ -108,12 +109,13 @@ Lit light_surface(Surface surface, vec3 facing, vec3 position, uint item, vec4 f
 struct VisibleLight {
     vec3 to_light;  // unit length
     vec3 radiance;  // what a matt white surface that faces the light shows where nothing is in the way
-    float visible;  // 0 to 1; 1 where the surface faces away
+    vec3 visible;   // 0 to 1; 1 where the surface faces away
 };
 
 VisibleLight visible_light(uint index, vec3 position, vec3 facing) {
     Arriving arriving = arriving_light(lights_data[index], position, lights.fade_k);
     bool faces = dot(facing, arriving.to_light) > 0.0;
-    float visible = faces && arriving.radiance != vec3(0.0) ? light_visibility(index, position, facing, arriving.to_light) : 1.0;
+    vec3 visible =
+        faces && arriving.radiance != vec3(0.0) ? light_visibility(index, position, facing, arriving.to_light) : vec3(1.0);
     return VisibleLight(arriving.to_light, arriving.radiance, visible);
 }

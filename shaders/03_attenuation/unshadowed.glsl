@@ -1,5 +1,5 @@
 // Light that nothing stands in the way of.
 
 // [light_visibility]
-float light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) { return 1.0; }
+vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) { return vec3(1.0); }
 // [/light_visibility]

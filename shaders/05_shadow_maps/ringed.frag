@@ -7,8 +7,8 @@
 layout(location = 0) out vec4 color;
 
 // [light_visibility]
-float light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
-    return planet_visibility(position, to_light);
+vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
+    return vec3(planet_visibility(position, to_light));
 }
 // [/light_visibility]
 

@@ -19,6 +19,12 @@ layout(scalar) uniform ShadowBlock {
 } shadow;
 uniform sampler2DArray shadow_moments;  // where the method has any
 uniform sampler2DArray shadow_map;
+#if SHADOW_TRANSPARENT == SHADOW_TRANSPARENT_COLORED
+uniform sampler2DArray shadow_first;
+uniform sampler2DArray shadow_first_depth;
+uniform sampler2DArray shadow_passed;
+uniform sampler2DArray shadow_last_depth;
+#endif
 
 int map_texels() { return textureSize(shadow_map, 0).x; }
 float read_depth(vec2 uv, uint layer) { return textureLod(shadow_map, vec3(uv, layer), 0.0).r; }
@@ -323,15 +329,40 @@ float visibility_in_map(ShadowLight light, vec3 position, vec3 facing, vec3 to_l
 }
 // [/visibility_in_map]
 
+#if SHADOW_TRANSPARENT == SHADOW_TRANSPARENT_COLORED
+// What transparent casters let through of a light: behind the last the product of all, between first and last the first's.
+// [passed_in_map]
+vec3 passed_in_map(ShadowLight light, vec3 position, vec3 facing) {
+    if (light.views == 0u) return vec3(1.0);
+    ShadowView view = shadow_views[view_of(light, position)];
+    if (view.layer == NO_LAYER) return vec3(1.0);
+    // A transparent surface is not in its own shadow: four texels meet in the place that is asked for.
+    vec3 before = position + 2.0 * texel_at(view, position) * facing;
+    vec3 place = light_clip_position(view.to_clip, before);
+    if (any(greaterThan(abs(place.xy - 0.5), vec2(0.5))) || place.z <= 0.0) return vec3(1.0);
+    vec3 texel = vec3(place.xy, view.layer);
+    vec4 last = textureGather(shadow_last_depth, texel, 0);
+    if (place.z < min(min(last.x, last.y), min(last.z, last.w))) return textureLod(shadow_passed, texel, 0.0).rgb;
+    vec4 first = textureGather(shadow_first_depth, texel, 0);
+    bool is_behind = place.z < max(max(first.x, first.y), max(first.z, first.w));
+    return is_behind ? textureLod(shadow_first, texel, 0.0).rgb : vec3(1.0);
+}
+// [/passed_in_map]
+#endif
+
 // [light_visibility]
 #ifndef OWN_LIGHT_VISIBILITY
-float light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
+vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
 #if SHADOW_METHOD == SHADOW_METHOD_NONE
-    return 1.0;
+    return vec3(1.0);
 #else
     // What faces away is dark by itself, and no map is asked.
-    if (dot(facing, to_light) <= 0.0) return 0.0;
-    return visibility_in_map(shadow_lights[light], position, facing, to_light);
+    if (dot(facing, to_light) <= 0.0) return vec3(0.0);
+    vec3 visible = vec3(visibility_in_map(shadow_lights[light], position, facing, to_light));
+#if SHADOW_TRANSPARENT == SHADOW_TRANSPARENT_COLORED
+    visible *= passed_in_map(shadow_lights[light], position, facing);
+#endif
+    return visible;
 #endif
 }
 #endif

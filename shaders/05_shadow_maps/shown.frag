@@ -34,10 +34,10 @@ void find_wrong(ShadowLight light, vec3 position, vec3 facing, vec3 to_light, Sh
 }
 // [/wrong]
 
-float light_visibility(uint index, vec3 position, vec3 facing, vec3 to_light) {
+vec3 light_visibility(uint index, vec3 position, vec3 facing, vec3 to_light) {
     ShadowLight light = shadow_lights[index];
-    if (light.views == 0u) return 1.0;
-    if (dot(facing, to_light) <= 0.0) return 0.0;
+    if (light.views == 0u) return vec3(1.0);
+    if (dot(facing, to_light) <= 0.0) return vec3(0.0);
     uint number = view_of(light, position);
     ShadowView map = shadow_views[number];
 #if SHOW == SHOW_WRONG
@@ -54,7 +54,7 @@ float light_visibility(uint index, vec3 position, vec3 facing, vec3 to_light) {
     float shown = map_visibility(light, position, facing, to_light);
 #endif
     visible = min(visible, shown);
-    return shown;
+    return vec3(shown);
 }
 
 void main() {

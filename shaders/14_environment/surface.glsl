@@ -22,7 +22,7 @@ vec3 paint_lights(MappedSurface m, float n_dot_v) {
         Arriving arriving = arriving_light(lights_data[i], m.position, lights.fade_k);
         float n_dot_l = dot(m.surface.normal, arriving.to_light);
         if (n_dot_l <= 0.0 || dot(m.facing, arriving.to_light) <= 0.0) continue;
-        float visible = light_visibility(i, m.position, m.facing, arriving.to_light);
+        vec3 visible = light_visibility(i, m.position, m.facing, arriving.to_light);
         sum += pi * n_dot_l * visible * arriving.radiance * paint_brdf(n_dot_l, n_dot_v);
     }
     return sum;

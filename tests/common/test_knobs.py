@@ -36,7 +36,8 @@ MAPPED = {
 
 # The scenes that knobs whose names begin so are drawn with, where a chapter's own has nothing for them.
 SCENES = {"planet.l": "scenes/earth.json", "planet.turn_deg": "scenes/earth.json", "planet.clouds": "scenes/earth.json",
-          "planet.night": "scenes/earth.json", "terrain.": "scenes/terrain_noon.json", "maps.": "mapped", "lights.": "mapped", "rays.": "mapped", "shadow.near_m": "mapped", "lamp": "mapped",
+          "planet.night": "scenes/earth.json", "terrain.": "scenes/terrain_noon.json", "maps.": "mapped", "lights.": "mapped", "rays.": "mapped", "shadow.near_m": "mapped",
+          "lamp": "mapped", "shadow.transparent": "everything",
           "sphere_shadow.": "scenes/ringed_planet.json", "screens.": "scenes/control_room.json"}
 
 

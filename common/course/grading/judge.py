@@ -189,8 +189,9 @@ class Judge:
         if why := self.compile(exercise, source):
             return {"ok": False, "first_failure": why}
         ends = [*os.pipe(), *os.pipe()]  # questions: read, write; answers: read, write
+        draws = self.has_trial(exercise)
         with self.started(["/grade/worker", ends[0], ends[3]], self.worker_mounts(source.parent),
-                          Limits((6 if self.has_trial(exercise) else 2) * GIB, JUDGE_S + 5),
+                          Limits((6 if draws else 2) * GIB, JUDGE_S + 5, device=draws),
                           {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_CALL_LIMIT_S": self.call_s},
                           pass_fds=(ends[0], ends[3]), out=False):
             return self.decide(exercise, seed, None, worker=(ends[1], ends[2]), ours=ends)
@@ -271,7 +272,7 @@ class Judge:
         environment = {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_NONCE": nonce,
                        "LIGHTWALK_CHECK_SEED": seed, "LIGHTWALK_CALL_LIMIT_S": self.call_s, "LIGHTWALK_WORKER": ",".join(map(str, worker))}
         with self.started(["/grade/judge", "--exercise", exercise], self.judge_mounts(exercise, source),
-                          Limits(6 * GIB, JUDGE_S), environment, pass_fds=worker) as running:
+                          Limits(6 * GIB, JUDGE_S, device=True), environment, pass_fds=worker) as running:
             for end in ours:  # so that each side sees the other's end
                 os.close(end)
             done = running.finish()

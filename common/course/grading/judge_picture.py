@@ -28,7 +28,7 @@ from tree import BUILD, ROOT, Failure, chapter_program, shots, write_atomically
 
 SIZE = "480x270"
 GIB = 1 << 30
-DRAWING = Limits(6 * GIB, 60)
+DRAWING = Limits(6 * GIB, 60, device=True)
 PASS_S = 20  # of one pass of a frame, on a busy machine
 COMPARING = Limits(2 * GIB, 20)
 MOST_PICTURE_BYTES = 16 << 20
@@ -130,7 +130,8 @@ class Pictures:
     def link(self, exercise: str, folder: Path, judge) -> str:
         """Makes `program` beside the student's object; why that is not possible."""
         chapter, place = self.wanted[exercise], str(judge.paths[exercise].relative_to(ROOT))
-        words = list(self.links[chapter])
+        # Newer CMakes have the linker write down what it read, beside the build's objects.
+        words = [word for word in self.links[chapter] if not word.startswith("-Wl,--dependency-file")]
         its = next(i for i, word in enumerate(words) if word.endswith(f"/{place}.o"))
         words[its] = "/grade/student.o"
         words[words.index("-o") + 1] = "/grade/program"

@@ -30,6 +30,8 @@ COVERED = ("/proc/sys", "/proc/irq", "/proc/bus", "/proc/fs", "/proc/acpi", "/pr
 NOBODY = 65534  # who runs it where root asks for it
 TMP_BYTES = 256 << 20
 OUTPUT_BYTES = 1 << 20
+FILE_BYTES = 64 << 20
+OPEN_FILES = 64
 
 # Linux system calls by machine: the audit number of the machine, then the calls. A thread may be started, a process not;
 # and nothing that gives a process other rights, or memory that its limits do not count.
@@ -53,6 +55,9 @@ class Limits:
     memory_bytes: int
     wall_s: float
     processes: bool = False  # it may start others
+    # It draws. Mesa 25 keeps a device's memory in a file without a name (memfd_create), which a process without a device
+    # may not have: what is written there and not mapped is counted by no limit but that of a file's size, OPEN_FILES times.
+    device: bool = False
 
 
 class Mounts:
@@ -117,15 +122,16 @@ def require():
         raise Failure(f"bubblewrap cannot contain anything here, and students' code runs in it alone: {said}")
 
 
-def seccomp(allow_processes: bool) -> bytes:
+def seccomp(limits: Limits) -> bytes:
     """A filter of system calls, as the kernel takes it (struct sock_filter; see seccomp(2))."""
+    allowed = (("clone", "clone3", "fork", "vfork") if limits.processes else ()) + (("memfd_create",) if limits.device else ())
     audit, calls = CALLS[platform.machine()]
     load, equal, at_least, any_bit, give = 0x20, 0x15, 0x35, 0x45, 0x06
     allow, refuse, kill = 0x7FFF0000, 0x00050000, 0x80000000
     code = [(load, 0, 0, 4), (equal, 1, 0, audit), (give, 0, 0, kill),
             (load, 0, 0, 0), (at_least, 0, 1, 0x40000000), (give, 0, 0, kill)]  # no x32
     for name, number in calls.items():
-        if name in ("clone", "clone3", "fork", "vfork") and allow_processes:
+        if name in allowed:
             continue
         if name == "clone":
             code += [(equal, 0, 4, number), (load, 0, 0, 16), (any_bit, 1, 0, CLONE_THREAD),
@@ -154,7 +160,7 @@ class Running:
     def __init__(self, command, mounts: Mounts, limits: Limits, environment=None, pass_fds=(), out=True):
         self.deadline = time.monotonic() + limits.wall_s
         with tempfile.TemporaryFile() as filter_file:
-            filter_file.write(seccomp(limits.processes))
+            filter_file.write(seccomp(limits))
             filter_file.seek(0)
             told, tells = os.pipe()
             words = wrapped(command, mounts, limits, environment or {}, filter_file.fileno(), tells)
@@ -223,8 +229,8 @@ def run(command, mounts: Mounts, limits: Limits, environment=None) -> Done:
 
 def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_fd: int, told_fd: int) -> list[str]:
     """The whole command line: limits, then the sandbox, then the command."""
-    words = ["prlimit", f"--as={limits.memory_bytes}", f"--cpu={int(limits.wall_s) + 1}", f"--fsize={64 << 20}",
-             "--core=0", "--nofile=256", "--", "bwrap", *own_world(), "--die-with-parent", "--new-session", "--as-pid-1",
+    words = ["prlimit", f"--as={limits.memory_bytes}", f"--cpu={int(limits.wall_s) + 1}", f"--fsize={FILE_BYTES}",
+             "--core=0", f"--nofile={OPEN_FILES if limits.device else 256}", "--", "bwrap", *own_world(), "--die-with-parent", "--new-session", "--as-pid-1",
              "--hostname", "grade", "--clearenv"]
     for name, value in ({"PATH": "/usr/bin:/bin", "HOME": "/tmp", "LANG": "C.UTF-8", "TMPDIR": "/tmp",
                         "LIGHTWALK_SANDBOXED": "1"} | environment).items():

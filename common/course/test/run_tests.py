@@ -34,21 +34,22 @@ CI = ["-LE", "study", "-E", r"^teeth\.[0-9]+\.|\.(knobs|need|stretch)$"]  # a CI
 
 
 def add_arguments(parser):
-    parser.add_argument("pattern", nargs="?", metavar="PATTERN", help="regular expression for the names of the tests")
+    parser.usage = "./course test [PATTERN] [--on SYSTEM] [--sanitize] [OPTIONS OF CTEST]"
     parser.add_argument("--on", metavar="SYSTEM", help="test on a bare bookworm or trixie, in a container")
     parser.add_argument("--sanitize", action="store_true", help="also run all but window tests and studies with the sanitizers")
 
 
 def run(arguments, rest) -> int:
-    if arguments.pattern:
+    # The word behind an option of ctest's is that option's: Python's releases disagree on that.
+    pattern = rest[0] if rest and not rest[0].startswith("-") else None
+    if pattern:
         try:
-            re.compile(arguments.pattern)
+            re.compile(pattern)
         except re.error as error:
-            raise UsageError(f"'{arguments.pattern}' is not a regular expression: {error}") from None
+            raise UsageError(f"'{pattern}' is not a regular expression: {error}") from None
     if arguments.on:
-        return test_on(arguments.on, [word for word in (arguments.pattern, "--sanitize" if arguments.sanitize else None)
-                                      if word] + rest)
-    selection = (["-R", arguments.pattern] if arguments.pattern else []) + rest
+        return test_on(arguments.on, rest + (["--sanitize"] if arguments.sanitize else []))
+    selection = ["-R", *rest] if pattern else rest
     results = BUILD / "results"
     if not selection:
         shutil.rmtree(results, ignore_errors=True)

@@ -1,0 +1,106 @@
+"""Shadows of transparent surfaces: what sheets let through of a light is a product, by colour, in every chapter that draws
+transparent surfaces, whatever draws the others; what stands before a sheet has none of its shadow.
+"""
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+from PIL import Image
+
+from picture_drawing import BUILT, HAS_SOLUTION, Drawer, sets, thing
+
+RED, GREEN = ([0.9, 0.2, 0.1], 0.6), ([0.1, 0.7, 0.3], 0.3)
+LIGHTS = {"sun": {"type": "directional", "direction": [1, -1, 0], "intensity": 0.7, "shadow": True},
+          "spot": {"type": "spot", "position": [-20, 20, 0], "direction": [1, -1, 0], "intensity": 400, "range_m": 100,
+                   "inner_deg": 20, "outer_deg": 30, "shadow": True}}
+
+
+def scene(light: dict, sheets: list) -> dict:
+    """A floor seen from above, and level sheets over its left half, 1 m and 2 m high, whose shadows fall 1 m and 2 m to the
+    right: at x = 0.5 of both, at 1.5 of the upper one; at -3.4 the lower sheet is seen."""
+    objects = [thing("ground", [0, 0, 0], name="floor", material={"diffuse": [0.8, 0.8, 0.8]})]
+    for height, (color, opacity) in enumerate(sheets, 1):
+        objects.append(thing("plane", [-2, height, 0], name=f"sheet {height}", scale=4, material={"diffuse": color, "opacity": opacity}))
+    return {"camera": {"position": [0, 10, 0], "target": [0, 0, 0], "up": [0, 0, -1], "fov_deg": 40, "near_m": 1,
+                       "far_m": 40},
+            "background": [0, 0, 0], "ambient": [0, 0, 0], "objects": objects, "lights": [light]}
+
+
+def passes(color: list, opacity: float) -> list[float]:
+    """05_shadow_maps/passed.frag"""
+    return [(1 - opacity) * (1 - opacity + opacity * c) for c in color]
+
+
+def linear(code: int) -> float:
+    share = code / 255
+    return share / 12.92 if share <= 0.04045 else ((share + 0.055) / 1.055) ** 2.4
+
+
+@unittest.skipUnless(BUILT and HAS_SOLUTION, "needs the programs and the reference solutions")
+class TransparentShadows(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="lightwalk_transparent_")
+        self.addCleanup(self.folder.cleanup)
+
+    def shares(self, drawer: Drawer, light: str, sheets: list, *settings: str) -> dict:
+        """The share of the light on the floor at places along x, by colour."""
+        file = Path(self.folder.name, "scene.json")
+        found = []
+        for these in (sheets, []):
+            file.write_text(json.dumps(scene(LIGHTS[light], these)))
+            picture, wrong = drawer.draw("--scene", str(file), "--size", "200x100", *sets(*settings))
+            self.assertEqual(wrong, "")
+            with Image.open(picture) as image:
+                pixels = image.convert("RGB").load()
+            # 10 m below the eye a pixel is 2 * 10 * tan(20 deg) / 100 m wide.
+            found.append({x: [linear(code) for code in pixels[100 + round(x / 0.0728), 50]] for x in (0.5, 1.5, 3.0)})
+        return {x: [a / b for a, b in zip(found[0][x], found[1][x])] for x in found[0]}
+
+    def assert_near(self, got: list, expected: list, why):
+        for a, b in zip(got, expected):
+            self.assertAlmostEqual(a, b, delta=0.012, msg=f"{why}: {got} and not {expected}")
+
+    def test_what_sheets_let_through_is_multiplied(self):
+        both = [a * b for a, b in zip(passes(*RED), passes(*GREEN))]
+        for chapter, method in (("05_shadow_maps", "pcf"), ("05_shadow_maps", "evsm"), ("06_deferred", "pcf"),
+                                ("14_environment", "pcf")):
+            tones = ("post.tone=clamp",) if chapter[:2] == "14" else ()
+            with Drawer(chapter, Path(self.folder.name)) as drawer:
+                for light in LIGHTS:
+                    why = f"{chapter} {method} {light}"
+                    shares = self.shares(drawer, light, [RED, GREEN], "shadow.transparent=colored",
+                                         f"shadow.method={method}", *tones)
+                    self.assert_near(shares[0.5], both, why)
+                    self.assert_near(shares[1.5], passes(*GREEN), why)
+                    self.assert_near(shares[3.0], [1, 1, 1], why)
+
+    def test_none_is_none(self):
+        with Drawer("05_shadow_maps", Path(self.folder.name)) as drawer:
+            for settings in (("shadow.transparent=none",), ("shadow.transparent=colored", "shadow.method=none")):
+                for share in self.shares(drawer, "sun", [RED, GREEN], *settings).values():
+                    self.assert_near(share, [1, 1, 1], settings)
+
+    def test_a_sheet_is_in_the_shadow_of_what_is_above_it_alone(self):
+        """Two sheets of which the lower is nearly opaque: where the upper one's shadow ends on it, it is as bright as alone."""
+        lower, upper = ([0.8, 0.8, 0.8], 0.95), GREEN
+        with Drawer("05_shadow_maps", Path(self.folder.name)) as drawer:
+            pictures = []
+            for sheets in ([lower], [lower, upper]):
+                file = Path(self.folder.name, "scene.json")
+                made = scene(LIGHTS["sun"], sheets)
+                if len(sheets) == 2:  # far to the left: its shadow reaches the left half of the lower sheet
+                    made["objects"][-1]["position"][0] = -5
+                file.write_text(json.dumps(made))
+                picture, wrong = drawer.draw("--scene", str(file), "--size", "200x100", *sets("shadow.transparent=colored"))
+                self.assertEqual(wrong, "")
+                pictures.append(Image.open(picture).convert("RGB").load())
+            # 9 m below the eye: x = -1 is lit on the lower sheet, x = -2.7 lies below the upper one's shadow.
+            at = {x: 100 + round(x / 0.0655) for x in (-1, -2.7)}
+            self.assertEqual(pictures[0][at[-1], 50], pictures[1][at[-1], 50])
+            before, after = (linear(picture[at[-2.7], 50][0]) for picture in pictures)
+            self.assertAlmostEqual(after / before, passes(*upper)[0], delta=0.03)
+
+
+if __name__ == "__main__":
+    unittest.main()
