@@ -1,5 +1,7 @@
 #include "common/window/overlay.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
 
@@ -81,6 +83,23 @@ void start_imgui(ImGui_ImplVulkan_InitInfo& info, VkRenderPass render_pass, [[ma
 #endif
 }
 
+[[maybe_unused]] GLFWcursorenterfun imgui_cursor_enter = nullptr;
+
+// From 1.87 on ImGui takes a mouse that comes back to be where it last saw it, outside too, until GLFW says that it has
+// moved; and GLFW says nothing where it came back to the pixel that it left.
+void watch_entering(GLFWwindow* window) {
+#if IMGUI_VERSION_NUM >= 18700
+    imgui_cursor_enter = glfwSetCursorEnterCallback(window, [](GLFWwindow* entered, int is_inside) {
+        imgui_cursor_enter(entered, is_inside);
+        double x = 0, y = 0;
+        glfwGetCursorPos(entered, &x, &y);
+        if (is_inside) ImGui::GetIO().AddMousePosEvent(static_cast<float>(x), static_cast<float>(y));
+    });
+#else
+    (void)window;
+#endif
+}
+
 }  // namespace
 
 Overlay::Overlay(Gpu& gpu, Display& display, Swapchain& swapchain) : gpu_(gpu), swapchain_(swapchain) {
@@ -105,6 +124,7 @@ Overlay::Overlay(Gpu& gpu, Display& display, Swapchain& swapchain) : gpu_(gpu), 
                      14.0f * scale);
     large = sans(20.0f * scale);
     ImGui_ImplGlfw_InitForVulkan(display.window, true);
+    watch_entering(display.window);
     ImGui_ImplVulkan_InitInfo info{};
     info.Instance = gpu.device.instance;
     info.PhysicalDevice = gpu.device.physical;
