@@ -48,9 +48,13 @@ struct Everything : ModelChapter {
     std::string default_scene() const override { return "scenes/islands.json"; }
 
     Drawings drawn() {
-        Drawings all = world.is("julia") ? Drawings{julia, objects} : Drawings{terrain, planet, objects};
-        if (order.is("before")) std::rotate(all.begin(), all.end() - 1, all.end());
-        if (!world.is("julia")) all.insert(all.end(), {atmosphere, fog});
+        Drawings all;
+        if (world.is("julia"))
+            all.push_back(julia);
+        else
+            all.push_back(terrain), all.push_back(planet);
+        all.insert(order.is("before") ? all.begin() : all.end(), objects);
+        if (world.is("terrain")) all.push_back(atmosphere), all.push_back(fog);
         return all;
     }
 
