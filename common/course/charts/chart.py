@@ -52,10 +52,12 @@ def build_figure(chart: Chart):
     columns = chart.columns
     rows = math.ceil(len(panels) / columns)
     says = textwrap.wrap(said_by(chart), 100)
+    d = chart.study.data
+    measured = textwrap.wrap(f'{d["device"]} · {d["driver"]} · {d["stage"]}{chart.study.size_text(" · ")}', 115)
     notes = textwrap.wrap("  ".join(notes_of(chart)), 130)
-    height = (3.4 if chart.y.kind == "method" else 4.3) * rows + 1.9 + 0.2 * (len(notes) + len(says))
+    height = (3.4 if chart.y.kind == "method" else 4.3) * rows + 1.9 + 0.2 * (len(notes) + len(says) + len(measured))
     figure = plt.figure(figsize=(WIDTH_IN, height))
-    top, bottom = 1 - (1.05 + 0.24 * len(says)) / height, (1.0 + 0.2 * len(notes)) / height
+    top, bottom = 1 - (0.87 + 0.24 * len(says) + 0.18 * len(measured)) / height, (1.0 + 0.2 * len(notes)) / height
     grid = figure.add_gridspec(rows, columns, left=0.14 if chart.y.kind == "method" else 0.095,
                                right=0.975, top=top, bottom=bottom, wspace=0.06, hspace=0.2)
     limits = Limits(chart)
@@ -63,21 +65,20 @@ def build_figure(chart: Chart):
         panel = Panel(figure, grid[i // columns, i % columns], chart, scenes, limits)
         panel.draw([p for p in chart.drawable if p.scene in scenes], title=chart.panel_title(scenes),
                    x_label=i + columns >= len(panels), y_label=i % columns == 0)
-    heading(figure, chart, height, says)
+    heading(figure, chart, height, says, measured)
     for i, line in enumerate(reversed(notes)):
         figure.text(0.022, (0.40 + 0.2 * i) / height, line, fontsize=9.5, color=QUIET, va="center")
     return figure
 
 
-def heading(figure, chart: Chart, height: float, says: list[str]):
+def heading(figure, chart: Chart, height: float, says: list[str], measured: list[str]):
     """What it is, what one sees, where it was measured, and how to measure it again."""
-    study, d = chart.study, chart.study.data
     figure.text(0.022, 1 - 0.33 / height, chart.title, fontsize=15, weight="bold", va="center")
     for i, line in enumerate(says):
         figure.text(0.022, 1 - (0.64 + 0.24 * i) / height, line, fontsize=11.5, va="center")
-    figure.text(0.022, 1 - (0.66 + 0.24 * len(says)) / height, f'{d["device"]} · {d["driver"]} · {d["stage"]}{study.size_text(" · ")}',
-                color=QUIET, va="center", fontsize=9.5)
-    figure.text(0.022, 0.18 / height, d["command"], fontsize=9, color=QUIET, family="DejaVu Sans Mono", va="center")
+    for i, line in enumerate(measured):
+        figure.text(0.022, 1 - (0.66 + 0.24 * len(says) + 0.18 * i) / height, line, color=QUIET, va="center", fontsize=9.5)
+    figure.text(0.022, 0.18 / height, chart.study.data["command"], fontsize=9, color=QUIET, family="DejaVu Sans Mono", va="center")
 
 
 def notes_of(chart: Chart) -> list[str]:

@@ -75,7 +75,7 @@ class Axis:
         if self.words:
             return self.words
         if self.kind == "time":
-            words = f"{self.study.time_label.replace('time', f'time {self.added}', 1)}" if self.added else self.study.time_label
+            words = f'{"CPU" if self.study.software else "GPU"} time {self.added}, ms' if self.added else self.study.time_label
             return f"{words}  ({better[self.study.higher_is_faster]} faster)"
         if self.kind == "knob":
             return self.name.replace("_", " ")
