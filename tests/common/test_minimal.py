@@ -45,6 +45,7 @@ class Minimal(unittest.TestCase):
                 self.assertEqual(len(own), 1)
                 lesson = (ROOT / "docs" / f"{chapter}.md").read_text()
                 self.assertIn(f"<!-- quote: docs/minimal/{own[0].name}#minimal -->", lesson)
+                self.assertIn("\n".join(own[0].read_text().splitlines()[1:-1]), lesson)
                 before = lesson[:lesson.index("<!-- quote: ")]
                 self.assertIn("docs/minimal", lesson[len(before):len(before) + 40], "it is not the first code of the lesson")
 
