@@ -1,7 +1,7 @@
 """What a chart says, in a sentence that stands over it: the study's own ("says"), or one that follows from its points."""
 from collections import Counter
 
-from charts.study_file import figures
+from charts.study_file import METRICS, figures
 
 
 def said_by(chart) -> str:
@@ -37,20 +37,23 @@ def counted(methods: list[str], panels: int) -> str:
 
 
 def knob_said(chart) -> str:
-    """By how much each curve grows or falls from the left end to the right one; of many curves, the most and the least."""
-    changes = {}
-    for method, curve in chart.curves(chart.drawable):
-        first, last = chart.y.value(curve[0]), chart.y.value(curve[-1])
-        if len(curve) > 1 and first > 0 and last > 0 and not chart.y.is_zero(curve[0]) and not chart.y.is_zero(curve[-1]):
-            changes[chart.curve_name(method, curve)] = last / first
+    """By how much each curve grows or falls from the left end to the right one; of many, the least and the most. Over
+    several panels these are the least and the largest change of all their curves."""
+    changes = []
+    for scenes in chart.panels:
+        for method, curve in chart.curves([p for p in chart.drawable if p.scene in scenes]):
+            ends = curve[0], curve[-1]
+            if len(curve) > 1 and not any(chart.y.is_zero(p) for p in ends):
+                name = chart.curve_name(method, curve)
+                changes.append((chart.y.value(ends[1]) / chart.y.value(ends[0]),
+                                name if len(chart.panels) == 1 else f"{name}, {chart.panel_title(scenes)}"))
     if not changes:
         return ""
-    what = "times" if chart.y.kind == "time" else "errors"
+    what = "times" if chart.y.kind == "time" else "errors" if chart.y.name in METRICS else "values"
     ends = [chart.x.value(p) for p in chart.drawable]
-    order = sorted(changes, key=changes.get)
-    shown = order if len(order) <= 2 else [order[0], order[-1]]
+    shown = [min(changes), max(changes)] if len(changes) > 1 else changes
     return (f"From {chart.x.label()} {figures(min(ends))} to {figures(max(ends))} the {what} become "
-            + ", ".join(f"{figures(changes[name])} times as large ({name})" for name in shown) + ".")
+            + ", ".join(f"{figures(change)} times as large ({name})" for change, name in shown) + ".")
 
 
 def rows_said(chart) -> str:
