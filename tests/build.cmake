@@ -82,6 +82,22 @@ foreach(chapter ${LIGHTWALK_CHAPTERS})
   endforeach()
 endforeach()
 
+# docs/minimal: each method at its smallest. The programs run in tests/common/test_minimal.py.
+file(GLOB minimal CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/minimal/*.cpp)
+foreach(source ${minimal})
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(minimal_${name} ${source})
+  target_link_libraries(minimal_${name} PRIVATE glm::glm)
+  set_target_properties(minimal_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/minimal
+                                                   OUTPUT_NAME ${name})
+endforeach()
+add_executable(test_minimal ${PROJECT_SOURCE_DIR}/tests/minimal/test_functions.cpp)
+target_link_libraries(test_minimal PRIVATE catch_main lightwalk)
+set_target_properties(test_minimal PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+lightwalk_compiled_fast(test_minimal)
+add_test(NAME unit.minimal COMMAND test_minimal WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+set_tests_properties(unit.minimal PROPERTIES LABELS unit)
+
 # tests/*/test_NAME.py. Those of windows, and what runs none of our programs, do not run again under the sanitizers.
 file(GLOB scripts CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests/*/test_*.py)
 foreach(script ${scripts})
@@ -90,7 +106,7 @@ foreach(script ${scripts})
     lightwalk_python_test(window.${name} window ${script})
     # One after the other, from the beginning: they wait more than they work, beside tests that take all there is.
     set_tests_properties(window.${name} PROPERTIES COST 900 TIMEOUT 600 RESOURCE_LOCK window)
-  elseif(name MATCHES "common.(chart|course|grade|pages|report|study)")
+  elseif(name MATCHES "common.(chart|course|grade|minimal|pages|report|study)")
     string(REPLACE "common." "text." name ${name})
     lightwalk_python_test(${name} text ${script})
     if(name MATCHES "course|grade|pages|chart")

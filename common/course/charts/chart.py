@@ -22,10 +22,12 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 from charts.chart_panel import INK, QUIET, Limits, Panel  # noqa: E402
+from charts.said import said_by  # noqa: E402
 from charts.study_charts import Chart, chart_paths, charts_of  # noqa: E402
 from charts.study_file import StudyError, figures, load, markdown_table  # noqa: E402
 from tree import warn, write_atomically  # noqa: E402
 
+WIDTH_IN = 10  # of every chart: shown at a page's 800 pixels, 11 points are 12 pixels high
 STYLE = {"font.family": "DejaVu Sans", "font.size": 11, "axes.edgecolor": "#9aa3ad", "axes.linewidth": 0.8,
          "axes.labelcolor": INK, "xtick.color": QUIET, "ytick.color": QUIET, "text.color": INK,
          "svg.hashsalt": "lightwalk", "svg.fonttype": "path", "axes.spines.top": False, "axes.spines.right": False}
@@ -49,30 +51,34 @@ def build_figure(chart: Chart):
     panels = chart.panels
     columns = chart.columns
     rows = math.ceil(len(panels) / columns)
-    height = (4.6 if chart.y.kind == "method" else 6.75) if rows == 1 else 2.0 + 4.9 * rows
-    figure = plt.figure(figsize=(14 if columns == 3 else 12, height))
-    notes = textwrap.wrap("  ".join(notes_of(chart)), 13 * int(figure.get_figwidth()))
-    top, bottom = 1 - 1.05 / height, (1.0 + 0.2 * len(notes)) / height
-    grid = figure.add_gridspec(rows, columns, left=0.125 if chart.y.kind == "method" else 0.085, right=0.975, top=top, bottom=bottom, wspace=0.06,
-                               hspace=0.2)
+    says = textwrap.wrap(said_by(chart), 100)
+    d = chart.study.data
+    measured = textwrap.wrap(f'{d["device"]} · {d["driver"]} · {d["stage"]}{chart.study.size_text(" · ")}', 115)
+    notes = textwrap.wrap("  ".join(notes_of(chart)), 130)
+    height = (3.4 if chart.y.kind == "method" else 4.3) * rows + 1.9 + 0.2 * (len(notes) + len(says) + len(measured))
+    figure = plt.figure(figsize=(WIDTH_IN, height))
+    top, bottom = 1 - (0.87 + 0.24 * len(says) + 0.18 * len(measured)) / height, (1.0 + 0.2 * len(notes)) / height
+    grid = figure.add_gridspec(rows, columns, left=0.14 if chart.y.kind == "method" else 0.095,
+                               right=0.975, top=top, bottom=bottom, wspace=0.06, hspace=0.2)
     limits = Limits(chart)
     for i, scenes in enumerate(panels):
         panel = Panel(figure, grid[i // columns, i % columns], chart, scenes, limits)
         panel.draw([p for p in chart.drawable if p.scene in scenes], title=chart.panel_title(scenes),
                    x_label=i + columns >= len(panels), y_label=i % columns == 0)
-    heading(figure, chart, height)
+    heading(figure, chart, height, says, measured)
     for i, line in enumerate(reversed(notes)):
         figure.text(0.022, (0.40 + 0.2 * i) / height, line, fontsize=9.5, color=QUIET, va="center")
     return figure
 
 
-def heading(figure, chart: Chart, height: float):
-    """What it shows, where it was measured, and how to measure it again."""
-    study, d = chart.study, chart.study.data
-    figure.text(0.022, 1 - 0.33 / height, chart.title, fontsize=17, weight="bold", va="center")
-    figure.text(0.022, 1 - 0.65 / height, f'{d["device"]} · {d["driver"]} · {d["stage"]}{study.size_text(" · ")}',
-                color=QUIET, va="center")
-    figure.text(0.022, 0.18 / height, d["command"], fontsize=9, color=QUIET, family="DejaVu Sans Mono", va="center")
+def heading(figure, chart: Chart, height: float, says: list[str], measured: list[str]):
+    """What it is, what one sees, where it was measured, and how to measure it again."""
+    figure.text(0.022, 1 - 0.33 / height, chart.title, fontsize=15, weight="bold", va="center")
+    for i, line in enumerate(says):
+        figure.text(0.022, 1 - (0.64 + 0.24 * i) / height, line, fontsize=11.5, va="center")
+    for i, line in enumerate(measured):
+        figure.text(0.022, 1 - (0.66 + 0.24 * len(says) + 0.18 * i) / height, line, color=QUIET, va="center", fontsize=9.5)
+    figure.text(0.022, 0.18 / height, chart.study.data["command"], fontsize=9, color=QUIET, family="DejaVu Sans Mono", va="center")
 
 
 def notes_of(chart: Chart) -> list[str]:
@@ -88,6 +94,11 @@ def notes_of(chart: Chart) -> list[str]:
     if len(chart.point_knobs) == 1 and chart.x.kind == "time" and chart.y.kind != "method":
         notes.append(f"Small numbers: {chart.point_knobs[0]}.")
     notes += [f"All with {name} {values[0]}, where it applies." for name, values in chart.kept.items() if len(values) == 1]
+    others = [scene for scene in chart.study.scenes if scene not in chart.scenes]
+    if {"scenes", "over"} <= set(chart.entry) and others:
+        notes.append(f"The other {len(others)} scenes are in the table.")
+    if chart.entry.get("over"):
+        notes.append(f"0: as fast as {chart.entry['over']}.")
     for why, methods in chart.missing().items():
         notes.append(f"Not drawn: {', '.join(methods)} ({why}).")
     return notes

@@ -55,10 +55,18 @@ class Labels:
             if high > low:
                 self.boxes.append(Bbox.from_extents(at[0] - radius / 2, low, at[0] + radius / 2, high))
             if i and pixels[i - 1][0] is axis:
-                before = pixels[i - 1][1]
-                steps = max(2, int(math.dist(before, at) / (3 * self.scale)))
-                self.samples += [before + (at - before) * k / steps for k in range(1, steps)]
+                self.avoid_between(pixels[i - 1][1], at)
         self.curves += 1
+
+    def avoid_front(self, points):
+        """The same points once more, in the order of the line through them."""
+        for one, two in zip(points, points[1:]):
+            if one[0] is two[0]:
+                self.avoid_between(*(axis.transData.transform((x, y)) for axis, x, y, _, _ in (one, two)))
+
+    def avoid_between(self, before, at):
+        steps = max(2, int(math.dist(before, at) / (3 * self.scale)))
+        self.samples += [before + (at - before) * k / steps for k in range(1, steps)]
 
     def avoid_line(self, axis, y):
         """A line from left to right."""

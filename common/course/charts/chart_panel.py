@@ -2,6 +2,7 @@
 import math
 
 from matplotlib.gridspec import GridSpecFromSubplotSpec
+from matplotlib.patches import Rectangle
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from charts.chart_labels import Labels
@@ -33,7 +34,7 @@ def room_beside(chart):
     if chart.x.kind != "knob":
         return 0.26, 0.22
     longest = max(len(chart.curve_name(method, curve)) for method, curve in chart.curves(chart.drawable))
-    label = (24 + 7.6 * longest) / (700 / chart.columns)
+    label = (24 + 7.6 * longest) / (600 / chart.columns)
     return 0.05, label / (1 - min(label, 0.6))
 
 
@@ -101,7 +102,7 @@ class Panel:
         self.draw_front(front)
         curves = []
         for method, curve in self.chart.curves(points):
-            colour, i = colour_of(self.chart, method), self.chart.study.methods.index(method)
+            colour, i = colour_of(self.chart, method), self.chart.study.colour_order.index(method)
             self.draw_curve(curve, colour, MARKERS[i % len(MARKERS)])
             curves.append((method, curve, colour))
         enough = self.chart.enough_of(points)
@@ -121,8 +122,10 @@ class Panel:
             axis.set_title("", y=1)  # to place titles by itself, matplotlib makes all ticks once more
             axis.grid(True, which="major", color="#e7eaee", linewidth=0.8)
             axis.set_axisbelow(True)
-            if zero_x or zero_y:
-                axis.set_facecolor("#f4f6f8")
+            if zero_x or zero_y:  # behind all of the panel, into which labels of its neighbours reach
+                axis.patch.set_visible(False)
+                axis.figure.add_artist(Rectangle((0, 0), 1, 1, transform=axis.transAxes, facecolor="#f4f6f8", zorder=-1))
+            axis.set_zorder(1 if zero_x else 0)
             prepare_direction(axis, "x", None if zero_x else self.limits.x, self.chart.x, 2.5)
             prepare_direction(axis, "y", None if zero_y else self.limits.y, self.chart.y, 2)
             if self.chart.y.kind == "method":
@@ -156,15 +159,14 @@ class Panel:
         return self.axis_of(point), *self.at(point), *ends
 
     def draw_front(self, front: list):
-        """A soft band along the points that nothing beats, and a ring around each."""
+        """A line through the points that nothing beats, and a ring around each."""
         if set((self.chart.x.kind, self.chart.y.kind)) != {"time", "error"}:
             return
         for axis in self.cells.values():
             at = [self.at(p) for p in front if self.axis_of(p) is axis]
             x, y = [x for x, _ in at], [y for _, y in at]
-            axis.plot(x, y, color=FRONT, alpha=0.35, linewidth=9, solid_capstyle="round", solid_joinstyle="round",
-                      zorder=1.5)
-            axis.scatter(x, y, s=150, facecolor="none", edgecolor=FRONT, linewidth=2.2, zorder=4)
+            axis.plot(x, y, color=FRONT, linewidth=3.5, solid_capstyle="round", solid_joinstyle="round", zorder=1.5)
+            axis.scatter(x, y, s=95, facecolor="none", edgecolor=FRONT, linewidth=1.6, zorder=4)
 
     def draw_curve(self, curve: list, colour: str, marker: str):
         for axis in self.cells.values():
@@ -225,16 +227,17 @@ class Panel:
             labels.avoid_line(self.main, self.step)
         for _, curve, _ in curves:
             labels.avoid_curve([self.anchor(p) for p in curve])
+        labels.avoid_front([self.anchor(p) for p in front])
         for method, curve, colour in curves:
             anchors = [self.anchor(p) for p in dict.fromkeys((curve[-1], curve[0], curve[len(curve) // 2]))]
             alone = curve == [enough]
-            labels.want(f"{method}: enough" if alone else method, anchors, colour, size=11.5, weight="bold", must=True)
+            labels.want(f"{method}: enough" if alone else method, anchors, colour, size=10, weight="bold", must=True)
             if enough in curve and not alone:
-                labels.want(f"enough: {method} {self.chart.label_of(enough)}", [self.anchor(enough)], INK, size=9.5,
+                labels.want(f"enough: {method} {self.chart.label_of(enough)}", [self.anchor(enough)], INK, size=9,
                             weight="bold", must=True)
         for _, curve, colour in curves:
             for p in dict.fromkeys((curve[0], curve[-1], *curve)) if len(curve) > 1 else ():
-                labels.want(self.chart.label_of(p), [self.anchor(p)], colour, size=8.5, weight="normal", must=False)
+                labels.want(self.chart.label_of(p), [self.anchor(p)], colour, size=8, weight="normal", must=False)
         labels.write()
 
     def label_ends(self, curves: list):
@@ -259,7 +262,7 @@ class Panel:
 
 
 def colour_of(chart, method: str) -> str:
-    return COLOURS[chart.study.methods.index(method) % len(COLOURS)]
+    return COLOURS[chart.study.colour_order.index(method) % len(COLOURS)]
 
 
 def prepare_direction(axis, direction: str, limits, shown, few_decades: float):

@@ -2,20 +2,22 @@
 
 docs/study_format.md has the keys of "charts". A study without them has one chart, its time against its error_metric.
 """
+import copy
 import math
 from functools import cached_property
 
 from charts.study_file import METRICS, StudyError, figures, number
 
-KEYS = ("name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale", "x_label", "panel", "enough")
+KEYS = ("name", "title", "says", "x", "y", "scenes", "methods", "knobs", "x_scale", "x_label", "panel", "enough", "over",
+        "passes")
 LOG_FROM = 10  # a knob's axis is logarithmic where its largest value is at least that many times the smallest above 0
 
 
 class Axis:
     """What one axis shows: "time", a metric (`kind` "error") or "knob NAME"."""
 
-    def __init__(self, study, text, points, scale=None, words=None):
-        self.study, self.text, self.words = study, text, words
+    def __init__(self, study, text, points, scale=None, words=None, added=""):
+        self.study, self.text, self.words, self.added = study, text, words, added
         self.kind = "time" if text == "time" else "knob" if text.startswith("knob ") else "error"
         self.name = text.removeprefix("knob ")
         if self.kind == "knob":
@@ -53,12 +55,12 @@ class Axis:
 
     def can_show(self, point):
         value = self.value(point)
-        return math.isfinite(value) and (value > 0 or not self.log or (value == 0 and self.kind != "time"))
+        return math.isfinite(value) and (value > 0 or not self.log or (value == 0 and (self.kind != "time" or bool(self.added))))
 
     def is_zero(self, point):
         """True where the value has no place on a log axis and stands in a strip of its own: 0, and an error of less than a
         tenth of what the truth is not sure of, which is no more known to differ from 0."""
-        if not self.log or self.kind == "time":
+        if not self.log or self.kind == "time" and not self.added:
             return False
         doubt = self.study.doubling_change(point.scene, self.name) or 0 if self.kind == "error" else 0
         return self.value(point) == 0 or self.kind == "error" and self.value(point) < doubt / 10
@@ -73,7 +75,8 @@ class Axis:
         if self.words:
             return self.words
         if self.kind == "time":
-            return f"{self.study.time_label}  ({better[self.study.higher_is_faster]} faster)"
+            words = f'{"CPU" if self.study.software else "GPU"} time {self.added}, ms' if self.added else self.study.time_label
+            return f"{words}  ({better[self.study.higher_is_faster]} faster)"
         if self.kind == "knob":
             return self.name.replace("_", " ")
         words = f"error: {METRICS[self.name][0]}" if self.name in METRICS else self.study.metric_label(self.name)
@@ -138,16 +141,46 @@ class Chart:
         self.points = [p for p in study.points if p.scene in self.scenes and p.method in self.methods]
         for name in self.kept:
             self.keep(name)
+        self.points = self.timed(self.points)
         if str(entry.get("y", "")).startswith("knob "):
             raise StudyError(f'"y" is "{entry["y"]}", expected "time" or a metric')
         self.enough = entry.get("enough")
-        self.x = Axis(study, entry.get("x", "time"), self.points, entry.get("x_scale"), entry.get("x_label"))
+        self.x = Axis(study, entry.get("x", "time"), self.points, entry.get("x_scale"), entry.get("x_label"), self.added)
         self.y = Rows(self.methods) if entry.get("y") == "method" else \
-            Axis(study, entry.get("y", study.metric), self.points)
+            Axis(study, entry.get("y", study.metric), self.points, added=self.added)
         if self.y.kind == "method" and self.x.kind != "time":
             raise StudyError('"y" is "method", which needs "x": "time"')
         if self.enough is not None and (not isinstance(self.enough, dict) or set(self.enough) != {"at", "text"}):
             raise StudyError(f'"enough" is {self.enough}, expected {{"at": NUMBER, "text": WORDS}}')
+
+    @property
+    def added(self):
+        """What the time axis says of a time that is not the whole frame's; empty where it is."""
+        if "over" in self.entry:
+            return f'beyond {self.entry["over"]}'
+        return f'of {", ".join(self.entry["passes"])}' if "passes" in self.entry else ""
+
+    def timed(self, points):
+        """The points with what the method adds in place of the whole frame's time: beyond that of another method in the
+        same scene ("over"), or of the passes whose names begin with one of "passes"."""
+        if not self.added:
+            return points
+        if self.study.unit != "ms" or {"over", "passes"} <= set(self.entry):
+            raise StudyError('"over" or "passes", one of them, stands for milliseconds')
+        changed = [copy.copy(p) for p in points]
+        for p in changed:
+            if "passes" in self.entry:
+                passes = p.data["time_ms"].get("per_pass", {})
+                total = sum(ms for name, ms in passes.items() if name.startswith(tuple(self.entry["passes"])))
+                p.time = (total,) * 3
+            else:
+                others = [o.time[1] for o in self.study.points if (o.scene, o.method) == (p.scene, self.entry["over"])]
+                if not others:
+                    raise StudyError(f'"over" is "{self.entry["over"]}", which was not measured in scene "{p.scene}"')
+                p.time = tuple(time - min(others) for time in p.time)
+                if p.time[0] <= 0:  # not known to take longer
+                    p.time = 0.0, 0.0, 0.0
+        return changed
 
     @property
     def kept(self):
@@ -209,9 +242,8 @@ class Chart:
 
     @property
     def columns(self):
-        """How many panels stand side by side."""
-        count = len(self.panels)
-        return count if count <= 3 else 2 if count == 4 else 3
+        """How many panels stand side by side: with three, words are too small on a page."""
+        return min(len(self.panels), 2)
 
     def panel_title(self, scenes):
         """What a panel shows: "panel" with the scene's name put in, the name alone without it."""

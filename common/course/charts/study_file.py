@@ -43,8 +43,8 @@ class Point:
 class Study:
     """A checked study. `higher_is_faster` where time is a throughput (MB/s)."""
 
-    def __init__(self, data):
-        self.data = data
+    def __init__(self, data, methods_beside=()):
+        self.data, self.methods_beside = data, methods_beside
         for key in ("chapter", "title", "subject", "device", "driver", "stage", "command", "error_metric", "points"):
             if key not in data:
                 raise StudyError(f'has no "{key}"; docs/study_format.md says what a study holds')
@@ -87,6 +87,11 @@ class Study:
     @cached_property
     def methods(self):
         return list(dict.fromkeys(p.method for p in self.points))
+
+    @cached_property
+    def colour_order(self):
+        """The methods of all studies of the chapter that lie beside this one: a method has one colour in all of them."""
+        return list(dict.fromkeys([*self.methods_beside, *self.methods]))
 
     @cached_property
     def metrics(self):
@@ -155,11 +160,23 @@ def number(value):
     return math.nan if value is None else float(value)
 
 
+def methods_beside(path):
+    """The methods of the studies of the same chapter in the same folder, in the order of the files' names; what cannot be read
+    has none."""
+    names = []
+    for file in sorted(path.parent.glob(f"{path.name.split('.')[0]}.*json")):
+        try:
+            names += [point["method"] for point in json.loads(file.read_text(encoding="utf-8"))["points"]]
+        except (OSError, ValueError, KeyError, TypeError):
+            continue
+    return list(dict.fromkeys(names))
+
+
 def load(path):
     """Reads and checks a study file. Raises StudyError with the file's name in its one line."""
     path = pathlib.Path(path)
     try:
-        return Study(json.loads(path.read_text(encoding="utf-8")))
+        return Study(json.loads(path.read_text(encoding="utf-8")), methods_beside(path))
     except OSError as error:
         raise StudyError(f"{path}: cannot be read: {error.strerror}") from None
     except (json.JSONDecodeError, UnicodeDecodeError) as error:

@@ -25,7 +25,8 @@ They open without a server and without a network, with typeset formulas, coloure
   ./course docs --open     write the pages and open them in the browser"""
 KATEX = Path("/usr/share/javascript/katex")
 LATO = Path("/usr/share/fonts/truetype/lato")
-LANGUAGES = {".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
+LANGUAGES = {".frag": "glsl", ".comp": "glsl",
+             ".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
 OWN = Path(__file__).parent / "site"
 
 

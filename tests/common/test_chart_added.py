@@ -1,0 +1,49 @@
+"""What a chart says of its points, and the time that a method adds."""
+
+import sys
+import unittest
+from pathlib import Path
+
+sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).resolve().parents[2] / "common" / "course")]
+
+from chart_fixture import point, study  # noqa: E402
+from charts.said import said_by  # noqa: E402
+from charts.study_charts import Chart  # noqa: E402
+from charts.study_file import StudyError  # noqa: E402
+
+
+def three(**entry) -> Chart:
+    """A frame of 5 ms, two methods that add 1 and 2 ms to it, and one that is as fast."""
+    points = [point("s", "none", 0.4, 5.0), point("s", "a", 0.02, 6.0), point("s", "b", 0.01, 7.0),
+              point("s", "same", 0.3, 5.0)]
+    for one, passes in zip(points, ({"shade": 5.0}, {"shade": 5.0, "blur x": 0.5, "blur y": 0.25}, {"blur x": 2.0}, {})):
+        one["time_ms"]["per_pass"] = passes
+    return Chart(study(points=points), {"name": "main"} | entry)
+
+
+class Added(unittest.TestCase):
+    def test_the_time_beyond_a_method(self):
+        chart = three(over="none")
+        times = {p.method: p.time[1] for p in chart.drawable}
+        self.assertEqual({name: round(ms, 6) for name, ms in times.items()}, {"none": 0, "a": 1, "b": 2, "same": 0})
+        self.assertEqual([p.method for p in chart.drawable if chart.x.is_zero(p)], ["none", "same"])
+        self.assertIn("beyond none", chart.x.label())
+        self.assertEqual(chart.study.points[1].time[1], 6)  # the study keeps the frame's
+
+    def test_the_time_of_passes(self):
+        times = {p.method: p.time[1] for p in three(passes=["blur"]).points}
+        self.assertEqual(times, {"none": 0, "a": 0.75, "b": 2, "same": 0})
+
+    def test_what_cannot_be_subtracted_is_refused(self):
+        for entry in ({"over": "unknown"}, {"over": "none", "passes": ["blur"]}):
+            with self.subTest(entry), self.assertRaises(StudyError):
+                three(**entry)
+
+    def test_a_chart_says_what_one_sees(self):
+        self.assertEqual(said_by(three(says="Look.")), "Look.")
+        self.assertIn("Least error: b.", said_by(three()))
+        self.assertIn("Enough in the least time: a.", said_by(three()))
+
+
+if __name__ == "__main__":
+    unittest.main()

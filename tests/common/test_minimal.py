@@ -1,0 +1,121 @@
+"""The smallest version of each chapter's method (docs/minimal): at most 60 lines that compile, run and are right, and that
+the lesson shows whole. What the shaders' functions give is in tests/minimal."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "common" / "course"))
+
+from tree import chapters  # noqa: E402
+
+BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
+FOLDER = ROOT / "docs" / "minimal"
+MOST_LINES = 60
+WITHOUT = {"15", "17"}  # chapters whose lessons have none
+CUBE = "".join(f"v {x} {y} {z}\n" for x in (0, 2) for y in (0, 2) for z in (0, 2)) + \
+    "vn -1 0 0\nvn 1 0 0\nvn 0 -1 0\nvn 0 1 0\nvn 0 0 -1\nvn 0 0 1\n" + \
+    "f 1//1 2//1 4//1 3//1\nf 5//2 7//2 8//2 6//2\nf 1//3 5//3 6//3 2//3\nf -6//4 -5//4 -1//4 -2//4\n" + \
+    "f 1//5 3//5 7//5 5//5\nf 2//6 6//6 8//6 4//6\n"
+
+
+def sources() -> list[Path]:
+    return sorted(path for path in FOLDER.iterdir() if path.suffix in (".cpp", ".frag", ".comp"))
+
+
+def said(name: str, given: str = "") -> dict[str, float]:
+    """What a program prints: each word with the number behind it, later ones over earlier ones."""
+    done = subprocess.run([BUILD / "minimal" / name], input=given, stdout=subprocess.PIPE, text=True, check=True, timeout=60)
+    words = done.stdout.split()
+    return {words[i]: float(words[i + 1]) for i in range(0, len(words), 2)}
+
+
+class Minimal(unittest.TestCase):
+    def test_every_chapter_has_one_that_its_lesson_shows_whole(self):
+        for chapter in chapters():
+            if chapter[:2] in WITHOUT:
+                continue
+            with self.subTest(chapter):
+                own = [path for path in sources() if path.stem == chapter]
+                self.assertEqual(len(own), 1)
+                lesson = (ROOT / "docs" / f"{chapter}.md").read_text()
+                self.assertIn(f"<!-- quote: docs/minimal/{own[0].name}#minimal -->", lesson)
+                self.assertIn("\n".join(own[0].read_text().splitlines()[1:-1]), lesson)
+                before = lesson[:lesson.index("<!-- quote: ")]
+                self.assertIn("docs/minimal", lesson[len(before):len(before) + 40], "it is not the first code of the lesson")
+
+    def test_a_file_has_at_most_60_lines_and_is_shown_from_the_first_to_the_last(self):
+        for path in sources():
+            with self.subTest(path.name):
+                lines = path.read_text().splitlines()
+                self.assertLessEqual(len(lines), MOST_LINES)
+                self.assertEqual((lines[0], lines[-1]), ("// [minimal]", "// [/minimal]"))
+                self.assertLessEqual(max(map(len, lines)), 120)
+
+    @unittest.skipUnless(shutil.which("glslangValidator") and shutil.which("spirv-val"), "no compiler of GLSL here")
+    def test_the_shaders_compile_to_valid_spirv(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for path in sources():
+                if path.suffix == ".cpp":
+                    continue
+                with self.subTest(path.name):
+                    made = Path(folder, "made.spv")
+                    for command in (["glslangValidator", "-V", "--target-env", "vulkan1.3", path, "-o", made],
+                                    ["spirv-val", "--target-env", "vulkan1.3", made]):
+                        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_01_reads_a_cube(self):
+        self.assertEqual(said("01_obj", CUBE), {"vertices": 24, "triangles": 12, "volume": 8})
+
+    def test_05_an_offset_ends_false_shadows(self):
+        done = subprocess.run([BUILD / "minimal" / "05_shadow_maps"], stdout=subprocess.PIPE, text=True, check=True)
+        without, with_offset = (float(line.split()[1]) for line in done.stdout.splitlines())
+        self.assertGreater(without, 0.2)
+        self.assertLess(with_offset, 0.01)
+
+    def test_06_deferred_is_forward_for_less(self):
+        found = said("06_deferred")
+        self.assertEqual(found["different"], 0)
+        self.assertLess(10 * found["deferred"], found["forward"])
+        self.assertGreater(found["deferred"], 50000)
+
+    def test_07_levels_end_most_of_the_error(self):
+        found = said("07_mipmaps")
+        self.assertGreater(found["without"], 0.15)
+        self.assertLess(found["with"], 0.07)
+
+    def test_08_a_pyramid_keeps_the_light_and_its_place(self):
+        found = said("08_bloom")
+        self.assertAlmostEqual(found["energy"], 16, 6)
+        self.assertAlmostEqual(found["middle"], 500.5, 1)
+        # Halving texels of a width h has a variance of 3/4 h², doubling them again as well; the tube has 1/4.
+        variance = sum((4 ** level - 1) / 2 for level in range(1, 6)) / 5 + 1 / 4
+        self.assertAlmostEqual(found["width"], variance ** 0.5, 2)
+
+    def test_12_the_edge_of_a_shadow_is_its_error_functions(self):
+        done = subprocess.run([BUILD / "minimal" / "12_skin"], stdout=subprocess.PIPE, text=True, check=True)
+        rows = {line.split()[0]: line.split() for line in done.stdout.splitlines()}
+        self.assertEqual(list(rows), ["red", "green", "blue"])
+        for row in rows.values():
+            self.assertLess(float(row[3]), 0.001)
+        self.assertGreater(float(rows["red"][1]), 10 * float(rows["blue"][1]))
+
+    def test_13_smoothed_edges_are_closer_to_the_truth(self):
+        found = said("13_mlaa")
+        self.assertGreater(found["stairs"], 0.2)
+        self.assertLess(found["smoothed"], 0.12)
+
+    def test_14_nine_colours_hold_the_irradiance(self):
+        found = said("14_environment")
+        self.assertGreater(found["mean"], 1)
+        self.assertLess(found["worst"], 0.08 * found["mean"])
+
+
+if __name__ == "__main__":
+    unittest.main()

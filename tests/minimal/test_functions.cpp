@@ -1,0 +1,310 @@
+// The results of docs/minimal's shaders: their functions, run on the device, against what is known about them.
+#include <cmath>
+#include <regex>
+
+#include "catch.h"
+#include "common/base/files.h"
+#include "common/check/check.h"
+
+using namespace lightwalk;
+
+namespace {
+
+constexpr double pi = 3.14159265358979;
+
+// The functions of a shader, without the stage that they run in: declarations of inputs and outputs, and main().
+std::string functions_of(const std::string& name) {
+    std::string text = read_file("docs/minimal/" + name);
+    text = text.substr(0, text.find("void main()"));
+    text = std::regex_replace(text, std::regex("#version.*\n"), "");
+    return std::regex_replace(text, std::regex("layout\\(.*\n"), "");
+}
+
+// One result for each row. `before` stands in front of the shader's functions.
+Table results_of(const std::string& shader, const std::string& signature, Table inputs, size_t outputs,
+                 const std::string& before = "", const std::string& behind = "") {
+    return run_probe(check_device(),
+                     {.include = "common/srgb.glsl",
+                      .before = before + functions_of(shader) + behind,
+                      .signature = signature,
+                      .inputs = std::move(inputs)},
+                     outputs);
+}
+
+Row joined(std::initializer_list<glm::vec3> vectors) {
+    Row row;
+    for (const glm::vec3& v : vectors) append(row, v);
+    return row;
+}
+
+}  // namespace
+
+TEST_CASE("02: the light that leaves the minimal surface is what its albedo says") {
+    // Integrated over the hemisphere of directions to the light, the eye above the surface.
+    for (const float shininess : {1.0f, 10.0f, 100.0f, 1000.0f}) {
+        constexpr int rings = 2000;
+        Table inputs;
+        for (int i = 0; i < rings; ++i) {
+            const float angle = static_cast<float>((i + 0.5) / rings * pi / 2);
+            Row row = joined({{0, 0, 1}, {std::sin(angle), 0, std::cos(angle)}, {0, 0, 1}, {0.3, 0.5, 0}, {0, 0, 0.4}});
+            row.push_back(shininess);
+            inputs.push_back(row);
+        }
+        const Table found = results_of("02_lambert_phong.frag",
+                                       "vec3 reflected(vec3 normal, vec3 to_light, vec3 to_eye, vec3 albedo, "
+                                       "vec3 specular, float shininess)",
+                                       inputs, 3);
+        double sum[3] = {};
+        for (int i = 0; i < rings; ++i)
+            for (size_t c = 0; c < 3; ++c)
+                sum[c] +=
+                    found[static_cast<size_t>(i)][c] * 2 * pi * std::sin((i + 0.5) / rings * pi / 2) * pi / 2 / rings;
+        CAPTURE(shininess);
+        CHECK(sum[0] == Approx(0.3).epsilon(1e-3));
+        CHECK(sum[1] == Approx(0.5).epsilon(1e-3));
+        CHECK(sum[2] > 0.4 * 0.999);
+        CHECK(sum[2] < 0.4 * 1.076);
+    }
+}
+
+TEST_CASE("02: no light from behind, and the same both ways") {
+    const glm::vec3 n(0, 0, 1), a = glm::normalize(glm::vec3(1, 0, 0.5)), b = glm::normalize(glm::vec3(-0.2, 0.6, 1));
+    const auto row = [&](glm::vec3 light, glm::vec3 eye) {
+        Row values = joined({n, light, eye, glm::vec3(0.2f), glm::vec3(0.3f)});
+        values.push_back(20);
+        return values;
+    };
+    const Table found = results_of(
+        "02_lambert_phong.frag",
+        "vec3 reflected(vec3 normal, vec3 to_light, vec3 to_eye, vec3 albedo, vec3 specular, float shininess)",
+        {row(a, b), row(b, a), row(-a, b)}, 3);
+    CHECK(found[0][0] / static_cast<double>(a.z) == Approx(found[1][0] / static_cast<double>(b.z)).epsilon(1e-4));
+    CHECK(found[2][0] == 0);
+}
+
+TEST_CASE("03: the minimal light falls off with the square, ends at its range and is cut by its cone") {
+    const Table falloff = results_of("03_attenuation.frag", "float distance_falloff(float distance_m, float range_m)",
+                                     {{1, 100}, {2, 100}, {50, 100}, {99.9, 100}, {100, 100}, {200, 100}, {0, 100}}, 1);
+    CHECK(falloff[0][0] == Approx(1).epsilon(1e-3));
+    CHECK(falloff[1][0] == Approx(0.25).epsilon(1e-3));
+    CHECK(falloff[2][0] == Approx(0.5625 / 2500).epsilon(1e-5));
+    CHECK(falloff[3][0] < 1e-9);
+    CHECK(falloff[4][0] == 0);
+    CHECK(falloff[5][0] == 0);
+    CHECK(falloff[6][0] == Approx(1e4));
+    // A lamp two metres over a floor, 8 W/sr downwards, with a cone from 0.8 to 0.9.
+    const std::string call =
+        "\nvec3 lit(float x) { return irradiance(Light(vec3(0, 2, 0), 1000.0, vec3(0, -1, 0), 0.9, vec3(8), 0.8), "
+        "vec3(x, 0, 0), vec3(0, 1, 0)); }\n";
+    const Table lit = results_of("03_attenuation.frag", "vec3 lit(float x)", {{0}, {0.5}, {1.6}}, 3, "", call);
+    CHECK(lit[0][0] == Approx(2).epsilon(1e-3));
+    CHECK(lit[1][0] == Approx(8 * 2 / std::pow(4.25, 1.5)).epsilon(1e-3));
+    CHECK(lit[2][0] == 0);
+}
+
+TEST_CASE("04: the minimal parallax stops where ray and height map meet") {
+    const std::string map =
+        "const int depth_map = 0;\n"
+        "vec4 textureLod(int map, vec2 at, float lod) { return vec4(0.5 + 0.4 * sin(9.0 * at.x) * cos(7.0 * at.y)); "
+        "}\n";
+    Table inputs;
+    Random random(4);
+    for (int i = 0; i < 500; ++i)
+        inputs.push_back(
+            {random.uniform(0, 1), random.uniform(0, 1), random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 64});
+    const Table found =
+        results_of("04_surface_maps.frag", "float hit_depth(vec2 start, vec2 shift, int steps)", inputs, 1, map);
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const Row& in = inputs[i];
+        const auto gap = [&](double t) {  // of the surface below the ray
+            return 0.5 + 0.4 * std::sin(9 * (in[0] + t * in[2])) * std::cos(7 * (in[1] + t * in[3])) - t;
+        };
+        CHECK(std::fabs(gap(found[i][0])) < 1e-3);
+        for (double t = 0; t < found[i][0] - 1e-3; t += 1e-3) REQUIRE(gap(t) > 0);  // the first place
+    }
+}
+
+TEST_CASE("04: the minimal tangent frame follows the texture coordinates") {
+    const std::string flat =
+        "const int depth_map = 0;\nvec4 textureLod(int map, vec2 at, float lod) { return vec4(0); }\n";
+    const std::string call =
+        "\nvec3 tangent(vec2 uv_x, vec2 uv_y) {\n"
+        "    return tangent_frame(vec3(0, 0, 1), vec3(0.02, 0, 0), vec3(0, 0.03, 0), uv_x, uv_y)[0];\n}\n";
+    // u grows with x; u falls with y; u grows with both.
+    const Table found = results_of("04_surface_maps.frag", "vec3 tangent(vec2 uv_x, vec2 uv_y)",
+                                   {{0.2, 0, 0, 0.3}, {0, 0.2, -0.3, 0}, {0.2, -0.2, 0.3, 0.3}}, 3, flat, call);
+    CHECK(found[0] == Row{1, 0, 0});
+    CHECK(found[1] == Row{0, -1, 0});
+    CHECK(found[2][0] == Approx(std::sqrt(0.5)));
+    CHECK(found[2][1] == Approx(std::sqrt(0.5)));
+}
+
+TEST_CASE("09: the minimal tones, codes, lens and noise") {
+    const Table toned = results_of("09_post_effects.frag", "vec3 tone(vec3 light, float white)",
+                                   {{4, 4, 4, 4}, {0, 0, 0, 4}, {1e-4, 1e-4, 1e-4, 4}, {2, 1, 0, 8}}, 3);
+    CHECK(toned[0][1] == Approx(1));
+    CHECK(toned[1][1] == 0);
+    CHECK(toned[2][1] == Approx(1e-4).epsilon(1e-3));
+    CHECK(toned[3][0] == Approx(2 * toned[3][1]));
+    const Table codes =
+        results_of("09_post_effects.frag", "vec3 encoded(vec3 light)", {{0.214041, 0.002, 1}, {-1, 0, 9}}, 3);
+    CHECK(codes[0][0] == Approx(0.5).epsilon(1e-4));
+    CHECK(codes[0][1] == Approx(0.02584));
+    CHECK(codes[0][2] == Approx(1));
+    CHECK(codes[1][0] == 0);
+    CHECK(codes[1][2] == Approx(1));
+    const Table grey =
+        results_of("09_post_effects.frag", "vec3 contrasted(vec3 light, float contrast)", {{0.18, 0.36, 0, 2}}, 3);
+    CHECK(grey[0][0] == Approx(0.18));
+    CHECK(grey[0][1] == Approx(0.72).epsilon(1e-4));
+    CHECK(grey[0][2] == Approx(0).margin(1e-6));
+    const Table lens = results_of("09_post_effects.frag", "float lens_falloff(float across)", {{0}, {1}}, 1);
+    CHECK(lens[0][0] == 1);
+    CHECK(lens[1][0] == Approx(0.25));
+    Table pixels;
+    for (int i = 0; i < 10000; ++i) pixels.push_back({i % 100 + 0.0, i / 100 + 0.0});
+    double mean = 0, square = 0, beside = 0;
+    const Table noise = results_of("09_post_effects.frag", "float noise(uvec2 pixel)", pixels, 1);
+    for (size_t i = 0; i < noise.size(); ++i) {
+        const double value = noise[i][0] - 0.5;
+        mean += value / 1e4, square += value * value / 1e4;
+        if (i) beside += value * (noise[i - 1][0] - 0.5) / 1e4;
+    }
+    CHECK(mean == Approx(0).margin(0.01));
+    CHECK(square == Approx(1.0 / 12).margin(0.003));
+    CHECK(beside == Approx(0).margin(0.003));
+}
+
+namespace {
+
+// The same sky in double precision with fine steps: from the sun's direction, the ray's and the eye's height in km.
+struct Sky {
+    static constexpr double radius = 6360;
+    static glm::dvec3 amounts(double height) {
+        return {std::exp(-height / 8), std::exp(-height / 1.2), std::fmax(1 - std::fabs(height - 25) / 15, 0.0)};
+    }
+    static glm::dvec3 extinction(glm::dvec3 amount) {
+        return glm::dvec3(5.802e-3, 13.558e-3, 33.1e-3) * amount.x + 4.44e-3 * amount.y +
+               glm::dvec3(0.65e-3, 1.881e-3, 0.085e-3) * amount.z;
+    }
+    /// Calls `take` in the middle of each of many short steps, until the ray leaves the air (false) or meets the ground.
+    template <class Take>
+    static bool walk(glm::dvec3 from, glm::dvec3 along, double step_km, Take take) {
+        for (double t = step_km / 2;; t += step_km) {
+            const glm::dvec3 place = from + t * along;
+            const double height = glm::length(place) - radius;
+            if (height < 0) return true;
+            if (height > 100) return false;
+            take(place, height);
+        }
+    }
+    static glm::dvec3 radiance(glm::dvec3 sun, glm::dvec3 along, double eye_km) {
+        const double c = glm::dot(sun, along), molecules = 3 / (16 * pi) * (1 + c * c);
+        const double dust = 1 / (4 * pi) * 0.36 / std::pow(1.64 - 1.6 * c, 1.5);
+        glm::dvec3 light(0), depth(0);
+        walk({0, radius + eye_km, 0}, along, 0.5, [&](glm::dvec3 place, double height) {
+            const glm::dvec3 amount = amounts(height), taken = 0.5 * extinction(amount);
+            glm::dvec3 to_sun(0);
+            const bool dark =
+                walk(place, sun, 0.5, [&](glm::dvec3, double above) { to_sun += 0.5 * extinction(amounts(above)); });
+            const glm::dvec3 scattered =
+                glm::dvec3(5.802e-3, 13.558e-3, 33.1e-3) * amount.x * molecules + 3.996e-3 * amount.y * dust;
+            if (!dark) light += 0.5 * scattered * glm::exp(-to_sun - depth - 0.5 * taken);
+            depth += taken;
+        });
+        return light;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("10: the minimal sky is that of fine steps in double precision") {
+    Table inputs;
+    for (const double sun_deg : {60.0, 20.0, 2.0})
+        for (const double ray_deg : {90.0, 30.0, 4.0, 150.0}) {
+            const double s = sun_deg * pi / 180, r = ray_deg * pi / 180;
+            Row row{0.2};
+            append(row, glm::vec3(std::cos(r), std::sin(r), 0));
+            append(row, glm::vec3(std::cos(s), std::sin(s), 0));
+            row.push_back(32);
+            inputs.push_back(row);
+        }
+    const Table found =
+        results_of("10_atmosphere.frag", "vec3 sky(float eye_height, vec3 direction, vec3 sun, int steps)", inputs, 3);
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const Row& in = inputs[i];
+        const glm::dvec3 exact = Sky::radiance({in[4], in[5], in[6]}, {in[1], in[2], in[3]}, in[0]);
+        CAPTURE(i, found[i], exact.x, exact.y, exact.z);
+        for (int c = 0; c < 3; ++c)
+            CHECK(found[i][static_cast<size_t>(c)] == Approx(exact[c]).epsilon(0.05).margin(1e-4));
+    }
+    CHECK(found[0][2] > 2 * found[0][0]);  // blue at noon
+    CHECK(found[10][0] > found[10][2]);    // red at the horizon, below the low sun
+}
+
+TEST_CASE("11: the minimal ray stops on the ground, and has not passed any before") {
+    Table inputs, heights;
+    Random random(11);
+    for (int i = 0; i < 200; ++i)
+        inputs.push_back({random.uniform(-5e3, 5e3), 901, random.uniform(-5e3, 5e3), random.uniform(-1, 1), -0.2,
+                          random.uniform(-1, 1), 20000, 6});
+    for (Row& row : inputs) {
+        const double length = std::sqrt(row[3] * row[3] + row[4] * row[4] + row[5] * row[5]);
+        for (size_t k = 3; k < 6; ++k) row[k] = static_cast<double>(static_cast<float>(row[k] / length));
+    }
+    const Table found =
+        results_of("11_fractals.frag", "float march(vec3 origin, vec3 direction, float far, int octaves)", inputs, 1);
+    constexpr int parts = 500;
+    for (size_t i = 0; i < inputs.size(); ++i)
+        for (int k = 1; k <= parts; ++k) {
+            const double t = found[i][0] * k / parts;
+            heights.push_back({inputs[i][0] + t * inputs[i][3], inputs[i][2] + t * inputs[i][5], 6});
+        }
+    const Table ground = results_of("11_fractals.frag", "float ground(vec2 at, int octaves)", heights, 1);
+    int passed = 0;
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        REQUIRE(found[i][0] < 20000);  // a ray that goes down ends
+        for (int k = 1; k <= parts; ++k) {
+            const double t = found[i][0] * k / parts,
+                         above = inputs[i][1] + t * inputs[i][4] - ground[i * parts + static_cast<size_t>(k) - 1][0];
+            if (k == parts)
+                CHECK(std::fabs(above) < 0.002 * t);
+            else if (above < -0.002 * t)
+                ++passed;
+        }
+    }
+    CHECK(passed == 0);
+}
+
+TEST_CASE("16: the minimal volume hides what Beer and Lambert say, and meets its box") {
+    const std::string even =
+        "const int densities = 0;\nvec4 textureLod(int map, vec3 at, float lod) { return vec4(0.5); }\n";
+    const std::string ramp =
+        "const int densities = 0;\nvec4 textureLod(int map, vec3 at, float lod) { return vec4(at.x); }\n";
+    const std::string signature = "vec4 march(vec3 origin, vec3 direction, int samples)";
+    const double slant = std::sqrt(0.5);
+    const Table found = results_of("16_volume.frag", signature,
+                                   {{-3, 0, 0, 1, 0, 0, 7},
+                                    {0, 0, 0, 0, 1, 0, 7},
+                                    {-3, 2, 0, 1, 0, 0, 7},
+                                    {3, 0, 0, 1, 0, 0, 7},
+                                    {-2, -2, 0.5, slant, slant, 0, 7}},
+                                   4, even);
+    const double extinction = 6 * 0.25;
+    CHECK(found[0][3] == Approx(1 - std::exp(-2 * extinction)).epsilon(1e-5));
+    CHECK(found[0][0] == Approx(0.8 * found[0][3]).epsilon(1e-5));
+    CHECK(found[1][3] == Approx(1 - std::exp(-extinction)).epsilon(1e-5));
+    CHECK(found[2][3] == 0);
+    CHECK(found[3][3] == 0);
+    CHECK(found[4][3] == Approx(1 - std::exp(-std::sqrt(8.0) * extinction)).epsilon(1e-5));
+    // A density that grows along the ray, against fine steps in double precision.
+    const Table grows = results_of("16_volume.frag", signature, {{-3, 0, 0, 1, 0, 0, 64}}, 4, ramp);
+    double depth = 0, green = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const double density = (i + 0.5) / 1e5, part = 6 * density * density * 2e-5;
+        green += (0.1 + 0.7 * density) * std::exp(-depth) * part;
+        depth += part;
+    }
+    CHECK(grows[0][1] == Approx(green).epsilon(2e-3));
+    CHECK(grows[0][3] == Approx(1 - std::exp(-depth)).epsilon(1e-3));
+}
