@@ -1,29 +1,32 @@
 // Irradiance over pi, for each normal the sum over all texels of a small level of the cube: what a white matt surface
-// shows.
+// shows. There are fewer normals than a GPU has lanes, so a workgroup shares the sum of one.
 #include "11_fractals/environment_map.glsl"
 #include "14_environment/cube_texel.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+const uint LANES = 64u;
+layout(local_size_x = 64) in;  // LANES
 
 uniform sampler2DArray radiance;
 layout(scalar) uniform SourceLevelBlock { int source_level; };
 layout(rgba16f) writeonly uniform image2DArray irradiance;
 
+shared vec4 sums[LANES];  // of light, and of weights
+
 void main() {
-    uvec3 texel = gl_GlobalInvocationID;
-    if (any(greaterThanEqual(texel.xy, uvec2(imageSize(irradiance).xy)))) return;
+    uvec3 texel = gl_WorkGroupID;
     vec3 normal = cube_direction(texel, float(imageSize(irradiance).x));
-    int size = textureSize(radiance, source_level).x;
-    vec3 sum = vec3(0.0);
-    float weights = 0.0;
-    for (uint face = 0u; face < 6u; ++face)
-        for (uint y = 0u; y < uint(size); ++y)
-            for (uint x = 0u; x < uint(size); ++x) {
-                vec3 to_light = cube_direction(uvec3(x, y, face), float(size));
-                float weight = max(dot(normal, to_light), 0.0) * texel_solid_angle(uvec2(x, y), float(size));
-                sum += weight * texelFetch(radiance, ivec3(x, y, face), source_level).rgb;
-                weights += weight;
-            }
+    uint lane = gl_LocalInvocationIndex, size = uint(textureSize(radiance, source_level).x);
+    vec4 sum = vec4(0.0);
+    for (uint i = lane; i < 6u * size * size; i += LANES) {
+        uvec3 at = uvec3(i % size, i / size % size, i / (size * size));
+        float weight = max(dot(normal, cube_direction(at, float(size))), 0.0) * texel_solid_angle(at.xy, float(size));
+        sum += weight * vec4(texelFetch(radiance, ivec3(at), source_level).rgb, 1.0);
+    }
+    sums[lane] = sum;
+    for (uint half_way = LANES / 2u; half_way > 0u; half_way /= 2u) {
+        barrier();
+        if (lane < half_way) sums[lane] += sums[lane + half_way];
+    }
     // The weights of a few texels do not add up to pi; those of all texels do.
-    imageStore(irradiance, ivec3(texel), vec4(min(sum / weights, 65504.0), 1.0));
+    if (lane == 0u) imageStore(irradiance, ivec3(texel), vec4(min(sums[0].rgb / sums[0].w, 65504.0), 1.0));
 }

@@ -1,3 +1,8 @@
+# Tests write Ogg Vorbis files of their own.
+find_library(VORBISENC vorbisenc REQUIRED)
+find_library(VORBIS vorbis REQUIRED)
+target_link_libraries(test_14_environment PRIVATE ${VORBISENC} ${VORBIS})
+
 # Throw-away chapters behind this one: the contract of drawings is tried with them (test_compositions.py).
 foreach(name everything everything_deferred)
   add_executable(${name} ${CMAKE_CURRENT_LIST_DIR}/compositions/everything.cpp)
