@@ -12,17 +12,26 @@ using namespace lightwalk;
 struct TerrainWater : ModelChapter {
     Atmosphere atmosphere{*this, "atmosphere"};
     Planet sky{*this, "sky", atmosphere};
-    Land land{*this, "land", atmosphere};
+    Ground ground{*this, "ground"};
+    Land land{*this, "land", ground, atmosphere};
     HeightFog fog{*this, "fog"};
     Bloom bloom{*this, "bloom"};
     Post post{*this, "post"};
 
     TerrainWater() {
+        land.method.alone = true;  // --method is about the ground here
         sky.map.change_default("plain");
         fog.method.change_default("none");
         bloom.method.change_default("none");
     }
     std::string default_scene() const override { return "scenes/valley.json"; }
+
+    Model load_model(const std::filesystem::path& file) override {
+        if (!is_height_map_file(file)) return ModelChapter::load_model(file);
+        Model none;  // the module ground itself reads the file
+        none.materials.emplace_back();
+        return none;
+    }
 
     // [frame]
     void frame(Frame& frame) override {
