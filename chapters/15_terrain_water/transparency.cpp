@@ -213,8 +213,8 @@ void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<SeenThro
                  {.name = path() + " peeled", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
     frame.compute("clear peeled", {.writes = {t.peeled}},
                   [&](Compute& pass) { pass.use(clear_peeled_).set("peeled", t.peeled).dispatch_threads(size); });
-    // Nothing lies before the nearest layer: depth 1 is the near plane, and what lies on it is drawn as well.
-    frame.raster("before the layers", {.depth = clear(t.layer_depth[1], 2.0f)}, [](Raster&) {});
+    // Before the first layer there is the near plane.
+    frame.raster("before the layers", {.depth = clear(t.layer_depth[1], 1.0f)}, [](Raster&) {});
     const ImageView& solid = canvas.single_depth();
     for (int i = 0; i < peels; ++i) {
         Image &nearer = t.layer_depth[(i + 1) % 2], &depth = t.layer_depth[i % 2];
