@@ -16,7 +16,8 @@ using namespace lightwalk;
 struct TerrainWater : ModelChapter {
     Atmosphere atmosphere{*this, "atmosphere"};
     Planet sky{*this, "sky", atmosphere};
-    Land land{*this, "land", atmosphere};
+    Ground ground{*this, "ground"};
+    Land land{*this, "land", ground, atmosphere};
     LitScene objects{*this, "objects"};
     ImageLight light{*this, "environment"};
     SceneProbe probe{*this, "probe"};
@@ -27,6 +28,7 @@ struct TerrainWater : ModelChapter {
     Post post{*this, "post"};
 
     TerrainWater() {
+        land.method.alone = true;  // --method is about the ground here
         sky.map.change_default("plain");
         fog.method.change_default("none");
         bloom.method.change_default("none");
@@ -38,6 +40,13 @@ struct TerrainWater : ModelChapter {
         probe.in_use = light.in_use = [this] { return !water.method.is("none"); };
     }
     std::string default_scene() const override { return "scenes/valley.json"; }
+
+    Model load_model(const std::filesystem::path& file) override {
+        if (!is_height_map_file(file)) return ModelChapter::load_model(file);
+        Model none;  // the module ground itself reads the file
+        none.materials.emplace_back();
+        return none;
+    }
 
     // [frame]
     void frame(Frame& frame) override {
