@@ -8,10 +8,10 @@ uint voronoi_hash(uvec2 cell) {
 }
 
 // [voronoi]
-// F1 and F2 in cells; the pattern repeats after `period` cells. `reach` 1: the cell and its eight neighbours. Two by two
+// F1 and F2 in cells; the pattern repeats after `period` cells. `reach` 1: the cell and its eight neighbours; 2: 25. Two by two
 // cells (`reach` 0), those around the nearest corner, miss a nearest point now and then.
 vec2 voronoi(vec2 at, int period, int reach) {
-    ivec2 first = ivec2(floor(reach == 0 ? at - 0.5 : at)) - reach, last = first + (reach == 0 ? 1 : 2);
+    ivec2 first = ivec2(floor(reach == 0 ? at - 0.5 : at)) - reach, last = first + (reach == 0 ? 1 : 2 * reach);
     vec2 nearest = vec2(1e9);
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
