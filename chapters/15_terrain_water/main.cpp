@@ -1,10 +1,14 @@
 // Chapter 15: terrain, water and transparent surfaces under a sky.
 #include "01_obj/model_chapter.h"
+#include "05_shadow_maps/lit_scene.h"
 #include "08_bloom/bloom.h"
 #include "09_post_effects/post.h"
 #include "10_atmosphere/height_fog.h"
 #include "10_atmosphere/planet.h"
+#include "14_environment/probe.h"
 #include "15_terrain_water/land.h"
+#include "15_terrain_water/transparency.h"
+#include "15_terrain_water/water.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -14,6 +18,11 @@ struct TerrainWater : ModelChapter {
     Planet sky{*this, "sky", atmosphere};
     Ground ground{*this, "ground"};
     Land land{*this, "land", ground, atmosphere};
+    LitScene objects{*this, "objects"};
+    ImageLight light{*this, "environment"};
+    SceneProbe probe{*this, "probe"};
+    Water water{*this, "water", light};
+    Transparency transparency{*this, "transparency"};
     HeightFog fog{*this, "fog"};
     Bloom bloom{*this, "bloom"};
     Post post{*this, "post"};
@@ -23,6 +32,12 @@ struct TerrainWater : ModelChapter {
         sky.map.change_default("plain");
         fog.method.change_default("none");
         bloom.method.change_default("none");
+        objects.lights.method.change_default("every_light");
+        water.method.change_default("none");
+        light.method.change_default("mirror");
+        probe.update.change_default("moved");
+        probe.distant = true;
+        probe.in_use = light.in_use = [this] { return !water.method.is("none"); };
     }
     std::string default_scene() const override { return "scenes/valley.json"; }
 
@@ -38,11 +53,20 @@ struct TerrainWater : ModelChapter {
         const View view = set_view(frame);
         scene.set_sun(atmosphere.sun());
 
-        // 1. Ground, then the planet and the stars behind it, and the air and the fog before all of it.
-        Canvas canvas(frame.hdr, frame.depth);
-        draw(frame, view, canvas, {land, sky, atmosphere, fog});
+        // 1. The sky in a cube and the mirror image, where there is water to show them.
+        if (!water.method.is("none")) {
+            light.record(frame, scene);
+            probe.record(frame, scene, light, {sky, atmosphere});
+            water.reflect(frame, view, {land, objects}, {sky, atmosphere, fog});
+        }
 
-        // 2. Chapter 08's bloom, chapter 09's tones, and the codes a screen expects.
+        // 2. Ground and what stands on it, the planet and the stars behind, the water, and the air and the fog before all of
+        //    it; then what is transparent.
+        Canvas canvas(frame.hdr, frame.depth);
+        canvas.mixed_by(&transparency);
+        draw(frame, view, canvas, {land, objects, sky, water, atmosphere, fog});
+
+        // 3. Chapter 08's bloom, chapter 09's tones, and the codes a screen expects.
         bloom.record(frame, frame.hdr);
         post.record(frame, frame.hdr);
         encode_srgb(frame);
