@@ -6,6 +6,7 @@
 #include "10_atmosphere/height_fog.h"
 #include "10_atmosphere/planet.h"
 #include "14_environment/probe.h"
+#include "15_terrain_water/city.h"
 #include "15_terrain_water/land.h"
 #include "15_terrain_water/transparency.h"
 #include "15_terrain_water/water.h"
@@ -18,6 +19,7 @@ struct TerrainWater : ModelChapter {
     Planet sky{*this, "sky", atmosphere};
     Ground ground{*this, "ground"};
     Land land{*this, "land", ground, atmosphere};
+    City city{*this, "city", ground, atmosphere};
     LitScene objects{*this, "objects"};
     ImageLight light{*this, "environment"};
     SceneProbe probe{*this, "probe"};
@@ -57,14 +59,14 @@ struct TerrainWater : ModelChapter {
         if (!water.method.is("none")) {
             light.record(frame, scene);
             probe.record(frame, scene, light, {sky, atmosphere});
-            water.reflect(frame, view, {land, objects}, {sky, atmosphere, fog});
+            water.reflect(frame, view, {land, city, objects}, {sky, atmosphere, fog});
         }
 
         // 2. Ground and what stands on it, the planet and the stars behind, the water, and the air and the fog before all of
         //    it; then what is transparent.
         Canvas canvas(frame.hdr, frame.depth);
         canvas.mixed_by(&transparency);
-        draw(frame, view, canvas, {land, objects, sky, water, atmosphere, fog});
+        draw(frame, view, canvas, {land, city, objects, sky, water, atmosphere, fog});
 
         // 3. Chapter 08's bloom, chapter 09's tones, and the codes a screen expects.
         bloom.record(frame, frame.hdr);
