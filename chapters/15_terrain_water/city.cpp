@@ -90,7 +90,7 @@ void City::update(Frame& frame) {
                         .radius_m = 1000.0f * radius_km,
                         .towers_m = towers_m,
                         .most_boxes = most_boxes,
-                        .seed = seed};
+                        .seed = plan_seed};
     if (std::memcmp(&plan, &made_of_, sizeof plan) == 0 && (buffer_ || most_boxes == 0)) return;
     made_of_ = plan;
     blocks_ = plan_city(plan, boxes_);

@@ -37,7 +37,7 @@ struct City : Drawing {
     Knob<float> z_km{*this, "z_km", 0.0f, {-1e4f, 1e4f}, "Middle of the city, southwards of the world's origin", "km"};
     Knob<float> radius_km{*this, "radius_km", 1.0f, {0.05f, 100.0f}, "Radius of the city", "km"};
     Knob<float> towers_m{*this, "towers_m", 120.0f, {5.0f, 1000.0f}, "Height of the highest houses", "m"};
-    Knob<int> seed{*this, "seed", 1, {0, 1000000}, "Seed of streets and houses"};
+    Knob<int> plan_seed{*this, "plan_seed", 1, {0, 1000000}, "Seed of streets and houses"};
     Knob<float> lit{*this, "lit", 0.4f, {0.0f, 1.0f}, "Share of the windows that are lit, when their light is on"};
     Knob<float> lamps{*this, "lamps", 0.0f, {0.0f, 100.0f}, "Luminance of lit windows; 0: day", "kcd/m²"};
     // [/city]

@@ -73,7 +73,7 @@ LandSurface land_surface(vec3 position, vec3 normal, float footprint_m) {
     vec4 weights = weights_of(position, normal, patches), heights = vec4(0.0);
     Texel texels[4];
     vec3 tilts[4], tint[4] = vec3[](land.grass_tint, land.forest_tint, land.rock_tint, vec3(1.0));
-    float tiles[4] = float[](24.0, 95.0, 42.0, 30.0), depth[4] = float[](0.5, 1.3, 1.1, 0.3);
+    float tiles[4] = float[](24.0, 74.0, 42.0, 30.0), depth[4] = float[](0.5, 1.3, 1.1, 0.3);
     for (int i = 0; i < 4; ++i) {
         tilts[i] = vec3(0.0);
         texels[i] = Texel(vec3(0.0), 0.0, vec2(0.0));
