@@ -25,6 +25,17 @@ glm::vec2 sector_of(const View& view) {
     return wide > 2.5f ? glm::vec2(0.0f, 2.0f * float(M_PI)) : glm::vec2(ahead - wide, 2.0f * wide);
 }
 
+// Two triangles between neighbouring rings and spokes.
+std::vector<uint32_t> ring_indices() {
+    std::vector<uint32_t> all;
+    for (uint32_t ring = 0; ring + 1 < RINGS; ++ring)
+        for (uint32_t spoke = 0; spoke < SPOKES; ++spoke) {
+            const uint32_t inner = ring * (SPOKES + 1) + spoke, outer = inner + SPOKES + 1;
+            all.insert(all.end(), {inner, inner + 1, outer + 1, inner, outer + 1, outer});
+        }
+    return all;
+}
+
 }  // namespace
 
 glm::dvec3 moved_by(const std::vector<WaveData>& waves, glm::dvec2 at) {
@@ -130,6 +141,7 @@ void Water::update(Frame& frame) {
                                       .kept = true});
     black_.fit(frame.gpu.device, {.name = path() + " black", .size = glm::uvec2(1), .layers = 3, .kept = true});
     if (std::exchange(has_foam_, true)) return;
+    frame.upload("water rings", rings_, ring_indices());
     frame.compute("foam", {.writes = {foam_tile_}}, [&](Compute& pass) {
         pass.use(foam_).set("tile", foam_tile_).dispatch_threads(glm::uvec2(256));
     });
@@ -180,7 +192,7 @@ void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
                  [&](Raster& pass) {
                      pass.use(surface_, variant).set("water_rays", view_rays(view));
                      pass.offer("mirror", mirror_image, linear_clamp);
-                     pass.draw(6 * SPOKES * (RINGS - 1));
+                     pass.draw_indexed(rings_, 0, 6 * SPOKES * (RINGS - 1));
                  });
 
     // 3. From below, all of it through water.

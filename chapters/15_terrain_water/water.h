@@ -83,6 +83,7 @@ struct Water : Drawing {
     const ImageLight& light_;
     const Scene* scene_ = nullptr;
     Image behind_, behind_depth_, foam_tile_, black_;
+    Buffer rings_;  ///< indices
     bool has_foam_ = false;
     uint32_t mirrored_ = ~0u;  ///< the view of which there is a mirror image
     WaterNow now_{};
