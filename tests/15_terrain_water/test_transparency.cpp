@@ -91,7 +91,7 @@ TEST_CASE_METHOD(OnTransparency, "every method on the device is what its formula
         }
     const glm::vec3 background(0.4f, 0.5f, 0.6f);
     double farthest = 0;
-    for (const Quad& quad : drawing.quads) farthest = std::max(farthest, double(glm::length(quad.middle())));
+    for (const Pane& quad : drawing.quads) farthest = std::max(farthest, double(glm::length(quad.middle())));
     transparency.sums.set("fp32");
     for (const char* method : every_transparency) {
         const std::string name = method;

@@ -17,7 +17,7 @@ using namespace lightwalk;
 
 namespace {
 
-constexpr double degrees = 180 / M_PI;
+constexpr double in_degrees = 180 / M_PI;
 
 // `count` waves of equal steepness k A, whose sum of Q k A is `steepness`; directions within 60 degrees of +x.
 std::vector<WaveData> random_waves(Random& random, int count, double steepness) {
@@ -137,7 +137,7 @@ TEST_CASE("the shortcut for the normal is exact for one wave; of four it is up t
                     }
                     const glm::dvec3 short_cut = glm::normalize(glm::dvec3(along.x, up, along.y));
                     const double off =
-                        degrees * std::acos(std::min(glm::dot(short_cut, truth::normal_of(s)), 1.0));
+                        in_degrees * std::acos(std::min(glm::dot(short_cut, truth::normal_of(s)), 1.0));
                     if (waves == 1)
                         single = std::max(single, off);
                     else
@@ -347,7 +347,7 @@ TEST_CASE_METHOD(OnWater, "level water shows a wall upside down where the wall i
 }
 
 TEST_CASE("a cube's reflection is off by the angle of the offset: 11 degrees at 10 m of 50 m") {
-    CHECK(degrees * std::atan(10.0 / 50) == Approx(11.3).margin(0.1));
+    CHECK(in_degrees * std::atan(10.0 / 50) == Approx(11.3).margin(0.1));
 }
 
 TEST_CASE_METHOD(OnWater, "waves of length 0, or shortest above longest: one clear line") {
