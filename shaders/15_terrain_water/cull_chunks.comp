@@ -3,10 +3,12 @@
 
 layout(local_size_x = 64) in;
 
+bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }
+
 void main() {
     int left = int(gl_GlobalInvocationID.x);
-    for (int level = 0; level <= land_map.top; ++level) {
-        int side = 1 << (land_map.top - level);
+    for (int level = 0; level <= top_level(); ++level) {
+        int side = 1 << (top_level() - level);
         if (left < side * side) {
             chunk_level(Chunk(left % side, left / side, level));
             return;

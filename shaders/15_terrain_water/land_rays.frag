@@ -5,6 +5,8 @@
 layout(scalar) uniform RaysBlock { ViewRays rays; };
 layout(location = 0) out float found;
 
+bool is_drawn() { return gl_FragCoord.x >= 0.0; }
+
 // [cell]
 // Where the ray comes down through one of a cell's two triangles between t.x and t.y; below 0: nowhere. `at` and `step_t`
 // are in samples along x and z, metres along y.
@@ -36,8 +38,8 @@ float meet_cell(ivec2 cell, vec3 at, vec3 step_t, vec2 t) {
 
 // [march]
 float march(vec3 eye, vec3 ray) {
-    vec3 at = vec3(land_place(eye.xz), eye.y).xzy, step_t = vec3(ray.xz / land_map.spacing_m, ray.y).xzy;
-    float side = float(land_map.samples - 1);
+    vec3 at = vec3(land_place(eye.xz), eye.y).xzy, step_t = vec3(ray.xz / opaque(land_map.spacing_m), ray.y).xzy;
+    float side = float(opaque(land_map.samples) - 1);
     vec2 t = vec2(0.0, 1e9);
     for (int axis = 0; axis < 3; axis += 2) {
         if (abs(step_t[axis]) < 1e-12) step_t[axis] = 1e-12;
@@ -45,8 +47,8 @@ float march(vec3 eye, vec3 ray) {
         t = vec2(max(t.x, min(ends.x, ends.y)), min(t.y, max(ends.x, ends.y)));
     }
     if (t.x >= t.y) return -1.0;
-    ivec2 last = ivec2(land_map.samples - 2), cell = clamp(ivec2(floor(at.xz + t.x * step_t.xz)), ivec2(0), last);
-    int top = land_map.top + 5, level = top;
+    ivec2 last = ivec2(opaque(land_map.samples) - 2), cell = clamp(ivec2(floor(at.xz + t.x * step_t.xz)), ivec2(0), last);
+    int top = opaque(land_map.top) + 5, level = top;
     ivec2 forward = ivec2(greaterThan(step_t.xz, vec2(0.0)));
     for (int i = 0; i < 2048; ++i) {
         ivec2 block = cell >> level;
@@ -76,9 +78,9 @@ float march(vec3 eye, vec3 ray) {
 // [/march]
 
 void main() {
-    vec3 ray = ray_through(rays, gl_FragCoord.xy);
-    float t = march(rays.eye, ray);
-    if (t <= 1.0 / rays.inverse_near) discard;
+    vec3 ray = opaque(ray_through(rays, gl_FragCoord.xy));
+    float t = march(opaque(rays.eye), ray);
+    if (t <= 1.0 / opaque(rays.inverse_near)) discard;
     found = t;
     gl_FragDepth = (1.0 / t - rays.inverse_far) / (rays.inverse_near - rays.inverse_far);
 }

@@ -13,15 +13,15 @@ float sun_visible(vec3 from, vec3 to_sun) {
 #if LAND_SHADOW == LAND_SHADOW_NONE
     return 1.0;
 #else
-    float t = 1.2 * land_map.spacing_m, free = 1.0;
-    for (int i = 0; i < land.shadow_steps && free > 0.0; ++i) {
+    float spacing = opaque(land_map.spacing_m), highest = opaque(land_map.highest_m), t = 1.2 * spacing, free = 1.0;
+    for (int i = 0; i < opaque(land.shadow_steps) && free > 0.0; ++i) {
         vec3 at = from + t * to_sun;
-        if (at.y > land_map.highest_m) break;
+        if (at.y > highest) break;
         vec2 uv = (land_place(at.xz) + 0.5) / float(land_map.samples);
         if (any(notEqual(uv, clamp(uv, 0.0, 1.0)))) break;
         float above = at.y - textureLod(heights_between, uv, 0.0).r;
-        free = min(free, 0.5 + (above + 0.15 * land_map.spacing_m) * 110.0 / t);
-        t += max(0.5 * above, 0.03 * t + 0.6 * land_map.spacing_m);
+        free = min(free, 0.5 + (above + 0.15 * spacing) * 110.0 / t);
+        t += max(0.5 * above, 0.03 * t + 0.6 * spacing);
     }
     return smoothstep(0.0, 1.0, free);
 #endif

@@ -1,6 +1,7 @@
 // How far the ground's samples lie from the triangles of a coarser level, in metres: for each chunk of that level the
 // greatest distance, straight up, of it and of all finer levels. A workgroup for each chunk.
 #include "15_terrain_water/land_data.h"
+#include "common/opaque.glsl"
 
 layout(local_size_x = 64) in;
 uniform sampler2D heights;
@@ -8,6 +9,8 @@ uniform sampler2D finer;  // errors of the level before
 layout(scalar) uniform ErrorLevelBlock { int error_level; };
 layout(r32f) writeonly uniform image2D result;
 shared float greatest[64];
+
+bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }
 
 float height_at(ivec2 at) { return texelFetch(heights, at, 0).r; }
 
@@ -24,7 +27,7 @@ float coarse_height(ivec2 at, int cell) {
 
 void main() {
     ivec2 chunk = ivec2(gl_WorkGroupID.xy);
-    int cell = 1 << error_level, side = CHUNK_CELLS * cell;
+    int level = opaque(error_level), cell = 1 << level, side = CHUNK_CELLS * cell;
     float error = 0.0;
     for (int i = int(gl_LocalInvocationIndex); i < side * side; i += 64) {
         ivec2 at = chunk * side + ivec2(i % side, i / side);
@@ -34,7 +37,7 @@ void main() {
     barrier();
     if (gl_LocalInvocationIndex != 0u) return;
     for (int i = 1; i < 64; ++i) error = max(error, greatest[i]);
-    if (error_level > 0)
+    if (level > 0)
         for (int i = 0; i < 4; ++i) error = max(error, texelFetch(finer, 2 * chunk + ivec2(i & 1, i >> 1), 0).r);
     imageStore(result, chunk, vec4(error));
 }

@@ -2,12 +2,12 @@
 #include "15_terrain_water/chunk_list.glsl"
 
 bool is_split(Chunk chunk) {
-    return chunk.level > 0 && chunk_error(chunk) > chunk_distance(chunk) * chunk_view.metres_per_m;
+    return chunk.level > 0 && chunk_error(chunk) > chunk_distance(chunk) * chunk_limit();
 }
 
 void chunk_level(Chunk chunk) {
     if (is_split(chunk)) return;
-    if (chunk.level < land_map.top && !is_split(Chunk(chunk.x / 2, chunk.z / 2, chunk.level + 1))) return;
+    if (chunk.level < top_level() && !is_split(Chunk(chunk.x / 2, chunk.z / 2, chunk.level + 1))) return;
     if (!chunk_in_view(chunk)) return;
     chunk_list[atomicAdd(chunk_draw.instance_count, 1u)] = chunk;
 }
