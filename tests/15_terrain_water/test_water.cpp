@@ -340,6 +340,21 @@ TEST_CASE_METHOD(OnWater, "level water shows a wall upside down where the wall i
     CHECK(red_at({-7, -5.0f, -40}) > 0.2);
     CHECK(red_at({-4, -8.0f, -40}) < 0.1);  // higher than the wall
     CHECK(red_at({4, -3.0f, -40}) < 0.1);   // beside it
+    // Its depth is that of a camera below the water: the wall stands 40 m along the view, less where that looks down.
+    const View below = view_of(mirrored_camera(camera, 0), size);
+    const std::vector<std::byte> bytes = gpu.read_back(water.mirror.depth());
+    const auto depth_at = [&](glm::vec3 place) {
+        const glm::vec4 clip = below.view_projection * glm::vec4(place, 1.0f);
+        const glm::uvec2 p(glm::vec2(clip.x / clip.w * 0.5f + 0.5f, clip.y / clip.w * 0.5f + 0.5f) * glm::vec2(size));
+        float depth = 0;
+        std::memcpy(&depth, &bytes[(p.y * size.x + p.x) * 4], 4);
+        return std::pair(double(depth), double(clip.z / clip.w));
+    };
+    for (const glm::vec3 place : {glm::vec3(-4, 3, -40), glm::vec3(-7, 5, -40), glm::vec3(-1, 1, -40)}) {
+        const auto [found, right] = depth_at(place);
+        CHECK(found == Approx(right).epsilon(0.02));
+    }
+    CHECK(depth_at({4, 3, -40}).first == 0);
     // The mirror image has nothing of what is below the water: seen from above it would stand before the sky.
     wall.bottom = -3, wall.top = -0.5f;
     const ImageRgb sunk = picture("flat", "planar", 0, {wall});
