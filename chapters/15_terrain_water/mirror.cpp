@@ -44,9 +44,7 @@ void Mirror::record(Frame& frame, const View& view, float level_m, const Drawing
 
     // 3. Its depth as the air wants it. The third row of the matrix is the fourth less `scale` times the water's plane.
     const glm::mat4 rows = glm::transpose(clipped.view_projection);
-    const struct {
-        float level_m, scale;
-    } oblique{level_m, rows[3].y - rows[2].y};
+    const struct { float level_m, scale; } oblique{level_m, rows[3].y - rows[2].y};
     frame.raster("plain depth", {.depth = clear(depth_, 0.0f), .reads = {oblique_}}, [&](Raster& pass) {
         pass.use(plain_depth_).set("oblique_depth", oblique_, nearest_clamp).set("oblique", oblique);
         pass.set("mirror_rays", view_rays(plain)).draw(3);

@@ -50,8 +50,8 @@ std::vector<OceanWave> Ocean::waves(int part) const {
         if (along <= 0) return glm::dvec2(0);
         const double omega = std::sqrt(gravity * k), spread = 2 / M_PI * along * along;
         // Over wave vectors: dω/dk / k of the density over ω. Half of the variance, for h(-k) adds as much.
-        const double density = jonswap(omega, double(wind_m_s), 1000 * double(fetch_km)) * spread *
-                               0.5 * gravity / omega / k;
+        const double density =
+            jonswap(omega, double(wind_m_s), 1000 * double(fetch_km)) * spread * 0.5 * gravity / omega / k;
         const auto place = static_cast<uint64_t>((z + texels) * 4 * texels + x + texels) +
                            (static_cast<uint64_t>(shape.value) << 32) + (static_cast<uint64_t>(part) << 24);
         return normal_pair(place) * std::sqrt(0.5 * 0.5 * density * step * step);
@@ -105,7 +105,8 @@ void Ocean::make(Frame& frame) {
 void Ocean::record(Frame& frame) {
     make(frame);
     // All frequencies are whole multiples of 1 / repeat_s: after 1e5 s nothing is lost but whole turns.
-    const OceanNow now{.passed = static_cast<float>(std::fmod(double(frame.time_s), repeat_s) / repeat_s), .chop = chop};
+    const OceanNow now{.passed = static_cast<float>(std::fmod(double(frame.time_s), repeat_s) / repeat_s),
+                       .chop = chop};
     const ImageView moved = moved_.mip(0), sloped = sloped_.mip(0);
     frame.compute("ocean", {.reads = {fields_, waves_, moved_, sloped_}, .writes = {fields_, moved_, sloped_}},
                   [&](Compute& pass) {

@@ -16,7 +16,8 @@ struct Ocean : Module {
     Knob<float> wind_m_s{*this, "wind_m_s", 8.0f, {0.5f, 40.0f}, "Wind speed 10 m above the water", "m/s"};
     Knob<float> fetch_km{*this, "fetch_km", 60.0f, {0.1f, 5000.0f}, "Distance over which the wind has blown", "km"};
     Knob<float> wind_deg{
-        *this, "wind_deg", 25.0f, {-360.0f, 360.0f}, "Direction in which the wind blows, from +x towards +z", "degrees"};
+        *this,    "wind_deg", 25.0f, {-360.0f, 360.0f}, "Direction in which the wind blows, from +x towards +z",
+        "degrees"};
     Knob<float> chop{
         *this, "chop", 1.0f, {0.0f, 2.0f}, "Scale factor of the horizontal displacement: 0 leaves crests round"};
     Knob<int> shape{*this, "shape", 1, {0, 1 << 30}, "Seed of the waves' random amplitudes"};

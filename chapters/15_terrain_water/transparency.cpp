@@ -209,8 +209,7 @@ void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<SeenThro
     t.layer.fit(frame.gpu.device, {.name = path() + " layer", .size = size});
     for (Image& depth : t.layer_depth)
         depth.fit(frame.gpu.device, {.name = path() + " layer depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
-    t.peeled.fit(frame.gpu.device,
-                 {.name = path() + " peeled", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
+    t.peeled.fit(frame.gpu.device, {.name = path() + " peeled", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
     frame.compute("clear peeled", {.writes = {t.peeled}},
                   [&](Compute& pass) { pass.use(clear_peeled_).set("peeled", t.peeled).dispatch_threads(size); });
     // Before the first layer there is the near plane.
@@ -220,11 +219,10 @@ void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<SeenThro
         Image &nearer = t.layer_depth[(i + 1) % 2], &depth = t.layer_depth[i % 2];
         Stage stage("15_terrain_water/put_layer.glsl", now_);
         stage.image("solid_depth", solid).image("nearer_depth", nearer);
-        draw_stage(frame, "layer",
-                   {.color = {clear(t.layer, nothing)},
-                    .depth = clear(depth, 0.0f),
-                    .mixing = Mixing{{Blend::opaque}, true}},
-                   stage, surfaces);
+        draw_stage(
+            frame, "layer",
+            {.color = {clear(t.layer, nothing)}, .depth = clear(depth, 0.0f), .mixing = Mixing{{Blend::opaque}, true}},
+            stage, surfaces);
         frame.compute("add layer", {.reads = {t.layer, t.peeled}, .writes = {t.peeled}}, [&](Compute& pass) {
             pass.use(add_layer_).set("layer", t.layer, nearest_clamp).set("peeled", t.peeled).dispatch_threads(size);
         });

@@ -69,7 +69,9 @@ struct Transparency : Module, TransparencyMethod {
     void add_by_moments(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t);
     void mix_lists(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t);
     void peel(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t);
-    VkFormat sum_format() const { return sums.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT; }
+    VkFormat sum_format() const {
+        return sums.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
+    }
 
     std::map<uint32_t, Targets> targets_;
     TransparencyNow now_{};

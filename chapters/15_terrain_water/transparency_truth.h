@@ -61,8 +61,8 @@ inline double moment_transmittance(glm::dvec4 b, double all, double z, double bi
     return std::clamp(std::exp(-all * before), 0.0, 1.0);
 }
 
-inline glm::dvec3 by_moments(const std::vector<Layer>& layers, const glm::dvec3& background, double near_m, double far_m,
-                             double bias = 5e-7, double overestimation = 0.25) {
+inline glm::dvec3 by_moments(const std::vector<Layer>& layers, const glm::dvec3& background, double near_m,
+                             double far_m, double bias = 5e-7, double overestimation = 0.25) {
     const auto depth = [&](const Layer& l) { return 2 * std::log(l.z_m / near_m) / std::log(far_m / near_m) - 1; };
     glm::dvec4 b(0);
     double all = 0;

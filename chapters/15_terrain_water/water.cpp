@@ -25,6 +25,17 @@ glm::vec2 sector_of(const View& view) {
     return wide > 2.5f ? glm::vec2(0.0f, 2.0f * float(M_PI)) : glm::vec2(ahead - wide, 2.0f * wide);
 }
 
+// Two triangles between neighbouring rings and spokes.
+std::vector<uint32_t> ring_indices() {
+    std::vector<uint32_t> all;
+    for (uint32_t ring = 0; ring + 1 < RINGS; ++ring)
+        for (uint32_t spoke = 0; spoke < SPOKES; ++spoke) {
+            const uint32_t inner = ring * (SPOKES + 1) + spoke, outer = inner + SPOKES + 1;
+            all.insert(all.end(), {inner, inner + 1, outer + 1, inner, outer + 1, outer});
+        }
+    return all;
+}
+
 }  // namespace
 
 glm::dvec3 moved_by(const std::vector<WaveData>& waves, glm::dvec2 at) {
@@ -79,9 +90,10 @@ float Water::height_above(glm::vec2 place, double time_s) const {
 void Water::prepare(Gpu&, Scene& loaded) {
     scene_ = &loaded;
     if (shortest_m > longest_m)
-        throw InputError("water.shortest_m: {} m is longer than water.longest_m, {} m; the shortest wave is at most as "
-                         "long as the longest",
-                         shortest_m.value, longest_m.value);
+        throw InputError(
+            "water.shortest_m: {} m is longer than water.longest_m, {} m; the shortest wave is at most as "
+            "long as the longest",
+            shortest_m.value, longest_m.value);
 }
 
 WaterNow Water::now(const Frame& frame, const View& view) const {
@@ -123,16 +135,14 @@ WaterNow Water::now(const Frame& frame, const View& view) const {
 void Water::update(Frame& frame) {
     if (method.is("none")) return;
     if (method.is("fft")) ocean.record(frame);
-    foam_tile_.fit(frame.gpu.device, {.name = path() + " foam",
-                                      .format = VK_FORMAT_R16_SFLOAT,
-                                      .size = glm::uvec2(256),
-                                      .mips = 1,
-                                      .kept = true});
+    foam_tile_.fit(
+        frame.gpu.device,
+        {.name = path() + " foam", .format = VK_FORMAT_R16_SFLOAT, .size = glm::uvec2(256), .mips = 1, .kept = true});
     black_.fit(frame.gpu.device, {.name = path() + " black", .size = glm::uvec2(1), .layers = 3, .kept = true});
     if (std::exchange(has_foam_, true)) return;
-    frame.compute("foam", {.writes = {foam_tile_}}, [&](Compute& pass) {
-        pass.use(foam_).set("tile", foam_tile_).dispatch_threads(glm::uvec2(256));
-    });
+    frame.upload("water rings", rings_, ring_indices());
+    frame.compute("foam", {.writes = {foam_tile_}},
+                  [&](Compute& pass) { pass.use(foam_).set("tile", foam_tile_).dispatch_threads(glm::uvec2(256)); });
     frame.raster("black", {.color = {clear(black_, glm::vec4(0))}, .layers = 3}, [](Raster&) {});
 }
 
@@ -175,13 +185,14 @@ void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (method.is("fft")) reads.insert(reads.end(), {ocean.moved(), ocean.sloped()});
     Macros variant;
     if (reflection.is("planar") && !mirrored) variant.set("WATER_REFLECTION", "WATER_REFLECTION_CUBE");
-    frame.raster("water",
-                 {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = reads, .with = {*this, light_}},
-                 [&](Raster& pass) {
-                     pass.use(surface_, variant).set("water_rays", view_rays(view));
-                     pass.offer("mirror", mirror_image, linear_clamp);
-                     pass.draw(6 * SPOKES * (RINGS - 1));
-                 });
+    frame.raster(
+        "water",
+        {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = reads, .with = {*this, light_}},
+        [&](Raster& pass) {
+            pass.use(surface_, variant).set("water_rays", view_rays(view));
+            pass.offer("mirror", mirror_image, linear_clamp);
+            pass.draw_indexed(rings_, 0, 6 * SPOKES * (RINGS - 1));
+        });
 
     // 3. From below, all of it through water.
     if (!below) return;

@@ -50,16 +50,12 @@ struct Water : Drawing {
                                {glm::vec3(0.0f), glm::vec3(100.0f)},
                                "Absorption coefficient of the water",
                                "1/m"};
-    Knob<glm::vec3> turbid{*this,
-                           "turbid",
-                           {0.008f, 0.032f, 0.038f},
-                           {glm::vec3(0.0f), glm::vec3(1.0f)},
-                           "Albedo of deep water"};
+    Knob<glm::vec3> turbid{
+        *this, "turbid", {0.008f, 0.032f, 0.038f}, {glm::vec3(0.0f), glm::vec3(1.0f)}, "Albedo of deep water"};
     Knob<float> roughness{
         *this, "roughness", 0.03f, {0.0f, 0.5f}, "Standard deviation of the slopes of ripples finer than any wave"};
     Knob<float> refraction{*this, "refraction", 0.25f, {0.0f, 1.0f}, "Shift of what lies below the surface"};
-    Knob<float> foam{
-        *this, "foam", 0.35f, {-10.0f, 1.0f}, "Jacobian below which the surface foams; it folds below 0"};
+    Knob<float> foam{*this, "foam", 0.35f, {-10.0f, 1.0f}, "Jacobian below which the surface foams; it folds below 0"};
     Knob<float> shore_m{*this, "shore_m", 0.0f, {0.0f, 100.0f}, "Depth of the water up to which its shore foams", "m"};
     Knob<float> foam_m{*this, "foam_m", 4.0f, {0.01f, 1000.0f}, "Side of a tile of foam", "m"};
     Ocean ocean{*this, "ocean"};
@@ -83,6 +79,7 @@ struct Water : Drawing {
     const ImageLight& light_;
     const Scene* scene_ = nullptr;
     Image behind_, behind_depth_, foam_tile_, black_;
+    Buffer rings_;  ///< indices
     bool has_foam_ = false;
     uint32_t mirrored_ = ~0u;  ///< the view of which there is a mirror image
     WaterNow now_{};

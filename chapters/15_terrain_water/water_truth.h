@@ -18,9 +18,9 @@ inline glm::dmat3 gerstner_slopes(glm::dvec2 at, glm::dvec2 k, double amplitude,
     const double t = glm::dot(k, at) - phase, k_length = glm::length(k);
     glm::dmat3 slopes(0.0);
     for (const int axis : {0, 1})
-        slopes[axis == 0 ? 0 : 2] = k[axis] * glm::dvec3(-steepness * amplitude * std::sin(t) * k.x / k_length,
-                                                         amplitude * std::cos(t),
-                                                         -steepness * amplitude * std::sin(t) * k.y / k_length);
+        slopes[axis == 0 ? 0 : 2] =
+            k[axis] * glm::dvec3(-steepness * amplitude * std::sin(t) * k.x / k_length, amplitude * std::cos(t),
+                                 -steepness * amplitude * std::sin(t) * k.y / k_length);
     return slopes;
 }
 

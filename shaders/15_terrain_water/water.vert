@@ -9,9 +9,7 @@ layout(location = 1) out vec3 position;
 
 // [rings]
 void main() {
-    const uvec2 corners[6] = uvec2[](uvec2(0, 0), uvec2(1, 0), uvec2(1, 1), uvec2(0, 0), uvec2(1, 1), uvec2(0, 1));
-    uint square = uint(gl_VertexIndex) / 6u;
-    uvec2 place = uvec2(square % SPOKES, square / SPOKES) + corners[gl_VertexIndex % 6];
+    uvec2 place = uvec2(uint(gl_VertexIndex) % (SPOKES + 1u), uint(gl_VertexIndex) / (SPOKES + 1u));
     float angle = water_now.from_rad + water_now.wide_rad * float(place.x) / float(SPOKES);
     // The innermost ring is a point below the camera.
     float radius = place.y == 0u ? 0.0 : water_now.first_m * pow(water_now.growth, float(place.y - 1u));

@@ -20,7 +20,7 @@ float distance_m_of_ray(vec2 pixel) { return length(ray_through(water_rays, pixe
 vec3 sky_along(vec3 from, vec3 direction, float deviation) {
     // Facets spread what they reflect over twice their angle.
     float level = log2(max(2.0 * atan(2.0 * deviation) * image_light_state.texels / 1.5708, 1.0));
-    return radiance_along(from, direction, level);
+    return radiance_along(from, direction, min(level, 4.0));  // beyond it texels of the cube would be seen
 }
 
 // [screen_space]

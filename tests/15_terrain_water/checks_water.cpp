@@ -18,8 +18,8 @@ glm::dvec2 two(std::span<const double> in) { return {in[0], in[1]}; }
 
 // at, k, amplitude, steepness, phase.
 Table waves() {
-    Table all{{0, 0, 1, 0, 0.1, 0.5, 0},  {1, 0, 1, 0, 0.1, 0.5, 0},   {0, 1, 1, 0, 0.1, 0.5, 0},
-              {3, 2, 0, 2, 0.2, 0, 1},    {3, 2, -2, 0, 0.2, 0.7, 1},  {1, 1, 0.01, -0.01, 3, 0.9, 2},
+    Table all{{0, 0, 1, 0, 0.1, 0.5, 0},   {1, 0, 1, 0, 0.1, 0.5, 0},  {0, 1, 1, 0, 0.1, 0.5, 0},
+              {3, 2, 0, 2, 0.2, 0, 1},     {3, 2, -2, 0, 0.2, 0.7, 1}, {1, 1, 0.01, -0.01, 3, 0.9, 2},
               {5, -4, 3, 4, 0.05, 1, 0.5}, {5, -4, 3, 4, 0.05, 3, 0.5}};
     Random random(15);
     for (int i = 0; i < 200; ++i)
@@ -105,10 +105,17 @@ CHECK_EXERCISE("15.gerstner_normal",
 CHECK_EXERCISE("15.fresnel_water", "From below, Snell's law gives the cosine in the air, or total reflection.") {
     Probe probe{.include = "15_terrain_water/fresnel_water.glsl",
                 .signature = "float fresnel_water(float cosine, float eye_index, float other_index)",
-                .inputs = {{1, 1, 1.333}, {1, 1.333, 1}, {0, 1, 1.333}, {0, 1.333, 1}, {1.00001, 1, 1.333},
-                           {-0.00001, 1, 1.333}, {-0.00001, 1.333, 1}, {1.00001, 1.333, 1}, {0.5, 1, 1}, {1, 1, 1.5}},
-                .truth =
-                    [](std::span<const double> in) { return Row{truth::fresnel_water(in[0], in[1], in[2])}; },
+                .inputs = {{1, 1, 1.333},
+                           {1, 1.333, 1},
+                           {0, 1, 1.333},
+                           {0, 1.333, 1},
+                           {1.00001, 1, 1.333},
+                           {-0.00001, 1, 1.333},
+                           {-0.00001, 1.333, 1},
+                           {1.00001, 1.333, 1},
+                           {0.5, 1, 1},
+                           {1, 1, 1.5}},
+                .truth = [](std::span<const double> in) { return Row{truth::fresnel_water(in[0], in[1], in[2])}; },
                 .bound = {.absolute = 1e-4},
                 .hint = [](auto in, auto got) -> std::string {
                     if (!(got[0] >= 0 && got[0] <= 1)) return "A share of light lies between 0 and 1.";
@@ -126,19 +133,17 @@ CHECK_EXERCISE("15.fresnel_water", "From below, Snell's law gives the cosine in 
 }
 
 CHECK_EXERCISE("15.wboit_weight", "Square and cube by multiplying; clamp x before it is multiplied by alpha.") {
-    Probe probe{.include = "15_terrain_water/wboit_weight.glsl",
-                .signature = "float wboit_weight(int equation, float alpha, float distance_m, float depth)",
-                .inputs = {},
-                .truth =
-                    [](std::span<const double> in) {
-                        return Row{truth::wboit_weight(int(in[0]), in[1], in[2], in[3])};
-                    },
-                .bound = {.absolute = 1e-7, .relative = 1e-3},
-                .hint = [](auto in, auto) -> std::string {
-                    if (in[0] == 0) return "Equation 0 is a plain mean.";
-                    if (in[2] < 0.3 || in[2] > 300) return "x stays within 0.01 and 3000.";
-                    return "";
-                }};
+    Probe probe{
+        .include = "15_terrain_water/wboit_weight.glsl",
+        .signature = "float wboit_weight(int equation, float alpha, float distance_m, float depth)",
+        .inputs = {},
+        .truth = [](std::span<const double> in) { return Row{truth::wboit_weight(int(in[0]), in[1], in[2], in[3])}; },
+        .bound = {.absolute = 1e-7, .relative = 1e-3},
+        .hint = [](auto in, auto) -> std::string {
+            if (in[0] == 0) return "Equation 0 is a plain mean.";
+            if (in[2] < 0.3 || in[2] > 300) return "x stays within 0.01 and 3000.";
+            return "";
+        }};
     Random random(7);
     for (int equation = 0; equation < 5; ++equation) {
         for (const double z : {0.05, 0.2, 1.0, 5.0, 20.0, 200.0, 1000.0})
@@ -146,7 +151,8 @@ CHECK_EXERCISE("15.wboit_weight", "Square and cube by multiplying; clamp x befor
                 probe.inputs.push_back({double(equation), alpha, z, 1 - 0.05 / z});
         probe.inputs.push_back({double(equation), 0.5, 1, 1.000001});
         for (int i = 0; i < 40; ++i)
-            probe.inputs.push_back({double(equation), random.uniform(0, 1), random.logarithmic(0.1, 500), random.uniform(0, 1)});
+            probe.inputs.push_back(
+                {double(equation), random.uniform(0, 1), random.logarithmic(0.1, 500), random.uniform(0, 1)});
     }
     check.probe(probe);
 }
@@ -183,7 +189,8 @@ CHECK_EXERCISE("15.sort_back_to_front", "std::stable_sort the numbers 0, 1, 2 ..
                 return fmt::format("{} gave {} numbers, expected {}", what, got.size(), one.middles.size());
             std::vector<bool> seen(got.size());
             for (const uint32_t i : got) {
-                if (i >= seen.size() || seen[i]) return fmt::format("{} gave the number {} twice or beyond the last", what, i);
+                if (i >= seen.size() || seen[i])
+                    return fmt::format("{} gave the number {} twice or beyond the last", what, i);
                 seen[i] = true;
             }
             for (size_t i = 1; i < got.size(); ++i) {
@@ -202,7 +209,8 @@ CHECK_EXERCISE("15.sort_back_to_front", "std::stable_sort the numbers 0, 1, 2 ..
     }
 }
 
-CHECK_EXERCISE("15.mirror_view", "Mirror first, then the camera's matrix, then turn x around; replace the third row last.") {
+CHECK_EXERCISE("15.mirror_view",
+               "Mirror first, then the camera's matrix, then turn x around; replace the third row last.") {
     struct Case {
         Camera camera;
         float water_m;
@@ -212,16 +220,17 @@ CHECK_EXERCISE("15.mirror_view", "Mirror first, then the camera's matrix, then t
     for (const float far : {1000.0f, std::numeric_limits<float>::infinity()})
         for (const float water : {0.0f, 2.0f, -7.5f}) {
             cases.push_back({{.position = {3, 9, 12}, .target = {0, 4, 0}, .near_m = 0.1f, .far_m = far}, water});
-            cases.push_back({{.position = {-40, 4, 8}, .target = {60, 5, 3}, .near_m = 0.5f, .far_m = far}, water, 0.7f});
             cases.push_back(
-                {{.position = {0, 6, 0}, .target = {3, 1, -9}, .up = {0.3f, 1, 0}, .fov_y_rad = 0.4f, .far_m = far}, water});
+                {{.position = {-40, 4, 8}, .target = {60, 5, 3}, .near_m = 0.5f, .far_m = far}, water, 0.7f});
+            cases.push_back(
+                {{.position = {0, 6, 0}, .target = {3, 1, -9}, .up = {0.3f, 1, 0}, .fov_y_rad = 0.4f, .far_m = far},
+                 water});
         }
     Random random(2);
     for (const Case& one : cases) {
         const glm::mat4 forward = view_projection(one.camera, one.aspect);
-        const std::string what =
-            fmt::format("mirror_view() of a camera {:.1f} m above the water at {:.1f} m",
-                        one.camera.position.y - one.water_m, one.water_m);
+        const std::string what = fmt::format("mirror_view() of a camera {:.1f} m above the water at {:.1f} m",
+                                             one.camera.position.y - one.water_m, one.water_m);
         check.call(what, [&]() -> std::string {
             const glm::dmat4 got(mirror_view(forward, one.water_m)), right(forward);
             const glm::dmat4 back = glm::inverse(right);
@@ -236,16 +245,25 @@ CHECK_EXERCISE("15.mirror_view", "Mirror first, then the camera's matrix, then t
                 const glm::dvec4 expected = right * glm::dvec4(seen, 1), clip = got * place;
                 const double size = 1e-4 * (1 + std::fabs(expected.w));
                 const std::string where = fmt::format("the place ({:.2f}, {:.2f}, {:.2f})", place.x, place.y, place.z);
-                if (!(std::fabs(clip.w - expected.w) <= size)) return fmt::format("{}: {} has w = {:.4f}, its mirror image {:.4f}", what, where, clip.w, expected.w);
-                if (!(std::fabs(clip.y - expected.y) <= size)) return fmt::format("{}: {} comes out at y = {:.4f}, its mirror image at {:.4f}", what, where, clip.y, expected.y);
-                if (!(std::fabs(clip.x + expected.x) <= size)) return fmt::format("{}: {} comes out at x = {:.4f}, expected {:.4f}, turned from left to right", what, where, clip.x, -expected.x);
+                if (!(std::fabs(clip.w - expected.w) <= size))
+                    return fmt::format("{}: {} has w = {:.4f}, its mirror image {:.4f}", what, where, clip.w,
+                                       expected.w);
+                if (!(std::fabs(clip.y - expected.y) <= size))
+                    return fmt::format("{}: {} comes out at y = {:.4f}, its mirror image at {:.4f}", what, where,
+                                       clip.y, expected.y);
+                if (!(std::fabs(clip.x + expected.x) <= size))
+                    return fmt::format("{}: {} comes out at x = {:.4f}, expected {:.4f}, turned from left to right",
+                                       what, where, clip.x, -expected.x);
                 const double margin = 1e-4 * (1 + t);
                 if (above > margin && !(clip.w - clip.z > 0))
-                    return fmt::format("{}: {} is {:.2f} m above the water, and w - z is {:.5f}: it is clipped", what, where, above, clip.w - clip.z);
+                    return fmt::format("{}: {} is {:.2f} m above the water, and w - z is {:.5f}: it is clipped", what,
+                                       where, above, clip.w - clip.z);
                 if (above < -margin && !(clip.w - clip.z < 0))
-                    return fmt::format("{}: {} is {:.2f} m below the water, and w - z is {:.5f}: it is not clipped", what, where, -above, clip.w - clip.z);
+                    return fmt::format("{}: {} is {:.2f} m below the water, and w - z is {:.5f}: it is not clipped",
+                                       what, where, -above, clip.w - clip.z);
                 if (above > margin && t < double(one.camera.far_m) * 0.5 && !(clip.z >= -1e-5 * clip.w))
-                    return fmt::format("{}: {} is seen mirrored, and z is {:.5f}: it is clipped at the far plane", what, where, clip.z);
+                    return fmt::format("{}: {} is seen mirrored, and z is {:.5f}: it is clipped at the far plane", what,
+                                       where, clip.z);
             }
             // Half of the largest scale at least: depth that is spent on nothing.
             const glm::dmat4 mine = glm::transpose(got);

@@ -7,7 +7,7 @@
 
 namespace lightwalk {
 
-struct Quad {
+struct Pane {
     glm::vec3 corners[4];
     glm::vec4 color;
     glm::vec3 middle() const { return 0.25f * (corners[0] + corners[1] + corners[2] + corners[3]); }
@@ -15,7 +15,7 @@ struct Quad {
 
 struct Quads : Drawing {
     Quads(Module& owner, std::string name) : Drawing(owner, std::move(name)) {}
-    std::vector<Quad> quads;
+    std::vector<Pane> quads;
     Buffer buffer;
 
     void update(Frame& frame) override { frame.upload("quads", buffer, quads); }
