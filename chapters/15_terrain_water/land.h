@@ -26,7 +26,7 @@ struct Land : Drawing {
     Knob<int> grid_level{*this, "grid_level", 2, {0, 7}, "Cells of the grid: 2^grid_level samples (method grid)"};
     Knob<int> ring_cells{
         *this, "ring_cells", 128, {8, 1024}, "Cells along a side of a ring; rounded to a multiple of 4"};
-    Knob<float> error_px{*this, "error_px", 1.0f, {0.05f, 64.0f}, "Error of the ground that chunks may show", "px"};
+    Knob<float> error_px{*this, "error_px", 1.5f, {0.05f, 64.0f}, "Error of the ground that chunks may show", "px"};
     Choice blend{*this,
                  "blend",
                  {"smooth", "height_aware"},
@@ -100,7 +100,8 @@ struct Land : Drawing {
     Pipeline ring_ = graphics({.vertex = "15_terrain_water/land_rings.vert",
                                .fragment = "15_terrain_water/land_found.frag",
                                .cull = VK_CULL_MODE_NONE});
-    Pipeline ray_ = graphics({.vertex = "06_deferred/whole.vert", .fragment = "15_terrain_water/land_rays.frag"});
+    Pipeline ray_ = graphics(
+        {.vertex = "06_deferred/whole.vert", .fragment = "15_terrain_water/land_rays.frag", .cull = VK_CULL_MODE_NONE});
     Pipeline shade_ = compute({.shader = "15_terrain_water/land_shade.comp"});
 };
 

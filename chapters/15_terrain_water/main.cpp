@@ -6,6 +6,7 @@
 #include "10_atmosphere/height_fog.h"
 #include "10_atmosphere/planet.h"
 #include "14_environment/probe.h"
+#include "15_terrain_water/city.h"
 #include "15_terrain_water/land.h"
 #include "15_terrain_water/transparency.h"
 #include "15_terrain_water/water.h"
@@ -18,6 +19,7 @@ struct TerrainWater : ModelChapter {
     Planet sky{*this, "sky", atmosphere};
     Ground ground{*this, "ground"};
     Land land{*this, "land", ground, atmosphere};
+    City city{*this, "city", ground, atmosphere};
     LitScene objects{*this, "objects"};
     ImageLight light{*this, "environment"};
     SceneProbe probe{*this, "probe"};
@@ -58,7 +60,7 @@ struct TerrainWater : ModelChapter {
             const float disc = std::exchange(atmosphere.disc.value, 0.0f);  // the water has the sun's glitter itself
             light.record(frame, scene);
             probe.record(frame, scene, light, {sky, atmosphere});
-            water.reflect(frame, view, {land, objects}, {sky, atmosphere, fog});
+            water.reflect(frame, view, {land, city, objects}, {sky, atmosphere, fog});
             atmosphere.disc.value = disc;
         }
 
@@ -66,7 +68,7 @@ struct TerrainWater : ModelChapter {
         //    it; then what is transparent.
         Canvas canvas(frame.hdr, frame.depth);
         canvas.mixed_by(&transparency);
-        draw(frame, view, canvas, {land, objects, sky, water, atmosphere, fog});
+        draw(frame, view, canvas, {land, city, objects, sky, water, atmosphere, fog});
 
         // 3. Chapter 08's bloom, chapter 09's tones, and the codes a screen expects.
         bloom.record(frame, frame.hdr);

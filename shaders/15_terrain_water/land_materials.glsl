@@ -24,10 +24,12 @@ Texel texel_of(int layer, vec2 uv_m, float tile_m, float footprint_m) {
     vec2 uv = uv_m / tile_m;
     float level = log2(max(footprint_m / tile_m * 512.0, 1.0));
     vec4 fine = textureLod(materials, vec3(uv, layer), level);
-    float middle = textureLod(materials, vec3(uv.yx / 7.13 + 0.37, layer), level - 2.8).a;
+    float middle = textureLod(materials, vec3(uv / 7.13 + 0.37, layer), level - 2.8).a;
     float broad = textureLod(materials, vec3(uv / 61.7 + 0.71, 0), max(level - 5.9, 0.0)).a;
+    // And once more turned and 2.6 times as large, where the middle scale says so: tiles do not line up.
+    if (layer == GRASS) fine = mix(fine, textureLod(materials, vec3(mat2(0.31, 0.23, -0.23, 0.31) * uv + 0.2, layer), level - 1.4), smoothstep(0.35, 0.65, middle));
     vec2 slope = textureLod(material_bumps, vec3(uv, layer), level).rg - 0.5;
-    slope += 0.6 * (textureLod(material_bumps, vec3(uv.yx / 7.13 + 0.37, layer), level - 2.8).gr - 0.5);
+    slope += 0.6 * (textureLod(material_bumps, vec3(uv / 7.13 + 0.37, layer), level - 2.8).rg - 0.5);
     return Texel(fine.rgb * fine.rgb * (0.55 + 0.9 * middle) * (0.7 + 0.75 * broad), fine.a, slope);
 }
 // [/scales]
@@ -73,7 +75,7 @@ LandSurface land_surface(vec3 position, vec3 normal, float footprint_m) {
     vec4 weights = weights_of(position, normal, patches), heights = vec4(0.0);
     Texel texels[4];
     vec3 tilts[4], tint[4] = vec3[](land.grass_tint, land.forest_tint, land.rock_tint, vec3(1.0));
-    float tiles[4] = float[](24.0, 95.0, 42.0, 30.0), depth[4] = float[](0.5, 1.3, 1.1, 0.3);
+    float tiles[4] = float[](24.0, 74.0, 42.0, 30.0), depth[4] = float[](0.5, 1.3, 1.1, 0.3);
     for (int i = 0; i < 4; ++i) {
         tilts[i] = vec3(0.0);
         texels[i] = Texel(vec3(0.0), 0.0, vec2(0.0));

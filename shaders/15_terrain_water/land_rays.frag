@@ -1,8 +1,10 @@
 // The ground by rays: through the pyramid of greatest heights to the triangles of single cells. The reference.
 #include "15_terrain_water/ground.glsl"
+#include "common/structs.h"
 #include "common/view_rays.h"
 
 layout(scalar) uniform RaysBlock { ViewRays rays; };
+layout(scalar) uniform ViewBlock { CameraView view; };
 layout(location = 0) out float found;
 
 bool is_drawn() { return gl_FragCoord.x >= 0.0; }
@@ -40,12 +42,10 @@ float meet_cell(ivec2 cell, vec3 at, vec3 step_t, vec2 t) {
 float march(vec3 eye, vec3 ray) {
     vec3 at = vec3(land_place(eye.xz), eye.y).xzy, step_t = vec3(ray.xz / opaque(land_map.spacing_m), ray.y).xzy;
     float side = float(opaque(land_map.samples) - 1);
-    vec2 t = vec2(0.0, 1e9);
-    for (int axis = 0; axis < 3; axis += 2) {
-        if (abs(step_t[axis]) < 1e-12) step_t[axis] = 1e-12;
-        vec2 ends = (vec2(0.0, side) - at[axis]) / step_t[axis];
-        t = vec2(max(t.x, min(ends.x, ends.y)), min(t.y, max(ends.x, ends.y)));
-    }
+    step_t.xz = mix(step_t.xz, vec2(1e-12), lessThan(abs(step_t.xz), vec2(1e-12)));
+    vec2 first = -at.xz / step_t.xz, second = (side - at.xz) / step_t.xz;
+    vec2 enters = min(first, second), leaves = max(first, second);
+    vec2 t = vec2(max(max(enters.x, enters.y), 0.0), min(leaves.x, leaves.y));
     if (t.x >= t.y) return -1.0;
     ivec2 last = ivec2(opaque(land_map.samples) - 2), cell = clamp(ivec2(floor(at.xz + t.x * step_t.xz)), ivec2(0), last);
     int top = opaque(land_map.top) + 5, level = top;
@@ -65,9 +65,12 @@ float march(vec3 eye, vec3 ray) {
         }
         // Into the next block: along the axis by which the ray leaves exactly, along the other wherever it is.
         if (leave >= t.y) return -1.0;
-        int axis = exits.x <= exits.y ? 0 : 1, other = 1 - axis;
         ivec2 next = clamp(ivec2(floor(at.xz + leave * step_t.xz)), block << level, ((block + 1) << level) - 1);
-        next[axis] = forward[axis] == 1 ? (block[axis] + 1) << level : (block[axis] << level) - 1;
+        ivec2 beyond = mix((block << level) - 1, (block + 1) << level, equal(forward, ivec2(1)));
+        if (exits.x <= exits.y)
+            next.x = beyond.x;
+        else
+            next.y = beyond.y;
         cell = next;
         if (any(lessThan(cell, ivec2(0))) || any(greaterThan(cell, last))) return -1.0;
         t.x = max(leave, t.x);
@@ -80,7 +83,9 @@ float march(vec3 eye, vec3 ray) {
 void main() {
     vec3 ray = opaque(ray_through(rays, gl_FragCoord.xy));
     float t = march(opaque(rays.eye), ray);
-    if (t <= 1.0 / opaque(rays.inverse_near)) discard;
+    if (t <= 0.0) discard;
+    vec4 clip = view.view_projection * vec4(rays.eye + t * ray, 1.0);
+    if (clip.z > clip.w) discard;  // before the near plane
     found = t;
-    gl_FragDepth = (1.0 / t - rays.inverse_far) / (rays.inverse_near - rays.inverse_far);
+    gl_FragDepth = clip.z / clip.w;
 }
