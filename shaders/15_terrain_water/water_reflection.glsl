@@ -60,11 +60,12 @@ vec4 screen_space(vec3 from, vec3 direction, float distance_m) {
 // The mirror image at this pixel, counted from the other edge. A normal tilted by an angle turns what is reflected by twice
 // that angle in the plane of view, and sideways by the less the flatter the view is. Exact for what is far away.
 vec3 planar(vec3 normal, vec3 to_eye) {
-    vec2 size = vec2(textureSize(mirror, 0));
+    vec2 size = vec2(textureSize(behind, 0));  // the mirror image may have fewer pixels
     vec3 forward = normalize(vec3(-to_eye.x, 0.0, -to_eye.z) + vec3(1e-6, 0.0, 0.0));
     vec3 right = vec3(-forward.z, 0.0, forward.x);
     vec2 tilt = vec2(dot(normal, right), dot(normal, forward)) / max(normal.y, 0.2);
     vec2 moved = 2.0 * tilt * vec2(clamp(to_eye.y, 0.0, 1.0), 1.0) / water_now.pixel_rad;
+    moved.y = min(moved.y, 0.95 * max(to_eye.y, 0.0) / water_now.pixel_rad);  // no ray goes below the horizon
     vec2 pixel = vec2(size.x - gl_FragCoord.x, gl_FragCoord.y) - moved;
     return textureLod(mirror, clamp(pixel, vec2(0.5), size - 0.5) / size, 0.0).rgb;
 }
