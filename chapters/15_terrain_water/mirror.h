@@ -17,7 +17,7 @@ struct Mirror : Module {
     void record(Frame& frame, const View& view, float level_m, const Drawings& solid, const Drawings& air);
     const Image& image() const { return color_; }
     const Image& depth() const { return depth_; }  ///< as the mirrored camera's own near and far planes give it
-    // [/mirror]
+                                                   // [/mirror]
 
   private:
     Image color_, oblique_, depth_;

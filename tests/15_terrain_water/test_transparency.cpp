@@ -215,3 +215,17 @@ TEST_CASE_METHOD(OnTransparency, "nothing transparent leaves the picture alone, 
         CHECK(middle(method, {1, 0, 0}).r == Approx(0).margin(0.002));
     }
 }
+
+TEST_CASE_METHOD(OnTransparency, "what lies behind something opaque is not seen; what lies before it is") {
+    add(2.0f, {0, 1, 0, 0.5f});
+    add(5.0f, {0, 0, 1, 0.5f});
+    add(3.0f, {1, 0, 0, 1});
+    drawing.solid = 1;
+    for (const char* method : every_transparency) {
+        INFO(method);
+        const glm::vec3 seen = middle(method, glm::vec3(1));
+        CHECK(seen.r == Approx(0.5).margin(0.002));
+        CHECK(seen.g == Approx(0.5).margin(0.002));
+        CHECK(seen.b == Approx(0).margin(0.002));
+    }
+}

@@ -19,10 +19,16 @@ struct Quads : Drawing {
     Buffer buffer;
 
     void update(Frame& frame) override { frame.upload("quads", buffer, quads); }
-    void draw(Frame&, const View&, Canvas&) override {}
+    uint32_t solid = 0;  ///< of the last ones: how many are opaque
+    void draw(Frame& frame, const View&, Canvas& canvas) override {
+        if (solid == 0) return;
+        const auto first = static_cast<uint32_t>(quads.size()) - solid;
+        frame.raster("solid", {.color = {canvas.color_target()}, .depth = canvas.depth_target()},
+                     [&](Raster& pass) { pass.use(opaque).set("quads", buffer).draw(6, solid, first); });
+    }
     std::vector<Transparent> transparent(const View& view) const override {
         std::vector<Transparent> all;
-        for (uint32_t i = 0; i < quads.size(); ++i)
+        for (uint32_t i = 0; i + solid < quads.size(); ++i)
             all.push_back({glm::length(quads[i].middle() - view.eye), i, quads[i].middle()});
         return all;
     }
@@ -32,7 +38,7 @@ struct Quads : Drawing {
     }
     std::vector<TransparentTriangle> transparent_triangles(const View& view) const override {
         std::vector<TransparentTriangle> all;
-        for (uint32_t i = 0; i < quads.size(); ++i) {
+        for (uint32_t i = 0; i + solid < quads.size(); ++i) {
             const auto& c = quads[i].corners;
             all.push_back({glm::length((c[0] + c[1] + c[2]) / 3.0f - view.eye), i, {0, 1, 2}});
             all.push_back({glm::length((c[0] + c[2] + c[3]) / 3.0f - view.eye), i, {3, 4, 5}});
@@ -44,6 +50,9 @@ struct Quads : Drawing {
         pass.use(pipeline).set("quads", buffer).draw_indexed(indices, first, count, 1, item);
     }
 
+    Pipeline opaque = graphics({.vertex = "../tests/15_terrain_water/quads.vert",
+                                .fragment = "../tests/15_terrain_water/quads.frag",
+                                .cull = VK_CULL_MODE_NONE});
     Pipeline pipeline = graphics({.vertex = "../tests/15_terrain_water/quads.vert",
                                   .fragment = "../tests/15_terrain_water/quads.frag",
                                   .cull = VK_CULL_MODE_NONE,
