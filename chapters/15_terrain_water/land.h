@@ -64,7 +64,7 @@ struct Land : Drawing {
                 "Image shown: the ground, its normals, or its chunks by level"};
 
     void prepare(Gpu& gpu, Scene& loaded) override;
-    void update(Frame& frame) override { ground_.record(frame, method.is("chunks") || show.is("levels")); }
+    void update(Frame& frame) override { ground_.record(frame, !method.is("rings") && !method.is("rays")); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
     /// Of the view drawn last: metres along the view, R32F, 0 where there is no ground.

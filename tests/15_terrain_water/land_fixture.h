@@ -65,7 +65,11 @@ struct OnLand : OnModules {
     /// Distances along the view of every pixel, row by row; 0: no ground.
     std::vector<float> found(const char* method) {
         land.method.set(method);
-        draw_frame(view_of(camera, size), land);
+        begin(size);
+        atmosphere.update_once(frame);
+        Canvas canvas(frame.hdr, frame.depth);
+        lightwalk::draw(frame, view_of(camera, size), canvas, {land});
+        frame.end();
         const auto bytes = gpu.read_back(land.found());
         std::vector<float> all(bytes.size() / 4);
         std::memcpy(all.data(), bytes.data(), bytes.size());
