@@ -1,4 +1,6 @@
 // Chapter 15: terrain, water and transparent surfaces under a sky.
+#include <nlohmann/json.hpp>
+
 #include "01_obj/model_chapter.h"
 #include "05_shadow_maps/lit_scene.h"
 #include "08_bloom/bloom.h"
@@ -7,7 +9,7 @@
 #include "10_atmosphere/planet.h"
 #include "14_environment/probe.h"
 #include "15_terrain_water/city.h"
-#include "15_terrain_water/land.h"
+#include "15_terrain_water/land_error.h"
 #include "15_terrain_water/transparency.h"
 #include "15_terrain_water/water.h"
 #include "common/window/run.h"
@@ -48,6 +50,11 @@ struct TerrainWater : ModelChapter {
         Model none;  // the module ground itself reads the file
         none.materials.emplace_back();
         return none;
+    }
+
+    // For the study: where the ground lies, against rays.
+    void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
+        measure_land(*this, land, gpu, size, error);
     }
 
     // [frame]

@@ -8,6 +8,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 on_wall;
 layout(location = 3) flat in uvec2 kind_number;
+layout(location = 4) in float thinned;
 layout(location = 0) out vec4 color;
 
 layout(scalar) uniform ViewBlock { CameraView view; };
@@ -51,11 +52,14 @@ void main() {
     if (city_light.x > 0.0) {
         float which = random_of(uvec3(uint(whole.x) + 31u * uint(abs(normal.x) * 7.0 + 4.0), uint(max(whole.y, 0.0)), kind_number.y));
         float late = 0.5 + random_of(uvec3(kind_number.y, 5u, 3u)), on = clamp(city.lit * late, 0.0, 1.0);
-        float bright = mix(on, which < on ? 0.4 + 1.2 * which / max(on, 1e-3) : 0.0, sharp);
+        // From afar rows of rooms differ, then whole houses.
+        float rows = random_of(uvec3(uint(max(cell.x, 0.0)) / 3u, uint(max(cell.y, 0.0)) / 3u, kind_number.y));
+        float mean = on * mix(1.0, 0.15 + 1.7 * rows, smoothstep(0.8, 2.5, 3.0 * cells_px));
+        float bright = mix(mean, which < on ? 0.4 + 1.2 * which / max(on, 1e-3) : 0.0, sharp);
         vec3 warm = mix(vec3(1.0, 0.62, 0.28), vec3(0.85, 0.92, 1.0), step(0.72, random_of(uvec3(kind_number.y, 11u, 13u))));
         light += window * bright * city_light.x * warm;
         light += paint * city_light.x * 0.10 * vec3(1.0, 0.7, 0.4) * exp(-on_wall.y / 9.0);  // the street below
-        if (kind_number.x == CITY_LAMP) light = city_light.x * 6.0 * vec3(1.0, 0.66, 0.32);
+        if (kind_number.x == CITY_LAMP) light = thinned * city_light.x * 6.0 * vec3(1.0, 0.66, 0.32);
     }
     color = vec4(min(light, LARGEST_HALF), 1.0);
 }
