@@ -16,8 +16,10 @@ struct Mirror : Module {
     /// `solid` is drawn with the water as its near plane, then `air` (sky, haze) behind and before it.
     void record(Frame& frame, const View& view, float level_m, const Drawings& solid, const Drawings& air);
     const Image& image() const { return color_; }
-    const Image& depth() const { return depth_; }  ///< as the mirrored camera's own near and far planes give it
-                                                   // [/mirror]
+    const Image& depth() const {
+        return depth_;
+    }  ///< as the mirrored camera's own near and far planes give it
+       // [/mirror]
 
   private:
     Image color_, oblique_, depth_;

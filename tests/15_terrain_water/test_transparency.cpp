@@ -83,7 +83,7 @@ TEST_CASE_METHOD(OnTransparency, "every method on the device is what its formula
     Random random(3);
     constexpr int cells = 16;
     std::vector<std::vector<Layer>> by_cell;
-    for (int cell = 0; cell < cells * cells; ++cell) by_cell.push_back(layers(random, 8, 1, 50, 0.5, 0.5));
+    for (int cell = 0; cell < cells * cells; ++cell) by_cell.push_back(layers(random, 8, 1, 50, 0.3, 0.8));
     for (size_t layer = 0; layer < 8; ++layer)
         for (int cell = 0; cell < cells * cells; ++cell) {
             const Layer& l = by_cell[size_t(cell)][layer];
