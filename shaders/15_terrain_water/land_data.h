@@ -8,11 +8,11 @@ const int CHUNK_CELLS = 32;  // along a side of a chunk; a power of two
 
 // Heights at samples x samples places; x runs eastwards (+x), y southwards (+z).
 struct LandMap {
-    vec2 corner;       // metres, world x and z of sample (0, 0)
-    float spacing_m;   // from one sample to the next
-    int samples;       // along a side: cells + 1
-    int top;           // level of the one chunk that covers the map
-    float highest_m;   // of the whole map, or more
+    vec2 corner;      // metres, world x and z of sample (0, 0)
+    float spacing_m;  // from one sample to the next
+    int samples;      // along a side: cells + 1
+    int top;          // level of the one chunk that covers the map
+    float highest_m;  // of the whole map, or more
 };
 
 // How the map is made of the source.
@@ -23,8 +23,8 @@ struct LandSource {
     int samples;
     float datum_m, height_scale;
     float detail_m, cliffs, cliff_m;
-    float edge_m;   // width of the coast around the map; 0: none
-    vec4 plain;     // x and z in metres, radius, height; radius 0: none
+    float edge_m;  // width of the coast around the map; 0: none
+    vec4 plain;    // x and z in metres, radius, height; radius 0: none
 };
 
 // A square part of the ground, drawn with cells of 2^level samples.
