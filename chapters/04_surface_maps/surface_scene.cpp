@@ -61,18 +61,50 @@ void SurfaceScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
 std::vector<Drawing::Transparent> SurfaceScene::transparent(const View& view) const {
     std::vector<Transparent> all;
     const DrawList list = scene_->transparent();
-    for (const uint32_t i : list.items()) all.push_back({glm::length(scene_->items[i].bounds.center() - view.eye), i});
+    for (const uint32_t i : list.items()) {
+        const glm::vec3 middle = scene_->items[i].bounds.center();
+        all.push_back({glm::length(middle - view.eye), i, middle});
+    }
     return all;
 }
 
-void SurfaceScene::draw_transparent(Raster& pass, std::span<const Transparent> items, const Macros&) const {
+const SurfacePipelines& SurfaceScene::see_through_pipelines() const {
+    return transparent_shading ? *transparent_shading : lights.method.is("tiled") ? see_through_tiles_ : see_through_;
+}
+
+void SurfaceScene::draw_transparent(Raster& pass, std::span<const Transparent> items) const {
     std::vector<Batch> one_by_one;
     for (const Transparent& item : items) one_by_one.emplace_back(*scene_, item.item, 1u);
-    const SurfacePipelines& both = transparent_shading         ? *transparent_shading
-                                   : lights.method.is("tiled") ? see_through_tiles_
-                                                               : see_through_;
+    const SurfacePipelines& both = see_through_pipelines();
     maps.draw(pass, *scene_, one_by_one, both.loaded, both.displaced);
 }
 // [/transparent]
+
+std::vector<Drawing::TransparentTriangle> SurfaceScene::transparent_triangles(const View& view) const {
+    std::vector<TransparentTriangle> all;
+    const DrawList list = scene_->transparent();
+    for (const uint32_t i : list.items()) {
+        const DrawItem& item = scene_->items[i];
+        const Mesh& mesh = item.model->model.meshes[item.mesh];
+        const Part& part = mesh.parts[item.part];
+        for (uint32_t at = part.first_index; at + 2 < part.first_index + part.index_count; at += 3) {
+            const glm::uvec3 corners(mesh.indices[at], mesh.indices[at + 1], mesh.indices[at + 2]);
+            const glm::vec3 sum = mesh.vertices[corners.x].position + mesh.vertices[corners.y].position +
+                                  mesh.vertices[corners.z].position;
+            const glm::vec3 middle(item.transform * glm::vec4(sum / 3.0f, 1.0f));
+            all.push_back({glm::length(middle - view.eye), i, corners});
+        }
+    }
+    return all;
+}
+
+void SurfaceScene::draw_transparent_triangles(Raster& pass, uint32_t item, const Buffer& indices, uint32_t first,
+                                              uint32_t count) const {
+    const Batch batch(*scene_, item, 1);
+    pass.use(see_through_pipelines().loaded, maps.variant(batch.item()));
+    pass.offer("ambient", scene_->ambient());
+    batch.bind(pass);
+    pass.draw_indexed(indices, first, count, 1, item);
+}
 
 }  // namespace lightwalk

@@ -32,7 +32,10 @@ struct SurfaceScene : Drawing {
     std::vector<Transparent> transparent(const View& view) const override;
     std::vector<With> transparent_with() const override { return given(); }
     std::vector<Resource> transparent_reads() const override { return shading_reads; }
-    void draw_transparent(Raster& pass, std::span<const Transparent> items, const Macros& variant) const override;
+    void draw_transparent(Raster& pass, std::span<const Transparent> items) const override;
+    std::vector<TransparentTriangle> transparent_triangles(const View& view) const override;
+    void draw_transparent_triangles(Raster& pass, uint32_t item, const Buffer& indices, uint32_t first,
+                                    uint32_t count) const override;
     // [/surface_scene]
 
     /// For transparent_shading: the fragment shader with TRANSPARENT, which writes alpha and cuts nothing out.
@@ -54,6 +57,7 @@ struct SurfaceScene : Drawing {
     SurfacePipelines shade_;
 
   private:
+    const SurfacePipelines& see_through_pipelines() const;
     // A tile knows the lights of what is opaque in it alone.
     SurfacePipelines see_through_, see_through_tiles_;
 };

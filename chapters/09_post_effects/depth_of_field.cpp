@@ -64,6 +64,7 @@ void DepthOfField::sample_lens(Frame& frame, const View& view, Canvas& canvas, c
     const ImageView color = canvas.color_overwritten();
     for (int i = 0; i < views; ++i) {
         Canvas one(color, canvas.depth_overwritten(), canvas.background());
+        one.mixed_by(canvas.mixing());
         draw(frame, from_place(view, lens_place(i, views, radius), focus), one, drawings);
         frame.compute("dof mean", {.reads = {color, mean}, .writes = {mean}}, [&](Compute& pass) {
             pass.use(add_).set("hdr", color, nearest_clamp).set("mean", mean);

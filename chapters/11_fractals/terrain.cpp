@@ -3,22 +3,6 @@
 #include "01_obj/camera_view.h"
 
 namespace lightwalk {
-namespace {
-
-// Two triangles for each cell of a grid, counter-clockwise seen from above; without those of the middle half of each
-// side.
-void add_cells(std::vector<uint32_t>& indices, uint32_t cells, bool hollow) {
-    const auto in_hole = [&](uint32_t i) { return i >= cells / 4 && i < cells - cells / 4; };
-    for (uint32_t z = 0; z < cells; ++z)
-        for (uint32_t x = 0; x < cells; ++x) {
-            if (hollow && in_hole(x) && in_hole(z)) continue;
-            const uint32_t a = z * (cells + 1) + x, b = a + 1, c = a + cells + 1, d = c + 1;
-            indices.insert(indices.end(), {a, c, b, b, c, d});
-        }
-}
-
-}  // namespace
-
 void Terrain::prepare(Gpu& gpu, Scene& loaded) {
     scene_ = &loaded;
     if (images_) return;
@@ -76,22 +60,10 @@ void Terrain::bind(Pass& pass) const {
                                         {look.ends.value, look.ends_slope.value}});
 }
 
-void Terrain::make_grid(Frame& frame) {
-    const auto side = static_cast<uint32_t>(now_.cells);
-    if (side == made_cells_) return;
-    std::vector<uint32_t> indices;
-    add_cells(indices, side, false);
-    whole_ = static_cast<uint32_t>(indices.size());
-    add_cells(indices, side, true);
-    hollow_ = static_cast<uint32_t>(indices.size()) - whole_;
-    indices_ = frame.gpu.upload("terrain indices", indices);
-    made_cells_ = side;
-}
-
 // [draw]
 void Terrain::draw(Frame& frame, const View& view, Canvas& canvas) {
     place(frame, view);
-    make_grid(frame);
+    grid_.fit(frame.gpu, static_cast<uint32_t>(now_.cells));
     const ViewScope scope(frame, from_);
 
     // 1. The ground: the innermost ring whole, the others hollow.
@@ -100,9 +72,7 @@ void Terrain::draw(Frame& frame, const View& view, Canvas& canvas) {
                      pass.use(ground_);
                      if (pass.wants("land_map")) pass.set("land_map", *land_);
                      if (pass.wants("rock_map")) pass.set("rock_map", *rock_);
-                     pass.draw_indexed(indices_, 0, whole_);
-                     const auto others = static_cast<uint32_t>(now_.rings) - 1;
-                     if (others > 0) pass.draw_indexed(indices_, whole_, hollow_, others, 1);
+                     grid_.draw(pass, static_cast<uint32_t>(now_.rings));
                  });
     if (!show.is("picture") || !own_sky) return;
 

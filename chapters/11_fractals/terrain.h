@@ -3,6 +3,7 @@
 #include "10_atmosphere/height_fog.h"
 #include "10_atmosphere/preetham.h"
 #include "11_fractals/noise.h"
+#include "11_fractals/ring_grid.h"
 #include "11_fractals/terrain_data.h"
 #include "common/scene/image_pool.h"
 
@@ -100,14 +101,12 @@ struct Terrain : Drawing {
 
   private:
     void place(const Frame& frame, const View& view);
-    void make_grid(Frame& frame);
     const Scene* scene_ = nullptr;
     Pipeline ground_ = graphics({.vertex = "11_fractals/terrain.vert", .fragment = "11_fractals/terrain.frag"});
     Pipeline sky_ = compute({.shader = "11_fractals/terrain_sky.comp"});
     std::unique_ptr<ImagePool> images_;
     std::shared_ptr<Image> land_, rock_;
-    Buffer indices_;
-    uint32_t made_cells_ = 0, whole_ = 0, hollow_ = 0;
+    RingGrid grid_;
     TerrainNow now_{};
     View from_;
 };

@@ -56,7 +56,8 @@ void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, con
     for (uint32_t face = 0; face < 6; ++face)
         if (!one || face == next_face_) draw_face(frame, scene, light.drawn, face, drawings), ++drawn_faces;
     if (one) next_face_ = (next_face_ + 1) % 6;
-    light.record_drawn(frame, {.box_lower = lower, .has_box = box ? 1u : 0u, .box_upper = upper, .box_center = center});
+    light.record_drawn(
+        frame, {.box_lower = lower, .has_box = box && !distant ? 1u : 0u, .box_upper = upper, .box_center = center});
 }
 // [/record]
 

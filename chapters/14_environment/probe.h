@@ -30,6 +30,7 @@ struct SceneProbe : Module {
     Knob<glm::vec3> upper{*this, "upper", glm::vec3(5), {glm::vec3(-1e4f), glm::vec3(1e4f)}, "Upper corner of that box",
                           "m"};
     // [/probe]
+    bool distant = false;  ///< what is drawn is the sky alone, infinitely far away: there is no box
     Knob<float> near_m{*this, "near_m", 0.05f, {1e-4f, 100.0f}, "Near plane of the six views", "m"};
 
     void record(Frame& frame, const Scene& scene, ImageLight& light, const Drawings& drawings);

@@ -6,33 +6,46 @@
 namespace lightwalk {
 namespace {
 
-struct Surface {
-    const Drawing* drawing;
-    Drawing::Transparent what;
-};
-
-// Back to front by object. One pass holds as many as follow each other and are of one drawing.
-void draw_transparent(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
-    std::vector<Surface> all;
-    for (const Drawing& drawing : drawings)
-        for (const Drawing::Transparent& one : drawing.transparent(view)) all.push_back({&drawing, one});
+// Back to front by object.
+void draw_sorted(Frame& frame, Canvas& canvas, std::vector<SeenThrough> all) {
     std::stable_sort(all.begin(), all.end(),
-                     [](const Surface& a, const Surface& b) { return a.what.distance_m > b.what.distance_m; });
-    for (auto first = all.begin(), last = first; first != all.end(); first = last) {
-        last = std::find_if(first, all.end(), [&](const Surface& s) { return s.drawing != first->drawing; });
-        std::vector<Drawing::Transparent> run;
-        std::transform(first, last, std::back_inserter(run), [](const Surface& s) { return s.what; });
-        canvas.depth(frame);  // cleared where nothing opaque was drawn
-        frame.raster("transparent",
-                     {.color = {canvas.color_target()},
-                      .depth = canvas.depth_read_only(),
-                      .reads = first->drawing->transparent_reads(),
-                      .with = first->drawing->transparent_with()},
-                     [&](Raster& pass) { first->drawing->draw_transparent(pass, run, {}); });
-    }
+                     [](const SeenThrough& a, const SeenThrough& b) { return a.what.distance_m > b.what.distance_m; });
+    draw_surfaces(frame, "transparent", {.color = {canvas.color_target()}, .depth = canvas.depth_read_only()}, all);
 }
 
 }  // namespace
+
+std::vector<SeenThrough> transparent_surfaces(const View& view, const Drawings& drawings) {
+    std::vector<SeenThrough> all;
+    for (const Drawing& drawing : drawings)
+        for (const Drawing::Transparent& one : drawing.transparent(view)) all.push_back({&drawing, one});
+    return all;
+}
+
+void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
+                   const std::vector<SeenThrough>& surfaces) {
+    const auto cleared = [](const Attachment& target) { return target.load == Attachment::Load::clear; };
+    if (surfaces.empty() && std::any_of(targets.color.begin(), targets.color.end(), cleared))
+        frame.raster(pass, targets, [](Raster&) {});
+    for (auto first = surfaces.begin(), last = first; first != surfaces.end(); first = last) {
+        const Drawing& drawing = *first->drawing;
+        last = std::find_if(first, surfaces.end(), [&](const SeenThrough& s) { return s.drawing != &drawing; });
+        std::vector<Drawing::Transparent> run;
+        std::transform(first, last, std::back_inserter(run), [](const SeenThrough& s) { return s.what; });
+        RasterTargets own = targets;
+        for (const Resource& read : drawing.transparent_reads()) own.reads.push_back(read);
+        for (const With& with : drawing.transparent_with()) own.with.push_back(with);
+        frame.raster(pass, own, [&](Raster& raster) { drawing.draw_transparent(raster, run); });
+        for (Attachment& target : targets.color)
+            if (cleared(target)) target.load = Attachment::Load::keep;
+        if (targets.depth.view && cleared(targets.depth)) targets.depth.load = Attachment::Load::keep;
+    }
+}
+
+Canvas& Canvas::mixed_by(TransparencyMethod* method) {
+    mixing_ = method;
+    return *this;
+}
 
 Canvas& Canvas::multisampled(const ImageView& colors, const ImageView& depths) {
     colors_ = colors, depths_ = depths;
@@ -81,7 +94,13 @@ void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawin
     for (Drawing& drawing : drawings) drawing.update_once(frame);
     for (Drawing& drawing : drawings) drawing.draw(frame, view, canvas);
     canvas.color(frame);
-    draw_transparent(frame, view, canvas, drawings);
+    const std::vector<SeenThrough> surfaces = transparent_surfaces(view, drawings);
+    if (surfaces.empty()) return;
+    canvas.depth(frame);  // cleared where nothing opaque was drawn
+    if (canvas.mixing())
+        canvas.mixing()->record(frame, view, canvas, surfaces);
+    else
+        draw_sorted(frame, canvas, surfaces);
 }
 
 }  // namespace lightwalk

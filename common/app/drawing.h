@@ -9,6 +9,8 @@
 
 namespace lightwalk {
 
+class TransparencyMethod;
+
 // [canvas]
 /// The targets that drawings share, all of one size. The first pass that draws into one clears it, so that no drawing
 /// clears what another has drawn.
@@ -20,6 +22,10 @@ class Canvas {
 
     /// Draws into images with several samples a pixel instead, whose mean goes into the canvas after each pass.
     Canvas& multisampled(const ImageView& colors, const ImageView& depths);
+
+    /// By what transparent surfaces are mixed with what lies behind them; null: drawn back to front, by object.
+    Canvas& mixed_by(TransparencyMethod* method);
+    TransparencyMethod* mixing() const { return colors_ ? nullptr : mixing_; }  ///< one sample a pixel only
 
     /// To draw into, in a raster pass; the first time cleared.
     Attachment color_target();
@@ -47,6 +53,7 @@ class Canvas {
   private:
     ImageView color_, depth_, colors_, depths_;
     glm::vec4 background_;
+    TransparencyMethod* mixing_ = nullptr;
     bool color_begun_ = false, depth_begun_ = false;
 };
 // [/canvas]
@@ -65,16 +72,28 @@ class Drawing : public Module {
 
     /// Transparent surfaces. They are drawn after all opaque ones, the farthest first.
     struct Transparent {
-        float distance_m;  ///< from the eye
+        float distance_m;  ///< of its middle from the eye
         uint32_t item;     ///< the drawing's own number
+        glm::vec3 middle;  ///< metres, world space
     };
     virtual std::vector<Transparent> transparent(const View&) const { return {}; }
 
-    /// What their pass is given, and the draw of some of them, in this order. `variant`: macros of the method by which
-    /// they are mixed.
+    /// What their pass is given, and the draw of some of them, in this order. Their fragment shaders end with
+    /// put_surface() of common/put_surface.glsl: what that does with colour and alpha is the method's.
     virtual std::vector<With> transparent_with() const { return {}; }
     virtual std::vector<Resource> transparent_reads() const { return {}; }
-    virtual void draw_transparent(Raster&, std::span<const Transparent>, const Macros& /*variant*/) const {}
+    virtual void draw_transparent(Raster&, std::span<const Transparent>) const {}
+
+    /// Their triangles one by one, for methods that order those. None: the drawing cannot tell, or has none.
+    struct TransparentTriangle {
+        float distance_m;     ///< of its middle from the eye
+        uint32_t item;        ///< whose it is
+        glm::uvec3 vertices;  ///< of the item's mesh
+    };
+    virtual std::vector<TransparentTriangle> transparent_triangles(const View&) const { return {}; }
+    /// Draws `count` indices of a buffer from `first` on with an item's vertices.
+    virtual void draw_transparent_triangles(Raster&, uint32_t /*item*/, const Buffer& /*indices*/, uint32_t /*first*/,
+                                            uint32_t /*count*/) const {}
     // [/drawing]
 
     /// update(), unless this frame has had it.
@@ -85,6 +104,29 @@ class Drawing : public Module {
 };
 
 using Drawings = std::vector<std::reference_wrapper<Drawing>>;
+
+// [transparency]
+/// One transparent surface, and whose it is.
+struct SeenThrough {
+    const Drawing* drawing;
+    Drawing::Transparent what;
+};
+
+/// Mixes transparent surfaces with what lies behind them, after all that is opaque was drawn. A canvas names it.
+class TransparencyMethod {
+  public:
+    virtual ~TransparencyMethod() = default;
+    virtual void record(Frame&, const View&, Canvas&, const std::vector<SeenThrough>&) = 0;
+};
+
+/// All transparent surfaces of the drawings, in their order.
+std::vector<SeenThrough> transparent_surfaces(const View& view, const Drawings& drawings);
+
+/// Draws them in this order into the targets, in one pass for neighbours that are of one drawing. `targets`: what all
+/// passes have in common; what it clears is cleared once, also where there is nothing to draw.
+void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
+                   const std::vector<SeenThrough>& surfaces);
+// [/transparency]
 
 /// Updates the drawings, unless this frame did so before, draws them in this order, and then their transparent surfaces.
 void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);

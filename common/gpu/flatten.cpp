@@ -43,6 +43,7 @@ bool is_of_tests(const std::string& shown) { return shown.starts_with("tests/") 
 
 class Flattener {
   public:
+    explicit Flattener(const Macros& macros) : macros_(macros) {}
     FlatShader result;
 
     void include(const std::string& name, const std::string& from, int line) {
@@ -94,14 +95,17 @@ class Flattener {
                 result.text += "\n";
                 continue;
             }
-            const std::string name = match[1];
+            std::string name = match[1];
+            const auto other = macros_.values().find(name);
+            const bool replaced = other != macros_.values().end();
+            if (replaced) name = other->second;
             // ../tests: what a test asks its probe to include.
             const fs::path below = name.starts_with("../tests/") ? name.substr(3) : name;
             if (below.is_absolute() || std::ranges::count(below, fs::path("..")))
                 throw ShaderError("{}:{}: #include \"{}\": an include is a path below shaders/", shown, number, name);
             // Included once, wherever first met: within an #if that would depend on the order of files.
             if (depth > 0) throw ShaderError("{}:{}: #include within #if; move it to the top", shown, number);
-            if (chapter_of(name) > chapter)
+            if (chapter_of(name) > chapter && !replaced)
                 throw ShaderError("{}:{}: chapter {} may not include the later chapter's {}", shown, number, chapter,
                                   name);
             include(name, shown, number);
@@ -122,8 +126,15 @@ class Flattener {
         throw ShaderError("{}:{}: no file shaders/{}", from, line, name);
     }
 
+    const Macros& macros_;
     std::set<fs::path> seen_;
 };
+
+FlatShader included(const std::string& name, const Macros& macros) {
+    Flattener flattener(macros);
+    flattener.include(name, "the pipeline", 0);
+    return std::move(flattener.result);
+}
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
@@ -172,6 +183,9 @@ void refuse_unknown_macros(const std::string& text, const Macros& macros) {
     }
 }
 
+// The name of a macro that replaces a file rather than a word: "common/put_surface.glsl".
+bool is_file(const std::string& name) { return name.find('/') != name.npos; }
+
 // Only the macros that the text names: what does not concern a shader must not make another variant of it.
 FlatShader with_header(FlatShader shader, const Macros& macros) {
     refuse_unknown_macros(shader.text, macros);
@@ -182,7 +196,7 @@ FlatShader with_header(FlatShader shader, const Macros& macros) {
     for (const char* cpp : {"BEGIN_SHARED", "END_SHARED", "SHARED_FUNCTION"})  // for C++ alone: shaders/common/shared.h
         if (names_macro(shader.text, cpp)) header += fmt::format("#define {}\n", cpp);
     for (const auto& [name, value] : macros)
-        if (names_macro(shader.text, name)) header += fmt::format("#define {} {}\n", name, value);
+        if (!is_file(name) && names_macro(shader.text, name)) header += fmt::format("#define {} {}\n", name, value);
     shader.text.insert(0, header);
     return shader;
 }
@@ -197,17 +211,15 @@ bool names_macro(std::string_view text, std::string_view name) {
     return false;
 }
 
-FlatShader flatten_bare(const std::string& name) {
-    Flattener flattener;
-    flattener.include(name, "the pipeline", 0);
-    return std::move(flattener.result);
-}
+FlatShader flatten_bare(const std::string& name) { return included(name, {}); }
 
-FlatShader flatten(const std::string& name, const Macros& macros) { return with_header(flatten_bare(name), macros); }
+FlatShader flatten(const std::string& name, const Macros& macros) {
+    return with_header(included(name, macros), macros);
+}
 
 FlatShader flatten_text(const std::string& text, const std::string& name, const std::string& chapter,
                         const Macros& macros) {
-    Flattener flattener;
+    Flattener flattener(macros);
     flattener.add(text, name, chapter);
     return with_header(std::move(flattener.result), macros);
 }

@@ -24,7 +24,8 @@ struct FlatShader {
 
 /// Reads shaders/`name` and its includes. An include is a path below shaders/; "NN_name/f.glsl" that is not there
 /// itself is exercise/f.glsl or solution/f.glsl of that folder, as the toggle "NN.f" says. A file is included once.
-/// Chapter NN may include chapters up to NN. Of `macros` those that the text names are defined. Throws ShaderError
+/// Chapter NN may include chapters up to NN. Of `macros` those that the text names are defined; one whose name is a file
+/// ("common/put_surface.glsl") says which file, of any chapter, is read where that one is included. Throws ShaderError
 /// (missing, later chapter, include within #if, #if of a macro that nobody defines).
 FlatShader flatten(const std::string& name, const Macros& macros);
 

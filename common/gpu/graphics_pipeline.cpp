@@ -53,6 +53,10 @@ std::string state_key(const Pipeline::Graphics& g, const TargetFormats& formats)
     for (const Blend blend : g.blend.values()) add(int(blend));
     for (const VkColorComponentFlags write : g.color_write.values()) add(write + 100);
     for (const VkFormat format : formats.color) key += fmt::format(" {}", int(format));
+    if (formats.mixing) {
+        key += fmt::format(" mixed {}", int(formats.mixing->depth_write));
+        for (const Blend blend : formats.mixing->blend) key += fmt::format(",{}", int(blend));
+    }
     return fmt::format("{} depth {} {}{}", key, int(formats.depth), formats.depth_read_only ? "read only " : "",
                        formats.samples);
 }
@@ -86,10 +90,12 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
     const VkPipelineDepthStencilStateCreateInfo depth{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
         .depthTestEnable = has_depth && desc.depth_test,
-        .depthWriteEnable = has_depth && desc.depth_write && !formats.depth_read_only,
+        .depthWriteEnable =
+            has_depth && !formats.depth_read_only && (formats.mixing ? formats.mixing->depth_write : desc.depth_write),
         .depthCompareOp = compare_op(desc.depth_compare)};
     std::vector<VkPipelineColorBlendAttachmentState> blends;
-    for (size_t i = 0; i < formats.color.size(); ++i) blends.push_back(blend_state(desc.blend[i], desc.color_write[i]));
+    const PerTarget<Blend> by_target = formats.mixing ? PerTarget<Blend>(formats.mixing->blend) : desc.blend;
+    for (size_t i = 0; i < formats.color.size(); ++i) blends.push_back(blend_state(by_target[i], desc.color_write[i]));
     const VkPipelineColorBlendStateCreateInfo blend{.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
                                                     .attachmentCount = static_cast<uint32_t>(blends.size()),
                                                     .pAttachments = blends.data()};
@@ -122,7 +128,7 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
     };
     need(desc.depth_clamp, has.depthClamp, "depth clamp");
     need(desc.depth_bias.clamp != 0, has.depthBiasClamp, "clamp of the depth bias");
-    need(desc.blend.values().size() > 1 || desc.color_write.values().size() > 1, has.independentBlend,
+    need(by_target.values().size() > 1 || desc.color_write.values().size() > 1, has.independentBlend,
          "blend for each target");
     need(!desc.geometry.empty(), has.geometryShader, "geometry shaders");
     VkPipeline pipeline = VK_NULL_HANDLE;

@@ -61,7 +61,9 @@ std::vector<std::string> Pipeline::shaders() const {
 uint64_t TargetFormats::hash() const {
     uint64_t result = 31 * static_cast<uint64_t>(depth) + 2 * samples + (depth_read_only ? 1 : 0);
     for (const VkFormat format : color) result = 31 * result + static_cast<uint64_t>(format) + 1;
-    return result;
+    if (!mixing) return result;
+    for (const Blend blend : mixing->blend) result = 31 * result + static_cast<uint64_t>(blend) + 7;
+    return 31 * result + (mixing->depth_write ? 5 : 3);
 }
 
 BuiltPipeline::~BuiltPipeline() {

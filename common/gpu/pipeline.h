@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -61,6 +62,7 @@ struct TargetFormats {
     VkFormat depth = VK_FORMAT_UNDEFINED;
     bool depth_read_only = false;  ///< depth is tested against and never written, whatever the pipeline says
     uint32_t samples = 1;
+    std::optional<Mixing> mixing;  ///< overrules the pipeline's blending and writing of depth
     auto operator<=>(const TargetFormats&) const = default;
     uint64_t hash() const;
 };

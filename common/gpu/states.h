@@ -3,6 +3,7 @@
 #include <vulkan/vulkan.h>
 
 #include <initializer_list>
+#include <utility>
 #include <vector>
 
 namespace lightwalk {
@@ -44,12 +45,20 @@ class PerTarget {
   public:
     PerTarget(T all) : values_{all} {}
     PerTarget(std::initializer_list<T> each) : values_(each) {}
+    explicit PerTarget(std::vector<T> each) : values_(std::move(each)) {}
     /// The last one is for all targets that follow, too.
     T operator[](size_t target) const { return values_.at(target < values_.size() ? target : values_.size() - 1); }
     const std::vector<T>& values() const { return values_; }
 
   private:
     std::vector<T> values_;
+};
+
+/// How a pass's fragments meet its targets, whatever its pipelines say: for whoever mixes what others draw.
+struct Mixing {
+    std::vector<Blend> blend;  ///< one for each colour target
+    bool depth_write = false;
+    auto operator<=>(const Mixing&) const = default;
 };
 
 }  // namespace lightwalk

@@ -93,6 +93,7 @@ Attachment resolve(Attachment from, const ImageView& into) {
 
 Rendering::Rendering(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size, bool shows_discarded)
     : layers(targets.layers) {
+    formats.mixing = targets.mixing;
     for (const Attachment& target : targets.color) color_.push_back(add(pass, target, false, shows_discarded));
     if (targets.depth.view) depth_ = add(pass, targets.depth, true, shows_discarded);
     if (size == glm::uvec2(0)) size = targets.size == glm::uvec2(0) ? frame_size : targets.size;

@@ -56,9 +56,10 @@ struct RasterTargets {
     std::vector<Attachment> color;
     Attachment depth;
     std::vector<Resource> reads, writes;
-    std::vector<With> with;  ///< modules: their macros, uniforms, reads and bindings
-    uint32_t layers = 1;     ///< of every target, for geometry shaders that write gl_Layer
-    glm::uvec2 size{0};      ///< pixels, where there is no target; 0: the frame's
+    std::vector<With> with;        ///< modules: their macros, uniforms, reads and bindings
+    uint32_t layers = 1;           ///< of every target, for geometry shaders that write gl_Layer
+    glm::uvec2 size{0};            ///< pixels, where there is no target; 0: the frame's
+    std::optional<Mixing> mixing;  ///< overrules the blending and the depth writing of every pipeline used
 };
 // [/raster_targets]
 

@@ -3,8 +3,7 @@
 #include "03_attenuation/lighting.glsl"
 #include "04_surface_maps/surface_maps.glsl"
 #include "05_shadow_maps/planet_shadow.glsl"
-
-layout(location = 0) out vec4 color;
+#include "common/put_surface.glsl"
 
 // [light_visibility]
 vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
@@ -15,5 +14,5 @@ vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
 void main() {
     MappedSurface m = seen_surface();
     Lit lit = light_surface(m.surface, m.facing, m.position, item, gl_FragCoord);
-    color = vec4(radiance_of(m, lit.diffuse, lit.specular, ambient), m.alpha);
+    put_surface(radiance_of(m, lit.diffuse, lit.specular, ambient), m.alpha);
 }

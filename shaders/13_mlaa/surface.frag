@@ -4,8 +4,7 @@
 #include "03_attenuation/lighting.glsl"
 #include "04_surface_maps/surface_maps.glsl"
 #include "05_shadow_maps/shadow.glsl"
-
-layout(location = 0) out vec4 color;
+#include "common/put_surface.glsl"
 
 void main() {
     MappedSurface m = seen_surface();
@@ -14,8 +13,5 @@ void main() {
 #if CLIP == CLIP_BEFORE
     radiance = min(radiance, 1.0);
 #endif
-    color = vec4(min(radiance, LARGEST_HALF), 1.0);
-#ifdef TRANSPARENT
-    color.a = m.alpha;
-#endif
+    put_surface(min(radiance, LARGEST_HALF), m.alpha);
 }

@@ -8,8 +8,7 @@
 #include "14_environment/image_light.glsl"
 #include "14_environment/paint.glsl"
 #include "14_environment/substance_data.h"
-
-layout(location = 0) out vec4 color;
+#include "common/put_surface.glsl"
 
 layout(scalar) uniform SubstanceBlock { float roughness; } substance;
 layout(scalar) readonly buffer SubstancesBuffer { SubstanceData substances[]; };
@@ -68,9 +67,9 @@ void main() {
     // What is reflected covers what lies behind; the rest lets it through as far as alpha says.
     float covered = mix(max(f0.r, max(f0.g, f0.b)), 1.0, schlick_power(n_dot_v));
     float opacity = max(1.0 - (1.0 - m.alpha) * (1.0 - covered), 1e-3);
-    color = vec4(min((m.alpha * body + coat) / opacity, 65504.0), opacity);
+    put_surface(min((m.alpha * body + coat) / opacity, 65504.0), opacity);
 #else
-    color = vec4(min(body + coat, 65504.0), 1.0);
+    put_surface(min(body + coat, 65504.0), 1.0);
 #endif
 }
 // [/surface]

@@ -7,6 +7,7 @@
 
 bool is_drawn();  // true, in a way that no compiler sees through; each stage has its own
 
+int opaque(int x) { return is_drawn() ? x : 0; }
 float opaque(float x) { return is_drawn() ? x : 0.0; }
 vec2 opaque(vec2 x) { return is_drawn() ? x : vec2(0.0); }
 vec3 opaque(vec3 x) { return is_drawn() ? x : vec3(0.0); }

@@ -1,0 +1,134 @@
+#include "15_terrain_water/ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace lightwalk {
+namespace {
+
+// To the nearest of 2^bits - 1 steps between the least and the greatest.
+void quantise(std::vector<float>& heights, double bits) {
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    const double least = double(*low), step = (double(*high) - least) / (std::exp2(bits) - 1);
+    if (step <= 0) return;
+    for (float& height : heights)
+        height = static_cast<float>(least + step * std::round((double(height) - least) / step));
+}
+
+}  // namespace
+
+void Ground::prepare(Gpu& gpu, Scene& scene) {
+    source_ = {}, made_ = false;
+    for (const SceneObject& object : scene.file.objects) {
+        if (!is_height_map_file(object.model)) continue;
+        source_ = read_height_map(find_asset(object.model));
+        if (!precision.is("float")) quantise(source_.elevation_m, std::stod(precision.text()));
+        texels_ = Image(gpu.device, {.name = "elevations",
+                                     .format = VK_FORMAT_R32_SFLOAT,
+                                     .size = {uint32_t(source_.width), uint32_t(source_.height)}});
+        gpu.upload(texels_, std::as_bytes(std::span(source_.elevation_m)));
+        return;
+    }
+}
+
+LandSource Ground::land_source() const {
+    const glm::vec2 size_m = source_.sample_m * glm::vec2(source_.width - 1, source_.height - 1);
+    const float side_m = span_km > 0 ? 1000.0f * span_km : std::min(size_m.x, size_m.y);
+    const int samples = (1 << levels) + 1;
+    const float spacing_m = side_m / static_cast<float>(samples - 1);
+    const glm::vec2 first_m = 1000.0f * glm::vec2(center_x_km.value, center_z_km.value) - 0.5f * side_m;
+    return {.first = (first_m + 0.5f * size_m) / source_.sample_m,
+            .step = spacing_m / source_.sample_m,
+            .place_m = first_m,
+            .spacing_m = spacing_m,
+            .samples = samples,
+            .datum_m = datum_m,
+            .height_scale = height_scale,
+            .detail_m = detail_m,
+            .cliffs = cliffs,
+            .cliff_m = cliff_m,
+            .edge_m = 1000.0f * edge_km,
+            .plain = {1000.0f * plain_km.value, plain_m.value}};
+}
+
+void Ground::make_images(Device& device) {
+    const uint32_t cells = static_cast<uint32_t>(map_.samples) - 1, top = static_cast<uint32_t>(map_.top);
+    const auto image = [&](Image& it, const char* name, VkFormat format, uint32_t side, uint32_t mips) {
+        it.fit(device, {.name = path() + name, .format = format, .size = glm::uvec2(side), .mips = mips, .kept = true});
+    };
+    image(heights_, " heights", VK_FORMAT_R32_SFLOAT, cells + 1, 1);
+    image(slopes_, " slopes", VK_FORMAT_R16G16B16A16_SFLOAT, cells + 1, full_mip_count(glm::uvec2(cells + 1)));
+    image(bounds_, " bounds", VK_FORMAT_R32G32_SFLOAT, cells, full_mip_count(glm::uvec2(cells)));
+    image(errors_, " errors", VK_FORMAT_R32_SFLOAT, 1u << top, top + 1);
+}
+
+// [make]
+void Ground::make_heights(Frame& frame, const LandSource& from) {
+    frame.compute("ground heights", {.reads = {texels_}, .writes = {heights_}}, [&](Compute& pass) {
+        pass.use(make_heights_).set("land_source", from).set("source", texels_, nearest_clamp);
+        pass.set("result", heights_).dispatch_threads(heights_.desc.size);
+    });
+    frame.compute("ground slopes", {.reads = {heights_, slopes_}, .writes = {slopes_}}, [&](Compute& pass) {
+        pass.use(make_slopes_).set("land_map", map_).set("heights", heights_, nearest_clamp);
+        pass.set("result", slopes_.mip(0)).dispatch_threads(slopes_.desc.size);
+        for (uint32_t m = 1; m < slopes_.desc.mips; ++m) {
+            pass.wait();
+            pass.use(make_mip_).set("finer", slopes_.mip(m - 1), linear_clamp).set("result", slopes_.mip(m));
+            pass.dispatch_threads(glm::uvec2(slopes_.mip(m).size()));
+        }
+    });
+    frame.compute("ground bounds", {.reads = {heights_, bounds_}, .writes = {bounds_}}, [&](Compute& pass) {
+        for (uint32_t m = 0; m < bounds_.desc.mips; ++m) {
+            pass.use(make_bounds_).set("from_heights", m == 0 ? 1 : 0).set("result", bounds_.mip(m));
+            pass.set("finer", m == 0 ? ImageView(heights_) : bounds_.mip(m - 1), nearest_clamp);
+            pass.dispatch_threads(glm::uvec2(bounds_.mip(m).size())).wait();
+        }
+    });
+}
+// [/make]
+
+void Ground::make_errors(Frame& frame) {
+    frame.compute("ground errors", {.reads = {heights_, errors_}, .writes = {errors_}}, [&](Compute& pass) {
+        for (uint32_t m = 0; m < errors_.desc.mips; ++m) {
+            pass.use(make_errors_).set("heights", heights_, nearest_clamp).set("result", errors_.mip(m));
+            pass.set("finer", m == 0 ? ImageView(heights_) : errors_.mip(m - 1), nearest_clamp);
+            pass.set("error_level", static_cast<int>(m)).dispatch(errors_.mip(m).size()).wait();
+        }
+    });
+}
+
+void Ground::record(Frame& frame, bool with_errors) {
+    if (!exists()) return;
+    const LandSource from = land_source();
+    if (!made_ || std::memcmp(&from, &made_of_, sizeof from) != 0) {
+        const auto [low, high] = std::minmax_element(source_.elevation_m.begin(), source_.elevation_m.end());
+        map_ = {.corner = -0.5f * from.spacing_m * static_cast<float>(from.samples - 1) * glm::vec2(1.0f),
+                .spacing_m = from.spacing_m,
+                .samples = from.samples,
+                .top = levels - 5,
+                .highest_m = height_scale * (*high - datum_m) + 4 * detail_m + 0.5f * cliff_m};
+        make_images(frame.gpu.device);
+        make_heights(frame, from);
+        made_of_ = from, made_ = true, errors_made_ = false;
+    }
+    if (with_errors && !std::exchange(errors_made_, true)) make_errors(frame);
+}
+
+void Ground::bind(Pass& pass) const {
+    pass.offer("land_map", map_);
+    if (!heights_) return;
+    pass.offer("land_heights", heights_, nearest_clamp);
+    pass.offer("land_slopes", slopes_, linear_clamp);
+    pass.offer("land_bounds", bounds_, nearest_clamp);
+    if (errors_made_) pass.offer("land_errors", errors_, nearest_clamp);
+}
+
+std::vector<Resource> Ground::reads() const {
+    if (!heights_) return {};
+    std::vector<Resource> all{heights_, slopes_, bounds_};
+    if (errors_made_) all.emplace_back(errors_);
+    return all;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,76 @@
+#include "15_terrain_water/height_map.h"
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/image/decode.h"
+
+namespace lightwalk {
+namespace {
+
+using Json = nlohmann::json;
+
+/// What a .json beside the picture may say.
+struct Scale {
+    double low_m = 0, high_m = 1000, x_m = 30, y_m = 30;
+};
+
+void read_number(const std::filesystem::path& file, const Json& json, const char* key, double least, double most,
+                 double& value) {
+    if (!json.contains(key)) return;
+    const Json& found = json.at(key);
+    if (!found.is_number() || !(found.get<double>() >= least && found.get<double>() <= most))
+        throw InputError("{}: key '{}' must be a number from {:g} to {:g}", file.string(), key, least, most);
+    value = found.get<double>();
+}
+
+Scale read_scale(std::filesystem::path file) {
+    Scale scale;
+    file.replace_extension(".json");
+    if (!std::filesystem::exists(file)) return scale;
+    const Json json = Json::parse(read_file(file, size_t{1} << 20), nullptr, false);
+    if (!json.is_object()) throw InputError("{}: not a JSON object", file.string());
+    read_number(file, json, "min_elevation_m", -12000, 10000, scale.low_m);
+    read_number(file, json, "max_elevation_m", -12000, 10000, scale.high_m);
+    read_number(file, json, "metres_per_sample_x", 1e-3, 1e5, scale.x_m);
+    read_number(file, json, "metres_per_sample_y", 1e-3, 1e5, scale.y_m);
+    if (scale.high_m < scale.low_m)
+        throw InputError("{}: key 'max_elevation_m' must not be below min_elevation_m", file.string());
+    return scale;
+}
+
+}  // namespace
+
+bool is_height_map_file(const std::filesystem::path& file) { return file.extension() == ".png"; }
+
+HeightMap read_height_map(const std::filesystem::path& file) {
+    const Decoded picture = decode_picture(file, 3, Depth::as_stored);
+    if (picture.channels > 2)
+        throw InputError("{}: {} channels; a height map is a grey picture with 1", file.string(), picture.channels);
+    if (picture.width < 2 || picture.height < 2)
+        throw InputError("{}: {}x{} samples; a height map has at least 2x2", file.string(), picture.width,
+                         picture.height);
+    const Scale scale = read_scale(file);
+    HeightMap map{.width = picture.width,
+                  .height = picture.height,
+                  .sample_m = glm::vec2(scale.x_m, scale.y_m),
+                  .elevation_m = {}};
+    const size_t count = size_t(picture.width) * size_t(picture.height);
+    map.elevation_m.resize(count);
+    for (size_t i = 0; i < count; ++i) {
+        double share = 0;
+        if (picture.bits == 16) {
+            uint16_t code = 0;
+            std::memcpy(&code, picture.samples.data() + 6 * i, 2);
+            share = code / 65535.0;
+        } else {
+            share = static_cast<uint8_t>(picture.samples[3 * i]) / 255.0;
+        }
+        map.elevation_m[i] = static_cast<float>(scale.low_m + share * (scale.high_m - scale.low_m));
+    }
+    return map;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,108 @@
+// Terrain drawing: the ground of a height map, with textures, shadows and the light of an atmosphere.
+#pragma once
+#include <map>
+
+#include "10_atmosphere/atmosphere.h"
+#include "11_fractals/ring_grid.h"
+#include "15_terrain_water/ground.h"
+#include "common/app/drawing.h"
+
+namespace lightwalk {
+
+// [land]
+/// Comes before what stands on it or lies behind it. All methods find the same thing, how far away the ground is in each
+/// pixel; one pass shades what they have found.
+struct Land : Drawing {
+    Land(Module& owner, std::string name, Ground& ground, const Atmosphere& atmosphere)
+        : Drawing(owner, std::move(name), "land"), ground_(ground), atmosphere_(atmosphere) {}
+
+    Choice method{*this,
+                  "method",
+                  {"grid", "rings", "chunks", "rays"},
+                  "chunks",
+                  "Geometry of the ground: one grid; rings around the camera; chunks whose level follows the error on "
+                  "the screen; rays through every pixel (the reference)"};
+    // [/land]
+    Knob<int> grid_level{*this, "grid_level", 2, {0, 7}, "Cells of the grid: 2^grid_level samples (method grid)"};
+    Knob<int> ring_cells{
+        *this, "ring_cells", 128, {8, 1024}, "Cells along a side of a ring; rounded to a multiple of 4"};
+    Knob<float> error_px{*this, "error_px", 1.5f, {0.05f, 64.0f}, "Error of the ground that chunks may show", "px"};
+    Choice blend{*this,
+                 "blend",
+                 {"smooth", "height_aware"},
+                 "height_aware",
+                 "Transition between textures: their weights, or who stands out at this place"};
+    Knob<float> softness{*this,
+                         "softness",
+                         0.25f,
+                         {0.01f, 2.0f},
+                         "Height over which one texture fades into another (blend height_aware)"};
+    Choice shadow{
+        *this, "shadow", {"none", "marched"}, "marched", "Shadow of the ground on itself: none, or a ray to the sun"};
+    Knob<int> shadow_steps{*this, "shadow_steps", 48, {1, 1024}, "Number of steps of a shadow ray"};
+    Knob<float> snow_m{*this, "snow_m", 2000.0f, {-1e4f, 1e4f}, "Snow line: height where snow begins on level ground",
+                       "m"};
+    Knob<float> forest{*this, "forest", 0.6f, {0.0f, 1.0f}, "Share of the ground that forest covers"};
+    Knob<float> rock_deg{*this, "rock_deg", 34.0f, {0.0f, 90.0f}, "Slope from which rock shows", "degrees"};
+    Knob<glm::vec3> grass_tint{*this,
+                               "grass_tint",
+                               glm::vec3(1.0f),
+                               {glm::vec3(0.0f), glm::vec3(4.0f)},
+                               "Scale factor for the albedo of grass"};
+    Knob<glm::vec3> forest_tint{*this,
+                                "forest_tint",
+                                glm::vec3(1.0f),
+                                {glm::vec3(0.0f), glm::vec3(4.0f)},
+                                "Scale factor for the albedo of forest"};
+    Knob<glm::vec3> rock_tint{
+        *this, "rock_tint", glm::vec3(1.0f), {glm::vec3(0.0f), glm::vec3(4.0f)}, "Scale factor for the albedo of rock"};
+    Knob<float> bumps{*this, "bumps", 1.0f, {0.0f, 8.0f}, "Strength of the bumps of textures"};
+    Choice show{*this,
+                "show",
+                {"picture", "normals", "levels"},
+                "picture",
+                "Image shown: the ground, its normals, or its chunks by level"};
+
+    void prepare(Gpu& gpu, Scene& loaded) override;
+    void update(Frame& frame) override { ground_.record(frame, !method.is("rings") && !method.is("rays")); }
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
+
+    /// Of the view drawn last: metres along the view, R32F, 0 where there is no ground.
+    const Image& found() const { return *found_last_; }
+    /// Triangles that the view drawn last gave to the device; with method chunks those of the frame before, once
+    /// `count` says so. Rays: 0.
+    uint64_t triangles() const;
+    bool count = false;
+
+  private:
+    struct PerView {
+        Image found;
+        Buffer list, draws;
+    };
+    void draw_chunks(Frame& frame, const View& view, Canvas& canvas, PerView& kept);
+    void draw_rings(Frame& frame, const View& view, Canvas& canvas, const PerView& kept);
+    void draw_rays(Frame& frame, const View& view, Canvas& canvas, const PerView& kept);
+    void shade(Frame& frame, const View& view, Canvas& canvas, const PerView& kept);
+    void cull(Frame& frame, const View& view, PerView& kept);
+    Ground& ground_;
+    const Atmosphere& atmosphere_;
+    std::map<uint32_t, PerView> views_;
+    const Image* found_last_ = nullptr;
+    RingGrid rings_;
+    Buffer chunk_indices_, none_;
+    uint32_t ring_count_ = 0;
+    ReadBack counted_;
+    Image materials_, bumps_;
+    Pipeline cull_ = compute({.shader = "15_terrain_water/cull_chunks.comp"});
+    Pipeline chunk_ = graphics({.vertex = "15_terrain_water/land_chunks.vert",
+                                .fragment = "15_terrain_water/land_found.frag",
+                                .cull = VK_CULL_MODE_NONE});
+    Pipeline ring_ = graphics({.vertex = "15_terrain_water/land_rings.vert",
+                               .fragment = "15_terrain_water/land_found.frag",
+                               .cull = VK_CULL_MODE_NONE});
+    Pipeline ray_ = graphics(
+        {.vertex = "06_deferred/whole.vert", .fragment = "15_terrain_water/land_rays.frag", .cull = VK_CULL_MODE_NONE});
+    Pipeline shade_ = compute({.shader = "15_terrain_water/land_shade.comp"});
+};
+
+}  // namespace lightwalk

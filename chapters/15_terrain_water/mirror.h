@@ -1,0 +1,35 @@
+// Mirror module: the mirror image of what stands on a level water surface.
+#pragma once
+#include "common/app/drawing.h"
+#include "common/app/module.h"
+
+namespace lightwalk {
+
+// [mirror]
+/// record() before the water is drawn; then image() shows at each pixel, counted from the other edge, what the level water
+/// reflects there. The water itself is in neither list: a mirror does not see itself.
+struct Mirror : Module {
+    Mirror(Module& owner, std::string name) : Module(owner, std::move(name), "mirror") {}
+
+    Knob<float> scale{*this, "scale", 0.5f, {0.1f, 1.0f}, "Width of the mirror image, as a share of the picture's"};
+
+    /// `solid` is drawn with the water as its near plane, then `air` (sky, haze) behind and before it.
+    void record(Frame& frame, const View& view, float level_m, const Drawings& solid, const Drawings& air);
+    const Image& image() const { return color_; }
+    const Image& depth() const {
+        return depth_;
+    }  ///< as the mirrored camera's own near and far planes give it
+       // [/mirror]
+
+  private:
+    Image color_, oblique_, depth_;
+    Pipeline plain_depth_ = graphics({.vertex = "06_deferred/whole.vert",
+                                      .fragment = "15_terrain_water/plain_depth.frag",
+                                      .cull = VK_CULL_MODE_NONE,
+                                      .depth_compare = Compare::always});
+};
+
+/// The camera below the water that sees what the one above sees mirrored, turned from left to right.
+Camera mirrored_camera(const Camera& camera, float level_m);
+
+}  // namespace lightwalk

@@ -1,0 +1,128 @@
+#include "15_terrain_water/ocean.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace lightwalk {
+namespace {
+
+constexpr double gravity = 9.81;
+constexpr int texels = static_cast<int>(OCEAN_TEXELS);
+
+// Wave numbers, in 1/m, between which the parts share the spectrum: six waves of the next tile are its longest.
+double least_k(int part) { return part == 0 ? 0.0 : 6 * 2 * M_PI / double(Ocean::tile_m()[part]); }
+double most_k(int part) { return part == 2 ? 0.5 * M_PI * texels / double(Ocean::tile_m()[2]) : least_k(part + 1); }
+
+// From 0 to 1, never either: D. Stafford's variant 13 of MurmurHash3's finalizer, 2011.
+double random_at(uint64_t n) {
+    n = (n ^ n >> 30) * 0xbf58476d1ce4e5b9u, n = (n ^ n >> 27) * 0x94d049bb133111ebu, n ^= n >> 31;
+    return (double(n >> 11) + 0.5) * 0x1p-53;
+}
+
+glm::dvec2 normal_pair(uint64_t n) {  // G. Box and M. Muller, 1958
+    const double r = std::sqrt(-2 * std::log(random_at(2 * n))), angle = 2 * M_PI * random_at(2 * n + 1);
+    return {r * std::cos(angle), r * std::sin(angle)};
+}
+
+}  // namespace
+
+// [jonswap]
+double jonswap(double omega, double wind_m_s, double fetch_m) {
+    if (omega <= 0) return 0;
+    const double alpha = 0.076 * std::pow(wind_m_s * wind_m_s / (fetch_m * gravity), 0.22);
+    const double peak = 22 * std::cbrt(gravity * gravity / (wind_m_s * fetch_m));
+    const double width = omega <= peak ? 0.07 : 0.09, off = (omega - peak) / (width * peak);
+    return alpha * gravity * gravity / std::pow(omega, 5) * std::exp(-1.25 * std::pow(peak / omega, 4)) *
+           std::pow(3.3, std::exp(-0.5 * off * off));
+}
+// [/jonswap]
+
+std::vector<OceanWave> Ocean::waves(int part) const {
+    const double tile = double(tile_m()[part]), step = 2 * M_PI / tile;
+    const double wind_rad = double(wind_deg) * M_PI / 180;
+    // The complex amplitude of the wave with these whole numbers of waves along the tile's edges.
+    const auto amplitude = [&](int x, int z) {
+        const double kx = step * x, kz = step * z, k = std::hypot(kx, kz);
+        if (k <= least_k(part) || k > most_k(part) || k == 0) return glm::dvec2(0);
+        // Spread as the square of the cosine to the wind; none runs against it.
+        const double along = (kx * std::cos(wind_rad) + kz * std::sin(wind_rad)) / k;
+        if (along <= 0) return glm::dvec2(0);
+        const double omega = std::sqrt(gravity * k), spread = 2 / M_PI * along * along;
+        // Over wave vectors: dω/dk / k of the density over ω. Half of the variance, for h(-k) adds as much.
+        const double density =
+            jonswap(omega, double(wind_m_s), 1000 * double(fetch_km)) * spread * 0.5 * gravity / omega / k;
+        const auto place = static_cast<uint64_t>((z + texels) * 4 * texels + x + texels) +
+                           (static_cast<uint64_t>(shape.value) << 32) + (static_cast<uint64_t>(part) << 24);
+        return normal_pair(place) * std::sqrt(0.5 * 0.5 * density * step * step);
+    };
+    std::vector<OceanWave> all;
+    for (int row = 0; row < texels; ++row)
+        for (int column = 0; column < texels; ++column) {
+            const int x = column < texels / 2 ? column : column - texels;
+            const int z = row < texels / 2 ? row : row - texels;
+            const glm::dvec2 forward = amplitude(x, z), backward = amplitude(-x, -z);
+            const double omega = std::sqrt(gravity * step * std::hypot(x, z));
+            all.push_back({.forward = forward,
+                           .backward = {backward.x, -backward.y},
+                           .k = glm::dvec2(step * x, step * z),
+                           .cycles = static_cast<float>(std::round(omega * repeat_s / (2 * M_PI)))});
+        }
+    return all;
+}
+
+// What is made once, until a knob changes.
+void Ocean::make(Frame& frame) {
+    const std::string now = fmt::format("{} {} {} {}", wind_m_s.value, fetch_km.value, wind_deg.value, shape.value);
+    const auto fit = [&](Image& image, const char* name, VkFormat format, uint32_t layers, uint32_t mips) {
+        image.fit(frame.gpu.device, {.name = path() + name,
+                                     .format = format,
+                                     .size = glm::uvec2(OCEAN_TEXELS),
+                                     .mips = mips,
+                                     .layers = layers});
+    };
+    fit(fields_, " fields", VK_FORMAT_R32G32B32A32_SFLOAT, 6, 1);
+    fit(moved_, " moved", VK_FORMAT_R16G16B16A16_SFLOAT, 3, 8);
+    fit(sloped_, " sloped", VK_FORMAT_R16G16B16A16_SFLOAT, 3, 8);
+    if (now == made_) return;
+    made_ = now;
+    std::vector<OceanWave> all;
+    height_variance_ = 0;
+    for (int part = 0; part < 3; ++part) {
+        double slopes = 0;
+        for (const OceanWave& wave : waves(part)) {
+            // The variance of a sum over k and -k of amplitudes with these squares.
+            const double square = double(glm::dot(wave.forward, wave.forward) + glm::dot(wave.backward, wave.backward));
+            height_variance_ += square, slopes += square * double(glm::dot(wave.k, wave.k));
+            all.push_back(wave);
+        }
+        slope_variance_[part] = static_cast<float>(slopes);
+    }
+    frame.upload("ocean waves", waves_, all);
+}
+
+// [ocean_record]
+void Ocean::record(Frame& frame) {
+    make(frame);
+    // All frequencies are whole multiples of 1 / repeat_s: after 1e5 s nothing is lost but whole turns.
+    const OceanNow now{.passed = static_cast<float>(std::fmod(double(frame.time_s), repeat_s) / repeat_s),
+                       .chop = chop};
+    const ImageView moved = moved_.mip(0), sloped = sloped_.mip(0);
+    frame.compute("ocean", {.reads = {fields_, waves_, moved_, sloped_}, .writes = {fields_, moved_, sloped_}},
+                  [&](Compute& pass) {
+                      pass.use(spectrum_).set("ocean_waves", waves_).set("ocean_now", now).set("fields", fields_);
+                      pass.dispatch_threads(glm::uvec3(OCEAN_TEXELS, OCEAN_TEXELS, 3)).wait();
+                      pass.use(rows_).set("fields", fields_).dispatch({OCEAN_TEXELS, 6, 1}).wait();
+                      pass.use(columns_).set("fields", fields_).set("moved", moved).set("sloped", sloped);
+                      pass.dispatch({OCEAN_TEXELS, 6, 1});
+                      for (uint32_t mip = 1; mip < moved_.desc.mips; ++mip) {
+                          pass.wait().use(halve_);
+                          pass.set("finer_moved", moved_.mip(mip - 1)).set("moved", moved_.mip(mip));
+                          pass.set("finer_sloped", sloped_.mip(mip - 1)).set("sloped", sloped_.mip(mip));
+                          pass.dispatch_threads(glm::uvec3(OCEAN_TEXELS >> mip, OCEAN_TEXELS >> mip, 3));
+                      }
+                  });
+}
+// [/ocean_record]
+
+}  // namespace lightwalk

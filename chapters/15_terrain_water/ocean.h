@@ -1,0 +1,56 @@
+// Ocean module: a wave spectrum as three tiles of displacement and slopes, by Fourier transforms.
+#pragma once
+#include "15_terrain_water/water_data.h"
+#include "common/app/module.h"
+#include "common/app/target.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+// [ocean]
+/// record() in each frame; then water_surface.glsl reads moved() and sloped(): three layers, each of a part of the
+/// spectrum, on a tile of tile_m() metres that repeats. All repeats after `repeat_s`.
+struct Ocean : Module {
+    Ocean(Module& owner, std::string name) : Module(owner, std::move(name), "ocean") {}
+
+    Knob<float> wind_m_s{*this, "wind_m_s", 8.0f, {0.5f, 40.0f}, "Wind speed 10 m above the water", "m/s"};
+    Knob<float> fetch_km{*this, "fetch_km", 60.0f, {0.1f, 5000.0f}, "Distance over which the wind has blown", "km"};
+    Knob<float> wind_deg{
+        *this,    "wind_deg", 25.0f, {-360.0f, 360.0f}, "Direction in which the wind blows, from +x towards +z",
+        "degrees"};
+    Knob<float> chop{
+        *this, "chop", 1.0f, {0.0f, 2.0f}, "Scale factor of the horizontal displacement: 0 leaves crests round"};
+    Knob<int> shape{*this, "shape", 1, {0, 1 << 30}, "Seed of the waves' random amplitudes"};
+    // [/ocean]
+
+    static constexpr double repeat_s = 1000;
+
+    void record(Frame& frame);
+    const Image& moved() const { return moved_; }
+    const Image& sloped() const { return sloped_; }
+    static glm::vec3 tile_m() { return {256.0f, 34.0f, 5.0f}; }
+    glm::vec3 slope_variance() const { return slope_variance_; }  ///< of each part, both axes together
+    double height_variance() const { return height_variance_; }   ///< of all parts, in m²
+
+    /// Waves of one part: cycles, amplitudes and wave vectors.
+    std::vector<OceanWave> waves(int part) const;
+
+  private:
+    void make(Frame& frame);
+    Image fields_, moved_, sloped_;
+    Buffer waves_;
+    std::string made_;
+    glm::vec3 slope_variance_{0};
+    double height_variance_ = 0;
+    Pipeline spectrum_ = compute({.shader = "15_terrain_water/ocean_spectrum.comp"});
+    Pipeline rows_ = compute({.shader = "15_terrain_water/ocean_fft.comp", .macros = {{"VERTICAL", "0"}}});
+    Pipeline columns_ = compute({.shader = "15_terrain_water/ocean_fft.comp", .macros = {{"VERTICAL", "1"}}});
+    Pipeline halve_ = compute({.shader = "15_terrain_water/ocean_halve.comp"});
+};
+
+/// JONSWAP: the spectral density of the height over the angular frequency, in m² s. K. Hasselmann et al., "Measurements of
+/// wind-wave growth and swell decay during the Joint North Sea Wave Project", 1973; as C. Horvath has it, "Empirical
+/// directional wave spectra for computer graphics", DigiPro 2015. `omega` in rad/s, `fetch_m` in metres.
+double jonswap(double omega, double wind_m_s, double fetch_m);
+
+}  // namespace lightwalk

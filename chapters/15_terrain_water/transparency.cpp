@@ -1,0 +1,237 @@
+#include "15_terrain_water/transparency.h"
+
+#include <algorithm>
+
+#include "15_terrain_water/exercises.h"
+
+namespace lightwalk {
+
+// What replaces the end of surfaces' fragment shaders in one pass, and what that reads.
+class Transparency::Stage : public Given {
+  public:
+    Stage(std::string file, TransparencyNow now) : file_(std::move(file)), now_(now) {}
+    Stage& image(const char* name, const ImageView& view) {
+        images_.emplace_back(name, view);
+        return *this;
+    }
+    Stage& buffer(const char* name, const Buffer& buffer) {
+        buffers_.emplace_back(name, &buffer);
+        return *this;
+    }
+    const std::string& kind() const override { return kind_; }
+    Macros macros() const override { return {{"common/put_surface.glsl", file_}}; }
+    std::vector<std::byte> block(const Binding&) const override { return {}; }
+    std::vector<Resource> reads() const override {
+        std::vector<Resource> all;
+        for (const auto& [name, view] : images_) all.emplace_back(view);
+        return all;
+    }
+    void bind(Pass& pass) const override {
+        pass.offer("transparency_now", now_);
+        for (const auto& [name, view] : images_) pass.offer(name, view, nearest_clamp);
+        for (const auto& [name, one] : buffers_) pass.offer(name, *one);
+    }
+
+  private:
+    std::string kind_ = "put_surface", file_;
+    TransparencyNow now_;
+    std::vector<std::pair<const char*, ImageView>> images_;
+    std::vector<std::pair<const char*, const Buffer*>> buffers_;
+};
+
+namespace {
+
+constexpr glm::vec4 nothing(0.0f), everything(1.0f);
+
+// By drawing: a method that needs no order wants as few passes as there are drawings.
+std::vector<SeenThrough> grouped(std::vector<SeenThrough> surfaces) {
+    std::stable_sort(surfaces.begin(), surfaces.end(), [](const SeenThrough& a, const SeenThrough& b) {
+        return std::less<const Drawing*>()(a.drawing, b.drawing);
+    });
+    return surfaces;
+}
+
+// [sorted]
+std::vector<SeenThrough> back_to_front(const std::vector<SeenThrough>& surfaces, glm::vec3 eye) {
+    std::vector<glm::vec3> middles;
+    for (const SeenThrough& surface : surfaces) middles.push_back(surface.what.middle);
+    std::vector<SeenThrough> sorted;
+    for (const uint32_t i : sort_back_to_front(middles, eye))
+        if (i < surfaces.size()) sorted.push_back(surfaces[i]);
+    return sorted;
+}
+// [/sorted]
+
+void make_buffer(Frame& frame, Buffer& buffer, const char* name, VkDeviceSize bytes) {
+    if (buffer.bytes != bytes) buffer = Buffer(frame.gpu.device, {.name = name, .bytes = bytes});
+}
+
+}  // namespace
+
+void Transparency::record(Frame& frame, const View& view, Canvas& canvas, const std::vector<SeenThrough>& surfaces) {
+    float farthest = 0;
+    for (const SeenThrough& surface : surfaces) farthest = std::max(farthest, surface.what.distance_m);
+    const float near_m = view.camera.near_m;
+    now_ = {.near_m = near_m,
+            .far_m = std::max(std::min(view.camera.far_m, 4.0f * farthest), 2.0f * near_m),
+            .width = canvas.size().x,
+            .capacity = canvas.size().x * canvas.size().y * static_cast<uint32_t>(list_fragments),
+            .moment_bias = moment_bias,
+            .overestimation = overestimation};
+    Targets& t = targets_[view.id];
+    if (method.is("wboit")) return add_weighted(frame, canvas, grouped(surfaces), t);
+    if (method.is("moments")) return add_by_moments(frame, canvas, grouped(surfaces), t);
+    if (method.is("lists")) return mix_lists(frame, canvas, grouped(surfaces), t);
+    if (method.is("peeling")) return peel(frame, canvas, grouped(surfaces), t);
+    if (method.is("sorted_triangles")) return draw_triangles(frame, view, canvas, surfaces, t);
+    draw_surfaces(frame, "transparent", {.color = {canvas.color_target()}, .depth = canvas.depth_read_only()},
+                  method.is("sorted") ? back_to_front(surfaces, view.eye) : surfaces);
+}
+
+void Transparency::draw_stage(Frame& frame, const char* pass, RasterTargets targets, const Stage& stage,
+                              const std::vector<SeenThrough>& surfaces) {
+    targets.with.insert(targets.with.end(), {*this, stage});
+    draw_surfaces(frame, pass, std::move(targets), surfaces);
+}
+
+// [triangles]
+void Transparency::draw_triangles(Frame& frame, const View& view, Canvas& canvas,
+                                  const std::vector<SeenThrough>& surfaces, Targets& t) {
+    struct One {
+        const Drawing* drawing;
+        Drawing::TransparentTriangle what;
+    };
+    std::vector<One> all;
+    std::set<const Drawing*> asked;
+    for (const SeenThrough& surface : surfaces)
+        if (asked.insert(surface.drawing).second)
+            for (const auto& triangle : surface.drawing->transparent_triangles(view))
+                all.push_back({surface.drawing, triangle});
+    if (all.empty()) return;
+    std::stable_sort(all.begin(), all.end(),
+                     [](const One& a, const One& b) { return a.what.distance_m > b.what.distance_m; });
+    std::vector<glm::uvec3> indices;
+    for (const One& one : all) indices.push_back(one.what.vertices);
+    frame.upload("sorted triangles", t.indices, indices);
+    for (size_t first = 0, last = 0; first < all.size(); first = last) {
+        const Drawing& drawing = *all[first].drawing;
+        while (last < all.size() && all[last].drawing == &drawing) ++last;
+        frame.raster("transparent",
+                     {.color = {canvas.color_target()},
+                      .depth = canvas.depth_read_only(),
+                      .reads = drawing.transparent_reads(),
+                      .with = drawing.transparent_with()},
+                     [&](Raster& pass) {
+                         for (size_t from = first, to = first; from < last; from = to) {  // neighbours of one item
+                             while (to < last && all[to].what.item == all[from].what.item) ++to;
+                             drawing.draw_transparent_triangles(pass, all[from].what.item, t.indices,
+                                                                static_cast<uint32_t>(3 * from),
+                                                                static_cast<uint32_t>(3 * (to - from)));
+                         }
+                     });
+    }
+}
+// [/triangles]
+
+// [weighted]
+void Transparency::add_weighted(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t) {
+    const glm::uvec2 size = canvas.size();
+    const VkFormat share = revealage.is("r8") ? VK_FORMAT_R8_UNORM : VK_FORMAT_R16_SFLOAT;
+    t.sum.fit(frame.gpu.device, {.name = path() + " sum", .format = sum_format(), .size = size});
+    t.share.fit(frame.gpu.device, {.name = path() + " share", .format = share, .size = size});
+    draw_stage(frame, "weighted sum",
+               {.color = {clear(t.sum, nothing), clear(t.share, everything)},
+                .depth = canvas.depth_read_only(),
+                .mixing = Mixing{{Blend::add, Blend::multiply}}},
+               Stage("15_terrain_water/put_weighted.glsl", now_), surfaces);
+    const ImageView color = canvas.color(frame);
+    frame.compute("mix", {.reads = {t.sum, t.share, color}, .writes = {color}}, [&](Compute& pass) {
+        pass.use(mix_weighted_).set("sum", t.sum, nearest_clamp).set("share", t.share, nearest_clamp);
+        pass.set("picture", color).dispatch_threads(size);
+    });
+}
+// [/weighted]
+
+// [moments]
+void Transparency::add_by_moments(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t) {
+    const glm::uvec2 size = canvas.size();
+    t.moments.fit(frame.gpu.device,
+                  {.name = path() + " moments", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
+    t.absorbance.fit(frame.gpu.device, {.name = path() + " absorbance", .format = VK_FORMAT_R32_SFLOAT, .size = size});
+    t.sum.fit(frame.gpu.device, {.name = path() + " sum", .format = sum_format(), .size = size});
+    draw_stage(frame, "moments",
+               {.color = {clear(t.moments, nothing), clear(t.absorbance, nothing)},
+                .depth = canvas.depth_read_only(),
+                .mixing = Mixing{{Blend::add, Blend::add}}},
+               Stage("15_terrain_water/put_moments.glsl", now_), surfaces);
+    Stage second("15_terrain_water/put_transmitted.glsl", now_);
+    second.image("moments", t.moments).image("absorbance", t.absorbance);
+    draw_stage(frame, "transmitted sum",
+               {.color = {clear(t.sum, nothing)}, .depth = canvas.depth_read_only(), .mixing = Mixing{{Blend::add}}},
+               second, surfaces);
+    const ImageView color = canvas.color(frame);
+    frame.compute("mix", {.reads = {t.sum, t.absorbance, color}, .writes = {color}}, [&](Compute& pass) {
+        pass.use(mix_moments_).set("sum", t.sum, nearest_clamp).set("absorbance", t.absorbance, nearest_clamp);
+        pass.set("picture", color).dispatch_threads(size);
+    });
+}
+// [/moments]
+
+// [lists]
+void Transparency::mix_lists(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t) {
+    const glm::uvec2 size = canvas.size();
+    make_buffer(frame, t.heads, "list heads", VkDeviceSize(size.x) * size.y * sizeof(uint32_t));
+    make_buffer(frame, t.fragments, "listed fragments", VkDeviceSize(now_.capacity) * sizeof(ListedFragment));
+    make_buffer(frame, t.count, "list count", 16);
+    frame.compute("clear lists", {.writes = {t.heads, t.count}}, [&](Compute& pass) {
+        pass.use(clear_lists_).set("list_heads", t.heads).set("list_count", t.count);
+        pass.dispatch_threads(glm::uvec3(size.x * size.y, 1, 1));
+    });
+    Stage stage("15_terrain_water/put_listed.glsl", now_);
+    stage.buffer("list_heads", t.heads).buffer("listed", t.fragments).buffer("list_count", t.count);
+    draw_stage(frame, "lists",
+               {.depth = canvas.depth_read_only(),
+                .reads = {t.heads, t.fragments, t.count},
+                .writes = {t.heads, t.fragments, t.count},
+                .mixing = Mixing{}},
+               stage, surfaces);
+    const ImageView color = canvas.color(frame);
+    frame.compute("mix", {.reads = {t.heads, t.fragments, color}, .writes = {color}}, [&](Compute& pass) {
+        pass.use(mix_lists_).set("list_heads", t.heads).set("listed", t.fragments).set("picture", color);
+        pass.dispatch_threads(size);
+    });
+}
+// [/lists]
+
+// [peeling]
+void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t) {
+    const glm::uvec2 size = canvas.size();
+    t.layer.fit(frame.gpu.device, {.name = path() + " layer", .size = size});
+    for (Image& depth : t.layer_depth)
+        depth.fit(frame.gpu.device, {.name = path() + " layer depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
+    t.peeled.fit(frame.gpu.device, {.name = path() + " peeled", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
+    frame.compute("clear peeled", {.writes = {t.peeled}},
+                  [&](Compute& pass) { pass.use(clear_peeled_).set("peeled", t.peeled).dispatch_threads(size); });
+    // Before the first layer there is the near plane.
+    frame.raster("before the layers", {.depth = clear(t.layer_depth[1], 1.0f)}, [](Raster&) {});
+    const ImageView& solid = canvas.single_depth();
+    for (int i = 0; i < peels; ++i) {
+        Image &nearer = t.layer_depth[(i + 1) % 2], &depth = t.layer_depth[i % 2];
+        Stage stage("15_terrain_water/put_layer.glsl", now_);
+        stage.image("solid_depth", solid).image("nearer_depth", nearer);
+        draw_stage(
+            frame, "layer",
+            {.color = {clear(t.layer, nothing)}, .depth = clear(depth, 0.0f), .mixing = Mixing{{Blend::opaque}, true}},
+            stage, surfaces);
+        frame.compute("add layer", {.reads = {t.layer, t.peeled}, .writes = {t.peeled}}, [&](Compute& pass) {
+            pass.use(add_layer_).set("layer", t.layer, nearest_clamp).set("peeled", t.peeled).dispatch_threads(size);
+        });
+    }
+    const ImageView color = canvas.color(frame);
+    frame.compute("mix", {.reads = {t.peeled, color}, .writes = {color}}, [&](Compute& pass) {
+        pass.use(mix_peeled_).set("peeled", t.peeled, nearest_clamp).set("picture", color).dispatch_threads(size);
+    });
+}
+// [/peeling]
+
+}  // namespace lightwalk

@@ -1,0 +1,207 @@
+#include "15_terrain_water/water.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/base/error.h"
+
+namespace lightwalk {
+namespace {
+
+constexpr double gravity = 9.81;
+
+// The sector of the rings that a view shows, as an angle and a width; all of it where the view looks down or up steeply.
+glm::vec2 sector_of(const View& view) {
+    const ViewRays rays = view_rays(view);
+    const glm::vec3 middle = ray_through(rays, 0.5f * glm::vec2(view.size));
+    const float ahead = std::atan2(middle.z, middle.x);
+    float wide = 0;
+    for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(1, 1)}) {
+        const glm::vec3 ray = ray_through(rays, corner * glm::vec2(view.size));
+        if (std::fabs(ray.y) > 1.7f * glm::length(glm::vec2(ray.x, ray.z))) return {0.0f, 2.0f * float(M_PI)};
+        wide = std::max(wide, std::fabs(std::remainder(std::atan2(ray.z, ray.x) - ahead, 2.0f * float(M_PI))));
+    }
+    wide = 1.25f * wide + 0.1f;  // waves come in from the sides
+    return wide > 2.5f ? glm::vec2(0.0f, 2.0f * float(M_PI)) : glm::vec2(ahead - wide, 2.0f * wide);
+}
+
+// Two triangles between neighbouring rings and spokes.
+std::vector<uint32_t> ring_indices() {
+    std::vector<uint32_t> all;
+    for (uint32_t ring = 0; ring + 1 < RINGS; ++ring)
+        for (uint32_t spoke = 0; spoke < SPOKES; ++spoke) {
+            const uint32_t inner = ring * (SPOKES + 1) + spoke, outer = inner + SPOKES + 1;
+            all.insert(all.end(), {inner, inner + 1, outer + 1, inner, outer + 1, outer});
+        }
+    return all;
+}
+
+}  // namespace
+
+glm::dvec3 moved_by(const std::vector<WaveData>& waves, glm::dvec2 at) {
+    glm::dvec3 sum(0);
+    for (const WaveData& w : waves) {
+        const glm::dvec2 k(w.k), along = k / glm::length(k) * double(w.steepness) * double(w.amplitude);
+        const double t = glm::dot(k, at) - double(w.phase);
+        sum += glm::dvec3(along.x * std::cos(t), double(w.amplitude) * std::sin(t), along.y * std::cos(t));
+    }
+    return sum;
+}
+
+double height_at(const std::vector<WaveData>& waves, glm::dvec2 place, int rounds) {
+    glm::dvec2 rest = place;
+    for (int i = 0; i < rounds; ++i) {
+        const glm::dvec3 moved = moved_by(waves, rest);
+        rest = place - glm::dvec2(moved.x, moved.z);
+    }
+    return moved_by(waves, rest).y;
+}
+
+// [waves]
+std::vector<WaveData> Water::waves_at(double time_s) const {
+    std::vector<WaveData> all;
+    for (int i = 0; i < waves; ++i) {
+        // Wavelengths in equal ratios; directions to both sides of the wind in turn, the short waves farther.
+        const double share = double(i) / (waves - 1);
+        const double length_m = double(longest_m) * std::pow(double(shortest_m) / double(longest_m), share);
+        const double k = 2 * M_PI / length_m, omega = std::sqrt(gravity * k);  // in deep water
+        const double side = std::fmod(0.5 + 0.6180339887498949 * i, 1.0) * 2 - 1;
+        const double angle = (double(wind_deg) + double(spread_deg) * side) * M_PI / 180;
+        // The phase in double precision, and whole turns left out: of 1e5 s a float would keep steps of an eighth of a
+        // radian at a wavelength of 0.5 m.
+        const double phase = std::fmod(omega * time_s + 2.399963 * i, 2 * M_PI);
+        const double amplitude = double(slope) / k;
+        all.push_back({.k = glm::vec2(glm::dvec2(std::cos(angle), std::sin(angle)) * k),
+                       .amplitude = static_cast<float>(amplitude),
+                       .steepness = slope > 0 && !method.is("sines")
+                                        ? static_cast<float>(double(steepness) / (k * amplitude * waves))
+                                        : 0.0f,
+                       .phase = static_cast<float>(phase)});
+    }
+    return all;
+}
+// [/waves]
+
+float Water::height_above(glm::vec2 place, double time_s) const {
+    if (!method.is("sines") && !method.is("gerstner")) return level_m;
+    return level_m + static_cast<float>(height_at(waves_at(time_s), place));
+}
+
+void Water::prepare(Gpu&, Scene& loaded) {
+    scene_ = &loaded;
+    if (shortest_m > longest_m)
+        throw InputError(
+            "water.shortest_m: {} m is longer than water.longest_m, {} m; the shortest wave is at most as "
+            "long as the longest",
+            shortest_m.value, longest_m.value);
+}
+
+WaterNow Water::now(const Frame& frame, const View& view) const {
+    const glm::vec2 sector = sector_of(view);
+    const float above = std::fabs(view.eye.y - level_m), first = std::clamp(0.2f * above, 0.05f, 1000.0f);
+    const ViewRays rays = view_rays(view);
+    const Sun sun = scene_->sun();
+    WaterNow n{.center = {view.eye.x, view.eye.z},
+               .level_m = level_m,
+               .first_m = first,
+               // To where a ring is less than a pixel above the horizon, or 200 km.
+               .growth = std::pow(std::max(2e5f, 2.0f * above / view.pixel_rad()) / first, 1.0f / float(RINGS - 2)),
+               .from_rad = sector.x,
+               .wide_rad = sector.y,
+               .pixel_rad = view.pixel_rad(),
+               .absorption = absorption,
+               .turbid = turbid,
+               .to_sun = sun.to_sun,
+               .sun = sun.light,
+               .sky = sun.sky,
+               .roughness = roughness,
+               .refraction = refraction,
+               .shore_m = shore_m,
+               .foam = foam,
+               .foam_scale = 1.0f / foam_m,
+               .inverse_near = rays.inverse_near,
+               .inverse_far = rays.inverse_far,
+               .eye_depth_m = height_above({view.eye.x, view.eye.z}, double(frame.time_s)) - view.eye.y,
+               .tile_m = Ocean::tile_m(),
+               .cut_m = {24.0f, 2.2f, 0.25f},
+               .hidden = ocean.slope_variance(),
+               .chop = ocean.chop,
+               .mirrored = mirrored_ == view.id ? 1u : 0u};
+    if (method.is("sines") || method.is("gerstner"))
+        for (const WaveData& wave : waves_at(double(frame.time_s))) n.wave[n.waves++] = wave;
+    return n;
+}
+
+void Water::update(Frame& frame) {
+    if (method.is("none")) return;
+    if (method.is("fft")) ocean.record(frame);
+    foam_tile_.fit(
+        frame.gpu.device,
+        {.name = path() + " foam", .format = VK_FORMAT_R16_SFLOAT, .size = glm::uvec2(256), .mips = 1, .kept = true});
+    black_.fit(frame.gpu.device, {.name = path() + " black", .size = glm::uvec2(1), .layers = 3, .kept = true});
+    if (std::exchange(has_foam_, true)) return;
+    frame.upload("water rings", rings_, ring_indices());
+    frame.compute("foam", {.writes = {foam_tile_}},
+                  [&](Compute& pass) { pass.use(foam_).set("tile", foam_tile_).dispatch_threads(glm::uvec2(256)); });
+    frame.raster("black", {.color = {clear(black_, glm::vec4(0))}, .layers = 3}, [](Raster&) {});
+}
+
+void Water::reflect(Frame& frame, const View& view, const Drawings& solid, const Drawings& air) {
+    mirrored_ = ~0u;
+    if (method.is("none") || !reflection.is("planar") || view.eye.y <= level_m) return;
+    const ViewScope scope(frame, view);
+    mirror.record(frame, view, level_m, solid, air);
+    mirrored_ = view.id;
+}
+
+void Water::bind(Pass& pass) const {
+    pass.offer("water_now", now_);
+    pass.offer("ocean_moved", method.is("fft") ? ImageView(ocean.moved()) : ImageView(black_).as_array());
+    pass.offer("ocean_sloped", method.is("fft") ? ImageView(ocean.sloped()) : ImageView(black_).as_array());
+    pass.offer("foam_tile", foam_tile_);
+    if (behind_) pass.offer("behind", behind_, nearest_clamp), pass.offer("behind_depth", behind_depth_, nearest_clamp);
+}
+
+// [draw]
+void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
+    if (method.is("none")) return;
+    now_ = now(frame, view);
+    const bool mirrored = now_.mirrored == 1u, below = now_.eye_depth_m > 0;
+
+    // 1. What is behind the water, and how far.
+    behind_.fit(frame.gpu.device, {.name = path() + " behind", .size = canvas.size()});
+    behind_depth_.fit(frame.gpu.device,
+                      {.name = path() + " behind depth", .format = VK_FORMAT_R32_SFLOAT, .size = canvas.size()});
+    const ImageView color = canvas.color(frame), depth = canvas.depth(frame);
+    frame.compute("behind the water", {.reads = {color, depth}, .writes = {behind_, behind_depth_}},
+                  [&](Compute& pass) {
+                      pass.use(keep_).set("picture", color, nearest_clamp).set("depth", depth, nearest_clamp);
+                      pass.set("kept", behind_).set("kept_depth", behind_depth_).dispatch_threads(canvas.size());
+                  });
+
+    // 2. The surface. Where there is no mirror image, its place takes what is behind.
+    const ImageView mirror_image = mirrored ? ImageView(mirror.image()) : ImageView(behind_);
+    std::vector<Resource> reads{behind_, behind_depth_, foam_tile_, black_, mirror_image};
+    if (method.is("fft")) reads.insert(reads.end(), {ocean.moved(), ocean.sloped()});
+    Macros variant;
+    if (reflection.is("planar") && !mirrored) variant.set("WATER_REFLECTION", "WATER_REFLECTION_CUBE");
+    frame.raster(
+        "water",
+        {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = reads, .with = {*this, light_}},
+        [&](Raster& pass) {
+            pass.use(surface_, variant).set("water_rays", view_rays(view));
+            pass.offer("mirror", mirror_image, linear_clamp);
+            pass.draw_indexed(rings_, 0, 6 * SPOKES * (RINGS - 1));
+        });
+
+    // 3. From below, all of it through water.
+    if (!below) return;
+    const ImageView seen = canvas.color(frame), surface = canvas.depth(frame);
+    frame.compute("under water", {.reads = {seen, surface}, .writes = {seen}, .with = {*this}}, [&](Compute& pass) {
+        pass.use(under_).set("water_rays", view_rays(view)).set("depth", surface, nearest_clamp);
+        pass.set("picture", seen).dispatch_threads(canvas.size());
+    });
+}
+// [/draw]
+
+}  // namespace lightwalk

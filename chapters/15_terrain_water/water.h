@@ -1,0 +1,100 @@
+// Water drawing: a surface of waves that reflects, refracts and foams.
+#pragma once
+#include "14_environment/image_light.h"
+#include "15_terrain_water/mirror.h"
+#include "15_terrain_water/ocean.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+// [water]
+/// Comes after all that is opaque and after the sky, before the air:
+///
+///     water.reflect(frame, view, {land, objects}, {sky, atmosphere});
+///     draw(frame, view, canvas, {land, objects, sky, water, atmosphere});
+///
+/// `light` is what surrounds it, for rays that leave the picture: the owner records that before.
+struct Water : Drawing {
+    Water(Module& owner, std::string name, const ImageLight& light)
+        : Drawing(owner, std::move(name), "water"), light_(light) {}
+
+    Choice method{*this,
+                  "method",
+                  {"none", "flat", "sines", "gerstner", "fft"},
+                  "gerstner",
+                  "Water surface: none, level, a sum of sines, a sum of Gerstner waves, or a wave spectrum by Fourier "
+                  "transforms"};
+    Choice reflection{*this,
+                      "reflection",
+                      {"none", "cube", "screen_space", "planar"},
+                      "planar",
+                      "Reflection: none, the surroundings in a cube, the picture itself where it shows what is met, or "
+                      "the scene drawn from below"};
+    Knob<float> level_m{*this, "level_m", 0.0f, {-1e4f, 1e4f}, "Height of the water at rest", "m"};
+    Knob<int> waves{*this, "waves", 12, {2, 16}, "Number of waves (methods sines and gerstner)"};
+    Knob<float> longest_m{*this, "longest_m", 12.0f, {0.01f, 1000.0f}, "Longest wavelength", "m"};
+    Knob<float> shortest_m{*this, "shortest_m", 0.7f, {0.01f, 1000.0f}, "Shortest wavelength", "m"};
+    Knob<float> slope{*this, "slope", 0.05f, {0.0f, 1.0f}, "Steepness of each wave: wave number times amplitude"};
+    Knob<float> steepness{*this,
+                          "steepness",
+                          0.7f,
+                          {0.0f, 4.0f},
+                          "Sum over all waves of steepness, wave number and amplitude; above 1 the surface loops"};
+    Knob<float> wind_deg{
+        *this, "wind_deg", 25.0f, {-360.0f, 360.0f}, "Mean direction of the waves, from +x towards +z", "degrees"};
+    // [/water]
+    Knob<float> spread_deg{*this, "spread_deg", 50.0f, {0.0f, 180.0f}, "Largest angle of a wave to that", "degrees"};
+    Knob<glm::vec3> absorption{*this,
+                               "absorption",
+                               {0.45f, 0.11f, 0.07f},
+                               {glm::vec3(0.0f), glm::vec3(100.0f)},
+                               "Absorption coefficient of the water",
+                               "1/m"};
+    Knob<glm::vec3> turbid{
+        *this, "turbid", {0.008f, 0.032f, 0.038f}, {glm::vec3(0.0f), glm::vec3(1.0f)}, "Albedo of deep water"};
+    Knob<float> roughness{
+        *this, "roughness", 0.03f, {0.0f, 0.5f}, "Standard deviation of the slopes of ripples finer than any wave"};
+    Knob<float> refraction{*this, "refraction", 0.25f, {0.0f, 1.0f}, "Shift of what lies below the surface"};
+    Knob<float> foam{*this, "foam", 0.35f, {-10.0f, 1.0f}, "Jacobian below which the surface foams; it folds below 0"};
+    Knob<float> shore_m{*this, "shore_m", 0.0f, {0.0f, 100.0f}, "Depth of the water up to which its shore foams", "m"};
+    Knob<float> foam_m{*this, "foam_m", 4.0f, {0.01f, 1000.0f}, "Side of a tile of foam", "m"};
+    Ocean ocean{*this, "ocean"};
+    Mirror mirror{*this, "mirror"};
+
+    void prepare(Gpu&, Scene& loaded) override;
+    bool animated() const override { return method.is("sines") || method.is("gerstner") || method.is("fft"); }
+    /// The mirror image, where that is the method and the eye is above the water.
+    void reflect(Frame& frame, const View& view, const Drawings& solid, const Drawings& air);
+    void update(Frame& frame) override;
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
+    void bind(Pass& pass) const override;
+
+    /// At `time_s`; phases are right to a millionth of a radian after years.
+    std::vector<WaveData> waves_at(double time_s) const;
+    /// Height of the surface above a place, by the sum of waves; of other methods the level.
+    float height_above(glm::vec2 place, double time_s) const;
+
+  private:
+    WaterNow now(const Frame& frame, const View& view) const;
+    const ImageLight& light_;
+    const Scene* scene_ = nullptr;
+    Image behind_, behind_depth_, foam_tile_, black_;
+    Buffer rings_;  ///< indices
+    bool has_foam_ = false;
+    uint32_t mirrored_ = ~0u;  ///< the view of which there is a mirror image
+    WaterNow now_{};
+    Pipeline keep_ = compute({.shader = "15_terrain_water/keep_depth.comp"});
+    Pipeline foam_ = compute({.shader = "15_terrain_water/foam_tile.comp"});
+    Pipeline under_ = compute({.shader = "15_terrain_water/under_water.comp"});
+    Pipeline surface_ = graphics({.vertex = "15_terrain_water/water.vert",
+                                  .fragment = "15_terrain_water/water.frag",
+                                  .cull = VK_CULL_MODE_NONE});
+};
+
+/// By how much the water that rests at `at` is moved, in double precision: the sum of 15.gerstner.
+glm::dvec3 moved_by(const std::vector<WaveData>& waves, glm::dvec2 at);
+
+/// Height above a place from which water was moved away: `rounds` of a fixed-point search for the water that came there.
+double height_at(const std::vector<WaveData>& waves, glm::dvec2 place, int rounds = 4);
+
+}  // namespace lightwalk

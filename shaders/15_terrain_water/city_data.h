@@ -1,0 +1,18 @@
+// A city's boxes, as shaders and the processor read them.
+#pragma once
+#include <common/shared.h>
+
+BEGIN_SHARED
+
+const uint CITY_HOUSE = 0u, CITY_TOWER = 1u, CITY_LAMP = 2u;
+
+struct CityBox {
+    vec2 place;      // metres, world x and z of its middle
+    float yaw;       // radians about +y
+    vec3 half_size;  // metres; y is half its height
+    float base_m;    // of its foot over the ground
+    uint kind;       // CITY_HOUSE, CITY_TOWER or CITY_LAMP
+    uint number;     // what its colour and its windows are chosen by
+};
+
+END_SHARED

@@ -1,0 +1,24 @@
+// Exercise 15.gerstner_normal: the normal of many waves.
+// Until you fill it in, the water is shaded as if it were level.
+
+// [gerstner_normal]
+// Two functions. The water that rests at (x, z) lies at P(x, z) = (x, 0, z) + the sum of gerstner() over all waves; see
+// 15.gerstner for its parameters.
+//
+// gerstner_slopes(): the derivatives of one wave's gerstner(), as a matrix: the first column by x, the third by z, the
+// second is 0.
+//
+// gerstner_normal(): from the sum of all waves' slopes to the unit normal of the surface at that place. Level water, all
+// slopes 0, has (0, 1, 0). The published shortcut, (-sum of D k A cos, 1 - sum of Q k A sin), is exact for a single wave:
+// the tangents dP/dx and dP/dz of all waves have to be summed before they are crossed. Where the surface folds the normal
+// may point down. A cross product of length 0, at a cusp, gives (0, 1, 0).
+//
+// Slopes within 1e-5 plus a ten-thousandth, normals within 1e-4.
+// [/gerstner_normal]
+mat3 gerstner_slopes(vec2 at, vec2 k, float amplitude, float steepness, float phase) {
+    return mat3(0.0);
+}
+
+vec3 gerstner_normal(mat3 slopes) {
+    return vec3(0.0, 1.0, 0.0);
+}

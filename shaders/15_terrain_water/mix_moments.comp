@@ -1,0 +1,19 @@
+// The transparent surfaces, each dimmed by those before it, over the background, dimmed by all of them.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+uniform sampler2D sum;
+uniform sampler2D absorbance;
+layout(rgba16f) uniform image2D picture;
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(at, imageSize(picture)))) return;
+    float all = texelFetch(absorbance, at, 0).r;
+    if (all == 0.0) return;
+    vec4 dimmed = texelFetch(sum, at, 0);
+    // The sum's own alpha is what it hides by its own account; what all surfaces hide is known exactly.
+    float behind = exp(-all);
+    vec4 before = imageLoad(picture, at);
+    vec3 mixed = behind * before.rgb + (1.0 - behind) * dimmed.rgb / max(dimmed.a, 1e-5);
+    imageStore(picture, at, vec4(mixed, before.a));
+}

@@ -1,0 +1,17 @@
+// The mean of the transparent surfaces before the background, by their weights.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+uniform sampler2D sum;
+uniform sampler2D share;  // of the background that is seen
+layout(rgba16f) uniform image2D picture;
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(at, imageSize(picture)))) return;
+    vec4 weighted = texelFetch(sum, at, 0);
+    float behind = texelFetch(share, at, 0).r;
+    if (behind == 1.0) return;
+    vec3 mean = weighted.rgb / max(weighted.a, 1e-5);
+    vec4 before = imageLoad(picture, at);
+    imageStore(picture, at, vec4(mix(mean, before.rgb, behind), before.a));
+}

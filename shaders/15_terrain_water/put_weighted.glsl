@@ -1,0 +1,13 @@
+// Weighted, blended order-independent transparency: what each surface adds to the sums. M. McGuire and L. Bavoil,
+// "Weighted Blended Order-Independent Transparency", JCGT 2(2), 2013.
+#include "15_terrain_water/wboit_weight.glsl"
+
+layout(location = 0) out vec4 weighted;  // added up
+layout(location = 1) out float behind;   // multiplied
+
+void put_surface(vec3 radiance, float alpha) {
+    float weight =
+        wboit_weight(TRANSPARENCY_WEIGHT, alpha, 1.0 / gl_FragCoord.w, 1.0 - gl_FragCoord.z);  // w: 1/m along the view
+    weighted = vec4(radiance, 1.0) * alpha * weight;
+    behind = 1.0 - alpha;
+}

@@ -1,0 +1,97 @@
+// A water surface from above or from below: what it reflects, what shows through it, and its foam.
+#include "common/view_rays.h"
+#include "14_environment/image_light.glsl"
+#include "15_terrain_water/fresnel_water.glsl"
+#include "15_terrain_water/water_surface.glsl"
+#include "15_terrain_water/water_reflection.glsl"
+#include "15_terrain_water/foam.glsl"
+
+layout(location = 0) in vec2 at_rest;
+layout(location = 1) in vec3 position;
+
+layout(location = 0) out vec4 color;
+
+// [refraction]
+// What comes through the surface from below, after `absorption` along its way. Deep water sends back what is scattered in it.
+vec3 through_water(vec3 normal, vec3 to_eye, float distance_m, out float depth_m) {
+    vec2 pixel = gl_FragCoord.xy;
+    vec2 size = vec2(textureSize(behind, 0));
+    float straight = distance_at(pixel) - distance_m;  // along the view, of the ground behind the surface
+    vec2 bent = clamp(pixel + water_now.refraction * normal.xz * min(straight, 4.0) / (water_now.pixel_rad * distance_m),
+                      vec2(0.5), size - 0.5);
+    if (distance_at(bent) < distance_m) bent = pixel;  // stands before the water
+    float way = max(distance_at(bent) - distance_m, 0.0) * distance_m_of_ray(bent);
+    depth_m = max(straight, 0.0) * distance_m_of_ray(pixel) * max(to_eye.y, 0.05);
+    // The light goes down as far, and comes back up.
+    vec3 left = exp(-water_now.absorption * way * (1.0 + max(to_eye.y, 0.0)));
+    vec3 scattered = water_now.turbid * (water_now.sky + water_now.sun * max(water_now.to_sun.y, 0.0) / 3.14159265);
+    return mix(scattered, texelFetch(behind, ivec2(bent), 0).rgb, left);
+}
+// [/refraction]
+
+// [glitter]
+// The sun in facets whose slopes are normally distributed with `variance` (both axes together). R. Cook and K. Torrance's
+// model with P. Beckmann's distribution; C. Bruneton et al., "Real-time Realistic Ocean Lighting using Seamless Transitions
+// from Geometry to BRDF", Eurographics 2010.
+vec3 glitter(vec3 normal, vec3 to_eye, float variance) {
+    vec3 middle = to_eye + water_now.to_sun;
+    if (dot(middle, middle) < 1e-8 || water_now.to_sun.y <= 0.0) return vec3(0.0);
+    middle = normalize(middle);
+    float c = max(dot(normal, middle), 1e-3), square = c * c;
+    float facets = exp((square - 1.0) / (square * variance)) / (3.14159265 * variance * square * square);
+    float reflected = fresnel_water(dot(middle, to_eye), 1.0, 1.333);
+    float n_dot_v = max(dot(normal, to_eye), 0.02), n_dot_l = max(dot(normal, water_now.to_sun), 0.0);
+    return water_now.sun * reflected * facets * n_dot_l / (4.0 * max(n_dot_v * n_dot_l, 0.02) + 1e-4);
+}
+// [/glitter]
+
+// [water]
+void main() {
+    vec3 away = view.eye - position;
+    float distance_m = 1.0 / gl_FragCoord.w, far_m = length(away);
+    vec3 to_eye = away / far_m;
+    bool below = water_now.eye_depth_m > 0.0;
+
+    // 1. The surface as finely as the pixels are, and the variance of what is finer.
+    float spacing = max(length(dFdx(at_rest)), length(dFdy(at_rest)));
+    WaterPoint p = water_at(at_rest, 0.5 * spacing);
+    vec3 normal = gerstner_normal(p.slopes);
+    float variance = p.hidden + 2.0 * water_now.roughness * water_now.roughness;
+    if (below) normal = -normal;
+    // A facet that is turned away shows its neighbour's front.
+    float cosine = dot(normal, to_eye);
+    if (cosine < 0.02) normal = normalize(normal + (0.02 - cosine) * to_eye), cosine = 0.02;
+
+    // 2. Schlick's formula; of a rough surface at a grazing angle the facets that are seen are turned to the eye (Bruneton et
+    //    al. 2010, equation 23).
+    float deviation = sqrt(variance), f0 = 0.0204;
+    float fresnel = fresnel_water(cosine, below ? 1.333 : 1.0, below ? 1.0 : 1.333);
+    if (!below)
+        fresnel = f0 + (fresnel - f0) * pow(max(1.0 - cosine, 1e-3), 5.0 * exp(-2.69 * deviation) - 5.0) /
+                           (1.0 + 22.7 * pow(deviation, 1.5));
+
+    // 3. What is reflected, and what comes through.
+    vec3 mirrored = reflect(-to_eye, normal);
+    float depth_m;
+    vec3 through, reflected;
+    if (below) {
+        vec2 size = vec2(textureSize(behind, 0));
+        vec2 bent = clamp(gl_FragCoord.xy + 0.3 * water_now.refraction * normal.xz * size.y, vec2(0.5), size - 0.5);
+        through = texelFetch(behind, ivec2(bent), 0).rgb;
+        reflected = water_now.turbid * (water_now.sky + water_now.sun * max(water_now.to_sun.y, 0.0) / 3.14159265);
+        depth_m = 1e3;
+    } else {
+        mirrored.y = abs(mirrored.y);
+        through = through_water(normal, to_eye, distance_m, depth_m);
+        reflected = reflected_light(position, normal, to_eye, mirrored, deviation, distance_m);
+    }
+    vec3 light = mix(through, reflected, clamp(fresnel, 0.0, 1.0));
+    if (!below) light += glitter(normal, to_eye, max(variance, 2e-5));
+
+    // 4. Foam where the surface folds and along the shore.
+    float white = foam_share(at_rest, jacobian(p.slopes), depth_m, spacing);
+    vec3 lit = water_now.sky + water_now.sun * max(dot(below ? -normal : normal, water_now.to_sun), 0.0) / 3.14159265;
+    light = mix(light, 0.8 * lit, below ? 0.5 * white : white);
+    color = vec4(min(light, LARGEST_HALF), 1.0);
+}
+// [/water]
