@@ -24,14 +24,15 @@ SurfaceLaw wrapped(float w, float k, glm::vec3 terminator, glm::vec3 tint = whit
     return surface;
 }
 
-// NASA's Saturnian rings fact sheet, as FACTS of the lesson quote it; C to A.
-constexpr RingPart saturn_rings[] = {{74658e3, 92000e3, 0.09},      {92000e3, 99000e3, 1.2},
-                                     {99000e3, 110000e3, 2.2},      {110000e3, 117580e3, 1.6},
-                                     {117580e3, 122170e3, 0.1},     {122170e3, 133423e3, 0.55},
-                                     {133423e3, 133745e3, 0.0},     {133745e3, 136775e3, 0.5}};
+// Radii and depths: NASA's Saturnian rings fact sheet. Albedos: J. N. Cuzzi et al., "Ring particle composition and size
+// distribution" in Saturn from Cassini-Huygens, 2009, rounded.
+constexpr RingPart saturn_rings[] = {{74658e3, 92000e3, 0.09, 0.30},    {92000e3, 99000e3, 1.2, 0.74},
+                                     {99000e3, 110000e3, 2.2, 0.88},    {110000e3, 117580e3, 1.6, 0.84},
+                                     {117580e3, 122170e3, 0.1, 0.35},   {122170e3, 133423e3, 0.55, 0.66},
+                                     {133423e3, 133745e3, 0.0, 0.5},    {133745e3, 136775e3, 0.5, 0.6}};
 // Radius, width and optical depth of the ten (published values; the widths of narrow ones vary around the planet).
 constexpr RingPart narrow(double radius_km, double width_km, double depth) {
-    return {1e3 * (radius_km - 0.5 * width_km), 1e3 * (radius_km + 0.5 * width_km), depth};
+    return {1e3 * (radius_km - 0.5 * width_km), 1e3 * (radius_km + 0.5 * width_km), depth, 0.8};
 }
 constexpr RingPart uranus_rings[] = {narrow(41837, 2, 0.3),    narrow(42234, 2.5, 0.55), narrow(42571, 2.5, 0.3),
                                      narrow(44718, 9, 0.35),   narrow(45661, 9, 0.2),    narrow(47176, 1.5, 0.3),
@@ -50,12 +51,12 @@ const BodyTraits& traits(BodyId body) {
          wrapped(0.14f, 1.3f, {1.0f, 0.86f, 0.66f}, {1.0f, 0.98f, 0.94f}), 0, 0},
         {"planets/earth_day.jpg", 6378.137e3, 0.0033528, BodyKind::earth, law(LAW_LAMBERT, {1.08f, 1.04f, 1.0f}), 4, 0.1f},
         {"planets_2k/moon.jpg", 1737.4e3, 0.0012, BodyKind::rock, law(LAW_HAPKE, {1.0f, 0.97f, 0.93f}), 5, 0.2f},
-        {"planets_2k/mars.jpg", 3396.19e3, 0.00589, BodyKind::clouded, law(LAW_MINNAERT, {0.80f, 1.12f, 1.30f}), 5, 0.14f},
+        {"planets_2k/mars.jpg", 3396.19e3, 0.00589, BodyKind::clouded, law(LAW_MINNAERT, {1.02f, 1.45f, 1.75f}), 5, 0.14f},
         {"planets_2k/jupiter.jpg", 71492e3, 0.06487, BodyKind::flowing, clouds(0.94f, {1.0f, 0.82f, 0.66f}), 0, 0},
         {"planets_2k/saturn.jpg", 60268e3, 0.09796, BodyKind::ringed, clouds(0.90f, {1.0f, 0.88f, 0.72f}), 0, 0},
         {"planets_2k/uranus.jpg", 25559e3, 0.02293, BodyKind::ringed, clouds(0.88f, {0.86f, 0.98f, 1.0f}), 0, 0},
         {"planets_2k/neptune.jpg", 24764e3, 0.01708, BodyKind::rock,
-         wrapped(0.06f, 1.25f, {0.72f, 0.84f, 1.0f}, {1.5f, 1.35f, 1.05f}), 0, 0},
+         wrapped(0.06f, 1.25f, {0.72f, 0.84f, 1.0f}, {2.2f, 1.5f, 1.05f}), 0, 0},
         {nullptr, 1188.3e3, 0, BodyKind::clouded, law(LAW_MINNAERT), 5, 0.2f},
     };
     return all[static_cast<size_t>(body)];
@@ -109,7 +110,7 @@ std::span<const RingPart> ring_parts(BodyId body) {
 
 Rings rings_of(BodyId body) {
     if (body == BodyId::saturn) return {.inner = 74000e3f, .outer = 137500e3f, .brightness = 1.0f};
-    if (body == BodyId::uranus) return {.inner = 41000e3f, .outer = 51500e3f, .brightness = 0.06f};
+    if (body == BodyId::uranus) return {.inner = 41000e3f, .outer = 51500e3f, .brightness = 0.15f};
     return {.inner = 0, .outer = 0, .brightness = 0};
 }
 

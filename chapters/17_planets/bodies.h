@@ -31,9 +31,9 @@ Air air_of(BodyId body, glm::vec3 sunlight, float sun_rad);
 /// The rings' radii in metres; outer 0: none.
 Rings rings_of(BodyId body);
 
-/// One ring or a part of one: optical depth between two radii.
+/// One ring or a part of one: between two radii its optical depth, and the single-scattering albedo of its particles.
 struct RingPart {
-    double inner_m, outer_m, depth;
+    double inner_m, outer_m, depth, albedo;
 };
 std::span<const RingPart> ring_parts(BodyId body);
 

@@ -145,8 +145,9 @@ std::vector<glm::vec4> ring_strip(BodyId body, int texels) {
             glm::vec4& texel = strip[static_cast<size_t>(i)];
             texel.a *= static_cast<float>(std::clamp(-std::log(1 - std::min(seen.a / 255.0, 0.97)) / (sum / n), 0.3, 2.5));
             const glm::vec3 color(srgb_to_linear(seen.r), srgb_to_linear(seen.g), srgb_to_linear(seen.b));
-            texel = glm::vec4(glm::min(0.95f * color / std::max({color.r, color.g, color.b, 1e-3f}) * glm::vec3(1.0f, 0.98f, 0.95f), 1.0f),
-                              texel.a);
+            const float bright = std::max({color.r, color.g, color.b, 1e-3f}), ringlet = std::clamp(0.55f + 0.9f * bright, 0.6f, 1.15f);
+            const glm::vec3 hue = glm::mix(color / bright, glm::vec3(1.0f, 0.89f, 0.74f), 0.8f);
+            texel = glm::vec4(glm::min(static_cast<float>(part.albedo) * ringlet * hue, 1.0f), texel.a);
         }
     }
     return strip;

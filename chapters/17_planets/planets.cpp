@@ -78,7 +78,7 @@ Planets::Outlook Planets::outlook(const Frame& frame, const View& view) const {
     const glm::dvec3 target = at.is("sun") ? place_body(BodyId::earth, look.days).position : glm::dvec3(0.0);
     const glm::dvec3 z = glm::normalize(target - middle), x = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), z));
     look.to_view = glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
-    look.eye_m = middle + glm::transpose(look.to_view) * glm::dvec3(view.eye);
+    look.eye_m = middle + glm::transpose(look.to_view) * (static_cast<double>(away) * glm::dvec3(view.eye));
     return look;
 }
 

@@ -52,6 +52,8 @@ struct Planets : Drawing {
                 {"near", "all"},
                 "near",
                 "Maps loaded: those of the body at the origin and of its companion, or of all bodies"};
+    Knob<float> away{*this, "away", 1.0f, {1e-3f, 1e6f},
+                     "Scale factor for the camera's distance from the body at the origin, where a scene's metres do not reach"};
     Knob<float> date_days{
         *this, "date_days", 6500.0f, {-36525.0f, 36525.0f}, "Date: days since 1 January 2000, 12:00", "d"};
     Knob<float> days_per_s{*this, "days_per_s", 0.0f, {-3650.0f, 3650.0f}, "Days that pass in a second", "d/s"};

@@ -54,7 +54,7 @@ vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {
     relief *= 1.0 - water;
 #endif
     vec3 normal = relief > 0.0 ? tilted_normal(up, uv, footprint_rad, relief) : up;
-    float tilted_cosine = dot(normal, to_sun), mu = max(dot(normal, to_eye), 0.0);
+    float tilted_cosine = dot(normal, to_sun), mu = max(dot(normal, to_eye), 0.03);  // a slope that faces away at the limb is seen past its crest
     // Behind the smooth terminator a slope is in the shadow of the ground before it.
     if (relief > 0.0) tilted_cosine = min(tilted_cosine, tilted_cosine * smoothstep(-0.04, 0.06, cosine));
     float cos_phase = clamp(dot(to_eye, to_sun), -1.0, 1.0);
