@@ -57,7 +57,7 @@ const BodyTraits& traits(BodyId body) {
         {"planets_2k/uranus.jpg", 25559e3, 0.02293, BodyKind::ringed, clouds(0.88f, {0.86f, 0.98f, 1.0f}), 0, 0},
         {"planets_2k/neptune.jpg", 24764e3, 0.01708, BodyKind::rock,
          wrapped(0.06f, 1.25f, {0.72f, 0.84f, 1.0f}, {2.2f, 1.5f, 1.05f}), 0, 0},
-        {nullptr, 1188.3e3, 0, BodyKind::clouded, law(LAW_MINNAERT), 5, 0.2f},
+        {nullptr, 1188.3e3, 0, BodyKind::clouded, law(LAW_MINNAERT), 5, 0.09f},
     };
     return all[static_cast<size_t>(body)];
 }

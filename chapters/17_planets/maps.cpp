@@ -108,7 +108,7 @@ double through(double depth, double mu0, double mu) {
     return 0.25 * b * std::exp(-std::min(a, b)) * mean_of_exp(std::fabs(a - b));
 }
 double particle_phase(double cos_phase) {
-    return 0.9 * henyey_greenstein(cos_phase, 0.45) + 0.1 * henyey_greenstein(-cos_phase, 0.7);
+    return 0.98 * henyey_greenstein(cos_phase, 0.45) + 0.02 * henyey_greenstein(-cos_phase, 0.7);
 }
 
 }  // namespace scattering

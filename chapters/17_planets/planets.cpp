@@ -89,8 +89,8 @@ std::vector<Planets::Shown> Planets::shown(const Outlook& look) const {
         if (body == body_at()) {
             const double turn = glm::radians(static_cast<double>(turn_deg));
             const glm::dvec3 east = place.axes[0], meridian = place.axes[2];
-            place.axes[2] = std::cos(turn) * meridian - std::sin(turn) * east;  // what was to the west comes to the front
-            place.axes[0] = std::cos(turn) * east + std::sin(turn) * meridian;
+            place.axes[2] = std::cos(turn) * meridian + std::sin(turn) * east;
+            place.axes[0] = std::cos(turn) * east - std::sin(turn) * meridian;
         }
         const glm::dmat4 turned(look.to_view);
         glm::dmat4 matrix = turned * place.matrix();

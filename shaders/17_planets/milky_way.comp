@@ -12,6 +12,6 @@ void main() {
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
     vec3 direction = normalize(now.to_galaxy * ray_through(now.rays, vec2(pixel) + 0.5));
     // Blurred: its single stars are those of the catalogue once more.
-    vec3 light = map_texel(star_map, map_uv(direction), max(length(now.rays.right), 0.012)).rgb;
+    vec3 light = map_texel(star_map, map_uv(direction), max(length(now.rays.right), 0.05)).rgb;
     imageStore(result, pixel, vec4(now.milky_way * light, 1.0));
 }

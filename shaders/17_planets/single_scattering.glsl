@@ -20,11 +20,11 @@ float scattered_through(float depth, float mu0, float mu) {
 // [/single]
 
 // What a ring's particles send at that phase angle, 1 in the mean over all directions: boulders that send light back, and a
-// tenth of dust that sends it on.
+// fiftieth of dust that sends it on.
 float henyey_greenstein(float cosine, float g) {
     float b = 1.0 + g * g - 2.0 * g * cosine;
     return (1.0 - g * g) / (b * sqrt(b));
 }
 float ring_particle_phase(float cos_phase) {
-    return 0.9 * henyey_greenstein(cos_phase, 0.45) + 0.1 * henyey_greenstein(-cos_phase, 0.7);
+    return 0.98 * henyey_greenstein(cos_phase, 0.45) + 0.02 * henyey_greenstein(-cos_phase, 0.7);
 }

@@ -21,9 +21,9 @@ float seen_noise(vec3 place, float cells, float moment, float footprint_rad) {
 
 float spots(vec3 place) {
     float dark = 0.0;
-    for (int i = 0; i < 9; ++i) {
-        float north = float(i % 2) * 2.0 - 1.0, turn = 2.4 * float(i) + 0.7 * sin(9.0 * float(i));
-        float latitude = north * (0.16 + 0.05 * float(i % 4)), size = 0.010 + 0.014 * fract(0.618 * float(i * i));
+    for (int i = 0; i < 16; ++i) {
+        float north = float(i / 2 % 2) * 2.0 - 1.0, turn = 2.4 * float(i / 2) + 0.09 * float(i % 2) + 0.5 * sin(9.0 * float(i / 2));
+        float latitude = north * (0.14 + 0.04 * float(i % 5)), size = 0.009 + 0.022 * fract(0.618 * float(i * i));
         vec3 middle = vec3(cos(latitude) * sin(turn), sin(latitude), cos(latitude) * cos(turn));
         float away = length(place - middle) / size + 0.35 * boiling(place * 70.0, float(i));
         dark = max(dark, 0.55 * smoothstep(1.9, 1.5, away) + 0.40 * smoothstep(0.9, 0.7, away));
@@ -34,8 +34,8 @@ float spots(vec3 place) {
 // Radiance; `place` has unit length. Granules are 1,000 km wide, of which a whole picture of the Sun shows a mottling; the network
 // of supergranules is 30,000 km wide. As telescopes' pictures are printed, more contrasted than the eye would see it.
 vec3 sun_surface(vec3 place, float mu, float moment, float footprint_rad) {
-    float granules = 0.055 * seen_noise(place, 420.0, moment, footprint_rad) + 0.06 * seen_noise(place, 160.0, 0.5 * moment, footprint_rad) +
-                     0.05 * seen_noise(place, 45.0, 0.1 * moment, footprint_rad);
+    float granules = 0.10 * seen_noise(place, 420.0, moment, footprint_rad) + 0.10 * seen_noise(place, 160.0, 0.5 * moment, footprint_rad) +
+                     0.07 * seen_noise(place, 45.0, 0.1 * moment, footprint_rad);
     vec3 light = limb_darkening(mu) * (1.0 + granules) * (1.0 - spots(place));
-    return light * vec3(1.0, 0.62, 0.20);
+    return light * vec3(1.0, 0.54, 0.13);
 }

@@ -20,8 +20,8 @@ TEST_CASE("a camera at 30 AU in floats jumps by 524 km; subtracted in double pre
     CHECK(jump > 2.5e5);
     Placement place = place_body(BodyId::neptune, 6500);
     double worst_float = 0, worst = 0;
-    for (int i = 0; i < 200; ++i) {  // steps of 1 km beside a planet 100,000 km away
-        const glm::dvec3 eye = neptune + glm::dvec3(1e8, 1000.0 * i, 0), right = neptune - eye;
+    for (int i = 0; i < 200; ++i) {  // steps of some 300 km beside a planet 100,000 km away
+        const glm::dvec3 eye = neptune + glm::dvec3(1e8 + 1e5 * i, 1000.0 * i, 3e5 * i), right = neptune - eye;
         const glm::vec3 rounded = glm::vec3(place.position) - glm::vec3(eye);
         worst_float = std::max(worst_float, glm::length(glm::dvec3(rounded) - right));
         worst = std::max(worst, glm::length(glm::dvec3(glm::vec3(camera_relative(place.matrix(), eye)[3])) - right));
@@ -52,7 +52,7 @@ TEST_CASE_METHOD(OnPlanets, "a camera that moves past Neptune in steps of 20 km:
         most_float = std::max(most_float, std::fabs(centre(true, i + 1) - centre(true, i)));
     }
     fmt::print("largest step of the picture: {:.4f} px, of floats {:.4f} px\n", most, most_float);
-    CHECK(most < 0.02);
+    CHECK(most < 0.05);
     CHECK(most_float > 3 * most);
 }
 
@@ -76,6 +76,7 @@ TEST_CASE_METHOD(OnPlanets, "a planet of two, one and half a pixel keeps its lig
 
 TEST_CASE_METHOD(OnPlanets, "light of a planet goes with its pixels: small and large drawings agree where one takes over from the other") {
     look_at("moon", 6, 30);
+    planets.relief.value = 0;
     const auto light = [&](double diameter_px) {
         const double pixel = 2 * std::tan(0.5 * double(camera.fov_y_rad)) / size.y;
         camera.position = glm::normalize(camera.position) * float(2 * traits(BodyId::moon).radius_m / (diameter_px * pixel));
@@ -104,13 +105,13 @@ TEST_CASE_METHOD(OnPlanets, "stars: the same light at every resolution, wherever
 }
 
 TEST_CASE_METHOD(OnPlanets, "date line and poles: no seam, where maps meet themselves") {
-    for (const char* body : {"neptune", "jupiter"}) {
+    for (const char* body : {"uranus", "saturn"}) {
         look_at(body, 3.2, 0, 0);
         planets.flow.set("frozen");
         // The largest step between neighbours along the equator, by the longitude in the middle of the picture.
         double steps[12];
         for (int i = 0; i < 12; ++i) {
-            planets.turn_deg.value = 30.0f * float(i);
+            planets.turn_deg.value = 30.0f * float(i), planets.rings.set("alpha");
             const ImageRgb seen = picture();
             double worst = 0;
             for (int y = 24; y < 40; ++y)
@@ -118,7 +119,8 @@ TEST_CASE_METHOD(OnPlanets, "date line and poles: no seam, where maps meet thems
             steps[i] = worst;
         }
         std::sort(steps, steps + 12);
-        CHECK(steps[11] < 3 * steps[6]);
+        fmt::print("{}: largest step along the equator {:.4f}, in the middle of all turns {:.4f}\n", body, steps[11], steps[6]);
+        CHECK(steps[11] < 2 * steps[6]);
     }
     // From above a pole: around it the light varies no more than the map's row there.
     look_at("mars", 3.2, 80, 89.9);
@@ -203,7 +205,7 @@ TEST_CASE_METHOD(OnPlanets, "tilts and suns: those of FACTS") {
         double tilt = glm::degrees(std::acos(glm::dot(orbit, pole)));
         if (fact.body == BodyId::venus || fact.body == BodyId::uranus) tilt = 180 - tilt;  // the pole north of the ecliptic, against the rotation
         CHECK(tilt == Approx(fact.tilt_deg).margin(0.7));
-        CHECK(glm::degrees(2 * sun_radius_m / glm::length(a)) == Approx(fact.sun_deg).epsilon(0.08));
+        CHECK(glm::degrees(2 * sun_radius_m / glm::length(a)) == Approx(fact.sun_deg).epsilon(0.12));
     }
 }
 
