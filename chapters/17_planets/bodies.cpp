@@ -46,11 +46,11 @@ glm::vec3 per_m(glm::vec3 per_megametre) { return 1e-6f * per_megametre; }
 const BodyTraits& traits(BodyId body) {
     static const BodyTraits all[body_count] = {
         {nullptr, sun_radius_m, 0, BodyKind::star, law(LAW_LAMBERT), 0, 0},
-        {"planets_2k/mercury.jpg", 2440.53e3, 0, BodyKind::rock, law(LAW_HAPKE, {1.0f, 0.94f, 0.88f}), 5, 0.22f},
+        {"planets_2k/mercury.jpg", 2440.53e3, 0, BodyKind::rock, law(LAW_HAPKE, {0.60f, 0.56f, 0.53f}), 5, 0.22f},
         {"planets_2k/venus.jpg", 6051.8e3, 0, BodyKind::clouded,
          wrapped(0.14f, 1.3f, {1.0f, 0.86f, 0.66f}, {1.0f, 0.98f, 0.94f}), 0, 0},
         {"planets/earth_day.jpg", 6378.137e3, 0.0033528, BodyKind::earth, law(LAW_LAMBERT, {1.08f, 1.04f, 1.0f}), 4, 0.1f},
-        {"planets_2k/moon.jpg", 1737.4e3, 0.0012, BodyKind::rock, law(LAW_HAPKE, {1.0f, 0.97f, 0.93f}), 5, 0.2f},
+        {"planets_2k/moon.jpg", 1737.4e3, 0.0012, BodyKind::rock, law(LAW_HAPKE, {0.60f, 0.58f, 0.56f}), 5, 0.2f},
         {"planets_2k/mars.jpg", 3396.19e3, 0.00589, BodyKind::clouded, law(LAW_MINNAERT, {1.02f, 1.45f, 1.75f}), 5, 0.14f},
         {"planets_2k/jupiter.jpg", 71492e3, 0.06487, BodyKind::flowing, clouds(0.94f, {1.0f, 0.82f, 0.66f}), 0, 0},
         {"planets_2k/saturn.jpg", 60268e3, 0.09796, BodyKind::ringed, clouds(0.90f, {1.0f, 0.88f, 0.72f}), 0, 0},

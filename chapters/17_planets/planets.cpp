@@ -100,10 +100,11 @@ std::vector<Planets::Shown> Planets::shown(const Outlook& look) const {
     std::vector<Shown> all;
     if (show.is("laws")) {
         const int laws[] = {LAW_LAMBERT, LAW_WRAPPED, LAW_LOMMEL_SEELIGER, LAW_HAPKE};
-        for (int i = 0; i < 4; ++i) {
-            const double x = (i - 1.5) * 2.3 * traits(body_at()).radius_m;
-            all.push_back({body_at(), placed(body_at(), {x, 0, 0}), laws[i]});
-        }
+        // In a row across the picture.
+        const glm::dvec3 eye = look.to_view * (look.eye_m - place_body(body_at(), look.days).position);
+        const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), eye));
+        for (int i = 0; i < 4; ++i)
+            all.push_back({body_at(), placed(body_at(), (i - 1.5) * 2.12 * traits(body_at()).radius_m * right), laws[i]});
         return all;
     }
     for (size_t i = 0; i < body_count; ++i) {

@@ -53,6 +53,7 @@ vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {
     float water = map_texel(water_map, uv, footprint_rad).r;
     relief *= 1.0 - water;
 #endif
+    relief *= smoothstep(0.0, 0.3, facing);  // at the limb crests hide the slopes behind them
     vec3 normal = relief > 0.0 ? tilted_normal(up, uv, footprint_rad, relief) : up;
     float tilted_cosine = dot(normal, to_sun), mu = max(dot(normal, to_eye), 0.03);  // a slope that faces away at the limb is seen past its crest
     // Behind the smooth terminator a slope is in the shadow of the ground before it.

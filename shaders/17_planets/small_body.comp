@@ -26,7 +26,7 @@ void main() {
         vec3 at = ray / along - body.rays.corner;
         vec2 from = abs(vec2(dot(at, right), dot(at, down)) / (pixel_rad * pixel_rad) - vec2(pixel) - 0.5);
         vec2 tent = max(1.0 - from, 0.0);
-        if (tent.x * tent.y > 0.0) sum += tent.x * tent.y * share * seen_body(ray, body.reach / away / 8.0);
+        if (tent.x * tent.y > 0.0) sum += tent.x * tent.y * share * seen_body(ray, body.reach / away / 40.0);
     }
     vec4 behind = imageLoad(result, pixel);
     imageStore(result, pixel, vec4(finite_light(sum.rgb + max(1.0 - sum.a, 0.0) * behind.rgb), 1.0));
