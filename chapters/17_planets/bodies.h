@@ -12,13 +12,13 @@ namespace lightwalk {
 enum class BodyKind { rock, clouded, earth, flowing, ringed, star };
 
 struct BodyTraits {
-    const char* map;      ///< file below assets/planets_2k/ or assets/; null: made here, or none
-    double radius_m;      ///< at its equator
-    double flattening;    ///< (equator - pole) / equator
+    const char* map;    ///< file below assets/planets_2k/ or assets/; null: made here, or none
+    double radius_m;    ///< at its equator
+    double flattening;  ///< (equator - pole) / equator
     BodyKind kind;
     SurfaceLaw surface;
-    int octaves;          ///< of the slopes that overlay_normals() finds in the map; 0: none
-    float slope;          ///< of those
+    int octaves;  ///< of the slopes that overlay_normals() finds in the map; 0: none
+    float slope;  ///< of those
 };
 
 /// Radii: B. A. Archinal et al., Celestial Mechanics and Dynamical Astronomy 130, 2018. Laws: the lesson says which and why.

@@ -9,8 +9,9 @@ namespace {
 struct Stop {
     double radii, around_deg, up_deg;
 };
-constexpr Stop stops[body_count] = {{4.4, 0, 0},   {4.2, 52, 4},  {4.2, 40, 6},  {4.2, 52, 14}, {4.4, 48, 5}, {4.2, 38, 10},
-                                    {4.4, 30, -4}, {7.5, 34, 9}, {5.2, 22, 10}, {4.2, 34, 0},  {4.2, 26, 12}};
+constexpr Stop stops[body_count] = {{4.4, 0, 0},   {4.2, 52, 4},  {4.2, 40, 6},  {4.2, 52, 14},
+                                    {4.4, 48, 5},  {4.2, 38, 10}, {4.4, 30, -4}, {7.5, 34, 9},
+                                    {5.2, 22, 10}, {4.2, 34, 0},  {4.2, 26, 12}};
 
 struct Pose {
     glm::dvec3 eye, forward;
@@ -21,7 +22,8 @@ Pose pose_at(size_t body, double days, double drift_deg) {
     const auto id = static_cast<BodyId>(body);
     const Stop& stop = stops[body];
     const glm::dvec3 place = place_body(id, days).position;
-    const glm::dvec3 from = id == BodyId::sun ? glm::normalize(place_body(BodyId::earth, days).position) : -glm::normalize(place);
+    const glm::dvec3 from =
+        id == BodyId::sun ? glm::normalize(place_body(BodyId::earth, days).position) : -glm::normalize(place);
     const glm::dvec3 side = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), from)), up = glm::cross(from, side);
     const double around = glm::radians(stop.around_deg + drift_deg), high = glm::radians(stop.up_deg);
     const glm::dvec3 away = std::cos(high) * (std::cos(around) * from + std::sin(around) * side) + std::sin(high) * up;
@@ -40,7 +42,9 @@ double smooth(double s) { return s * s * s * (s * (6 * s - 15) + 10); }
 // What share of a way is behind after a share `s` of the time: speed grows with the distance from the nearer end, so that
 // neither a planet nor the void between takes all of it.
 double travelled_at(double s, double near_a, double near_b, double way) {
-    const auto half = [&](double share, double near) { return near * (std::pow(1 + 0.5 * way / near, share) - 1) / way; };
+    const auto half = [&](double share, double near) {
+        return near * (std::pow(1 + 0.5 * way / near, share) - 1) / way;
+    };
     return s < 0.5 ? half(2 * s, near_a) : 1 - half(2 - 2 * s, near_b);
 }
 

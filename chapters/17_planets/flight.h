@@ -23,7 +23,7 @@ struct Flight : Module {
         glm::dvec3 eye_m{0.0};
         glm::dquat turned{1, 0, 0, 0};  ///< from the camera's axes (it looks along -z) to the world's
         double exposed_for_m = astronomical_unit_m;
-        size_t body = 0;      ///< where it stays, or leaves
+        size_t body = 0;       ///< where it stays, or leaves
         double travelled = 0;  ///< 0 to 1 of the way to the next one
     };
     Moment at(double time_s, double days) const;

@@ -25,7 +25,8 @@ std::shared_ptr<Image> slopes(Gpu& gpu, const ImageRgb& map, const BodyTraits& b
             float sum = 0;
             for (int j = 0; j < down; ++j)
                 for (int i = 0; i < across; ++i) {
-                    const glm::vec3 c = map.at(std::min(x * across + i, map.width - 1), std::min(y * down + j, map.height - 1));
+                    const glm::vec3 c =
+                        map.at(std::min(x * across + i, map.width - 1), std::min(y * down + j, map.height - 1));
                     sum += glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f));
                 }
             brightness.push_back(std::sqrt(std::max(sum, 0.0f) / static_cast<float>(across * down)));
@@ -143,9 +144,11 @@ std::vector<glm::vec4> ring_strip(BodyId body, int texels) {
             if (r < part.inner_m || r > part.outer_m || sum <= 0) continue;
             const glm::u8vec4 seen = at(r);
             glm::vec4& texel = strip[static_cast<size_t>(i)];
-            texel.a *= static_cast<float>(std::clamp(-std::log(1 - std::min(seen.a / 255.0, 0.97)) / (sum / n), 0.3, 2.5));
+            texel.a *=
+                static_cast<float>(std::clamp(-std::log(1 - std::min(seen.a / 255.0, 0.97)) / (sum / n), 0.3, 2.5));
             const glm::vec3 color(srgb_to_linear(seen.r), srgb_to_linear(seen.g), srgb_to_linear(seen.b));
-            const float bright = std::max({color.r, color.g, color.b, 1e-3f}), ringlet = std::clamp(0.55f + 0.9f * bright, 0.6f, 1.15f);
+            const float bright = std::max({color.r, color.g, color.b, 1e-3f}),
+                        ringlet = std::clamp(0.55f + 0.9f * bright, 0.6f, 1.15f);
             const glm::vec3 hue = glm::mix(color / bright, glm::vec3(1.0f, 0.89f, 0.74f), 0.8f);
             texel = glm::vec4(glm::min(static_cast<float>(part.albedo) * ringlet * hue, 1.0f), texel.a);
         }
@@ -154,11 +157,14 @@ std::vector<glm::vec4> ring_strip(BodyId body, int texels) {
 }
 
 std::vector<glm::vec4> ring_table(const std::vector<glm::vec4>& strip, int table, double elevation_rad) {
-    const double mu = std::sin(elevation_rad), phase = scattering::particle_phase(table == 0 ? 1.0 : table == 1 ? -1.0 : 0.0);
+    const double mu = std::sin(elevation_rad), phase = scattering::particle_phase(table == 0   ? 1.0
+                                                                                  : table == 1 ? -1.0
+                                                                                               : 0.0);
     std::vector<glm::vec4> out;
     for (const glm::vec4& texel : strip) {
         const double depth = static_cast<double>(texel.a);
-        const double light = phase * (table == 2 ? scattering::through(depth, mu, mu) : scattering::back(depth, mu, mu));
+        const double light =
+            phase * (table == 2 ? scattering::through(depth, mu, mu) : scattering::back(depth, mu, mu));
         out.emplace_back(static_cast<float>(light) * glm::vec3(texel), texel.a);
     }
     return out;

@@ -11,7 +11,7 @@ namespace lightwalk {
 struct BodyMaps {
     std::shared_ptr<Image> color, normals;
     std::shared_ptr<Image> night, water, clouds;  ///< of the Earth
-    std::shared_ptr<Image> rings;                 ///< four layers: ω and optical depth; the tables back, forward, unlit
+    std::shared_ptr<Image> rings;  ///< four layers: ω and optical depth; the tables back, forward, unlit
 };
 
 /// Maps of a body, without those of what it has not. Throws InputError where a file is missing or damaged.

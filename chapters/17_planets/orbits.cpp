@@ -30,18 +30,19 @@ struct Rotation {
     double right_ascension, declination, meridian, rate;
 };
 constexpr Rotation rotations[body_count] = {
-    {286.13, 63.87, 84.176, 14.1844},        {281.0103, 61.4155, 329.5988, 6.1385108},
-    {272.76, 67.16, 160.20, -1.4813688},     {0.0, 90.0, 190.147, 360.9856235},
+    {286.13, 63.87, 84.176, 14.1844},          {281.0103, 61.4155, 329.5988, 6.1385108},
+    {272.76, 67.16, 160.20, -1.4813688},       {0.0, 90.0, 190.147, 360.9856235},
     {269.9949, 66.5392, 38.3213, 13.17635815}, {317.681, 52.887, 176.630, 350.89198226},
-    {268.057, 64.495, 284.95, 870.5360},     {40.589, 83.537, 38.90, 810.7939024},
-    {257.311, -15.175, 203.81, -501.1600928}, {299.36, 43.46, 249.978, 541.1397757},
+    {268.057, 64.495, 284.95, 870.5360},       {40.589, 83.537, 38.90, 810.7939024},
+    {257.311, -15.175, 203.81, -501.1600928},  {299.36, 43.46, 249.978, 541.1397757},
     {132.993, -6.163, 302.695, 56.3625225},
 };
 
 glm::dvec3 from_ecliptic(double x, double y, double z) { return {y, z, x}; }
 
 glm::dvec3 kepler(const Orbit& orbit, double days) {
-    const double longitude = orbit.longitude + std::fmod(orbit.motion * (days / 36525.0), 360.0), e = orbit.eccentricity;
+    const double longitude = orbit.longitude + std::fmod(orbit.motion * (days / 36525.0), 360.0),
+                 e = orbit.eccentricity;
     const double mean = std::remainder(longitude - orbit.perihelion, 360.0) * degree;
     double eccentric = mean + e * std::sin(mean);
     for (int i = 0; i < 12; ++i)  // Newton's method on Kepler's equation

@@ -30,7 +30,8 @@ Rectangle pixels_of(const View& view, glm::dvec3 center, double reach_m) {
     const double angle = std::asin(reach_m / away) * 1.02 + 2 * pixel;
     const glm::dvec3 towards = center / away;
     if (angle > 1.2) return all;
-    const glm::dvec3 side = glm::normalize(glm::cross(std::fabs(towards.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), towards));
+    const glm::dvec3 side =
+        glm::normalize(glm::cross(std::fabs(towards.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), towards));
     const glm::dvec3 up = glm::cross(towards, side);
     glm::dvec2 least(1e9), most(-1e9);
     int behind = 0;
@@ -51,7 +52,9 @@ Rectangle pixels_of(const View& view, glm::dvec3 center, double reach_m) {
     if (behind == points) return {};
     if (behind) return all;
     const auto within = [&](glm::dvec2 p) { return glm::ivec2(glm::clamp(p, glm::dvec2(0.0), glm::dvec2(size))); };
-    return {.first = within(glm::floor(least - 2.0)), .end = within(glm::ceil(most + 2.0)), .diameter_px = 2 * reach_m / away / pixel};
+    return {.first = within(glm::floor(least - 2.0)),
+            .end = within(glm::ceil(most + 2.0)),
+            .diameter_px = 2 * reach_m / away / pixel};
 }
 
 }  // namespace
@@ -104,7 +107,8 @@ std::vector<Planets::Shown> Planets::shown(const Outlook& look) const {
         const glm::dvec3 eye = look.to_view * (look.eye_m - place_body(body_at(), look.days).position);
         const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), eye));
         for (int i = 0; i < 4; ++i)
-            all.push_back({body_at(), placed(body_at(), (i - 1.5) * 2.12 * traits(body_at()).radius_m * right), laws[i]});
+            all.push_back(
+                {body_at(), placed(body_at(), (i - 1.5) * 2.12 * traits(body_at()).radius_m * right), laws[i]});
         return all;
     }
     for (size_t i = 0; i < body_count; ++i) {
@@ -123,14 +127,16 @@ BodyNow Planets::now(const Shown& one, const Outlook& look, const Frame& frame, 
     const Placement place = place_body(one.body, look.days);
     const double from_sun = std::max(glm::length(place.position), sun_radius_m);
     const double counts = exposed_for_m.value_or(glm::length(place_body(body_at(), look.days).position));
-    const double light = static_cast<double>(exposure) * (at.is("sun") && !exposed_for_m ? 1.0 : counts / from_sun * counts / from_sun);
+    const double light =
+        static_cast<double>(exposure) * (at.is("sun") && !exposed_for_m ? 1.0 : counts / from_sun * counts / from_sun);
     BodyNow now{};
     now.rays = view_rays(view);
     now.center = glm::vec3(one.placed[3]);
     now.radius = static_cast<float>(of.radius_m);
     now.to_body = glm::transpose(glm::mat3(one.placed));
     now.flattening = static_cast<float>(of.flattening);
-    now.to_sun = glm::vec3(look.to_view * -(one.body == BodyId::sun ? glm::dvec3(0, 0, 1) : glm::normalize(place.position)));
+    now.to_sun =
+        glm::vec3(look.to_view * -(one.body == BodyId::sun ? glm::dvec3(0, 0, 1) : glm::normalize(place.position)));
     now.sun_rad = static_cast<float>(std::asin(std::min(sun_radius_m / from_sun, 1.0)));
     now.surface = of.surface;
     if (one.law) now.surface.law = one.law;
@@ -139,13 +145,16 @@ BodyNow Planets::now(const Shown& one, const Outlook& look, const Frame& frame, 
     now.reach = std::max(now.radius + (top_m > 1 ? top_m : 0.0f), now.rings.outer);
     if (one.body == BodyId::sun) {
         // Its own radiance is sunlight over its disc, as a picture can hold it. Where it is less than a pixel, that pixel.
-        const double pixel = static_cast<double>(view.pixel_rad()), disc = sun_radius_m / static_cast<double>(glm::length(now.center));
-        now.sunlight = glm::vec3(static_cast<float>(static_cast<double>(sun) * std::max(1.0, 0.5 * pixel * pixel / (disc * disc))));
+        const double pixel = static_cast<double>(view.pixel_rad()),
+                     disc = sun_radius_m / static_cast<double>(glm::length(now.center));
+        now.sunlight = glm::vec3(
+            static_cast<float>(static_cast<double>(sun) * std::max(1.0, 0.5 * pixel * pixel / (disc * disc))));
     } else {
         now.sunlight = glm::vec3(static_cast<float>(light));
     }
     for (const BodyId other : {BodyId::earth, BodyId::moon}) {
-        const bool pair = (one.body == BodyId::earth && other == BodyId::moon) || (one.body == BodyId::moon && other == BodyId::earth);
+        const bool pair = (one.body == BodyId::earth && other == BodyId::moon) ||
+                          (one.body == BodyId::moon && other == BodyId::earth);
         if (!pair) continue;
         now.other = glm::vec3(look.to_view * (place_body(other, look.days).position - place.position));
         now.other_radius = static_cast<float>(traits(other).radius_m);
@@ -176,13 +185,13 @@ void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Sh
     const BodyMaps none, &of = mapped ? found->second : none;
     const BodyKind kind = traits(one.body).kind;
     const bool star = kind == BodyKind::star;
-    const Pipeline& pipeline = small ? (star ? small_star_ : small_)
-                               : star ? star_
+    const Pipeline& pipeline = small                               ? (star ? small_star_ : small_)
+                               : star                              ? star_
                                : !mapped || kind == BodyKind::rock ? rock_
-                               : kind == BodyKind::earth ? earth_
-                               : kind == BodyKind::flowing ? flowing_
-                               : kind == BodyKind::ringed ? ringed_
-                                                          : clouded_;
+                               : kind == BodyKind::earth           ? earth_
+                               : kind == BodyKind::flowing         ? flowing_
+                               : kind == BodyKind::ringed          ? ringed_
+                                                                   : clouded_;
     if (small) now.reach = now.radius;
     const Air air_here = air_of(one.body, now.sunlight, now.sun_rad);
     const bool sky = &pipeline == &earth_;
@@ -195,13 +204,14 @@ void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Sh
         }
     }
     const ImageView hdr = canvas.color(frame), depth = canvas.depth(frame);
-    frame.compute(body_names()[static_cast<size_t>(one.body)], {.reads = {hdr, depth}, .writes = {hdr}, .with = {*this}},
-                  [&](Compute& pass) {
+    frame.compute(body_names()[static_cast<size_t>(one.body)],
+                  {.reads = {hdr, depth}, .writes = {hdr}, .with = {*this}}, [&](Compute& pass) {
                       pass.use(pipeline).set("result", hdr).set("depth", depth, nearest_clamp).set("body", now);
                       pass.offer("air", air_here);
                       if (sky) pass.offer("skylight", skylight_);
                       const Sampler around_it{.wrap = Wrap::repeat};
-                      const auto offer = [&](const char* name, const std::shared_ptr<Image>& image, const std::shared_ptr<Image>& otherwise) {
+                      const auto offer = [&](const char* name, const std::shared_ptr<Image>& image,
+                                             const std::shared_ptr<Image>& otherwise) {
                           pass.offer(name, image ? *image : *otherwise, around_it);
                       };
                       offer("body_map", of.color, white_), offer("normal_map", of.normals, flat_);

@@ -25,41 +25,52 @@ struct Planets : Drawing {
     Planets(Module& owner, std::string name) : Drawing(owner, std::move(name), "planets") {}
 
     Choice at{*this, "at", body_names(), "saturn", "Body at the origin of the scene"};
-    Choice law{*this,
-               "law",
-               {"own", "lambert", "wrapped", "lommel_seeliger", "minnaert", "hapke"},
-               "own",
-               "Law of reflection: each body's own, or one for all: Lambert, wrapped Lambert, Lommel-Seeliger, Minnaert, "
-               "Hapke (the reference for airless bodies)"};
-    Choice rings{*this,
-                 "rings",
-                 {"alpha", "tables", "single_scattering"},
-                 "tables",
-                 "Light of rings: a painted disc, three tables (back, forward, unlit), single scattering (the reference)"};
-    Choice flow{*this,
-                "flow",
-                {"frozen", "scrolled", "two_frames", "advected"},
-                "two_frames",
-                "Jupiter's clouds: at rest, all at one speed, two moved frames mixed, or carried in 64 steps (the reference)"};
+    Choice law{
+        *this,
+        "law",
+        {"own", "lambert", "wrapped", "lommel_seeliger", "minnaert", "hapke"},
+        "own",
+        "Law of reflection: each body's own, or one for all: Lambert, wrapped Lambert, Lommel-Seeliger, Minnaert, "
+        "Hapke (the reference for airless bodies)"};
+    Choice rings{
+        *this,
+        "rings",
+        {"alpha", "tables", "single_scattering"},
+        "tables",
+        "Light of rings: a painted disc, three tables (back, forward, unlit), single scattering (the reference)"};
+    Choice flow{
+        *this,
+        "flow",
+        {"frozen", "scrolled", "two_frames", "advected"},
+        "two_frames",
+        "Jupiter's clouds: at rest, all at one speed, two moved frames mixed, or carried in 64 steps (the reference)"};
     // [/planets]
     Choice show{*this,
                 "show",
                 {"bodies", "laws"},
                 "bodies",
-                "Image shown: all bodies, or the body at the origin four times, by Lambert, wrapped, Lommel-Seeliger and Hapke"};
+                "Image shown: all bodies, or the body at the origin four times, by Lambert, wrapped, Lommel-Seeliger "
+                "and Hapke"};
     Choice maps{*this,
                 "maps",
                 {"near", "all"},
                 "near",
                 "Maps loaded: those of the body at the origin and of its companion, or of all bodies"};
-    Knob<float> away{*this, "away", 1.0f, {1e-3f, 1e6f},
-                     "Scale factor for the camera's distance from the body at the origin, where a scene's metres do not reach"};
-    Knob<float> date_days{
-        *this, "date_days", 6500.0f, {-36525.0f, 36525.0f}, "Date: days since 1 January 2000, 12:00", "d"};
+    Knob<float> away{
+        *this,
+        "away",
+        1.0f,
+        {1e-3f, 1e6f},
+        "Scale factor for the camera's distance from the body at the origin, where a scene's metres do not reach"};
+    Knob<float> date_days{*this, "date_days", 6500.0f, {-36525.0f, 36525.0f}, "Date: days since 1 January 2000, 12:00",
+                          "d"};
     Knob<float> days_per_s{*this, "days_per_s", 0.0f, {-3650.0f, 3650.0f}, "Days that pass in a second", "d/s"};
     Knob<float> turn_deg{
         *this, "turn_deg", 0.0f, {-360.0f, 360.0f}, "Further rotation of the body at the origin, eastwards", "degrees"};
-    Knob<float> exposure{*this, "exposure", 1.0f, {0.0f, 1e6f},
+    Knob<float> exposure{*this,
+                         "exposure",
+                         1.0f,
+                         {0.0f, 1e6f},
                          "Exposure: radiance of a white surface that faces the Sun, at the body at the origin"};
     Knob<float> sun{*this, "sun", 60.0f, {0.0f, 6e4f}, "Largest radiance of the Sun's disc"};
     Knob<float> relief{*this, "relief", 1.0f, {0.0f, 4.0f}, "Scale factor for the slopes of the ground"};

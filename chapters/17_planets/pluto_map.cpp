@@ -29,7 +29,8 @@ float noise(glm::vec3 at, uint32_t layer) {
 
 float octaves(glm::vec3 at, uint32_t layer, int count) {
     float sum = 0, height = 0.5f;
-    for (int i = 0; i < count; ++i, height *= 0.55f, at *= 2.07f) sum += height * noise(at, layer + static_cast<uint32_t>(i));
+    for (int i = 0; i < count; ++i, height *= 0.55f, at *= 2.07f)
+        sum += height * noise(at, layer + static_cast<uint32_t>(i));
     return sum;
 }
 
@@ -61,9 +62,12 @@ std::vector<uint8_t> pluto_map(int width, int height) {
             const float lon = longitude + 7 * coarse, lat = latitude + 6 * octaves(at * 3.0f + 9.0f, 41, 5);
             glm::vec3 color(0.60f, 0.53f, 0.46f);  // as seen, sRGB
             color += 0.16f * coarse + 0.16f * fine;
-            color = glm::mix(color, glm::vec3(0.74f, 0.66f, 0.54f), 0.7f * step(35, 65, lat));  // Lowell Regio, methane ice
-            const float belt = step(13, 4, std::fabs(lat + 7.0f + 4 * std::sin(2 * l))) * step(-0.5f, 0.1f, coarse + 0.25f);
-            color = glm::mix(color, glm::vec3(0.30f, 0.20f, 0.15f) + 0.10f * fine, 0.88f * belt);  // Belton Regio and its kin
+            color =
+                glm::mix(color, glm::vec3(0.74f, 0.66f, 0.54f), 0.7f * step(35, 65, lat));  // Lowell Regio, methane ice
+            const float belt =
+                step(13, 4, std::fabs(lat + 7.0f + 4 * std::sin(2 * l))) * step(-0.5f, 0.1f, coarse + 0.25f);
+            color = glm::mix(color, glm::vec3(0.30f, 0.20f, 0.15f) + 0.10f * fine,
+                             0.88f * belt);  // Belton Regio and its kin
             const float west = step(0.0f, 0.22f, within(lon, lat, {174, 24}, {15, 29}) + 0.05f * coarse);
             const float east = step(0.0f, 0.35f, within(lon, lat, {203, 14}, {20, 22}) + 0.06f * coarse);
             const float tip = step(0.0f, 0.4f, within(lon, lat, {183, -6}, {13, 22}));

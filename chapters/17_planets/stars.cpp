@@ -26,7 +26,8 @@ std::vector<Star> read_stars(const std::filesystem::path& file) {
                 throw InputError("{}:{}: '{}' is no star; a line is v_mag,ra_deg,dec_deg", file.string(), number, line);
             at = end + 1;
         }
-        stars.push_back({glm::vec3(direction_of(values[1], values[2])), static_cast<float>(std::pow(10.0, -0.4 * values[0]))});
+        stars.push_back(
+            {glm::vec3(direction_of(values[1], values[2])), static_cast<float>(std::pow(10.0, -0.4 * values[0]))});
     }
     if (stars.empty()) throw InputError("{}: no stars", file.string());
     return stars;
@@ -56,9 +57,8 @@ void Stars::draw(Frame& frame, const View& view, Canvas& canvas) {
         pass.use(sky_).set("now", now).set("result", behind).set("star_map", *map_, Sampler{.wrap = Wrap::repeat});
         pass.dispatch_threads(view.size);
     });
-    frame.raster("stars", {.color = {canvas.color_target()}}, [&](Raster& pass) {
-        pass.use(points_).set("now", now).set("stars", stars_).draw(6, count_);
-    });
+    frame.raster("stars", {.color = {canvas.color_target()}},
+                 [&](Raster& pass) { pass.use(points_).set("now", now).set("stars", stars_).draw(6, count_); });
 }
 // [/draw_stars]
 

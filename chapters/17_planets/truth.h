@@ -64,8 +64,8 @@ inline double ellipsoid_shadow(glm::dvec3 point, glm::dvec3 pole, double radius,
                                double sun_rad, int n = 64) {
     const double stretch = 1 / (1 - flattening);
     const auto round = [&](glm::dvec3 v) { return v + (stretch - 1) * glm::dot(v, pole) * pole; };
-    const glm::dvec3 side = glm::normalize(
-        glm::cross(std::fabs(to_sun.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), to_sun));
+    const glm::dvec3 side =
+        glm::normalize(glm::cross(std::fabs(to_sun.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), to_sun));
     const glm::dvec3 up = glm::cross(to_sun, side);
     int seen = 0, all = 0;
     for (int j = 0; j < n; ++j)

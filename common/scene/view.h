@@ -19,7 +19,7 @@ struct View {
     /// Where floats are too coarse: the eye in metres of the world that a drawing knows in double precision. `eye` and the
     /// camera then stand at the origin, and directions are that world's.
     std::optional<glm::dvec3> exact_eye{};
-    uint32_t id = 0;                  ///< 0: the frame's own; what is kept from frame to frame is kept for each id
+    uint32_t id = 0;  ///< 0: the frame's own; what is kept from frame to frame is kept for each id
 
     /// The angle of a pixel in the middle of the whole picture, in radians.
     float pixel_rad() const;

@@ -13,18 +13,19 @@ glm::dvec3 three(std::span<const double> in, size_t first = 0) { return {in[firs
 }  // namespace
 
 CHECK_EXERCISE("17.wrapped_terminator", "((n·l + w) / (1 + w))^k where that base is above 0, else 0") {
-    Probe probe{.include = "17_planets/wrapped_terminator.glsl",
-                .signature = "float wrapped_terminator(float cosine, float w, float k)",
-                .inputs = {{1, 0.3, 1}, {0, 0.3, 1}, {-0.3, 0.3, 0.5}, {-1, 0.3, 0.5}, {-1, 1, 0.5}, {0, 0, 0.5}, {0.5, 0, 2}},
-                .truth = [](auto in) { return Row{truth::wrapped_terminator(in[0], in[1], in[2])}; },
-                .bound = {.absolute = 1e-4, .relative = 1e-4},
-                .hint = [](auto in, auto out) -> std::string {
-                    if (in[0] < -in[1] && out[0] != 0) return "past n·l = -w no light arrives";
-                    if (std::fabs(out[0] - std::max(0.0, in[0])) < 1e-6) return "that is Lambert's law: w is not used";
-                    if (std::fabs(out[0] - std::pow(std::max(0.0, in[0] + in[1]), in[2])) < 1e-4 && in[1] > 0)
-                        return "where the sun is overhead it must be 1: divide by 1 + w before the power";
-                    return "";
-                }};
+    Probe probe{
+        .include = "17_planets/wrapped_terminator.glsl",
+        .signature = "float wrapped_terminator(float cosine, float w, float k)",
+        .inputs = {{1, 0.3, 1}, {0, 0.3, 1}, {-0.3, 0.3, 0.5}, {-1, 0.3, 0.5}, {-1, 1, 0.5}, {0, 0, 0.5}, {0.5, 0, 2}},
+        .truth = [](auto in) { return Row{truth::wrapped_terminator(in[0], in[1], in[2])}; },
+        .bound = {.absolute = 1e-4, .relative = 1e-4},
+        .hint = [](auto in, auto out) -> std::string {
+            if (in[0] < -in[1] && out[0] != 0) return "past n·l = -w no light arrives";
+            if (std::fabs(out[0] - std::max(0.0, in[0])) < 1e-6) return "that is Lambert's law: w is not used";
+            if (std::fabs(out[0] - std::pow(std::max(0.0, in[0] + in[1]), in[2])) < 1e-4 && in[1] > 0)
+                return "where the sun is overhead it must be 1: divide by 1 + w before the power";
+            return "";
+        }};
     Random random(1);
     for (int i = 0; i < 300; ++i)
         probe.inputs.push_back({random.uniform(-1, 1), random.uniform(0, 1), random.logarithmic(0.4, 4)});
@@ -34,8 +35,13 @@ CHECK_EXERCISE("17.wrapped_terminator", "((n·l + w) / (1 + w))^k where that bas
 CHECK_EXERCISE("17.night_lights", "city times a smooth step of -n·l / 0.12 times what the clouds let through") {
     Probe probe{.include = "17_planets/night_lights.glsl",
                 .signature = "vec3 night_lights(vec3 city, float cosine, float cloud)",
-                .inputs = {{1, 2, 3, 0.5, 0}, {1, 2, 3, 0, 0}, {1, 2, 3, -0.06, 0}, {1, 2, 3, -0.12, 0}, {1, 2, 3, -1, 0},
-                           {1, 2, 3, -1, 1}, {1, 2, 3, -1, 0.25}},
+                .inputs = {{1, 2, 3, 0.5, 0},
+                           {1, 2, 3, 0, 0},
+                           {1, 2, 3, -0.06, 0},
+                           {1, 2, 3, -0.12, 0},
+                           {1, 2, 3, -1, 0},
+                           {1, 2, 3, -1, 1},
+                           {1, 2, 3, -1, 0.25}},
                 .truth =
                     [](auto in) {
                         const double share = truth::night_lights(in[3], in[4]);
@@ -55,25 +61,27 @@ CHECK_EXERCISE("17.night_lights", "city times a smooth step of -n·l / 0.12 time
 }
 
 CHECK_EXERCISE("17.ring_phase", "two sides first: lit where sun_side and eye_side have one sign; then (1 + cos) / 2") {
-    Probe probe{.include = "17_planets/ring_phase.glsl",
-                .signature = "vec3 ring_phase(vec3 back, vec3 forward, vec3 unlit, float cos_phase, float sun_side, float eye_side)",
-                .truth =
-                    [](auto in) {
-                        const bool lit = in[10] * in[11] > 0;
-                        const double share = 0.5 + 0.5 * in[9];
-                        const glm::dvec3 light = lit ? glm::mix(three(in, 3), three(in), share) : three(in, 6);
-                        return Row{light.x, light.y, light.z};
-                    },
-                .bound = {.absolute = 1e-5, .relative = 1e-5},
-                .hint = [](auto in, auto out) -> std::string {
-                    const bool lit = in[10] * in[11] > 0;
-                    if (!lit) return "from that side one sees what comes through: unlit";
-                    if (std::fabs(out[0] - (in[3] + in[9] * (in[0] - in[3]))) < 1e-5)
-                        return "cos_phase is the share there, which extrapolates below 0: (1 + cos_phase) / 2";
-                    if (std::fabs(out[0] - (in[0] + (0.5 + 0.5 * in[9]) * (in[3] - in[0]))) < 1e-5)
-                        return "1 is back, the sun behind the camera";
-                    return "";
-                }};
+    Probe probe{
+        .include = "17_planets/ring_phase.glsl",
+        .signature =
+            "vec3 ring_phase(vec3 back, vec3 forward, vec3 unlit, float cos_phase, float sun_side, float eye_side)",
+        .truth =
+            [](auto in) {
+                const bool lit = in[10] * in[11] > 0;
+                const double share = 0.5 + 0.5 * in[9];
+                const glm::dvec3 light = lit ? glm::mix(three(in, 3), three(in), share) : three(in, 6);
+                return Row{light.x, light.y, light.z};
+            },
+        .bound = {.absolute = 1e-5, .relative = 1e-5},
+        .hint = [](auto in, auto out) -> std::string {
+            const bool lit = in[10] * in[11] > 0;
+            if (!lit) return "from that side one sees what comes through: unlit";
+            if (std::fabs(out[0] - (in[3] + in[9] * (in[0] - in[3]))) < 1e-5)
+                return "cos_phase is the share there, which extrapolates below 0: (1 + cos_phase) / 2";
+            if (std::fabs(out[0] - (in[0] + (0.5 + 0.5 * in[9]) * (in[3] - in[0]))) < 1e-5)
+                return "1 is back, the sun behind the camera";
+            return "";
+        }};
     Random random(3);
     for (int i = 0; i < 300; ++i) {
         Row row;
@@ -90,25 +98,34 @@ CHECK_EXERCISE("17.ring_phase", "two sides first: lit where sun_side and eye_sid
 CHECK_EXERCISE("17.limb_fade", "a longer way through the layer, 1 / mu; then the smooth step of mu / width") {
     Probe probe{.include = "17_planets/limb_fade.glsl",
                 .signature = "float limb_fade(float opacity, float mu, float width)",
-                .inputs = {{0.5, 1, 0.1}, {0.5, 0.5, 0.1}, {1, 0.5, 0.1}, {1, 0.05, 0.1}, {0, 0.5, 0.1}, {0.5, 0, 0.1},
-                           {1, 0, 0.1}, {0.5, -0.5, 0.1}, {0, 0, 1}},
+                .inputs = {{0.5, 1, 0.1},
+                           {0.5, 0.5, 0.1},
+                           {1, 0.5, 0.1},
+                           {1, 0.05, 0.1},
+                           {0, 0.5, 0.1},
+                           {0.5, 0, 0.1},
+                           {1, 0, 0.1},
+                           {0.5, -0.5, 0.1},
+                           {0, 0, 1}},
                 .truth = [](auto in) { return Row{truth::limb_fade(in[0], in[1], in[2])}; },
                 .bound = {.absolute = 1e-4, .relative = 1e-4},
                 .hint = [](auto in, auto out) -> std::string {
                     if (in[1] <= 0 && out[0] != 0) return "from below, through the planet, nothing of it is seen";
                     if (std::fabs(out[0] - in[0] * truth::smooth(in[1] / in[2])) < 1e-4 && in[1] < 0.9)
                         return "seen at an angle the way through the layer is longer, 1 / mu";
-                    if (in[1] < in[2] && out[0] > truth::limb_fade(in[0], in[1], in[2])) return "it fades where mu is below the width";
+                    if (in[1] < in[2] && out[0] > truth::limb_fade(in[0], in[1], in[2]))
+                        return "it fades where mu is below the width";
                     return "";
                 }};
     Random random(4);
     for (int i = 0; i < 300; ++i)
-        probe.inputs.push_back({random.uniform(0, 1), i % 2 ? random.uniform(0, 0.2) : random.uniform(-1, 1),
-                                random.uniform(0.02, 1)});
+        probe.inputs.push_back(
+            {random.uniform(0, 1), i % 2 ? random.uniform(0, 0.2) : random.uniform(-1, 1), random.uniform(0.02, 1)});
     check.probe(probe);
 }
 
-CHECK_EXERCISE("17.flow_blend", "A is read against the wind for t of the interval, B with it for the 1 - t that is left") {
+CHECK_EXERCISE("17.flow_blend",
+               "A is read against the wind for t of the interval, B with it for the 1 - t that is left") {
     Probe places{.include = "17_planets/flow_blend.glsl",
                  .signature = "vec4 flow_places(vec2 uv, vec2 shift, float t)",
                  .inputs = {{0.5, 0.5, 0.1, 0, 0}, {0.5, 0.5, 0.1, 0, 1}, {0.5, 0.5, 0.1, -0.2, 0.5}},
@@ -143,18 +160,20 @@ CHECK_EXERCISE("17.flow_blend", "A is read against the wind for t of the interva
 }
 
 CHECK_EXERCISE("17.ellipsoid_shadow", "stretch the point and the direction along the pole, then ask chapter 05") {
-    Probe probe{.include = "17_planets/ellipsoid_shadow.glsl",
-                .signature = "float ellipsoid_shadow(vec3 point, vec3 pole, float radius, float flattening, vec3 to_sun, float sun_rad)",
-                .truth =
-                    [](auto in) {
-                        return Row{truth::ellipsoid_shadow(three(in), three(in, 3), in[6], in[7], three(in, 8), in[11])};
-                    },
-                .bound = {.absolute = 0.07},
-                .hint = [](auto in, auto out) -> std::string {
-                    const double round = truth::ellipsoid_shadow(three(in), three(in, 3), in[6], 0, three(in, 8), in[11]);
-                    if (std::fabs(out[0] - round) < 0.03) return "that is the shadow of a sphere";
-                    return "along the pole by 1 / (1 - flattening): the point, and the direction, which is normalised again";
-                }};
+    Probe probe{
+        .include = "17_planets/ellipsoid_shadow.glsl",
+        .signature =
+            "float ellipsoid_shadow(vec3 point, vec3 pole, float radius, float flattening, vec3 to_sun, float sun_rad)",
+        .truth =
+            [](auto in) {
+                return Row{truth::ellipsoid_shadow(three(in), three(in, 3), in[6], in[7], three(in, 8), in[11])};
+            },
+        .bound = {.absolute = 0.07},
+        .hint = [](auto in, auto out) -> std::string {
+            const double round = truth::ellipsoid_shadow(three(in), three(in, 3), in[6], 0, three(in, 8), in[11]);
+            if (std::fabs(out[0] - round) < 0.03) return "that is the shadow of a sphere";
+            return "along the pole by 1 / (1 - flattening): the point, and the direction, which is normalised again";
+        }};
     Random random(6);
     for (int i = 0; i < 500; ++i) {
         const bool saturn = i % 2;

@@ -34,7 +34,8 @@ struct OnPlanets {
         owner.prepare_all(gpu, scene);
         const double r = traits(static_cast<BodyId>(planets.at.index)).radius_m;
         const double a = glm::radians(phase_deg), u = glm::radians(up_deg);
-        camera.position = glm::vec3(radii * r * glm::dvec3(std::cos(u) * std::sin(a), std::sin(u), std::cos(u) * std::cos(a)));
+        camera.position =
+            glm::vec3(radii * r * glm::dvec3(std::cos(u) * std::sin(a), std::sin(u), std::cos(u) * std::cos(a)));
         camera.target = glm::vec3(0.0f);
     }
 

@@ -21,9 +21,10 @@ TEST_CASE("half phase: Lambert's ball is 3.5 times as bright as the Moon, Hapke'
     CHECK(truth::phase_curve(lambert, glm::radians(120.0)) == Approx(0.109).margin(0.002));
     for (const double deg : {30.0, 60.0, 90.0, 120.0}) {
         const double ours = truth::phase_curve(truth::hapke, glm::radians(deg));
-        const double seeliger = truth::phase_curve([](double c, double mu, double) { return truth::lommel_seeliger(c, mu); }, glm::radians(deg));
-        fmt::print("phase {:3.0f}: Moon {:.3f}, Hapke {:.3f}, Lommel-Seeliger {:.3f}, Lambert {:.3f}\n", deg, moon(deg), ours, seeliger,
-                   truth::phase_curve(lambert, glm::radians(deg)));
+        const double seeliger = truth::phase_curve(
+            [](double c, double mu, double) { return truth::lommel_seeliger(c, mu); }, glm::radians(deg));
+        fmt::print("phase {:3.0f}: Moon {:.3f}, Hapke {:.3f}, Lommel-Seeliger {:.3f}, Lambert {:.3f}\n", deg, moon(deg),
+                   ours, seeliger, truth::phase_curve(lambert, glm::radians(deg)));
         CHECK(std::fabs(ours / moon(deg) - 1) < 0.35);
     }
     CHECK(truth::phase_curve(lambert, half) / moon(90) > 3.3);
@@ -47,8 +48,9 @@ TEST_CASE("a wrap of 0.3 with an exponent of 0.47 lights 17 degrees too far and 
 
 TEST_CASE_METHOD(DeviceTest, "laws at 0: no NaN, no infinity, 0 where the sun is below the horizon") {
     Probe probe{.include = "17_planets/surface_laws.glsl",
-                .before = "#define PLANETS_LAW 0\n#define PLANETS_LAW_LAMBERT 1\n#define PLANETS_LAW_WRAPPED 2\n#define "
-                          "PLANETS_LAW_LOMMEL_SEELIGER 3\n#define PLANETS_LAW_MINNAERT 4\n#define PLANETS_LAW_HAPKE 5\n",
+                .before =
+                    "#define PLANETS_LAW 0\n#define PLANETS_LAW_LAMBERT 1\n#define PLANETS_LAW_WRAPPED 2\n#define "
+                    "PLANETS_LAW_LOMMEL_SEELIGER 3\n#define PLANETS_LAW_MINNAERT 4\n#define PLANETS_LAW_HAPKE 5\n",
                 .signature = "float lommel_seeliger(float mu0, float mu)"};
     for (const double mu0 : {0.0, 1e-30, 1e-6, 0.5, 1.0})
         for (const double mu : {0.0, 1e-30, 1e-6, 0.5, 1.0}) probe.inputs.push_back({mu0, mu});
@@ -69,7 +71,9 @@ TEST_CASE_METHOD(DeviceTest, "laws at 0: no NaN, no infinity, 0 where the sun is
     CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
 }
 
-TEST_CASE_METHOD(DeviceTest, "light through a ring where both cosines are nearly one: ours holds, the difference loses its digits", "[figures]") {
+TEST_CASE_METHOD(DeviceTest,
+                 "light through a ring where both cosines are nearly one: ours holds, the difference loses its digits",
+                 "[figures]") {
     Probe ours{.include = "17_planets/single_scattering.glsl",
                .signature = "float scattered_through(float depth, float mu0, float mu)",
                .truth = [](auto in) { return Row{scattering::through(in[0], in[1], in[2])}; },
@@ -116,7 +120,8 @@ TEST_CASE("a sphere in place of Saturn: its shadow is 8% too long, its normals a
         double low = r, high = 4 * r;
         for (int i = 0; i < 60; ++i) {
             const double middle = 0.5 * (low + high);
-            (truth::ellipsoid_shadow({0, 0, -middle}, pole, r, flattening, to_sun, 1e-9, 2) < 0.5 ? low : high) = middle;
+            (truth::ellipsoid_shadow({0, 0, -middle}, pole, r, flattening, to_sun, 1e-9, 2) < 0.5 ? low : high) =
+                middle;
         }
         return low;
     };
@@ -126,7 +131,8 @@ TEST_CASE("a sphere in place of Saturn: its shadow is 8% too long, its normals a
     const auto tilt = [](double flattening) {
         double worst = 0;
         for (double b = 0; b < 1.57; b += 0.001) {
-            const glm::dvec2 at(std::cos(b), (1 - flattening) * std::sin(b)), normal(std::cos(b), std::sin(b) / (1 - flattening));
+            const glm::dvec2 at(std::cos(b), (1 - flattening) * std::sin(b)),
+                normal(std::cos(b), std::sin(b) / (1 - flattening));
             worst = std::max(worst, std::acos(std::min(1.0, glm::dot(glm::normalize(at), glm::normalize(normal)))));
         }
         return glm::degrees(worst);
@@ -135,7 +141,9 @@ TEST_CASE("a sphere in place of Saturn: its shadow is 8% too long, its normals a
     CHECK(tilt(0.0649) == Approx(3.8).margin(0.1));
 }
 
-TEST_CASE("two frames of a wind known to within delta: contrast |cos(pi delta / lambda)| halfway; unrelated frames keep 0.71") {
+TEST_CASE(
+    "two frames of a wind known to within delta: contrast |cos(pi delta / lambda)| halfway; unrelated frames keep "
+    "0.71") {
     const double wave = 1, pi = glm::pi<double>();
     for (const double delta : {0.1, 0.25, 0.5}) {
         // A(x - v t) and B(x + v (1 - t)) of clouds that move by v + delta.
@@ -143,7 +151,9 @@ TEST_CASE("two frames of a wind known to within delta: contrast |cos(pi delta / 
         double most = 0;
         for (int i = 0; i < 2000; ++i) {
             const double x = i / 2000.0;
-            const auto clouds = [&](double at, double time) { return std::cos(2 * pi * (at - (v + delta) * time) / wave); };
+            const auto clouds = [&](double at, double time) {
+                return std::cos(2 * pi * (at - (v + delta) * time) / wave);
+            };
             most = std::max(most, std::fabs((1 - t) * clouds(x - v * t, 0) + t * clouds(x + v * (1 - t), 1)));
         }
         CHECK(most == Approx(std::fabs(std::cos(pi * delta / wave))).margin(1e-3));

@@ -1,6 +1,5 @@
 // Where planets go wrong: far away, small, at map edges, from within.
 #include <fmt/core.h>
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -31,7 +30,9 @@ TEST_CASE("a camera at 30 AU in floats jumps by 524 km; subtracted in double pre
     CHECK(worst < 10);
 }
 
-TEST_CASE_METHOD(OnPlanets, "a camera that moves past Neptune in steps of 20 km: the picture moves evenly, in floats it would jump") {
+TEST_CASE_METHOD(
+    OnPlanets,
+    "a camera that moves past Neptune in steps of 20 km: the picture moves evenly, in floats it would jump") {
     look_at("neptune", 6, 30);
     const glm::dvec3 middle = place_body(BodyId::neptune, planets.days_at(0)).position;
     const glm::dvec3 away = glm::normalize(glm::dvec3(0.3, 0.2, 1)) * 6.0 * traits(BodyId::neptune).radius_m;
@@ -56,11 +57,13 @@ TEST_CASE_METHOD(OnPlanets, "a camera that moves past Neptune in steps of 20 km:
     CHECK(most_float > 3 * most);
 }
 
-TEST_CASE_METHOD(OnPlanets, "a planet of two, one and half a pixel keeps its light wherever it lies between pixels", "[figures]") {
+TEST_CASE_METHOD(OnPlanets, "a planet of two, one and half a pixel keeps its light wherever it lies between pixels",
+                 "[figures]") {
     look_at("mars", 6, 30);
     for (const double diameter_px : {2.0, 1.0, 0.5}) {
         const double pixel = 2 * std::tan(0.5 * double(camera.fov_y_rad)) / size.y;
-        camera.position = glm::normalize(camera.position) * float(2 * traits(BodyId::mars).radius_m / (diameter_px * pixel));
+        camera.position =
+            glm::normalize(camera.position) * float(2 * traits(BodyId::mars).radius_m / (diameter_px * pixel));
         double least = 1e9, most = 0, largest = 0;
         for (int i = 0; i < 12; ++i) {
             const ImageRgb seen = picture(0, {0.083f * float(i) - 0.5f, 0.37f * float(i % 3) - 0.5f});
@@ -74,17 +77,21 @@ TEST_CASE_METHOD(OnPlanets, "a planet of two, one and half a pixel keeps its lig
     }
 }
 
-TEST_CASE_METHOD(OnPlanets, "light of a planet goes with its pixels: small and large drawings agree where one takes over from the other") {
+TEST_CASE_METHOD(
+    OnPlanets,
+    "light of a planet goes with its pixels: small and large drawings agree where one takes over from the other") {
     look_at("moon", 6, 30);
     planets.relief.value = 0;
     camera.fov_y_rad = 0.03f;  // near by one sees less of a ball than half of it
     const auto light = [&](double diameter_px) {
         const double pixel = 2 * std::tan(0.5 * double(camera.fov_y_rad)) / size.y;
-        camera.position = glm::normalize(camera.position) * float(2 * traits(BodyId::moon).radius_m / (diameter_px * pixel));
+        camera.position =
+            glm::normalize(camera.position) * float(2 * traits(BodyId::moon).radius_m / (diameter_px * pixel));
         return sum_of(picture()) / (diameter_px * diameter_px);
     };
     const double small = light(3.96), large = light(4.04), resolved = light(40);
-    fmt::print("light per square of the diameter: {:.4f} small, {:.4f} at 4 px, {:.4f} at 40 px\n", small, large, resolved);
+    fmt::print("light per square of the diameter: {:.4f} small, {:.4f} at 4 px, {:.4f} at 40 px\n", small, large,
+               resolved);
     CHECK(small == Approx(large).epsilon(0.08));
     CHECK(small == Approx(resolved).epsilon(0.08));
 }
@@ -102,7 +109,8 @@ TEST_CASE_METHOD(OnPlanets, "stars: the same light at every resolution, wherever
     fmt::print("starlight over the height squared: {:.3e} at 160 lines, {:.3e} at 640\n", small, large);
     CHECK(small > 0);
     CHECK(small == Approx(large).epsilon(0.03));
-    for (int i = 0; i < 6; ++i) CHECK(light({240, 160}, {0.17f * float(i) - 0.5f, 0.1f * float(i)}) == Approx(small).epsilon(0.02));
+    for (int i = 0; i < 6; ++i)
+        CHECK(light({240, 160}, {0.17f * float(i) - 0.5f, 0.1f * float(i)}) == Approx(small).epsilon(0.02));
 }
 
 TEST_CASE_METHOD(OnPlanets, "date line and poles: no seam, where maps meet themselves") {
@@ -116,11 +124,13 @@ TEST_CASE_METHOD(OnPlanets, "date line and poles: no seam, where maps meet thems
             const ImageRgb seen = picture();
             double worst = 0;
             for (int y = 24; y < 40; ++y)
-                for (int x = 36; x < 60; ++x) worst = std::max(worst, double(std::fabs(seen.at(x + 1, y).g - seen.at(x, y).g)));
+                for (int x = 36; x < 60; ++x)
+                    worst = std::max(worst, double(std::fabs(seen.at(x + 1, y).g - seen.at(x, y).g)));
             steps[i] = worst;
         }
         std::sort(steps, steps + 12);
-        fmt::print("{}: largest step along the equator {:.4f}, in the middle of all turns {:.4f}\n", body, steps[11], steps[6]);
+        fmt::print("{}: largest step along the equator {:.4f}, in the middle of all turns {:.4f}\n", body, steps[11],
+                   steps[6]);
         CHECK(steps[11] < 2 * steps[6]);
     }
     // From above a pole: around it the light varies no more than the map's row there.
@@ -155,8 +165,8 @@ TEST_CASE_METHOD(OnPlanets, "rings: a camera in their plane, at their edges, und
         return double(strip[size_t((1e3 * km - double(rings.inner)) / double(rings.outer - rings.inner) * 4096)].a);
     };
     CHECK(depth(74300) == 0);
-    CHECK(depth(133580) < 0.01);                // the Encke gap, 20 texels wide
-    CHECK(depth(105000) > 1);                   // B
+    CHECK(depth(133580) < 0.01);                           // the Encke gap, 20 texels wide
+    CHECK(depth(105000) > 1);                              // B
     CHECK((depth(120000) < 0.3 && depth(120000) > 0.02));  // Cassini's division
     CHECK((depth(128000) > 0.3 && depth(128000) < 0.8));   // A
     CHECK(depth(137000) == 0);
@@ -168,11 +178,14 @@ TEST_CASE_METHOD(OnPlanets, "rings: a camera in their plane, at their edges, und
     CHECK(sum == Approx(right).epsilon(0.01));
 }
 
-TEST_CASE_METHOD(OnPlanets, "the Earth from its ground, from within its clouds, from its air and from space: numbers everywhere") {
+TEST_CASE_METHOD(OnPlanets,
+                 "the Earth from its ground, from within its clouds, from its air and from space: numbers everywhere") {
     for (const double radii : {1.0000001, 1.0002, 1.0014, 1.0016, 1.01, 1.5, 6.0})
         for (const double phase : {0.0, 60.0, 89.5, 120.0, 180.0}) {
             look_at("earth", radii, phase, 10);
-            if (radii < 1.01) camera.target = camera.position + 1e5f * glm::normalize(glm::cross(camera.position, glm::vec3(0.2f, 1, 0.1f)));
+            if (radii < 1.01)
+                camera.target =
+                    camera.position + 1e5f * glm::normalize(glm::cross(camera.position, glm::vec3(0.2f, 1, 0.1f)));
             INFO(radii << " radii, phase " << phase);
             CHECK(is_finite(picture()));
         }
@@ -197,14 +210,18 @@ TEST_CASE_METHOD(OnPlanets, "times of a year and of a thousand: the same picture
 }
 
 TEST_CASE_METHOD(OnPlanets, "tilts and suns: those of FACTS") {
-    const struct { BodyId body; double tilt_deg, sun_deg; } facts[] = {
-        {BodyId::earth, 23.4, 0.533}, {BodyId::mars, 25.2, 0.350}, {BodyId::jupiter, 3.1, 0.102}, {BodyId::saturn, 26.7, 0.056},
-        {BodyId::uranus, 97.8, 0.028}, {BodyId::neptune, 28.3, 0.018}, {BodyId::venus, 177.4, 0.737}};
+    const struct {
+        BodyId body;
+        double tilt_deg, sun_deg;
+    } facts[] = {{BodyId::earth, 23.4, 0.533},  {BodyId::mars, 25.2, 0.350},   {BodyId::jupiter, 3.1, 0.102},
+                 {BodyId::saturn, 26.7, 0.056}, {BodyId::uranus, 97.8, 0.028}, {BodyId::neptune, 28.3, 0.018},
+                 {BodyId::venus, 177.4, 0.737}};
     for (const auto& fact : facts) {
         const glm::dvec3 a = place_body(fact.body, 0).position, b = place_body(fact.body, 100).position;
         const glm::dvec3 orbit = glm::normalize(glm::cross(a, b)), pole = place_body(fact.body, 0).axes[1];
         double tilt = glm::degrees(std::acos(glm::dot(orbit, pole)));
-        if (fact.body == BodyId::venus || fact.body == BodyId::uranus) tilt = 180 - tilt;  // the pole north of the ecliptic, against the rotation
+        if (fact.body == BodyId::venus || fact.body == BodyId::uranus)
+            tilt = 180 - tilt;  // the pole north of the ecliptic, against the rotation
         CHECK(tilt == Approx(fact.tilt_deg).margin(0.7));
         CHECK(glm::degrees(2 * sun_radius_m / glm::length(a)) == Approx(fact.sun_deg).epsilon(0.12));
     }
@@ -217,7 +234,8 @@ TEST_CASE_METHOD(OnPlanets, "the flight: a function of time, without a jump, whi
         CHECK(glm::length(a.eye_m - again.eye_m) < 1e-3 * glm::length(a.eye_m) + 1);
         // No faster than a hundred times around the way that is left or done, a second.
         double nearest = 1e30;
-        for (size_t i = 0; i < body_count; ++i) nearest = std::min(nearest, glm::length(place_body(static_cast<BodyId>(i), 6500).position - a.eye_m));
+        for (size_t i = 0; i < body_count; ++i)
+            nearest = std::min(nearest, glm::length(place_body(static_cast<BodyId>(i), 6500).position - a.eye_m));
         CHECK(glm::length(a.eye_m - b.eye_m) < 1e-4 * 30 * nearest);
         CHECK(std::fabs(glm::dot(a.turned, b.turned)) > 1 - 1e-6);
     }

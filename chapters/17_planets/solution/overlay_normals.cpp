@@ -23,8 +23,7 @@ std::vector<float> blurred(const std::vector<float>& map, int width, int height,
     const size_t w = static_cast<size_t>(width);
     const auto wrapped = [&](int i) { return static_cast<size_t>(((i % width) + width) % width); };
     const auto clamped = [&](int i) { return static_cast<size_t>(std::clamp(i, 0, height - 1)); };
-    for (size_t y = 0; y < static_cast<size_t>(height); ++y)
-        blur_line(&map[y * w], &rows[y * w], width, 1, r, wrapped);
+    for (size_t y = 0; y < static_cast<size_t>(height); ++y) blur_line(&map[y * w], &rows[y * w], width, 1, r, wrapped);
     for (size_t x = 0; x < w; ++x) blur_line(&rows[x], &all[x], height, w, r, clamped);
     return all;
 }
