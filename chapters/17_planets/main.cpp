@@ -16,7 +16,7 @@ struct PlanetsChapter : ModelChapter {
     Post post{*this, "post"};
 
     PlanetsChapter() {
-        method_knob = "planets.law";
+        planets.method.alone = true;  // --method is about the law here
         post.tone.change_default("neutral");
         bloom.threshold.value = 1.0f;
     }

@@ -157,9 +157,16 @@ std::vector<glm::vec4> ring_strip(BodyId body, int texels) {
 }
 
 std::vector<glm::vec4> ring_table(const std::vector<glm::vec4>& strip, int table, double elevation_rad) {
-    const double mu = std::sin(elevation_rad), phase = scattering::particle_phase(table == 0   ? 1.0
-                                                                                  : table == 1 ? -1.0
-                                                                                               : 0.0);
+    // Against the sun the tables are right; with the sun behind the camera they are what fits phase angles from 0 to 90
+    // degrees best (least squares over the cosine): the peak at 0 is narrow, the mix of two tables is not.
+    const double forward = scattering::particle_phase(-1);
+    double products = 0, squares = 0;
+    for (int i = 0; i < 200; ++i) {
+        const double cosine = (i + 0.5) / 200, share = 0.5 + 0.5 * cosine;
+        products += share * (scattering::particle_phase(cosine) - forward * (1 - share)), squares += share * share;
+    }
+    const double mu = std::sin(elevation_rad);
+    const double phase = table == 0 ? products / squares : table == 1 ? forward : scattering::particle_phase(0.6);
     std::vector<glm::vec4> out;
     for (const glm::vec4& texel : strip) {
         const double depth = static_cast<double>(texel.a);

@@ -144,11 +144,14 @@ BodyNow Planets::now(const Shown& one, const Outlook& look, const Frame& frame, 
     const float top_m = air_of(one.body, glm::vec3(1.0f), 0.0f).top;
     now.reach = std::max(now.radius + (top_m > 1 ? top_m : 0.0f), now.rings.outer);
     if (one.body == BodyId::sun) {
-        // Its own radiance is sunlight over its disc, as a picture can hold it. Where it is less than a pixel, that pixel.
-        const double pixel = static_cast<double>(view.pixel_rad()),
-                     disc = sun_radius_m / static_cast<double>(glm::length(now.center));
+        // As a picture holds it: exposed for the disc where that fills the picture, as bright as the knob says where it
+        // is small, and where it is less than a pixel, so much more that the pixel is.
+        const double pixel = static_cast<double>(view.pixel_rad());
+        const double disc = sun_radius_m / static_cast<double>(glm::length(now.center));
+        const double fills = std::clamp((disc / pixel - 20) / 60, 0.0, 1.0), knob = static_cast<double>(sun);
+        const double light_of_disc = knob * std::max(1.0, 0.5 * pixel * pixel / (disc * disc));
         now.sunlight = glm::vec3(
-            static_cast<float>(static_cast<double>(sun) * std::max(1.0, 0.5 * pixel * pixel / (disc * disc))));
+            static_cast<float>(glm::mix(light_of_disc, std::min(knob, 0.8), fills * fills * (3 - 2 * fills))));
     } else {
         now.sunlight = glm::vec3(static_cast<float>(light));
     }

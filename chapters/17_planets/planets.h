@@ -25,9 +25,9 @@ struct Planets : Drawing {
     Planets(Module& owner, std::string name) : Drawing(owner, std::move(name), "planets") {}
 
     Choice at{*this, "at", body_names(), "saturn", "Body at the origin of the scene"};
-    Choice law{
+    Choice method{
         *this,
-        "law",
+        "method",
         {"own", "lambert", "wrapped", "lommel_seeliger", "minnaert", "hapke"},
         "own",
         "Law of reflection: each body's own, or one for all: Lambert, wrapped Lambert, Lommel-Seeliger, Minnaert, "

@@ -25,15 +25,15 @@ float reflected_by(int law, SurfaceLaw surface, float cosine, float mu, float co
 // [/laws]
 
 float reflected(SurfaceLaw surface, float cosine, float mu, float cos_phase) {
-#if PLANETS_LAW == PLANETS_LAW_LAMBERT
+#if PLANETS_METHOD == PLANETS_METHOD_LAMBERT
     return reflected_by(LAW_LAMBERT, surface, cosine, mu, cos_phase);
-#elif PLANETS_LAW == PLANETS_LAW_WRAPPED
+#elif PLANETS_METHOD == PLANETS_METHOD_WRAPPED
     return reflected_by(LAW_WRAPPED, surface, cosine, mu, cos_phase);
-#elif PLANETS_LAW == PLANETS_LAW_LOMMEL_SEELIGER
+#elif PLANETS_METHOD == PLANETS_METHOD_LOMMEL_SEELIGER
     return reflected_by(LAW_LOMMEL_SEELIGER, surface, cosine, mu, cos_phase);
-#elif PLANETS_LAW == PLANETS_LAW_MINNAERT
+#elif PLANETS_METHOD == PLANETS_METHOD_MINNAERT
     return reflected_by(LAW_MINNAERT, surface, cosine, mu, cos_phase);
-#elif PLANETS_LAW == PLANETS_LAW_HAPKE
+#elif PLANETS_METHOD == PLANETS_METHOD_HAPKE
     return reflected_by(LAW_HAPKE, surface, cosine, mu, cos_phase);
 #else
     return reflected_by(surface.law, surface, cosine, mu, cos_phase);

@@ -135,7 +135,7 @@ TEST_CASE_METHOD(OnPlanets, "date line and poles: no seam, where maps meet thems
     }
     // From above a pole: around it the light varies no more than the map's row there.
     look_at("mars", 3.2, 80, 89.9);
-    planets.law.set("wrapped"), planets.relief.value = 0;
+    planets.method.set("wrapped"), planets.relief.value = 0;
     const ImageRgb seen = picture();
     double worst = 0;
     for (int y = 30; y < 34; ++y)
