@@ -119,7 +119,7 @@ std::span<const RingPart> ring_parts(BodyId body) {
 }
 
 Rings rings_of(BodyId body) {
-    if (body == BodyId::saturn) return {.inner = 74000e3f, .outer = 137500e3f, .brightness = 1.0f};
+    if (body == BodyId::saturn) return {.inner = 74000e3f, .outer = 137500e3f, .brightness = 1.9f};
     if (body == BodyId::uranus) return {.inner = 41000e3f, .outer = 51500e3f, .brightness = 0.15f};
     return {.inner = 0, .outer = 0, .brightness = 0};
 }
