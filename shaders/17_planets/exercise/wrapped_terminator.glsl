@@ -4,7 +4,7 @@
 // [wrapped_terminator]
 // A cloud deck has no hard terminator: light enters it beside the place where it leaves. `cosine` is n·l, -1 to 1, of the
 // round surface. Returns ((n·l + w) / (1 + w))^k: 1 where the sun is overhead, 0 where n·l is -w and beyond. `w` is 0 to 1,
-// `k` above 0. pow() of a negative base is not defined, and neither is pow(0, k) on every device: past -w say 0 yourself.
+// `k` above 0. pow() of a negative base is not defined: past -w say 0 yourself.
 // [/wrapped_terminator]
 float wrapped_terminator(float cosine, float w, float k) {
     return max(cosine, 0.0);
