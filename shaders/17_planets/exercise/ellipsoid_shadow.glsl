@@ -9,7 +9,7 @@
 //     sphere_visibility(vec3 to_center, float radius, vec3 to_light, float sun_rad)
 // Stretched along the pole by 1 / (1 - flattening), the ellipsoid is a sphere of that radius, and a straight line stays
 // one. Stretch what must be stretched. to_light must have unit length. The stretch turns the sun's round disc into an ellipse, which may
-// be left out: the edge of the shadow stays where it is, its half shadow becomes up to 10% wider or narrower.
+// be left out: the edge of the shadow stays where it is, its penumbra becomes up to 10% wider or narrower.
 // [/ellipsoid_shadow]
 float ellipsoid_shadow(vec3 point, vec3 pole, float radius, float flattening, vec3 to_sun, float sun_rad) {
     return sphere_visibility(-point, radius, to_sun, sun_rad);
