@@ -29,23 +29,23 @@ struct Rings {
 // axis of rotation by 1 / (1 - flattening): there it is a sphere.
 struct BodyNow {
     ViewRays rays;
-    vec3 center;       // from the camera, world axes
-    float radius;      // at its equator
-    mat3 to_body;      // from world axes to the body's: +y its north pole, +z its prime meridian
+    vec3 center;   // from the camera, world axes
+    float radius;  // at its equator
+    mat3 to_body;  // from world axes to the body's: +y its north pole, +z its prime meridian
     float flattening;
-    vec3 to_sun;       // unit length, world axes
-    float sun_rad;     // half the angle that the sun's disc fills there
-    vec3 sunlight;     // radiance of a white Lambertian surface that faces the sun
-    float reach;       // radius of all that belongs to it, air and rings too
+    vec3 to_sun;    // unit length, world axes
+    float sun_rad;  // half the angle that the sun's disc fills there
+    vec3 sunlight;  // radiance of a white Lambertian surface that faces the sun
+    float reach;    // radius of all that belongs to it, air and rings too
     SurfaceLaw surface;
     Rings rings;
-    vec3 other;        // a body that may stand before the sun: from this one's centre, world axes
+    vec3 other;          // a body that may stand before the sun: from this one's centre, world axes
     float other_radius;  // 0: there is none
-    float cloud_turn;  // of the cloud map against the ground, in turns
-    float flow_days;   // since the map of moving clouds was photographed
-    float flow_period;  // days between two of its frames
-    float moment;      // of the Sun's granules, in cells of time
-    ivec2 corner;      // the first pixel of the dispatch
+    float cloud_turn;    // of the cloud map against the ground, in turns
+    float flow_days;     // since the map of moving clouds was photographed
+    float flow_period;   // days between two of its frames
+    float moment;        // of the Sun's granules, in cells of time
+    ivec2 corner;        // the first pixel of the dispatch
 };
 
 END_SHARED

@@ -47,11 +47,12 @@ TEST_CASE("a wrap of 0.3 with an exponent of 0.47 lights 17 degrees too far and 
 }
 
 TEST_CASE_METHOD(DeviceTest, "laws at 0: no NaN, no infinity, 0 where the sun is below the horizon") {
-    Probe probe{.include = "17_planets/surface_laws.glsl",
-                .before =
-                    "#define PLANETS_METHOD 0\n#define PLANETS_METHOD_LAMBERT 1\n#define PLANETS_METHOD_WRAPPED 2\n#define "
-                    "PLANETS_METHOD_LOMMEL_SEELIGER 3\n#define PLANETS_METHOD_MINNAERT 4\n#define PLANETS_METHOD_HAPKE 5\n",
-                .signature = "float lommel_seeliger(float mu0, float mu)"};
+    Probe probe{
+        .include = "17_planets/surface_laws.glsl",
+        .before =
+            "#define PLANETS_METHOD 0\n#define PLANETS_METHOD_LAMBERT 1\n#define PLANETS_METHOD_WRAPPED 2\n#define "
+            "PLANETS_METHOD_LOMMEL_SEELIGER 3\n#define PLANETS_METHOD_MINNAERT 4\n#define PLANETS_METHOD_HAPKE 5\n",
+        .signature = "float lommel_seeliger(float mu0, float mu)"};
     for (const double mu0 : {0.0, 1e-30, 1e-6, 0.5, 1.0})
         for (const double mu : {0.0, 1e-30, 1e-6, 0.5, 1.0}) probe.inputs.push_back({mu0, mu});
     for (const Row& row : run_probe(gpu, probe, 1)) CHECK((std::isfinite(row[0]) && row[0] >= 0 && row[0] <= 2));
