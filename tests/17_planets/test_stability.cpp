@@ -64,16 +64,23 @@ TEST_CASE_METHOD(OnPlanets, "a planet of two, one and half a pixel keeps its lig
         const double pixel = 2 * std::tan(0.5 * double(camera.fov_y_rad)) / size.y;
         camera.position =
             glm::normalize(camera.position) * float(2 * traits(BodyId::mars).radius_m / (diameter_px * pixel));
-        double least = 1e9, most = 0, largest = 0;
+        double least = 1e9, most = 0, left = 1e9, right = -1e9;
         for (int i = 0; i < 12; ++i) {
-            const ImageRgb seen = picture(0, {0.083f * float(i) - 0.5f, 0.37f * float(i % 3) - 0.5f});
-            const double sum = sum_of(seen);
+            const glm::vec2 shift(0.083f * float(i) - 0.5f, 0.37f * float(i % 3) - 0.5f);
+            const ImageRgb seen = picture(0, shift);
+            double sum = 0, moment = 0;
+            for (int y = 0; y < seen.height; ++y)
+                for (int x = 0; x < seen.width; ++x)
+                    sum += double(seen.at(x, y).g), moment += x * double(seen.at(x, y).g);
             least = std::min(least, sum), most = std::max(most, sum);
-            for (const glm::vec3& pixel_light : seen.pixels) largest = std::max(largest, double(pixel_light.g));
+            const double centre = moment / sum + double(shift.x);  // stays, as the picture shifts the other way
+            left = std::min(left, centre), right = std::max(right, centre);
         }
-        fmt::print("{} px: light {:.4f} to {:.4f}, brightest pixel {:.3f}\n", diameter_px, least, most, largest);
+        fmt::print("{} px: light {:.4f} to {:.4f}, its centre within {:.3f} px\n", diameter_px, least, most,
+                   right - left);
         CHECK(least > 0);
         CHECK(most / least < 1.01);
+        CHECK(right - left < 0.05);
     }
 }
 
