@@ -1,5 +1,7 @@
 // What a picture is drawn from: a camera and the part of its picture that is drawn, or any matrix.
 #pragma once
+#include <optional>
+
 #include "common/gpu/frame.h"
 #include "common/scene/camera.h"
 #include "common/structs.h"
@@ -14,7 +16,10 @@ struct View {
     Camera camera{};                  ///< stands at `eye`
     glm::uvec2 size{0};               ///< pixels that are drawn; 0: the frame's
     Crop crop{};                      ///< of which larger picture they are a part
-    uint32_t id = 0;                  ///< 0: the frame's own; what is kept from frame to frame is kept for each id
+    /// Where floats are too coarse: the eye in metres of the world that a drawing knows in double precision. `eye` and the
+    /// camera then stand at the origin, and directions are that world's.
+    std::optional<glm::dvec3> exact_eye{};
+    uint32_t id = 0;  ///< 0: the frame's own; what is kept from frame to frame is kept for each id
 
     /// The angle of a pixel in the middle of the whole picture, in radians.
     float pixel_rad() const;

@@ -1,7 +1,7 @@
 // Shadows between a sphere and its ring, without a map: what the module SphereShadow gives to shaders.
-#include "05_shadow_maps/hidden_share.glsl"
 #include "05_shadow_maps/ringed_planet.h"
 #include "05_shadow_maps/sphere_shadow.glsl"
+#include "05_shadow_maps/sphere_visibility.glsl"
 
 layout(scalar) uniform SphereShadowBlock {
     float width;
@@ -10,24 +10,6 @@ layout(scalar) uniform SphereShadowBlock {
 } sphere_shadow;
 layout(scalar) uniform SphereShadowPlanetBlock { RingedPlanet sphere_shadow_planet; };
 uniform sampler2D sphere_shadow_ring;  // u from the inner to the outer radius; alpha is what it hides, seen along its normal
-
-// [sphere_visibility]
-// What of the sun's disc the sphere leaves. `sun_rad` is half the angle that the disc fills. How far the sphere's edge is
-// from the sun's middle is a small difference of two angles that need not be small; the GPU's arc functions may be wrong
-// by 4,096 units in the last place (Vulkan specification, Precision and Operation of SPIR-V Instructions), more than the
-// whole sun. So: the sine of the difference, from sines and cosines that are ratios of lengths.
-float sphere_visibility(vec3 to_center, float radius, vec3 to_light, float sun_rad) {
-    float away = length(to_center), along = dot(to_center, to_light), across = length(cross(to_center, to_light));
-    float to_edge = sqrt(max((away - radius) * (away + radius), 1e-12 * radius * radius));  // where sight touches it
-    float away_squared = max(away * away, radius * radius);
-    float gap_sine = (across * to_edge - along * radius) / away_squared;
-    float gap_cosine = (along * to_edge + across * radius) / away_squared;
-    if (gap_cosine <= 0.0) return 1.0;  // on the other side of the sky
-    // The sphere's edge is curved as a disc's whose radius is its tangent.
-    float disc = min(radius / (to_edge * sun_rad), 1e6);
-    return 1.0 - hidden_share(disc, max(gap_sine / sun_rad, -disc));
-}
-// [/sphere_visibility]
 
 // [ring_transmittance]
 // What of the light comes through a ring that is infinitely thin. `point` is seen from the ring's middle. In the ring's

@@ -1,0 +1,127 @@
+#include "17_planets/bodies.h"
+
+#include <glm/gtc/constants.hpp>
+#include <stdexcept>
+
+namespace lightwalk {
+namespace {
+
+const glm::vec3 white(1.0f);
+
+SurfaceLaw law(int which, glm::vec3 tint = white) {
+    return {.law = which,
+            .wrap = 0.2f,
+            .wrap_power = 1.4f,
+            .minnaert = 0.7f,
+            .terminator = white,
+            .tint = tint,
+            .relief = 1};
+}
+
+SurfaceLaw clouds(float k, glm::vec3 terminator, glm::vec3 tint = white) {
+    SurfaceLaw surface = law(LAW_MINNAERT, tint);
+    surface.minnaert = k, surface.terminator = terminator, surface.relief = 0;
+    return surface;
+}
+
+SurfaceLaw wrapped(float w, float k, glm::vec3 terminator, glm::vec3 tint = white) {
+    SurfaceLaw surface = law(LAW_WRAPPED, tint);
+    surface.wrap = w, surface.wrap_power = k, surface.terminator = terminator, surface.relief = 0;
+    return surface;
+}
+
+// Radii and depths: NASA's Saturnian rings fact sheet. Albedos: J. N. Cuzzi et al., "Ring particle composition and size
+// distribution" in Saturn from Cassini-Huygens, 2009, rounded.
+constexpr RingPart saturn_rings[] = {{74658e3, 92000e3, 0.09, 0.30},  {92000e3, 99000e3, 1.2, 0.74},
+                                     {99000e3, 110000e3, 2.2, 0.88},  {110000e3, 117580e3, 1.6, 0.84},
+                                     {117580e3, 122170e3, 0.1, 0.35}, {122170e3, 133423e3, 0.55, 0.66},
+                                     {133423e3, 133745e3, 0.0, 0.5},  {133745e3, 136775e3, 0.5, 0.6}};
+// Radius, width and optical depth of the ten (published values; the widths of narrow ones vary around the planet).
+constexpr RingPart narrow(double radius_km, double width_km, double depth) {
+    return {1e3 * (radius_km - 0.5 * width_km), 1e3 * (radius_km + 0.5 * width_km), depth, 0.8};
+}
+constexpr RingPart uranus_rings[] = {narrow(41837, 2, 0.3),   narrow(42234, 2.5, 0.55), narrow(42571, 2.5, 0.3),
+                                     narrow(44718, 9, 0.35),  narrow(45661, 9, 0.2),    narrow(47176, 1.5, 0.3),
+                                     narrow(47204, 55, 0.02), narrow(47627, 3, 1.8),    narrow(48300, 6, 0.4),
+                                     narrow(50024, 2, 0.1),   narrow(51149, 58, 1.2)};
+
+glm::vec3 per_m(glm::vec3 per_megametre) { return 1e-6f * per_megametre; }
+
+}  // namespace
+
+const BodyTraits& traits(BodyId body) {
+    static const BodyTraits all[body_count] = {
+        {nullptr, sun_radius_m, 0, BodyKind::star, law(LAW_LAMBERT), 0, 0},
+        {"planets_2k/mercury.jpg", 2440.53e3, 0, BodyKind::rock, law(LAW_HAPKE, {0.60f, 0.56f, 0.53f}), 5, 0.22f},
+        {"planets_2k/venus.jpg", 6051.8e3, 0, BodyKind::clouded,
+         wrapped(0.14f, 1.3f, {1.0f, 0.86f, 0.66f}, {1.0f, 0.98f, 0.94f}), 0, 0},
+        {"planets/earth_day.jpg", 6378.137e3, 0.0033528, BodyKind::earth, law(LAW_LAMBERT, {1.08f, 1.04f, 1.0f}), 4,
+         0.1f},
+        {"planets_2k/moon.jpg", 1737.4e3, 0.0012, BodyKind::rock, law(LAW_HAPKE, {0.60f, 0.58f, 0.56f}), 5, 0.2f},
+        {"planets_2k/mars.jpg", 3396.19e3, 0.00589, BodyKind::clouded, law(LAW_MINNAERT, {1.02f, 1.45f, 1.75f}), 5,
+         0.14f},
+        {"planets_2k/jupiter.jpg", 71492e3, 0.06487, BodyKind::flowing, clouds(0.94f, {1.0f, 0.82f, 0.66f}), 0, 0},
+        {"planets_2k/saturn.jpg", 60268e3, 0.09796, BodyKind::ringed, clouds(0.90f, {1.0f, 0.88f, 0.72f}), 0, 0},
+        {"planets_2k/uranus.jpg", 25559e3, 0.02293, BodyKind::ringed, clouds(0.88f, {0.86f, 0.98f, 1.0f}), 0, 0},
+        {"planets_2k/neptune.jpg", 24764e3, 0.01708, BodyKind::rock,
+         wrapped(0.06f, 1.25f, {0.72f, 0.84f, 1.0f}, {2.2f, 1.5f, 1.05f}), 0, 0},
+        {nullptr, 1188.3e3, 0, BodyKind::clouded, law(LAW_MINNAERT), 5, 0.09f},
+    };
+    return all[static_cast<size_t>(body)];
+}
+
+Air air_of(BodyId body, glm::vec3 sunlight, float sun_rad) {
+    Air air{.rayleigh = glm::vec3(0.0f),
+            .rayleigh_height = 0,
+            .mie = glm::vec3(0.0f),
+            .mie_height = 0,
+            .mie_extinction = glm::vec3(0.0f),
+            .mie_g = 0.5f,
+            .layer = glm::vec3(0.0f),
+            .layer_center = 0,
+            .layer_width = 0,
+            .radius = static_cast<float>(traits(body).radius_m),
+            .top = 1,
+            .sun = glm::pi<float>() * sunlight,
+            .sun_rad = sun_rad,
+            .ground = glm::vec3(0.2f)};
+    const auto set = [&](glm::vec3 molecules, float molecules_m, glm::vec3 dust, glm::vec3 taken, float dust_m,
+                         float top_m) {
+        air.rayleigh = per_m(molecules), air.rayleigh_height = molecules_m;
+        air.mie = per_m(dust), air.mie_extinction = per_m(taken), air.mie_height = dust_m, air.top = top_m;
+    };
+    switch (body) {
+        case BodyId::earth:  // chapter 10's
+            set({5.802f, 13.558f, 33.1f}, 8000, glm::vec3(3.996f), glm::vec3(4.44f), 1200, 1e5f);
+            air.mie_g = 0.76f;
+            air.layer = per_m({0.65f, 1.881f, 0.085f}), air.layer_center = 25000, air.layer_width = 15000;
+            break;
+        case BodyId::mars:  // dust of optical depth 0.25 that takes blue away; molecules are too few to show
+            set(glm::vec3(0.0f), 0, {20.0f, 15.5f, 10.0f}, {21.0f, 18.5f, 16.0f}, 11000, 6e4f);
+            air.mie_g = 0.6f;
+            break;
+        case BodyId::venus:  // the thin haze above the clouds, whose small drops scatter blue
+            set({1.6f, 2.6f, 4.2f}, 5000, glm::vec3(1.2f), glm::vec3(1.25f), 5000, 5e4f);
+            break;
+        case BodyId::pluto:  // haze up to 200 km, bluish
+            set({0.04f, 0.075f, 0.14f}, 45000, glm::vec3(0.06f), glm::vec3(0.062f), 45000, 2.2e5f);
+            break;
+        default:
+            break;
+    }
+    return air;
+}
+
+std::span<const RingPart> ring_parts(BodyId body) {
+    if (body == BodyId::saturn) return saturn_rings;
+    if (body == BodyId::uranus) return uranus_rings;
+    return {};
+}
+
+Rings rings_of(BodyId body) {
+    if (body == BodyId::saturn) return {.inner = 74000e3f, .outer = 137500e3f, .brightness = 1.9f};
+    if (body == BodyId::uranus) return {.inner = 41000e3f, .outer = 51500e3f, .brightness = 0.15f};
+    return {.inner = 0, .outer = 0, .brightness = 0};
+}
+
+}  // namespace lightwalk

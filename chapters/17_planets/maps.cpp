@@ -1,0 +1,180 @@
+#include "17_planets/maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/packing.hpp>
+
+#include "17_planets/exercises.h"
+#include "common/image/image.h"
+#include "common/scene/scene_file.h"
+
+namespace lightwalk {
+namespace {
+
+constexpr int slope_rows = 512, ring_texels = 4096;
+
+// Slopes from a map of any size, at 1024 x 512.
+std::shared_ptr<Image> slopes(Gpu& gpu, const ImageRgb& map, const BodyTraits& body) {
+    const int height = std::min(slope_rows, map.height), width = 2 * height;
+    const int across = std::max(map.width / width, 1), down = std::max(map.height / height, 1);
+    std::vector<float> brightness;
+    brightness.reserve(static_cast<size_t>(width * height));
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            float sum = 0;
+            for (int j = 0; j < down; ++j)
+                for (int i = 0; i < across; ++i) {
+                    const glm::vec3 c =
+                        map.at(std::min(x * across + i, map.width - 1), std::min(y * down + j, map.height - 1));
+                    sum += glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+                }
+            brightness.push_back(std::sqrt(std::max(sum, 0.0f) / static_cast<float>(across * down)));
+        }
+    const std::vector<glm::vec3> normals = overlay_normals(width, height, brightness, body.octaves, body.slope);
+    std::vector<glm::u8vec4> texels;
+    texels.reserve(normals.size());
+    for (const glm::vec3& n : normals) texels.emplace_back(glm::vec4(255.0f * (0.5f + 0.5f * n) + 0.5f, 255.0f));
+    const glm::uvec2 size(width, height);
+    auto image = std::make_shared<Image>(
+        gpu.device,
+        Image::Desc{.name = "slopes", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size, .mips = full_mip_count(size)});
+    gpu.upload(*image, std::as_bytes(std::span(texels)));
+    return image;
+}
+
+std::shared_ptr<Image> ring_image(Gpu& gpu, BodyId body) {
+    const std::vector<glm::vec4> strip = ring_strip(body, ring_texels);
+    const glm::uvec2 size(ring_texels, 1);
+    std::vector<uint64_t> texels;
+    for (int layer = 0; layer < 4; ++layer)
+        for (const glm::vec4& texel : layer ? ring_table(strip, layer - 1, 0.35) : strip)
+            texels.push_back(glm::packHalf4x16(texel));
+    auto image = std::make_shared<Image>(gpu.device, Image::Desc{.name = "rings",
+                                                                 .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                                                                 .size = size,
+                                                                 .mips = full_mip_count(size),
+                                                                 .layers = 4});
+    gpu.upload(*image, std::as_bytes(std::span(texels)));
+    return image;
+}
+
+std::shared_ptr<Image> made_map(Gpu& gpu) {
+    const int height = slope_rows * 2;
+    const std::vector<uint8_t> texels = pluto_map(2 * height, height);
+    const glm::uvec2 size(2 * height, height);
+    auto image = std::make_shared<Image>(
+        gpu.device,
+        Image::Desc{.name = "pluto", .format = VK_FORMAT_R8G8B8A8_SRGB, .size = size, .mips = full_mip_count(size)});
+    gpu.upload(*image, std::as_bytes(std::span(texels)));
+    return image;
+}
+
+}  // namespace
+
+BodyMaps load_maps(Gpu& gpu, ImagePool& pool, BodyId body) {
+    const BodyTraits& of = traits(body);
+    const auto load = [&](const char* file, TextureKind kind) { return pool.load(find_asset(file), kind); };
+    BodyMaps maps;
+    if (of.map) maps.color = load(of.map, TextureKind::color);
+    if (body == BodyId::pluto) maps.color = made_map(gpu);
+    if (of.octaves > 0 && of.map) maps.normals = slopes(gpu, read_image_linear(find_asset(of.map)), of);
+    if (body == BodyId::pluto) {
+        const int height = slope_rows;
+        const std::vector<uint8_t> texels = pluto_map(2 * height, height);
+        ImageRgb map(2 * height, height);
+        for (size_t i = 0; i < map.pixels.size(); ++i) map.pixels[i] = glm::vec3(srgb_to_linear(texels[4 * i]));
+        maps.normals = slopes(gpu, map, of);
+    }
+    if (rings_of(body).outer > 0) maps.rings = ring_image(gpu, body);
+    if (body == BodyId::earth) {
+        maps.night = load("planets/earth_night.jpg", TextureKind::color);
+        maps.clouds = load("planets/earth_clouds.jpg", TextureKind::data);
+        maps.water = load("planets/earth_specular.jpg", TextureKind::data);
+    }
+    return maps;
+}
+
+namespace scattering {
+
+static double mean_of_exp(double x) { return x < 1e-8 ? 1 - 0.5 * x : -std::expm1(-x) / x; }
+static double henyey_greenstein(double cosine, double g) {
+    const double b = 1 + g * g - 2 * g * cosine;
+    return (1 - g * g) / (b * std::sqrt(b));
+}
+
+double back(double depth, double mu0, double mu) { return 0.25 * depth / mu * mean_of_exp(depth * (1 / mu + 1 / mu0)); }
+double through(double depth, double mu0, double mu) {
+    const double a = depth / mu0, b = depth / mu;
+    return 0.25 * b * std::exp(-std::min(a, b)) * mean_of_exp(std::fabs(a - b));
+}
+double particle_phase(double cos_phase) {
+    return 0.98 * henyey_greenstein(cos_phase, 0.45) + 0.02 * henyey_greenstein(-cos_phase, 0.7);
+}
+
+}  // namespace scattering
+
+std::vector<glm::vec4> ring_strip(BodyId body, int texels) {
+    const Rings rings = rings_of(body);
+    const double width = static_cast<double>(rings.outer - rings.inner) / texels;
+    std::vector<glm::vec4> strip(static_cast<size_t>(texels), glm::vec4(0.8f, 0.8f, 0.8f, 0.0f));
+    for (int i = 0; i < texels; ++i) {
+        const double from = static_cast<double>(rings.inner) + i * width, to = from + width;
+        double depth = 0;
+        for (const RingPart& part : ring_parts(body))  // narrower than a texel: its share of it
+            depth += part.depth * std::max(0.0, std::min(to, part.outer_m) - std::max(from, part.inner_m)) / width;
+        strip[static_cast<size_t>(i)].a = static_cast<float>(depth);
+    }
+    if (body != BodyId::saturn) return strip;
+    // What is finer than the published parts: the ringlets of a photograph's strip, whose alpha varies around each part's mean.
+    const Image8 photo = read_image8(find_asset("textures/saturn_ring.png"));
+    const auto at = [&](double r_m) {
+        const double u = (r_m / traits(body).radius_m - 1.22) / (2.28 - 1.22) * photo.width;
+        return photo.at(std::clamp(static_cast<int>(u), 0, photo.width - 1), 0);
+    };
+    for (const RingPart& part : ring_parts(body)) {
+        double sum = 0, n = 0;
+        for (int i = 0; i < texels; ++i) {
+            const double r = static_cast<double>(rings.inner) + (i + 0.5) * width;
+            if (r < part.inner_m || r > part.outer_m) continue;
+            sum += -std::log(1 - std::min(at(r).a / 255.0, 0.97)), n += 1;
+        }
+        for (int i = 0; i < texels; ++i) {
+            const double r = static_cast<double>(rings.inner) + (i + 0.5) * width;
+            if (r < part.inner_m || r > part.outer_m || sum <= 0) continue;
+            const glm::u8vec4 seen = at(r);
+            glm::vec4& texel = strip[static_cast<size_t>(i)];
+            texel.a *=
+                static_cast<float>(std::clamp(-std::log(1 - std::min(seen.a / 255.0, 0.97)) / (sum / n), 0.3, 2.5));
+            const glm::vec3 color(srgb_to_linear(seen.r), srgb_to_linear(seen.g), srgb_to_linear(seen.b));
+            const float bright = std::max({color.r, color.g, color.b, 1e-3f}),
+                        ringlet = std::clamp(0.55f + 0.9f * bright, 0.6f, 1.15f);
+            const glm::vec3 hue = glm::mix(color / bright, glm::vec3(1.0f, 0.89f, 0.74f), 0.8f);
+            texel = glm::vec4(glm::min(static_cast<float>(part.albedo) * ringlet * hue, 1.0f), texel.a);
+        }
+    }
+    return strip;
+}
+
+std::vector<glm::vec4> ring_table(const std::vector<glm::vec4>& strip, int table, double elevation_rad) {
+    // Against the sun the tables are right; with the sun behind the camera they are what fits phase angles from 0 to 90
+    // degrees best (least squares over the cosine): the peak at 0 is narrow, the mix of two tables is not.
+    const double forward = scattering::particle_phase(-1);
+    double products = 0, squares = 0;
+    for (int i = 0; i < 200; ++i) {
+        const double cosine = (i + 0.5) / 200, share = 0.5 + 0.5 * cosine;
+        products += share * (scattering::particle_phase(cosine) - forward * (1 - share)), squares += share * share;
+    }
+    const double mu = std::sin(elevation_rad);
+    const double phase = table == 0 ? products / squares : table == 1 ? forward : scattering::particle_phase(0.6);
+    std::vector<glm::vec4> out;
+    for (const glm::vec4& texel : strip) {
+        const double depth = static_cast<double>(texel.a);
+        const double light =
+            phase * (table == 2 ? scattering::through(depth, mu, mu) : scattering::back(depth, mu, mu));
+        out.emplace_back(static_cast<float>(light) * glm::vec3(texel), texel.a);
+    }
+    return out;
+}
+
+}  // namespace lightwalk

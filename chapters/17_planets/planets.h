@@ -1,0 +1,135 @@
+// Planets module: the Sun, nine bodies around it and the Moon, at their true sizes and distances.
+#pragma once
+#include <optional>
+
+#include "17_planets/maps.h"
+#include "common/app/drawing.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+/// Whatever draws through chapter 10's air needs its phase function.
+struct BodyAir : Module {
+    BodyAir(Module& owner, std::string name) : Module(owner, std::move(name), "atmosphere") {}
+    Choice phase{*this,
+                 "phase",
+                 {"isotropic", "henyey_greenstein", "cornette_shanks"},
+                 "cornette_shanks",
+                 "Phase function of dust: isotropic, Henyey-Greenstein, or Cornette-Shanks"};
+};
+
+// [planets]
+/// Draws over what is behind (the stars), where no depth was drawn. Scenes place the camera in metres from the centre of
+/// the body `at`, whose +z points to the Sun (the Sun's own to the Earth) and +y as far north as that allows.
+struct Planets : Drawing {
+    Planets(Module& owner, std::string name) : Drawing(owner, std::move(name), "planets") {}
+
+    Choice at{*this, "at", body_names(), "saturn", "Body at the origin of the scene"};
+    Choice method{
+        *this,
+        "method",
+        {"own", "lambert", "wrapped", "lommel_seeliger", "minnaert", "hapke"},
+        "own",
+        "Law of reflection: each body's own, or one for all: Lambert, wrapped Lambert, Lommel-Seeliger, Minnaert, "
+        "Hapke (the reference for airless bodies)"};
+    Choice rings{
+        *this,
+        "rings",
+        {"alpha", "tables", "single_scattering"},
+        "tables",
+        "Light of rings: a painted disc, three tables (back, forward, unlit), single scattering (the reference)"};
+    Choice flow{
+        *this,
+        "flow",
+        {"frozen", "scrolled", "two_frames", "advected"},
+        "two_frames",
+        "Jupiter's clouds: at rest, all at one speed, two moved frames mixed, or carried in 64 steps (the reference)"};
+    // [/planets]
+    Choice show{*this,
+                "show",
+                {"bodies", "laws"},
+                "bodies",
+                "Image shown: all bodies, or the body at the origin four times, by Lambert, wrapped, Lommel-Seeliger "
+                "and Hapke"};
+    Choice maps{*this,
+                "maps",
+                {"near", "all"},
+                "near",
+                "Maps loaded: those of the body at the origin and of its companion, or of all bodies"};
+    Knob<float> away{
+        *this,
+        "away",
+        1.0f,
+        {1e-3f, 1e6f},
+        "Scale factor for the camera's distance from the body at the origin, where a scene's metres do not reach"};
+    Knob<float> date_days{*this, "date_days", 6500.0f, {-36525.0f, 36525.0f}, "Date: days since 1 January 2000, 12:00",
+                          "d"};
+    Knob<float> days_per_s{*this, "days_per_s", 0.0f, {-3650.0f, 3650.0f}, "Days that pass in a second", "d/s"};
+    Knob<float> turn_deg{
+        *this, "turn_deg", 0.0f, {-360.0f, 360.0f}, "Further rotation of the body at the origin, eastwards", "degrees"};
+    Knob<float> exposure{*this,
+                         "exposure",
+                         1.0f,
+                         {0.0f, 1e6f},
+                         "Exposure: radiance of a white surface that faces the Sun, at the body at the origin"};
+    Knob<float> sun{*this, "sun", 60.0f, {0.0f, 6e4f}, "Largest radiance of the Sun's disc"};
+    Knob<float> relief{*this, "relief", 1.0f, {0.0f, 4.0f}, "Scale factor for the slopes of the ground"};
+    Knob<float> clouds{*this, "clouds", 1.0f, {0.0f, 1.0f}, "Opacity of the Earth's clouds"};
+    Knob<float> night{*this, "night", 0.05f, {0.0f, 1e3f}, "Radiance of the Earth's cities by night"};
+    Knob<float> waves{*this, "waves", 0.16f, {0.02f, 1.0f}, "Standard deviation of the slopes of the Earth's waves"};
+    Knob<int> air_steps{*this, "air_steps", 10, {1, 256}, "Number of samples on a ray through air"};
+    Knob<float> flow_days{*this, "flow_days", 0.0f, {-1e5f, 1e5f}, "Time since Jupiter's map was photographed", "d"};
+    Knob<float> flow_period_days{
+        *this, "flow_period_days", 2.0f, {0.01f, 100.0f}, "Time between two frames of Jupiter's clouds", "d"};
+    BodyAir air{*this, "air"};
+
+    void prepare(Gpu& gpu, Scene&) override;
+    std::string load_key() const override { return at.text() + " " + maps.text(); }
+    std::vector<std::string> load_exercises() const override { return {"17.overlay_normals"}; }
+    bool animated() const override { return days_per_s != 0.0f || at.is("sun"); }
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
+
+    /// Where the view looks from and how its axes stand in the world of orbits.h. The view says the first itself where it has
+    /// View::exact_eye; its axes are then the world's.
+    struct Outlook {
+        double days = 0;
+        glm::dvec3 eye_m{0.0};
+        glm::dmat3 to_view{1.0};
+    };
+    Outlook outlook(const Frame& frame, const View& view) const;
+
+    /// The date, at a time of the chapter's clock.
+    double days_at(double time_s) const {
+        return static_cast<double>(date_days) + time_s * static_cast<double>(days_per_s);
+    }
+
+    /// Set by a flight: the distance from the Sun, in metres, whose light counts as `exposure`.
+    std::optional<double> exposed_for_m;
+
+  private:
+    struct Shown {
+        BodyId body;
+        glm::mat4 placed;  ///< from its own axes to the view's, the camera at the origin
+        int law = 0;       ///< 0: as the knob says
+    };
+    std::vector<Shown> shown(const Outlook& outlook) const;
+    BodyNow now(const Shown& one, const Outlook& outlook, const Frame& frame, const View& view) const;
+    void draw_body(Frame& frame, const View& view, Canvas& canvas, const Shown& one, const Outlook& outlook);
+    BodyId body_at() const { return static_cast<BodyId>(at.index); }
+
+    std::unique_ptr<ImagePool> pool_;
+    std::map<BodyId, BodyMaps> maps_;
+    std::shared_ptr<Image> white_, flat_;
+    Buffer skylight_;
+    std::vector<std::byte> skylight_of_;
+    Pipeline rock_ = compute({.shader = "17_planets/body.comp"});
+    Pipeline clouded_ = compute({.shader = "17_planets/body.comp", .macros = {{"BODY_AIR", "1"}}});
+    Pipeline earth_ = compute({.shader = "17_planets/body.comp", .macros = {{"BODY_AIR", "1"}, {"BODY_EARTH", "1"}}});
+    Pipeline flowing_ = compute({.shader = "17_planets/body.comp", .macros = {{"BODY_FLOW", "1"}}});
+    Pipeline ringed_ = compute({.shader = "17_planets/body.comp", .macros = {{"BODY_RINGS", "1"}}});
+    Pipeline star_ = compute({.shader = "17_planets/body.comp", .macros = {{"BODY_STAR", "1"}}});
+    Pipeline small_ = compute({.shader = "17_planets/small_body.comp"});
+    Pipeline small_star_ = compute({.shader = "17_planets/small_body.comp", .macros = {{"BODY_STAR", "1"}}});
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,22 @@
+// Air around a body: chapter 10's single scattering, from outside and from within.
+#include "10_atmosphere/in_scatter.glsl"
+#include "10_atmosphere/sun_closed.glsl"
+
+// [air_before]
+// The air on a ray from `from` (from the body's centre, where the body is a sphere) along `direction` for at most `way`
+// metres. The path begins where the ray enters the air, or at the camera in it.
+Along air_before(vec3 from, vec3 direction, vec3 to_sun, float way, int samples) {
+    float along = -dot(from, direction), top = air.radius + air.top;
+    vec3 nearest = from + along * direction;
+    float b = length(nearest), half_chord = sqrt(max((top - b) * (top + b), 0.0));
+    float enters = max(along - half_chord, 0.0), leaves = min(along + half_chord, way);
+    if (b >= top || leaves <= enters) return Along(vec3(0.0), vec3(1.0));
+    vec3 start = from + enters * direction;
+    float r = length(start);
+    Path path = Path(max(r - air.radius, 0.0), dot(start, direction) / r, dot(start, to_sun) / r, dot(direction, to_sun),
+                     leaves - enters);
+    return in_scatter(samples, path);
+}
+// [/air_before]
+
+vec3 sunlight_at(float sun_cosine) { return sun_transmittance(Place(0.0, sun_cosine)); }

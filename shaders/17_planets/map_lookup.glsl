@@ -1,0 +1,17 @@
+// Maps of bodies: equirectangular, north up, the prime meridian in the middle, no seam and no pinch.
+
+// Longitude and latitude of a direction of unit length, as texture coordinates.
+vec2 map_uv(vec3 direction) {
+    return vec2(0.5 + atan(direction.x, direction.z) / 6.2831853, 0.5 - asin(clamp(direction.y, -1.0, 1.0)) / 3.14159265);
+}
+
+// [map_texel]
+// The level comes from `footprint_rad`, the angle at the body's centre that a pixel covers: across the date line neighbours'
+// coordinates differ by 1, at the poles by anything, and derivatives take the whole map for one pixel there. Rows repeat
+// around the body; columns end at the poles, where half a texel of its level is as far as one may go.
+vec4 map_texel(sampler2D map, vec2 uv, float footprint_rad) {
+    float rows = float(textureSize(map, 0).y), lod = max(log2(max(footprint_rad * rows / 3.14159265, 1e-6)), 0.0);
+    float edge = min(0.5 * exp2(ceil(lod)) / rows, 0.5);
+    return textureLod(map, vec2(uv.x, clamp(uv.y, edge, 1.0 - edge)), lod);
+}
+// [/map_texel]

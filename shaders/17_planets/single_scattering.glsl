@@ -1,0 +1,30 @@
+// A flat layer of particles that scatter light once (S. Chandrasekhar, Radiative Transfer, 1950, section 10): the share of
+// P ω, in units of a white Lambertian surface that faces the sun. Cosines above 0, `depth` 0 or more.
+
+// (1 - e^-x) / x, also near 0.
+float mean_of_exp(float x) { return x < 0.02 ? 1.0 - x * (0.5 - x / 6.0) : (1.0 - exp(-x)) / x; }
+
+// [single]
+// On the side that the sun lights.
+float scattered_back(float depth, float mu0, float mu) {
+    float way = depth * (1.0 / mu + 1.0 / mu0);
+    return 0.25 * depth / mu * mean_of_exp(way);
+}
+
+// On the other side: µ0 / (µ0 - µ) (e^(-τ/µ0) - e^(-τ/µ)), which is 0 / 0 where the two cosines are one. Written with the
+// mean of an exponential it has no difference of two numbers that are nearly the same.
+float scattered_through(float depth, float mu0, float mu) {
+    float a = depth / mu0, b = depth / mu;
+    return 0.25 * b * exp(-min(a, b)) * mean_of_exp(abs(a - b));
+}
+// [/single]
+
+// What a ring's particles send at that phase angle, 1 in the mean over all directions: boulders that send light back, and a
+// fiftieth of dust that sends it on.
+float henyey_greenstein(float cosine, float g) {
+    float b = 1.0 + g * g - 2.0 * g * cosine;
+    return (1.0 - g * g) / (b * sqrt(b));
+}
+float ring_particle_phase(float cos_phase) {
+    return 0.98 * henyey_greenstein(cos_phase, 0.45) + 0.02 * henyey_greenstein(-cos_phase, 0.7);
+}

@@ -1,0 +1,41 @@
+// How a body's surface reflects sunlight, by each law, over what a place of the same albedo sends back with the sun and the
+// camera overhead: each is 1 there.
+#include "17_planets/body_data.h"
+#include "17_planets/hapke.glsl"
+#include "17_planets/wrapped_terminator.glsl"
+
+// [laws]
+// H. von Seeliger, 1887: dark dust that scatters once. Twice µ0 / (µ0 + µ); 0 / 0 where both are 0.
+float lommel_seeliger(float mu0, float mu) { return mu0 > 0.0 ? 2.0 * mu0 / (mu0 + max(mu, 0.0)) : 0.0; }
+
+// M. Minnaert, Astrophysical Journal 93, 1941: µ0^k µ^(k - 1). Below k = 1 it has no bound at the limb: µ is at least 0.04.
+float minnaert(float mu0, float mu, float k) {
+    return mu0 > 0.0 ? pow(mu0, k) * pow(clamp(mu, 0.04, 1.0), k - 1.0) : 0.0;
+}
+
+// `cosine` is n·l, also below 0; mu0 and mu are 0 or more.
+float reflected_by(int law, SurfaceLaw surface, float cosine, float mu, float cos_phase) {
+    float mu0 = max(cosine, 0.0);
+    if (law == LAW_WRAPPED) return wrapped_terminator(cosine, surface.wrap, surface.wrap_power);
+    if (law == LAW_LOMMEL_SEELIGER) return lommel_seeliger(mu0, mu);
+    if (law == LAW_MINNAERT) return minnaert(mu0, mu, surface.minnaert);
+    if (law == LAW_HAPKE) return hapke_radiance(mu0, mu, cos_phase) / hapke_radiance(1.0, 1.0, 1.0);
+    return mu0;
+}
+// [/laws]
+
+float reflected(SurfaceLaw surface, float cosine, float mu, float cos_phase) {
+#if PLANETS_METHOD == PLANETS_METHOD_LAMBERT
+    return reflected_by(LAW_LAMBERT, surface, cosine, mu, cos_phase);
+#elif PLANETS_METHOD == PLANETS_METHOD_WRAPPED
+    return reflected_by(LAW_WRAPPED, surface, cosine, mu, cos_phase);
+#elif PLANETS_METHOD == PLANETS_METHOD_LOMMEL_SEELIGER
+    return reflected_by(LAW_LOMMEL_SEELIGER, surface, cosine, mu, cos_phase);
+#elif PLANETS_METHOD == PLANETS_METHOD_MINNAERT
+    return reflected_by(LAW_MINNAERT, surface, cosine, mu, cos_phase);
+#elif PLANETS_METHOD == PLANETS_METHOD_HAPKE
+    return reflected_by(LAW_HAPKE, surface, cosine, mu, cos_phase);
+#else
+    return reflected_by(surface.law, surface, cosine, mu, cos_phase);
+#endif
+}

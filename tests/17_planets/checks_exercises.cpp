@@ -1,0 +1,195 @@
+// What ./course check runs for chapter 17's functions in GLSL: values against double precision, then properties.
+#include <fmt/core.h>
+
+#include "17_planets/truth.h"
+#include "common/check/check.h"
+
+using namespace lightwalk;
+
+namespace {
+
+glm::dvec3 three(std::span<const double> in, size_t first = 0) { return {in[first], in[first + 1], in[first + 2]}; }
+
+}  // namespace
+
+CHECK_EXERCISE("17.wrapped_terminator", "((n·l + w) / (1 + w))^k where that base is above 0, else 0") {
+    Probe probe{
+        .include = "17_planets/wrapped_terminator.glsl",
+        .signature = "float wrapped_terminator(float cosine, float w, float k)",
+        .inputs = {{1, 0.3, 1}, {0, 0.3, 1}, {-0.3, 0.3, 0.5}, {-1, 0.3, 0.5}, {-1, 1, 0.5}, {0, 0, 0.5}, {0.5, 0, 2}},
+        .truth = [](auto in) { return Row{truth::wrapped_terminator(in[0], in[1], in[2])}; },
+        .bound = {.absolute = 1e-4, .relative = 1e-4},
+        .hint = [](auto in, auto out) -> std::string {
+            if (in[0] < -in[1] && out[0] != 0) return "past n·l = -w no light arrives";
+            if (std::fabs(out[0] - std::max(0.0, in[0])) < 1e-6) return "that is Lambert's law: w is not used";
+            if (std::fabs(out[0] - std::pow(std::max(0.0, in[0] + in[1]), in[2])) < 1e-4 && in[1] > 0)
+                return "where the sun is overhead it must be 1: divide by 1 + w before the power";
+            return "";
+        }};
+    Random random(1);
+    for (int i = 0; i < 300; ++i)
+        probe.inputs.push_back({random.uniform(-1, 1), random.uniform(0, 1), random.logarithmic(0.4, 4)});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("17.night_lights", "city times a smooth step of -n·l / 0.12 times what the clouds let through") {
+    Probe probe{.include = "17_planets/night_lights.glsl",
+                .signature = "vec3 night_lights(vec3 city, float cosine, float cloud)",
+                .inputs = {{1, 2, 3, 0.5, 0},
+                           {1, 2, 3, 0, 0},
+                           {1, 2, 3, -0.06, 0},
+                           {1, 2, 3, -0.12, 0},
+                           {1, 2, 3, -1, 0},
+                           {1, 2, 3, -1, 1},
+                           {1, 2, 3, -1, 0.25}},
+                .truth =
+                    [](auto in) {
+                        const double share = truth::night_lights(in[3], in[4]);
+                        return Row{share * in[0], share * in[1], share * in[2]};
+                    },
+                .bound = {.absolute = 1e-5, .relative = 1e-4},
+                .hint = [](auto in, auto out) -> std::string {
+                    if (in[3] >= 0 && out[0] != 0) return "by day the lamps are off: not 1 - n·l, -n·l";
+                    if (in[4] == 1 && out[0] != 0) return "an opaque cloud hides them";
+                    return "";
+                }};
+    Random random(2);
+    for (int i = 0; i < 300; ++i)
+        probe.inputs.push_back({random.uniform(0, 4), random.uniform(0, 4), random.uniform(0, 4),
+                                i % 2 ? random.uniform(-0.14, 0.02) : random.uniform(-1, 1), random.uniform(0, 1)});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("17.ring_phase", "two sides first: lit where sun_side and eye_side have one sign; then (1 + cos) / 2") {
+    Probe probe{
+        .include = "17_planets/ring_phase.glsl",
+        .signature =
+            "vec3 ring_phase(vec3 back, vec3 forward, vec3 unlit, float cos_phase, float sun_side, float eye_side)",
+        .truth =
+            [](auto in) {
+                const bool lit = in[10] * in[11] > 0;
+                const double share = 0.5 + 0.5 * in[9];
+                const glm::dvec3 light = lit ? glm::mix(three(in, 3), three(in), share) : three(in, 6);
+                return Row{light.x, light.y, light.z};
+            },
+        .bound = {.absolute = 1e-5, .relative = 1e-5},
+        .hint = [](auto in, auto out) -> std::string {
+            const bool lit = in[10] * in[11] > 0;
+            if (!lit) return "from that side one sees what comes through: unlit";
+            if (std::fabs(out[0] - (in[3] + in[9] * (in[0] - in[3]))) < 1e-5)
+                return "cos_phase is the share there, which extrapolates below 0: (1 + cos_phase) / 2";
+            if (std::fabs(out[0] - (in[0] + (0.5 + 0.5 * in[9]) * (in[3] - in[0]))) < 1e-5)
+                return "1 is back, the sun behind the camera";
+            return "";
+        }};
+    Random random(3);
+    for (int i = 0; i < 300; ++i) {
+        Row row;
+        for (int c = 0; c < 9; ++c) row.push_back(random.uniform(0, 2));
+        row.push_back(i < 3 ? i - 1 : random.uniform(-1, 1));
+        row.push_back(i == 5 ? 0 : random.uniform(-1, 1)), row.push_back(i == 6 ? 0 : random.uniform(-1, 1));
+        probe.inputs.push_back(row);
+    }
+    // Nearly from the edge: a product of two small numbers is 0 long before either is.
+    probe.inputs.push_back({1, 1, 1, 2, 2, 2, 3, 3, 3, 0, 1e-25, 1e-25});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("17.limb_fade", "a longer way through the layer, 1 / mu; then the smooth step of mu / width") {
+    Probe probe{.include = "17_planets/limb_fade.glsl",
+                .signature = "float limb_fade(float opacity, float mu, float width)",
+                .inputs = {{0.5, 1, 0.1},
+                           {0.5, 0.5, 0.1},
+                           {1, 0.5, 0.1},
+                           {1, 0.05, 0.1},
+                           {0, 0.5, 0.1},
+                           {0.5, 0, 0.1},
+                           {1, 0, 0.1},
+                           {0.5, -0.5, 0.1},
+                           {0, 0, 1}},
+                .truth = [](auto in) { return Row{truth::limb_fade(in[0], in[1], in[2])}; },
+                .bound = {.absolute = 1e-4, .relative = 1e-4},
+                .hint = [](auto in, auto out) -> std::string {
+                    if (in[1] <= 0 && out[0] != 0) return "from below, through the planet, nothing of it is seen";
+                    if (std::fabs(out[0] - in[0] * truth::smooth(in[1] / in[2])) < 1e-4 && in[1] < 0.9)
+                        return "seen at an angle the way through the layer is longer, 1 / mu";
+                    if (in[1] < in[2] && out[0] > truth::limb_fade(in[0], in[1], in[2]))
+                        return "it fades where mu is below the width";
+                    return "";
+                }};
+    Random random(4);
+    for (int i = 0; i < 300; ++i)
+        probe.inputs.push_back(
+            {random.uniform(0, 1), i % 2 ? random.uniform(0, 0.2) : random.uniform(-1, 1), random.uniform(0.02, 1)});
+    check.probe(probe);
+}
+
+CHECK_EXERCISE("17.flow_blend",
+               "A is read against the wind for t of the interval, B with it for the 1 - t that is left") {
+    Probe places{.include = "17_planets/flow_blend.glsl",
+                 .signature = "vec4 flow_places(vec2 uv, vec2 shift, float t)",
+                 .inputs = {{0.5, 0.5, 0.1, 0, 0}, {0.5, 0.5, 0.1, 0, 1}, {0.5, 0.5, 0.1, -0.2, 0.5}},
+                 .truth =
+                     [](auto in) {
+                         const glm::dvec2 uv(in[0], in[1]), shift(in[2], in[3]);
+                         const glm::dvec2 a = uv - shift * in[4], b = uv + shift * (1 - in[4]);
+                         return Row{a.x, a.y, b.x, b.y};
+                     },
+                 .bound = {.absolute = 1e-6},
+                 .hint = [](auto in, auto out) -> std::string {
+                     if (in[4] > 0 && std::fabs(out[0] - in[0] - in[2] * in[4]) < 1e-6 && in[2] != 0)
+                         return "what is here now was up the wind: uv - shift t";
+                     if (in[4] < 1 && std::fabs(out[2] - in[0] + in[2] * in[4]) < 1e-6 && in[2] != 0)
+                         return "B was taken later: what is here now is down the wind in it";
+                     return "";
+                 }};
+    Random random(5);
+    for (int i = 0; i < 200; ++i)
+        places.inputs.push_back({random.uniform(0, 1), random.uniform(0, 1), random.uniform(-0.3, 0.3),
+                                 random.uniform(-0.3, 0.3), random.uniform(0, 1)});
+    check.probe(places);
+    Probe weight{.include = "17_planets/flow_blend.glsl",
+                 .signature = "float flow_weight(float t)",
+                 .inputs = {{0}, {0.25}, {0.5}, {0.75}, {1}},
+                 .truth = [](auto in) { return Row{in[0]}; },
+                 .bound = {.absolute = 1e-6},
+                 .hint = [](auto in, auto) -> std::string {
+                     return in[0] == 0 ? "at the beginning A alone is seen" : "evenly from 0 to 1";
+                 }};
+    check.probe(weight);
+}
+
+CHECK_EXERCISE("17.ellipsoid_shadow", "stretch the point and the direction along the pole, then ask chapter 05") {
+    Probe probe{
+        .include = "17_planets/ellipsoid_shadow.glsl",
+        .signature =
+            "float ellipsoid_shadow(vec3 point, vec3 pole, float radius, float flattening, vec3 to_sun, float sun_rad)",
+        .truth =
+            [](auto in) {
+                return Row{truth::ellipsoid_shadow(three(in), three(in, 3), in[6], in[7], three(in, 8), in[11])};
+            },
+        .bound = {.absolute = 0.07},
+        .hint = [](auto in, auto out) -> std::string {
+            const double round = truth::ellipsoid_shadow(three(in), three(in, 3), in[6], 0, three(in, 8), in[11]);
+            if (std::fabs(out[0] - round) < 0.03) return "that is the shadow of a sphere";
+            return "along the pole by 1 / (1 - flattening): the point, and the direction, which is normalised again";
+        }};
+    Random random(6);
+    for (int i = 0; i < 500; ++i) {
+        const bool saturn = i % 2;
+        const glm::dvec3 pole(saturn ? glm::vec3(0, 1, 0) : random.direction()), to_sun(random.direction());
+        const double radius = i % 3 ? 60268e3 : 1, f = saturn ? 0.098 : random.uniform(0, 0.15);
+        const double sun_rad = i % 5 ? random.uniform(0.01, 0.08) : 0.00049;
+        // Behind the planet, near the edge of its shadow.
+        const glm::dvec3 side = glm::normalize(glm::cross(glm::dvec3(random.direction()), to_sun));
+        glm::dvec3 point = radius * (random.uniform(0.8, 1.1) * side - random.uniform(1.3, 3) * to_sun);
+        if (i % 11 == 0) point = -point;
+        Row row;
+        append(row, glm::vec3(point)), append(row, glm::vec3(pole));
+        row.push_back(radius), row.push_back(f), append(row, glm::vec3(to_sun)), row.push_back(sun_rad);
+        const double seen = truth::ellipsoid_shadow(point, pole, radius, f, to_sun, sun_rad, 24);
+        if (i % 5 == 0 && seen > 0 && seen < 1) continue;  // a sun so small is a matter of one pixel
+        probe.inputs.push_back(row);
+    }
+    check.probe(probe);
+}

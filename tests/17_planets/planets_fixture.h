@@ -1,0 +1,70 @@
+// What tests of planets share: the modules on a device, a body and a camera.
+#pragma once
+#include <cmath>
+
+#include "../common/gpu_fixture.h"
+#include "01_obj/camera_view.h"
+#include "17_planets/flight.h"
+#include "17_planets/stars.h"
+#include "17_planets/truth.h"
+#include "common/app/read_picture.h"
+#include "common/check/probe.h"
+
+namespace lightwalk {
+
+struct OnPlanets {
+    struct Owner : Module {
+    } owner;
+    Planets planets{owner, "planets"};
+    Stars stars{owner, "stars", planets};
+    Flight flight{owner, "flight", planets};
+    Scene scene;
+    Camera camera{.fov_y_rad = 0.45f};
+    std::optional<glm::dvec3> exact_eye;
+    Gpu& gpu = validated_device();
+    Frame frame{gpu};
+    glm::uvec2 size{96, 64};
+    bool with_stars = false;
+
+    ~OnPlanets() { CHECK_NOTHROW(gpu.device.check_validation()); }
+
+    /// The body from that many of its radii away, at a phase angle, from `up_deg` above the plane of its orbit.
+    void look_at(const char* body, double radii, double phase_deg = 30, double up_deg = 0) {
+        planets.at.set(body);
+        owner.prepare_all(gpu, scene);
+        const double r = traits(static_cast<BodyId>(planets.at.index)).radius_m;
+        const double a = glm::radians(phase_deg), u = glm::radians(up_deg);
+        camera.position =
+            glm::vec3(radii * r * glm::dvec3(std::cos(u) * std::sin(a), std::sin(u), std::cos(u) * std::cos(a)));
+        camera.target = glm::vec3(0.0f);
+    }
+
+    ImageRgb picture(float time_s = 0, glm::vec2 shift = glm::vec2(0.0f)) {
+        owner.begin_frame(gpu, size);
+        frame.begin(size, time_s);
+        Canvas canvas(frame.hdr, frame.depth);
+        View view = view_of(camera, size, {.whole = size, .origin = {0, 0}, .shift = shift});
+        view.exact_eye = exact_eye;
+        if (with_stars)
+            lightwalk::draw(frame, view, canvas, {stars, planets});
+        else
+            lightwalk::draw(frame, view, canvas, {planets});
+        if (!canvas.has_color()) canvas.color(frame);
+        frame.end();
+        return read_linear(gpu, frame.hdr);
+    }
+};
+
+inline double sum_of(const ImageRgb& picture) {
+    double sum = 0;
+    for (const glm::vec3& pixel : picture.pixels) sum += static_cast<double>(pixel.g);
+    return sum;
+}
+
+inline bool is_finite(const ImageRgb& picture) {
+    for (const glm::vec3& pixel : picture.pixels)
+        if (!all_finite(pixel)) return false;
+    return true;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,163 @@
+// Where laws of reflection and of rings go wrong: bounds where they hold, the size of the failure where they do not.
+#include <fmt/core.h>
+
+#include "17_planets/maps.h"
+#include "planets_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+double lambert(double cosine, double, double) { return std::max(cosine, 0.0); }
+
+}  // namespace
+
+TEST_CASE("half phase: Lambert's ball is 3.5 times as bright as the Moon, Hapke's is the Moon", "[figures]") {
+    // C. W. Allen, Astrophysical Quantities: V(phase) = 0.026 |phase| + 4e-9 phase^4 magnitudes.
+    const auto moon = [](double deg) { return std::pow(10.0, -0.4 * (0.026 * deg + 4e-9 * std::pow(deg, 4))); };
+    const double half = glm::radians(90.0);
+    CHECK(truth::phase_curve(lambert, glm::radians(45.0)) == Approx(0.755).margin(0.002));
+    CHECK(truth::phase_curve(lambert, half) == Approx(0.318).margin(0.002));
+    CHECK(truth::phase_curve(lambert, glm::radians(120.0)) == Approx(0.109).margin(0.002));
+    for (const double deg : {30.0, 60.0, 90.0, 120.0}) {
+        const double ours = truth::phase_curve(truth::hapke, glm::radians(deg));
+        const double seeliger = truth::phase_curve(
+            [](double c, double mu, double) { return truth::lommel_seeliger(c, mu); }, glm::radians(deg));
+        fmt::print("phase {:3.0f}: Moon {:.3f}, Hapke {:.3f}, Lommel-Seeliger {:.3f}, Lambert {:.3f}\n", deg, moon(deg),
+                   ours, seeliger, truth::phase_curve(lambert, glm::radians(deg)));
+        CHECK(std::fabs(ours / moon(deg) - 1) < 0.35);
+    }
+    CHECK(truth::phase_curve(lambert, half) / moon(90) > 3.3);
+    CHECK(truth::phase_curve(truth::hapke, half) == Approx(moon(90)).epsilon(0.15));
+}
+
+TEST_CASE("a wrap of 0.3 with an exponent of 0.47 lights 17 degrees too far and sends 1.77 times Lambert's light") {
+    double wrapped = 0, right = 0;
+    const int steps = 20000;
+    for (int i = 0; i < steps; ++i) {
+        const double cosine = -1 + 2 * (i + 0.5) / steps;
+        wrapped += truth::wrapped_terminator(cosine, 0.3, 0.47), right += std::max(cosine, 0.0);
+    }
+    CHECK(wrapped / right == Approx(1.77).margin(0.01));
+    CHECK(glm::degrees(std::asin(0.3)) == Approx(17.46).margin(0.01));
+    // The Sun's disc, for which this is sometimes taken, at Mercury: half of 1.377 degrees moves n.l by this at the terminator's edge.
+    const double sun = glm::radians(1.377 / 2), mean = 4 * std::sin(sun) / (3 * glm::pi<double>()) / 2;
+    fmt::print("Mercury's sun adds at most {:.4f} to n.l\n", mean);
+    CHECK(mean < 0.0026);
+}
+
+TEST_CASE_METHOD(DeviceTest, "laws at 0: no NaN, no infinity, 0 where the sun is below the horizon") {
+    Probe probe{
+        .include = "17_planets/surface_laws.glsl",
+        .before =
+            "#define PLANETS_METHOD 0\n#define PLANETS_METHOD_LAMBERT 1\n#define PLANETS_METHOD_WRAPPED 2\n#define "
+            "PLANETS_METHOD_LOMMEL_SEELIGER 3\n#define PLANETS_METHOD_MINNAERT 4\n#define PLANETS_METHOD_HAPKE 5\n",
+        .signature = "float lommel_seeliger(float mu0, float mu)"};
+    for (const double mu0 : {0.0, 1e-30, 1e-6, 0.5, 1.0})
+        for (const double mu : {0.0, 1e-30, 1e-6, 0.5, 1.0}) probe.inputs.push_back({mu0, mu});
+    for (const Row& row : run_probe(gpu, probe, 1)) CHECK((std::isfinite(row[0]) && row[0] >= 0 && row[0] <= 2));
+    probe.signature = "float hapke_radiance(float mu0, float mu, float cos_phase)", probe.inputs.clear();
+    for (const double mu0 : {0.0, 1e-30, 1e-3, 1.0})
+        for (const double mu : {0.0, 1e-30, 1e-3, 1.0})
+            for (const double phase : {-1.0, 0.0, 1.0}) probe.inputs.push_back({mu0, mu, phase});
+    probe.truth = [](auto in) { return Row{truth::hapke(in[0], in[1], in[2])}; };
+    probe.bound = {.absolute = 2e-5, .relative = 2e-4};
+    CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
+    probe.signature = "float minnaert(float mu0, float mu, float k)", probe.inputs.clear();
+    for (const double mu0 : {0.0, 1e-3, 1.0})
+        for (const double mu : {0.0, 1e-3, 1.0})
+            for (const double k : {0.5, 0.7, 1.0}) probe.inputs.push_back({mu0, mu, k});
+    probe.truth = [](auto in) { return Row{truth::minnaert(in[0], in[1], in[2])}; };
+    probe.bound = {.absolute = 1e-5, .relative = 2e-4};
+    CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
+}
+
+TEST_CASE_METHOD(DeviceTest,
+                 "light through a ring where both cosines are nearly one: ours holds, the difference loses its digits",
+                 "[figures]") {
+    Probe ours{.include = "17_planets/single_scattering.glsl",
+               .signature = "float scattered_through(float depth, float mu0, float mu)",
+               .truth = [](auto in) { return Row{scattering::through(in[0], in[1], in[2])}; },
+               .bound = {.absolute = 1e-7, .relative = 1e-5}};
+    for (const double depth : {0.0, 1e-4, 0.1, 1.0, 3.0, 50.0})
+        for (const double mu : {1e-4, 0.01, 0.3, 0.9})
+            for (const double apart : {0.0, 1e-6, 1e-5, 1e-4, 0.1})
+                ours.inputs.push_back({depth, double(float(mu)), double(float(mu * (1 + apart)))});
+    CHECK(worst_of(ours, run_probe(gpu, ours, 1)) == "");
+    double before = 0;
+    for (const float apart : {1e-4f, 1e-5f, 1e-6f}) {
+        double worst = 0;
+        for (float mu0 = 0.2f; mu0 < 0.9f; mu0 += 0.007f) {
+            const float mu = mu0 + apart;
+            if (mu == mu0) continue;
+            const float naive = 0.25f * mu0 / (mu0 - mu) * (std::exp(-1.0f / mu0) - std::exp(-1.0f / mu));
+            const double right = scattering::through(1, double(mu0), double(mu));
+            worst = std::max(worst, std::fabs(double(naive) / right - 1));
+        }
+        fmt::print("cosines {:.0e} apart: the plain difference is {:.1e} off\n", double(apart), worst);
+        CHECK(worst > 3 * before);
+        before = worst;
+    }
+    CHECK(before > 0.01);
+}
+
+TEST_CASE("three tables mixed by the cosine itself give less than no light") {
+    const auto strip = ring_strip(BodyId::saturn, 512);
+    const auto back = ring_table(strip, 0, 0.35), forward = ring_table(strip, 1, 0.35);
+    double least = 0, most = 0;
+    for (size_t i = 0; i < strip.size(); ++i) {
+        least = std::min(least, double(2 * forward[i].r - back[i].r));  // mix(forward, back, -1)
+        most = std::max(most, double(back[i].r));
+    }
+    CHECK(most > 0.15);
+    CHECK(least < -0.05);
+}
+
+TEST_CASE("a sphere in place of Saturn: its shadow is 8% too long, its normals are 5.9 degrees off", "[figures]") {
+    const double r = 60268, f = 0.098, sun = glm::radians(26.7);
+    const glm::dvec3 to_sun(0, std::sin(sun), std::cos(sun)), pole(0, 1, 0);
+    // Where on the ring's plane, opposite to the sun, does the shadow end?
+    const auto end = [&](double flattening) {
+        double low = r, high = 4 * r;
+        for (int i = 0; i < 60; ++i) {
+            const double middle = 0.5 * (low + high);
+            (truth::ellipsoid_shadow({0, 0, -middle}, pole, r, flattening, to_sun, 1e-9, 2) < 0.5 ? low : high) =
+                middle;
+        }
+        return low;
+    };
+    fmt::print("the shadow ends at {:.0f} km, a sphere's at {:.0f} km\n", end(f), end(0));
+    CHECK(end(0) / end(f) == Approx(1.08).margin(0.005));
+    CHECK(end(0) - end(f) == Approx(10400).margin(200));
+    const auto tilt = [](double flattening) {
+        double worst = 0;
+        for (double b = 0; b < 1.57; b += 0.001) {
+            const glm::dvec2 at(std::cos(b), (1 - flattening) * std::sin(b)),
+                normal(std::cos(b), std::sin(b) / (1 - flattening));
+            worst = std::max(worst, std::acos(std::min(1.0, glm::dot(glm::normalize(at), glm::normalize(normal)))));
+        }
+        return glm::degrees(worst);
+    };
+    CHECK(tilt(0.098) == Approx(5.9).margin(0.1));
+    CHECK(tilt(0.0649) == Approx(3.8).margin(0.1));
+}
+
+TEST_CASE(
+    "two frames of a wind known to within delta: contrast |cos(pi delta / lambda)| halfway; unrelated frames keep "
+    "0.71") {
+    const double wave = 1, pi = glm::pi<double>();
+    for (const double delta : {0.1, 0.25, 0.5}) {
+        // A(x - v t) and B(x + v (1 - t)) of clouds that move by v + delta.
+        const double v = 0.37, t = 0.5;
+        double most = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const double x = i / 2000.0;
+            const auto clouds = [&](double at, double time) {
+                return std::cos(2 * pi * (at - (v + delta) * time) / wave);
+            };
+            most = std::max(most, std::fabs((1 - t) * clouds(x - v * t, 0) + t * clouds(x + v * (1 - t), 1)));
+        }
+        CHECK(most == Approx(std::fabs(std::cos(pi * delta / wave))).margin(1e-3));
+    }
+    CHECK(std::sqrt(0.5 * 0.5 + 0.5 * 0.5) == Approx(0.71).margin(0.01));
+}
