@@ -82,22 +82,6 @@ foreach(chapter ${LIGHTWALK_CHAPTERS})
   endforeach()
 endforeach()
 
-# docs/minimal: each method at its smallest. The programs run in tests/common/test_minimal.py.
-file(GLOB minimal CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/minimal/*.cpp)
-foreach(source ${minimal})
-  get_filename_component(name ${source} NAME_WE)
-  add_executable(minimal_${name} ${source})
-  target_link_libraries(minimal_${name} PRIVATE glm::glm)
-  set_target_properties(minimal_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/minimal
-                                                   OUTPUT_NAME ${name})
-endforeach()
-add_executable(test_minimal ${PROJECT_SOURCE_DIR}/tests/minimal/test_functions.cpp)
-target_link_libraries(test_minimal PRIVATE catch_main lightwalk)
-set_target_properties(test_minimal PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
-lightwalk_compiled_fast(test_minimal)
-add_test(NAME unit.minimal COMMAND test_minimal WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-set_tests_properties(unit.minimal PROPERTIES LABELS unit)
-
 # tests/*/test_NAME.py. Those of windows, and what runs none of our programs, do not run again under the sanitizers.
 file(GLOB scripts CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests/*/test_*.py)
 foreach(script ${scripts})

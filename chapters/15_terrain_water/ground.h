@@ -25,7 +25,8 @@ struct Ground : Module {
     Knob<float> center_z_km{
         *this, "center_z_km", 0.0f, {-1e4f, 1e4f}, "Middle of the map, southwards of the source's middle", "km"};
     Knob<float> datum_m{*this, "datum_m", 0.0f, {-12000.0f, 12000.0f}, "Elevation that becomes height 0", "m"};
-    Knob<float> height_scale{*this, "height_scale", 1.0f, {0.0f, 100.0f}, "Vertical exaggeration"};
+    Knob<float> height_scale{
+        *this, "height_scale", 1.0f, {0.0f, 100.0f}, "Vertical exaggeration: scale factor for heights"};
     Knob<float> detail_m{
         *this, "detail_m", 0.0f, {0.0f, 1000.0f}, "Height of gullies and ribs that the source is too coarse to show",
         "m"};

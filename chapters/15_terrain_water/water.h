@@ -32,8 +32,8 @@ struct Water : Drawing {
                       "the scene drawn from below"};
     Knob<float> level_m{*this, "level_m", 0.0f, {-1e4f, 1e4f}, "Height of the water at rest", "m"};
     Knob<int> waves{*this, "waves", 12, {2, 16}, "Number of waves (methods sines and gerstner)"};
-    Knob<float> longest_m{*this, "longest_m", 12.0f, {0.01f, 1000.0f}, "Longest wavelength", "m"};
-    Knob<float> shortest_m{*this, "shortest_m", 0.7f, {0.01f, 1000.0f}, "Shortest wavelength", "m"};
+    Knob<float> longest_m{*this, "longest_m", 12.0f, {0.01f, 1000.0f}, "Length of the longest wave", "m"};
+    Knob<float> shortest_m{*this, "shortest_m", 0.7f, {0.01f, 1000.0f}, "Length of the shortest wave", "m"};
     Knob<float> slope{*this, "slope", 0.05f, {0.0f, 1.0f}, "Steepness of each wave: wave number times amplitude"};
     Knob<float> steepness{*this,
                           "steepness",

@@ -128,12 +128,13 @@ TEST_CASE_METHOD(OnDevice, "occlusion is baked once; a cut or changed entry of t
         CHECK(finish.baked == 1);
         finish.prepare(gpu, scene);
         CHECK(finish.baked == 1);
-        std::filesystem::resize_file(added[0], 100);
+        const auto half_way = static_cast<std::streamoff>(std::filesystem::file_size(added[0]) / 2);
+        std::filesystem::resize_file(added[0], static_cast<uintmax_t>(half_way));
         finish.prepare(gpu, scene);
         CHECK(finish.baked == 2);
         {
             std::fstream changed(added[0], std::ios::in | std::ios::out | std::ios::binary);
-            changed.seekp(40);
+            changed.seekp(half_way);
             changed.put('\x07');
         }
         finish.prepare(gpu, scene);

@@ -46,7 +46,8 @@ class Whole(unittest.TestCase):
             self.assertIn(name.rsplit("/", 1)[1], files_of(whole(name))[0])
 
     def test_few_files_make_a_shader(self):
-        for name, most in (("05_shadow_maps/surface.frag", 25), ("12_skin/skin.frag", 30)):
+        # The end of a surface, which whoever mixes transparent ones replaces, is a file of its own.
+        for name, most in (("05_shadow_maps/surface.frag", 26), ("12_skin/skin.frag", 30)):
             self.assertLessEqual(len(files_of(whole(name))), most, name)
 
     def test_macros_are_those_of_the_compiler(self):
