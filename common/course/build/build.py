@@ -52,7 +52,7 @@ def build(targets: list[str] = (), preset: str = "default") -> Path:
     return folder
 
 
-CACHE_BYTES = 700 * 2**20  # the shaders of every chapter take about 450 MiB
+CACHE_BYTES = 2**30  # more than every variant of every chapter takes: some 30,000 modules of 17 KB
 
 
 def trim(cache: Path, most: int = CACHE_BYTES):
