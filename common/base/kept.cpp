@@ -70,7 +70,7 @@ void keep(const fs::path& file, std::string_view bytes) {
     uLongf length = compressBound(count);
     std::string all(sizeof count + length, '\0');
     std::memcpy(all.data(), &count, sizeof count);
-    // The fastest level: a module shrinks to 36% of its bytes, 34% at zlib's usual one.
+    // The fastest level: a module shrinks to 36% of its bytes, to 33% at zlib's usual one.
     if (compress2(reinterpret_cast<Bytef*>(all.data() + sizeof count), &length,
                   reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_SPEED) != Z_OK)
         return;

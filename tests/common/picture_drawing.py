@@ -93,7 +93,7 @@ def tiles(name: str) -> dict:
                      "height": f"textures/{name}_height.png"}}
 
 
-# What is opaque, has holes, lets light through, shines and moves, in front of and behind each other; 33 lights of every
+# Surfaces that are opaque, cut out, transparent, luminous and moving, in front of and behind each other; 33 lights of every
 # kind, of which three cast shadows. It says nothing of knobs: every chapter with lights draws it.
 EVERYTHING = {
     "camera": {"position": [0, 2.2, 7], "target": [0, 0.7, 0], "fov_deg": 50, "near_m": 0.05, "far_m": 100},
