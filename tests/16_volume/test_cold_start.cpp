@@ -38,6 +38,23 @@ TEST_CASE("a knob that changes while it runs gives the picture of a cold start")
     is_seen([](OnNebula& on) { on.volume.density.value = 3; });
 }
 
+TEST_CASE("a sun that moves from behind to before the volume gives the picture of a cold start") {
+    const auto lit_from = [](float z, bool warm) {
+        OnNebula on;
+        on.volume.light_from.set("sun");
+        const auto stand = [&](float at) {
+            on.scene.set_sun({glm::normalize(glm::vec3(0.3f, 0.4f, at)), glm::vec3(2)});
+        };
+        stand(-1);
+        if (warm) on.draw(1);
+        stand(z);
+        return on.picture(1);
+    };
+    const ImageRgb cold = lit_from(1, false);
+    CHECK(mean_difference(lit_from(1, true), cold) == 0);
+    CHECK(mean_difference(lit_from(-1, false), cold) > 1e-5);
+}
+
 TEST_CASE("an exercise that is toggled while it runs gives the picture of a cold start") {
     for (const char* id : {"16.correct_opacity", "16.skip_empty"}) {
         INFO(id);
