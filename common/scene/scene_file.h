@@ -51,6 +51,8 @@
 //     name           a text; none
 //     hidden         false; true: it is switched off
 //   knobs        {name: value}, those of the chapter that shows the scene
+//   knobs_of     a chapter, such as 18_playground, whose knobs these are: other chapters leave out those that they do not
+//                have. Without it every chapter refuses a knob that it does not have
 #pragma once
 #include <filesystem>
 #include <map>
@@ -119,6 +121,7 @@ struct SceneFile {
     Environment environment;
     SceneMusic music;
     std::map<std::string, std::string> knobs;
+    std::string knobs_of{};  ///< the chapter that they were set in; empty: whichever shows the scene
 };
 
 /// Reads the file and those it includes. Throws InputError: syntax error, unknown key, wrong type, value out of range,

@@ -152,6 +152,7 @@ json scene_json(const SceneFile& scene, const std::vector<std::string>& includes
     j["objects"] = json::array();
     for (const SceneObject& o : scene.objects) j["objects"].push_back(object_json(o));
     j["lights"] = lights_json(scene);
+    if (!scene.knobs_of.empty()) j["knobs_of"] = scene.knobs_of;
     j["knobs"] = knobs_json(scene);
     return j;
 }
