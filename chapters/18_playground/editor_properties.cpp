@@ -87,7 +87,9 @@ void EditorWindow::draw_object(EntryId id) {
 }
 
 void EditorWindow::draw_material(EntryId id) {
-    if (!ImGui::CollapsingHeader("Material")) return;
+    const bool open = ImGui::CollapsingHeader("Material");
+    log_place("section.Material");
+    if (!open) return;
     MaterialOverride material = editor.document.at(id).object()->material;
     glm::vec3 diffuse(0.8f), specular(0.0f), emissive(0.0f);
     float shininess = 32.0f, opacity = 1.0f;

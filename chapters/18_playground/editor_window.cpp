@@ -44,7 +44,12 @@ bool EditorWindow::on_mouse(const Input& input, glm::vec2 cursor_px, bool over_p
     }
     if (editor.drag) {
         if (input.left) editor.drag->move(view_now, cursor_px, input.shift);
-        if (released) {
+        const bool clicked = released && moved_px_ < click_px;
+        if (clicked) {  // nobody has dragged: what lies below the handle is meant
+            editor.end_drag(false);
+            adds_ = input.shift;
+            click = glm::ivec2(cursor_px);
+        } else if (released) {
             log_event("dragged " + editor.drag->words());
             editor.end_drag(true);
         }

@@ -102,6 +102,7 @@ void FileBrowser::draw(float scale) {
         return;
     }
     if (!std::exchange(fresh_, true)) {
+        filter_.clear();
         if (listing_.folder.empty()) listing_.folder = course_root() / "assets" / "models";
         go(listing_.folder);
         recent_ = recent_files();
