@@ -24,9 +24,7 @@ struct Step {
 struct Editor {
     std::map<int, Version> things;  // by id; no id is ever used again
     std::vector<Step> done, undone;
-    void put(int id, const Version& version) {
-        version ? void(things[id] = version) : void(things.erase(id));
-    }
+    void put(int id, const Version& version) { version ? void(things[id] = version) : void(things.erase(id)); }
     void run(Step step) {
         for (Change& c : step.changes) c.before = things.count(c.id) ? things[c.id] : nullptr, put(c.id, c.after);
         const bool joins = step.gesture && undone.empty() && !done.empty() && done.back().gesture == step.gesture;

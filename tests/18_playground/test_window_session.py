@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 from window_case import PictureTest, read_png  # noqa: E402
 from window_session import BUILD, ROOT, Session, XServer  # noqa: E402
 
-WIDTH, HEIGHT = 720, 620
+WIDTH, HEIGHT = 720, 860
 OTHERS = ("03_attenuation", "04_surface_maps", "05_shadow_maps", "06_deferred", "14_environment")
 EMPTY = """{"camera": {"position": [0, 0.8, 4], "target": [0, 0, 0], "fov_deg": 40}, "ambient": [0.2, 0.2, 0.2],
 "lights": [{"type": "directional", "direction": [-0.4, -0.8, -0.5], "intensity": 1.5, "shadow": true}]}"""
