@@ -113,7 +113,8 @@ void EditorWindow::draw_material(EntryId id) {
         const auto given = material.maps.find(key);
         std::string file = given == material.maps.end() ? "" : given->second.string();
         ImGui::SetNextItemWidth(-110.0f);
-        if (!text_field(key.c_str(), file) || (given == material.maps.end() ? file.empty() : file == given->second))
+        if (!text_field((key + " map").c_str(), file) ||
+            (given == material.maps.end() ? file.empty() : file == given->second))
             continue;
         try {
             if (!file.empty()) find_asset(file);

@@ -83,7 +83,7 @@ class Building(PictureTest):
         session.click("tool.lamp")
         session.click("entry.cube")
         session.click("section.Material")
-        session.click("field.diffuse")
+        session.click("field.diffuse map")
         session.xdotool("type", "textures/wood_albedo.jpg")
         session.key("Return")
         session.settled(0, 0, WIDTH, HEIGHT)
