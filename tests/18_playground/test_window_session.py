@@ -43,7 +43,8 @@ class Building(PictureTest):
         self.session.click("tool.open")
         self.session.click("field.file filter")
         self.session.xdotool("type", name.split(".")[0] + ".")
-        self.session.settled(0, 0, WIDTH, HEIGHT)
+        first_row = 185  # it stands there once the filter has been read
+        self.session.wait(lambda: self.session.areas.get("file." + name, (0, first_row))[1] < first_row, "the filtered list")
         self.session.click("file." + name)
         self.say("added " + re.escape(name), since)
         self.session.settled(0, 0, WIDTH, HEIGHT)
