@@ -6,6 +6,7 @@ what was judged before, for whomever, is not judged again.
 """
 
 import csv
+import hashlib
 import io
 import json
 import os
@@ -13,16 +14,20 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from grading.alike import alike
-from grading.judge import Judge
+from grading.judge import Judge, starters_of
 from grading.submission import cell, find, printable, read
+from many import shards
 from progress import Progress
-from tree import BUILD, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, say, warn, write_atomically
+from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, files, find_chapter, has_solutions, say, warn,
+                  write_atomically)
 
 HELP = """Grades the exercises that students handed in, by the checks of this tree.
 
   ./course grade FOLDER             a class: a folder of folders, .zip and .tar.* files, one for each student
   ./course grade ann.zip ben        some students
   ./course grade FOLDER --chapter 02
+  ./course grade FOLDER --shard 3/16 --out F    part 3 of 16, into the folder F; the others may run elsewhere
+  ./course grade --merge F                      the table of all parts, byte for byte that of one run
 
 Prints a table, and writes grades.csv and grades.json (the failures of each exercise) to build/grades or to --out. An answer
 that was judged before is not judged again: an interrupted run continues where it stopped.
@@ -37,25 +42,49 @@ MOST_NAMES = 12  # on one line
 
 
 def add_arguments(parser):
-    parser.add_argument("paths", nargs="+", type=Path, metavar="PATH")
+    parser.add_argument("paths", nargs="*", type=Path, metavar="PATH")
     parser.add_argument("--chapter", metavar="NN", help="grade only the exercises of this chapter")
     parser.add_argument("--json", action="store_true", help="print one JSON object per student in place of the table")
     parser.add_argument("--out", type=Path, default=None, metavar="FOLDER", help="folder for the files (build/grades)")
+    shards.add_arguments(parser)
 
 
 def run(arguments, _rest) -> int:
+    shards.check_arguments(arguments)
+    if bool(arguments.merge) == bool(arguments.paths):
+        raise UsageError("--merge takes shards, which know the class: leave out its folder" if arguments.merge else
+                         "name a class, a folder of submissions, or --merge and its shards")
     named = [find_chapter(arguments.chapter)] if arguments.chapter else chapters()
     wanted = {exercise: chapter for chapter in named for exercise in exercises(chapter)}
+    if arguments.merge:
+        made = shards.merge(arguments.merge, "grade")
+        if not arguments.chapter:
+            wanted = {name: chapter for name, chapter in made.head["exercises"]}
+        return finish(arguments, *merged(made, wanted), wanted)
     submissions = find(arguments.paths)
     if not has_solutions():
         raise UsageError("this copy of the course has no solutions to grade with")
+    if arguments.shard:
+        return grade_shard(arguments, submissions, wanted)
+    out_folder(arguments)
+    with Judge(wanted) as judge:
+        return finish(arguments, *judged(submissions, judge), wanted)
+
+
+def out_folder(arguments) -> Path:
+    """Where the files go. Raises UsageError where they cannot."""
     out = (arguments.out or BUILD / "grades").absolute()
     try:
         write_atomically(out / "grades.json", "[]\n")
     except OSError as error:
         raise UsageError(f"{printable(str(out))} cannot be written: {error.strerror}") from None
-    with Judge(wanted) as judge:
-        grades = grade(submissions, judge)
+    return out
+
+
+def finish(arguments, grades: dict[str, dict], submitted: dict[str, dict[str, bytes]], wanted: dict[str, str]) -> int:
+    """What is made of the grades of a whole class, wherever they were found. The exit code."""
+    out, named = out_folder(arguments), list(dict.fromkeys(wanted.values()))
+    grades = complete(grades, submitted, wanted)
     write_files(out, grades, wanted)
     if arguments.json:
         for one in grades:
@@ -64,15 +93,74 @@ def run(arguments, _rest) -> int:
         for line in table(grades, named):
             say(line)
         warn(f"{printable(str(out / 'grades.csv'))} and grades.json have the details")
+    refuse_failed(grades)
+    return 0
+
+
+def refuse_failed(grades: list[dict]):
     failed = [(one["student"], result) for one in grades for result in one["results"] if result["state"] == "failed"]
     for student, result in failed[:5]:
         warn(f"{student}, {result['exercise']}: {result['first_failure']}")
     if failed:
         raise Failure(f"{len(failed)} exercises could not be judged; the same command tries them again")
+
+
+def grade_shard(arguments, submissions, wanted: dict[str, str]) -> int:
+    """Grades the submissions that belong to a shard, by their own names, and writes it. The exit code."""
+    shard = arguments.shard
+    file = shards.file_of(arguments.out, "grade", shard)
+    mine = {one.student: i for i, one in enumerate(submissions) if shard.takes(one.path.name)}
+    with Judge(wanted) as judge:
+        grades, submitted = judged([one for one in submissions if one.student in mine], judge)
+        head = {"exercises": list(wanted.items()), "submissions": len(submissions), "inputs": digest([str(judge.seed)]),
+                "class": digest(sorted(one.student for one in submissions)), "course": course_version()}
+    entries, answers = {}, {}
+    for student, one in grades.items():
+        names = {exercise: hashlib.sha256(data).hexdigest() for exercise, data in submitted.get(student, {}).items()}
+        answers |= {name: submitted[student][exercise] for exercise, name in names.items()}
+        entries[student] = {"at": mine[student], "grade": one, "answers": names, "read": student in submitted}
+    shards.write(file, "grade", shard, head, entries, answers)
+    say(f"{printable(str(file))}: {len(mine)} of {len(submissions)} submissions")
+    refuse_failed(list(grades.values()))
     return 0
 
 
+def merged(made: shards.Merged, wanted: dict[str, str]) -> tuple[dict, dict]:
+    """The grades of all shards, as judged() has them. Raises UsageError where a submission is in none."""
+    if len(made.entries) != made.head["submissions"]:
+        raise UsageError(f"the shards hold {len(made.entries)} of {made.head['submissions']} submissions: make them again")
+    if strange := sorted(set(wanted) - {name for name, _ in made.head["exercises"]}):
+        raise UsageError(f"the shards were made without {strange[0]}")
+    order = sorted(made.entries, key=lambda student: made.entries[student]["at"])
+    grades, submitted = {}, {}
+    for student in order:
+        entry = made.entries[student]
+        grades[student] = entry["grade"]
+        grades[student]["results"] = [one for one in grades[student]["results"] if one["exercise"] in wanted]
+        if entry["read"]:
+            submitted[student] = {exercise: made.file(student, name) for exercise, name in entry["answers"].items()
+                                  if exercise in wanted}
+    return grades, submitted
+
+
+def digest(words: list[str]) -> str:
+    return hashlib.sha256("\0".join(words).encode(errors="surrogatepass")).hexdigest()[:16]
+
+
+def course_version() -> str:
+    """Changes with any source of the course, wherever it lies: what shards of two machines are told apart by."""
+    kinds = (".py", ".cpp", ".h", ".glsl", ".vert", ".frag", ".comp", ".geom", ".json", ".cmake")
+    names = [name for name in files() if name.suffix in kinds and name.parts[0] in ("common", "chapters", "shaders", "tests")
+             and "golden" not in name.parts and "exercise" not in name.parts]
+    return digest([f"{name} {hashlib.sha256((ROOT / name).read_bytes()).hexdigest()}" for name in names])
+
+
 def grade(submissions, judge: Judge) -> list[dict]:
+    return complete(*judged(submissions, judge), judge.wanted)
+
+
+def judged(submissions, judge: Judge) -> tuple[dict[str, dict], dict[str, dict[str, bytes]]]:
+    """Each student's results, and what those whose submission could be read have handed in."""
     submitted, grades, waiting = {}, {}, {}
     with Progress("grading") as progress, ThreadPoolExecutor(min(os.cpu_count() or 1, 8)) as pool:
         try:
@@ -100,12 +188,17 @@ def grade(submissions, judge: Judge) -> list[dict]:
             pool.shutdown(wait=False, cancel_futures=True)
             judge.stop()
             raise
-    for a, b, what in alike(submitted, judge.starters):
+    return grades, submitted
+
+
+def complete(grades: dict[str, dict], submitted: dict[str, dict[str, bytes]], wanted: dict[str, str]) -> list[dict]:
+    """With what follows from the class as a whole: who is alike, and how many are right."""
+    for a, b, what in alike(submitted, starters_of(wanted)):
         grades[a]["alike"].append({"student": b, "what": what})
         grades[b]["alike"].append({"student": a, "what": what})
     for one in grades.values():
         one["right"] = sum(result["ok"] for result in one["results"])
-        one["of"] = len(judge.wanted)
+        one["of"] = len(wanted)
     return list(grades.values())
 
 

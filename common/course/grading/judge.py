@@ -48,6 +48,13 @@ def parts(chapter: str) -> list[Path]:
     return [*objects("serve_main"), *objects(f"serve_{chapter}")]
 
 
+def starters_of(wanted: dict[str, str]) -> dict[str, bytes]:
+    """The exercises of all chapters of `wanted` (chapter by exercise), as they are handed out."""
+    paths = {name: path for chapter in sorted(set(wanted.values())) for name, path in exercises(chapter).items()}
+    committed = starters([path.relative_to(ROOT) for path in paths.values()])
+    return {name: committed.get(path.relative_to(ROOT), path.read_bytes()) for name, path in paths.items()}
+
+
 class Judge:
     """What is the same for all students. Raises Failure where nothing can be contained here."""
 
@@ -60,9 +67,7 @@ class Judge:
         self.verdicts = self.folder / "verdicts"
         self.paths = {name: path for chapter in self.chapters for name, path in exercises(chapter).items()}
         self.names = {str(path.relative_to(ROOT)): name for name, path in self.paths.items()}
-        committed = starters([path.relative_to(ROOT) for path in self.paths.values()])
-        self.starters = {name: committed.get(path.relative_to(ROOT), path.read_bytes())
-                         for name, path in self.paths.items()}
+        self.starters = starters_of(wanted)
         commands = json.loads((BUILD / "compile_commands.json").read_text())
         self.commands = {entry["file"]: shlex.split(entry["command"]) for entry in commands}
         self.seed = self.draw_seed()

@@ -108,7 +108,7 @@ def write(file: Path, kind: str, shard: Shard, head: dict, entries: dict, files:
     beside = file.with_name(f".{file.name}.{os.getpid()}")
     try:
         with zipfile.ZipFile(beside, "w") as archive:
-            members = {"shard.json": json.dumps(about, indent=1, sort_keys=True).encode() + b"\n"}
+            members = {"shard.json": json.dumps(about, indent=1).encode() + b"\n"}
             members |= {f"files/{name}": content for name, content in sorted((files or {}).items())}
             for name, content in members.items():
                 info = zipfile.ZipInfo(name, STAMP)
