@@ -18,8 +18,7 @@ from grading.judge import Judge, starters_of
 from grading.submission import cell, find, printable, read
 from many import shards
 from progress import Progress
-from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, files, find_chapter, has_solutions, say, warn,
-                  write_atomically)
+from tree import BUILD, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, say, warn, write_atomically
 
 HELP = """Grades the exercises that students handed in, by the checks of this tree.
 
@@ -112,8 +111,8 @@ def grade_shard(arguments, submissions, wanted: dict[str, str]) -> int:
     mine = {one.student: i for i, one in enumerate(submissions) if shard.takes(one.path.name)}
     with Judge(wanted) as judge:
         grades, submitted = judged([one for one in submissions if one.student in mine], judge)
-        head = {"exercises": list(wanted.items()), "submissions": len(submissions), "inputs": digest([str(judge.seed)]),
-                "class": digest(sorted(one.student for one in submissions)), "course": course_version()}
+        head = {"exercises": list(wanted.items()), "submissions": len(submissions), "inputs": shards.digest([str(judge.seed)]),
+                "class": shards.digest(sorted(one.student for one in submissions)), "course": shards.course_version()}
     entries, answers = {}, {}
     for student, one in grades.items():
         names = {exercise: hashlib.sha256(data).hexdigest() for exercise, data in submitted.get(student, {}).items()}
@@ -141,18 +140,6 @@ def merged(made: shards.Merged, wanted: dict[str, str]) -> tuple[dict, dict]:
             submitted[student] = {exercise: made.file(student, name) for exercise, name in entry["answers"].items()
                                   if exercise in wanted}
     return grades, submitted
-
-
-def digest(words: list[str]) -> str:
-    return hashlib.sha256("\0".join(words).encode(errors="surrogatepass")).hexdigest()[:16]
-
-
-def course_version() -> str:
-    """Changes with any source of the course, wherever it lies: what shards of two machines are told apart by."""
-    kinds = (".py", ".cpp", ".h", ".glsl", ".vert", ".frag", ".comp", ".geom", ".json", ".cmake")
-    names = [name for name in files() if name.suffix in kinds and name.parts[0] in ("common", "chapters", "shaders", "tests")
-             and "golden" not in name.parts and "exercise" not in name.parts]
-    return digest([f"{name} {hashlib.sha256((ROOT / name).read_bytes()).hexdigest()}" for name in names])
 
 
 def grade(submissions, judge: Judge) -> list[dict]:
