@@ -23,7 +23,7 @@ from build.build import build
 from check.glsl_answer import Refused, plain
 from grading import sandbox
 from grading.handout import starters
-from grading.judge_picture import DriverEnded, Pictures
+from grading.judge_picture import EXPECTED, THEIRS, DriverEnded, Pictures
 from grading.judge_tree import copy_without_answers, library, objects
 from grading.sandbox import Limits, Mounts
 from grading.submission import printable
@@ -46,6 +46,10 @@ def parts(chapter: str) -> list[Path]:
     """What a student's object is linked with, but for the library. It comes before it: of a function that several objects
     have, the first one's is taken."""
     return [*objects("serve_main"), *objects(f"serve_{chapter}")]
+
+
+def picture_path(digest: str) -> Path:
+    return BUILD / "grade" / "seen" / f"{digest}.png"
 
 
 def starters_of(wanted: dict[str, str]) -> dict[str, bytes]:
@@ -75,6 +79,7 @@ class Judge:
         self.pictures = Pictures(wanted, self.versions) if pictures else None
         self.kept = contextlib.ExitStack()
         self.running, self.stopped = set(), False
+        self.fresh = set()  # exercises that are judged whatever was said of them before
 
     def __enter__(self):
         # What is copied and drawn here is read by whom root becomes in the sandbox.
@@ -133,10 +138,9 @@ class Judge:
                            "first_failure": "was not handed in" if data is None else "is as it was handed out"}
         key = hashlib.sha256(f"{self.versions[base['chapter']]} {exercise} ".encode() + data).hexdigest()
         kept = self.verdicts / f"{key}.json"
-        try:
-            return base | json.loads(kept.read_text())
-        except (OSError, ValueError):
-            pass
+        if exercise not in self.fresh:
+            with contextlib.suppress(OSError, ValueError):
+                return base | json.loads(kept.read_text())
         try:
             found = self.judge(exercise, data)
             if found.get("killed"):  # by whom is not known: perhaps the machine had no memory left
@@ -150,7 +154,7 @@ class Judge:
             said = clean(str(error) if isinstance(error, (Failure, OSError)) else repr(error))
             return base | {"state": "failed", "first_failure": f"could not be judged: {said}"}
         found = {name: clean(value) for name, value in found.items()
-                 if name in ("ok", "passed", "failed", "first_failure", "hint", "note", "state")}
+                 if name in ("ok", "passed", "failed", "first_failure", "hint", "note", "state", "picture", "picture_expected")}
         write_atomically(kept, json.dumps(found))
         return base | found
 
@@ -183,9 +187,20 @@ class Judge:
                 if why:
                     found |= {"ok": False, "failed": found["failed"] + 1, "first_failure": why,
                               "hint": "every number that was tried is right, so look for an input that only the picture has"}
+                    found |= self.keep_pictures(source.parent)
                 elif why is not None:
                     found["passed"] += 1
             return found
+
+    def keep_pictures(self, folder: Path) -> dict:
+        """What was drawn and what should have been, for the student's page: named by what is in them."""
+        kept = {}
+        for key, name in (("picture", THEIRS), ("picture_expected", EXPECTED)):
+            if (folder / name).is_file():
+                data = (folder / name).read_bytes()
+                kept[key] = hashlib.sha256(data).hexdigest()
+                write_atomically(picture_path(kept[key]), data)
+        return kept
 
     def numbers(self, exercise: str, source: Path, seed: int) -> dict:
         """The checks' verdict on a source that is alone in its folder."""

@@ -185,6 +185,13 @@ def merge(paths: list[Path], kind: str, per_shard=()) -> Merged:
     return merged
 
 
+def safe(digest: str) -> str:
+    """A digest that a shard names a file by. Raises UsageError for what would lead elsewhere."""
+    if not re.fullmatch(r"[0-9a-f]{1,64}", digest):
+        raise UsageError(f"'{digest}' is no file of a shard")
+    return digest
+
+
 def short(value) -> str:
     text = json.dumps(value)
     return text if len(text) <= 80 else text[:77] + "..."
