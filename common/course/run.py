@@ -10,7 +10,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 from build.build import alone, build
-from many import shards
+from many import shards, slurm
 from progress import Progress
 from shots.rendering import render
 from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, shots,
@@ -22,7 +22,8 @@ HELP = """Builds the course and starts it.
   ./course run 02 [options]     chapter 02, by its number or its name, with the chapter's own options
   ./course run 02 --help        a list of these options
   ./course run --gallery        the pictures, with or without a display
-  ./course run --gallery --shard 3/16 --out F    part 3 of 16 of them, into the folder F; --merge F writes the page"""
+  ./course run --gallery --shard 3/16 --out F    part 3 of 16 of them, into the folder F; --merge F writes the page
+  ./course run --gallery --slurm                 Slurm draws the parts"""
 
 
 def run_words(words: list[str]) -> int:
@@ -68,11 +69,16 @@ class GalleryWords(argparse.ArgumentParser):
 def gallery_in_shards(words: list[str]) -> int:
     parser = GalleryWords(add_help=False, allow_abbrev=False)
     shards.add_arguments(parser)
+    slurm.add_arguments(parser)
     parser.add_argument("--out", type=Path)
     arguments, rest = parser.parse_known_args(words)
-    if rest or not (arguments.shard or arguments.merge):
+    if rest or not (arguments.shard or arguments.merge or arguments.slurm is not None):
         parser.error(f"unrecognised argument '{(rest or words)[0]}'")
     shards.check_arguments(arguments)
+    slurm.check_arguments(arguments)
+    if arguments.slurm is not None:
+        arguments.merge = [slurm.run("gallery", arguments, ["run", "--gallery", *words], lambda: build(["programs"]))]
+        slurm.finished("gallery")
     if arguments.merge:
         with alone(BUILD, "gallery"):
             return merge_gallery(arguments.merge)

@@ -21,7 +21,7 @@ from build.build import build
 from charts import study_shards
 from charts.study_charts import chart_paths
 from charts.study_file import SOFTWARE
-from many import shards
+from many import shards, slurm
 from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, warn,
                   write_atomically)
 
@@ -49,10 +49,12 @@ def add_arguments(parser):
     parser.add_argument("--out", type=Path, metavar="FOLDER",
                         help="folder for the JSON, the charts and the table (docs/studies)")
     shards.add_arguments(parser)
+    slurm.add_arguments(parser)
 
 
 def run(arguments, _rest) -> int:
     shards.check_arguments(arguments)
+    slurm.check_arguments(arguments)
     studied = [name for name in chapters() if study_of(name)]
     if arguments.size and not re.fullmatch(r"[1-9]\d*x[1-9]\d*", arguments.size):
         raise UsageError(f"--size is '{arguments.size}', expected WIDTHxHEIGHT, such as 1920x1080")
@@ -66,6 +68,11 @@ def run(arguments, _rest) -> int:
     shards.check_writable(out)
     if arguments.merge:
         return merge(arguments.merge, named, out)
+    if arguments.slurm is not None:
+        folder = slurm.run("study", arguments, sys.argv[1:], lambda: build(named))
+        code = merge([folder], named, out)
+        slurm.finished("study")
+        return code
     build(named)
     for chapter in named:
         generate(study_of(chapter).get("generate", {}))

@@ -9,7 +9,7 @@ import csv
 import hashlib
 import io
 import json
-import os
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -21,9 +21,10 @@ from grading.judge import Judge, picture_path, starters_of
 from grading.roster import Roster
 from grading.rules import Rules
 from grading.submission import cell, find, printable, read, time_of
-from many import shards
+from many import shards, slurm
 from progress import Progress
-from tree import BUILD, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, say, warn, write_atomically
+from tree import (BUILD, Failure, UsageError, chapters, cores, exercises, find_chapter, has_solutions, say, warn,
+                  write_atomically)
 
 HELP = """Grades the exercises that students handed in, by the checks of this tree.
 
@@ -33,6 +34,7 @@ HELP = """Grades the exercises that students handed in, by the checks of this tr
   ./course grade FOLDER --format moodle --roster class.csv --rules rules.json
   ./course grade FOLDER --shard 3/16 --out F    part 3 of 16, into the folder F; the others may run elsewhere
   ./course grade --merge F                      the table of all parts, byte for byte that of one run
+  ./course grade FOLDER --slurm                 Slurm grades the parts; --slurm='--partition=short' for sbatch's options
 
 Prints a table, and writes grades.csv and grades.json (the failures of each exercise) to build/grades or to --out. An answer
 that was judged before is not judged again: an interrupted run continues where it stopped. marks.json keeps each mark: the same
@@ -60,10 +62,12 @@ def add_arguments(parser):
     parser.add_argument("--regrade", action="append", default=[], metavar="NN.NAME",
                         help="judge this exercise again for everybody, and replace the marks that were given; repeatable")
     shards.add_arguments(parser)
+    slurm.add_arguments(parser)
 
 
 def run(arguments, _rest) -> int:
     shards.check_arguments(arguments)
+    slurm.check_arguments(arguments)
     if bool(arguments.merge) == bool(arguments.paths):
         raise UsageError("--merge takes shards, which know the class: leave out its folder" if arguments.merge else
                          "name a class, a folder of submissions, or --merge and its shards")
@@ -84,6 +88,10 @@ def run(arguments, _rest) -> int:
     if arguments.shard:
         return grade_shard(arguments, submissions, wanted)
     out_folder(arguments)
+    if arguments.slurm is not None:
+        made = shards.merge([slurm.run("grade", arguments, sys.argv[1:], lambda: Judge(wanted))], "grade")
+        slurm.finished("grade")
+        return finish(arguments, *merged(made, wanted), wanted)
     with Judge(wanted) as judge:
         judge.fresh = set(arguments.regrade)
         return finish(arguments, *judged(submissions, judge), wanted)
@@ -149,7 +157,7 @@ def grade_shard(arguments, submissions, wanted: dict[str, str]) -> int:
         judge.fresh = set(arguments.regrade)
         grades, submitted = judged([one for one in submissions if one.student in mine], judge)
         head = {"exercises": list(wanted.items()), "submissions": len(submissions), "inputs": shards.digest([str(judge.seed)]),
-                "class": shards.digest(sorted(one.student for one in submissions)), "course": shards.course_version()}
+                "class": shards.digest(sorted(f"{one.student} {stamp(one.path)}" for one in submissions)), "course": shards.course_version()}
     entries, answers = {}, {}
     for student, one in grades.items():
         names = {exercise: hashlib.sha256(data).hexdigest() for exercise, data in submitted.get(student, {}).items()}
@@ -161,6 +169,15 @@ def grade_shard(arguments, submissions, wanted: dict[str, str]) -> int:
     say(f"{printable(str(file))}: {len(mine)} of {len(submissions)} submissions")
     refuse_failed(list(grades.values()))
     return 0
+
+
+def stamp(path: Path) -> str:
+    """Changes where a submission is replaced by another of its name."""
+    try:
+        at = path.lstat()
+    except OSError:
+        return ""
+    return f"{int(at.st_mtime)} {at.st_size if path.is_file() else ''}"
 
 
 def merged(made: shards.Merged, wanted: dict[str, str]) -> tuple[dict, dict]:
@@ -192,7 +209,7 @@ def grade(submissions, judge: Judge) -> list[dict]:
 def judged(submissions, judge: Judge) -> tuple[dict[str, dict], dict[str, dict[str, bytes]]]:
     """Each student's results, and what those whose submission could be read have handed in."""
     submitted, grades, waiting = {}, {}, {}
-    with Progress("grading") as progress, ThreadPoolExecutor(min(os.cpu_count() or 1, 8)) as pool:
+    with Progress("grading") as progress, ThreadPoolExecutor(min(cores(), 8)) as pool:
         try:
             for one in submissions:
                 grades[one.student] = {"student": one.student, "path": printable(str(one.path)), "error": None,
