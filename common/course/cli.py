@@ -32,6 +32,8 @@ COMMANDS = {
     "handout": "grading.handout",
     "grade": "grading.grade",
     "docs": "pages.docs",
+    "slides": "pages.slides",
+    "book": "pages.book",
     "doctor": "build.doctor",
     "clean": "build.clean",
 }

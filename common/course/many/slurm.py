@@ -19,7 +19,7 @@ from many.shards import check_writable, course_version
 from progress import Progress
 from tree import BUILD, ROOT, Failure, UsageError, relative, warn, write_atomically
 
-POLL_S = 2.0
+POLL_S = 1.0
 ATTEMPTS = 2  # a part that dies twice has a reason
 SHARDS = 16
 # What each task asks for, unless OPTIONS say otherwise.
