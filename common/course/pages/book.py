@@ -130,15 +130,14 @@ def with_figures(text: str, number: str) -> str:
         return f"<figcaption><b>Figure {int(number)}.{count[0]}.</b> {words_of_it}</figcaption>"
 
     def figure(found):
-        alt = re.search(r'alt="([^"]*)"', found[1])
-        return f'<figure class="one">{found[1]}{caption(found[2] or (alt[1] + "." if alt else ""))}</figure>'
-
-    def pair(found):
-        images = re.findall(r'<img src="[^"]+"[^>]*>', found[0])
-        names = re.findall(r"<span>(.*?)</span>", found[0])
-        return f'<figure class="two"><div>{"".join(images)}</div>{caption(f"{names[0]}; {names[2]}." if len(names) == 3 else "")}</figure>'
-    text = re.sub(r'<figure class="compare">.*?</figure>', pair, text, flags=re.S)
-    return re.sub(r"<p>(<img [^>]*>)</p>(?:\s*<p><em>((?:(?!</p>).)*)</em></p>)?", figure, text, flags=re.S)
+        if found["pair"]:
+            images = "".join(re.findall(r'<img src="[^"]+"[^>]*>', found["pair"]))
+            names = re.findall(r"<span>(.*?)</span>", found["pair"])
+            return f'<figure class="two"><div>{images}</div>{caption(found["below"] or f"{names[0]}; {names[-1]}.")}</figure>'
+        alt = re.search(r'alt="([^"]*)"', found["one"])
+        return f'<figure class="one">{found["one"]}{caption(found["below"] or (alt[1] + "." if alt else ""))}</figure>'
+    return re.sub(r'(?:(?P<pair><figure class="compare">.*?</figure>)|<p>(?P<one><img [^>]*>)</p>)'
+                  r"(?:\s*<p><em>(?P<below>(?:(?!</p>).)*)</em></p>)?", figure, text, flags=re.S)
 
 
 def own_names(text: str, number: str) -> str:
