@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "common/base/error.h"
+#include "common/gpu/capture.h"
 #include "common/gpu/device_features.h"
 
 namespace lightwalk {
@@ -100,6 +101,11 @@ VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, const std::str
         known += fmt::format("{}{} ({}{})", known.empty() ? "" : ", ", info.name, info.type,
                              info.lacks.empty() ? "" : ", lacks " + info.lacks);
     }
+    if (has_renderdoc() && known.find("lacks Vulkan 1.3") != std::string::npos)
+        throw InputError(
+            "--capture: RenderDoc hides Vulkan 1.3 of drivers that cannot replay the addresses of buffers, as "
+            "lavapipe: {}",
+            known);
     if (wanted.empty()) throw InputError("no device has what the course needs: {}", known);
     throw InputError("--device {}: no usable device of that name; there are: {}", wanted, known);
 }
