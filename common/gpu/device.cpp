@@ -117,17 +117,34 @@ void load(VkInstance instance, F& function, const char* name) {
 
 }  // namespace
 
-std::vector<DeviceInfo> list_devices() {
+namespace {
+
+// What `ask` says of each device, in the order in which they are preferred.
+template <class Ask>
+auto of_all_devices(Ask ask) {
     const VkInstance instance = make_instance({}, false);
-    std::vector<DeviceInfo> result;
+    std::vector<decltype(ask(VkPhysicalDevice()))> result;
     try {
-        for (const VkPhysicalDevice physical : physical_devices(instance)) result.push_back(describe_device(physical));
+        for (const VkPhysicalDevice physical : physical_devices(instance)) result.push_back(ask(physical));
     } catch (...) {
         vkDestroyInstance(instance, nullptr);
         throw;
     }
     vkDestroyInstance(instance, nullptr);
     return result;
+}
+
+}  // namespace
+
+std::vector<DeviceInfo> list_devices() { return of_all_devices(describe_device); }
+
+std::vector<std::vector<std::pair<std::string, bool>>> list_optional_features() {
+    return of_all_devices([](VkPhysicalDevice physical) {
+        VkPhysicalDeviceProperties properties;
+        vkGetPhysicalDeviceProperties(physical, &properties);
+        return properties.apiVersion < VK_API_VERSION_1_3 ? std::vector<std::pair<std::string, bool>>()
+                                                          : optional_features(physical);
+    });
 }
 
 Device::Device(const DeviceOptions& options) : Device() {

@@ -9,7 +9,8 @@ namespace lightwalk {
 namespace {
 
 // Those that some chapter uses, and says where they are missing.
-#define FEATURE(name) {#name, &VkPhysicalDeviceFeatures::name}
+#define FEATURE(name) \
+    { #name, &VkPhysicalDeviceFeatures::name }
 constexpr std::pair<const char*, VkBool32 VkPhysicalDeviceFeatures::*> optional_core[] = {
     FEATURE(geometryShader),
     FEATURE(samplerAnisotropy),
