@@ -98,7 +98,7 @@ class Captured(BadInput):
             return
         xml = self.folder / "frame.xml"
         subprocess.run(["renderdoccmd", "convert", "-f", out, "-o", xml, "-c", "xml"], check=True, stdout=subprocess.DEVNULL)
-        for name in ("shade", "encode_srgb"):
+        for name in ("clay", "encode_srgb"):
             self.assertIn(f">{name}<", xml.read_text(errors="replace"))
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from graded_class import REAL  # noqa: F401  (the way to the modules)
 from grading import feedback, marks
-from grading.gradebook import Book, file_name, write_books
+from grading.gradebook import Book, file_name, no_formula, write_books
 from grading.judge import picture_path
 from grading.roster import Roster, known_as
 from grading.rules import Rules
@@ -71,7 +71,7 @@ class Marks(Files):
 
     def test_weights(self):
         rules = self.rules(points=100, chapters={"02": {"weight": 2}}, exercises={"02.phong": {"weight": 4.5}})
-        self.assertEqual(rules.points, {"01.transform": round(100 / 12, 4), "02.lambert": round(200 / 12, 4), "02.phong": 75})
+        self.assertEqual(rules.points, {"01.transform": 100 / 12, "02.lambert": 200 / 12, "02.phong": 75})
         self.assertEqual(Rules(None, WANTED).points, dict.fromkeys(WANTED, 1))
 
     def test_late_and_missing_are_words(self):
@@ -161,6 +161,18 @@ class Platforms(Files):
         self.assertEqual(ben[4:7], ["1", "0", "1"])
         self.assertIn("02.lambert: wrong, 0 of 1. lambert(normal = (0, 1, 0)", ben[7])
         self.assertIn("02.phong: missing", ben[7])
+
+    def test_a_list_of_another_platform(self):
+        """Canvas's file has a name in each row, whatever list was read."""
+        roster = "Identifier,Full name,Grade,Feedback comments\nParticipant 1001,Ann Example,,\n"
+        rows = rows_of(self.written("canvas", self.book(roster, points=100)))
+        self.assertEqual([row[:2] + row[-2:] for row in rows[1:3]], [["    Points Possible", "", "33.33", "66.67"],
+                                                                     ["Ann Example", "Participant 1001", "33.33", "66.67"]])
+
+    def test_feedback_is_no_formula(self):
+        for text, meant in (("f(a = (0, -1, 0)) gave -1", "f(a = (0, -1, 0)) gave -1"), ("=1", "'=1"), ("a\n+x", "a\n'+x"),
+                            ("a;-x", "a;'-x"), ("a\n-1.5", "a\n-1.5"), ("x | @y", "x | '@y"), ("a = b", "a = b")):
+            self.assertEqual(no_formula(text), meant)
 
     def test_without_a_list(self):
         self.assertEqual(rows_of(self.written("moodle", self.book()))[1][:2], ["1001", "Ann Example"])

@@ -65,10 +65,10 @@ class Book:
         marks = list(marks)
         if all(mark["word"] == "missing" for mark in marks):
             return None
-        return round(sum(mark["points"] or 0 for mark in marks), 4)
+        return round(sum(mark["points"] or 0 for mark in marks), 6)
 
     def most(self, chapter: str) -> float:
-        return round(sum(self.rules.points[e] for e, of in self.rules.wanted.items() if of == chapter), 4)
+        return sum(self.rules.points[e] for e, of in self.rules.wanted.items() if of == chapter)
 
     def title(self, chapter: str) -> str:
         """Of a chapter's column: the platform's own where the class list has one that begins so, with its number."""
@@ -77,7 +77,7 @@ class Book:
 
 
 def number(value: float | None, nothing: str) -> str:
-    return nothing if value is None else f"{value:.4f}".rstrip("0").rstrip(".")
+    return nothing if value is None else f"{value:.2f}".rstrip("0").rstrip(".")
 
 
 def words_of(row: dict) -> str:
@@ -122,7 +122,7 @@ def moodle(book: Book) -> str:
         for row in book.rows:
             most = re.sub(r"[^\d.]", "", row["identity"].get("Maximum grade", row["identity"].get("Maximum Grade", ""))) or row["of"]
             points = None if row["points"] is None else round(row["points"] * float(most) / row["of"], 2)
-            filled = row["identity"] | {"Grade": number(points, ""), "Feedback comments": cell(words_of(row)).replace("\n", "<br>")}
+            filled = row["identity"] | {"Grade": number(points, ""), "Feedback comments": no_formula(words_of(row)).replace("\n", "<br>")}
             if row["identity"]:  # Moodle knows its own numbers alone
                 rows.append([filled.get(column, "") for column in book.roster.columns])
         return as_csv(rows)
@@ -132,8 +132,13 @@ def moodle(book: Book) -> str:
         identity = row["identity"] or {"ID number": row["id"], "Full name": cell(row["name"])}
         rows.append([*[guarded(column, identity.get(column, "")) for column in columns],
                      *[number(row["chapters"][chapter], "-") for chapter in book.chapters], number(row["points"], "-"),
-                     cell(words_of(row))])
+                     no_formula(words_of(row))])
     return as_csv(rows)
+
+
+def no_formula(text: str) -> str:
+    """Prose that no spreadsheet takes for a formula, wherever it ends a cell; a vector may hold negative numbers."""
+    return re.sub(r"((?:^|[;|\t\n])\s*)(?=[=+@\uff1d\uff0b\uff20]|-(?![\d.]))", r"\1'", text)
 
 
 def guarded(column: str, text: str) -> str:
@@ -145,7 +150,8 @@ def canvas(book: Book) -> str:
     rows = [[*CANVAS_COLUMNS, *[book.title(chapter) for chapter in book.chapters]],
             ["    Points Possible", *[""] * (len(CANVAS_COLUMNS) - 1), *[number(book.most(chapter), "") for chapter in book.chapters]]]
     for row in book.rows:
-        identity = row["identity"] or {"Student": row["name"], "ID": row["id"]}
+        known = {column: text for column, text in row["identity"].items() if column in CANVAS_COLUMNS}
+        identity = known or {"Student": row["name"], "ID": row["id"]}
         rows.append([*[guarded(column, identity.get(column, "")) for column in CANVAS_COLUMNS],
                      *[number(row["chapters"][chapter], "") for chapter in book.chapters]])
     return as_csv(rows)

@@ -23,7 +23,7 @@ from build.build import build
 from check.glsl_answer import Refused, plain
 from grading import sandbox
 from grading.handout import starters
-from grading.judge_picture import EXPECTED, THEIRS, DriverEnded, Pictures
+from grading.judge_picture import EXPECTED, NOT_IN_TIME, THEIRS, DriverEnded, Pictures
 from grading.judge_tree import copy_without_answers, library, objects
 from grading.sandbox import Limits, Mounts
 from grading.submission import printable
@@ -143,7 +143,7 @@ class Judge:
                 return base | json.loads(kept.read_text())
         try:
             found = self.judge(exercise, data)
-            if found.get("killed"):  # by whom is not known: perhaps the machine had no memory left
+            if found.get("killed"):  # by whom is not known: perhaps the machine had no memory left, or no time
                 found = self.judge(exercise, data)
             # With these inputs the reference itself may lie beside a bound.
             if not found["ok"] and found.get("state") != "undecided" and not self.reference_is_right(exercise):
@@ -187,7 +187,7 @@ class Judge:
                 if why:
                     found |= {"ok": False, "failed": found["failed"] + 1, "first_failure": why,
                               "hint": "every number that was tried is right, so look for an input that only the picture has"}
-                    found |= self.keep_pictures(source.parent)
+                    found |= self.keep_pictures(source.parent) | {"killed": NOT_IN_TIME in why}
                 elif why is not None:
                     found["passed"] += 1
             return found
@@ -296,8 +296,8 @@ class Judge:
             for end in ours:  # so that each side sees the other's end
                 os.close(end)
             done = running.finish()
-        if done.late:
-            return {"ok": False, "first_failure": f"its check did not end within {JUDGE_S} s"}
+        if done.late:  # a busy machine is not the student's fault: once more
+            return {"ok": False, "first_failure": f"its check did not end within {JUDGE_S} s", "killed": True}
         for line in done.out.splitlines():
             with contextlib.suppress(ValueError, RecursionError):
                 found = json.loads(line)

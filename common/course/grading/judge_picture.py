@@ -34,6 +34,7 @@ PASS_S = 20  # of one pass of a frame, on a busy machine
 COMPARING = Limits(2 * GIB, 20)
 MOST_PICTURE_BYTES = 16 << 20
 MOST_SHOWN_BYTES = 1 << 20
+NOT_IN_TIME = "it was not drawn within"
 NOT_COMPARED = "it cannot be compared"
 THEIRS, EXPECTED = "wrong.theirs.png", "wrong.expected.png"  # beside the source of what was drawn wrongly
 
@@ -103,7 +104,7 @@ class Pictures:
                                pass_fds=(out.fileno(),)) as running:
                 done = running.finish()
         if done.late:
-            return f"it was not drawn within {DRAWING.wall_s:g} s"
+            return f"{NOT_IN_TIME} {DRAWING.wall_s:g} s"
         if done.code == 128 + signal.SIGSEGV and source.suffix == ".glsl":
             raise DriverEnded(shot)
         if done.code:

@@ -52,8 +52,7 @@ class Rules:
         all_shares = sum(shares.values())
         if not all_shares:
             self.wrong("all weights are 0")
-        # Rounded here, so that what a student adds up is what stands at the end.
-        self.points = {exercise: round(share * most / all_shares, 4) if most else share for exercise, share in shares.items()}
+        self.points = {exercise: share * most / all_shares if most else share for exercise, share in shares.items()}
         self.most = most or all_shares
 
     def read(self, file: Path) -> dict:
@@ -120,5 +119,5 @@ class Rules:
             return "not judged", None
         due, at = self.due_of(one["student"], result["exercise"]), self.handed_in(one["student"], one.get("handed_in_s"))
         if due and at and at > due:
-            return "late", None if self.late is None else round(worth * self.late * result["ok"], 4)
+            return "late", None if self.late is None else worth * self.late * result["ok"]
         return ("right", worth) if result["ok"] else ("wrong", 0.0)
