@@ -54,7 +54,7 @@ struct TerrainWater : ModelChapter {
 
     // For the study: where the ground lies, against rays.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
-        measure_land(*this, land, gpu, size, error);
+        if (ground.exists()) measure_land(*this, land, gpu, size, error);
     }
 
     // [frame]
