@@ -139,9 +139,9 @@ void FileBrowser::draw(float scale) {
     if (!listing_.error.empty()) ImGui::TextColored(error_color, "%s", listing_.error.c_str());
     const int count = static_cast<int>(listing_.files.size());
     if (ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && !ImGui::GetIO().WantTextInput) {
-        const auto pressed = [](ImGuiKey_ key) {
+        const auto pressed = [](ImGuiKey key) {
 #if IMGUI_VERSION_NUM >= 18700
-            return ImGui::IsKeyPressed(static_cast<ImGuiKey>(key));
+            return ImGui::IsKeyPressed(key);
 #else
             return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
 #endif
