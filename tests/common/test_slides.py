@@ -81,7 +81,7 @@ class Slides(unittest.TestCase):
 class Book(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        with mock.patch("pages.book.embedded", lambda path, *_: f"data:{path}"):
+        with mock.patch("pages.book.embedded", lambda path, *_, **__: f"data:{path}"):
             cls.parts = [book.chapter_part(chapter) for chapter in chapters()[:3]]
 
     def test_answers_stand_at_its_end(self):

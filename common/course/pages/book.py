@@ -96,7 +96,7 @@ def told(*command) -> str:
 def chapter_part(chapter: str) -> dict:
     """A chapter as the book has it: title, HTML, sections for the contents, answers for the end."""
     number = chapter[:2]
-    lesson = Lesson(Path("docs") / f"{chapter}.md", lambda path: embedded(path, MOST_SIDE, QUALITY))
+    lesson = Lesson(Path("docs") / f"{chapter}.md", lambda path: embedded(path, MOST_SIDE, QUALITY, flat=False))
     text, answers = without_answers(lesson.html, number)
     text = own_names(with_figures(text, number), number)
     sections, title = [], chapter
