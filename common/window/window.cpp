@@ -1,6 +1,8 @@
 #include "common/window/window.h"
 
 #include <chrono>
+#include <optional>
+#include <utility>
 
 #include "common/base/error.h"
 #include "common/base/exercise.h"
@@ -158,7 +160,10 @@ void Window::draw() {
         const auto own = own_exercises(chapter_);
         std::optional<ToggleScope> mine;
         if (split_.on() && all_reference(own)) mine.emplace(own, false);
+        std::optional<Capture> capture;
+        if (std::exchange(capture_next_, false)) capture.emplace();
         live_.draw(frame_, {size, time_s_, options_.seed, {}});
+        if (capture) write_capture(*capture);
     }
     if (split_.on()) split_.draw(chapter_, look_, {size, time_s_, options_.seed, {}});
     const Requests requests = build_panel();

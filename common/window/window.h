@@ -1,6 +1,7 @@
 // A chapter in a window, while someone works on it.
 #pragma once
 #include "common/app/options.h"
+#include "common/gpu/capture.h"
 #include "common/window/lesson_pages.h"
 #include "common/window/live_chapter.h"
 #include "common/window/panel.h"
@@ -30,6 +31,7 @@ class Window {
     void reload();
     void toggle_all(bool earlier_too);
     void take_screenshot();
+    void write_capture(Capture& capture);
     void save_scene();
     void remember_scene();
     void switch_split();
@@ -70,6 +72,7 @@ class Window {
     uint64_t scene_hash_ = 0;       ///< of the scene file as it was read or saved
     uint64_t saved_hash_ = 0;       ///< of the file that was saved beside it
     double confirm_until_ = 0;      ///< until then Ctrl+S saves without asking
+    bool capture_next_ = false;     ///< for RenderDoc
     const Image* shown_ = nullptr;  ///< the picture drawn last, without the panel
 };
 
