@@ -37,6 +37,11 @@ class Chapter : public Module {
     virtual std::string default_scene() const = 0;
     virtual Model load_model(const std::filesystem::path& file) = 0;
 
+    /// Before a frame at this time is begun: what it needs and was not loaded with the scene is made now. Later times may
+    /// follow where `plays` says so.
+    virtual void make_ready(Gpu& /*gpu*/, glm::uvec2 /*size*/, float /*time_s*/) {}
+    bool plays = false;  ///< its clock runs: in a window, or where a film is written
+
     /// Records one frame; what it leaves in frame.output is the picture.
     virtual void frame(Frame& frame) = 0;
 
