@@ -5,6 +5,8 @@
 #include "05_shadow_maps/lit_scene.h"
 #include "09_post_effects/post.h"
 #include "13_mlaa/mlaa.h"
+#include "19_ambiance/benchmark.h"
+#include "19_ambiance/film_out.h"
 #include "19_ambiance/path_error.h"
 #include "19_ambiance/reel.h"
 #include "common/window/run.h"
@@ -23,12 +25,21 @@ struct Ambiance : ModelChapter {
     LitScene objects{*this, "objects"};  // of a scene that is no film
     Mlaa antialias{*this, "mlaa"};
     Post post{*this, "post"};
+    FilmOut out{*this, "out"};
 
     Ambiance() {
         method.alone = true;
         post.tone.change_default("off");  // the scenes have their own
         objects.in_use = [this] { return !reel.is_open(); };
         objects.lights.method.change_default("every_light");
+        commands = {{"film", "FILE", "Write the film to FILE (.mp4, .mkv, .raw), and exit",
+                     [this](const std::string& file, const Options& options, std::unique_ptr<Gpu>& gpu) {
+                         return out.write(*this, reel, file, options, gpu);
+                     }},
+                    {"benchmark", "FILE", "Write what each scene costs as JSON, and exit",
+                     [this](const std::string& file, const Options& options, std::unique_ptr<Gpu>& gpu) {
+                         return run_benchmark(*this, reel, antialias, file, options, gpu);
+                     }}};
     }
     std::string default_scene() const override { return "films/ambiance.film"; }
 
@@ -46,13 +57,13 @@ struct Ambiance : ModelChapter {
         if (method.is("arc_length")) kind->pieces = 64;
         if (method.is("exact")) kind->pieces = 1024;
         reel.choose(kind);
-        reel.make_ready(gpu, size, static_cast<double>(time_s), plays);
+        reel.make_ready(gpu, size, static_cast<double>(time_s), out.latest_s(samples), plays);
     }
     // [/ready]
 
     // [frame]
     void frame(Frame& frame) override {
-        const double time_s = static_cast<double>(frame.time_s);
+        const double time_s = static_cast<double>(frame.time_s) + out.later_s(frame.samples.index, frame.samples.count);
 
         // 1. What is on at this time: one scene, or two; or the one scene that was given.
         if (reel.is_open()) {

@@ -24,10 +24,10 @@ void Reel::choose(const std::optional<PathKind>& kind) {
 }
 
 // [make_ready]
-void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, bool plays) {
+void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, bool plays) {
     std::vector<OnScreen> times;
     for (const FilmScene& scene : film_.scenes) times.push_back({scene.from_s, scene.to_s});
-    const std::vector<int> wanted = warm(times, time_s, plays ? double(ahead_s) : 0.0, plays ? int(most) : 1);
+    const std::vector<int> wanted = warm(times, time_s, plays ? double(ahead_s) : later_s, plays ? int(most) : 3);
     std::erase_if(parts_, [&](const auto& part) {
         return std::find(wanted.begin(), wanted.end(), int(part.first)) == wanted.end();
     });

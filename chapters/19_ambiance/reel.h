@@ -25,8 +25,9 @@ struct Reel : Module {
     const Timeline& film() const { return film_; }
 
     /// Loads what 19.warm asks for and draws each such scene once, unseen, so that the first picture that shows it finds
-    /// its pipelines and targets made. `plays`: later times will follow; else only what is on the screen is loaded.
-    void make_ready(Gpu& gpu, glm::uvec2 size, double time_s, bool plays);
+    /// its pipelines and targets made. `plays`: later times will follow; else only what is on the screen is loaded, from
+    /// `time_s` to `later_s` after it.
+    void make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, bool plays);
 
     /// How all cameras move, in place of what the film says; `pieces`: CameraPath's. None: as it says.
     void choose(const std::optional<PathKind>& kind);

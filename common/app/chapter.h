@@ -12,12 +12,14 @@
 
 namespace lightwalk {
 
+struct Options;
 struct Subject;
 
 /// An extra of a chapter's command line that runs instead of a frame: --flag ARGUMENT.
 struct Command {
     std::string flag, argument, help;
-    std::function<int(const std::string& argument, bool json)> run;  ///< returns the exit code
+    /// Returns the exit code. Where it needs a device it makes it in `gpu`, which outlives the chapter.
+    std::function<int(const std::string& argument, const Options& options, std::unique_ptr<Gpu>& gpu)> run;
 };
 
 class Chapter : public Module {
