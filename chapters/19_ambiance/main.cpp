@@ -7,6 +7,7 @@
 #include "13_mlaa/mlaa.h"
 #include "19_ambiance/benchmark.h"
 #include "19_ambiance/film_out.h"
+#include "19_ambiance/level_file.h"
 #include "19_ambiance/path_error.h"
 #include "19_ambiance/reel.h"
 #include "common/window/run.h"
@@ -32,7 +33,9 @@ struct Ambiance : ModelChapter {
         post.tone.change_default("off");  // the scenes have their own
         objects.in_use = [this] { return !reel.is_open(); };
         objects.lights.method.change_default("every_light");
-        commands = {{"film", "FILE", "Write the film to FILE (.mp4, .mkv, .raw), and exit",
+        commands = {{"levels", "FILE", "Write the levels of the music FILE beside it, for films, and exit",
+                     [](const std::string& file, const Options&, auto&) { return write_levels(file), 0; }},
+                    {"film", "FILE", "Write the film to FILE (.mp4, .mkv, .raw), and exit",
                      [this](const std::string& file, const Options& options, std::unique_ptr<Gpu>& gpu) {
                          return out.write(*this, reel, file, options, gpu);
                      }},
@@ -57,6 +60,7 @@ struct Ambiance : ModelChapter {
         if (method.is("arc_length")) kind->pieces = 64;
         if (method.is("exact")) kind->pieces = 1024;
         reel.choose(kind);
+        if (plays) reel.load_sound();
         reel.make_ready(gpu, size, static_cast<double>(time_s), out.latest_s(samples), plays);
     }
     // [/ready]

@@ -1,6 +1,8 @@
 #include "19_ambiance/reel.h"
 
+#include "14_environment/sound_file.h"
 #include "19_ambiance/exercises.h"
+#include "19_ambiance/level_file.h"
 #include "common/base/error.h"
 
 namespace lightwalk {
@@ -11,10 +13,19 @@ void Reel::prepare(Gpu&, Scene& loaded) {
     parts_.clear();
     chosen_.reset();
     film_ = is_film_file(loaded.file.file) ? read_timeline(loaded.file.file) : Timeline();
-    if (!film_.music) return;
-    SceneFile scene;
-    scene.music = film_.music;
-    music.load(scene);
+    has_sound_ = false;
+    if (!film_.music) return music.take({});
+    try {
+        music.take({}, read_levels(levels_of(find_asset(film_.music.file))));
+    } catch (const InputError& e) { throw InputError("{}: {}", film_.music.where, e.what()); }
+}
+
+// Decoding takes longer than most pictures, and a picture needs the levels alone.
+void Reel::load_sound() {
+    if (has_sound_ || !film_.music) return;
+    LevelTable measured = music.measured_levels();
+    music.take(read_sound(find_asset(film_.music.file)), std::move(measured));
+    has_sound_ = true;
 }
 
 void Reel::choose(const std::optional<PathKind>& kind) {

@@ -29,6 +29,9 @@ struct Reel : Module {
     /// `time_s` to `later_s` after it.
     void make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, bool plays);
 
+    /// Decodes the film's music, for whoever plays it; its levels are there without.
+    void load_sound();
+
     /// How all cameras move, in place of what the film says; `pieces`: CameraPath's. None: as it says.
     void choose(const std::optional<PathKind>& kind);
 
@@ -49,6 +52,7 @@ struct Reel : Module {
     Timeline film_;
     std::optional<PathKind> chosen_;
     std::map<size_t, std::unique_ptr<FilmPart>> parts_;  ///< by their place in the film
+    bool has_sound_ = false;
     Titles titles_;
     Target before_{*this, {.name = "before", .kept = true}};
     Pipeline copy_ = compute({.shader = "19_ambiance/copy.comp"}),
