@@ -1,11 +1,13 @@
 // Where films go wrong: a bound where the methods hold, the size of the failure where they do not.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "../catch.h"
 #include "19_ambiance/camera_path.h"
 #include "19_ambiance/exercises.h"
 #include "common/check/probe.h"
-#include "tests/catch.h"
 
 using namespace lightwalk;
 
@@ -49,7 +51,7 @@ double turn_deg(glm::dvec3 a, glm::dvec3 b) { return glm::degrees(std::acos(std:
 
 }  // namespace
 
-TEST_CASE("a uniform curve swings up to two chords wide of a short one, a centripetal one a fifth") {
+TEST_CASE("a uniform curve swings up to two chords wide of a short one, a centripetal one a fifth", "[figures]") {
     Random random(1);
     std::vector<double> uniform, centripetal;
     for (int i = 0; i < 3000; ++i) {
@@ -60,14 +62,14 @@ TEST_CASE("a uniform curve swings up to two chords wide of a short one, a centri
         centripetal.push_back(off_the_chord(curve, 16));
     }
     const Spread u = spread(uniform), c = spread(centripetal);
-    WARN("off the chord, uniform: " << u.median << " " << u.p95 << " " << u.most << "; centripetal: " << c.median << " "
-                                    << c.p95 << " " << c.most);
+    fmt::print("off the chord, uniform: {:.2f} {:.2f} {:.2f}; centripetal: {:.2f} {:.2f} {:.2f}\n", u.median, u.p95,
+               u.most, c.median, c.p95, c.most);
     CHECK(u.most > 0.8);
     CHECK(c.most < 0.5);
     CHECK(c.p95 < 0.5 * u.p95);
 }
 
-TEST_CASE("only the centripetal curve never crosses itself between two keys") {
+TEST_CASE("only the centripetal curve never crosses itself between two keys", "[figures]") {
     Random random(2);
     int uniform = 0, centripetal = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -77,12 +79,12 @@ TEST_CASE("only the centripetal curve never crosses itself between two keys") {
         curve.spline = Spline::centripetal;
         centripetal += crosses(curve);
     }
-    WARN("crossings of 2,000: uniform " << uniform << ", centripetal " << centripetal);
+    fmt::print("crossings of 2,000: uniform {}, centripetal {}\n", uniform, centripetal);
     CHECK(uniform > 5);
     CHECK(centripetal == 0);
 }
 
-TEST_CASE("speed varies along a centripetal curve; a table of 64 evens it out to 3%") {
+TEST_CASE("speed varies along a centripetal curve; a table of 64 evens it out to 3%", "[figures]") {
     Random random(3);
     std::vector<double> as_keyed;
     double worst[3] = {};
@@ -106,9 +108,9 @@ TEST_CASE("speed varies along a centripetal curve; a table of 64 evens it out to
         }
     }
     const Spread keyed = spread(as_keyed);
-    WARN("speed ratio by keys: median " << keyed.median << ", most " << keyed.most
-                                        << "; too fast with tables of 16, 64, 256: " << worst[0] << " " << worst[1]
-                                        << " " << worst[2]);
+    fmt::print(
+        "speed ratio by keys: median {:.1f}, most {:.1f}; too fast with tables of 16, 64, 256: {:.4f} {:.4f} {:.4f}\n",
+        keyed.median, keyed.most, worst[0], worst[1], worst[2]);
     CHECK(keyed.median > 2);
     CHECK(worst[0] < 0.5);
     CHECK(worst[1] < 0.5 * worst[0]);
@@ -151,7 +153,7 @@ TEST_CASE("opposite ups cancel when they are mixed; the path's up has length 1")
     }
 }
 
-TEST_CASE("a view that passes the zenith: a fixed up rolls by 180 degrees, the path's does not roll") {
+TEST_CASE("a view that passes the zenith: a fixed up rolls by 180 degrees, the path's does not roll", "[figures]") {
     // The camera tilts from level over the zenith, half a degree beside it, to level behind.
     std::vector<CameraKey> keys;
     for (int i = 0; i <= 18; ++i) {
@@ -183,8 +185,8 @@ TEST_CASE("a view that passes the zenith: a fixed up rolls by 180 degrees, the p
         fixed.push_back(carried.back());
         fixed.back().up = {0, 1, 0};
     }
-    WARN("roll between two frames near the zenith: fixed up " << most_roll(fixed) << " degrees, path "
-                                                              << most_roll(carried));
+    fmt::print("roll between two frames near the zenith: fixed up {:.1f} degrees, path {:.1f}\n", most_roll(fixed),
+               most_roll(carried));
     CHECK(most_roll(fixed) > 10);
     CHECK(most_roll(carried) < 2.5);  // the half turn to the keys' up is spread over 2 s
 }

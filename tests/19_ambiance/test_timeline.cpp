@@ -1,7 +1,7 @@
 // The film's file: what it says, and what is wrong in it.
+#include "../catch.h"
 #include "19_ambiance/timeline.h"
 #include "common/base/error.h"
-#include "tests/catch.h"
 
 using namespace lightwalk;
 
