@@ -24,27 +24,18 @@ class Clock {
 
 }  // namespace
 
-FilmPart::FilmPart(Module& film, const FilmScene& scene, Music& music)
-    : Module(film, scene.name), music_(music), film_scene_(scene) {
-    in_use = [this] { return asked_; };  // the chapter's own scene is not this one
+FilmPart::FilmPart(const FilmScene& scene, Music& music) : music_(music), film_scene_(scene) {
     bloom.method.change_default("none");
 }
 
 Model FilmPart::load_model(const std::filesystem::path& file) { return lightwalk::load_model(file, Loader::parallel); }
-
-std::string FilmPart::state() {
-    asked_ = true;
-    const std::string state = load_state();
-    asked_ = false;
-    return state;
-}
 
 // By its path below the part, or by its name alone.
 KnobBase& FilmPart::knob(const std::string& name, const std::string& where) {
     if (const auto known = knobs_.find(name); known != knobs_.end()) return *known->second;
     const KnobList all = all_knobs();
     for (KnobBase* one : all)
-        if (one->path() == path() + "." + name) return *(knobs_[name] = one);
+        if (one->path() == name) return *(knobs_[name] = one);
     try {
         return *(knobs_[name] = &find_knob(all, name));
     } catch (const InputError& e) { throw InputError("{}: {}", where, e.what()); }
@@ -59,13 +50,11 @@ void FilmPart::load(Gpu& gpu) {
     for (const auto& [name, value] : read.knobs) knob(name, file.string()).set(value);
     apply_knobs(film_scene_.clock_s);
     scene_.load(gpu, std::move(read), [&](const std::filesystem::path& model) { return load_model(model); });
-    asked_ = true;
     prepare_all(gpu, scene_);
-    asked_ = false;
-    loaded_with_ = state();
+    loaded_with_ = load_state();
 }
 
-bool FilmPart::is_loaded() { return state() == loaded_with_; }
+bool FilmPart::is_loaded() const { return load_state() == loaded_with_; }
 
 void FilmPart::apply_knobs(double clock_s) {
     for (const Track& track : film_scene_.knobs) {
@@ -108,7 +97,7 @@ void FilmPart::record(Frame& frame, double time_s, Timeline::Faded faded) {
 }
 // [/record]
 
-std::unique_ptr<FilmPart> make_part(Module& film, const FilmScene& scene, Music& music) {
+std::unique_ptr<FilmPart> make_part(const FilmScene& scene, Music& music) {
     static const std::map<std::string, MakePart*> makers{{"planets", make_planets},
                                                          {"landscape", make_landscape},
                                                          {"water", make_water},
@@ -118,7 +107,7 @@ std::unique_ptr<FilmPart> make_part(Module& film, const FilmScene& scene, Music&
                                                          {"surroundings", make_surroundings},
                                                          {"lights", make_lights},
                                                          {"street", make_street}};
-    return makers.at(scene.kind)(film, scene, music);
+    return makers.at(scene.kind)(scene, music);
 }
 
 }  // namespace lightwalk

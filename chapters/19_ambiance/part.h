@@ -11,11 +11,12 @@ namespace lightwalk {
 
 // [part]
 /// Lives while the film needs it (19.warm): made before its scene is on the screen, dropped after it. A part has no state
-/// of its own: what it draws follows from the time and the size alone.
+/// of its own: what it draws follows from the time and the size alone. It has no owner, as a chapter has none: its knobs are
+/// the film's to set, and come and go with it.
 class FilmPart : public Module {
   public:
     /// `scene` must stay; `music`: the film's.
-    FilmPart(Module& film, const FilmScene& scene, Music& music);
+    FilmPart(const FilmScene& scene, Music& music);
 
     /// Reads its scene file, and makes what its drawings need. Throws InputError.
     void load(Gpu& gpu);
@@ -25,7 +26,7 @@ class FilmPart : public Module {
     void record(Frame& frame, double time_s, Timeline::Faded faded);
 
     const FilmScene& scene() const { return film_scene_; }
-    bool is_loaded();  ///< nothing that load() depends on has changed since
+    bool is_loaded() const;  ///< nothing that load() depends on has changed since
 
   protected:
     /// The scene's light from a camera, into frame.hdr and frame.depth.
@@ -44,18 +45,16 @@ class FilmPart : public Module {
   private:
     void apply_knobs(double clock_s);
     KnobBase& knob(const std::string& name, const std::string& where);
-    std::string state();
     const FilmScene& film_scene_;
     std::string loaded_with_;
     std::map<std::string, KnobBase*> knobs_;
-    bool asked_ = false;
     Pipeline fade_ = compute({.shader = "19_ambiance/fade.comp"});
 };
 
 /// The part for a scene's kind.
-std::unique_ptr<FilmPart> make_part(Module& film, const FilmScene& scene, Music& music);
+std::unique_ptr<FilmPart> make_part(const FilmScene& scene, Music& music);
 
-using MakePart = std::unique_ptr<FilmPart>(Module& film, const FilmScene& scene, Music& music);
+using MakePart = std::unique_ptr<FilmPart>(const FilmScene& scene, Music& music);
 MakePart make_planets, make_landscape, make_water, make_volume, make_julia, make_head, make_surroundings, make_lights,
     make_street;
 

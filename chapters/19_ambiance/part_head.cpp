@@ -6,7 +6,7 @@ namespace lightwalk {
 namespace {
 
 struct HeadPart : FilmPart {
-    HeadPart(Module& film, const FilmScene& scene, Music& music) : FilmPart(film, scene, music) {
+    HeadPart(const FilmScene& scene, Music& music) : FilmPart(scene, music) {
         objects.maps.method.change_default("normal");
         objects.lights.method.change_default("every_light");
     }
@@ -23,8 +23,8 @@ struct HeadPart : FilmPart {
 
 }  // namespace
 
-std::unique_ptr<FilmPart> make_head(Module& film, const FilmScene& scene, Music& music) {
-    return std::make_unique<HeadPart>(film, scene, music);
+std::unique_ptr<FilmPart> make_head(const FilmScene& scene, Music& music) {
+    return std::make_unique<HeadPart>(scene, music);
 }
 
 }  // namespace lightwalk

@@ -19,8 +19,8 @@ struct JuliaPart : FilmPart {
 
 }  // namespace
 
-std::unique_ptr<FilmPart> make_julia(Module& film, const FilmScene& scene, Music& music) {
-    return std::make_unique<JuliaPart>(film, scene, music);
+std::unique_ptr<FilmPart> make_julia(const FilmScene& scene, Music& music) {
+    return std::make_unique<JuliaPart>(scene, music);
 }
 
 }  // namespace lightwalk

@@ -8,9 +8,7 @@ namespace lightwalk {
 namespace {
 
 struct LandscapePart : FilmPart {
-    LandscapePart(Module& film, const FilmScene& scene, Music& music) : FilmPart(film, scene, music) {
-        terrain.own_sky = false;
-    }
+    LandscapePart(const FilmScene& scene, Music& music) : FilmPart(scene, music) { terrain.own_sky = false; }
     Atmosphere atmosphere{*this, "atmosphere"};
     Planet sky{*this, "sky", atmosphere};
     HeightFog fog{*this, "fog"};
@@ -26,8 +24,8 @@ struct LandscapePart : FilmPart {
 
 }  // namespace
 
-std::unique_ptr<FilmPart> make_landscape(Module& film, const FilmScene& scene, Music& music) {
-    return std::make_unique<LandscapePart>(film, scene, music);
+std::unique_ptr<FilmPart> make_landscape(const FilmScene& scene, Music& music) {
+    return std::make_unique<LandscapePart>(scene, music);
 }
 
 }  // namespace lightwalk

@@ -10,7 +10,7 @@ namespace lightwalk {
 namespace {
 
 struct LightsPart : FilmPart {
-    LightsPart(Module& film, const FilmScene& scene, Music& music) : FilmPart(film, scene, music) {
+    LightsPart(const FilmScene& scene, Music& music) : FilmPart(scene, music) {
         objects.all_lights = [this](const Frame& frame) { return all_lights(frame); };
     }
     DeferredScene objects{*this, "objects"};
@@ -53,10 +53,10 @@ struct StreetPart : LightsPart {
             view.id = i + 1;
             Image& color = colors_[i];
             color.fit(frame.gpu.device,
-                      {.name = path() + " strip", .format = frame.hdr.desc.format, .size = view.size});
+                      {.name = scene().name + " strip", .format = frame.hdr.desc.format, .size = view.size});
             Image& depth = depths_[i];
             depth.fit(frame.gpu.device,
-                      {.name = path() + " strip depth", .format = VK_FORMAT_D32_SFLOAT, .size = view.size});
+                      {.name = scene().name + " strip depth", .format = VK_FORMAT_D32_SFLOAT, .size = view.size});
             const ViewScope scope(frame, view);
             Canvas canvas(color, depth, glm::vec4(scene_.file.background, 1.0f));
             draw(frame, view, canvas, {objects});
@@ -77,12 +77,12 @@ struct StreetPart : LightsPart {
 
 }  // namespace
 
-std::unique_ptr<FilmPart> make_lights(Module& film, const FilmScene& scene, Music& music) {
-    return std::make_unique<LightsPart>(film, scene, music);
+std::unique_ptr<FilmPart> make_lights(const FilmScene& scene, Music& music) {
+    return std::make_unique<LightsPart>(scene, music);
 }
 
-std::unique_ptr<FilmPart> make_street(Module& film, const FilmScene& scene, Music& music) {
-    return std::make_unique<StreetPart>(film, scene, music);
+std::unique_ptr<FilmPart> make_street(const FilmScene& scene, Music& music) {
+    return std::make_unique<StreetPart>(scene, music);
 }
 
 }  // namespace lightwalk

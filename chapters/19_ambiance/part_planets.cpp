@@ -31,8 +31,8 @@ struct PlanetsPart : FilmPart {
 
 }  // namespace
 
-std::unique_ptr<FilmPart> make_planets(Module& film, const FilmScene& scene, Music& music) {
-    return std::make_unique<PlanetsPart>(film, scene, music);
+std::unique_ptr<FilmPart> make_planets(const FilmScene& scene, Music& music) {
+    return std::make_unique<PlanetsPart>(scene, music);
 }
 
 }  // namespace lightwalk

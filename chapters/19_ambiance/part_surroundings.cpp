@@ -8,7 +8,7 @@ namespace lightwalk {
 namespace {
 
 struct SurroundingsPart : FilmPart {
-    SurroundingsPart(Module& film, const FilmScene& scene, Music& music) : FilmPart(film, scene, music) {
+    SurroundingsPart(const FilmScene& scene, Music& music) : FilmPart(scene, music) {
         objects.lights.method.change_default("every_light");
         objects.maps.method.change_default("normal");
     }
@@ -27,8 +27,8 @@ struct SurroundingsPart : FilmPart {
 
 }  // namespace
 
-std::unique_ptr<FilmPart> make_surroundings(Module& film, const FilmScene& scene, Music& music) {
-    return std::make_unique<SurroundingsPart>(film, scene, music);
+std::unique_ptr<FilmPart> make_surroundings(const FilmScene& scene, Music& music) {
+    return std::make_unique<SurroundingsPart>(scene, music);
 }
 
 }  // namespace lightwalk

@@ -10,7 +10,7 @@ namespace lightwalk {
 namespace {
 
 struct VolumePart : FilmPart {
-    VolumePart(Module& film, const FilmScene& scene, Music& music) : FilmPart(film, scene, music) {
+    VolumePart(const FilmScene& scene, Music& music) : FilmPart(scene, music) {
         bloom.method.change_default("pyramid");
         objects.maps.method.change_default("flat");
         objects.lights.method.change_default("every_light");
@@ -41,8 +41,8 @@ struct VolumePart : FilmPart {
 
 }  // namespace
 
-std::unique_ptr<FilmPart> make_volume(Module& film, const FilmScene& scene, Music& music) {
-    return std::make_unique<VolumePart>(film, scene, music);
+std::unique_ptr<FilmPart> make_volume(const FilmScene& scene, Music& music) {
+    return std::make_unique<VolumePart>(scene, music);
 }
 
 }  // namespace lightwalk

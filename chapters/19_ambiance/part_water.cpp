@@ -14,7 +14,7 @@ namespace lightwalk {
 namespace {
 
 struct WaterPart : FilmPart {
-    WaterPart(Module& film, const FilmScene& scene, Music& music) : FilmPart(film, scene, music) {
+    WaterPart(const FilmScene& scene, Music& music) : FilmPart(scene, music) {
         sky.map.change_default("plain");
         fog.method.change_default("none");
         objects.lights.method.change_default("every_light");
@@ -57,8 +57,8 @@ struct WaterPart : FilmPart {
 
 }  // namespace
 
-std::unique_ptr<FilmPart> make_water(Module& film, const FilmScene& scene, Music& music) {
-    return std::make_unique<WaterPart>(film, scene, music);
+std::unique_ptr<FilmPart> make_water(const FilmScene& scene, Music& music) {
+    return std::make_unique<WaterPart>(scene, music);
 }
 
 }  // namespace lightwalk

@@ -49,7 +49,7 @@ void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, 
             parts_.erase(there);
         }
         const FilmScene& scene = film_.scenes.at(place);
-        std::unique_ptr<FilmPart> part = make_part(*this, scene, music);
+        std::unique_ptr<FilmPart> part = make_part(scene, music);
         part->load(gpu);
         if (scene.from_s > time_s) {  // it is not seen yet
             Frame unseen(gpu);
@@ -60,6 +60,7 @@ void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, 
         }
         parts_[place] = std::move(part);
     }
+    for (const auto& [place, part] : parts_) part->begin_frame(gpu, size);
 }
 // [/make_ready]
 
