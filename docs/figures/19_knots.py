@@ -7,7 +7,7 @@ from math import dist
 
 from drawing import BLUE, GREY, INK, ORANGE, SMALL, THIN, Drawing
 
-KEYS = [(-3.0, 0.0), (0.0, 0.9), (0.7, 0.5), (3.2, -1.1)]
+KEYS = [(1.9, -1.5), (-0.35, 0.5), (0.35, 0.5), (-1.9, -1.5)]
 
 
 def curve(power: float) -> list:
@@ -27,16 +27,16 @@ def curve(power: float) -> list:
 
 
 def draw() -> Drawing:
-    drawing = Drawing(860, 330, "Two Catmull-Rom curves between two near keys: the uniform one swings out and loops, the "
+    drawing = Drawing(860, 380, "Two Catmull-Rom curves between two near keys: the uniform one swings out beyond both, the "
                                 "centripetal one stays near the line")
     for left, power, color, name in ((215, 0.0, ORANGE, "uniform: knots 0, 1, 2, 3"), (645, 0.5, BLUE, "centripetal: knots √distance apart")):
-        p = drawing.panel((left, 160), 58)
+        p = drawing.panel((left, 215), 80)
         p.line(KEYS, GREY, THIN, dash=True)
         p.line(curve(power), color)
         for i, key in enumerate(KEYS):
             p.circle(key, 0.06, INK, THIN, fill=INK)
-            p.text(key, f"p{i}", INK, SMALL, offset=(0, 16) if i != 2 else (14, 12))
-        p.text((0, -2.1), name, color, SMALL)
+            p.text(key, f"p{i}", INK, SMALL, offset=(-28 if i == 1 else 28, -12) if i in (1, 2) else (0, -22))
+        p.text((0, -2.3), name, color, SMALL)
     return drawing
 
 
