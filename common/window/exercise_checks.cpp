@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* state_names[] = {"running", "passed", "open", "failed"};
+constexpr const char* state_names[] = {"running", "passed", "open", "invalid", "failed"};
 
 std::string text_of(const Json& object, const char* key) {
     const auto found = object.find(key);
@@ -35,10 +35,12 @@ CheckVerdict read_check(const std::string& exercise, const std::string& said, in
             check.words += line + "\n";
             continue;
         }
-        check.state = code == 0 ? CheckVerdict::State::passed : CheckVerdict::State::open;
         check.passed = number_of(verdict, "passed");
         check.cases = check.passed + number_of(verdict, "failed");
         check.words = text_of(verdict, "first_failure");
+        check.state = code == 0                                        ? CheckVerdict::State::passed
+                      : check.words.starts_with("it does not compile") ? CheckVerdict::State::invalid
+                                                                       : CheckVerdict::State::open;
         check.hint = code == 0 ? "" : text_of(verdict, "hint");
         if (const std::string note = text_of(verdict, "note"); !note.empty())
             check.words += (check.words.empty() ? "" : "\n") + note;

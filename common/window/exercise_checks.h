@@ -13,8 +13,9 @@ struct CheckVerdict {
     enum class State {
         running,
         passed,
-        open,   ///< something is wrong still
-        failed  ///< there is no verdict: it could not be built or started
+        open,     ///< something is wrong still
+        invalid,  ///< it does not compile
+        failed    ///< there is no verdict: it could not be built or started
     };
     State state = State::running;
     int passed = 0, cases = 0;

@@ -52,7 +52,9 @@ Verdict verdict(const CheckVerdict& check) {
         case CheckVerdict::State::passed:
             return {"right", right_color};
         case CheckVerdict::State::open:
-            return {"open", error_color};
+            return {"wrong", error_color};
+        case CheckVerdict::State::invalid:
+            return {"does not compile", error_color};
         default:
             return {"not checked", error_color};
     }
@@ -92,8 +94,9 @@ bool exercise_row(const std::string& id, const CheckVerdict* check, Requests& re
     const float right = ImGui::GetWindowContentRegionMax().x;
     if (check) {
         const Verdict said = verdict(*check);
-        const std::string text =
-            check->cases ? fmt::format("{}: {} of {}", said.name, check->passed, check->cases) : said.name;
+        const std::string text = check->cases && check->state != CheckVerdict::State::invalid
+                                     ? fmt::format("{}: {} of {}", said.name, check->passed, check->cases)
+                                     : said.name;
         ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
         ImGui::TextColored(said.color, "%s", text.c_str());
     }

@@ -40,6 +40,7 @@ void Window::handle_keys(const Input& input, Requests& requests) {
         if (key == GLFW_KEY_F2) (mods & GLFW_MOD_SHIFT ? requests.earlier_toggles : requests.all_toggles) = true;
         if (key == GLFW_KEY_F3) requests.split = true;
         if (key == GLFW_KEY_F5) requests.reload = true;
+        if (key == GLFW_KEY_F11) requests.capture = true;
         if (key == GLFW_KEY_F12) requests.screenshot = true;
         if (key == GLFW_KEY_S && (mods & GLFW_MOD_CONTROL)) requests.save = true;
         if (typing) continue;
@@ -55,6 +56,10 @@ void Window::obey(const Requests& requests) {
     if (requests.all_toggles || requests.earlier_toggles) toggle_all(requests.earlier_toggles);
     if (requests.reload) reload();
     if (requests.screenshot) take_screenshot();
+    if (requests.capture) {
+        capture_next_ = has_renderdoc();
+        if (!capture_next_) tell("RenderDoc is not loaded: start with ENABLE_VULKAN_RENDERDOC_CAPTURE=1 ./course run");
+    }
     if (requests.save) save_scene();
     if (requests.split) switch_split();
     if (requests.clock) clock_runs_ = !clock_runs_;
@@ -67,9 +72,9 @@ void Window::obey(const Requests& requests) {
     if (!requests.lesson.empty()) tell(lessons_.open(requests.lesson));
     if (!requests.check.empty()) checks_.start(requests.check);
     const bool any = !requests.lesson.empty() || !requests.check.empty() || requests.all_toggles ||
-                     requests.earlier_toggles || requests.reload || requests.screenshot || requests.save ||
-                     requests.split || requests.clock || requests.panel || requests.home || requests.frame_scene ||
-                     requests.changed;
+                     requests.earlier_toggles || requests.reload || requests.screenshot || requests.capture ||
+                     requests.save || requests.split || requests.clock || requests.panel || requests.home ||
+                     requests.frame_scene || requests.changed;
     if (any) active_until_ = std::max(active_until_, now() + 0.3);
 }
 
@@ -153,6 +158,15 @@ void Window::switch_split() {
         } catch (const std::exception& e) { tell(e.what()); }
     }
     log_event(split_.on() ? "split on" : "split off");
+}
+
+void Window::write_capture(Capture& capture) {
+    try {
+        const fs::path path = unused("lightwalk_" + chapter_.name.substr(0, 2) + "_" + time_stamp(), ".rdc");
+        capture.write(fs::absolute(path).string());
+        tell("capture: " + fs::absolute(path).string());
+        log_event("capture " + fs::absolute(path).string());
+    } catch (const std::exception& e) { tell(e.what()); }
 }
 
 void Window::take_screenshot() {

@@ -79,12 +79,18 @@ def usable(equal: Equal, knobs: dict) -> tuple | None:
     return equal.sets if all(one.split("=")[0] in knobs for one in needed) else None
 
 
+def is_default(setting: str, knobs: dict) -> bool:
+    name, value = setting.split("=")
+    return name in knobs and knobs[name]["default"] in (value, {"on": True, "off": False}.get(value))
+
+
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "the chapters are not built, or there is no reference")
 class EqualMethods(unittest.TestCase):
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name)
+        self.pictures = {}
         self.scene = self.folder / "everything.json"
         self.scene.write_text(json.dumps(EVERYTHING))
 
@@ -93,10 +99,20 @@ class EqualMethods(unittest.TestCase):
         self.assertEqual(wrong, "", f"{drawer.chapter} {' '.join(map(str, options))}")
         return picture
 
-    def compare(self, drawer: Drawer, equal: Equal, scene: str):
-        options = [*SCENES[scene], *cheap(drawer.chapter), *(["--scene", str(self.scene)] if scene == "everything" else []),
-                   "--frames", str(equal.frames), *sets(*equal.sets)]
-        first, *others = [(value, self.picture(drawer, *options, *sets(f"{equal.knob}={value}"))) for value in equal.values]
+    def drawn(self, drawer: Drawer, equal: Equal, scene: str, value: str, knobs: dict) -> Path:
+        """The picture of a value. One scene says nothing of knobs: a value that is the default draws what is drawn already."""
+        options = [*SCENES[scene], *cheap(drawer.chapter), "--frames", str(equal.frames)]
+        settings = [*equal.sets, f"{equal.knob}={value}"]
+        if scene == "everything":
+            options += ["--scene", str(self.scene)]
+            settings = [one for one in settings if not is_default(one, knobs)]
+        key = (drawer.chapter, *options, *sorted(settings))
+        if key not in self.pictures:
+            self.pictures[key] = self.picture(drawer, *options, *sets(*settings))
+        return self.pictures[key]
+
+    def compare(self, drawer: Drawer, equal: Equal, scene: str, knobs: dict):
+        first, *others = [(value, self.drawn(drawer, equal, scene, value, knobs)) for value in equal.values]
         for value, picture in others:
             with self.subTest(chapter=drawer.chapter, scene=scene, knob=equal.knob, values=(first[0], value), sets=equal.sets):
                 if equal.share:
@@ -115,7 +131,7 @@ class EqualMethods(unittest.TestCase):
                     for scene in equal.scenes:
                         if scene == "default" or not chapter.startswith(OWN_SCENE_ALONE):
                             compared.add(equal)
-                            self.compare(drawer, equal, scene)
+                            self.compare(drawer, equal, scene, knobs)
         self.assertEqual([equal for equal in EQUAL if equal not in compared], [])  # a knob that no chapter has any more
 
     def test_the_scene_shows_what_methods_could_get_wrong(self):

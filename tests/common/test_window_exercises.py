@@ -79,6 +79,8 @@ class Exercises(WindowTest):
         self.assertNotIn("words.01.triangulate", self.session.places)
         self.verdict(1, "01.triangulate", ok=False, passed=11, failed=1)
         self.check("open", "01.triangulate")
+        self.verdict(1, "01.triangulate", ok=False, passed=0, failed=1, first_failure="it does not compile: line 3: error")
+        self.check("invalid", "01.triangulate")
         self.verdict(1, ok=False, passed=3, failed=9, first_failure="a long sentence " * 60, hint="think of it")
         self.check("open")
         self.assert_color((87, 212, 156), False)
