@@ -1,12 +1,12 @@
 """Writes the course's film, whole or in shards that know nothing of each other, and joins them; prints benchmarks as a table."""
 
 import json
-import re
 import shutil
 import subprocess
 from pathlib import Path
 
 from build.build import build
+from many.shards import Shard, parse
 from tree import ROOT, Failure, UsageError, chapter_program, find_chapter, say
 
 HELP = """Writes the film of chapter 19.
@@ -42,21 +42,20 @@ def run(arguments, rest) -> int:
     build([find_chapter("19")])
     if not arguments.shard:
         return write(out, rest)
-    number, count = shard(arguments.shard)
-    part = parts / f"{number:04}_of_{count:04}{out.suffix}"
+    mine = shard(arguments.shard)
+    part = parts / f"{mine.number:04}_of_{mine.of:04}{out.suffix}"
     if part.exists():
         return 0
     parts.mkdir(parents=True, exist_ok=True)
-    first, end = cut(frame_count(rest), number, count)
+    first, end = cut(frame_count(rest), mine.number, mine.of)
     return write(part, [*rest, "--frames_from", str(first), "--frames_to", str(end)])
 
 
-def shard(text: str) -> tuple[int, int]:
-    match = re.fullmatch(r"(\d+)/(\d+)", text)
-    number, count = (int(match[1]), int(match[2])) if match else (0, 0)
-    if not 1 <= number <= count <= 9999:
-        raise UsageError(f"--shard {text}: expected a number and how many there are, such as 3/16")
-    return number, count
+def shard(text: str) -> Shard:
+    try:
+        return parse(text)
+    except ValueError as error:
+        raise UsageError(f"--shard: {error}") from None
 
 
 def cut(frames: int, number: int, count: int) -> tuple[int, int]:

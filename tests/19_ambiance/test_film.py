@@ -74,7 +74,7 @@ class Film(unittest.TestCase):
             self.assertEqual([first for first, _ in cuts[1:]], [end for _, end in cuts[:-1]])
             self.assertEqual((cuts[0][0], cuts[-1][1]), (0, frames))
             self.assertLessEqual(max(end - first for first, end in cuts) - min(end - first for first, end in cuts), 1)
-        self.assertEqual(film.shard("3/16"), (3, 16))
+        self.assertEqual((film.shard("3/16").number, film.shard("3/16").of), (3, 16))
         for wrong in ("0/4", "5/4", "3", "a/b"):
             with self.assertRaises(film.UsageError):
                 film.shard(wrong)
