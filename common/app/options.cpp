@@ -166,8 +166,9 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     if (o.explain && !o.automatic) throw InputError("--explain goes with --method auto");
     for (const Command& command : chapter.commands)
         if (!app.get_option("--" + command.flag)->empty())
-            o.command = [command, argument = by_command[command.flag], json = o.json] {
-                return command.run(argument, json);
+            o.command = [command, argument = by_command[command.flag]](const Options& options,
+                                                                       std::unique_ptr<Gpu>& gpu) {
+                return command.run(argument, options, gpu);
             };
     return o;
 }

@@ -20,7 +20,7 @@ struct Options {
     bool automatic = false;         ///< --method auto: the need rule chooses
     std::optional<double> budget;
     unsigned seed = 0;
-    std::function<int()> command;  ///< a chapter's own, where one was asked for
+    std::function<int(const Options&, std::unique_ptr<Gpu>&)> command;  ///< a chapter's own, where one was asked for
     bool headless() const { return !screenshot.empty() || !timings.empty() || !study.empty() || !capture.empty(); }
 };
 

@@ -26,6 +26,7 @@ COMMANDS = {
     "study": "charts.study",
     "stretch": "check.stretch",
     "shader": "pages.shader",
+    "film": "film",
     "quote": "pages.quotes",
     "format": "build.format_tree",
     "fuzz": "build.fuzz",

@@ -103,6 +103,12 @@ class Minimal(unittest.TestCase):
             self.assertLess(float(row[3]), 0.001)
         self.assertGreater(float(rows["red"][1]), 10 * float(rows["blue"][1]))
 
+    def test_19_a_path_passes_its_keys_evenly_and_upright(self):
+        found = said("19_ambiance")
+        self.assertLess(found["key"], 1e-9)
+        self.assertLess(found["speed"], 1.02)
+        self.assertAlmostEqual(found["up"], 1, 6)
+
     def test_13_smoothed_edges_are_closer_to_the_truth(self):
         found = said("13_mlaa")
         self.assertGreater(found["stairs"], 0.2)
