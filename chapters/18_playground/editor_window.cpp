@@ -37,7 +37,7 @@ bool EditorWindow::on_mouse(const Input& input, glm::vec2 cursor_px, bool over_p
     const auto place = gizmo_place(editor.document, editor.selection, view_now, editor.tool, editor.local);
     if (!editor.drag) {
         const Handle before = editor.hot;
-        if (!input.left)
+        if (!input.left || pressed)
             editor.hot = over_picture && place && marks.on ? handle_at(*place, view_now, cursor_px) : Handle{};
         changed_ |= editor.hot != before;
         if (pressed && over_picture && editor.hot && place) editor.begin_drag(*place, editor.hot, view_now, cursor_px);
