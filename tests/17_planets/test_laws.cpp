@@ -83,7 +83,15 @@ TEST_CASE_METHOD(DeviceTest,
         for (const double mu : {1e-4, 0.01, 0.3, 0.9})
             for (const double apart : {0.0, 1e-6, 1e-5, 1e-4, 0.1})
                 ours.inputs.push_back({depth, double(float(mu)), double(float(mu * (1 + apart)))});
+    for (const double depth : {0.1, 1.0, 3.0}) ours.inputs.push_back({depth, 0.8, 0.3});  // the steeper one first
     CHECK(worst_of(ours, run_probe(gpu, ours, 1)) == "");
+    Probe lit{
+        .include = "17_planets/single_scattering.glsl",
+        .signature = "float scattered_back(float depth, float mu0, float mu)",
+        .inputs = {{0, 0.3, 0.4}, {1e-4, 0.3, 0.4}, {0.1, 0.9, 0.2}, {1, 0.2, 0.9}, {3, 0.5, 0.5}, {50, 0.1, 0.01}},
+        .truth = [](auto in) { return Row{scattering::back(in[0], in[1], in[2])}; },
+        .bound = {.absolute = 1e-7, .relative = 1e-5}};
+    CHECK(worst_of(lit, run_probe(gpu, lit, 1)) == "");
     Probe more{.include = "17_planets/single_scattering.glsl",
                .signature = "float scattered_more(float depth, float albedo, bool lit)",
                .inputs = {{0, 0.5, 1}, {0.1, 0.3, 0}, {0.5, 0.66, 1}, {2.2, 0.88, 0}, {2.2, 0.88, 1}, {9, 0.9, 0}},

@@ -62,6 +62,8 @@ def starters_of(wanted: dict[str, str]) -> dict[str, bytes]:
 class Judge:
     """What is the same for all students. Raises Failure where nothing can be contained here."""
 
+    fresh = frozenset()  # exercises that are judged whatever was said of them before
+
     def __init__(self, wanted: dict[str, str], call_s: int = CALL_S, pictures: bool = True):
         self.wanted, self.call_s = wanted, call_s  # chapter by exercise
         self.chapters = sorted(set(wanted.values()))
@@ -79,7 +81,6 @@ class Judge:
         self.pictures = Pictures(wanted, self.versions) if pictures else None
         self.kept = contextlib.ExitStack()
         self.running, self.stopped = set(), False
-        self.fresh = set()  # exercises that are judged whatever was said of them before
 
     def __enter__(self):
         # What is copied and drawn here is read by whom root becomes in the sandbox.

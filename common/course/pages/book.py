@@ -19,7 +19,7 @@ HELP = """Makes one PDF of all lessons: build/book/lightwalk.pdf, with contents,
   ./course book 02 05           some of them
   ./course book --out FILE"""
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
-PRINTING_S = 600
+PRINTING_S = 1800
 MOST_SIDE, QUALITY = 1100, 80  # of pictures, in pixels and as JPEG: 9 cm at 300 dpi, and less than 40 MB in all
 
 
@@ -96,7 +96,7 @@ def told(*command) -> str:
 def chapter_part(chapter: str) -> dict:
     """A chapter as the book has it: title, HTML, sections for the contents, answers for the end."""
     number = chapter[:2]
-    lesson = Lesson(Path("docs") / f"{chapter}.md", lambda path: embedded(path, MOST_SIDE, QUALITY))
+    lesson = Lesson(Path("docs") / f"{chapter}.md", lambda path: embedded(path, MOST_SIDE, QUALITY, flat=False))
     text, answers = without_answers(lesson.html, number)
     text = own_names(with_figures(text, number), number)
     sections, title = [], chapter

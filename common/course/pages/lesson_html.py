@@ -102,18 +102,19 @@ def words(element: str) -> str:
     return html.unescape(re.sub(r"<[^>]+>", "", element)).strip()
 
 
-def embedded(path: Path, most_side: int = 1600, quality: int = 86) -> str:
-    """A picture of the tree as a data URI: a vector as it is, unless it is large; pixels as JPEG, or PNG where that is smaller."""
+def embedded(path: Path, most_side: int = 1600, quality: int = 86, flat: bool = True) -> str:
+    """A picture of the tree as a data URI: a vector as it is, unless it is large; pixels as JPEG, or, with `flat`, PNG where that
+    is smaller. A PDF has a JPEG as it is, and a PNG unpacked."""
     file = ROOT / path
     if file.suffix == ".svg":
         if file.stat().st_size <= MOST_VECTOR_BYTES or not file.with_suffix(".png").exists():
             return uri(file.read_bytes(), TYPES[".svg"])
         file = file.with_suffix(".png")
-    return pixels(file, most_side, quality)
+    return pixels(file, most_side, quality, flat)
 
 
 @functools.lru_cache(None)
-def pixels(file: Path, most_side: int, quality: int) -> str:
+def pixels(file: Path, most_side: int, quality: int, flat: bool) -> str:
     try:
         from PIL import Image
     except ImportError:
@@ -124,9 +125,10 @@ def pixels(file: Path, most_side: int, quality: int) -> str:
             picture.thumbnail((most_side, most_side), Image.Resampling.LANCZOS)
         out = io.BytesIO()
         picture.save(out, "JPEG", quality=quality, subsampling=0, optimize=True)
-        flat = io.BytesIO()
-        picture.save(flat, "PNG", optimize=True)
-    return uri(flat.getvalue(), "image/png") if flat.tell() < out.tell() else uri(out.getvalue(), "image/jpeg")
+        png = io.BytesIO()
+        if flat:
+            picture.save(png, "PNG", optimize=True)
+    return uri(png.getvalue(), "image/png") if flat and png.tell() < out.tell() else uri(out.getvalue(), "image/jpeg")
 
 
 def uri(data: bytes, kind: str) -> str:

@@ -17,7 +17,7 @@ HELP = """Makes slides of a chapter's lesson: build/slides/NN_name.html, one fil
 
 Without a chapter, it makes those of all chapters."""
 MOST_BULLETS = 5
-MOST_LINES = 44  # of code on one slide
+SHORT_LINES = 14  # of code below what is said about it
 LEFT_OUT = ("further reading",)
 SENTENCE = re.compile(r"(?<=[.!?])[\"')*]*(?=\s+[^\s])")
 
@@ -138,6 +138,10 @@ def section(heading: str, over: str, part: list, charts: set[str]) -> list[dict]
     while bullets or beside:
         slides.append({"kind": "text", "bullets": bullets[:each], "picture": beside.pop(0) if beside else None})
         bullets = bullets[each:]
+    short = next((one for one in alone if one["kind"] == "code" and one["lines"] <= SHORT_LINES), None)
+    if short and len(slides) == 1 and len(slides[0]["bullets"]) <= 4 and not slides[0]["picture"]:  # they fit on one
+        slides[0]["code"] = short
+        alone = [one for one in alone if one is not short]
     return [{"title": heading, "over": over, **slide} for slide in slides + alone]
 
 
