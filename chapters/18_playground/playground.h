@@ -17,8 +17,7 @@
 namespace lightwalk {
 
 struct Playground : ModelChapter {
-    Choice air{
-        *this, "air", {"none", "sky"}, "none", "Surroundings of the scene: its environment, or a sky with its sun"};
+    Choice air{*this, "air", {"none", "sky"}, "none", "Surroundings: those of the scene, or a sky with its sun (sky)"};
     Choice show{*this, "show", {"picture", "ids"}, "picture", "View: the picture, or what picking finds in each pixel"};
     Knob<int> select{*this, "select", -1, {-1, 1000000}, "Number of the object that is marked as selected; -1: none"};
     Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "Number of random lights added to those of the scene"};
