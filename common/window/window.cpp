@@ -46,6 +46,7 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
     : options_(options),
       live_(live),
       chapter_(live.chapter),
+      tool_(dynamic_cast<WindowTool*>(&live.chapter)),
       gpu_(gpu),
       display_(display),
       scene_(std::move(scene)),
@@ -72,7 +73,14 @@ glm::uvec2 Window::picture_size() const {
 
 void Window::run() {
     active_until_ = now() + settle_s;
-    while (!display_.wants_to_close() && !close_) {
+    for (;;) {
+        if (display_.wants_to_close() || close_) {
+            if (!tool_ || tool_->may_close()) break;
+            display_.stay_open();
+            close_ = false;
+            active_until_ = now() + settle_s;
+        }
+        if (tool_) ask_tool();
         // Nothing is drawn while nothing changes: a software rasteriser has better things to do.
         const bool idle = is_still();
         const Input input = display_.poll(idle || !swapchain_.ready() ? watch_every_s : 0.0);
@@ -135,6 +143,7 @@ Requests Window::build_panel() {
     Requests requests = panel_.draw(state, display_.scale());
     panel_.draw_messages(errors(), notice_, picture_size());
     if (split_.on() && panel_.draw_divider(split_, picture_size())) requests.changed = true;
+    if (tool_ && tool_->draw_panels(picture_size(), display_.scale())) requests.changed = true;
     overlay_.end();
     return requests;
 }

@@ -6,6 +6,7 @@
 #include "common/window/live_chapter.h"
 #include "common/window/panel.h"
 #include "common/window/sound_player.h"
+#include "common/window/window_tool.h"
 
 namespace lightwalk {
 
@@ -27,6 +28,8 @@ class Window {
     void handle_keys(const Input& input, Requests& requests);
     void move_camera(const Input& input, double seconds);
     void follow_mouse(glm::vec2 place);
+    bool tool_has_mouse(const Input& input);
+    void ask_tool();
     void obey(const Requests& requests);
     void reload();
     void toggle_all(bool earlier_too);
@@ -50,6 +53,7 @@ class Window {
     const Options& options_;
     LiveChapter& live_;
     Chapter& chapter_;
+    WindowTool* const tool_;  ///< the chapter, or null
     Gpu& gpu_;
     Display& display_;
     std::filesystem::path scene_;

@@ -37,6 +37,10 @@ fs::path unused(const std::string& stem, const std::string& extension) {
 void Window::handle_keys(const Input& input, Requests& requests) {
     const bool typing = ImGui::GetIO().WantTextInput;
     for (const auto& [key, mods] : input.pressed) {
+        if (tool_ && !typing && tool_->on_key({key, mods})) {
+            requests.changed = true;
+            continue;
+        }
         if (key == GLFW_KEY_F2) (mods & GLFW_MOD_SHIFT ? requests.earlier_toggles : requests.all_toggles) = true;
         if (key == GLFW_KEY_F3) requests.split = true;
         if (key == GLFW_KEY_F5) requests.reload = true;
@@ -81,6 +85,7 @@ void Window::obey(const Requests& requests) {
 void Window::move_camera(const Input& input, double seconds) {
     Camera& camera = chapter_.camera;
     const ImGuiIO& io = ImGui::GetIO();
+    if (tool_ && tool_has_mouse(input)) return;
     const bool held = input.left || input.right || input.middle;
     // What began over the panel stays with it, what began over the picture with the camera.
     if (!held) dragging_ = false;
@@ -109,6 +114,28 @@ void Window::move_camera(const Input& input, double seconds) {
     const float speed = CameraControl::fly_speed(chapter_.scene.bounds) * (input.shift ? 5.0f : 1.0f);
     CameraControl::fly(camera, direction * (speed * static_cast<float>(seconds)));
     active_until_ = std::max(active_until_, now() + 0.1);
+}
+
+bool Window::tool_has_mouse(const Input& input) {
+    const float pixels_per_unit = static_cast<float>(display_.framebuffer_size().x) / float(display_.size().x);
+    const glm::vec2 cursor = input.cursor * pixels_per_unit, size(picture_size());
+    const bool over = cursor.x >= 0.0f && cursor.y >= 0.0f && cursor.x < size.x && cursor.y < size.y;
+    return !dragging_ && tool_->on_mouse(input, cursor, over && !ImGui::GetIO().WantCaptureMouse);
+}
+
+// What goes on beside the picture, and what it has to say.
+void Window::ask_tool() {
+    if (const auto files = display_.take_dropped(); !files.empty()) {
+        tool_->on_drop(files);
+        active_until_ = now() + notice_s;
+    }
+    if (tool_->is_busy()) active_until_ = std::max(active_until_, now() + 0.1);
+    if (tool_->wants_to_close()) close_ = true;
+    if (const std::string notice = tool_->take_notice(); !notice.empty()) {
+        tell(notice);
+        log_event("notice " + notice);
+        active_until_ = std::max(active_until_, now() + 0.3);
+    }
 }
 
 // Where something in the picture follows the mouse, the chapter has knobs of these names: 0 to 1 from the upper left
@@ -182,6 +209,7 @@ void Window::take_screenshot() {
 // What the window changes is the camera and the knobs. A scene file of one's own keeps everything else; where it is not
 // what was read, or another file is in the way, the key has to be pressed twice.
 void Window::save_scene() {
+    if (tool_ && tool_->on_save()) return;
     SceneFile scene = chapter_.scene.file;
     scene.camera = chapter_.camera;
     for (const KnobBase* knob : chapter_.all_knobs()) scene.knobs[knob->path()] = knob->text();

@@ -54,7 +54,7 @@ int main() {
         slowest = std::min(slowest, step), fastest = std::max(fastest, step);
     }
     const Vec up = carried({0, 1, 0}, {0, 0, -1}, {0, std::sin(2.5), -std::cos(2.5)});  // over the zenith
-    std::printf("{\"key\": %.9f, \"speed\": %.4f, ", distance(place(0.25), keys[1]), fastest / slowest);
-    std::printf("\"up\": %.9f}\n", length(up));
+    std::printf("key %.9f speed %.4f ", distance(place(0.25), keys[1]), fastest / slowest);
+    std::printf("up %.9f\n", length(up));
 }
 // [/minimal]

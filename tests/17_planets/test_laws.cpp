@@ -56,6 +56,10 @@ TEST_CASE_METHOD(DeviceTest, "laws at 0: no NaN, no infinity, 0 where the sun is
     for (const double mu0 : {0.0, 1e-30, 1e-6, 0.5, 1.0})
         for (const double mu : {0.0, 1e-30, 1e-6, 0.5, 1.0}) probe.inputs.push_back({mu0, mu});
     for (const Row& row : run_probe(gpu, probe, 1)) CHECK((std::isfinite(row[0]) && row[0] >= 0 && row[0] <= 2));
+    probe.truth = [](auto in) { return Row{truth::lommel_seeliger(in[0], in[1])}; };
+    probe.bound = {.absolute = 1e-5, .relative = 1e-4};
+    CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
+    probe.truth = nullptr;
     probe.signature = "float hapke_radiance(float mu0, float mu, float cos_phase)", probe.inputs.clear();
     for (const double mu0 : {0.0, 1e-30, 1e-3, 1.0})
         for (const double mu : {0.0, 1e-30, 1e-3, 1.0})
@@ -63,6 +67,28 @@ TEST_CASE_METHOD(DeviceTest, "laws at 0: no NaN, no infinity, 0 where the sun is
     probe.truth = [](auto in) { return Row{truth::hapke(in[0], in[1], in[2])}; };
     probe.bound = {.absolute = 2e-5, .relative = 2e-4};
     CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
+    // Each law by its number, over what it gives with the sun and the camera overhead.
+    Probe by = probe;
+    by.before =
+        probe.before +
+        "#include \"17_planets/surface_laws.glsl\"\nfloat by_law(int law, float cosine, float mu, float cos_phase) { "
+        "return reflected_by(law, SurfaceLaw(law, 0.2, 1.4, 0.7, vec3(1), vec3(1), 1.0, 0.0, 0.0), cosine, mu, "
+        "cos_phase); }\n";
+    by.include = "common/srgb.glsl", by.signature = "float by_law(int law, float cosine, float mu, float cos_phase)";
+    by.inputs.clear();
+    for (int law = 1; law <= 5; ++law)
+        for (const double cosine : {-0.5, -0.1, 0.0, 0.3, 1.0})
+            for (const double mu : {0.03, 0.5, 1.0}) by.inputs.push_back({double(law), cosine, mu, 0.6});
+    by.truth = [](auto in) {
+        const double mu0 = std::max(in[1], 0.0);
+        return Row{in[0] == 1   ? mu0
+                   : in[0] == 2 ? truth::wrapped_terminator(in[1], 0.2, 1.4)
+                   : in[0] == 3 ? truth::lommel_seeliger(mu0, in[2])
+                   : in[0] == 4 ? truth::minnaert(mu0, in[2], 0.7)
+                                : truth::hapke(mu0, in[2], in[3]) / truth::hapke(1, 1, 1)};
+    };
+    by.bound = {.absolute = 2e-5, .relative = 3e-4};
+    CHECK(worst_of(by, run_probe(gpu, by, 1)) == "");
     probe.signature = "float minnaert(float mu0, float mu, float k)", probe.inputs.clear();
     for (const double mu0 : {0.0, 1e-3, 1.0})
         for (const double mu : {0.0, 1e-3, 1.0})
