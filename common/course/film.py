@@ -38,7 +38,7 @@ def run(arguments, rest) -> int:
     out = Path(arguments.out)
     parts = out.with_suffix(".parts")
     if arguments.merge:
-        return merge(out, parts)
+        return merge(out, parts, find_film(option(rest, "scene", "films/ambiance.film")))
     build([find_chapter("19")])
     if not arguments.shard:
         return write(out, rest)
@@ -88,7 +88,7 @@ def write(out: Path, options: list[str]) -> int:
     return subprocess.run([chapter_program(find_chapter("19")), "--film", out, *options]).returncode
 
 
-def merge(out: Path, parts: Path) -> int:
+def merge(out: Path, parts: Path, film: Path) -> int:
     """The parts' pictures as they are, and the film's sound in one piece."""
     found = sorted(parts.glob(f"*_of_*{out.suffix}"))
     counts = {path.stem.partition("_of_")[2] for path in found}
@@ -107,7 +107,6 @@ def merge(out: Path, parts: Path) -> int:
     else:
         listed = parts / "list.txt"
         listed.write_text("".join(f"file '{path.name}'\n" for path in found))
-        film = find_film("films/ambiance.film")
         music = json.loads(film.read_text()).get("music")
         sound = ["-i", film.parents[1] / music, "-map", "0:v", "-map", "1:a", "-c:a", "aac", "-b:a", "160k", "-shortest"] if music else []
         try:

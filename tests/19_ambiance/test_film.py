@@ -86,10 +86,10 @@ class Film(unittest.TestCase):
             (parts / f"000{i}_of_0003.raw").write_bytes(bytes([i]))
         out = self.folder / "a.raw"
         with self.assertRaisesRegex(film.Failure, "2/3 missing; ./course film .*a.raw --shard 2/3"):
-            film.merge(out, parts)
+            film.merge(out, parts, FILM)
         self.assertFalse(out.exists())
         (parts / "0002_of_0003.raw").write_bytes(bytes([2]))
-        film.merge(out, parts)
+        film.merge(out, parts, FILM)
         self.assertEqual(out.read_bytes(), bytes([1, 2, 3]))
 
     def test_benchmarks_of_several_systems_are_one_table(self):
