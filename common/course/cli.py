@@ -32,6 +32,7 @@ COMMANDS = {
     "handout": "grading.handout",
     "grade": "grading.grade",
     "docs": "pages.docs",
+    "serve": "live.serve",
     "doctor": "build.doctor",
     "clean": "build.clean",
 }
