@@ -278,6 +278,39 @@ class Pictures(Live):
             self.assertEqual(refused.exception.code, 403, headers)
 
 
+class Charts(Live):
+    STUDY = {"chapter": "01_obj", "subject": "frame", "scenes": {"a room": {"file": "scenes/a.json", "set": {"lamp": 2}}},
+             "truth": {"method": "", "knobs": {"rays": True}},
+             "points": [{"scene": "a room", "method": "pcf", "knobs": {"bias": 0.5, "snap": False}}, {"scene": "none", "method": "x"}]}
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.write("docs/studies/01_obj.gpu.json", json.dumps(cls.STUDY))
+        cls.write("build/compare", (cls.root / "programs/compare").read_text())
+
+    def test_a_points_picture_its_truth_and_the_error(self):
+        async def talk():
+            page = await self.server.socket()
+            await page.write_message(json.dumps({"do": "point", "chart": "01_obj.gpu.acne", "number": 0}))
+            return [await receive(page) for _ in range(3)]
+        (picture, asked), (truth, asked_of_truth), (error, heat) = sorted(self.server.run(talk), key=lambda one: one[0]["place"])
+        self.assertEqual([picture["place"], truth["place"], error["place"]], ["chart.0", "chart.1", "chart.2"])
+        request = {"words": ["--scene", "scenes/a.json"], "size": [480, 270], "still": True}
+        self.assertEqual(json.loads(asked), request | {"set": {"method": "pcf", "lamp": "2", "bias": "0.5", "snap": "off"}})
+        self.assertEqual(json.loads(asked_of_truth), request | {"set": {"lamp": "2", "rays": "on"}})
+        self.assertEqual((heat, error["flip_mean"]), (b"hot", 0.5))
+
+    def test_what_is_no_point_is_refused(self):
+        async def talk(chart, number):
+            page = await self.server.socket()
+            await page.write_message(json.dumps({"do": "point", "chart": chart, "number": number}))
+            return (await receive(page))[0]["event"]
+        for chart, number in (("01_obj.gpu", 1), ("01_obj.gpu", 2), ("01_obj.gpu", -1), ("01_obj.gpu", True), ("../01_obj.gpu", 0), (None, 0)):
+            self.assertEqual(self.server.run(lambda: talk(chart, number)), "refused", (chart, number))
+        self.assertEqual(self.server.ask("live/chart/02_none")[0], 404)
+
+
 class Hostile(Live):
     def answers(self) -> bool:
         return self.server.ask("live/course")[0] == 200

@@ -5,7 +5,7 @@ import json
 import re
 import struct
 
-from live import answers
+from live import answers, charts
 from live.answers import Refused
 from live.guard import Bucket, Guarded
 from live.programs import is_cpp
@@ -38,7 +38,7 @@ class Socket(WebSocketHandler, Guarded):
     def open(self, *_):
         self.bucket = Bucket(MESSAGES_A_S, MESSAGES_AT_ONCE)
         self.frames, self.events, self.wake = {}, [], asyncio.Event()
-        self.watched, self.places = {}, set()
+        self.watched, self.places, self.pointed = {}, set(), None
         self.sender = asyncio.ensure_future(self.send())
         self.set_nodelay(True)
         self.sockets.add(self)
@@ -48,6 +48,8 @@ class Socket(WebSocketHandler, Guarded):
         self.application.programs.forget(self)
         if hasattr(self, "sender"):
             self.sender.cancel()
+        if getattr(self, "pointed", None):
+            self.pointed.cancel()
 
     async def send(self):
         """Sends one thing after the other. Pictures that wait here are replaced by newer ones of their place."""
@@ -62,12 +64,15 @@ class Socket(WebSocketHandler, Guarded):
                         answer, picture = self.frames.pop(next(iter(self.frames)))
                         said = json.dumps(answer).encode()
                         await self.put(struct.pack("<I", len(said)) + said + picture, binary=True)
-        except (asyncio.TimeoutError, WebSocketClosedError, StreamClosedError):
+        except (WebSocketClosedError, StreamClosedError):
             self.gone()
 
     async def put(self, message, binary: bool = False):
-        await asyncio.wait_for(self.write_message(message, binary), SEND_S)
-        # write_message() waits for what is written to the kernel; what is left is the page's not to have read.
+        patience = asyncio.get_running_loop().call_later(SEND_S, self.gone)
+        try:
+            await self.write_message(message, binary)
+        finally:
+            patience.cancel()
 
     def gone(self):
         """Ends the connection without a word: nobody reads it."""
@@ -91,7 +96,7 @@ class Socket(WebSocketHandler, Guarded):
             request = json.loads(message)
             if not isinstance(request, dict):
                 raise ValueError
-            action = {"draw": self.draw, "check": self.check, "watch": self.watch}[request.get("do")]
+            action = {"draw": self.draw, "check": self.check, "watch": self.watch, "point": self.point}[request.get("do")]
         except (ValueError, KeyError, TypeError, RecursionError):
             self.close(1007, "a message is not a request")
             return
@@ -109,10 +114,19 @@ class Socket(WebSocketHandler, Guarded):
             raise Refused(400, f"a page has at most {MOST_PLACES} pictures")
         chapter, asked = what_to_draw(request)
 
-        def deliver(answer: dict, picture: bytes):
-            self.frames[place] = (answer | {"place": place, "number": number}, picture)
-            self.wake.set()
-        self.application.programs.ask(chapter, (self, place), asked, deliver)
+        self.application.programs.ask(chapter, (self, place), asked,
+                                      lambda answer, picture: self.deliver(place, number, answer, picture))
+
+    def deliver(self, place: str, number: int, answer: dict, picture: bytes):
+        self.frames[place] = (answer | {"place": place, "number": number}, picture)
+        self.wake.set()
+
+    def point(self, request: dict):
+        """A point of a chart was clicked; the one before is no longer waited for."""
+        charts.requests_of(request.get("chart"), request.get("number"))
+        if self.pointed:
+            self.pointed.cancel()
+        self.pointed = asyncio.ensure_future(charts.show(self, request["chart"], request["number"]))
 
     def check(self, request: dict):
         exercise = str(request.get("exercise"))

@@ -107,7 +107,7 @@ def application(folder: Path, guard, can_build: bool):
         (r"/live/chart/([^/]+)", charts.Points), (r"/live/(.*)", pages.Ours),
         (r"/(.*)", pages.Page, {"folder": folder})], websocket_max_message_size=MESSAGE_BYTES, websocket_ping_interval=20,
         websocket_ping_timeout=60)
-    made.guard, made.programs, made.verdicts, made.knobs, made.closing = guard, Programs(), Verdicts(), {}, False
+    made.guard, made.programs, made.verdicts, made.knobs, made.charts, made.closing = guard, Programs(), Verdicts(), {}, {}, False
     made.work = Work(made, can_build)
     made.check = lambda exercise: made.work.start("check", exercise)
     made.written = made.work.written

@@ -38,7 +38,7 @@ const Live = {
       Live.wait_ms = 500;
       Live.emit("connected");
       for (const message of Live.waiting.splice(0)) socket.send(message);
-      for (const [place, {request}] of Live.asked) socket.send(JSON.stringify({...request, place}));
+      for (const [place, {request}] of Live.asked) if (request.do === "draw") socket.send(JSON.stringify({...request, place}));
     };
     socket.onmessage = message => {
       if (typeof message.data === "string") {
