@@ -45,14 +45,14 @@ class Stream(unittest.TestCase):
     def test_a_picture_is_what_the_command_line_draws(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "a.png")
-            for words, request in (([], {}), (["--set", "method=lambert"], {"set": {"method": "lambert"}}),
+            for words, request in (([], {}), (["--set", "method=phong"], {"set": {"method": "phong"}}),
                                    (["--use", "exercise"], {"use": "exercise"}), (["--look", "encode_srgb"], {"look": "encode_srgb"})):
                 subprocess.run([PROGRAM, *SHOT, *words, "--size", "160x90", "--screenshot", file], cwd=ROOT, check=True)
                 self.assert_same(self.picture(**request), Image.open(file).convert("RGB"))
 
     def test_a_request_says_all_there_is_to_know(self):
         first = self.picture()
-        for change in ({"turn_rad": 0.5}, {"tilt_rad": 0.3}, {"notches": 4}, {"pan": [0.2, 0]}, {"set": {"method": "lambert"}}):
+        for change in ({"turn_rad": 0.5}, {"tilt_rad": 0.3}, {"notches": 4}, {"pan": [0.2, 0]}, {"set": {"method": "phong"}}):
             self.assertIsNotNone(ImageChops.difference(first, self.picture(**change)).getbbox(), change)
             self.assert_same(first, self.picture())
 

@@ -21,16 +21,16 @@ DEFAULT = ("02", "03", "04", "05", "06", "07", "08")
 
 
 def knob_to_drag(chapter: str) -> dict:
-    """A number of the chapter's own module: the last one declared that is a slider."""
+    """The last number that is declared and is not 0: it is dragged upwards from its default. Far from it a chapter may
+    take many times as long, as lights do that reach everything."""
     said = subprocess.run([chapter_program(chapter), "--list", "knobs", "--json"], cwd=ROOT, stdout=subprocess.PIPE, check=True)
-    numbers = [knob for knob in json.loads(said.stdout) if knob["type"] == "number" and isinstance(knob["default"], float)]
+    numbers = [knob for knob in json.loads(said.stdout) if knob["type"] == "number" and isinstance(knob["default"], float) and knob["default"] > 0]
     return numbers[-1]
 
 
 async def measure(chapter: str) -> str:
     program, words = Program(chapter), ["--shot", shots(chapter)[0]["name"]]
     knob = knob_to_drag(chapter)
-    low, high = knob["range"]
 
     async def timed_ms(**more) -> float:
         began_s = time.monotonic()
@@ -40,7 +40,7 @@ async def measure(chapter: str) -> str:
         return 1000 * (time.monotonic() - began_s)
     try:
         first, warm = await timed_ms(still=True), await timed_ms(still=True)
-        dragged = [await timed_ms(set={knob["name"]: f"{low + (high - low) * i / (40 * ROUNDS):g}"}) for i in range(ROUNDS)]
+        dragged = [await timed_ms(set={knob["name"]: f"{min(knob['default'] * (1 + i / ROUNDS), knob['range'][1]):g}"}) for i in range(ROUNDS)]
         orbit = [await timed_ms(turn_rad=0.02 * i) for i in range(ROUNDS)]
     finally:
         await program.end()

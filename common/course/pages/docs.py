@@ -69,7 +69,7 @@ def write_sources(folder: Path):
     """What mkdocs reads: texts, the pictures they show, the sources they name."""
     site = Site()
     lessons = [Path("docs") / f"{chapter}.md" for chapter in chapters()]
-    for text in [*lessons, Path("README.md"), Path("docs/study_format.md")]:
+    for text in [*lessons, Path("README.md"), Path("docs/study_format.md"), Path("docs/serve.md")]:
         if (ROOT / text).exists():
             site.target(text)
     while site.waiting:
@@ -142,8 +142,9 @@ def home(site: Site) -> str:
 def nav() -> list:
     lessons = [{f"{chapter[:2]} {title_and_teaser(chapter)[0]}": f"{chapter}.md"} for chapter in chapters()
                if (ROOT / "docs" / f"{chapter}.md").exists()]
+    live = [{"Live lessons": "serve.md"}] if (ROOT / "docs" / "serve.md").exists() else []
     return [{"Lightwalk": "index.md"}, {"Lessons": lessons},
-            {"Beside them": [{"How to use the course": "course.md"}, {"The study format": "study_format.md"}]}]
+            {"Beside them": [{"How to use the course": "course.md"}, *live, {"The study format": "study_format.md"}]}]
 
 
 def build_site(source: Path, made: Path):
