@@ -90,7 +90,7 @@ foreach(script ${scripts})
     lightwalk_python_test(window.${name} window ${script})
     # One after the other, from the beginning: they wait more than they work, beside tests that take all there is.
     set_tests_properties(window.${name} PROPERTIES COST 900 TIMEOUT 600 RESOURCE_LOCK window)
-  elseif(name MATCHES "common.(chart|course|grade|live|minimal|pages|report|study)")
+  elseif(name MATCHES "common.(chart|course|elsewhere|grade|live|minimal|pages|report|slides|study)")
     string(REPLACE "common." "text." name ${name})
     lightwalk_python_test(${name} text ${script})
     if(name MATCHES "course|grade|live|pages|chart")

@@ -2,6 +2,7 @@
 #include "01_obj/load_bench.h"
 #include "01_obj/load_study.h"
 #include "01_obj/model_chapter.h"
+#include "common/app/options.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -21,9 +22,11 @@ struct Obj : ModelChapter {
         method_knob = "loader";
         subject = std::make_shared<LoaderSubject>(scene.file, method);
         commands = {{"load-bench", "FILE", "time every loader on FILE; with --json as JSON",
-                     [](const std::string& file, bool json) { return run_load_bench(file, 5, json); }},
+                     [](const std::string& file, const Options& options, auto&) {
+                         return run_load_bench(file, 5, options.json);
+                     }},
                     {"dump-mesh", "FILE", "print counts, bounds, materials and a checksum of positions as JSON",
-                     [this](const std::string& file, bool) { return dump_mesh(file, loader()), 0; }}};
+                     [this](const std::string& file, const Options&, auto&) { return dump_mesh(file, loader()), 0; }}};
     }
     std::string default_scene() const override { return "scenes/bunny.json"; }
     Loader loader() const override { return loader_from_name(method.text()); }

@@ -25,6 +25,8 @@ class Bvh {
     const std::vector<BvhNode>& nodes() const { return nodes_; }
     /// As leaves count them; one of no area where there is none.
     const std::vector<RayTriangle>& triangles() const { return triangles_; }
+    /// For each of triangles() its place in the constructor's list.
+    const std::vector<uint32_t>& order() const { return order_; }
     /// Of the deepest leaf; the root's is 0. At most BVH_STACK.
     uint32_t depth() const { return depth_; }
 

@@ -38,7 +38,7 @@ struct Mipmaps : ModelChapter {
         objects.lights.method.change_default("every_light");
         commands = {{"mip-bench", "FILE",
                      "measures every method from 64x64 to 8192x8192 texels and writes the result as a study",
-                     [](const std::string& file, bool) { return run_mip_bench(file); }}};
+                     [](const std::string& file, const Options&, auto&) { return run_mip_bench(file); }}};
     }
     std::string default_scene() const override { return "scenes/tiled_hall.json"; }
     std::vector<std::string> load_exercises() const override {

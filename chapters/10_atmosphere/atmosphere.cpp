@@ -160,7 +160,7 @@ std::vector<PathPart> Atmosphere::parts() const {
 }
 
 // [record]
-void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas) {
+void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas, float disc_share) {
     const ImageView hdr = canvas.color(frame), depth = canvas.depth(frame);
     const bool tables = method.is("tables"), truth = method.is("truth");
     const std::vector<PathPart> parts = this->parts();
@@ -196,7 +196,7 @@ void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas) {
         for (const PathPart& part : parts) {
             if (!part.begins) pass.wait();
             pass.use(look).set("result", hdr).set("depth", depth, nearest_clamp);
-            pass.set("rays", view_rays(view));
+            pass.set("rays", view_rays(view)).set("disc", disc_share);
             if (in_parts)
                 pass.set("part", part).set("light_so_far", light_so_far_).set("through_so_far", through_so_far_);
             if (tables) {

@@ -110,7 +110,10 @@ struct Atmosphere : Drawing {
 
     /// What falls on the ground under this air, for sunlight_on() and skylight_on().
     void update(Frame& frame) override;
-    void draw(Frame& frame, const View& view, Canvas& canvas) override;
+    void draw(Frame& frame, const View& view, Canvas& canvas) override { draw(frame, view, canvas, disc); }
+
+    /// The same air with the sun's light but not its disc, for what draws the disc's reflection itself.
+    Drawing& without_disc() { return without_disc_; }
 
     /// At the world's origin, exposed: for Scene::set_sun(), where this is the sky of other drawings.
     Sun sun();
@@ -131,6 +134,13 @@ struct Atmosphere : Drawing {
     int tables_made = 0;  ///< so far, to show that none is made twice
 
   private:
+    struct WithoutDisc : Drawing {
+        explicit WithoutDisc(Atmosphere& whole) : Drawing(whole, "without_disc"), air(whole) {}
+        void update(Frame& frame) override { air.update_once(frame); }
+        void draw(Frame& frame, const View& view, Canvas& canvas) override { air.draw(frame, view, canvas, 0.0f); }
+        Atmosphere& air;
+    } without_disc_{*this};
+    void draw(Frame& frame, const View& view, Canvas& canvas, float disc_share);
     void make_images(Device& device);
     void record_tables(Frame& frame, const View& view, float reach_m);
     void set_lasting(Compute& pass) const;

@@ -39,8 +39,12 @@ std::array<double, 3> sh_window(size_t which) {
 }
 
 void ImageLight::prepare(Gpu& gpu, Scene& scene) {
-    made_.clear();
     now_ = &sky;
+    const bool same = scene.environment ? scene.environment == prepared_for_ : !prepared_for_;
+    if (same && prepared_ambient_ == scene.file.ambient && prepared_toggles_ == Exercises::version()) return;
+    prepared_toggles_ = Exercises::version();
+    prepared_for_ = scene.environment, prepared_ambient_ = scene.file.ambient;
+    made_.clear();
     if (scene.environment) {
         const ImageRgb small = small_picture(gpu, *scene.environment, 128);  // a cosine sees no more
         picture_sh_ = sh_project(small.width, small.height, small.pixels);

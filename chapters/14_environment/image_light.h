@@ -124,6 +124,9 @@ struct ImageLight : Module {
     Pipeline sh_sums_ = compute({.shader = "14_environment/sh_sums.comp"});
     Pipeline split_sum_ = compute({.shader = "14_environment/split_sum.comp"});
     const Scene* scene_ = nullptr;
+    std::shared_ptr<Image> prepared_for_;  ///< a scene that is prepared again with the same light keeps its cubes
+    std::optional<glm::vec3> prepared_ambient_;
+    unsigned prepared_toggles_ = 0;
     Image even_;        ///< where there is no picture
     Sh9 picture_sh_{};  ///< of the scene's picture, as 14.sh_project says
     LightCubes* now_ = &sky;

@@ -88,7 +88,12 @@ void Music::load(const SceneFile& scene) {
 }
 
 void Music::take(Sound sound) {
-    measured_ = measure_levels(sound);
+    LevelTable measured = measure_levels(sound);
+    take(std::move(sound), std::move(measured));
+}
+
+void Music::take(Sound sound, LevelTable measured) {
+    measured_ = std::move(measured);
     sound_ = std::move(sound);
     smoothed_with_ = glm::vec2(-1.0f);
 }

@@ -37,15 +37,18 @@ struct Music : Module {
 
     /// Throws InputError where the file is no music (sound_file.h).
     void prepare(Gpu& gpu, Scene& scene) override;
-    bool animated() const override { return plays && !sound_.samples.empty(); }
+    bool animated() const override { return plays && !measured_.entries.empty(); }
     std::vector<std::string> load_exercises() const override { return {"14.spectrum_bands"}; }
-    const Sound* sound() const override { return animated() ? &sound_ : nullptr; }
+    const Sound* sound() const override { return animated() && !sound_.samples.empty() ? &sound_ : nullptr; }
 
     /// What prepare() does: the file's `music`, or none.
     void load(const SceneFile& scene);
 
     /// Sound from elsewhere in place of a file's.
     void take(Sound sound);
+    /// Its levels were measured before: measured_levels(), as measure_levels() gave them. The sound may be none.
+    void take(Sound sound, LevelTable measured);
+    const LevelTable& measured_levels() const { return measured_; }
 
     /// Smoothed, as shares of the largest level that the whole piece has (0 to 1). A level that never exceeds -80 dB
     /// (1e-4) is a share of that.

@@ -54,7 +54,7 @@ struct TerrainWater : ModelChapter {
 
     // For the study: where the ground lies, against rays.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
-        measure_land(*this, land, gpu, size, error);
+        if (ground.exists()) measure_land(*this, land, gpu, size, error);
     }
 
     // [frame]
@@ -64,11 +64,10 @@ struct TerrainWater : ModelChapter {
 
         // 1. The sky in a cube and the mirror image, where there is water to show them.
         if (!water.method.is("none")) {
-            const float disc = std::exchange(atmosphere.disc.value, 0.0f);  // the water has the sun's glitter itself
+            Drawing& air = atmosphere.without_disc();  // the water has the sun's glitter itself
             light.record(frame, scene);
-            probe.record(frame, scene, light, {sky, atmosphere});
-            water.reflect(frame, view, {land, city, objects}, {sky, atmosphere, fog});
-            atmosphere.disc.value = disc;
+            probe.record(frame, scene, light, {sky, air});
+            water.reflect(frame, view, {land, city, objects}, {sky, air, fog});
         }
 
         // 2. Ground and what stands on it, the planet and the stars behind, the water, and the air and the fog before all of

@@ -80,7 +80,7 @@ void Transparency::record(Frame& frame, const View& view, Canvas& canvas, const 
             .overestimation = overestimation};
     Targets& t = targets_[view.id];
     if (method.is("wboit")) return add_weighted(frame, canvas, grouped(surfaces), t);
-    if (method.is("moments")) return add_by_moments(frame, canvas, grouped(surfaces), t);
+    if (method.is("moments") || method.is("moments6")) return add_by_moments(frame, canvas, grouped(surfaces), t);
     if (method.is("lists")) return mix_lists(frame, canvas, grouped(surfaces), t);
     if (method.is("peeling")) return peel(frame, canvas, grouped(surfaces), t);
     if (method.is("sorted_triangles")) return draw_triangles(frame, view, canvas, surfaces, t);
@@ -157,7 +157,9 @@ void Transparency::add_by_moments(Frame& frame, Canvas& canvas, const std::vecto
     const glm::uvec2 size = canvas.size();
     t.moments.fit(frame.gpu.device,
                   {.name = path() + " moments", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
-    t.absorbance.fit(frame.gpu.device, {.name = path() + " absorbance", .format = VK_FORMAT_R32_SFLOAT, .size = size});
+    // Beside the absorbance there is room for the fifth moment and the sixth.
+    const VkFormat beside = method.is("moments6") ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R32_SFLOAT;
+    t.absorbance.fit(frame.gpu.device, {.name = path() + " absorbance", .format = beside, .size = size});
     t.sum.fit(frame.gpu.device, {.name = path() + " sum", .format = sum_format(), .size = size});
     draw_stage(frame, "moments",
                {.color = {clear(t.moments, nothing), clear(t.absorbance, nothing)},

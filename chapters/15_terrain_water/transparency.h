@@ -1,4 +1,4 @@
-// Transparency module: six ways to mix transparent surfaces, and depth peeling as the reference.
+// Transparency module: seven ways to mix transparent surfaces, and depth peeling as the reference.
 #pragma once
 #include <map>
 #include <set>
@@ -19,11 +19,11 @@ struct Transparency : Module, TransparencyMethod {
 
     Choice method{*this,
                   "method",
-                  {"unsorted", "sorted", "sorted_triangles", "wboit", "moments", "lists", "peeling"},
+                  {"unsorted", "sorted", "sorted_triangles", "wboit", "moments", "moments6", "lists", "peeling"},
                   "sorted",
                   "Transparent surfaces: in the order of the scene; sorted by object; sorted by triangle; a weighted "
-                  "sum (WBOIT); a transmittance from four moments (MBOIT); all fragments of a pixel in a list; or "
-                  "depth peeling, the reference"};
+                  "sum (WBOIT); a transmittance from four moments or from six (MBOIT); all fragments of a pixel in "
+                  "a list; or depth peeling, the reference"};
     Choice weight{*this,
                   "weight",
                   {"mean", "eq7", "eq8", "eq9", "eq10"},
@@ -43,8 +43,9 @@ struct Transparency : Module, TransparencyMethod {
     Knob<float> moment_bias{*this,
                             "moment_bias",
                             5e-7f,
-                            {0.0f, 0.1f},
-                            "Share of the moments replaced by those of a wide distribution, against rounding"};
+                            {0.0f, 0.01f},
+                            "Share of four moments replaced by those of a wide distribution, against rounding; of six "
+                            "ten times as much"};
     Knob<float> overestimation{
         *this, "overestimation", 0.25f, {0.0f, 1.0f}, "Share of a fragment's own absorbance that lies before it"};
     Knob<int> list_fragments{

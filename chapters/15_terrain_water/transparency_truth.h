@@ -61,23 +61,78 @@ inline double moment_transmittance(glm::dvec4 b, double all, double z, double bi
     return std::clamp(std::exp(-all * before), 0.0, 1.0);
 }
 
+/// The same by six: mass at z and at the three roots of a cubic, found by halving between its turning points.
+inline double moment_transmittance_6(glm::dvec4 b, glm::dvec2 high, double all, double z, double bias,
+                                     double overestimation) {
+    b = glm::mix(b, glm::dvec4(0, 0.48, 0, 0.451), bias), high = glm::mix(high, glm::dvec2(0, 0.45), bias);
+    const glm::dmat4 hankel(glm::dvec4(1, b.x, b.y, b.z), glm::dvec4(b.x, b.y, b.z, b.w),
+                            glm::dvec4(b.y, b.z, b.w, high.x), glm::dvec4(b.z, b.w, high.x, high.y));
+    const glm::dvec4 c = glm::inverse(hankel) * glm::dvec4(1, z, z * z, z * z * z);
+    const auto value = [&](double t) { return c.x + t * (c.y + t * (c.z + t * c.w)); };
+    const double turn = std::sqrt(std::max(c.z * c.z - 3 * c.y * c.w, 0.0)), middle = -c.z / (3 * c.w);
+    const double half = std::fabs(turn / (3 * c.w)), ends[] = {-1e3, middle - half, middle + half, 1e3};
+    double t[4] = {z};
+    for (int i = 0; i < 3; ++i) {
+        double low = ends[i], high_end = ends[i + 1];
+        for (int k = 0; k < 80; ++k) {
+            const double at = 0.5 * (low + high_end);
+            ((value(at) < 0) == (value(low) < 0) ? low : high_end) = at;
+        }
+        t[i + 1] = 0.5 * (low + high_end);
+    }
+    glm::dmat4 powers;
+    for (int i = 0; i < 4; ++i) powers[i] = glm::dvec4(1, t[i], t[i] * t[i], t[i] * t[i] * t[i]);
+    const glm::dvec4 mass = glm::inverse(powers) * glm::dvec4(1, b.x, b.y, b.z);
+    double before = overestimation * mass[0];
+    for (int i = 1; i < 4; ++i) before += t[i] < z ? mass[i] : 0;
+    return std::clamp(std::exp(-all * before), 0.0, 1.0);
+}
+
+/// `six`: by six moments, else by four.
 inline glm::dvec3 by_moments(const std::vector<Layer>& layers, const glm::dvec3& background, double near_m,
-                             double far_m, double bias = 5e-7, double overestimation = 0.25) {
+                             double far_m, bool six = false, double bias = 5e-7, double overestimation = 0.25) {
     const auto depth = [&](const Layer& l) { return 2 * std::log(l.z_m / near_m) / std::log(far_m / near_m) - 1; };
     glm::dvec4 b(0);
+    glm::dvec2 high(0);
     double all = 0;
     for (const Layer& l : layers) {
         const double a = -std::log(std::max(1 - l.alpha, 9.5e-7)), z = depth(l);
         all += a, b += a * glm::dvec4(z, z * z, z * z * z, z * z * z * z);
+        high += a * glm::dvec2(std::pow(z, 5), std::pow(z, 6));
     }
     glm::dvec3 sum(0);
     double weights = 0;
     for (const Layer& l : layers) {
-        const double w = l.alpha * moment_transmittance(b / all, all, depth(l), bias, overestimation);
+        const double left = six ? moment_transmittance_6(b / all, high / all, all, depth(l), 10 * bias, overestimation)
+                                : moment_transmittance(b / all, all, depth(l), bias, overestimation);
+        const double w = l.alpha * left;
         sum += w * l.color, weights += w;
     }
     const double behind = std::exp(-all);
     return behind * background + (1 - behind) * sum / std::max(weights, 1e-5);
+}
+
+/// Of layers in the order of the list the nearest four are kept, and two neighbours are merged, those farthest away, where
+/// there is no room: multi-layer alpha blending (M. Salvi and K. Vaidyanathan, I3D 2014).
+inline glm::dvec3 by_four_layers(const std::vector<Layer>& layers, const glm::dvec3& background) {
+    struct Kept {
+        double z_m;
+        glm::dvec3 light;  ///< premultiplied
+        double left;
+    };
+    std::vector<Kept> kept;
+    for (const Layer& l : layers) {
+        const auto after = std::find_if(kept.begin(), kept.end(), [&](const Kept& k) { return k.z_m > l.z_m; });
+        kept.insert(after, {l.z_m, l.alpha * l.color, 1 - l.alpha});
+        if (kept.size() <= 4) continue;
+        Kept& nearer = kept[3];
+        nearer.light += nearer.left * kept[4].light, nearer.left *= kept[4].left;
+        kept.pop_back();
+    }
+    glm::dvec3 sum(0);
+    double left = 1;
+    for (const Kept& k : kept) sum += left * k.light, left *= k.left;
+    return sum + left * background;
 }
 
 }  // namespace lightwalk::truth

@@ -15,7 +15,16 @@ SurfaceLaw law(int which, glm::vec3 tint = white) {
             .minnaert = 0.7f,
             .terminator = white,
             .tint = tint,
-            .relief = 1};
+            .relief = 1,
+            .gloss = 0,
+            .ice = 0};
+}
+
+// Frost that glosses as the map says, or caps that stay white between dust of another tint.
+SurfaceLaw with_ice(float gloss, glm::vec3 tint = white) {
+    SurfaceLaw surface = law(LAW_MINNAERT, tint);
+    surface.gloss = gloss, surface.ice = gloss > 0 ? 0.0f : 1.0f;
+    return surface;
 }
 
 SurfaceLaw clouds(float k, glm::vec3 terminator, glm::vec3 tint = white) {
@@ -30,15 +39,18 @@ SurfaceLaw wrapped(float w, float k, glm::vec3 terminator, glm::vec3 tint = whit
     return surface;
 }
 
-// Radii and depths: NASA's Saturnian rings fact sheet. Albedos: J. N. Cuzzi et al., "Ring particle composition and size
-// distribution" in Saturn from Cassini-Huygens, 2009, rounded.
+// Radii: NASA's Saturnian rings fact sheet. Optical depths: of C, 0.05 to 0.12, from the same; of A, 0.45 to 0.57, from K. Lumme
+// and H. Reitsema, Icarus 33, 1978, page 288; of B, 1 to 3, after J. Colwell et al., in Saturn from Cassini-Huygens, 2009,
+// chapter 13. Single-scattering albedos after J. Cuzzi et al., chapter 15 of that book. The lesson says what of it was read.
 constexpr RingPart saturn_rings[] = {{74658e3, 92000e3, 0.09, 0.30},  {92000e3, 99000e3, 1.2, 0.74},
                                      {99000e3, 110000e3, 2.2, 0.88},  {110000e3, 117580e3, 1.6, 0.84},
                                      {117580e3, 122170e3, 0.1, 0.35}, {122170e3, 133423e3, 0.55, 0.66},
                                      {133423e3, 133745e3, 0.0, 0.5},  {133745e3, 136775e3, 0.5, 0.6}};
-// Radius, width and optical depth of the ten (published values; the widths of narrow ones vary around the planet).
+// Radius, width and optical depth of the ten, and of the sheet beside one of them: R. French et al., "Dynamics and structure of
+// the Uranian rings", in Uranus, 1991. The widths of narrow ones vary around the planet. Albedo: particles as dark as coal,
+// whose geometric albedo is 0.061 (E. Karkoschka, Icarus 125, 1997, page 348), times 4 over their phase function at 0.
 constexpr RingPart narrow(double radius_km, double width_km, double depth) {
-    return {1e3 * (radius_km - 0.5 * width_km), 1e3 * (radius_km + 0.5 * width_km), depth, 0.8};
+    return {1e3 * (radius_km - 0.5 * width_km), 1e3 * (radius_km + 0.5 * width_km), depth, 0.052};
 }
 constexpr RingPart uranus_rings[] = {narrow(41837, 2, 0.3),   narrow(42234, 2.5, 0.55), narrow(42571, 2.5, 0.3),
                                      narrow(44718, 9, 0.35),  narrow(45661, 9, 0.2),    narrow(47176, 1.5, 0.3),
@@ -58,14 +70,13 @@ const BodyTraits& traits(BodyId body) {
         {"planets/earth_day.jpg", 6378.137e3, 0.0033528, BodyKind::earth, law(LAW_LAMBERT, {1.08f, 1.04f, 1.0f}), 4,
          0.1f},
         {"planets_2k/moon.jpg", 1737.4e3, 0.0012, BodyKind::rock, law(LAW_HAPKE, {0.60f, 0.58f, 0.56f}), 5, 0.2f},
-        {"planets_2k/mars.jpg", 3396.19e3, 0.00589, BodyKind::clouded, law(LAW_MINNAERT, {1.02f, 1.45f, 1.75f}), 5,
-         0.14f},
+        {"planets_2k/mars.jpg", 3396.19e3, 0.00589, BodyKind::clouded, with_ice(0, {1.02f, 1.45f, 1.75f}), 5, 0.14f},
         {"planets_2k/jupiter.jpg", 71492e3, 0.06487, BodyKind::flowing, clouds(0.94f, {1.0f, 0.82f, 0.66f}), 0, 0},
         {"planets_2k/saturn.jpg", 60268e3, 0.09796, BodyKind::ringed, clouds(0.90f, {1.0f, 0.88f, 0.72f}), 0, 0},
         {"planets_2k/uranus.jpg", 25559e3, 0.02293, BodyKind::ringed, clouds(0.88f, {0.86f, 0.98f, 1.0f}), 0, 0},
         {"planets_2k/neptune.jpg", 24764e3, 0.01708, BodyKind::rock,
          wrapped(0.06f, 1.25f, {0.72f, 0.84f, 1.0f}, {2.2f, 1.5f, 1.05f}), 0, 0},
-        {nullptr, 1188.3e3, 0, BodyKind::clouded, law(LAW_MINNAERT), 5, 0.09f},
+        {nullptr, 1188.3e3, 0, BodyKind::clouded, with_ice(1), 5, 0.09f},
     };
     return all[static_cast<size_t>(body)];
 }
@@ -119,8 +130,8 @@ std::span<const RingPart> ring_parts(BodyId body) {
 }
 
 Rings rings_of(BodyId body) {
-    if (body == BodyId::saturn) return {.inner = 74000e3f, .outer = 137500e3f, .brightness = 1.9f};
-    if (body == BodyId::uranus) return {.inner = 41000e3f, .outer = 51500e3f, .brightness = 0.15f};
+    if (body == BodyId::saturn) return {.inner = 74000e3f, .outer = 137500e3f, .brightness = 1};
+    if (body == BodyId::uranus) return {.inner = 41000e3f, .outer = 51500e3f, .brightness = 1};
     return {.inner = 0, .outer = 0, .brightness = 0};
 }
 

@@ -108,6 +108,9 @@ double through(double depth, double mu0, double mu) {
     const double a = depth / mu0, b = depth / mu;
     return 0.25 * b * std::exp(-std::min(a, b)) * mean_of_exp(std::fabs(a - b));
 }
+double more(double depth, double albedo, bool lit) {
+    return albedo * albedo * (lit ? 1.2 * -std::expm1(-2 * depth) : 1.46 * std::expm1(0.92 * std::min(depth, 3.0)));
+}
 double particle_phase(double cos_phase) {
     return 0.98 * henyey_greenstein(cos_phase, 0.45) + 0.02 * henyey_greenstein(-cos_phase, 0.7);
 }
@@ -117,11 +120,13 @@ double particle_phase(double cos_phase) {
 std::vector<glm::vec4> ring_strip(BodyId body, int texels) {
     const Rings rings = rings_of(body);
     const double width = static_cast<double>(rings.outer - rings.inner) / texels;
-    std::vector<glm::vec4> strip(static_cast<size_t>(texels), glm::vec4(0.8f, 0.8f, 0.8f, 0.0f));
+    const std::span<const RingPart> parts = ring_parts(body);
+    const float albedo = parts.empty() ? 0.0f : static_cast<float>(parts.front().albedo);
+    std::vector<glm::vec4> strip(static_cast<size_t>(texels), glm::vec4(glm::vec3(albedo), 0.0f));
     for (int i = 0; i < texels; ++i) {
         const double from = static_cast<double>(rings.inner) + i * width, to = from + width;
         double depth = 0;
-        for (const RingPart& part : ring_parts(body))  // narrower than a texel: its share of it
+        for (const RingPart& part : parts)  // narrower than a texel: its share of it
             depth += part.depth * std::max(0.0, std::min(to, part.outer_m) - std::max(from, part.inner_m)) / width;
         strip[static_cast<size_t>(i)].a = static_cast<float>(depth);
     }
@@ -170,8 +175,9 @@ std::vector<glm::vec4> ring_table(const std::vector<glm::vec4>& strip, int table
     std::vector<glm::vec4> out;
     for (const glm::vec4& texel : strip) {
         const double depth = static_cast<double>(texel.a);
-        const double light =
-            phase * (table == 2 ? scattering::through(depth, mu, mu) : scattering::back(depth, mu, mu));
+        const bool lit = table != 2;
+        const double sent = phase + scattering::more(depth, static_cast<double>(texel.r), lit);
+        const double light = sent * (lit ? scattering::back(depth, mu, mu) : scattering::through(depth, mu, mu));
         out.emplace_back(static_cast<float>(light) * glm::vec3(texel), texel.a);
     }
     return out;

@@ -31,6 +31,7 @@ std::vector<glm::vec4> ring_table(const std::vector<glm::vec4>& strip, int table
 namespace scattering {
 double back(double depth, double mu0, double mu);
 double through(double depth, double mu0, double mu);
+double more(double depth, double albedo, bool lit);
 double particle_phase(double cos_phase);
 }  // namespace scattering
 

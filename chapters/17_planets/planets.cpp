@@ -141,6 +141,7 @@ BodyNow Planets::now(const Shown& one, const Outlook& look, const Frame& frame, 
     now.surface = of.surface;
     if (one.law) now.surface.law = one.law;
     now.rings = rings_of(one.body);
+    now.rings.brightness *= ring_exposure;
     const float top_m = air_of(one.body, glm::vec3(1.0f), 0.0f).top;
     now.reach = std::max(now.radius + (top_m > 1 ? top_m : 0.0f), now.rings.outer);
     if (one.body == BodyId::sun) {

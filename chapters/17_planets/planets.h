@@ -37,7 +37,8 @@ struct Planets : Drawing {
         "rings",
         {"alpha", "tables", "single_scattering"},
         "tables",
-        "Light of rings: a painted disc, three tables (back, forward, unlit), single scattering (the reference)"};
+        "Light of rings: a painted disc; three tables (back, forward, unlit); single scattering and a fit of the rest "
+        "(the reference)"};
     Choice flow{
         *this,
         "flow",
@@ -77,6 +78,12 @@ struct Planets : Drawing {
     Knob<float> clouds{*this, "clouds", 1.0f, {0.0f, 1.0f}, "Opacity of the Earth's clouds"};
     Knob<float> night{*this, "night", 0.05f, {0.0f, 1e3f}, "Radiance of the Earth's cities by night"};
     Knob<float> waves{*this, "waves", 0.16f, {0.02f, 1.0f}, "Standard deviation of the slopes of the Earth's waves"};
+    Knob<float> ring_exposure{
+        *this,
+        "ring_exposure",
+        1.0f,
+        {0.0f, 1e3f},
+        "Exposure of rings over that of their planet: above 1 as in pictures composed of a short and a long exposure"};
     Knob<int> air_steps{*this, "air_steps", 10, {1, 256}, "Number of samples on a ray through air"};
     Knob<float> flow_days{*this, "flow_days", 0.0f, {-1e5f, 1e5f}, "Time since Jupiter's map was photographed", "d"};
     Knob<float> flow_period_days{

@@ -77,7 +77,8 @@ std::vector<uint8_t> pluto_map(int width, int height) {
             color = glm::mix(color, glm::vec3(0.93f, 0.89f, 0.82f) - 0.025f * (1 - cells), west);
             for (int c = 0; c < 3; ++c)
                 texels.push_back(static_cast<uint8_t>(std::clamp(255.0f * color[c] + 0.5f, 0.0f, 255.0f)));
-            texels.push_back(255);
+            // Gloss: the plain's fresh nitrogen ice, and less of the methane in the north.
+            texels.push_back(static_cast<uint8_t>(255 * std::max(west, 0.35f * step(35, 65, lat))));
         }
     return texels;
 }

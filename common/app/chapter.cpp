@@ -1,5 +1,7 @@
 #include "common/app/chapter.h"
 
+#include "common/base/error.h"
+
 namespace lightwalk {
 
 void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given, const Loading& loading) {
@@ -8,8 +10,12 @@ void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given, 
     const bool is_scene = file.extension() == ".json";
     SceneFile scene = is_scene ? read_scene(file) : scene_of_model(file, {});
     const KnobList knobs = chapter.all_knobs();
-    for (const auto& [name, value] : scene.knobs)
-        if (KnobBase& knob = find_knob(knobs, name); !knob.pinned) knob.set(value);
+    const bool anothers = !scene.knobs_of.empty() && scene.knobs_of != chapter.name;
+    for (const auto& [name, value] : scene.knobs) try {
+            if (KnobBase& knob = find_knob(knobs, name); !knob.pinned) knob.set(value);
+        } catch (const InputError&) {
+            if (!anothers) throw;
+        }
     chapter.scene.file = scene;
     if (loading.before) loading.before();
     chapter.scene.load(gpu, std::move(scene), loader);

@@ -12,12 +12,14 @@
 
 namespace lightwalk {
 
+struct Options;
 struct Subject;
 
 /// An extra of a chapter's command line that runs instead of a frame: --flag ARGUMENT.
 struct Command {
     std::string flag, argument, help;
-    std::function<int(const std::string& argument, bool json)> run;  ///< returns the exit code
+    /// Returns the exit code. Where it needs a device it makes it in `gpu`, which outlives the chapter.
+    std::function<int(const std::string& argument, const Options& options, std::unique_ptr<Gpu>& gpu)> run;
 };
 
 class Chapter : public Module {
@@ -36,6 +38,11 @@ class Chapter : public Module {
     /// Below assets/: shown without --scene.
     virtual std::string default_scene() const = 0;
     virtual Model load_model(const std::filesystem::path& file) = 0;
+
+    /// Before a frame at this time is begun: what it needs and was not loaded with the scene is made now. Later times may
+    /// follow where `plays` says so.
+    virtual void make_ready(Gpu& /*gpu*/, glm::uvec2 /*size*/, float /*time_s*/) {}
+    bool plays = false;  ///< its clock runs: in a window, or where a film is written
 
     /// Records one frame; what it leaves in frame.output is the picture.
     virtual void frame(Frame& frame) = 0;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "common/app/gpu_load.h"
 #include "common/app/look.h"
@@ -12,6 +13,7 @@
 #include "common/base/files.h"
 #include "common/base/patience.h"
 #include "common/base/statistics.h"
+#include "common/gpu/capture.h"
 
 namespace lightwalk {
 namespace {
@@ -67,6 +69,7 @@ json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter
 }  // namespace
 
 std::unique_ptr<Gpu> make_gpu(const Options& options) {
+    if (!options.capture.empty()) load_renderdoc();
     auto gpu = std::make_unique<Gpu>(
         DeviceOptions{.name = options.device, .validate = options.validate, .surface_extensions = {}});
     const uint32_t most = gpu->device.properties.limits.maxImageDimension2D;
@@ -76,7 +79,7 @@ std::unique_ptr<Gpu> make_gpu(const Options& options) {
 }
 
 int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& holder, const Loading& loading) {
-    for (const std::string& path : {options.screenshot, options.timings})
+    for (const std::string& path : {options.screenshot, options.timings, options.capture})
         if (!path.empty()) check_writable(path);
     if (!holder) holder = make_gpu(options);
     Gpu& gpu = *holder;
@@ -95,7 +98,11 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     for (int i = 0; i < options.frames + warm_up; ++i) {
         const int counted = std::max(i - warm_up, 0);
         if (!options.timings.empty()) load.run();
+        const bool captured = !options.capture.empty() && i + 1 == options.frames + warm_up;
+        std::optional<Capture> capture;
+        if (captured) capture.emplace();
         render(chapter, frame, {options.size, options.time_s + static_cast<float>(counted) / 60.0f, options.seed, {}});
+        if (captured) capture->write(options.capture);
         patience.show(i + 1, options.frames + warm_up);
         if (i < warm_up) continue;
         add_times(times.emplace_back(), frame.times);  // a pass may have been recorded more than once

@@ -104,6 +104,8 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--look", o.look, "Pass whose output is shown in place of the picture: its name, or 'pass: image'")
         ->type_name("PASS");
     app.add_option("--screenshot", o.screenshot, "Draw without a window, write a PNG, exit")->type_name("FILE");
+    app.add_option("--capture", o.capture, "Draw without a window, write the last frame for RenderDoc (.rdc), exit")
+        ->type_name("FILE");
     app.add_option("--timings", o.timings, "Write GPU milliseconds per pass as JSON, exit")->type_name("FILE");
     app.add_option("--study", o.study, "Run the chapter's study, write it as JSON, exit")->type_name("FILE");
     app.add_flag("--explain", o.explain, "With --method auto: print the measurements, the rule and the choice");
@@ -166,8 +168,9 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     if (o.explain && !o.automatic) throw InputError("--explain goes with --method auto");
     for (const Command& command : chapter.commands)
         if (!app.get_option("--" + command.flag)->empty())
-            o.command = [command, argument = by_command[command.flag], json = o.json] {
-                return command.run(argument, json);
+            o.command = [command, argument = by_command[command.flag]](const Options& options,
+                                                                       std::unique_ptr<Gpu>& gpu) {
+                return command.run(argument, options, gpu);
             };
     return o;
 }

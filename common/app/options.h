@@ -7,7 +7,7 @@
 namespace lightwalk {
 
 struct Options {
-    std::string scene, use = "solution", shot, look, screenshot, timings, study, list, device, compile_shaders;
+    std::string scene, use = "solution", shot, look, screenshot, timings, study, capture, list, device, compile_shaders;
     std::vector<std::string> set;  ///< NAME=VALUE
     glm::uvec2 size{960, 540};
     bool size_given = false;
@@ -21,8 +21,8 @@ struct Options {
     bool automatic = false;         ///< --method auto: the need rule chooses
     std::optional<double> budget;
     unsigned seed = 0;
-    std::function<int()> command;  ///< a chapter's own, where one was asked for
-    bool headless() const { return !screenshot.empty() || !timings.empty() || !study.empty(); }
+    std::function<int(const Options&, std::unique_ptr<Gpu>&)> command;  ///< a chapter's own, where one was asked for
+    bool headless() const { return !screenshot.empty() || !timings.empty() || !study.empty() || !capture.empty(); }
 };
 
 /// Reads the command line and applies shot, knobs and toggles to the chapter. Throws InputError. Where only help was

@@ -39,6 +39,7 @@ void add_times(std::vector<PassTime>& sum, const std::vector<PassTime>& times) {
 void render(Chapter& chapter, Frame& frame, const Picture& picture) {
     const int samples = chapter.samples;
     std::vector<PassTime> times;
+    chapter.make_ready(frame.gpu, picture.size, picture.time_s);
     Patience patience("drawing", "samples");
     for (int sample = 0; sample < samples; ++sample) {
         frame.root = &chapter;

@@ -165,6 +165,9 @@ class Part {
     Part(const Part&) = delete;
 
     void write_all(std::string_view bytes) { lightwalk::write_all(descriptor_, path_, bytes); }
+    void sync() {
+        if (fsync(descriptor_) != 0) fail();
+    }
     void rename_to(const fs::path& target) {
         if (const int open_one = std::exchange(descriptor_, -1); close(open_one) != 0) fail();
         if (rename(name_.c_str(), target.c_str()) != 0) fail();
@@ -187,6 +190,20 @@ void write_file(const fs::path& path, std::string_view bytes) {
     Part part(path, place);
     part.write_all(bytes);
     part.rename_to(place.path);
+}
+
+void write_file_to_disk(const fs::path& path, std::string_view bytes) {
+    const Place place = place_of(path);
+    Part part(path, place);
+    part.write_all(bytes);
+    part.sync();
+    part.rename_to(place.path);
+    // The name is the folder's: without this a power cut may bring the old one back. Some file systems refuse it.
+    const fs::path folder = place.path.parent_path();
+    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    fsync(descriptor);
+    close(descriptor);
 }
 
 void check_writable(const fs::path& path) {

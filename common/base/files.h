@@ -43,6 +43,10 @@ bool lies_below(const std::filesystem::path& path, const std::filesystem::path& 
 /// Throws InputError where it cannot be written.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// The same, and on the disk when it returns, the folder's entry too: after a power cut there is the old file or the whole
+/// new one.
+void write_file_to_disk(const std::filesystem::path& path, std::string_view bytes);
+
 /// Throws InputError unless write_file() could write `path`; leaves nothing behind. Lets a long run fail at once.
 void check_writable(const std::filesystem::path& path);
 

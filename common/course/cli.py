@@ -2,7 +2,7 @@
 
 Each command is a module with HELP, `add_arguments(parser)` and `run(arguments, rest) -> exit code`, where rest is what
 the parser does not know; a module without PASSES_OPTIONS refuses it. One with `run_words(words)` parses for itself.
-Of a module that says ALONE, two at once in one tree run one after the other.
+Of a module that says ALONE, two at once in one tree run one after the other; with SHARDS_APART, two shards do not wait.
 Exit codes: 0; 1 it failed; 2 it was asked wrongly; 130 it was interrupted, 143 it was ended.
 """
 
@@ -26,6 +26,7 @@ COMMANDS = {
     "study": "charts.study",
     "stretch": "check.stretch",
     "shader": "pages.shader",
+    "film": "film",
     "quote": "pages.quotes",
     "format": "build.format_tree",
     "fuzz": "build.fuzz",
@@ -33,6 +34,8 @@ COMMANDS = {
     "grade": "grading.grade",
     "docs": "pages.docs",
     "serve": "live.serve",
+    "slides": "pages.slides",
+    "book": "pages.book",
     "doctor": "build.doctor",
     "clean": "build.clean",
 }
@@ -59,7 +62,8 @@ def main(words: list[str]) -> int:
     if rest and not getattr(module, "PASSES_OPTIONS", False):
         parser.error(f"unrecognised argument '{rest[0]}'")
     if getattr(module, "ALONE", False):
-        with alone(BUILD, COMMANDS[command]):
+        shard = getattr(module, "SHARDS_APART", False) and arguments.shard
+        with alone(BUILD, COMMANDS[command] + (f".{shard.number}-of-{shard.of}" if shard else "")):
             return module.run(arguments, rest)
     return module.run(arguments, rest)
 

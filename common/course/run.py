@@ -1,13 +1,16 @@
 """Builds the course and starts it; without a display, draws its pictures instead."""
 
+import argparse
 import hashlib
 import json
 import os
+import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 from build.build import alone, build
+from many import shards, slurm
 from progress import Progress
 from shots.rendering import render
 from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, shots,
@@ -18,15 +21,19 @@ HELP = """Builds the course and starts it.
   ./course run                  a menu of the chapters; without a display, build/gallery/index.html
   ./course run 02 [options]     chapter 02, by its number or its name, with the chapter's own options
   ./course run 02 --help        a list of these options
-  ./course run --gallery        the pictures, with or without a display"""
+  ./course run --gallery        the pictures, with or without a display
+  ./course run --gallery --shard 3/16 --out F    part 3 of 16 of them, into the folder F; --merge F writes the page
+  ./course run --gallery --slurm                 Slurm draws the parts"""
 
 
 def run_words(words: list[str]) -> int:
     if words and words[0] in ("--help", "-h"):
         say(HELP)
         return 0
-    if words and words[0].startswith("-") and words != ["--gallery"]:
+    if words and words[0].startswith("-") and words[0] != "--gallery":
         raise UsageError(f"name the chapter first, as in ./course run 01 {' '.join(words)}")
+    if words[1:] and words[0] == "--gallery":
+        return gallery_in_shards(words[1:])
     if words and words != ["--gallery"]:
         return start(find_chapter(words[0]), words[1:])
     build(["programs"])
@@ -54,31 +61,96 @@ def execute(program: Path, options: list[str]):
         raise Failure(f"{relative(program)}: {error.strerror}") from None
 
 
+class GalleryWords(argparse.ArgumentParser):
+    def error(self, message):
+        raise UsageError(f"{message}; see ./course run --help")
+
+
+def gallery_in_shards(words: list[str]) -> int:
+    parser = GalleryWords(add_help=False, allow_abbrev=False)
+    shards.add_arguments(parser)
+    slurm.add_arguments(parser)
+    parser.add_argument("--out", type=Path)
+    arguments, rest = parser.parse_known_args(words)
+    if rest or not (arguments.shard or arguments.merge or arguments.slurm is not None):
+        parser.error(f"unrecognised argument '{(rest or words)[0]}'")
+    shards.check_arguments(arguments)
+    slurm.check_arguments(arguments)
+    if arguments.slurm is not None:
+        arguments.merge = [slurm.run("gallery", arguments, ["run", "--gallery", *words], lambda: build(["programs"]))]
+        slurm.finished("gallery")
+    if arguments.merge:
+        with alone(BUILD, "gallery"):
+            return merge_gallery(arguments.merge)
+    file = shards.file_of(arguments.out, "gallery", arguments.shard)
+    build(["programs"])
+    return draw_gallery_shard(file, arguments.shard)
+
+
+def gallery_pictures() -> list[dict]:
+    return [{"chapter": chapter, "name": shot["name"], "caption": shot.get("caption", ""),
+             "image": f"{chapter}/{shot['name']}.png", "error": None,
+             "command": f"./course run {chapter[:2]} --shot {shot['name']}"}
+            for chapter in chapters() for shot in shots(chapter)]
+
+
+def draw_gallery_shard(file: Path, shard: shards.Shard) -> int:
+    """Draws the pictures that belong to a shard and writes it. Exit code 1 where one failed."""
+    pictures = gallery_pictures()
+    mine = [picture for picture in pictures if shard.takes(picture["image"])]
+    with tempfile.TemporaryDirectory(prefix="lightwalk.gallery.") as made:
+        draw(Path(made), mine)
+        drawn = {picture["image"]: Path(made, picture["image"]).read_bytes() for picture in mine if not picture["error"]}
+        entries = {picture["image"]: {"error": picture["error"], "sha256": hashlib.sha256(drawn.get(picture["image"], b"")).hexdigest()}
+                   for picture in mine}
+        head = {"pictures": [picture["image"] for picture in pictures], "course": shards.course_version()}
+        shards.write(file, "gallery", shard, head, entries, drawn)
+    say(f"{relative(file)}: {len(drawn)} of {len(pictures)} pictures")
+    return say_failed(mine)
+
+
+def merge_gallery(paths: list[Path]) -> int:
+    """Writes the page of the pictures that all shards drew. Exit code 1 where one failed."""
+    made, folder, pictures = shards.merge(paths, "gallery"), BUILD / "gallery", gallery_pictures()
+    if made.head["pictures"] != [picture["image"] for picture in pictures]:
+        raise UsageError("the shards are of a course with other pictures: make them again")
+    for picture in pictures:
+        picture["error"] = made.entries[picture["image"]]["error"]
+        if not picture["error"]:
+            write_atomically(folder / picture["image"], made.file(picture["image"], picture["image"]))
+    return finish_gallery(pictures, folder)
+
+
 def draw_gallery() -> int:
     """Draws every chapter's shots that are not drawn yet as things stand. Exit code 1 where one failed."""
-    from pages.gallery import write_gallery  # here: a chapter starts without jinja2, too
-
-    folder = BUILD / "gallery"
-    pictures = [{"chapter": chapter, "name": shot["name"], "caption": shot.get("caption", ""),
-                 "image": f"{chapter}/{shot['name']}.png", "error": None,
-                 "command": f"./course run {chapter[:2]} --shot {shot['name']}"}
-                for chapter in chapters() for shot in shots(chapter)]
+    folder, pictures = BUILD / "gallery", gallery_pictures()
     known, keys = read_keys(folder), {chapter: key_of(chapter) for chapter in chapters()}
     stale = [picture for picture in pictures
              if known.get(picture["image"]) != keys[picture["chapter"]] or not (folder / picture["image"]).exists()]
     start_s = time.monotonic()
     draw(folder, stale)
-    write_gallery(pictures, folder / "index.html")  # with nothing to draw, too: lessons may have got pages
     if stale:
         drawn = {picture["image"]: keys[picture["chapter"]] for picture in pictures if not picture["error"]}
         write_atomically(folder / "drawn.json", json.dumps(drawn))
         warn(f"drew {len(stale)} pictures in {time.monotonic() - start_s:.1f} s")
+    return finish_gallery(pictures, folder)
+
+
+def finish_gallery(pictures: list[dict], folder: Path) -> int:
+    from pages.gallery import write_gallery  # here: a chapter starts without jinja2, too
+
+    write_gallery(pictures, folder / "index.html")  # with nothing to draw, too: lessons may have got pages
+    failed = say_failed(pictures)
+    if not has_display():
+        warn("there is no display to open a window on")
+    say(f"{relative(folder / 'index.html')}: {sum(not picture['error'] for picture in pictures)} pictures")
+    return failed
+
+
+def say_failed(pictures: list[dict]) -> int:
     failed = [picture for picture in pictures if picture["error"]]
     for picture in failed:
         warn(f"{picture['chapter']}.{picture['name']}: {picture['error']}")
-    if not has_display():
-        warn("there is no display to open a window on")
-    say(f"{relative(folder / 'index.html')}: {len(pictures) - len(failed)} pictures")
     return 1 if failed else 0
 
 

@@ -134,6 +134,12 @@ def write_atomically(path: Path, data: bytes | str):
         beside.unlink(missing_ok=True)
 
 
+def cores() -> int:
+    """How many threads this process may keep busy: what Slurm gave it, else the processors it may run on."""
+    given = os.environ.get("SLURM_CPUS_PER_TASK", "")
+    return int(given) if given.isdigit() and int(given) else len(os.sched_getaffinity(0))
+
+
 def say(line: str = ""):
     print(line, flush=True)
 

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "common/base/error.h"
+#include "common/gpu/capture.h"
 #include "common/gpu/device_features.h"
 
 namespace lightwalk {
@@ -100,6 +101,11 @@ VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, const std::str
         known += fmt::format("{}{} ({}{})", known.empty() ? "" : ", ", info.name, info.type,
                              info.lacks.empty() ? "" : ", lacks " + info.lacks);
     }
+    if (has_renderdoc() && known.find("lacks Vulkan 1.3") != std::string::npos)
+        throw InputError(
+            "--capture: RenderDoc hides Vulkan 1.3 of drivers that cannot replay the addresses of buffers, as "
+            "lavapipe: {}",
+            known);
     if (wanted.empty()) throw InputError("no device has what the course needs: {}", known);
     throw InputError("--device {}: no usable device of that name; there are: {}", wanted, known);
 }
@@ -111,17 +117,34 @@ void load(VkInstance instance, F& function, const char* name) {
 
 }  // namespace
 
-std::vector<DeviceInfo> list_devices() {
+namespace {
+
+// What `ask` says of each device, in the order in which they are preferred.
+template <class Ask>
+auto of_all_devices(Ask ask) {
     const VkInstance instance = make_instance({}, false);
-    std::vector<DeviceInfo> result;
+    std::vector<decltype(ask(VkPhysicalDevice()))> result;
     try {
-        for (const VkPhysicalDevice physical : physical_devices(instance)) result.push_back(describe_device(physical));
+        for (const VkPhysicalDevice physical : physical_devices(instance)) result.push_back(ask(physical));
     } catch (...) {
         vkDestroyInstance(instance, nullptr);
         throw;
     }
     vkDestroyInstance(instance, nullptr);
     return result;
+}
+
+}  // namespace
+
+std::vector<DeviceInfo> list_devices() { return of_all_devices(describe_device); }
+
+std::vector<std::vector<std::pair<std::string, bool>>> list_optional_features() {
+    return of_all_devices([](VkPhysicalDevice physical) {
+        VkPhysicalDeviceProperties properties;
+        vkGetPhysicalDeviceProperties(physical, &properties);
+        return properties.apiVersion < VK_API_VERSION_1_3 ? std::vector<std::pair<std::string, bool>>()
+                                                          : optional_features(physical);
+    });
 }
 
 Device::Device(const DeviceOptions& options) : Device() {

@@ -4,9 +4,46 @@
 
 #include <algorithm>
 #include <cstring>
-#include <vector>
 
 namespace lightwalk {
+namespace {
+
+// Those that some chapter uses, and says where they are missing.
+#define FEATURE(name) \
+    { #name, &VkPhysicalDeviceFeatures::name }
+constexpr std::pair<const char*, VkBool32 VkPhysicalDeviceFeatures::*> optional_core[] = {
+    FEATURE(geometryShader),
+    FEATURE(samplerAnisotropy),
+    FEATURE(fragmentStoresAndAtomics),
+    FEATURE(vertexPipelineStoresAndAtomics),
+    FEATURE(depthClamp),
+    FEATURE(depthBiasClamp),
+    FEATURE(independentBlend),
+    FEATURE(imageCubeArray),
+    FEATURE(multiDrawIndirect),
+    FEATURE(drawIndirectFirstInstance),
+    FEATURE(shaderUniformBufferArrayDynamicIndexing),
+    FEATURE(shaderSampledImageArrayDynamicIndexing),
+    FEATURE(shaderStorageBufferArrayDynamicIndexing),
+    FEATURE(shaderStorageImageArrayDynamicIndexing),
+    FEATURE(shaderFloat64),
+    FEATURE(sampleRateShading),
+    FEATURE(fillModeNonSolid),
+    FEATURE(shaderStorageImageWriteWithoutFormat),
+};
+#undef FEATURE
+
+}  // namespace
+
+std::vector<std::pair<std::string, bool>> optional_features(VkPhysicalDevice physical) {
+    const DeviceFeatures features(physical);
+    std::vector<std::pair<std::string, bool>> found;
+    for (const auto& [name, member] : optional_core) found.emplace_back(name, features.core.features.*member);
+    found.emplace_back("shaderDemoteToHelperInvocation", features.v13.shaderDemoteToHelperInvocation);
+    found.emplace_back("shaderTerminateInvocation", features.v13.shaderTerminateInvocation);
+    found.emplace_back("push descriptors", Limits(physical).push_descriptors > 0);
+    return found;
+}
 
 DeviceFeatures::DeviceFeatures(VkPhysicalDevice physical) {
     VkPhysicalDeviceVulkan13Features has13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
@@ -28,24 +65,7 @@ DeviceFeatures::DeviceFeatures(VkPhysicalDevice physical) {
     need(has13.synchronization2, v13.synchronization2, "synchronization2");
     need(has13.maintenance4, v13.maintenance4, "maintenance4");
     // Optional: a chapter that uses one says so where it is missing.
-    core.features.geometryShader = has.features.geometryShader;
-    core.features.samplerAnisotropy = has.features.samplerAnisotropy;
-    core.features.fragmentStoresAndAtomics = has.features.fragmentStoresAndAtomics;
-    core.features.vertexPipelineStoresAndAtomics = has.features.vertexPipelineStoresAndAtomics;
-    core.features.depthClamp = has.features.depthClamp;
-    core.features.depthBiasClamp = has.features.depthBiasClamp;
-    core.features.independentBlend = has.features.independentBlend;
-    core.features.imageCubeArray = has.features.imageCubeArray;
-    core.features.multiDrawIndirect = has.features.multiDrawIndirect;
-    core.features.drawIndirectFirstInstance = has.features.drawIndirectFirstInstance;
-    core.features.shaderUniformBufferArrayDynamicIndexing = has.features.shaderUniformBufferArrayDynamicIndexing;
-    core.features.shaderSampledImageArrayDynamicIndexing = has.features.shaderSampledImageArrayDynamicIndexing;
-    core.features.shaderStorageBufferArrayDynamicIndexing = has.features.shaderStorageBufferArrayDynamicIndexing;
-    core.features.shaderStorageImageArrayDynamicIndexing = has.features.shaderStorageImageArrayDynamicIndexing;
-    core.features.shaderFloat64 = has.features.shaderFloat64;
-    core.features.sampleRateShading = has.features.sampleRateShading;
-    core.features.fillModeNonSolid = has.features.fillModeNonSolid;
-    core.features.shaderStorageImageWriteWithoutFormat = has.features.shaderStorageImageWriteWithoutFormat;
+    for (const auto& [name, member] : optional_core) core.features.*member = has.features.*member;
     v13.shaderDemoteToHelperInvocation = has13.shaderDemoteToHelperInvocation;
     v13.shaderTerminateInvocation = has13.shaderTerminateInvocation;
 }

@@ -3,6 +3,9 @@
 #include <vulkan/vulkan.h>
 
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "common/gpu/device.h"
 
@@ -28,6 +31,12 @@ struct Limits {
     VkPhysicalDeviceVulkan13Properties core13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES};
     uint32_t push_descriptors = 0;  ///< 0: it cannot push them
 };
+
+/// What is used where the device has it, by Vulkan's name. Of a device of Vulkan 1.3.
+std::vector<std::pair<std::string, bool>> optional_features(VkPhysicalDevice physical);
+
+/// The same of all devices, in the order of list_devices(); empty for one without Vulkan 1.3.
+std::vector<std::vector<std::pair<std::string, bool>>> list_optional_features();
 
 DeviceInfo describe_device(VkPhysicalDevice physical);
 std::optional<uint32_t> graphics_family(VkPhysicalDevice physical);

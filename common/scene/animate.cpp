@@ -45,6 +45,7 @@ bool Scene::place(DrawItem& item) const {
 }
 
 void Scene::place_objects(float time_s) {
+    time_s_ = time_s;
     for (const auto& model : moving_models_) model->nodes = world_transforms(model->model, time_s);
     for (size_t i = 0; i < objects_.size(); ++i) {
         Placed& object = objects_[i];

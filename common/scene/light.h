@@ -18,6 +18,7 @@ struct Light {
     bool shadow = false;                       ///< what stands in its light casts a shadow
     float size_m = 0.0f;    ///< diameter of the lamp, a disc that faces what it lights; point and spot
     float size_rad = 0.0f;  ///< how wide the lamp looks from here, as the sun; directional
+    std::string name{};     ///< for people; may be empty
     bool operator==(const Light&) const = default;
 };
 

@@ -3,6 +3,7 @@
 #include <glm/gtc/constants.hpp>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 
 #include "common/base/error.h"
 
@@ -58,31 +59,43 @@ void Scene::load(Gpu& gpu, SceneFile scene, const ModelLoader& loader) {
     white_ = images_->constant(glm::vec4(1.0f));
     flat_ = images_->constant({0.5f, 0.5f, 1.0f, 1.0f});
     file = std::move(scene);
+    time_s_ = 0;
     sky_sun_.reset();
     load_environment();
     items.clear();
-    objects_.clear();
     moving_models_.clear();
-    moving_items_.clear();
-    bounds = {};
-    std::map<std::string, int> by_name;
+    link_objects();
     const Roles roles(file);
+    for (size_t i = 0; i < file.objects.size(); ++i)
+        if (!file.objects[i].model.empty() && !objects_[i].hidden) add_items(gpu, i, roles, loader);
+    place_and_upload(gpu);
+}
+
+// Parents, and where objects are.
+void Scene::link_objects() {
+    objects_.clear();
+    std::unordered_map<std::string_view, int> by_name;
     for (size_t i = 0; i < file.objects.size(); ++i) {
         const SceneObject& object = file.objects[i];
         Placed& placed_object = objects_.emplace_back();
         if (!object.parent.empty()) placed_object.parent = by_name.at(object.parent);
         const Placed root;
         const Placed& parent = placed_object.parent < 0 ? root : objects_[static_cast<size_t>(placed_object.parent)];
-        placed_object.local = local_transform(object, 0.0f);
+        placed_object.local = local_transform(object, time_s_);
         placed_object.world = parent.world * placed_object.local;
         placed_object.moves = object.motion || parent.moves;
+        placed_object.hidden = object.hidden || parent.hidden;
         if (!object.name.empty()) by_name[object.name] = static_cast<int>(i);
-        if (!object.model.empty()) add_items(gpu, i, roles, loader);
     }
+}
+
+void Scene::place_and_upload(Gpu& gpu) {
     for (DrawItem& item : items) place(item);
     sort_items();
     find_batches();
     placed = next_placement();
+    bounds = {};
+    moving_items_.clear();
     std::vector<Instance> instance_data;
     std::vector<MaterialData> numbers;
     for (size_t i = 0; i < items.size(); ++i) {
@@ -96,6 +109,7 @@ void Scene::load(Gpu& gpu, SceneFile scene, const ModelLoader& loader) {
     to_upload_.assign(items.size(), false);
     instances = gpu.upload("instances", instance_data);
     materials = gpu.upload("materials", numbers);
+    first_item_.clear();
 }
 
 void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLoader& loader) {
@@ -121,7 +135,7 @@ void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLo
                 item.transparent = item.material.opacity < 1.0f || item.material.blend;
                 item.roughness = from.material.roughness.value_or(-1.0f);
                 item.metalness = from.material.metalness.value_or(-1.0f);
-                item.maps = load_maps(*images_, own, from.material, warned_);
+                item.maps = item.loaded_maps = load_maps(*images_, own, from.material, warned_);
             }
 }
 

@@ -19,6 +19,7 @@ struct DrawItem {
     /// opacity map or a texture's alpha cuts leave an item opaque: what is cut out is not drawn, the rest hides.
     bool transparent = false;
     MaterialMaps maps;
+    MaterialMaps loaded_maps;  ///< as the pool has them: modules may put others into `maps`
     Material material;
     Role role = Role::plain;
     float roughness = -1, metalness = -1;  ///< the scene file's, instead of a map's; below 0: it says nothing
@@ -53,10 +54,34 @@ class Scene : public Drawable {
     /// Loads models and textures and places them as at 0 s. Throws InputError.
     void load(Gpu& gpu, SceneFile scene, const ModelLoader& loader);
 
+    // Edits of a loaded scene. Both count as a placement (`placed`).
+
+    /// Where an object stands in its parent's space.
+    struct Move {
+        uint32_t object;  ///< of file.objects
+        glm::vec3 position, rotation_deg, scale;
+    };
+
+    /// Places these objects and their children; upload_moved() tells the device.
+    void move(std::span<const Move> moves);
+
+    /// Other objects in place of those loaded. `from`: for each the one of file.objects that it was, or `new_object`. Of
+    /// what has the same model, material and role as before nothing is loaded or looked up again; other models and
+    /// textures come from the pools. Throws InputError as load(), and then nothing has changed.
+    /// Returns whether modules have something to prepare: a model or a material that was not there before. Every item's
+    /// maps are then those of the pool again.
+    bool replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::span<const uint32_t> from,
+                         const ModelLoader& loader);
+    static constexpr uint32_t new_object = ~0u;
+
+    /// The environment that `file` names now. Throws InputError.
+    void replace_environment(const Environment& other);
+
     /// One sun for whatever is drawn together: the file's first directional light and its ambient light, unless a sky
     /// has said otherwise. Black without either.
     Sun sun() const;
     void set_sun(const Sun& sun) { sky_sun_ = sun; }
+    void forget_sun() { sky_sun_.reset(); }  ///< there is no sky any more
 
     /// The file's, the first directional one as sun() has it.
     std::vector<Light> lights() const;
@@ -99,16 +124,20 @@ class Scene : public Drawable {
     friend void animate(Scene& scene, float time_s);
     struct Placed {
         int parent = -1;  ///< an earlier object
-        bool moves = false;
+        bool moves = false, hidden = false;
         glm::mat4 local{1.0f}, world{1.0f};  ///< local: of an object without a motion of its own
     };
     void add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLoader& loader);
     void load_environment();
+    void link_objects();
+    void place_and_upload(Gpu& gpu);
     bool place(DrawItem& item) const;
     void place_objects(float time_s);
     void sort_items();
     void find_batches();
     std::vector<Placed> objects_;
+    std::vector<uint32_t> first_item_, items_of_;  ///< of each object; its items are those from its first to the next's
+    float time_s_ = 0;
     std::optional<Sun> sky_sun_;
     std::vector<std::shared_ptr<GpuModel>> moving_models_;
     std::vector<uint32_t> moving_items_, batch_of_;

@@ -109,12 +109,19 @@ void read(const std::string& text, const fs::path& path, Includes& includes, Sce
     each(source, r, "objects", [&](KeyReader object, const std::string& pointer) {
         scene.objects.push_back(read_object(source, std::move(object), pointer));
     });
-    each(source, r, "lights",
-         [&](KeyReader light, const std::string&) { scene.lights.push_back(read_light(std::move(light))); });
+    each(source, r, "lights", [&](KeyReader reader, const std::string&) {
+        bool hidden = false;
+        Light light = read_light(std::move(reader), hidden);
+        if (hidden)
+            scene.hidden_lights.push_back({scene.lights.size(), std::move(light)});
+        else
+            scene.lights.push_back(std::move(light));
+    });
     r.vector("ambient", scene.ambient, 0, 1e4);
     r.vector("background", scene.background, 0, 1e4);
     if (r.find("environment")) scene.environment = read_environment(source, r);
     if (r.find("music")) scene.music = read_music(source, r);
+    r.string("knobs_of", scene.knobs_of);
     if (const json* knobs = r.find("knobs")) {
         if (!knobs->is_object()) r.refuse("knobs", "must be an object { name: value }");
         for (const auto& [name, value] : knobs->items())

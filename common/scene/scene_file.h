@@ -29,6 +29,7 @@
 //                    drawn last, the farthest object first, and casts no shadow), roughness, metalness
 //                    (0 to 1), maps {slot: file} (diffuse, specular, emissive, opacity, normal, height, orm, occlusion,
 //                    gloss, detail_normal, displacement)
+//     hidden         false; true: neither it nor its children are drawn
 //     motion         at least one of
 //       spin_deg_per_s   0, about axis ([0, 1, 0], any length above 0) in the object's own space, -1e5 to 1e5
 //       path             list of keyframes: time_s (required, rising, -1e6 to 1e6), position, rotation_deg, scale (the
@@ -47,7 +48,11 @@
 //     shadow         false; true: what stands in its light casts a shadow
 //     size_m         0, diameter of the lamp, 0 to 1e3; point and spot
 //     size_deg       0, how wide the lamp looks (the sun: 0.53), 0 to 90; directional
+//     name           a text; none
+//     hidden         false; true: it is switched off
 //   knobs        {name: value}, those of the chapter that shows the scene
+//   knobs_of     a chapter, such as 18_playground, whose knobs these are: other chapters leave out those that they do not
+//                have. Without it every chapter refuses a knob that it does not have
 #pragma once
 #include <filesystem>
 #include <map>
@@ -80,6 +85,13 @@ struct SceneObject {
     Motion motion{};
     GivenRole role{};
     std::string shows{};  ///< of a screen: the name of the object whose view it shows
+    bool hidden = false;  ///< neither it nor its children are drawn
+};
+
+/// A light that is switched off.
+struct HiddenLight {
+    size_t before = 0;  ///< how many of SceneFile::lights stand before it
+    Light light;
 };
 
 /// Light from far away in every direction, as an image.
@@ -103,11 +115,13 @@ struct SceneFile {
     Camera camera;
     std::vector<SceneObject> objects;  ///< a parent stands before its children
     std::vector<Light> lights;
+    std::vector<HiddenLight> hidden_lights;
     glm::vec3 ambient{0.05f};     ///< linear radiance from everywhere
     glm::vec3 background{0.02f};  ///< linear
     Environment environment;
     SceneMusic music;
     std::map<std::string, std::string> knobs;
+    std::string knobs_of{};  ///< the chapter that they were set in; empty: whichever shows the scene
 };
 
 /// Reads the file and those it includes. Throws InputError: syntax error, unknown key, wrong type, value out of range,
@@ -117,6 +131,11 @@ SceneFile parse_scene(const std::string& text, const std::filesystem::path& path
 
 /// Writes what read_scene reads back, whole or not at all.
 void write_scene(const SceneFile& scene, const std::filesystem::path& path);
+
+/// What write_scene writes. Equal scenes give equal texts; each number is the shortest decimal that is read back as the
+/// same float, of at most nine digits. `includes`: file names as they stand in the file, whose objects and lights are
+/// not among those of `scene`.
+std::string scene_text(const SceneFile& scene, const std::vector<std::string>& includes = {});
 
 /// Writes the scene's camera and knobs into a scene file that is there, and leaves all else in it as it is: includes,
 /// the order of keys, what was edited since. Throws InputError where the file does not parse.

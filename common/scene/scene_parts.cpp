@@ -155,6 +155,7 @@ SceneObject read_object(const JsonWithLines& source, KeyReader r, const std::str
     r.string("model", model);
     if (!model.empty()) object.model = asset(source, pointer + "/model", model);
     read_roles(source, r, object);
+    r.boolean("hidden", object.hidden);
     r.vector("position", object.position);
     r.vector("rotation_deg", object.rotation_deg);
     read_scale(r, object.scale);
@@ -169,8 +170,9 @@ SceneObject read_object(const JsonWithLines& source, KeyReader r, const std::str
     return object;
 }
 
-Light read_light(KeyReader r) {
+Light read_light(KeyReader r, bool& hidden) {
     Light light;
+    r.boolean("hidden", hidden);
     std::string kind = "directional";
     r.string("type", kind);
     if (kind == "point")
@@ -184,7 +186,8 @@ Light read_light(KeyReader r) {
     if (light.kind != Light::Kind::point) {
         r.vector("direction", light.direction);
         if (glm::length(light.direction) == 0.0f) r.refuse("direction", "has no length");
-        light.direction = glm::normalize(light.direction);
+        // What has unit length stays as it is, to the bit: a scene that is read and written again is the same text.
+        if (std::abs(glm::length(light.direction) - 1.0f) > 1e-6f) light.direction = glm::normalize(light.direction);
     }
     if (light.kind != Light::Kind::directional) {
         r.vector("position", light.position);
@@ -196,6 +199,7 @@ Light read_light(KeyReader r) {
         r.number("softness", light.softness, 0, 1);
         if (light.inner_rad > light.outer_rad) r.refuse("inner_deg", "is above outer_deg");
     }
+    r.string("name", light.name);
     r.boolean("shadow", light.shadow);
     if (light.kind == Light::Kind::directional)
         r.angle("size_deg", light.size_rad, 0, 90);

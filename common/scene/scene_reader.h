@@ -97,7 +97,8 @@ void each(const JsonWithLines& source, KeyReader& parent, const char* key, F rea
 
 // The parts of a scene file, each from the object that holds its keys. They throw InputError.
 void read_camera(KeyReader r, Camera& camera);
-Light read_light(KeyReader r);
+/// `hidden`: whether it is switched off.
+Light read_light(KeyReader r, bool& hidden);
 SceneObject read_object(const JsonWithLines& source, KeyReader r, const std::string& pointer);
 
 /// `environment`, as a file name or as an object.

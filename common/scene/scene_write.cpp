@@ -1,3 +1,5 @@
+#include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "common/base/error.h"
@@ -10,20 +12,38 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-json list(glm::vec3 v) { return {v.x, v.y, v.z}; }
+// The shortest decimal that is this float, as a double: 0.1f is written as 0.1, not as 0.10000000149011612.
+double number(float value) {
+    char text[32];
+    const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
+    double result = 0;
+    std::from_chars(text, end, result);
+    return result;
+}
+
+// Angles in the file are in degrees. Of the floats near to what it is in degrees, the one that is read back as the same
+// angle: degrees() and radians() round, each its own way.
+double degrees(float rad) {
+    const float near = glm::degrees(rad);
+    for (const float candidate : {near, std::nextafter(near, 0.0f), std::nextafter(near, 1e9f)})
+        if (glm::radians(candidate) == rad) return number(candidate);
+    return number(near);
+}
+
+json list(glm::vec3 v) { return {number(v.x), number(v.y), number(v.z)}; }
 
 json motion_json(const Motion& motion) {
     json j = json::object();
     if (motion.spin_deg_per_s != 0.0f) {
-        j["spin_deg_per_s"] = motion.spin_deg_per_s;
+        j["spin_deg_per_s"] = number(motion.spin_deg_per_s);
         j["axis"] = list(motion.axis);
     }
     for (const Keyframe& key : motion.path)
-        j["path"].push_back({{"time_s", key.time_s},
+        j["path"].push_back({{"time_s", number(key.time_s)},
                              {"position", list(key.position)},
                              {"rotation_deg", list(key.rotation_deg)},
                              {"scale", list(key.scale)}});
-    if (motion.period_s > 0.0f) j["period_s"] = motion.period_s;
+    if (motion.period_s > 0.0f) j["period_s"] = number(motion.period_s);
     return j;
 }
 
@@ -43,39 +63,44 @@ json object_json(const SceneObject& o) {
     if (m.diffuse) material["diffuse"] = list(*m.diffuse);
     if (m.specular) material["specular"] = list(*m.specular);
     if (m.emissive) material["emissive"] = list(*m.emissive);
-    if (m.shininess) material["shininess"] = *m.shininess;
-    if (m.opacity) material["opacity"] = *m.opacity;
-    if (m.roughness) material["roughness"] = *m.roughness;
-    if (m.metalness) material["metalness"] = *m.metalness;
+    if (m.shininess) material["shininess"] = number(*m.shininess);
+    if (m.opacity) material["opacity"] = number(*m.opacity);
+    if (m.roughness) material["roughness"] = number(*m.roughness);
+    if (m.metalness) material["metalness"] = number(*m.metalness);
     for (const auto& [slot, file] : m.maps) material["maps"][slot] = file.generic_string();
     if (m.blend) material["blend"] = *m.blend;
     if (!material.empty()) j["material"] = material;
+    if (o.hidden) j["hidden"] = true;
     if (o.motion) j["motion"] = motion_json(o.motion);
     return j;
 }
 
 json light_json(const Light& light) {
     static constexpr const char* kinds[] = {"directional", "point", "spot"};
-    json j{{"type", kinds[static_cast<int>(light.kind)]}, {"color", list(light.color)}, {"intensity", light.intensity}};
+    json j = json::object();
+    if (!light.name.empty()) j["name"] = light.name;
+    j.update({{"type", kinds[static_cast<int>(light.kind)]},
+              {"color", list(light.color)},
+              {"intensity", number(light.intensity)}});
     if (light.kind != Light::Kind::point) j["direction"] = list(light.direction);
     if (light.kind != Light::Kind::directional) {
         j["position"] = list(light.position);
-        j["range_m"] = light.range_m;
+        j["range_m"] = number(light.range_m);
     }
     if (light.kind == Light::Kind::spot) {
-        j["inner_deg"] = glm::degrees(light.inner_rad);
-        j["outer_deg"] = glm::degrees(light.outer_rad);
-        j["softness"] = light.softness;
+        j["inner_deg"] = degrees(light.inner_rad);
+        j["outer_deg"] = degrees(light.outer_rad);
+        j["softness"] = number(light.softness);
     }
     if (light.shadow) j["shadow"] = true;
-    if (light.size_m > 0.0f) j["size_m"] = light.size_m;
-    if (light.size_rad > 0.0f) j["size_deg"] = glm::degrees(light.size_rad);
+    if (light.size_m > 0.0f) j["size_m"] = number(light.size_m);
+    if (light.size_rad > 0.0f) j["size_deg"] = degrees(light.size_rad);
     return j;
 }
 
 json camera_json(const Camera& c) {
-    return {{"position", list(c.position)},         {"target", list(c.target)}, {"up", list(c.up)},
-            {"fov_deg", glm::degrees(c.fov_y_rad)}, {"near_m", c.near_m},       {"far_m", c.far_m}};
+    return {{"position", list(c.position)},    {"target", list(c.target)},   {"up", list(c.up)},
+            {"fov_deg", degrees(c.fov_y_rad)}, {"near_m", number(c.near_m)}, {"far_m", number(c.far_m)}};
 }
 
 json knobs_json(const SceneFile& scene) {
@@ -84,35 +109,61 @@ json knobs_json(const SceneFile& scene) {
     return j;
 }
 
+std::string text_of(const json& j) {
+    try {
+        return j.dump(1, '\t') + "\n";
+    } catch (const json::type_error&) {
+        throw InputError("a name in the scene is not UTF-8, and JSON holds nothing else");
+    }
+}
+
 void write(const json& j, const std::filesystem::path& path) {
     std::string text;
     try {
-        text = j.dump(1, '\t');
-    } catch (const json::type_error&) {
-        throw InputError("{}: cannot be written: a name in the scene is not UTF-8, and JSON holds nothing else",
-                         path.string());
-    }
-    write_file(path, text + "\n");
+        text = text_of(j);
+    } catch (const InputError& e) { throw InputError("{}: cannot be written: {}", path.string(), e.what()); }
+    write_file(path, text);
 }
 
-}  // namespace
+json lights_json(const SceneFile& scene) {
+    json all = json::array();
+    auto hidden = scene.hidden_lights.begin();
+    for (size_t i = 0; i <= scene.lights.size(); ++i) {
+        for (; hidden != scene.hidden_lights.end() && (hidden->before <= i || i == scene.lights.size()); ++hidden) {
+            all.push_back(light_json(hidden->light));
+            all.back()["hidden"] = true;
+        }
+        if (i < scene.lights.size()) all.push_back(light_json(scene.lights[i]));
+    }
+    return all;
+}
 
-void write_scene(const SceneFile& scene, const std::filesystem::path& path) {
+json scene_json(const SceneFile& scene, const std::vector<std::string>& includes) {
     json j;
+    if (!includes.empty()) j["include"] = includes;
     j["camera"] = camera_json(scene.camera);
     j["ambient"] = list(scene.ambient);
     j["background"] = list(scene.background);
     if (const Environment& e = scene.environment)
-        j["environment"] = {
-            {"image", e.image.generic_string()}, {"intensity", e.intensity}, {"rotation_deg", e.rotation_deg}};
+        j["environment"] = {{"image", e.image.generic_string()},
+                            {"intensity", number(e.intensity)},
+                            {"rotation_deg", number(e.rotation_deg)}};
     if (scene.music) j["music"] = scene.music.file.generic_string();
     j["objects"] = json::array();
     for (const SceneObject& o : scene.objects) j["objects"].push_back(object_json(o));
-    j["lights"] = json::array();
-    for (const Light& light : scene.lights) j["lights"].push_back(light_json(light));
+    j["lights"] = lights_json(scene);
+    if (!scene.knobs_of.empty()) j["knobs_of"] = scene.knobs_of;
     j["knobs"] = knobs_json(scene);
-    write(j, path);
+    return j;
 }
+
+}  // namespace
+
+std::string scene_text(const SceneFile& scene, const std::vector<std::string>& includes) {
+    return text_of(scene_json(scene, includes));
+}
+
+void write_scene(const SceneFile& scene, const std::filesystem::path& path) { write(scene_json(scene, {}), path); }
 
 void update_scene(const SceneFile& scene, const std::filesystem::path& path) {
     const std::string text = read_file(path);

@@ -201,17 +201,24 @@ class PlanReader {
             if (before.label == scene.label)
                 entry.refuse(": two scenes are called '" + scene.label + "'; a \"label\" of its own tells them apart");
         for (const auto& [name, ignored] : scene.set)
-            if (sets_elsewhere(name))
+            if (sets_elsewhere(name, scene.set))
                 entry.refuse(": '" + name + "' is set by the scene, so neither a curve nor the truth may set it");
         plan_.scenes.push_back(scene);
     }
 
-    bool sets_elsewhere(const std::string& name) const {
+    // Whether something else sets a knob of a scene: the truth, or a curve that is for the scene and does not say by
+    // "where" that it means this very knob, whose value in the scene is then the truth's.
+    bool sets_elsewhere(const std::string& name, const KnobValues& by_scene) const {
         const auto sets = [&](const KnobValues& values) {
             return std::any_of(values.begin(), values.end(), [&](const auto& value) { return value.first == name; });
         };
         return sets(plan_.truth) || (plan_.doubled && sets(*plan_.doubled)) ||
                std::any_of(plan_.points.begin(), plan_.points.end(), [&](const StudyPoint& point) {
+                   for (const auto& [key, value] : point.where) {
+                       if (key == name) return false;
+                       for (const auto& [other, given] : by_scene)
+                           if (other == key && given != value) return false;
+                   }
                    return sets(point.set) || (name == "method" && !point.method.empty());
                });
     }

@@ -44,6 +44,10 @@ void on_cursor(GLFWwindow* window, double x, double y) {
     note(window, [&](Input& input) { input.cursor = {x, y}; });
 }
 
+void on_drop(GLFWwindow* window, int count, const char** files) {
+    note(window, [&](Input& input) { input.dropped.insert(input.dropped.end(), files, files + count); });
+}
+
 // Xlib calls it when the X server is gone, and ends the program after it in any case.
 int on_lost_display(void*) {
     std::fputs("error: the display went away\n", stderr);
@@ -103,6 +107,7 @@ Display::Display(const std::string& title, glm::ivec2 wanted, const std::string&
     glfwSetKeyCallback(window, on_key);
     glfwSetScrollCallback(window, on_scroll);
     glfwSetCursorPosCallback(window, on_cursor);
+    glfwSetDropCallback(window, on_drop);
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { note(w, [](Input&) {}); });
     // A mouse that comes back to the pixel where it left has not moved.
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { note(w, [](Input&) {}); });
@@ -150,6 +155,9 @@ Input Display::poll(double wait_s) {
     return result;
 }
 
+std::vector<std::filesystem::path> Display::take_dropped() { return std::exchange(events_->input.dropped, {}); }
+
+void Display::stay_open() { glfwSetWindowShouldClose(window, GLFW_FALSE); }
 bool Display::wants_to_close() const { return glfwWindowShouldClose(window); }
 bool Display::is_minimised() const { return glfwGetWindowAttrib(window, GLFW_ICONIFIED); }
 bool Display::is_held(int key) const { return glfwGetKey(window, key) == GLFW_PRESS; }

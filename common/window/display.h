@@ -2,6 +2,7 @@
 #pragma once
 #include <vulkan/vulkan.h>
 
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
@@ -19,6 +20,7 @@ struct KeyPress {
 /// Lengths in the window's own coordinates, y down.
 struct Input {
     glm::vec2 cursor{0.0f}, moved{0.0f};
+    std::vector<std::filesystem::path> dropped{};
     float wheel = 0.0f;                                               ///< notches, away from the person is positive
     bool left = false, right = false, middle = false, shift = false;  ///< held now
     std::vector<KeyPress> pressed;
@@ -40,7 +42,11 @@ class Display {
     /// What happened since the last call; waits up to `wait_s` for something to happen.
     Input poll(double wait_s);
 
+    /// Files that were dropped on the window since the last call.
+    std::vector<std::filesystem::path> take_dropped();
+
     bool wants_to_close() const;
+    void stay_open();  ///< takes the wish to close back
     bool is_minimised() const;
     bool is_held(int key) const;
     glm::uvec2 framebuffer_size() const;  ///< pixels; 0 while minimised on some systems

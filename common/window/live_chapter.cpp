@@ -12,6 +12,7 @@ LiveChapter::LiveChapter(Chapter& c, Gpu& gpu, std::filesystem::path scene)
     : chapter(c), gpu_(gpu), scene_(std::move(scene)) {}
 
 void LiveChapter::load(const Loading& loading) {
+    chapter.plays = true;
     loaded_with_ = chapter.load_state();
     try {
         load_scene(chapter, gpu_, scene_, loading);

@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
+#include <imgui_internal.h>  // its queue of input
 
 #include <filesystem>
 #include <iterator>
@@ -199,6 +200,14 @@ void Overlay::make_framebuffers() {
                                            .layers = 1};
         check(vkCreateFramebuffer(gpu_.device.handle, &info, nullptr, &framebuffers_.emplace_back()), "framebuffer");
     }
+}
+
+bool Overlay::input_is_left() const {
+#if IMGUI_VERSION_NUM >= 18700
+    return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
+#else
+    return false;
+#endif
 }
 
 void Overlay::begin() {

@@ -19,6 +19,9 @@ class Overlay {
     /// Draws the widgets over the image acquired, which a transfer has just written, and leaves it ready to present.
     void draw(VkCommandBuffer commands);
 
+    /// Whether input waits for a later frame: since 1.87 Dear ImGui takes what came in one frame over several, in order.
+    bool input_is_left() const;
+
     ImFont* mono = nullptr;   ///< for code
     ImFont* large = nullptr;  ///< for headings
 

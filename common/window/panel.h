@@ -9,7 +9,8 @@ namespace lightwalk {
 
 /// What a person can ask for in the panel and with keys.
 struct Requests {
-    bool reload = false, screenshot = false, save = false, home = false, frame_scene = false, all_toggles = false;
+    bool reload = false, screenshot = false, capture = false, save = false, home = false, frame_scene = false,
+         all_toggles = false;
     bool earlier_toggles = false;  ///< all, and those of earlier chapters
     bool split = false, clock = false, panel = false, changed = false;
     std::string lesson;  ///< the chapter or the exercise whose lesson to show

@@ -25,7 +25,7 @@ int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make
             return compile_all_shaders(*chapter, options->compile_shaders, !options->default_variants);
         if (options->pictures) return draw_pictures(*options, name, make, gpu);
         if (options->stream) return stream_pictures(*options, name, make, gpu);
-        if (options->command) return options->command();
+        if (options->command) return options->command(*options, gpu);
         if (!options->study.empty()) return run_study(*options, *chapter, gpu);
         const Loading loading = automatic_choice(*options, *chapter);
         if (options->headless()) return run_headless(*options, *chapter, gpu, loading);

@@ -1,6 +1,8 @@
 #include "common/window/window.h"
 
 #include <chrono>
+#include <optional>
+#include <utility>
 
 #include "common/base/error.h"
 #include "common/base/exercise.h"
@@ -13,6 +15,7 @@ namespace {
 
 constexpr double watch_every_s = 0.2;    // how often shader files are looked at
 constexpr double settle_s = 0.5;         // drawn for so long after something happened, for the panel to come to rest
+constexpr int settle_frames = 3;         // and at least so many, however long each takes
 constexpr double compare_every_s = 1.0;  // while the picture moves
 constexpr glm::ivec2 default_size{1480, 660};
 
@@ -43,6 +46,7 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
     : options_(options),
       live_(live),
       chapter_(live.chapter),
+      tool_(dynamic_cast<WindowTool*>(&live.chapter)),
       gpu_(gpu),
       display_(display),
       scene_(std::move(scene)),
@@ -69,14 +73,21 @@ glm::uvec2 Window::picture_size() const {
 
 void Window::run() {
     active_until_ = now() + settle_s;
-    while (!display_.wants_to_close() && !close_) {
+    for (;;) {
+        if (display_.wants_to_close() || close_) {
+            if (!tool_ || tool_->may_close()) break;
+            display_.stay_open();
+            close_ = false;
+            active_until_ = now() + settle_s;
+        }
+        if (tool_) ask_tool();
         // Nothing is drawn while nothing changes: a software rasteriser has better things to do.
-        const bool idle = !clock_runs_ && now() > active_until_;
+        const bool idle = is_still();
         const Input input = display_.poll(idle || !swapchain_.ready() ? watch_every_s : 0.0);
         Requests requests;
         handle_keys(input, requests);
         obey(requests);
-        if (input.happened) active_until_ = now() + settle_s;
+        if (input.happened) active_until_ = now() + settle_s, frames_due_ = settle_frames;
         watch_files();
         watch_programs();
         if (!swapchain_.ready()) continue;
@@ -90,10 +101,14 @@ void Window::run() {
         const double since_last = std::min(now() - last_draw_, sound ? 1.0 : 0.1);
         move_camera(input, since_last);
         sound_.follow(sound, double(time_s_), clock_runs_);
-        if (!clock_runs_ && now() > active_until_) continue;
+        if (is_still()) continue;
         if (clock_runs_) time_s_ += static_cast<float>(since_last);
         draw();
     }
+}
+
+bool Window::is_still() const {
+    return !clock_runs_ && now() > active_until_ && frames_due_ == 0 && !overlay_.input_is_left();
 }
 
 void Window::watch_files() {
@@ -128,6 +143,7 @@ Requests Window::build_panel() {
     Requests requests = panel_.draw(state, display_.scale());
     panel_.draw_messages(errors(), notice_, picture_size());
     if (split_.on() && panel_.draw_divider(split_, picture_size())) requests.changed = true;
+    if (tool_ && tool_->draw_panels(picture_size(), display_.scale())) requests.changed = true;
     overlay_.end();
     return requests;
 }
@@ -148,6 +164,7 @@ std::vector<std::string> Window::errors() {
 }
 
 void Window::draw() {
+    frames_due_ = std::max(frames_due_ - 1, 0);
     const glm::uvec2 size = picture_size();
     const double started = now();
     shown_ = nullptr;
@@ -158,7 +175,10 @@ void Window::draw() {
         const auto own = own_exercises(chapter_);
         std::optional<ToggleScope> mine;
         if (split_.on() && all_reference(own)) mine.emplace(own, false);
+        std::optional<Capture> capture;
+        if (std::exchange(capture_next_, false)) capture.emplace();
         live_.draw(frame_, {size, time_s_, options_.seed, {}});
+        if (capture) write_capture(*capture);
     }
     if (split_.on()) split_.draw(chapter_, look_, {size, time_s_, options_.seed, {}});
     const Requests requests = build_panel();
@@ -204,7 +224,7 @@ void Window::compare_when_still() {
         log_event("flip " + std::to_string(split_.difference->flip_mean));
         active_until_ = now() + 0.01;  // to show the figure
     }
-    const bool still = !clock_runs_ && now() > active_until_;
+    const bool still = is_still();
     const bool due = clock_runs_ && now() > next_compare_;
     if (compared_ || !(still || due)) return;
     split_.compare(look_.picture(frame_, viewed_), split_.picture(look_));

@@ -1,10 +1,12 @@
 // A chapter in a window, while someone works on it.
 #pragma once
 #include "common/app/options.h"
+#include "common/gpu/capture.h"
 #include "common/window/lesson_pages.h"
 #include "common/window/live_chapter.h"
 #include "common/window/panel.h"
 #include "common/window/sound_player.h"
+#include "common/window/window_tool.h"
 
 namespace lightwalk {
 
@@ -26,10 +28,13 @@ class Window {
     void handle_keys(const Input& input, Requests& requests);
     void move_camera(const Input& input, double seconds);
     void follow_mouse(glm::vec2 place);
+    bool tool_has_mouse(const Input& input);
+    void ask_tool();
     void obey(const Requests& requests);
     void reload();
     void toggle_all(bool earlier_too);
     void take_screenshot();
+    void write_capture(Capture& capture);
     void save_scene();
     void remember_scene();
     void switch_split();
@@ -37,6 +42,7 @@ class Window {
     void watch_files();
     void watch_programs();
     void draw();
+    bool is_still() const;  ///< nothing is drawn: neither time nor input changes the picture
     Requests build_panel();
     std::vector<std::string> errors();
     const Image& compose(glm::uvec2 size, const Image& mine, const Image& reference);
@@ -47,6 +53,7 @@ class Window {
     const Options& options_;
     LiveChapter& live_;
     Chapter& chapter_;
+    WindowTool* const tool_;  ///< the chapter, or null
     Gpu& gpu_;
     Display& display_;
     std::filesystem::path scene_;
@@ -64,12 +71,13 @@ class Window {
     Frame screen_;    ///< what the window adds: its passes are not the chapter's
     bool clock_runs_, close_ = false, compared_ = false, dragging_ = false;
     float time_s_;
-    int drawn_ = 0;
+    int drawn_ = 0, frames_due_ = 0;
     double active_until_ = 0, next_watch_ = 0, next_compare_ = 0, notice_until_ = 0, last_draw_ = 0, frame_ms_ = 0;
     std::string notice_, logged_errors_;
     uint64_t scene_hash_ = 0;       ///< of the scene file as it was read or saved
     uint64_t saved_hash_ = 0;       ///< of the file that was saved beside it
     double confirm_until_ = 0;      ///< until then Ctrl+S saves without asking
+    bool capture_next_ = false;     ///< for RenderDoc
     const Image* shown_ = nullptr;  ///< the picture drawn last, without the panel
 };
 

@@ -37,9 +37,14 @@ fs::path unused(const std::string& stem, const std::string& extension) {
 void Window::handle_keys(const Input& input, Requests& requests) {
     const bool typing = ImGui::GetIO().WantTextInput;
     for (const auto& [key, mods] : input.pressed) {
+        if (tool_ && !typing && tool_->on_key({key, mods})) {
+            requests.changed = true;
+            continue;
+        }
         if (key == GLFW_KEY_F2) (mods & GLFW_MOD_SHIFT ? requests.earlier_toggles : requests.all_toggles) = true;
         if (key == GLFW_KEY_F3) requests.split = true;
         if (key == GLFW_KEY_F5) requests.reload = true;
+        if (key == GLFW_KEY_F11) requests.capture = true;
         if (key == GLFW_KEY_F12) requests.screenshot = true;
         if (key == GLFW_KEY_S && (mods & GLFW_MOD_CONTROL)) requests.save = true;
         if (typing) continue;
@@ -55,6 +60,10 @@ void Window::obey(const Requests& requests) {
     if (requests.all_toggles || requests.earlier_toggles) toggle_all(requests.earlier_toggles);
     if (requests.reload) reload();
     if (requests.screenshot) take_screenshot();
+    if (requests.capture) {
+        capture_next_ = has_renderdoc();
+        if (!capture_next_) tell("RenderDoc is not loaded: start with ENABLE_VULKAN_RENDERDOC_CAPTURE=1 ./course run");
+    }
     if (requests.save) save_scene();
     if (requests.split) switch_split();
     if (requests.clock) clock_runs_ = !clock_runs_;
@@ -67,15 +76,16 @@ void Window::obey(const Requests& requests) {
     if (!requests.lesson.empty()) tell(lessons_.open(requests.lesson));
     if (!requests.check.empty()) checks_.start(requests.check);
     const bool any = !requests.lesson.empty() || !requests.check.empty() || requests.all_toggles ||
-                     requests.earlier_toggles || requests.reload || requests.screenshot || requests.save ||
-                     requests.split || requests.clock || requests.panel || requests.home || requests.frame_scene ||
-                     requests.changed;
+                     requests.earlier_toggles || requests.reload || requests.screenshot || requests.capture ||
+                     requests.save || requests.split || requests.clock || requests.panel || requests.home ||
+                     requests.frame_scene || requests.changed;
     if (any) active_until_ = std::max(active_until_, now() + 0.3);
 }
 
 void Window::move_camera(const Input& input, double seconds) {
     Camera& camera = chapter_.camera;
     const ImGuiIO& io = ImGui::GetIO();
+    if (tool_ && tool_has_mouse(input)) return;
     const bool held = input.left || input.right || input.middle;
     // What began over the panel stays with it, what began over the picture with the camera.
     if (!held) dragging_ = false;
@@ -104,6 +114,28 @@ void Window::move_camera(const Input& input, double seconds) {
     const float speed = CameraControl::fly_speed(chapter_.scene.bounds) * (input.shift ? 5.0f : 1.0f);
     CameraControl::fly(camera, direction * (speed * static_cast<float>(seconds)));
     active_until_ = std::max(active_until_, now() + 0.1);
+}
+
+bool Window::tool_has_mouse(const Input& input) {
+    const float pixels_per_unit = static_cast<float>(display_.framebuffer_size().x) / float(display_.size().x);
+    const glm::vec2 cursor = input.cursor * pixels_per_unit, size(picture_size());
+    const bool over = cursor.x >= 0.0f && cursor.y >= 0.0f && cursor.x < size.x && cursor.y < size.y;
+    return !dragging_ && tool_->on_mouse(input, cursor, over && !ImGui::GetIO().WantCaptureMouse);
+}
+
+// What goes on beside the picture, and what it has to say.
+void Window::ask_tool() {
+    if (const auto files = display_.take_dropped(); !files.empty()) {
+        tool_->on_drop(files);
+        active_until_ = now() + notice_s;
+    }
+    if (tool_->is_busy()) active_until_ = std::max(active_until_, now() + 0.1);
+    if (tool_->wants_to_close()) close_ = true;
+    if (const std::string notice = tool_->take_notice(); !notice.empty()) {
+        tell(notice);
+        log_event("notice " + notice);
+        active_until_ = std::max(active_until_, now() + 0.3);
+    }
 }
 
 // Where something in the picture follows the mouse, the chapter has knobs of these names: 0 to 1 from the upper left
@@ -155,6 +187,15 @@ void Window::switch_split() {
     log_event(split_.on() ? "split on" : "split off");
 }
 
+void Window::write_capture(Capture& capture) {
+    try {
+        const fs::path path = unused("lightwalk_" + chapter_.name.substr(0, 2) + "_" + time_stamp(), ".rdc");
+        capture.write(fs::absolute(path).string());
+        tell("capture: " + fs::absolute(path).string());
+        log_event("capture " + fs::absolute(path).string());
+    } catch (const std::exception& e) { tell(e.what()); }
+}
+
 void Window::take_screenshot() {
     if (!shown_) return;
     try {
@@ -168,6 +209,7 @@ void Window::take_screenshot() {
 // What the window changes is the camera and the knobs. A scene file of one's own keeps everything else; where it is not
 // what was read, or another file is in the way, the key has to be pressed twice.
 void Window::save_scene() {
+    if (tool_ && tool_->on_save()) return;
     SceneFile scene = chapter_.scene.file;
     scene.camera = chapter_.camera;
     for (const KnobBase* knob : chapter_.all_knobs()) scene.knobs[knob->path()] = knob->text();

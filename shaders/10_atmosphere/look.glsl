@@ -9,9 +9,10 @@ uniform sampler2D depth;
 layout(scalar) uniform RaysBlock { ViewRays rays; };
 layout(scalar) uniform SunBlock { vec3 to_sun; };
 layout(scalar) uniform AtmosphereBlock {
-    float turbidity, exposure, disc;
+    float turbidity, exposure;
     int steps, light_steps, paths;
 } atmosphere;
+layout(scalar) uniform DiscBlock { float disc; };  // brightness of the sun's disc, of its true one
 
 const float endless = 1e12;
 bool unfinished = false;  // along() has found part of the light, and another dispatch goes on
@@ -26,7 +27,7 @@ vec3 sun_disc(float cos_angle, float sine, float pixel_rad) {
     float away = atan(sine, cos_angle), edge = clamp((air.sun_rad - away) / pixel_rad + 0.5, 0.0, 1.0);
     float inside = clamp(away / air.sun_rad, 0.0, 1.0), mu = sqrt(max(1.0 - inside * inside, 1e-6));
     float middle = 1.2 / (3.14159265 * air.sun_rad * air.sun_rad);  // of the disc the mean of mu to the power of 0.4 is 1 / 1.2
-    return atmosphere.disc * middle * edge * pow(mu, 0.4) * air.sun;
+    return disc * middle * edge * pow(mu, 0.4) * air.sun;
 }
 // [/sun_disc]
 
@@ -40,7 +41,7 @@ void look(ivec2 pixel) {
     float distance = stored > 0.0 ? stretch * distance_along_view(rays, stored) : ground >= 0.0 ? ground : endless;
     vec4 seen = imageLoad(result, pixel);
     vec3 light = seen.rgb;
-    if (distance >= endless && atmosphere.disc > 0.0)
+    if (distance >= endless && disc > 0.0)
         light += sun_disc(path.cos_angle, length(cross(direction, to_sun)), length(rays.right) / (stretch * stretch));
     if (clip_to_air(path, distance)) {
         Along air_before = along(path, direction, pixel, distance);

@@ -3,10 +3,18 @@
 #include "15_terrain_water/moment_depth.glsl"
 
 layout(location = 0) out vec4 of_depth;  // added up: absorbance times depth, its square, cube and fourth power
-layout(location = 1) out float of_all;   // added up: absorbance
+#if TRANSPARENCY_METHOD == TRANSPARENCY_METHOD_MOMENTS6
+layout(location = 1) out vec4 of_all;  // added up: absorbance, that times the fifth power and the sixth
+#else
+layout(location = 1) out float of_all;  // added up: absorbance
+#endif
 
 void put_surface(vec3 radiance, float alpha) {
-    float z = moment_depth();
-    of_all = absorbance_of(alpha);
-    of_depth = of_all * vec4(z, z * z, z * z * z, z * z * z * z);
+    float z = moment_depth(), square = z * z, absorbance = absorbance_of(alpha);
+    of_depth = absorbance * vec4(z, square, square * z, square * square);
+#if TRANSPARENCY_METHOD == TRANSPARENCY_METHOD_MOMENTS6
+    of_all = absorbance * vec4(1.0, square * square * z, square * square * square, 0.0);
+#else
+    of_all = absorbance;
+#endif
 }

@@ -19,4 +19,11 @@ Along air_before(vec3 from, vec3 direction, vec3 to_sun, float way, int samples)
 }
 // [/air_before]
 
+// Single scattering alone is red where the sun is low. What is scattered more often there is blue, from the sunlit air around,
+// and both together are nearly grey (chapter 10's method `tables` computes it): towards the terminator the colour fades.
+vec3 with_more_orders(vec3 light, float sun_cosine) {
+    float grey = dot(light, vec3(0.2126, 0.7152, 0.0722));
+    return mix(light, grey * vec3(0.95, 0.99, 1.15), 0.85 * (1.0 - smoothstep(-0.05, 0.3, sun_cosine)));
+}
+
 vec3 sunlight_at(float sun_cosine) { return sun_transmittance(Place(0.0, sun_cosine)); }

@@ -17,12 +17,14 @@ struct SurfaceLaw {
     vec3 terminator;         // colour of the light where the sun is low, for clouds; white for rock
     vec3 tint;               // factor for the map's colours
     float relief;            // strength of the map of normals, 0 to 1
+    float gloss;             // of ice where the map's alpha is 1; 0: none
+    float ice;               // 1: what is bright and grey on the map is ice, which no tint colours
 };
 
 // Rings, seen from the middle of the planet. Their strips run from the inner to the outer edge.
 struct Rings {
     float inner, outer;  // radii, metres; outer 0: there are none
-    float brightness;    // single-scattering albedo's factor
+    float brightness;    // exposure over that of the planet
 };
 
 // A body in the picture. Camera: at the origin. Lengths in metres. "Round" space is the body's own axes, stretched along its

@@ -34,6 +34,8 @@ float sun_seen(vec3 at, vec3 to_sun) {
 }
 
 #ifndef BODY_STAR
+const float ice_f0 = 0.018, ice_exponent = 40.0;  // of water ice, whose index is 1.31; slopes of 9 degrees
+
 // Radiance towards `to_eye`. `round_at` is the place in round space, from the centre; a pixel covers `pixel_m` across the ray.
 vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {
     vec3 round_up = round_at / body.radius;
@@ -43,11 +45,14 @@ vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {
     float footprint_rad = pixel_m / (body.radius * sqrt(max(facing, 0.04)));
     vec2 uv = map_uv(round_up);
 #ifdef BODY_FLOW
-    vec3 albedo = flowed(body_map, uv, footprint_rad, body.flow_days, body.flow_period).rgb;
+    vec4 texel = flowed(body_map, uv, footprint_rad, body.flow_days, body.flow_period);
 #else
-    vec3 albedo = map_texel(body_map, uv, footprint_rad).rgb;
+    vec4 texel = map_texel(body_map, uv, footprint_rad);
 #endif
-    albedo *= body.surface.tint;
+    // The tint is the dust's: ice between it stays white.
+    float least = min(texel.r, min(texel.g, texel.b)), most = max(texel.r, max(texel.g, texel.b));
+    vec3 grey = vec3(dot(body.surface.tint, vec3(1.0 / 3.0)) * mix(least, most, 0.75));
+    vec3 albedo = mix(texel.rgb * body.surface.tint, grey, body.surface.ice * smoothstep(0.3, 0.5, least));
     float relief = planets.relief * body.surface.relief;
 #ifdef BODY_EARTH
     float water = map_texel(water_map, uv, footprint_rad).r;
@@ -70,14 +75,22 @@ vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {
         vec3 gloss = sea_light(place, up, up, -to_eye, to_sun, planets.waves, vec3(0.0)) * through;
         light = mix(light, albedo * (body.sunlight * through * max(cosine, 0.0) + sky) + gloss, water);
     }
-    vec3 city = planets.night * map_texel(night_map, uv, footprint_rad).rgb;
+    // The map's yellow is its makers'. Sodium and white lamps together are a warm white.
+    float lamps = dot(map_texel(night_map, uv, footprint_rad).rgb, vec3(0.2126, 0.7152, 0.0722));
+    vec3 city = planets.night * lamps * vec3(1.14, 0.98, 0.79);
     return light + night_lights(city, cosine, clouds_over(round_up, footprint_rad));
 #else
 #ifdef BODY_AIR
     // Where air bends light around the edge, its own transmittance says how much arrives.
     if (cosine > -0.2) sun *= mix(vec3(1.0), sunlight_at(max(cosine, 0.0)), step(0.5, float(body.surface.law != LAW_WRAPPED)));
 #endif
-    return albedo * sun * reflected(body.surface, tilted_cosine, mu, cos_phase);
+    // Smooth ice mirrors the sun in its facets: J. Blinn's lobe, 1977, with ice's Fresnel reflectance; the map's alpha says
+    // where. In units of a white surface that faces the sun.
+    vec3 middle = normalize(to_eye + to_sun);
+    float facet = max(dot(normal, middle), 0.0), beside = 1.0 - max(dot(to_eye, middle), 0.0);
+    float gloss = body.surface.gloss * texel.a * (ice_f0 + (1.0 - ice_f0) * beside * beside * beside * beside * beside) *
+                  0.125 * (ice_exponent + 8.0) * pow(facet, ice_exponent) * max(tilted_cosine, 0.0);
+    return sun * (albedo * reflected(body.surface, tilted_cosine, mu, cos_phase) + gloss);
 #endif
 }
 #endif

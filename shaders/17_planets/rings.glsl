@@ -45,8 +45,10 @@ vec4 ring_light(Rings rings, vec3 point, vec3 to_eye, vec3 to_sun, float width_m
                             to_sun.y, to_eye.y);
     return vec4(inside * rings.brightness * light, hidden);
 #else
-    float once = to_sun.y * to_eye.y > 0.0 ? scattered_back(depth, mu0, mu) : scattered_through(depth, mu0, mu);
-    return vec4(rings.brightness * strip.rgb * ring_particle_phase(cos_phase) * once, hidden);
+    bool lit = to_sun.y * to_eye.y > 0.0;
+    float once = lit ? scattered_back(depth, mu0, mu) : scattered_through(depth, mu0, mu);
+    float sent = ring_particle_phase(cos_phase) + scattered_more(depth, strip.r, lit);
+    return vec4(rings.brightness * strip.rgb * sent * once, hidden);
 #endif
 }
 // [/ring_light]

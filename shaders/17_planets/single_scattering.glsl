@@ -19,8 +19,17 @@ float scattered_through(float depth, float mu0, float mu) {
 }
 // [/single]
 
+// [more]
+// What is scattered more often adds to the phase function, evenly in all directions. Fitted to random walks through layers of
+// Saturn's optical depths and albedos (tests/17_planets/test_laws.cpp): within 6% on the lit side, 30% on the other.
+float scattered_more(float depth, float albedo, bool lit) {
+    return albedo * albedo * (lit ? 1.2 * (1.0 - exp(-2.0 * depth)) : 1.46 * (exp(0.92 * min(depth, 3.0)) - 1.0));
+}
+// [/more]
+
 // What a ring's particles send at that phase angle, 1 in the mean over all directions: boulders that send light back, and a
-// fiftieth of dust that sends it on.
+// fiftieth of dust that sends it on. At phase angles from 5 to 34 degrees within 8% of 0.153 (pi - phase)^3.092, the power law
+// that is quoted from L. Dones, J. Cuzzi and M. Showalter, Icarus 105, 1993.
 float henyey_greenstein(float cosine, float g) {
     float b = 1.0 + g * g - 2.0 * g * cosine;
     return (1.0 - g * g) / (b * sqrt(b));

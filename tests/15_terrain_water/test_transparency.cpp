@@ -36,10 +36,10 @@ std::vector<Layer> layers(Random& random, int count, double least_m, double most
     return all;
 }
 
-// By method: unsorted, the five weights, and moments over depths from 0.1 m to 200 m.
+// By method: unsorted, the five weights, four and six moments over depths from 0.1 m to 200 m, and four layers.
 std::vector<Errors> table(double least_m, double most_m, double least_alpha, double most_alpha) {
     Random random(15);
-    std::vector<Errors> errors(7);
+    std::vector<Errors> errors(9);
     for (int trial = 0; trial < 4000; ++trial) {
         const std::vector<Layer> all = layers(random, 8, least_m, most_m, least_alpha, most_alpha);
         const glm::dvec3 background(random.uniform(0, 1)), right = truth::in_order(all, background);
@@ -47,10 +47,12 @@ std::vector<Errors> table(double least_m, double most_m, double least_alpha, dou
         for (int equation = 0; equation < 5; ++equation)
             errors[size_t(1 + equation)].add(truth::weighted(all, background, equation), right);
         errors[6].add(truth::by_moments(all, background, 0.1, 200), right);
+        errors[7].add(truth::by_moments(all, background, 0.1, 200, true), right);
+        errors[8].add(truth::by_four_layers(all, background), right);
     }
-    const char* const names[] = {"unsorted", "mean", "eq 7", "eq 8", "eq 9", "eq 10", "moments"};
+    const char* const names[] = {"unsorted", "mean", "eq 7", "eq 8", "eq 9", "eq 10", "moments", "six", "four layers"};
     fmt::print("8 layers, {}-{} m, alpha {}-{}:", least_m, most_m, least_alpha, most_alpha);
-    for (size_t i = 0; i < 7; ++i) fmt::print(" {} {:.3f}/{:.2f}", names[i], errors[i].mean, errors[i].most);
+    for (size_t i = 0; i < 9; ++i) fmt::print(" {} {:.3f}/{:.2f}", names[i], errors[i].mean, errors[i].most);
     fmt::print("\n");
     return errors;
 }
@@ -102,10 +104,11 @@ TEST_CASE_METHOD(OnTransparency, "every method on the device is what its formula
             Errors off;
             for (int cell = 0; cell < cells * cells; ++cell) {
                 const std::vector<Layer>& all = by_cell[size_t(cell)];
-                const glm::dvec3 right = name == "unsorted"  ? truth::over(all, background)
-                                         : name == "wboit"   ? truth::weighted(all, background, equation)
-                                         : name == "moments" ? truth::by_moments(all, background, 0.1, 4 * farthest)
-                                                             : truth::in_order(all, background);
+                const glm::dvec3 right = name == "unsorted" ? truth::over(all, background)
+                                         : name == "wboit"  ? truth::weighted(all, background, equation)
+                                         : name.starts_with("moments")
+                                             ? truth::by_moments(all, background, 0.1, 4 * farthest, name == "moments6")
+                                             : truth::in_order(all, background);
                 const size_t at = size_t((cell / cells * 4 + 2) * 64 + cell % cells * 4 + 2);
                 off.add(seen.pixels[at], right);
             }

@@ -95,7 +95,7 @@ struct OnTransparency : OnModules {
     }
 };
 
-inline const char* const every_transparency[] = {"unsorted", "sorted", "sorted_triangles", "wboit",
-                                                 "moments",  "lists",  "peeling"};
+inline const char* const every_transparency[] = {"unsorted", "sorted", "sorted_triangles", "wboit", "moments",
+                                                 "moments6", "lists",  "peeling"};
 
 }  // namespace lightwalk

@@ -234,6 +234,37 @@ TEST_CASE_METHOD(OnPlanets, "tilts and suns: those of FACTS") {
     }
 }
 
+TEST_CASE("oppositions, transits and an eclipse fall on their dates") {
+    const auto longitude = [](glm::dvec3 v) { return glm::degrees(std::atan2(v.x, v.z)); };  // from +z towards +x
+    const struct {
+        BodyId body;
+        double days, off_deg;  // 2018, as almanacs have them
+    } oppositions[] = {{BodyId::jupiter, 6702.53, 0.05}, {BodyId::saturn, 6752.06, 0.1}, {BodyId::mars, 6781.71, 0.05},
+                       {BodyId::neptune, 6824.27, 0.1},  {BodyId::uranus, 6870.53, 0.1}, {BodyId::pluto, 6766.90, 0.1}};
+    for (const auto& one : oppositions) {
+        const glm::dvec3 earth = place_body(BodyId::earth, one.days).position,
+                         there = place_body(one.body, one.days).position;
+        const double off = std::remainder(longitude(earth) - longitude(there), 360);
+        fmt::print("{} at opposition: {:.3f} degrees off\n", body_names()[size_t(one.body)], off);
+        CHECK(std::fabs(off) < one.off_deg);
+    }
+    // Venus before the Sun on 6 June 2012, Mercury on 11 November 2019: less than the Sun's radius from its middle.
+    for (const auto& [body, days] : {std::pair(BodyId::venus, 4539.562), std::pair(BodyId::mercury, 7254.139)}) {
+        const glm::dvec3 earth = place_body(BodyId::earth, days).position;
+        const glm::dvec3 there = place_body(body, days).position - earth;
+        const double apart = glm::degrees(std::acos(glm::dot(glm::normalize(there), glm::normalize(-earth))));
+        fmt::print("{} in transit: {:.3f} degrees from the Sun's middle\n", body_names()[size_t(body)], apart);
+        CHECK(apart < 0.266);
+    }
+    // The Moon in the Earth's shadow on 27 July 2018, before the Sun on 21 August 2017.
+    for (const auto& [days, side] : {std::pair(6782.349, 1.0), std::pair(6442.268, -1.0)}) {
+        const glm::dvec3 earth = place_body(BodyId::earth, days).position;
+        const glm::dvec3 moon = place_body(BodyId::moon, days).position - earth;
+        CHECK(glm::dot(glm::normalize(moon), side * glm::normalize(earth)) > std::cos(glm::radians(1.6)));
+        CHECK(glm::length(moon) == Approx(3.85e8).epsilon(0.07));
+    }
+}
+
 TEST_CASE_METHOD(OnPlanets, "the flight: a function of time, without a jump, which comes back to where it began") {
     const double all = double(body_count) * double(flight.stay_s + flight.travel_s);
     for (double t = 0; t < all; t += 0.37) {

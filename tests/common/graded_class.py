@@ -5,6 +5,7 @@ a check it says whether grading still takes what is right. A C++ exercise that c
 TRIAL (common/check/trial.h).
 """
 
+import resource
 import sys
 import tempfile
 import unittest
@@ -81,8 +82,13 @@ class Class(unittest.TestCase):
         return next(one for one in self.grades[student]["results"] if one["exercise"] == exercise)
 
 
+def processor_s() -> float:
+    """Of this process and those that it started and that have ended."""
+    return sum(used.ru_utime + used.ru_stime for used in map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)))
+
+
 def main(words: list[str]) -> int:
-    """Exit code 1 where a right answer is not taken."""
+    """Prints what it took; exit code 1 where a right answer is not taken."""
     wanted = {exercise: chapter for chapter in ([find_chapter(word) for word in words] or chapters())
               for exercise in exercises(chapter)}
     with tempfile.TemporaryDirectory() as made:
@@ -92,7 +98,11 @@ def main(words: list[str]) -> int:
                 (Path(made) / place).parent.mkdir(parents=True, exist_ok=True)
                 (Path(made) / place).write_text(right(exercise, str(place)))
         with Judge(wanted) as judge:
+            for exercise in wanted:  # once for a class
+                judge.pictures.references(exercise)
+            before_s = processor_s()
             [one] = grade(find([Path(made)]), judge)
+    print(f"{processor_s() - before_s:.1f} s of processor time for {len(wanted)} answers, where none was judged before")
     for result in one["results"]:
         print("ok  " if result["ok"] else "open", result["exercise"], result["first_failure"] or "")
     return 0 if one["right"] == one["of"] else 1

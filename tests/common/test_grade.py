@@ -187,7 +187,7 @@ class Submissions(Class):
         self.assertEqual(len(rows), len(self.grades) + 1)
         self.assertEqual(rows[0][:5], ["student", "right", "of", "02.lambert", "03.range_fade"])
         by_name = {row[0]: row for row in rows}
-        self.assertEqual(by_name["plain"][1:5], ["1", "2", "1", "0"])
+        self.assertEqual(by_name["plain"][1:5], ["1", "2", "1", "missing"])
         self.assertIn("'=cmd|calc!A0", by_name)
         self.assertEqual(json.loads((out / "grades.json").read_text()), list(self.grades.values()))
         lines = table(list(self.grades.values()), list(CHAPTERS[1:]))

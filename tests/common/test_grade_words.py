@@ -1,5 +1,6 @@
 """Tests of what ./course grade makes of words: names, cells of a table, macros, and what it says where it refuses."""
 
+import contextlib
 import re
 import subprocess
 import sys
@@ -99,6 +100,18 @@ class Words(unittest.TestCase):
         found = judge.verdict("02.lambert", b"x")
         self.assertEqual((found["state"], found["ok"]), ("failed", False))
         self.assertIn("too deep", found["first_failure"])
+
+    def test_what_a_busy_machine_cut_off_is_judged_once_more(self):
+        judge = Judge.__new__(Judge)
+        judge.call_s, judge.judge_mounts = 5, lambda *_: None
+        running = mock.Mock(finish=lambda: sandbox.Done(137, "", True, False))
+        judge.started = lambda *_, **__: contextlib.nullcontext(running)
+        found = judge.decide("02.lambert", 0, None)
+        self.assertEqual((found["ok"], found["killed"]), (False, True), found)
+        judge.wanted, judge.starters, judge.versions = {"02.lambert": "02"}, {"02.lambert": b""}, {"02": "1"}
+        judge.stopped, judge.verdicts = False, Path(self.enterContext(tempfile.TemporaryDirectory()))
+        judge.judge = mock.Mock(side_effect=[found, {"ok": True, "passed": 1, "failed": 0}])
+        self.assertTrue(judge.verdict("02.lambert", b"x")["ok"])
 
     def test_without_a_sandbox_it_refuses(self):
         """And names the package, before a submission is opened or anything is built."""

@@ -252,6 +252,28 @@ TEST_CASE_METHOD(StudyTest, "study: charts go into the result as they are") {
     CHECK(refusal().empty());
 }
 
+TEST_CASE_METHOD(StudyTest, "study: a curve sets a scene's knob only where it says that it means that knob") {
+    study["curves"].push_back({{"method", "exact"}, {"set", {{"light", {2, 3}}}}});
+    CHECK(refusal().find("'light' is set by the scene") != std::string::npos);
+    study["curves"].back()["where"] = {{"light", 1}};
+    CHECK(refusal().empty());
+    const json points = measure()["points"];
+    size_t bright = 0;
+    for (const json& point : points)
+        if (point["scene"] == "bright" && point["knobs"].value("light", 0) >= 2) {
+            ++bright;
+            CHECK(point["error"]["max"].get<double>() > 0);  // the truth has the scene's own light
+        }
+    CHECK(bright == 2);
+    CHECK(points.size() == 3 + 3 + 2);
+    // Another scene's curve may set what this one sets.
+    study["curves"].back()["where"] = {{"light", 4}};
+    study["curves"].back()["set"] = {{"looks", {4}}};
+    study["scenes"][1]["set"]["looks"] = 2;
+    study["curves"][1].erase("set");
+    CHECK(refusal().empty());
+}
+
 TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line and key") {
     struct Case {
         const char *pointer, *value, *says;

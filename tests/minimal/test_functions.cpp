@@ -308,3 +308,147 @@ TEST_CASE("16: the minimal volume hides what Beer and Lambert say, and meets its
     CHECK(grows[0][1] == Approx(green).epsilon(2e-3));
     CHECK(grows[0][3] == Approx(1 - std::exp(-depth)).epsilon(1e-3));
 }
+
+namespace {
+
+// A column of the minimal water's slopes, and the place.
+const std::string water_call =
+    "\nvec3 place_of(float x, float z, float t) { mat2x3 slopes; return moved(vec2(x, z), t, slopes); }\n"
+    "vec3 normal_of(float x, float z, float t) {\n"
+    "    mat2x3 slopes;\n    moved(vec2(x, z), t, slopes);\n    return normalize(cross(slopes[1], slopes[0]));\n}\n";
+
+// The same four waves in double precision.
+glm::dvec3 water_at(double x, double z, double time) {
+    const double waves[4][4] = {
+        {0.5, 0.2, 0.3, 0.5}, {-0.4, 0.9, 0.16, 0.5}, {1.5, 1.1, 0.08, 0.6}, {2.9, -1.3, 0.04, 0.6}};
+    glm::dvec3 place(x, 0, z);
+    for (const auto& w : waves) {
+        const double k = std::hypot(w[0], w[1]), phase = w[0] * x + w[1] * z - std::sqrt(9.81 * k) * time;
+        place.x += w[2] * w[3] * w[0] / k * std::cos(phase), place.z += w[2] * w[3] * w[1] / k * std::cos(phase);
+        place.y += w[2] * std::sin(phase);
+    }
+    return place;
+}
+
+}  // namespace
+
+TEST_CASE("15: the minimal water lies where Gerstner's waves move it, and its normals are the surface's") {
+    Table inputs;
+    Random random(15);
+    for (int i = 0; i < 300; ++i)
+        inputs.push_back({random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(0, 10)});
+    const Table places = results_of("15_terrain_water.frag", "vec3 place_of(float x, float z, float t)", inputs, 3,
+                                    "const vec4 to_sun = vec4(0, 1, 0, 0);\n", water_call);
+    const Table normals = results_of("15_terrain_water.frag", "vec3 normal_of(float x, float z, float t)", inputs, 3,
+                                     "const vec4 to_sun = vec4(0, 1, 0, 0);\n", water_call);
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const Row& in = inputs[i];
+        const double x = double(float(in[0])), z = double(float(in[1])), t = double(float(in[2])), h = 1e-4;
+        const glm::dvec3 place = water_at(x, z, t);
+        const glm::dvec3 along_x = water_at(x + h, z, t) - water_at(x - h, z, t),
+                         along_z = water_at(x, z + h, t) - water_at(x, z - h, t);
+        const glm::dvec3 normal = glm::normalize(glm::cross(along_z, along_x));
+        for (int c = 0; c < 3; ++c) {
+            CHECK(places[i][size_t(c)] == Approx(place[c]).margin(2e-4));
+            CHECK(normals[i][size_t(c)] == Approx(normal[c]).margin(5e-4));
+        }
+    }
+}
+
+TEST_CASE("15: rays meet the minimal water, which reflects and absorbs as measured") {
+    const std::string sun = "const vec4 to_sun = vec4(0, 1, 0, 0);\n";
+    Table inputs;
+    Random random(16);
+    for (int i = 0; i < 200; ++i) {
+        const glm::vec3 d =
+            glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, -0.4), random.uniform(-1, 1)));
+        Row row{random.uniform(-9, 9), random.uniform(2, 8), random.uniform(-9, 9)};
+        append(row, d), row.push_back(random.uniform(0, 10));
+        inputs.push_back(row);
+    }
+    const Table found =
+        results_of("15_terrain_water.frag", "vec2 met(vec3 from, vec3 direction, float time)", inputs, 2, sun);
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const Row& in = inputs[i];
+        const glm::dvec3 from(in[0], in[1], in[2]), along(in[3], in[4], in[5]);
+        const glm::dvec3 place = water_at(found[i][0], found[i][1], in[6]);
+        CHECK(glm::length(glm::cross(place - from, along)) < 0.01);  // metres from the ray
+    }
+    const Table fresnel =
+        results_of("15_terrain_water.frag", "float fresnel(float cosine)", {{1}, {0}, {0.5}, {1.001}}, 1, sun);
+    const auto exact = [](double c) {  // A.-J. Fresnel, 1823
+        const double t = std::sqrt(1 - (1 - c * c) / (1.333 * 1.333));
+        return 0.5 * (std::pow((c - 1.333 * t) / (c + 1.333 * t), 2) + std::pow((t - 1.333 * c) / (t + 1.333 * c), 2));
+    };
+    CHECK(fresnel[0][0] == Approx(exact(1)).margin(0.001));
+    CHECK(fresnel[1][0] == Approx(1));
+    CHECK(fresnel[2][0] == Approx(exact(0.5)).margin(0.02));
+    CHECK(fresnel[3][0] == Approx(fresnel[0][0]));
+    const Table left = results_of("15_terrain_water.frag", "vec3 left_of_light(float way)", {{0}, {2}, {4}}, 3, sun);
+    CHECK(left[0] == Row{1, 1, 1});
+    for (size_t c = 0; c < 3; ++c) CHECK(left[2][c] == Approx(left[1][c] * left[1][c]).epsilon(1e-4));
+    CHECK(left[2][0] < 0.25 * left[2][2]);
+}
+
+TEST_CASE("17: the minimal planet is an ellipsoid, seen from near and from far") {
+    Table inputs;
+    Random random(17);
+    for (int i = 0; i < 300; ++i) {
+        const double away = i % 2 ? random.uniform(1.5, 6) : random.logarithmic(10, 3000);
+        const glm::dvec3 from = away * glm::dvec3(random.direction());
+        const glm::dvec3 aim(random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8));
+        Row row;
+        append(row, glm::vec3(from)), append(row, glm::vec3(glm::normalize(aim - from)));
+        inputs.push_back(row);
+    }
+    const Table found = results_of("17_planets.frag", "float planet_distance(vec3 from, vec3 direction)", inputs, 1,
+                                   "const vec4 eye = vec4(0), to_sun = vec4(0);\n");
+    int met = 0;
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const Row& in = inputs[i];
+        const glm::dvec3 stretch(1, 1 / (1 - 0.098), 1), o = stretch * glm::dvec3(in[0], in[1], in[2]),
+                                                         d = stretch * glm::dvec3(in[3], in[4], in[5]);
+        const double b = glm::dot(o, d), a = glm::dot(d, d), root = b * b - a * (glm::dot(o, o) - 1);
+        if (root < 1e-3 * a) continue;  // at the limb a float decides
+        ++met;
+        const double t = (-b - std::sqrt(root)) / a;
+        CHECK(found[i][0] == Approx(t).epsilon(1e-5).margin(1e-4));
+    }
+    CHECK(met > 150);
+}
+
+TEST_CASE("17: the minimal rings send and pass the light of single scattering") {
+    const std::string eye = "const vec4 eye = vec4(0), to_sun = vec4(0);\n";
+    const std::string call =
+        "\nfloat lit_light(float depth, float mu0, float mu) { return ring_light(depth, mu0, mu, true); }\n"
+        "float unlit_light(float depth, float mu0, float mu) { return ring_light(depth, mu0, mu, false); }\n";
+    Table inputs;
+    for (const double depth : {0.1, 0.5, 1.8})
+        for (const double mu0 : {0.1, 0.45, 0.9})
+            for (const double mu : {0.1, 0.4500001, 0.46, 0.8}) inputs.push_back({depth, mu0, mu});
+    const Table lit =
+        results_of("17_planets.frag", "float lit_light(float depth, float mu0, float mu)", inputs, 1, eye, call);
+    const Table unlit =
+        results_of("17_planets.frag", "float unlit_light(float depth, float mu0, float mu)", inputs, 1, eye, call);
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        // Layer by layer: light that arrives at a depth, is scattered there once, and leaves.
+        const double depth = inputs[i][0], mu0 = inputs[i][1], mu = inputs[i][2];
+        double back = 0, through = 0;
+        constexpr int layers = 20000;
+        for (int j = 0; j < layers; ++j) {
+            const double t = depth * (j + 0.5) / layers, part = depth / layers / (4 * mu);
+            back += part * std::exp(-t / mu0 - t / mu), through += part * std::exp(-t / mu0 - (depth - t) / mu);
+        }
+        CAPTURE(depth, mu0, mu);
+        CHECK(lit[i][0] == Approx(back).epsilon(1e-3));
+        CHECK(unlit[i][0] == Approx(through).epsilon(1e-3));
+    }
+    // The shadow of the rings: light that falls at 30 degrees through the B ring, and beside it.
+    const Table shadow = results_of(
+        "17_planets.frag", "float ring_shadow(vec3 at, vec3 sun)",
+        {{0, -0.5, 0.83, 0, 0.5, 0.866025}, {0, 0.5, 0.83, 0, 0.5, 0.866025}, {0, -0.5, 0.2, 0, 0.5, 0.866025}}, 1,
+        eye);
+    CHECK(shadow[0][0] == Approx(std::exp(-1.8 / 0.5)).epsilon(1e-3));
+    CHECK(shadow[1][0] == 1);
+    CHECK(shadow[2][0] == 1);
+}

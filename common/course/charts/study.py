@@ -15,22 +15,25 @@ import os
 import re
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 from build.build import build
+from charts import study_shards
 from charts.study_charts import chart_paths
 from charts.study_file import SOFTWARE
+from many import shards, slurm
 from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, warn,
                   write_atomically)
 
 ALONE = True
+SHARDS_APART = True
 HELP = """Measures the time and the error of every method of a chapter, and draws charts (SVG, PNG) and a table.
 
   ./course study                   every chapter that has a study
   ./course study 02                one chapter
   ./course study 02 --device H200 --out FOLDER
   ./course study 02 --size 480x270  pixels, in place of the study's own size
+  ./course study --shard 3/16 --out F    the scenes of part 3 of 16, into the folder F; --merge F makes the charts of all
 
 The files are docs/studies/NN_name.DEVICE.json, .svg, .png and .md; a chart after the first has its name before .svg and
 .png. An interrupted study continues where it stopped when it is started again. Times are meaningful only on a machine that
@@ -43,11 +46,15 @@ def add_arguments(parser):
     parser.add_argument("chapter", nargs="?", metavar="NN", help="number or name of the chapter")
     parser.add_argument("--device", help="part of a device's name: ./course run 01 --list devices")
     parser.add_argument("--size", metavar="WxH", help="size in pixels, such as 1920x1080, in place of the study's own")
-    parser.add_argument("--out", type=Path, default=ROOT / "docs" / "studies", metavar="FOLDER",
+    parser.add_argument("--out", type=Path, metavar="FOLDER",
                         help="folder for the JSON, the charts and the table (docs/studies)")
+    shards.add_arguments(parser)
+    slurm.add_arguments(parser)
 
 
 def run(arguments, _rest) -> int:
+    shards.check_arguments(arguments)
+    slurm.check_arguments(arguments)
     studied = [name for name in chapters() if study_of(name)]
     if arguments.size and not re.fullmatch(r"[1-9]\d*x[1-9]\d*", arguments.size):
         raise UsageError(f"--size is '{arguments.size}', expected WIDTHxHEIGHT, such as 1920x1080")
@@ -55,8 +62,17 @@ def run(arguments, _rest) -> int:
     for chapter in named:
         if chapter not in studied:
             raise UsageError(f"chapter {chapter} has no study; there are {', '.join(studied) or 'none'}")
-    out = arguments.out.absolute()
-    check_writable(out)
+    if arguments.shard:
+        return measure_shard(arguments, named)
+    out = (arguments.out or ROOT / "docs" / "studies").absolute()
+    shards.check_writable(out)
+    if arguments.merge:
+        return merge(arguments.merge, named, out)
+    if arguments.slurm is not None:
+        folder = slurm.run("study", arguments, sys.argv[1:], lambda: build(named))
+        code = merge([folder], named, out)
+        slurm.finished("study")
+        return code
     build(named)
     for chapter in named:
         generate(study_of(chapter).get("generate", {}))
@@ -65,14 +81,35 @@ def run(arguments, _rest) -> int:
     return 0
 
 
-def check_writable(folder: Path):
-    """Asks before hours of measuring, not behind them, and makes nothing. Raises UsageError."""
-    there = next(place for place in (folder, *folder.parents) if place.exists())
-    try:
-        with tempfile.TemporaryFile(dir=there):
-            pass
-    except OSError as error:
-        raise UsageError(f"{folder} cannot be written: {error.strerror}") from None
+def measure_shard(arguments, named: list[str]) -> int:
+    """Measures the scenes that belong to a shard and writes it. The exit code."""
+    shard, entries = arguments.shard, {}
+    file = shards.file_of(arguments.out, "study", shard)
+    mine = {chapter: labels for chapter in named if (labels := study_shards.taken(chapter, study_of(chapter), shard))}
+    build(list(mine))
+    for chapter, labels in mine.items():
+        study = study_of(chapter)
+        generate(study.get("generate", {}))
+        part = study_shards.part_of(chapter, study, labels, shard)
+        measured = measure(chapter, arguments.device, arguments.size, part, f".{shard.number}-of-{shard.of}")
+        entries |= study_shards.entries(chapter, json.loads(measured.read_text()))
+    head = {"chapters": named, "size": arguments.size, "course": shards.course_version()}
+    shards.write(file, "study", shard, head, entries)
+    say(f"{relative(file)}: {len(entries)} of {sum(len(study_shards.labels(study_of(chapter))) for chapter in named)} scenes")
+    return 0
+
+
+def merge(paths: list[Path], named: list[str], out: Path) -> int:
+    """Puts shards together and draws the charts. The exit code."""
+    made = shards.merge(paths, "study")
+    merged = {chapter: study for chapter in named if (study := study_shards.whole(chapter, study_of(chapter), made))}
+    for chapter, study in merged.items():
+        measured = BUILD / "study" / f"{chapter}.merged.json"
+        write_atomically(measured, json.dumps(study, indent=1) + "\n")
+        draw(chapter, measured, out)
+    machines = sorted({entry["study"]["machine"] for entry in made.entries.values()})
+    say(f"{len(made.entries)} scenes of {made.of} shards; all times of a chapter are of one machine: {'; '.join(machines)}")
+    return 0
 
 
 def study_of(chapter: str) -> dict:
@@ -112,9 +149,10 @@ def generate(files: dict):
             beside.unlink(missing_ok=True)
 
 
-def measure(chapter: str, device: str | None = None, size: str | None = None) -> Path:
-    """Runs the study, whose progress goes to the terminal, and returns the file of its result."""
-    key = "." + re.sub(r"[^a-z0-9]+", "_", device.lower()) if device else ""
+def measure(chapter: str, device: str | None = None, size: str | None = None, study: Path | None = None, part: str = "") -> Path:
+    """Runs the study, whose progress goes to the terminal, and returns the file of its result. `study`: in place of the
+    chapter's own study.json, for a part that is called `part`."""
+    key = part + ("." + re.sub(r"[^a-z0-9]+", "_", device.lower()) if device else "")
     file = BUILD / "study" / f"{chapter}{key}.json"
     file.parent.mkdir(parents=True, exist_ok=True)
     partial = file.with_name(file.name + ".partial")
@@ -124,7 +162,8 @@ def measure(chapter: str, device: str | None = None, size: str | None = None) ->
                *(["--size", size] if size else [])]
     code = None
     try:
-        code = subprocess.run(command, cwd=ROOT, stdin=subprocess.DEVNULL).returncode
+        environment = os.environ | ({"LIGHTWALK_STUDY_FILE": str(study)} if study else {})
+        code = subprocess.run(command, cwd=ROOT, stdin=subprocess.DEVNULL, env=environment).returncode
     except OSError as error:
         raise Failure(f"{relative(command[0])}: {error.strerror}") from None
     finally:

@@ -6,26 +6,39 @@ what was judged before, for whomever, is not judged again.
 """
 
 import csv
+import hashlib
 import io
 import json
-import os
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from grading import marks
 from grading.alike import alike
-from grading.judge import Judge
-from grading.submission import cell, find, printable, read
+from grading.feedback import write_pages
+from grading.gradebook import FORMATS, Book, write_books
+from grading.judge import Judge, picture_path, starters_of
+from grading.roster import Roster
+from grading.rules import Rules
+from grading.submission import cell, find, printable, read, time_of
+from many import shards, slurm
 from progress import Progress
-from tree import BUILD, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, say, warn, write_atomically
+from tree import (BUILD, Failure, UsageError, chapters, cores, exercises, find_chapter, has_solutions, say, warn,
+                  write_atomically)
 
 HELP = """Grades the exercises that students handed in, by the checks of this tree.
 
   ./course grade FOLDER             a class: a folder of folders, .zip and .tar.* files, one for each student
   ./course grade ann.zip ben        some students
   ./course grade FOLDER --chapter 02
+  ./course grade FOLDER --format moodle --roster class.csv --rules rules.json
+  ./course grade FOLDER --shard 3/16 --out F    part 3 of 16, into the folder F; the others may run elsewhere
+  ./course grade --merge F                      the table of all parts, byte for byte that of one run
+  ./course grade FOLDER --slurm                 Slurm grades the parts; --slurm='--partition=short' for sbatch's options
 
 Prints a table, and writes grades.csv and grades.json (the failures of each exercise) to build/grades or to --out. An answer
-that was judged before is not judged again: an interrupted run continues where it stopped.
+that was judged before is not judged again: an interrupted run continues where it stopped. marks.json keeps each mark: the same
+answer has the same mark whenever it is graded again, until --regrade names its exercise.
 
 A ? in grades.csv and "look at" in the table mark an exercise whose numbers are right, but whose picture crashed the driver:
 it has no mark until you have looked at it.
@@ -34,29 +47,74 @@ Students' code is compiled and run in a sandbox (bubblewrap): it has no access t
 students, references or checks, and limits on time, memory and output. Without bubblewrap nothing runs. The exit code is 0 for any grades."""
 
 MOST_NAMES = 12  # on one line
+UNTOUCHED = ("missing", "unchanged")  # states of what a student has not begun
 
 
 def add_arguments(parser):
-    parser.add_argument("paths", nargs="+", type=Path, metavar="PATH")
+    parser.add_argument("paths", nargs="*", type=Path, metavar="PATH")
     parser.add_argument("--chapter", metavar="NN", help="grade only the exercises of this chapter")
     parser.add_argument("--json", action="store_true", help="print one JSON object per student in place of the table")
     parser.add_argument("--out", type=Path, default=None, metavar="FOLDER", help="folder for the files (build/grades)")
+    parser.add_argument("--format", action="append", default=[], choices=FORMATS, metavar="FORMAT",
+                        help=f"also write gradebook.FORMAT and a page for each student: {', '.join(FORMATS)}; repeatable")
+    parser.add_argument("--rules", type=Path, metavar="FILE", help="weights, deadlines and points, as JSON (docs/teaching.md)")
+    parser.add_argument("--roster", type=Path, metavar="FILE", help="the class as Moodle or Canvas exports it, as CSV")
+    parser.add_argument("--regrade", action="append", default=[], metavar="NN.NAME",
+                        help="judge this exercise again for everybody, and replace the marks that were given; repeatable")
+    shards.add_arguments(parser)
+    slurm.add_arguments(parser)
 
 
 def run(arguments, _rest) -> int:
+    shards.check_arguments(arguments)
+    slurm.check_arguments(arguments)
+    if bool(arguments.merge) == bool(arguments.paths):
+        raise UsageError("--merge takes shards, which know the class: leave out its folder" if arguments.merge else
+                         "name a class, a folder of submissions, or --merge and its shards")
     named = [find_chapter(arguments.chapter)] if arguments.chapter else chapters()
     wanted = {exercise: chapter for chapter in named for exercise in exercises(chapter)}
+    if strange := [name for name in arguments.regrade if name not in wanted]:
+        raise UsageError(f"there is no exercise '{strange[0]}' to regrade; there are {', '.join(wanted)}")
+    Rules(arguments.rules, wanted)  # said before hours of grading, not behind them
+    Roster(arguments.roster, [])
+    if arguments.merge:
+        made = shards.merge(arguments.merge, "grade")
+        if not arguments.chapter:
+            wanted = {name: chapter for name, chapter in made.head["exercises"]}
+        return finish(arguments, *merged(made, wanted), wanted)
     submissions = find(arguments.paths)
     if not has_solutions():
         raise UsageError("this copy of the course has no solutions to grade with")
+    if arguments.shard:
+        return grade_shard(arguments, submissions, wanted)
+    out_folder(arguments)
+    if arguments.slurm is not None:
+        made = shards.merge([slurm.run("grade", arguments, sys.argv[1:], lambda: Judge(wanted))], "grade")
+        slurm.finished("grade")
+        return finish(arguments, *merged(made, wanted), wanted)
+    with Judge(wanted) as judge:
+        judge.fresh = set(arguments.regrade)
+        return finish(arguments, *judged(submissions, judge), wanted)
+
+
+def out_folder(arguments) -> Path:
+    """Where the files go. Raises UsageError where they cannot."""
     out = (arguments.out or BUILD / "grades").absolute()
     try:
         write_atomically(out / "grades.json", "[]\n")
     except OSError as error:
         raise UsageError(f"{printable(str(out))} cannot be written: {error.strerror}") from None
-    with Judge(wanted) as judge:
-        grades = grade(submissions, judge)
+    return out
+
+
+def finish(arguments, grades: dict[str, dict], submitted: dict[str, dict[str, bytes]], wanted: dict[str, str]) -> int:
+    """What is made of the grades of a whole class, wherever they were found. The exit code."""
+    out, named = out_folder(arguments), list(dict.fromkeys(wanted.values()))
+    changed = marks.keep(out / "marks.json", list(grades.values()), submitted, set(arguments.regrade))
+    grades = complete(grades, submitted, wanted)
     write_files(out, grades, wanted)
+    if arguments.format:
+        write_gradebooks(arguments, out, grades, submitted, wanted)
     if arguments.json:
         for one in grades:
             say(json.dumps(one, ensure_ascii=True))
@@ -64,21 +122,98 @@ def run(arguments, _rest) -> int:
         for line in table(grades, named):
             say(line)
         warn(f"{printable(str(out / 'grades.csv'))} and grades.json have the details")
+    for line in changed:
+        warn(line)
+    if arguments.regrade:
+        warn(f"{len(changed)} marks of {', '.join(arguments.regrade)} changed")
+    refuse_failed(grades)
+    return 0
+
+
+def write_gradebooks(arguments, out: Path, grades: list[dict], submitted: dict, wanted: dict[str, str]):
+    roster = Roster(arguments.roster, [one["student"] for one in grades])
+    book = Book(grades, Rules(arguments.rules, wanted), roster)
+    names = write_books(out, book, arguments.format)
+    count = write_pages(out / "feedback", book, grades, submitted, starters_of(wanted))
+    for student in roster.strangers[:MOST_NAMES]:
+        warn(f"{printable(student)} is not in {arguments.roster}")
+    warn(f"{printable(str(out))}: {', '.join(names)}, and {count} pages in feedback")
+
+
+def refuse_failed(grades: list[dict]):
     failed = [(one["student"], result) for one in grades for result in one["results"] if result["state"] == "failed"]
     for student, result in failed[:5]:
         warn(f"{student}, {result['exercise']}: {result['first_failure']}")
     if failed:
         raise Failure(f"{len(failed)} exercises could not be judged; the same command tries them again")
+
+
+def grade_shard(arguments, submissions, wanted: dict[str, str]) -> int:
+    """Grades the submissions that belong to a shard, by their own names, and writes it. The exit code."""
+    shard = arguments.shard
+    file = shards.file_of(arguments.out, "grade", shard)
+    mine = {one.student: i for i, one in enumerate(submissions) if shard.takes(one.path.name)}
+    with Judge(wanted) as judge:
+        judge.fresh = set(arguments.regrade)
+        grades, submitted = judged([one for one in submissions if one.student in mine], judge)
+        head = {"exercises": list(wanted.items()), "submissions": len(submissions), "inputs": shards.digest([str(judge.seed)]),
+                "class": shards.digest(sorted(f"{one.student} {stamp(one.path)}" for one in submissions)), "course": shards.course_version()}
+    entries, answers = {}, {}
+    for student, one in grades.items():
+        names = {exercise: hashlib.sha256(data).hexdigest() for exercise, data in submitted.get(student, {}).items()}
+        answers |= {name: submitted[student][exercise] for exercise, name in names.items()}
+        answers |= {f"{result[key]}.png": picture_path(result[key]) for result in one["results"]
+                    for key in ("picture", "picture_expected") if key in result}
+        entries[student] = {"at": mine[student], "grade": one, "answers": names, "read": student in submitted}
+    shards.write(file, "grade", shard, head, entries, answers)
+    say(f"{printable(str(file))}: {len(mine)} of {len(submissions)} submissions")
+    refuse_failed(list(grades.values()))
     return 0
 
 
+def stamp(path: Path) -> str:
+    """Changes where a submission is replaced by another of its name."""
+    try:
+        at = path.lstat()
+    except OSError:
+        return ""
+    return f"{int(at.st_mtime)} {at.st_size if path.is_file() else ''}"
+
+
+def merged(made: shards.Merged, wanted: dict[str, str]) -> tuple[dict, dict]:
+    """The grades of all shards, as judged() has them. Raises UsageError where a submission is in none."""
+    if len(made.entries) != made.head["submissions"]:
+        raise UsageError(f"the shards hold {len(made.entries)} of {made.head['submissions']} submissions: make them again")
+    if strange := sorted(set(wanted) - {name for name, _ in made.head["exercises"]}):
+        raise UsageError(f"the shards were made without {strange[0]}")
+    order = sorted(made.entries, key=lambda student: made.entries[student]["at"])
+    grades, submitted = {}, {}
+    for student in order:
+        entry = made.entries[student]
+        grades[student] = entry["grade"]
+        grades[student]["results"] = [one for one in grades[student]["results"] if one["exercise"] in wanted]
+        for result in grades[student]["results"]:
+            for key in ("picture", "picture_expected"):
+                if key in result and not picture_path(shards.safe(result[key])).exists():
+                    write_atomically(picture_path(result[key]), made.file(student, f"{result[key]}.png"))
+        if entry["read"]:
+            submitted[student] = {exercise: made.file(student, name) for exercise, name in entry["answers"].items()
+                                  if exercise in wanted}
+    return grades, submitted
+
+
 def grade(submissions, judge: Judge) -> list[dict]:
+    return complete(*judged(submissions, judge), judge.wanted)
+
+
+def judged(submissions, judge: Judge) -> tuple[dict[str, dict], dict[str, dict[str, bytes]]]:
+    """Each student's results, and what those whose submission could be read have handed in."""
     submitted, grades, waiting = {}, {}, {}
-    with Progress("grading") as progress, ThreadPoolExecutor(min(os.cpu_count() or 1, 8)) as pool:
+    with Progress("grading") as progress, ThreadPoolExecutor(min(cores(), 8)) as pool:
         try:
             for one in submissions:
                 grades[one.student] = {"student": one.student, "path": printable(str(one.path)), "error": None,
-                                       "results": [], "alike": []}
+                                       "handed_in_s": time_of(one.path, judge.names), "results": [], "alike": []}
                 try:
                     found = read(one, set(judge.names))
                 except Failure as failure:
@@ -100,12 +235,17 @@ def grade(submissions, judge: Judge) -> list[dict]:
             pool.shutdown(wait=False, cancel_futures=True)
             judge.stop()
             raise
-    for a, b, what in alike(submitted, judge.starters):
+    return grades, submitted
+
+
+def complete(grades: dict[str, dict], submitted: dict[str, dict[str, bytes]], wanted: dict[str, str]) -> list[dict]:
+    """With what follows from the class as a whole: who is alike, and how many are right."""
+    for a, b, what in alike(submitted, starters_of(wanted)):
         grades[a]["alike"].append({"student": b, "what": what})
         grades[b]["alike"].append({"student": a, "what": what})
     for one in grades.values():
         one["right"] = sum(result["ok"] for result in one["results"])
-        one["of"] = len(judge.wanted)
+        one["of"] = len(wanted)
     return list(grades.values())
 
 
@@ -115,9 +255,10 @@ def write_files(out: Path, grades: list[dict], wanted: dict[str, str]):
     rows = csv.writer(text, quoting=csv.QUOTE_ALL)
     rows.writerow(["student", "right", "of", *wanted, "error", "alike"])
     for one in grades:
-        marks = {result["exercise"]: "?" if result["state"] == "undecided" else int(result["ok"]) for result in one["results"]}
+        given = {result["exercise"]: "?" if result["state"] == "undecided" else "missing" if result["state"] in UNTOUCHED else
+                 int(result["ok"]) for result in one["results"]}
         same = "; ".join(f"{other['student']}: {other['what']}" for other in one["alike"][:MOST_NAMES])
-        rows.writerow([cell(one["student"]), one["right"], one["of"], *[marks.get(name, 0) for name in wanted],
+        rows.writerow([cell(one["student"]), one["right"], one["of"], *[given.get(name, "missing") for name in wanted],
                        cell(one["error"] or ""), cell(same)])
     write_atomically(out / "grades.csv", text.getvalue())
 

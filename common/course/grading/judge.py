@@ -23,7 +23,7 @@ from build.build import build
 from check.glsl_answer import Refused, plain
 from grading import sandbox
 from grading.handout import starters
-from grading.judge_picture import DriverEnded, Pictures
+from grading.judge_picture import EXPECTED, NOT_IN_TIME, THEIRS, DriverEnded, Pictures
 from grading.judge_tree import copy_without_answers, library, objects
 from grading.sandbox import Limits, Mounts
 from grading.submission import printable
@@ -48,8 +48,21 @@ def parts(chapter: str) -> list[Path]:
     return [*objects("serve_main"), *objects(f"serve_{chapter}")]
 
 
+def picture_path(digest: str) -> Path:
+    return BUILD / "grade" / "seen" / f"{digest}.png"
+
+
+def starters_of(wanted: dict[str, str]) -> dict[str, bytes]:
+    """The exercises of all chapters of `wanted` (chapter by exercise), as they are handed out."""
+    paths = {name: path for chapter in sorted(set(wanted.values())) for name, path in exercises(chapter).items()}
+    committed = starters([path.relative_to(ROOT) for path in paths.values()])
+    return {name: committed.get(path.relative_to(ROOT), path.read_bytes()) for name, path in paths.items()}
+
+
 class Judge:
     """What is the same for all students. Raises Failure where nothing can be contained here."""
+
+    fresh = frozenset()  # exercises that are judged whatever was said of them before
 
     def __init__(self, wanted: dict[str, str], call_s: int = CALL_S, pictures: bool = True):
         self.wanted, self.call_s = wanted, call_s  # chapter by exercise
@@ -60,9 +73,7 @@ class Judge:
         self.verdicts = self.folder / "verdicts"
         self.paths = {name: path for chapter in self.chapters for name, path in exercises(chapter).items()}
         self.names = {str(path.relative_to(ROOT)): name for name, path in self.paths.items()}
-        committed = starters([path.relative_to(ROOT) for path in self.paths.values()])
-        self.starters = {name: committed.get(path.relative_to(ROOT), path.read_bytes())
-                         for name, path in self.paths.items()}
+        self.starters = starters_of(wanted)
         commands = json.loads((BUILD / "compile_commands.json").read_text())
         self.commands = {entry["file"]: shlex.split(entry["command"]) for entry in commands}
         self.seed = self.draw_seed()
@@ -128,13 +139,12 @@ class Judge:
                            "first_failure": "was not handed in" if data is None else "is as it was handed out"}
         key = hashlib.sha256(f"{self.versions[base['chapter']]} {exercise} ".encode() + data).hexdigest()
         kept = self.verdicts / f"{key}.json"
-        try:
-            return base | json.loads(kept.read_text())
-        except (OSError, ValueError):
-            pass
+        if exercise not in self.fresh:
+            with contextlib.suppress(OSError, ValueError):
+                return base | json.loads(kept.read_text())
         try:
             found = self.judge(exercise, data)
-            if found.get("killed"):  # by whom is not known: perhaps the machine had no memory left
+            if found.get("killed"):  # by whom is not known: perhaps the machine had no memory left, or no time
                 found = self.judge(exercise, data)
             # With these inputs the reference itself may lie beside a bound.
             if not found["ok"] and found.get("state") != "undecided" and not self.reference_is_right(exercise):
@@ -145,7 +155,7 @@ class Judge:
             said = clean(str(error) if isinstance(error, (Failure, OSError)) else repr(error))
             return base | {"state": "failed", "first_failure": f"could not be judged: {said}"}
         found = {name: clean(value) for name, value in found.items()
-                 if name in ("ok", "passed", "failed", "first_failure", "hint", "note", "state")}
+                 if name in ("ok", "passed", "failed", "first_failure", "hint", "note", "state", "picture", "picture_expected")}
         write_atomically(kept, json.dumps(found))
         return base | found
 
@@ -178,9 +188,20 @@ class Judge:
                 if why:
                     found |= {"ok": False, "failed": found["failed"] + 1, "first_failure": why,
                               "hint": "every number that was tried is right, so look for an input that only the picture has"}
+                    found |= self.keep_pictures(source.parent) | {"killed": NOT_IN_TIME in why}
                 elif why is not None:
                     found["passed"] += 1
             return found
+
+    def keep_pictures(self, folder: Path) -> dict:
+        """What was drawn and what should have been, for the student's page: named by what is in them."""
+        kept = {}
+        for key, name in (("picture", THEIRS), ("picture_expected", EXPECTED)):
+            if (folder / name).is_file():
+                data = (folder / name).read_bytes()
+                kept[key] = hashlib.sha256(data).hexdigest()
+                write_atomically(picture_path(kept[key]), data)
+        return kept
 
     def numbers(self, exercise: str, source: Path, seed: int) -> dict:
         """The checks' verdict on a source that is alone in its folder."""
@@ -276,8 +297,8 @@ class Judge:
             for end in ours:  # so that each side sees the other's end
                 os.close(end)
             done = running.finish()
-        if done.late:
-            return {"ok": False, "first_failure": f"its check did not end within {JUDGE_S} s"}
+        if done.late:  # a busy machine is not the student's fault: once more
+            return {"ok": False, "first_failure": f"its check did not end within {JUDGE_S} s", "killed": True}
         for line in done.out.splitlines():
             with contextlib.suppress(ValueError, RecursionError):
                 found = json.loads(line)

@@ -12,6 +12,7 @@ import functools
 import json
 import re
 import shlex
+import shutil
 import signal
 import subprocess
 import threading
@@ -32,6 +33,10 @@ DRAWING = Limits(6 * GIB, 60, device=True)
 PASS_S = 20  # of one pass of a frame, on a busy machine
 COMPARING = Limits(2 * GIB, 20)
 MOST_PICTURE_BYTES = 16 << 20
+MOST_SHOWN_BYTES = 1 << 20
+NOT_IN_TIME = "it was not drawn within"
+NOT_COMPARED = "it cannot be compared"
+THEIRS, EXPECTED = "wrong.theirs.png", "wrong.expected.png"  # beside the source of what was drawn wrongly
 
 
 class DriverEnded(Exception):
@@ -99,14 +104,19 @@ class Pictures:
                                pass_fds=(out.fileno(),)) as running:
                 done = running.finish()
         if done.late:
-            return f"it was not drawn within {DRAWING.wall_s:g} s"
+            return f"{NOT_IN_TIME} {DRAWING.wall_s:g} s"
         if done.code == 128 + signal.SIGSEGV and source.suffix == ".glsl":
             raise DriverEnded(shot)
         if done.code:
             return done.said()
         if not 0 < picture.stat().st_size < MOST_PICTURE_BYTES:
             return "no picture came out"
-        return self.compare(expected, picture, judge)
+        why = self.compare(expected, picture, judge)
+        # For the student's page: what a reader in a sandbox could read, and no more than a small picture takes.
+        if why and not why.startswith(NOT_COMPARED) and picture.stat().st_size < MOST_SHOWN_BYTES:
+            picture.replace(source.parent / THEIRS)
+            shutil.copyfile(expected, source.parent / EXPECTED)
+        return why
 
     def drawing_mounts(self, exercise: str, source: Path, program: Path, judge) -> Mounts:
         mounts = judge.mounts()
@@ -165,7 +175,7 @@ class Pictures:
                 return ""
             most = metrics["max_diff"]
             return f"{most['pixels']} pixels differ from the reference's, most the one at ({most['x']}, {most['y']})"
-        return f"it cannot be compared: {done.said()}"
+        return f"{NOT_COMPARED}: {done.said()}"
 
 
 @functools.cache

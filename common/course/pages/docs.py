@@ -27,6 +27,7 @@ KATEX = Path("/usr/share/javascript/katex")
 LATO = Path("/usr/share/fonts/truetype/lato")
 LANGUAGES = {".frag": "glsl", ".comp": "glsl",
              ".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
+OTHERS = {"serve.md": "Live lessons", "teaching.md": "For instructors", "elsewhere.md": "Windows and macOS"}
 OWN = Path(__file__).parent / "site"
 
 
@@ -69,7 +70,7 @@ def write_sources(folder: Path):
     """What mkdocs reads: texts, the pictures they show, the sources they name."""
     site = Site()
     lessons = [Path("docs") / f"{chapter}.md" for chapter in chapters()]
-    for text in [*lessons, Path("README.md"), Path("docs/study_format.md"), Path("docs/serve.md")]:
+    for text in [*lessons, Path("README.md"), Path("docs/study_format.md"), *[Path("docs") / name for name in OTHERS]]:
         if (ROOT / text).exists():
             site.target(text)
     while site.waiting:
@@ -142,9 +143,9 @@ def home(site: Site) -> str:
 def nav() -> list:
     lessons = [{f"{chapter[:2]} {title_and_teaser(chapter)[0]}": f"{chapter}.md"} for chapter in chapters()
                if (ROOT / "docs" / f"{chapter}.md").exists()]
-    live = [{"Live lessons": "serve.md"}] if (ROOT / "docs" / "serve.md").exists() else []
     return [{"Lightwalk": "index.md"}, {"Lessons": lessons},
-            {"Beside them": [{"How to use the course": "course.md"}, *live, {"The study format": "study_format.md"}]}]
+            {"Beside them": [{"How to use the course": "course.md"}, {"The study format": "study_format.md"},
+                             *[{title: name} for name, title in OTHERS.items() if (ROOT / "docs" / name).exists()]]}]
 
 
 def build_site(source: Path, made: Path):

@@ -10,9 +10,12 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 from build.build import build
+from many import shards
 from pages.report import write_report
 from shots.draw_shots import RUN
+from test import test_shards
 from test.container import test_on
+from test.test_shards import closing_line
 from tree import BUILD, Failure, UsageError, relative, say
 
 ALONE = True
@@ -22,6 +25,7 @@ HELP = """Builds everything, runs every test and writes build/report/index.html.
   ./course test shot.02          the tests whose name matches this regular expression
   ./course test --sanitize       all tests, then all but those of windows with the address and undefined-behaviour sanitizers
   ./course test -L window        other options are passed to ctest
+  ./course test --shard 3/16 --out F    part 3 of 16, into the folder F, for a CI's matrix; --merge F writes the report of all
   ./course test --on trixie      ./course run and then all tests on a bare Debian 13, in a container in build/on/trixie;
                                  bookworm is Debian 12. A pattern or options select tests. It requires root.
 
@@ -34,12 +38,17 @@ CI = ["-LE", "study", "-E", r"^teeth\.[0-9]+\.|\.(knobs|need|stretch)$"]  # a CI
 
 
 def add_arguments(parser):
-    parser.usage = "./course test [PATTERN] [--on SYSTEM] [--sanitize] [OPTIONS OF CTEST]"
+    parser.usage = "./course test [PATTERN] [--on SYSTEM] [--sanitize] [--shard K/N [--out FOLDER]] [--merge FILE...] [OPTIONS OF CTEST]"
     parser.add_argument("--on", metavar="SYSTEM", help="test on a bare bookworm or trixie, in a container")
+    shards.add_arguments(parser)
+    parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder for the file of a shard (build/shards)")
     parser.add_argument("--sanitize", action="store_true", help="also run all but window tests and studies with the sanitizers")
 
 
 def run(arguments, rest) -> int:
+    shards.check_arguments(arguments)
+    if arguments.merge:
+        return test_shards.merge(arguments.merge)
     # The word behind an option of ctest's is that option's: Python's releases disagree on that.
     pattern = rest[0] if rest and not rest[0].startswith("-") else None
     if pattern:
@@ -47,20 +56,27 @@ def run(arguments, rest) -> int:
             re.compile(pattern)
         except re.error as error:
             raise UsageError(f"'{pattern}' is not a regular expression: {error}") from None
+    if arguments.on and arguments.shard:
+        raise UsageError("--shard is of this system's tests: --on has none")
     if arguments.on:
         return test_on(arguments.on, rest + (["--sanitize"] if arguments.sanitize else []))
     selection = ["-R", *rest] if pattern else rest
     results = BUILD / "results"
-    if not selection:
+    file = shards.file_of(arguments.out, "test", arguments.shard) if arguments.shard else None
+    if not selection or file:
         shutil.rmtree(results, ignore_errors=True)
     results.mkdir(parents=True, exist_ok=True)
     build()
     in_ci = os.environ.get("CI") == "true" and not selection
-    runs = [run_ctest(BUILD, results / "tests.xml", CI if in_ci else selection)]
+    selection = CI if in_ci else selection
+    runs = [run_ctest(BUILD, results / "tests.xml", selection + test_shards.words(BUILD, selection, arguments.shard))]
     if arguments.sanitize:
         say("\nunder the sanitizers:")
         folder = build(preset="sanitizer")
-        runs.append(run_ctest(folder, results / "sanitizer.xml", SANITIZED + selection))
+        selection = SANITIZED + ([] if in_ci else selection)
+        runs.append(run_ctest(folder, results / "sanitizer.xml", selection + test_shards.words(folder, selection, arguments.shard)))
+    if file:
+        return test_shards.write(file, arguments.shard, results, runs, rest)
     report = BUILD / "report" / "index.html"
     write_report(results, report)
     total, failed = (sum(counts) for counts in zip(*runs))
@@ -88,9 +104,3 @@ def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int
     if code and not failed:
         raise Failure(f"{' '.join(command)} ended with {code} although no test failed")
     return total, failed
-
-
-def closing_line(total: int, failed: int) -> str:
-    """As ctest ends, which is what a CI reads, over all its runs."""
-    percent = round(100 * (total - failed) / total)
-    return f"{min(percent, 99) if failed else 100}% tests passed, {failed} tests failed out of {total}"

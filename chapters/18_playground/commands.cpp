@@ -1,0 +1,301 @@
+#include "18_playground/commands.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "03_attenuation/scattered_lights.h"
+#include "18_playground/utf8.h"
+
+namespace lightwalk {
+
+void Selection::set(std::vector<EntryId> chosen) {
+    ids.clear(), members_.clear();
+    for (const EntryId id : chosen)
+        if (members_.insert(id).second) ids.push_back(id);
+}
+
+void Selection::toggle(EntryId id) {
+    if (members_.erase(id))
+        std::erase(ids, id);
+    else
+        members_.insert(id), ids.push_back(id);
+}
+
+void Selection::drop_missing(const Document& document) {
+    std::vector<EntryId> left;
+    for (const EntryId id : ids)
+        if (document.find(id)) left.push_back(id);
+    set(std::move(left));
+}
+
+std::string free_name(const Document& document, const std::string& name, const std::string& own) {
+    const auto taken = [&](const std::string& one) { return one != own && document.has_name(one); };
+    if (name.empty() || !taken(name)) return name;
+    std::string stem = name;
+    int number = 2;
+    if (const size_t space = stem.find_last_of(' '); space != stem.npos && space + 1 < stem.size() &&
+                                                     stem.size() - space < 8 &&
+                                                     stem.find_first_not_of("0123456789", space + 1) == stem.npos) {
+        number = std::stoi(stem.substr(space + 1)) + 1;
+        stem.resize(space);
+    }
+    std::string free;
+    for (; free.empty() || taken(free); ++number) free = fmt::format("{} {}", stem, number);
+    return free;
+}
+
+namespace {
+
+template <class Wanted>
+bool any_above(const Document& document, EntryId id, Wanted wanted) {
+    for (; id != no_entry; id = document.at(id).parent)
+        if (wanted(document.at(id))) return true;
+    return false;
+}
+
+// A parent is known by its name in the file.
+void name_parent(Document& document, EntryId id) {
+    if (id != root_entry && document.at(id).name().empty()) document.rename(id, free_name(document, "object"));
+}
+
+}  // namespace
+
+bool is_locked(const Document& document, EntryId id) {
+    return any_above(document, id, [](const Entry& entry) { return entry.locked; });
+}
+
+bool is_hidden(const Document& document, EntryId id) {
+    return any_above(document, id, [](const Entry& entry) { return entry.hidden; });
+}
+
+std::vector<EntryId> movable(const Document& document, const std::vector<EntryId>& ids) {
+    const std::set<EntryId> wanted(ids.begin(), ids.end());
+    std::vector<EntryId> found;
+    for (const EntryId id : wanted) {
+        if (id == root_entry || !document.find(id) || is_locked(document, id)) continue;
+        bool below = false;
+        for (EntryId up = document.at(id).parent; up != no_entry && !below; up = document.at(up).parent)
+            below = wanted.contains(up);
+        if (!below) found.push_back(id);
+    }
+    if (found.size() < 2) return found;
+    // Siblings in their parent's order; parents by id.
+    std::map<EntryId, std::set<EntryId>> by_parent;
+    for (const EntryId id : found) by_parent[document.at(id).parent].insert(id);
+    found.clear();
+    for (const auto& [parent, children] : by_parent)
+        for (const EntryId child : document.at(parent).children)
+            if (children.contains(child)) found.push_back(child);
+    return found;
+}
+
+EntryId add_object(Document& document, SceneObject object, EntryId parent) {
+    object.parent.clear();
+    object.name = free_name(document, clean_name(object.name));
+    document.begin("add " + object.name);
+    name_parent(document, parent);
+    const EntryId id = document.add(parent, {.what = std::move(object)});
+    document.commit();
+    return id;
+}
+
+EntryId add_light(Document& document, const Light& light) {
+    document.begin("add a light");
+    const EntryId id = document.add(root_entry, {.what = light});
+    document.commit();
+    return id;
+}
+
+std::vector<EntryId> scatter(Document& document, const Bounds& where, int count, unsigned seed) {
+    document.begin(fmt::format("scatter {} lights", count));
+    std::vector<EntryId> ids;
+    for (const Light& light : scatter_lights(where, count, seed))
+        ids.push_back(document.add(root_entry, {.what = light}));
+    document.commit();
+    return ids;
+}
+
+Said remove(Document& document, const std::vector<EntryId>& ids) {
+    const std::vector<EntryId> chosen = movable(document, ids);
+    if (chosen.empty()) return ids.empty() ? "nothing is selected" : "what is selected is locked";
+    document.begin(chosen.size() == 1 ? "delete " + document.at(chosen[0]).name()
+                                      : fmt::format("delete {} entries", chosen.size()));
+    for (const EntryId id : chosen) document.remove(id);
+    document.commit();
+    return "";
+}
+
+namespace {
+
+EntryId copy(Document& document, EntryId from, EntryId parent, size_t place) {
+    Entry entry = document.at(from);
+    const std::vector<EntryId> children = std::exchange(entry.children, {});
+    if (SceneObject* object = entry.object()) object->name = free_name(document, object->name);
+    entry.included = false;
+    const EntryId id = document.add(parent, std::move(entry), place);
+    for (const EntryId child : children) copy(document, child, id, SIZE_MAX);
+    return id;
+}
+
+}  // namespace
+
+std::vector<EntryId> duplicate(Document& document, const std::vector<EntryId>& ids) {
+    std::vector<EntryId> copies;
+    document.begin("duplicate");
+    for (const EntryId id : movable(document, ids)) {
+        const EntryId parent = document.at(id).parent;
+        const std::vector<EntryId>& siblings = document.at(parent).children;
+        const auto place = std::find(siblings.begin(), siblings.end(), id) - siblings.begin();
+        copies.push_back(copy(document, id, parent, static_cast<size_t>(place) + 1));
+    }
+    document.commit();
+    return copies;
+}
+
+// [reparent]
+namespace {
+
+// Within a step that is open.
+Said move_to(Document& document, const std::vector<EntryId>& ids, EntryId parent, size_t place) {
+    if (parent != root_entry && !document.at(parent).object()) return "only an object can be a parent";
+    std::vector<TreeNode> nodes;
+    std::vector<EntryId> entries = with_children(document, root_entry);
+    std::unordered_map<EntryId, int32_t> places;
+    for (const EntryId id : entries) {
+        places.emplace(id, static_cast<int32_t>(nodes.size()));
+        const Entry& entry = document.at(id);
+        TreeNode node{entry.parent == no_entry ? -1 : places.at(entry.parent), glm::mat4(1.0f)};
+        if (node.parent >= 0) node.world = nodes[static_cast<size_t>(node.parent)].world;
+        if (const SceneObject* object = entry.object()) node.world = node.world * local_transform(*object);
+        nodes.push_back(node);
+    }
+    std::vector<uint32_t> selected;
+    for (const EntryId id : ids)
+        if (id != root_entry && document.find(id)) selected.push_back(static_cast<uint32_t>(places.at(id)));
+    const auto moves = sort_tree_moves(nodes, selected, places.at(parent));
+    if (!moves) return "that would make a circle: an object cannot hang below itself";
+    Said said;
+    name_parent(document, parent);
+    for (const TreeMove& move : *moves) {
+        const EntryId id = entries.at(move.node);
+        if (is_locked(document, id)) {
+            said = document.at(id).name() + " is locked";
+            continue;
+        }
+        if (document.at(id).light() && parent != root_entry) {
+            said = "a light hangs below no object";
+            continue;
+        }
+        if (const SceneObject* object = document.at(id).object(); object && document.at(id).parent != parent) {
+            bool exact = true;
+            const Placement own = placement_of(move.local, object->rotation_deg, &exact);
+            if (!exact) said = object->name + " was sheared by its parents' scales; its new place has no shear";
+            SceneObject& edited = *document.edit(id).object();
+            edited.position = own.position, edited.rotation_deg = own.rotation_deg, edited.scale = own.scale;
+        }
+        document.move_below(id, parent, place);
+        if (place != SIZE_MAX) ++place;
+    }
+    return said;
+}
+
+}  // namespace
+
+Said reparent(Document& document, const std::vector<EntryId>& ids, EntryId parent, size_t place) {
+    if (is_locked(document, parent)) return "the parent is locked";
+    document.begin("move in the tree");
+    const Said said = move_to(document, ids, parent, place);
+    document.commit();
+    return said;
+}
+// [/reparent]
+
+EntryId group(Document& document, const std::vector<EntryId>& ids, const std::string& name) {
+    std::vector<EntryId> objects;
+    for (const EntryId id : movable(document, ids))
+        if (document.at(id).object()) objects.push_back(id);
+    if (objects.empty()) return no_entry;
+    document.begin("group");
+    SceneObject own;
+    own.name = free_name(document, clean_name(name));
+    const EntryId id = document.add(root_entry, {.what = own});
+    move_to(document, objects, id, SIZE_MAX);
+    document.commit();
+    return id;
+}
+
+Said rename(Document& document, EntryId id, const std::string& name) {
+    const Entry& entry = document.at(id);
+    if (id == root_entry) return "the scene is called like its file";
+    if (is_locked(document, id)) return "it is locked";
+    std::string wanted = clean_name(name);
+    if (wanted == entry.name()) return "";
+    if (wanted.empty() && !entry.children.empty()) return "what has children has a name";
+    const std::string before = entry.name();
+    Said said;
+    if (entry.object()) {
+        wanted = free_name(document, wanted, before);
+        if (wanted != clean_name(name)) said = "another object has that name; this is " + wanted;
+        if (wanted == before) return said;
+    }
+    document.begin("rename " + before);
+    document.rename(id, wanted);
+    if (document.at(id).object() && !before.empty())  // screens name what they show
+        for (const EntryId other : with_children(document, root_entry))
+            if (const SceneObject* object = document.at(other).object(); object && object->shows == before)
+                document.edit(other).object()->shows = wanted;
+    document.commit();
+    return said;
+}
+
+void set_hidden(Document& document, const std::vector<EntryId>& ids, bool hidden) {
+    document.begin(hidden ? "hide" : "show");
+    for (const EntryId id : ids)
+        if (id != root_entry && document.find(id) && document.at(id).hidden != hidden)
+            document.edit(id).hidden = hidden;
+    document.commit();
+}
+
+void set_locked(Document& document, const std::vector<EntryId>& ids, bool locked) {
+    document.begin(locked ? "lock" : "unlock");
+    for (const EntryId id : ids)
+        if (id != root_entry && document.find(id) && document.at(id).locked != locked)
+            document.edit(id).locked = locked;
+    document.commit();
+}
+
+Said place(Document& document, EntryId id, const Placement& placement, uint64_t gesture) {
+    if (is_locked(document, id)) return "it is locked";
+    const SceneObject* object = document.at(id).object();
+    if (!object) return "only objects have a rotation and a scale";
+    for (int i = 0; i < 3; ++i) {
+        if (!(std::fabs(placement.scale[i]) >= least_scale && std::fabs(placement.scale[i]) <= 1e6f))
+            return fmt::format("a scale of {:g} is not possible: 1e-6 to 1e6, or negative to mirror",
+                               placement.scale[i]);
+        if (!(std::fabs(placement.position[i]) <= 1e9f) || !(std::fabs(placement.rotation_deg[i]) <= 1e9f))
+            return fmt::format("{:g} is no place: at most 1e9", placement.position[i]);
+    }
+    if (placement_of(*object) == placement) return "";
+    document.begin("place " + object->name, gesture);
+    SceneObject& edited = *document.edit(id).object();
+    edited.position = placement.position, edited.rotation_deg = placement.rotation_deg, edited.scale = placement.scale;
+    document.commit();
+    return "";
+}
+
+void set_knobs(Document& document, const std::map<std::string, std::string>& knobs, uint64_t gesture) {
+    std::string changed;
+    for (const auto& [name, value] : knobs) {
+        const auto& before = document.settings().knobs;
+        if (const auto found = before.find(name); found == before.end() || found->second != value) changed = name;
+    }
+    if (changed.empty()) return;
+    document.begin("set " + changed, gesture);
+    for (const auto& [name, value] : knobs) document.edit(root_entry).settings()->knobs[name] = value;
+    document.commit();
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,61 @@
+// What a person does to the document: each function is a step that undo() takes back.
+#pragma once
+#include <set>
+
+#include "18_playground/placement.h"
+#include "common/scene/mesh.h"
+
+namespace lightwalk {
+
+/// Entries that are selected, in the order in which they were clicked; the last is the active one.
+struct Selection {
+    std::vector<EntryId> ids;
+    bool has(EntryId id) const { return members_.contains(id); }
+    void set(std::vector<EntryId> chosen);
+    void toggle(EntryId id);
+    void clear() { set({}); }
+    EntryId active() const { return ids.empty() ? no_entry : ids.back(); }
+    void drop_missing(const Document& document);  ///< after undo(): what is not there any more
+
+  private:
+    std::set<EntryId> members_;
+};
+
+/// What a step has to say to the person; empty where all went as asked.
+using Said = std::string;
+
+/// Text as UTF-8: every byte that is not part of it becomes U+FFFD; control characters, a space.
+std::string clean_name(const std::string& name);
+
+/// The name, or with a number behind it where another object has it.
+/// `own`: the name that it has now, which is no other's.
+std::string free_name(const Document& document, const std::string& name, const std::string& own = "");
+
+/// Whether it, or an entry above it, is locked.
+bool is_locked(const Document& document, EntryId id);
+bool is_hidden(const Document& document, EntryId id);
+
+/// Those of `ids` that are there, are not locked and hang below no other of them; in the tree's order.
+std::vector<EntryId> movable(const Document& document, const std::vector<EntryId>& ids);
+
+// [commands]
+EntryId add_object(Document& document, SceneObject object, EntryId parent = root_entry);
+EntryId add_light(Document& document, const Light& light);
+/// Point and spot lights over `where`, as chapter 03 scatters them.
+std::vector<EntryId> scatter(Document& document, const Bounds& where, int count, unsigned seed);
+Said remove(Document& document, const std::vector<EntryId>& ids);
+std::vector<EntryId> duplicate(Document& document, const std::vector<EntryId>& ids);
+/// A new parent for them, at the origin of the world.
+EntryId group(Document& document, const std::vector<EntryId>& ids, const std::string& name);
+/// Their places in the world stay. Refuses cycles, parents that are no object, and lights.
+Said reparent(Document& document, const std::vector<EntryId>& ids, EntryId parent, size_t place = SIZE_MAX);
+Said rename(Document& document, EntryId id, const std::string& name);
+void set_hidden(Document& document, const std::vector<EntryId>& ids, bool hidden);
+void set_locked(Document& document, const std::vector<EntryId>& ids, bool locked);
+/// Refuses what the scene file would: a scale of 0, what is not finite or too large.
+Said place(Document& document, EntryId id, const Placement& placement, uint64_t gesture = 0);
+/// Knobs of the chapter that have another value than the document says.
+void set_knobs(Document& document, const std::map<std::string, std::string>& knobs, uint64_t gesture);
+// [/commands]
+
+}  // namespace lightwalk

@@ -1,0 +1,248 @@
+#include "18_playground/editor.h"
+
+#include <algorithm>
+
+#include "18_playground/gltf.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+
+namespace lightwalk {
+namespace {
+
+// Of the editor itself, or of where the mouse is.
+bool is_no_setting(const KnobBase& knob) {
+    const std::string path = knob.path();
+    return knob.name == "mouse_x" || knob.name == "mouse_y" || path.starts_with("marks.") ||
+           path.starts_with("picker.") || path == "samples" || path == "select" || path == "show";
+}
+
+}  // namespace
+
+void Editor::loaded(Chapter& chapter) {
+    const std::filesystem::path file = chapter.scene.file.file;
+    const bool same = shown_ && store.path == file && !file.empty();
+    shown_ = &chapter.scene;
+    if (same && store.has_unsaved(document)) {  // the toggles of exercises load scenes again
+        live = {};
+        document.mark_all_changed();
+        return;
+    }
+    first_knobs_.clear();
+    for (const KnobBase* knob : chapter.all_knobs())
+        if (!is_no_setting(*knob)) first_knobs_[knob->path()] = knob->text();
+    known_knobs_ = first_knobs_;
+    Document opened;
+    try {
+        opened = store.open(file);
+    } catch (const InputError&) {  // a scene that is no file, as tests make them
+        opened = Document(chapter.scene.file);
+        store.open_empty();
+    }
+    if (file.extension() != ".json") opened = Document(chapter.scene.file);
+    document = std::move(opened);
+    selection.clear();
+    drag.reset();
+    live.begin(document, chapter.scene);
+}
+
+void Editor::open(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file) {
+    Scene kept = std::exchange(chapter.scene, Scene());
+    const Camera camera = chapter.camera;
+    shown_ = nullptr;
+    try {
+        load_scene(chapter, gpu, file);
+    } catch (...) {
+        chapter.scene = std::move(kept);
+        chapter.camera = camera;
+        shown_ = &chapter.scene;
+        chapter.prepare_all(gpu, chapter.scene);
+        throw;
+    }
+}
+
+void Editor::open_document(Chapter& chapter, Document next) {
+    document = std::move(next);
+    live = {};
+    selection.clear();
+    document.mark_all_changed();
+    chapter.camera = document.settings().camera;
+    give_knobs(chapter);
+}
+
+void Editor::take_knobs(const Chapter& chapter) {
+    std::map<std::string, std::string> changed;
+    for (const KnobBase* knob : chapter.all_knobs()) {
+        if (is_no_setting(*knob)) continue;
+        const std::string text = knob->text();
+        std::string& known = known_knobs_[knob->path()];
+        if (known != text) changed[knob->path()] = known = text;
+    }
+    if (!changed.empty() && !drag) set_knobs(document, changed, gesture);
+}
+
+void Editor::give_knobs(Chapter& chapter) {
+    const auto& wanted = document.settings().knobs;
+    for (KnobBase* knob : chapter.all_knobs()) {
+        const std::string path = knob->path();
+        const auto first = first_knobs_.find(path);
+        if (first == first_knobs_.end()) continue;
+        const auto given = wanted.find(path);
+        const std::string& value = given == wanted.end() ? first->second : given->second;
+        if (known_knobs_[path] == value) continue;
+        try {
+            knob->set(value);
+        } catch (const InputError& e) { notice = e.what(); }
+        known_knobs_[path] = knob->text();
+    }
+}
+
+// [update]
+LiveScene::Done Editor::update(Chapter& chapter, Gpu& gpu) {
+    loads = false;
+    if (!shown_) return LiveScene::Done::nothing;
+    take_knobs(chapter);
+    const auto loader = [&](const std::filesystem::path& file) { return chapter.load_model(file); };
+    try {
+        const LiveScene::Done done = live.update(gpu, document, chapter.scene, loader);
+        loads = live.loads;
+        return done;
+    } catch (const InputError& e) {
+        notice = e.what();
+        document.undo();
+        document.mark_all_changed();
+        selection.drop_missing(document);
+        const LiveScene::Done done = live.update(gpu, document, chapter.scene, loader);
+        loads = live.loads;
+        return done;
+    }
+}
+// [/update]
+
+bool Editor::undo(Chapter& chapter) {
+    end_drag(false);
+    const std::vector<Document::Listed> steps = document.steps();
+    if (!document.undo()) return false;
+    for (size_t i = 0; i < steps.size(); ++i)
+        if (!steps[i].undone && (i + 1 == steps.size() || steps[i + 1].undone)) notice = "undone: " + steps[i].name;
+    selection.drop_missing(document);
+    give_knobs(chapter);
+    return true;
+}
+
+bool Editor::redo(Chapter& chapter) {
+    end_drag(false);
+    if (!document.redo()) return false;
+    const std::vector<Document::Listed> steps = document.steps();
+    notice = "done again: " + steps.at(document.done() - 1).name;
+    selection.drop_missing(document);
+    give_knobs(chapter);
+    return true;
+}
+
+void Editor::save(const Chapter& chapter, const std::filesystem::path& as) {
+    store.camera = chapter.camera;
+    const Said said = as.empty() ? store.save(document) : store.save_as(document, as);
+    notice = "saved " + store.path.string() + (said.empty() ? "" : "; " + said);
+}
+
+void Editor::begin_drag(const GizmoPlace& place, const Handle& handle, const View& view, glm::vec2 cursor_px) {
+    drag.emplace(document, selection.ids, place, handle, view, cursor_px);
+}
+
+void Editor::end_drag(bool keep) {
+    if (!drag) return;
+    if (keep)
+        drag->finish();
+    else
+        drag->cancel();
+    drag.reset();
+}
+
+void Editor::select_item(const Scene& scene, std::optional<uint32_t> item, bool add) {
+    EntryId id = no_entry;
+    if (item && *item < scene.items.size()) id = live.entry_of(scene.items[*item].object);
+    if (id != no_entry && is_locked(document, id)) id = no_entry;
+    if (id == no_entry) {
+        if (!add) selection.clear();
+    } else if (add) {
+        selection.toggle(id);
+    } else {
+        selection.set({id});
+    }
+    if (id != no_entry) tree.show(document, id);
+}
+
+std::optional<EntryId> Editor::light_at(const View& view, glm::vec2 cursor_px) const {
+    std::optional<EntryId> nearest;
+    float least = 9.0f;
+    for (const EntryId id : document.at(root_entry).children) {
+        const Entry& entry = document.at(id);
+        if (!entry.light() || entry.hidden || entry.locked || entry.light()->kind == Light::Kind::directional) continue;
+        const auto pixel = on_screen(view, entry.light()->position);
+        if (!pixel || glm::length(*pixel - cursor_px) >= least) continue;
+        least = glm::length(*pixel - cursor_px), nearest = id;
+    }
+    return nearest;
+}
+
+std::vector<uint32_t> Editor::selected_items(const Scene& scene) const {
+    std::vector<char> chosen(scene.file.objects.size(), 0);
+    for (const EntryId id : selection.ids)
+        if (document.find(id))
+            for (const EntryId one : with_children(document, id))
+                if (const uint32_t object = live.object_of(one); object < chosen.size()) chosen[object] = 1;
+    std::vector<uint32_t> flags;
+    flags.reserve(scene.items.size());
+    for (const DrawItem& item : scene.items)
+        flags.push_back(item.object < chosen.size() ? uint32_t(chosen[item.object]) : 0u);
+    return flags;
+}
+
+Bounds Editor::selected_bounds(const Scene& scene) const {
+    Bounds box;
+    const std::vector<uint32_t> flags = selected_items(scene);
+    for (size_t i = 0; i < flags.size(); ++i)
+        if (flags[i]) box.add(scene.items[i].bounds);
+    for (const EntryId id : selection.ids)
+        if (const Entry* entry = document.find(id); entry && entry->light()) {
+            box.add(entry->light()->position - 0.5f);
+            box.add(entry->light()->position + 0.5f);
+        }
+    return box;
+}
+
+EntryId Editor::add_model(const Chapter& chapter, const std::filesystem::path& given) {
+    const std::filesystem::path file = find_asset(given), assets = course_root() / "assets";
+    SceneObject object;
+    object.model =
+        lies_below(file, assets)
+            ? std::filesystem::weakly_canonical(file).lexically_relative(std::filesystem::weakly_canonical(assets))
+            : std::filesystem::absolute(file);
+    object.name = file.stem().string();
+    object.position = chapter.camera.target;
+    const EntryId id = lightwalk::add_object(document, object);
+    selection.set({id});
+    return id;
+}
+
+EntryId Editor::add_light(const Chapter& chapter, Light::Kind kind) {
+    const Camera& camera = chapter.camera;
+    const float distance = glm::distance(camera.position, camera.target);
+    Light light{.kind = kind, .color = {1.0f, 0.85f, 0.65f}};
+    light.position = camera.target + glm::vec3(0.0f, 0.35f * distance, 0.0f);
+    light.range_m = distance;
+    light.intensity = kind == Light::Kind::directional ? 1.0f : std::max(0.1f * distance * distance, 0.01f);
+    light.direction =
+        kind == Light::Kind::directional ? glm::normalize(glm::vec3(-0.5f, -1.0f, -0.4f)) : glm::vec3(0, -1, 0);
+    light.shadow = true;
+    const EntryId id = lightwalk::add_light(document, light);
+    selection.set({id});
+    return id;
+}
+
+void Editor::export_to(const Scene& scene, const std::filesystem::path& file) {
+    export_gltf(document, scene, file);
+    notice = "exported " + file.string();
+}
+
+}  // namespace lightwalk

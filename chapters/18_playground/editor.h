@@ -1,0 +1,62 @@
+// The editor without its window: a document, what is selected, and how both meet a chapter and its scene.
+#pragma once
+#include "18_playground/gizmo.h"
+#include "18_playground/live_scene.h"
+#include "18_playground/tree.h"
+#include "common/app/chapter.h"
+
+namespace lightwalk {
+
+class Editor {
+  public:
+    Document document;
+    SceneStore store;
+    Selection selection;
+    Tree tree;
+    LiveScene live;
+    Tool tool = Tool::move;
+    bool local = false;
+    std::optional<GizmoDrag> drag;
+    Handle hot;            ///< under the mouse
+    uint64_t gesture = 1;  ///< another one for each press of a button or key
+    std::string notice;    ///< what the person should know; empty: nothing
+
+    /// A scene was loaded: a new document, or, where it is the same file with changes that are not saved, the one that is
+    /// there, which update() brings into the scene.
+    void loaded(Chapter& chapter);
+
+    /// Opens the document's scene in the chapter. Throws InputError, and nothing has changed.
+    void open(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file);
+    void open_document(Chapter& chapter, Document next);
+
+    /// Between frames: knobs that were changed in the panel become steps, and the document's changes are shown. What cannot
+    /// be shown is undone, and `notice` says why.
+    LiveScene::Done update(Chapter& chapter, Gpu& gpu);
+    bool loads = false;  ///< of the last update(): modules have something to prepare
+
+    bool undo(Chapter& chapter);
+    bool redo(Chapter& chapter);
+    void save(const Chapter& chapter, const std::filesystem::path& as = {});
+
+    void begin_drag(const GizmoPlace& place, const Handle& handle, const View& view, glm::vec2 cursor_px);
+    void end_drag(bool keep);
+
+    /// An item of the scene, as picking found it. `add`: to what is selected, or away from it.
+    void select_item(const Scene& scene, std::optional<uint32_t> item, bool add);
+    std::optional<EntryId> light_at(const View& view, glm::vec2 cursor_px) const;
+    std::vector<uint32_t> selected_items(const Scene& scene) const;  ///< 1 for each item that is
+    Bounds selected_bounds(const Scene& scene) const;                ///< empty where nothing is selected
+
+    /// A model in front of the camera, on what the scene stands on.
+    EntryId add_model(const Chapter& chapter, const std::filesystem::path& model);
+    EntryId add_light(const Chapter& chapter, Light::Kind kind);
+    void export_to(const Scene& scene, const std::filesystem::path& file);
+
+  private:
+    void take_knobs(const Chapter& chapter);
+    void give_knobs(Chapter& chapter);
+    std::map<std::string, std::string> first_knobs_, known_knobs_;
+    const Scene* shown_ = nullptr;
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,229 @@
+// The editor's panels: the tree on the left, and what is selected below it.
+#include <fmt/core.h>
+
+#include "18_playground/editor_window.h"
+#include "18_playground/widgets.h"
+#include "common/base/error.h"
+
+namespace lightwalk {
+
+bool EditorWindow::draw_panels(glm::uvec2 picture, float scale) {
+    picture_ = picture;
+    const bool changed = std::exchange(changed_, false);
+    const uint64_t state = editor.document.state();
+    const std::vector<EntryId> selected = editor.selection.ids;
+    ImGui::SetNextWindowPos({0.0f, 0.0f});
+    ImGui::SetNextWindowSize({270.0f * scale, static_cast<float>(picture.y)});
+    ImGui::SetNextWindowBgAlpha(0.88f);
+    ImGui::Begin("editor", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    draw_toolbar();
+    draw_tree();
+    draw_properties();
+    ImGui::End();
+    browser_.draw(scale);
+    draw_steps();
+    draw_keys();
+    draw_question();
+    return changed || state != editor.document.state() || selected != editor.selection.ids || editor.document.in_step();
+}
+
+void EditorWindow::draw_toolbar() {
+    if (tool_button("open", "Ctrl+O: files, to add or to open")) browser_.shown = !browser_.shown;
+    ImGui::SameLine();
+    if (tool_button("undo", "Ctrl+Z")) editor.undo(*this);
+    ImGui::SameLine();
+    if (tool_button("redo", "Ctrl+Y")) editor.redo(*this);
+    ImGui::SameLine();
+    if (tool_button("steps", "All steps by name", shows_steps_)) shows_steps_ = !shows_steps_;
+    ImGui::SameLine();
+    if (tool_button("?", "F1: all keys", shows_keys_)) shows_keys_ = !shows_keys_;
+    if (tool_button("move", "1: move along axes and planes; with Shift in steps", editor.tool == Tool::move))
+        editor.tool = Tool::move;
+    ImGui::SameLine();
+    if (tool_button("turn", "2: rotate; with Shift by 15°", editor.tool == Tool::rotate)) editor.tool = Tool::rotate;
+    ImGui::SameLine();
+    if (tool_button("size", "3: scale", editor.tool == Tool::scale)) editor.tool = Tool::scale;
+    ImGui::SameLine();
+    if (tool_button(editor.local ? "local" : "world", "L: axes of the world or of the object"))
+        editor.local = !editor.local;
+    const char* const kinds[] = {"sun", "lamp", "spot"};
+    for (int i = 0; i < 3; ++i) {
+        if (tool_button(kinds[i], "Add a light: directional, point, spot"))
+            editor.add_light(*this, static_cast<Light::Kind>(i));
+        ImGui::SameLine();
+    }
+    if (tool_button("scatter", "Point and spot lights over the scene, as many as the number says"))
+        editor.selection.set(scatter(editor.document, scene.bounds, scatter_count_, unsigned(editor.document.size())));
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::DragInt("##scatter", &scatter_count_, 10.0f, 1, 100000);
+}
+
+// [tree]
+void EditorWindow::draw_tree() {
+    ImGui::SetNextItemWidth(-1.0f);
+    if (text_field("##search", search_, true)) editor.tree.search(search_);
+    help_on_hover("Search: words that must be in the name");
+    editor.tree.node_count = [this](EntryId id) -> size_t {
+        const SceneObject* object = editor.document.at(id).object();
+        if (!object || object->model.empty()) return 0;
+        for (const DrawItem& item : scene.items)
+            if (editor.live.entry_of(item.object) == id) return item.model->model.nodes.size();
+        return 0;
+    };
+    if (editor.document.size() > 2000) editor.tree.node_count = nullptr;  // every item would be asked for every entry
+    begin_padded_child("tree", {0.0f, ImGui::GetContentRegionAvail().y * 0.45f});
+    if (ImGui::Selectable("scene", editor.selection.has(root_entry))) editor.selection.set({root_entry});
+    log_place("entry.scene");
+    if (ImGui::BeginDragDropTarget()) {
+        if (ImGui::AcceptDragDropPayload("entries")) say(reparent(editor.document, editor.selection.ids, root_entry));
+        ImGui::EndDragDropTarget();
+    }
+    const std::vector<TreeRow> rows = editor.tree.rows(editor.document);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.size()));
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            if (editor.document.find(rows[static_cast<size_t>(i)].id)) draw_row(rows[static_cast<size_t>(i)]);
+    ImGui::EndChild();
+}
+
+void EditorWindow::draw_row(const TreeRow& row) {
+    const Entry& entry = editor.document.at(row.id);
+    const std::string shown_as = shown_name(entry);
+    ImGui::PushID(static_cast<int>(row.id));
+    ImGui::PushID(row.node);
+    ImGui::Indent(12.0f * static_cast<float>(row.depth) + 1.0f);
+    if (row.node >= 0) {
+        ImGui::TextColored(quiet_color, "  node %d", row.node);
+    } else if (renaming_ == row.id) {
+        ImGui::SetNextItemWidth(-1.0f);
+        if (text_field("##rename", renaming_text_))
+            say(rename(editor.document, row.id, renaming_text_)), renaming_ = no_entry;
+    } else {
+        if (row.has_children && ImGui::SmallButton(editor.tree.is_unfolded(row.id) ? "-" : "+"))
+            editor.tree.unfold(row.id, !editor.tree.is_unfolded(row.id));
+        if (row.has_children) ImGui::SameLine();
+        if (entry.hidden) ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
+        const std::string label =
+            shown_as + (entry.locked ? "  (locked)" : "") + (entry.included ? "  (included)" : "");
+        if (ImGui::Selectable(label.c_str(), editor.selection.has(row.id), ImGuiSelectableFlags_AllowDoubleClick)) {
+            const ImGuiIO& io = ImGui::GetIO();
+            if (io.KeyShift && last_clicked_ != no_entry)
+                editor.selection.set(editor.tree.between(last_clicked_, row.id));
+            else if (io.KeyCtrl)
+                editor.selection.toggle(row.id);
+            else
+                editor.selection.set({row.id});
+            last_clicked_ = row.id;
+            if (ImGui::IsMouseDoubleClicked(0)) renaming_ = row.id, renaming_text_ = entry.name();
+        }
+        if (entry.hidden) ImGui::PopStyleColor();
+        log_place("entry." + shown_as);
+        if (ImGui::BeginDragDropSource()) {
+            if (!editor.selection.has(row.id)) editor.selection.set({row.id});
+            ImGui::SetDragDropPayload("entries", &row.id, sizeof row.id);
+            ImGui::Text("%zu entries", editor.selection.ids.size());
+            ImGui::EndDragDropSource();
+        }
+        if (ImGui::BeginDragDropTarget()) {
+            if (ImGui::AcceptDragDropPayload("entries")) say(reparent(editor.document, editor.selection.ids, row.id));
+            ImGui::EndDragDropTarget();
+        }
+    }
+    ImGui::Unindent(12.0f * static_cast<float>(row.depth) + 1.0f);
+    ImGui::PopID();
+    ImGui::PopID();
+}
+// [/tree]
+
+void EditorWindow::draw_steps() {
+    if (!shows_steps_) return;
+    ImGui::SetNextWindowPos({280.0f, 60.0f}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({260.0f, 320.0f}, ImGuiCond_FirstUseEver);
+    if (ImGui::Begin("steps", &shows_steps_, ImGuiWindowFlags_NoSavedSettings)) {
+        const std::vector<Document::Listed> steps = editor.document.steps();
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(steps.size()));
+        size_t go_to = editor.document.done();
+        while (clipper.Step())
+            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+                const Document::Listed& step = steps[static_cast<size_t>(i)];
+                ImGui::PushID(i);
+                if (step.undone) ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
+                if (ImGui::Selectable(step.name.c_str(), static_cast<size_t>(i) + 1 == editor.document.done()))
+                    go_to = static_cast<size_t>(i) + 1;
+                if (step.undone) ImGui::PopStyleColor();
+                ImGui::PopID();
+            }
+        while (editor.document.done() > go_to && editor.undo(*this)) {}
+        while (editor.document.done() < go_to && editor.redo(*this)) {}
+    }
+    ImGui::End();
+}
+
+void EditorWindow::draw_keys() {
+    if (!shows_keys_) return;
+    if (ImGui::Begin("keys", &shows_keys_, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize)) {
+        static constexpr const char* keys[][2] = {{"click, Shift and click", "select; add to the selection"},
+                                                  {"drag a handle", "move, rotate, scale; with Shift in steps"},
+                                                  {"1, 2, 3, L", "move, rotate, scale; world or local axes"},
+                                                  {"F", "frame what is selected"},
+                                                  {"Ctrl+Z, Ctrl+Y", "undo, redo"},
+                                                  {"Ctrl+D, Ctrl+G, Del", "duplicate, group, delete"},
+                                                  {"Ctrl+O, Ctrl+S, Ctrl+E", "files, save, export to glTF"},
+                                                  {"Ctrl+A, Esc", "select all; nothing"},
+                                                  {"F12, F1, H", "picture; these keys; the knobs"},
+                                                  {"drag, wheel, right button", "orbit, come closer, look and fly"}};
+        for (const auto& [key, help] : keys) {
+            ImGui::TextColored(reference_color, "%-28s", key);
+            ImGui::SameLine(220.0f);
+            ImGui::TextUnformatted(help);
+        }
+    }
+    ImGui::End();
+}
+
+void EditorWindow::draw_question() {
+    if (question_ == Question::nothing) return;
+    if (!ImGui::IsPopupOpen("question")) ImGui::OpenPopup("question");
+    if (!ImGui::BeginPopupModal("question", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar))
+        return;
+    const Question asked = question_;
+    const std::string file = editor.store.path.empty() ? save_name_ : editor.store.path.string();
+    const auto answer = [&](const char* label) {
+        const bool yes = ImGui::Button(label);
+        log_place(std::string("answer.") + label);
+        ImGui::SameLine();
+        if (yes) question_ = Question::nothing;
+        return yes;
+    };
+    if (asked == Question::close) {
+        ImGui::Text("The scene has changes that are not saved.");
+        if (answer("save")) on_save(), closes_ = !editor.store.has_unsaved(editor.document);
+        if (answer("discard")) editor.store.forget_recovery(), closes_ = true;
+        answer("stay");
+    } else if (asked == Question::overwrite) {
+        ImGui::Text("%s is there already, or was written by somebody else.", file.c_str());
+        if (answer("overwrite")) {
+            question_ = Question::overwrite, overwrites_ = true;
+            on_save();
+            question_ = Question::nothing;
+        }
+        answer("cancel");
+    } else {
+        ImGui::Text("%s was not saved when the program ended last.", file.c_str());
+        if (answer("restore")) try {
+                editor.open_document(*this, editor.store.recover());
+            } catch (const InputError& e) { editor.notice = e.what(); }
+        if (answer("throw away")) editor.store.forget_recovery();
+    }
+    changed_ = true;
+    if (question_ == Question::nothing) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace lightwalk

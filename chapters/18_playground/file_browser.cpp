@@ -1,0 +1,191 @@
+#include "18_playground/file_browser.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <sstream>
+
+#include "18_playground/commands.h"
+#include "18_playground/editor_window.h"
+#include "18_playground/widgets.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+
+namespace lightwalk {
+namespace fs = std::filesystem;
+namespace {
+
+std::string lower(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+bool has_words(const std::string& name, const std::string& filter) {
+    std::istringstream words(lower(filter));
+    const std::string own = lower(name);
+    for (std::string word; words >> word;)
+        if (own.find(word) == own.npos) return false;
+    return true;
+}
+
+fs::path recent_list() {
+    const char* const state = std::getenv("XDG_STATE_HOME");
+    const char* const home = std::getenv("HOME");
+    if (!(state && *state) && !(home && *home)) return {};
+    return (state && *state ? fs::path(state) : fs::path(home) / ".local/state") / "lightwalk" / "recent_files";
+}
+
+}  // namespace
+
+bool can_be_opened(const fs::path& file) {
+    static constexpr const char* endings[] = {".json", ".obj", ".gltf", ".glb", ".ply",
+                                              ".stl",  ".dae", ".fbx",  ".3ds", ".off"};
+    const std::string ending = lower(file.extension().string());
+    return std::any_of(std::begin(endings), std::end(endings), [&](const char* one) { return ending == one; });
+}
+
+// [list_folder]
+Listing list_folder(const fs::path& folder, const std::string& filter) {
+    Listing listing{folder, {}, ""};
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        std::error_code one;  // of a link that leads nowhere: it is left out
+        const bool is_folder = entry->is_directory(one);
+        const fs::path name = entry->path().filename();
+        if (one || name.string().starts_with('.')) continue;
+        if (!is_folder && (!entry->is_regular_file(one) || !can_be_opened(name) || !has_words(name.string(), filter)))
+            continue;
+        listing.files.push_back({entry->path(), is_folder, lower(name.extension().string()) == ".json",
+                                 is_folder ? 0 : entry->file_size(one)});
+    }
+    if (error) listing.error = folder.string() + ": " + error.message();
+    std::sort(listing.files.begin(), listing.files.end(), [](const Listing::File& a, const Listing::File& b) {
+        return a.is_folder != b.is_folder ? a.is_folder : lower(a.path.filename()) < lower(b.path.filename());
+    });
+    return listing;
+}
+// [/list_folder]
+
+std::vector<fs::path> recent_files() {
+    std::vector<fs::path> files;
+    try {
+        std::istringstream lines(read_file(recent_list(), 1 << 16));
+        for (std::string line; std::getline(lines, line) && files.size() < 10;)
+            if (file_exists(line)) files.emplace_back(line);
+    } catch (const InputError&) {}  // there is none yet
+    return files;
+}
+
+void remember_file(const fs::path& file) {
+    const fs::path list = recent_list(), own = fs::absolute(file);
+    if (list.empty() || own.string().find('\n') != std::string::npos) return;
+    std::string text = own.string() + "\n";
+    int count = 1;
+    for (const fs::path& one : recent_files())
+        if (one != own && count++ < 10) text += one.string() + "\n";
+    std::error_code error;
+    fs::create_directories(list.parent_path(), error);
+    try {
+        write_file(list, text);
+    } catch (const InputError&) {}  // a home that cannot be written
+}
+
+void FileBrowser::go(const fs::path& folder) {
+    listing_ = list_folder(folder, filter_);
+    typed_ = folder.string();
+    marked_ = 0;
+}
+
+void FileBrowser::draw(float scale) {
+    if (!shown) {
+        fresh_ = false;
+        return;
+    }
+    if (!std::exchange(fresh_, true)) {
+        filter_.clear();
+        if (listing_.folder.empty()) listing_.folder = course_root() / "assets" / "models";
+        go(listing_.folder);
+        recent_ = recent_files();
+    }
+    ImGui::SetNextWindowSize({520.0f * scale, 460.0f * scale}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowPos({290.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
+    if (!ImGui::Begin("files", &shown, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
+        ImGui::End();
+        return;
+    }
+    ImGui::SetNextItemWidth(-1.0f);
+    std::optional<fs::path> take, enter;
+    if (text_field("##path", typed_)) {
+        const fs::path typed = typed_;
+        if (std::error_code error; fs::is_directory(typed, error))
+            enter = typed;
+        else
+            take = typed;
+    }
+    if (tool_button("up", "The folder above (Backspace)")) enter = listing_.folder.parent_path();
+    ImGui::SameLine();
+    if (tool_button("models", "The course's models")) enter = course_root() / "assets" / "models";
+    ImGui::SameLine();
+    if (tool_button("scenes", "The course's scenes")) enter = course_root() / "assets" / "scenes";
+    ImGui::SameLine();
+    if (tool_button("here", "The current folder")) enter = fs::current_path();
+    ImGui::SameLine();
+    ImGui::Checkbox("add to the scene", &adds_);
+    log_place("tool.adds");
+    help_on_hover("On: a model is added to this scene. Off: the file is opened in its place.");
+    ImGui::SetNextItemWidth(-1.0f);
+    if (text_field("##file filter", filter_, true)) go(listing_.folder);
+    help_on_hover("Filter: words that must be in the name");
+    if (!listing_.error.empty()) ImGui::TextColored(error_color, "%s", listing_.error.c_str());
+    const int count = static_cast<int>(listing_.files.size());
+    if (ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && !ImGui::GetIO().WantTextInput) {
+        const auto pressed = [](ImGuiKey key) {
+#if IMGUI_VERSION_NUM >= 18700
+            return ImGui::IsKeyPressed(key);
+#else
+            return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+#endif
+        };
+        if (pressed(ImGuiKey_DownArrow)) marked_ = std::min(marked_ + 1, count - 1);
+        if (pressed(ImGuiKey_UpArrow)) marked_ = std::max(marked_ - 1, 0);
+        if (pressed(ImGuiKey_Backspace)) enter = listing_.folder.parent_path();
+        if (pressed(ImGuiKey_Enter) && marked_ < count) {
+            const Listing::File& file = listing_.files[static_cast<size_t>(marked_)];
+            (file.is_folder ? enter : take) = file.path;
+        }
+    }
+    begin_padded_child("list", {0.0f, -90.0f * scale});
+    ImGuiListClipper clipper;
+    clipper.Begin(count);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const Listing::File& file = listing_.files[static_cast<size_t>(i)];
+            const std::string name = clean_name(file.path.filename().string());
+            ImGui::PushID(i);
+            if (ImGui::Selectable((file.is_folder ? name + "/" : name).c_str(), i == marked_)) {
+                marked_ = i;
+                (file.is_folder ? enter : take) = file.path;
+            }
+            log_place("file." + name);
+            if (!file.is_folder) {
+                ImGui::SameLine(ImGui::GetContentRegionAvail().x - 80.0f * scale);
+                ImGui::TextColored(quiet_color, "%.1f MB", double(file.bytes) / 1e6);
+            }
+            ImGui::PopID();
+        }
+    ImGui::EndChild();
+    ImGui::TextColored(quiet_color, "opened last");
+    for (const fs::path& file : recent_)
+        if (ImGui::Selectable(clean_name(file.filename().string()).c_str(), false, 0, {150.0f * scale, 0.0f}))
+            take = file;
+        else
+            ImGui::SameLine();
+    ImGui::End();
+    if (enter) go(*enter);
+    if (take) {
+        shown = false;
+        if (chosen) chosen(*take, adds_ && lower(take->extension().string()) != ".json");
+    }
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,52 @@
+// The file browser: folders, what can be opened in them, files opened last, and a path that is typed.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace lightwalk {
+
+struct EditorWindow;
+
+/// What the browser lists, without a window.
+struct Listing {
+    std::filesystem::path folder;
+    struct File {
+        std::filesystem::path path;
+        bool is_folder = false, is_scene = false;
+        uintmax_t bytes = 0;
+    };
+    std::vector<File> files;  ///< folders first, each by name
+    std::string error;        ///< why the folder cannot be read
+};
+
+/// Folders, and files that can be opened: scenes and models. `filter`: words that must be in the name, case aside.
+Listing list_folder(const std::filesystem::path& folder, const std::string& filter);
+
+/// Whether the editor opens it: .json, and the endings of models.
+bool can_be_opened(const std::filesystem::path& file);
+
+/// Files opened last, the newest first, kept in $XDG_STATE_HOME; at most ten, each once, those that are gone left out.
+std::vector<std::filesystem::path> recent_files();
+void remember_file(const std::filesystem::path& file);
+
+class FileBrowser {
+  public:
+    explicit FileBrowser(EditorWindow& owner) : owner_(owner) {}
+    bool shown = false;
+    /// Of what was chosen; the flag says whether it is to be added to the scene.
+    std::function<void(const std::filesystem::path&, bool)> chosen;
+    void draw(float scale);
+
+  private:
+    void go(const std::filesystem::path& folder);
+    EditorWindow& owner_;
+    Listing listing_;
+    std::vector<std::filesystem::path> recent_;
+    std::string filter_, typed_;
+    int marked_ = 0;
+    bool adds_ = true, fresh_ = false;
+};
+
+}  // namespace lightwalk

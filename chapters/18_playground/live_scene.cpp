@@ -1,0 +1,79 @@
+#include "18_playground/live_scene.h"
+
+namespace lightwalk {
+void LiveScene::number(const Exported& all) {
+    objects_ = all.objects, lights_ = all.lights;
+    places_.clear(), light_places_.clear();
+    for (size_t i = 0; i < objects_.size(); ++i) places_[objects_[i]] = static_cast<uint32_t>(i);
+    for (size_t i = 0; i < lights_.size(); ++i) light_places_[lights_[i]] = static_cast<uint32_t>(i);
+}
+
+void LiveScene::begin(Document& document, Scene& scene) {
+    document.take_changes();
+    const Exported all = exported(document);
+    number(all);
+    scene.file.lights = all.scene.lights, scene.file.hidden_lights = all.scene.hidden_lights;
+}
+
+uint32_t LiveScene::object_of(EntryId id) const {
+    const auto place = places_.find(id);
+    return place == places_.end() ? Scene::new_object : place->second;
+}
+
+bool LiveScene::only_moved(const Document& document, const Scene& scene, const std::vector<EntryId>& entries) const {
+    for (const EntryId id : entries) {
+        const Entry* const entry = document.find(id);
+        if (!entry) continue;  // made and unmade meanwhile
+        if (const SceneObject* object = entry->object()) {
+            const auto place = places_.find(id);
+            if (place == places_.end()) return false;
+            const SceneObject& shown = scene.file.objects[place->second];
+            if (!same_but_placed(*object, shown) || entry->hidden != shown.hidden) return false;
+        } else if (entry->light() && entry->hidden == light_places_.contains(id)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// [update]
+LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, const ModelLoader& loader) {
+    loads = false;
+    const Document::Changes changes = document.take_changes();
+    if (changes.entries.empty() && !changes.structure) return Done::nothing;
+    const SceneSettings& settings = document.settings();
+    scene.file.ambient = settings.ambient, scene.file.background = settings.background;
+    const Environment& shown = scene.file.environment;
+    if (settings.environment.image != shown.image)
+        scene.replace_environment(settings.environment);
+    else
+        scene.file.environment = settings.environment;
+
+    if (!changes.structure && only_moved(document, scene, changes.entries)) {
+        std::vector<Scene::Move> moves;
+        for (const EntryId id : changes.entries) {
+            const Entry* const entry = document.find(id);
+            if (!entry) continue;
+            if (const SceneObject* object = entry->object()) {
+                const SceneObject& before = scene.file.objects[places_.at(id)];
+                if (placement_of(*object) != placement_of(before))
+                    moves.push_back({places_.at(id), object->position, object->rotation_deg, object->scale});
+            } else if (const Light* light = entry->light(); light && !entry->hidden) {
+                scene.file.lights[light_places_.at(id)] = *light;
+            }
+        }
+        scene.move(moves);
+        return moves.empty() ? Done::nothing : Done::moved;
+    }
+    Exported all = exported(document);
+    std::vector<uint32_t> from;
+    from.reserve(all.objects.size());
+    for (const EntryId id : all.objects) from.push_back(object_of(id));
+    loads = scene.replace_objects(gpu, std::move(all.scene.objects), from, loader);
+    scene.file.lights = std::move(all.scene.lights), scene.file.hidden_lights = std::move(all.scene.hidden_lights);
+    number(all);
+    return Done::replaced;
+}
+// [/update]
+
+}  // namespace lightwalk

@@ -1,0 +1,34 @@
+// The document's changes, carried over to the scene on the device.
+#pragma once
+#include "18_playground/saving.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+// [live_scene]
+/// Brings a loaded scene up to date with a document, doing as little as a change asks for: what was moved is placed anew;
+/// lights are copied; other objects, models, materials and what is hidden go through Scene::replace_objects().
+class LiveScene {
+  public:
+    /// The scene shows this document from now on; it was loaded with exported(document).scene.
+    void begin(Document& document, Scene& scene);
+
+    enum class Done { nothing, moved, replaced };
+    /// Throws InputError where a model or a texture cannot be read: the scene is as it was then.
+    Done update(Gpu& gpu, Document& document, Scene& scene, const ModelLoader& loader);
+
+    bool loads = false;  ///< of the last update(): modules have something to prepare
+
+    EntryId entry_of(uint32_t object) const { return object < objects_.size() ? objects_[object] : no_entry; }
+    uint32_t object_of(EntryId id) const;  ///< of SceneFile::objects; Scene::new_object: none
+    const std::vector<EntryId>& lights() const { return lights_; }
+    // [/live_scene]
+
+  private:
+    void number(const Exported& all);
+    bool only_moved(const Document& document, const Scene& scene, const std::vector<EntryId>& entries) const;
+    std::vector<EntryId> objects_, lights_;
+    std::unordered_map<EntryId, uint32_t> places_, light_places_;
+};
+
+}  // namespace lightwalk

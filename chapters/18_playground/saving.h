@@ -1,0 +1,55 @@
+// Scene files of the editor: opened, saved whole or not at all, and saved by themselves beside the file.
+#pragma once
+#include "18_playground/commands.h"
+
+namespace lightwalk {
+
+/// A document as a scene file, and which entries its objects and lights are.
+struct Exported {
+    SceneFile scene;
+    std::vector<EntryId> objects;  ///< of scene.objects: each parent before its children
+    std::vector<EntryId> lights;   ///< of scene.lights
+};
+Exported exported(const Document& document);
+
+// [scene_store]
+/// A document's file. The text is the same for equal documents, to the byte.
+class SceneStore {
+  public:
+    std::filesystem::path path;    ///< empty: never saved
+    std::optional<Camera> camera;  ///< to be saved in place of the document's
+
+    /// Reads a scene file, or a model file, for which there is a scene then. Throws InputError, and nothing has changed.
+    Document open(const std::filesystem::path& file);
+    Document open_empty();
+
+    /// Whether the file is another one than was read or saved last: somebody else has written it.
+    bool changed_on_disk() const;
+
+    /// Writes the document to `path`: beside it first, then on the disk, then renamed. Throws InputError where that is not
+    /// possible; the file is then as it was. Says where included files could not be kept.
+    Said save(const Document& document);
+    Said save_as(const Document& document, const std::filesystem::path& file);
+
+    bool has_unsaved(const Document& document) const { return document.state() != saved_state_; }
+
+    // Beside the file: what was not saved yet. It goes when the document is saved.
+    std::filesystem::path autosave_file() const;
+    /// Writes it where something has changed since the last time; false where nothing had to be written. Throws.
+    bool autosave(const Document& document);
+    /// A file that a crash has left: it is newer than the scene file.
+    bool has_recovery() const;
+    Document recover();
+    void forget_recovery();
+
+    std::string text(const Document& document, Said* said = nullptr) const;
+    // [/scene_store]
+
+  private:
+    void note_read(const std::string& bytes);
+    std::vector<std::string> includes_;
+    std::string included_;  ///< text of what they hold
+    uint64_t hash_ = 0, saved_state_ = 0, autosaved_state_ = 0;
+};
+
+}  // namespace lightwalk

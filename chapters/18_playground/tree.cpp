@@ -1,0 +1,91 @@
+#include "18_playground/tree.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace lightwalk {
+namespace {
+
+std::string lower(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+}  // namespace
+
+std::string shown_name(const Entry& entry) {
+    if (!entry.name().empty()) return entry.name();
+    if (const SceneObject* object = entry.object())
+        return object->model.empty() ? "group" : object->model.filename().string();
+    static constexpr const char* kinds[] = {"directional light", "point light", "spot light"};
+    return kinds[static_cast<int>(entry.light()->kind)];
+}
+
+void Tree::unfold(EntryId id, bool open) {
+    if (open ? unfolded_.insert(id).second : unfolded_.erase(id) > 0) fresh_ = false;
+}
+
+void Tree::show(const Document& document, EntryId id) {
+    for (id = document.at(id).parent; id != no_entry; id = document.at(id).parent) unfold(id, true);
+}
+
+void Tree::search(const std::string& text) {
+    std::vector<std::string> words;
+    for (size_t at = 0; at < text.size();) {
+        const size_t end = std::min(text.find(' ', at), text.size());
+        if (end > at) words.push_back(lower(text.substr(at, end - at)));
+        at = end + 1;
+    }
+    if (words == words_) return;
+    words_ = std::move(words), fresh_ = false;
+}
+
+const std::vector<TreeRow>& Tree::rows(const Document& document) {
+    if (fresh_ && made_for_ == document.structure()) return rows_;
+    fresh_ = true, made_for_ = document.structure();
+    rows_.clear();
+    struct Waiting {
+        EntryId id;
+        uint16_t depth;
+    };
+    std::vector<Waiting> stack{{root_entry, 0}};
+    while (!stack.empty()) {
+        const Waiting now = stack.back();
+        stack.pop_back();
+        const Entry& entry = document.at(now.id);
+        const bool open = !words_.empty() || now.id == root_entry || unfolded_.contains(now.id);
+        const size_t nodes = entry.object() && node_count ? node_count(now.id) : 0;
+        if (now.id != root_entry) {
+            const std::string name = words_.empty() ? "" : lower(shown_name(entry));
+            const bool found = std::all_of(words_.begin(), words_.end(),
+                                           [&](const std::string& word) { return name.find(word) != name.npos; });
+            if (found)
+                rows_.push_back({now.id, -1, words_.empty() ? now.depth : uint16_t(0),
+                                 words_.empty() && (!entry.children.empty() || nodes > 1)});
+        }
+        if (!open) continue;
+        if (words_.empty() && nodes > 1)
+            for (size_t i = 0; i < nodes; ++i)
+                rows_.push_back({now.id, static_cast<int32_t>(i), static_cast<uint16_t>(now.depth + 1), false});
+        const uint16_t below = static_cast<uint16_t>(std::min(now.depth + (now.id == root_entry ? 0 : 1), 60000));
+        for (auto child = entry.children.rbegin(); child != entry.children.rend(); ++child)
+            stack.push_back({*child, below});
+    }
+    return rows_;
+}
+
+std::vector<EntryId> Tree::between(EntryId first, EntryId last) const {
+    const auto place = [&](EntryId id) {
+        return std::find_if(rows_.begin(), rows_.end(), [&](const TreeRow& row) { return row.id == id; });
+    };
+    auto from = place(first), to = place(last);
+    if (from == rows_.end()) return {last};
+    if (to == rows_.end()) return {first};
+    if (to < from) std::swap(from, to);
+    std::vector<EntryId> ids;
+    for (auto row = from; row <= to; ++row)
+        if (row->node < 0) ids.push_back(row->id);
+    return ids;
+}
+
+}  // namespace lightwalk

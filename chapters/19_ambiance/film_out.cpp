@@ -1,0 +1,86 @@
+#include "19_ambiance/film_out.h"
+
+#include <cmath>
+
+#include "19_ambiance/frame_pipe.h"
+#include "common/app/headless.h"
+#include "common/app/render.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/base/patience.h"
+
+namespace lightwalk {
+namespace {
+
+// [command]
+// Raw frames come in on standard input; of the music the same part.
+std::vector<std::string> ffmpeg(const FilmOut& out, const Reel& reel, glm::uvec2 size, int first, int end,
+                                const std::filesystem::path& into) {
+    const double fps = double(out.fps);
+    std::vector<std::string> words{"ffmpeg",   "-v",
+                                   "error",    "-y",
+                                   "-f",       "rawvideo",
+                                   "-pix_fmt", "rgba",
+                                   "-s",       fmt::format("{}x{}", size.x, size.y),
+                                   "-r",       fmt::format("{:g}", fps),
+                                   "-i",       "-"};
+    if (const SceneMusic& music = reel.film().music)
+        words.insert(words.end(),
+                     {"-ss", fmt::format("{:.9f}", first / fps), "-t", fmt::format("{:.9f}", (end - first) / fps), "-i",
+                      find_asset(music.file).string(), "-c:a", "aac", "-b:a", "160k"});
+    if (out.codec.is("h264"))
+        words.insert(words.end(), {"-c:v", "libx264", "-preset", "medium", "-crf", "17"});
+    else
+        words.insert(words.end(), {"-c:v", "libsvtav1", "-preset", "8", "-crf", "26"});
+    // Both encode pairs of rows and columns.
+    words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-movflags", "+faststart",
+                               "-f", into.extension() == ".mkv" ? "matroska" : "mp4", into.string()});
+    return words;
+}
+// [/command]
+
+// Removed unless it was moved to where it belongs.
+struct Unfinished {
+    std::filesystem::path file;
+    ~Unfinished() {
+        std::error_code none;
+        std::filesystem::remove(file, none);
+    }
+};
+
+}  // namespace
+
+int FilmOut::write(Chapter& chapter, const Reel& reel, const std::string& file, const Options& options,
+                   std::unique_ptr<Gpu>& gpu) {
+    const std::filesystem::path path(file);
+    const std::string ending = path.extension().string();
+    if (ending != ".mp4" && ending != ".mkv" && ending != ".raw")
+        throw InputError("--film {}: expected a name that ends with .mp4, .mkv or .raw", file);
+    check_writable(path);
+    chapter.plays = true;
+    gpu = make_gpu(options);
+    load_scene(chapter, *gpu, options.scene.empty() ? chapter.default_scene() : options.scene);
+    if (!reel.is_open()) throw InputError("--film: {} is no film", options.scene);
+    const int last = static_cast<int>(std::lround(reel.film().duration_s * double(fps)));
+    const int end = frames_to < 0 ? last : std::min(int(frames_to), last);
+    if (frames_from >= end) throw InputError("--film: there is no frame from {} to {}", int(frames_from), end);
+
+    const Unfinished unfinished{path.parent_path() / (path.stem().string() + ".part" + ending)};
+    {
+        FramePipe pipe = ending == ".raw"
+                             ? FramePipe(unfinished.file)
+                             : FramePipe(ffmpeg(*this, reel, options.size, frames_from, end, unfinished.file));
+        Frame frame(*gpu);
+        Patience patience("writing", "frames");
+        for (int i = frames_from; i < end; ++i) {
+            render(chapter, frame, {options.size, static_cast<float>(i / double(fps)), options.seed, {}});
+            pipe.write(gpu->read_back(frame.output));
+            patience.show(i + 1 - frames_from, end - frames_from);
+        }
+        pipe.finish();
+    }
+    std::filesystem::rename(unfinished.file, path);
+    return 0;
+}
+
+}  // namespace lightwalk

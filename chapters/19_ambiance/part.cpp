@@ -1,0 +1,113 @@
+#include "19_ambiance/part.h"
+
+#include <utility>
+
+#include "01_obj/camera_view.h"
+#include "01_obj/obj.h"
+#include "common/base/error.h"
+
+namespace lightwalk {
+namespace {
+
+// The frame's clock is the scene's while it draws.
+class Clock {
+  public:
+    Clock(Frame& frame, double time_s)
+        : frame_(frame), before_(std::exchange(frame.time_s, static_cast<float>(time_s))) {}
+    ~Clock() { frame_.time_s = before_; }
+    Clock(const Clock&) = delete;
+
+  private:
+    Frame& frame_;
+    const float before_;
+};
+
+}  // namespace
+
+FilmPart::FilmPart(const FilmScene& scene, Music& music) : music_(music), film_scene_(scene) {
+    bloom.method.change_default("none");
+}
+
+Model FilmPart::load_model(const std::filesystem::path& file) { return lightwalk::load_model(file, Loader::parallel); }
+
+// By its path below the part, or by its name alone.
+KnobBase& FilmPart::knob(const std::string& name, const std::string& where) {
+    if (const auto known = knobs_.find(name); known != knobs_.end()) return *known->second;
+    const KnobList all = all_knobs();
+    for (KnobBase* one : all)
+        if (one->path() == name) return *(knobs_[name] = one);
+    try {
+        return *(knobs_[name] = &find_knob(all, name));
+    } catch (const InputError& e) { throw InputError("{}: {}", where, e.what()); }
+}
+
+void FilmPart::load(Gpu& gpu) {
+    std::filesystem::path file;
+    try {
+        file = find_asset(film_scene_.file);
+    } catch (const InputError& e) { throw InputError("{}: {}", film_scene_.where, e.what()); }
+    SceneFile read = read_scene(file);
+    for (const auto& [name, value] : read.knobs) knob(name, file.string()).set(value);
+    apply_knobs(film_scene_.clock_s);
+    scene_.load(gpu, std::move(read), [&](const std::filesystem::path& model) { return load_model(model); });
+    prepare_all(gpu, scene_);
+    loaded_with_ = load_state();
+}
+
+bool FilmPart::is_loaded() const { return load_state() == loaded_with_; }
+
+void FilmPart::apply_knobs(double clock_s) {
+    for (const Track& track : film_scene_.knobs) {
+        try {
+            knob(track.name, track.where).set(track.at(clock_s));
+        } catch (const InputError& e) {
+            const std::string said = e.what();
+            throw InputError("{}", said.rfind(track.where, 0) == 0 ? said : track.where + ": " + said);
+        }
+    }
+}
+
+View FilmPart::look(Frame& frame, const Camera& camera) {
+    animate(scene_, frame.time_s);
+    scene_.upload_moved(frame);
+    const View view = view_of(camera, frame);
+    look_from(view, frame);
+    return view;
+}
+
+// [record]
+void FilmPart::record(Frame& frame, double time_s, Timeline::Faded faded) {
+    const double clock_s = film_scene_.clock_at(time_s);
+    const Clock clock(frame, clock_s);
+    apply_knobs(clock_s);
+
+    // 1. Its light, from where the camera is by now; the glare of what is bright.
+    draw_light(frame, film_scene_.camera.at(clock_s, scene_.file.camera));
+    bloom.record(frame, frame.hdr);
+
+    // 2. The film's fade, in linear light and before the tone curve: what is brightest is the last to go.
+    if (faded.black > 0 || faded.white > 0)
+        frame.compute("fade", {.reads = {frame.hdr}, .writes = {frame.hdr}}, [&](Compute& pass) {
+            pass.use(fade_).set("picture", frame.hdr).set("faded", glm::vec2(faded.black, faded.white));
+            pass.dispatch_threads(frame.size);
+        });
+
+    // 3. What a screen shows of it.
+    post.record(frame, frame.hdr);
+}
+// [/record]
+
+std::unique_ptr<FilmPart> make_part(const FilmScene& scene, Music& music) {
+    static const std::map<std::string, MakePart*> makers{{"planets", make_planets},
+                                                         {"landscape", make_landscape},
+                                                         {"water", make_water},
+                                                         {"volume", make_volume},
+                                                         {"julia", make_julia},
+                                                         {"head", make_head},
+                                                         {"surroundings", make_surroundings},
+                                                         {"lights", make_lights},
+                                                         {"street", make_street}};
+    return makers.at(scene.kind)(scene, music);
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,61 @@
+// A scene of the film: a scene file of its own, and the drawings of an earlier chapter that show it.
+#pragma once
+#include "08_bloom/bloom.h"
+#include "09_post_effects/post.h"
+#include "14_environment/music.h"
+#include "19_ambiance/timeline.h"
+#include "common/app/drawing.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+// [part]
+/// Lives while the film needs it (19.warm): made before its scene is on the screen, dropped after it. A part has no state
+/// of its own: what it draws follows from the time and the size alone. It has no owner, as a chapter has none: its knobs are
+/// the film's to set, and come and go with it.
+class FilmPart : public Module {
+  public:
+    /// `scene` must stay; `music`: the film's.
+    FilmPart(const FilmScene& scene, Music& music);
+
+    /// Reads its scene file, and makes what its drawings need. Throws InputError.
+    void load(Gpu& gpu);
+
+    /// Draws the scene at the film's time: light, bloom, the film's fade, tones. What a screen shows of it is then in
+    /// frame.hdr, 0 to 1 and still linear.
+    void record(Frame& frame, double time_s, Timeline::Faded faded);
+
+    const FilmScene& scene() const { return film_scene_; }
+    bool is_loaded() const;  ///< nothing that load() depends on has changed since
+
+  protected:
+    /// The scene's light from a camera, into frame.hdr and frame.depth.
+    virtual void draw_light(Frame& frame, const Camera& camera) = 0;
+    virtual Model load_model(const std::filesystem::path& file);
+
+    /// Gives the shaders what the camera sees.
+    View look(Frame& frame, const Camera& camera);
+
+    Scene scene_;
+    Music& music_;
+    Bloom bloom{*this, "bloom"};
+    Post post{*this, "post"};
+    // [/part]
+
+  private:
+    void apply_knobs(double clock_s);
+    KnobBase& knob(const std::string& name, const std::string& where);
+    const FilmScene& film_scene_;
+    std::string loaded_with_;
+    std::map<std::string, KnobBase*> knobs_;
+    Pipeline fade_ = compute({.shader = "19_ambiance/fade.comp"});
+};
+
+/// The part for a scene's kind.
+std::unique_ptr<FilmPart> make_part(const FilmScene& scene, Music& music);
+
+using MakePart = std::unique_ptr<FilmPart>(const FilmScene& scene, Music& music);
+MakePart make_planets, make_landscape, make_water, make_volume, make_julia, make_head, make_surroundings, make_lights,
+    make_street;
+
+}  // namespace lightwalk

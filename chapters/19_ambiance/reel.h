@@ -1,0 +1,66 @@
+// The film as it runs: its timeline, and those of its scenes that are ready to be drawn.
+#pragma once
+#include "19_ambiance/part.h"
+#include "19_ambiance/titles.h"
+#include "common/app/target.h"
+
+namespace lightwalk {
+
+// [reel]
+/// Draws a film at a time. Every picture is a function of the time alone: parts keep nothing from frame to frame.
+struct Reel : Module {
+    Reel(Module& owner, std::string name) : Module(owner, std::move(name), "reel") {}
+
+    Knob<float> ahead_s{*this,
+                        "ahead_s",
+                        3600.0f,
+                        {0.0f, 3600.0f},
+                        "Time before a scene begins at which it is made ready, while the film plays",
+                        "s"};
+    Knob<int> most{*this, "most", 32, {1, 64}, "Number of scenes that are kept ready at most, while the film plays"};
+    Music music{*this, "music"};
+
+    /// True where the scene that was loaded is a film. Else nothing is drawn.
+    bool is_open() const { return !film_.file.empty(); }
+    const Timeline& film() const { return film_; }
+
+    /// Loads what 19.warm asks for and draws each such scene once, unseen, so that the first picture that shows it finds
+    /// its pipelines and targets made. `plays`: later times will follow; else only what is on the screen is loaded, from
+    /// `time_s` to `later_s` after it.
+    void make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, bool plays);
+
+    /// Decodes the film's music, for whoever plays it; its levels are there without.
+    void load_sound();
+
+    /// How all cameras move, in place of what the film says; `pieces`: CameraPath's. None: as it says.
+    void choose(const std::optional<PathKind>& kind);
+
+    /// The picture at a time, 0 to 1 in linear light: one scene, or two that are mixed; black where there is none.
+    void record(Frame& frame, double time_s);
+    void record_titles(Frame& frame, const Image& picture, double time_s) {
+        titles_.record(frame, picture, film_, time_s);
+    }
+
+    const std::map<size_t, std::unique_ptr<FilmPart>>& parts() const { return parts_; }
+    // [/reel]
+
+    /// Reads the film. Throws InputError.
+    void prepare(Gpu&, Scene&) override;
+    bool animated() const override { return is_open(); }
+
+  private:
+    Timeline film_;
+    std::optional<PathKind> chosen_;
+    std::map<size_t, std::unique_ptr<FilmPart>> parts_;  ///< by their place in the film
+    bool has_sound_ = false;
+    Titles titles_;
+    Target before_{*this, {.name = "before", .kept = true}};
+    Pipeline copy_ = compute({.shader = "19_ambiance/copy.comp"}),
+             black_ = compute({.shader = "19_ambiance/black.comp"});
+    Pipeline mix_ = compute({.shader = "19_ambiance/mix.comp"});
+};
+
+/// Whether a file is to be read as a film.
+bool is_film_file(const std::filesystem::path& file);
+
+}  // namespace lightwalk

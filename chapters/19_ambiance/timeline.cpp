@@ -1,0 +1,90 @@
+#include "19_ambiance/timeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/base/text.h"
+
+namespace lightwalk {
+namespace {
+
+double smooth(double s) { return s * s * (3 - 2 * s); }
+
+// "0.5" or "0.1,0.2,0.3" as numbers; none where it is a word.
+std::vector<double> numbers(const std::string& text) {
+    std::vector<double> all;
+    size_t at = 0;
+    while (at <= text.size()) {
+        const size_t end = std::min(text.find(',', at), text.size());
+        const std::string one = text.substr(at, end - at);
+        char* parsed = nullptr;
+        const double value = std::strtod(one.c_str(), &parsed);
+        if (one.empty() || *parsed != '\0') return {};
+        all.push_back(value), at = end + 1;
+    }
+    return all;
+}
+
+}  // namespace
+
+// [track_at]
+std::string Track::at(double time_s) const {
+    const auto after = std::upper_bound(times_s.begin(), times_s.end(), time_s);
+    if (after == times_s.begin()) return values.front();
+    const auto i = static_cast<size_t>(after - times_s.begin()) - 1;
+    if (steps || after == times_s.end()) return values[i];
+    const std::vector<double> a = numbers(values[i]), b = numbers(values[i + 1]);
+    if (a.empty() || a.size() != b.size()) return values[i];  // words
+    const double share = (time_s - times_s[i]) / (times_s[i + 1] - times_s[i]);
+    std::string text;
+    for (size_t k = 0; k < a.size(); ++k) text += fmt::format("{}{:.9g}", k ? "," : "", a[k] + share * (b[k] - a[k]));
+    return text;
+}
+// [/track_at]
+
+// [shown]
+std::vector<Timeline::Shown> Timeline::shown(double time_s) const {
+    std::vector<Shown> all;
+    for (size_t i = 0; i < scenes.size(); ++i)
+        if (scenes[i].from_s <= time_s && time_s < scenes[i].to_s) all.push_back({i, 1.0f});
+    if (all.size() == 2) {
+        const double from = scenes[all[1].scene].from_s,
+                     to = std::min(scenes[all[0].scene].to_s, scenes[all[1].scene].to_s);
+        all[1].share = static_cast<float>(smooth((time_s - from) / (to - from)));
+        all[0].share = 1.0f - all[1].share;
+    }
+    return all;
+}
+// [/shown]
+
+Timeline::Faded Timeline::faded(double time_s) const {
+    Faded now;
+    for (const Fade& fade : fades) {
+        if (time_s < fade.from_s) continue;
+        const double share =
+            fade.to_s > fade.from_s ? std::clamp((time_s - fade.from_s) / (fade.to_s - fade.from_s), 0.0, 1.0) : 1.0;
+        (fade.white ? now.white : now.black) = static_cast<float>(fade.from + share * (fade.to - fade.from));
+    }
+    return now;
+}
+
+std::string title_text(const Title& title, double time_s) {
+    const size_t place = title.text.find("{}");
+    if (!title.count || place == std::string::npos) return title.text;
+    const double share = std::clamp((time_s - title.from_s) / (title.to_s - title.from_s), 0.0, 1.0);
+    const auto number = std::llround(glm::mix(title.count->x, title.count->y, share));
+    std::string digits = fmt::format("{}", number);
+    for (size_t i = digits.size(); i > 3 + (number < 0); i -= 3) digits.insert(i - 3, ",");
+    return title.text.substr(0, place) + digits + title.text.substr(place + 2);
+}
+
+float title_strength(const Title& title, double time_s) {
+    constexpr double fade_s = 0.6;
+    const double in = std::clamp((time_s - title.from_s) / fade_s, 0.0, 1.0);
+    const double out = std::clamp((title.to_s - time_s) / fade_s, 0.0, 1.0);
+    return static_cast<float>(smooth(std::min(in, out)));
+}
+
+}  // namespace lightwalk

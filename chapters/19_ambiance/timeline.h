@@ -1,0 +1,103 @@
+// A film as a file: scenes in order, with their cuts, fades, knobs, cameras and titles.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "19_ambiance/camera_path.h"
+#include "common/scene/scene_file.h"
+
+namespace lightwalk {
+
+// [timeline_format]
+// A .film file is JSON. Times are seconds of the film unless they are a scene's own.
+//
+//   music        file of an Ogg Vorbis piece, from 0 s on
+//   duration_s   required, 0.1 to 3600
+//   scenes       list, by from_s:
+//     name         required, each once
+//     kind         required: what draws it (planets, landscape, water, volume, julia, head, surroundings, lights, street)
+//     scene        required: its scene file
+//     from_s, to_s required. A scene that begins where the one before ends is cut to; one that begins earlier is
+//                  cross-faded to, over the time that both are on. Never three at once; in a gap the screen is black.
+//     clock_s      its own clock at from_s (0)
+//     knobs        {name: value}, those of its drawings; or a track, [[scene time, value], ...]: numbers and colours run
+//                  evenly from one to the next, a track with "steps" as its first entry jumps, as words do
+//     camera       spline ("centripetal"; linear, catmull_rom), even_speed (false), keys: list of time_s (scene time,
+//                  rising), position, target, up ([0, 1, 0]), fov_deg (the scene file's)
+//   fades        list of from_s, to_s, from, to (0 to 1), color ("black" or "white"). Outside of it a fade that ends
+//                  above 0 lasts until the next one of its colour begins
+//   titles       list of from_s, to_s, text, size (0.05, of the picture's height), at ([0.06, 0.1], from the left and
+//                  from below, in heights), count ([from, to]: a number that runs in place of {} in the text)
+// [/timeline_format]
+
+/// A knob's value over a scene's time.
+struct Track {
+    std::string name;  ///< of a knob of the scene's part
+    bool steps = false;
+    std::vector<double> times_s;
+    std::vector<std::string> values;  ///< as KnobBase::set() takes them
+    std::string where;                ///< "file:line: key", for what is only found when it is applied
+
+    /// The text for the knob at a scene's time: before the first and after the last entry it rests.
+    std::string at(double time_s) const;
+};
+
+struct FilmScene {
+    std::string name, kind;
+    std::filesystem::path file;  ///< relative to assets/, or absolute
+    double from_s = 0, to_s = 0, clock_s = 0;
+    std::vector<Track> knobs;
+    CameraPath camera;
+    PathKind path;  ///< as the film says
+    std::string where;
+
+    double clock_at(double time_s) const { return time_s - from_s + clock_s; }
+};
+
+struct Fade {
+    double from_s = 0, to_s = 0, from = 0, to = 1;
+    bool white = false;
+};
+
+struct Title {
+    double from_s = 0, to_s = 0;
+    std::string text;
+    double size = 0.05;
+    glm::dvec2 at{0.06, 0.1};
+    std::optional<glm::dvec2> count;
+};
+
+struct Timeline {
+    std::filesystem::path file;
+    SceneMusic music;
+    double duration_s = 1;
+    std::vector<FilmScene> scenes;  ///< by from_s
+    std::vector<Fade> fades;        ///< by from_s
+    std::vector<Title> titles;
+
+    /// What is on at a time, at most two; `share` of the later one rises smoothly over a cross-fade.
+    struct Shown {
+        size_t scene;
+        float share;  ///< of the picture; all together 1
+    };
+    std::vector<Shown> shown(double time_s) const;
+
+    /// How far the picture is faded, each from 0 to 1.
+    struct Faded {
+        float black = 0, white = 0;
+    };
+    Faded faded(double time_s) const;
+};
+
+/// Reads a .film file. Throws InputError, "file:line: key 'name' what is wrong".
+Timeline read_timeline(const std::filesystem::path& path);
+Timeline parse_timeline(const std::string& text, const std::filesystem::path& path);
+
+/// The title's text at a time, with its number; and how visible it is, 0 to 1: it comes and goes in 0.6 s.
+std::string title_text(const Title& title, double time_s);
+float title_strength(const Title& title, double time_s);
+
+}  // namespace lightwalk

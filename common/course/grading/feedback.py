@@ -1,0 +1,46 @@
+"""A page for each student that needs no network: what is right, what is wrong with the rest in words, and where it shows, the
+picture that came out beside the one that should have. No reference is on it.
+"""
+
+import re
+from pathlib import Path
+
+from grading.gradebook import Book, file_name, number
+from grading.judge import picture_path
+from pages.page import data_uri, page
+from tree import write_atomically
+
+# What a check says of numbers: common/check/probe.h.
+NUMBERS = re.compile(r"(?P<input>.+?\)) gave (?P<theirs>.+), expected (?P<expected>.+)", re.S)
+MOST_SHOWN = 20000  # characters of an answer
+
+
+def write_pages(out: Path, book: Book, grades: list[dict], submitted: dict[str, dict[str, bytes]], starters: dict[str, bytes]) -> int:
+    """Writes out/NAME.html for each student, and returns how many."""
+    results = {one["student"]: {result["exercise"]: result for result in one["results"]} for one in grades}
+    for row in book.rows:
+        of_student = results.get(row["student"], {})
+        chapters = [{"name": chapter, "points": number(row["chapters"][chapter], "missing"), "of": number(book.most(chapter), ""),
+                     "exercises": [exercise_entry(exercise, row["marks"][exercise], of_student.get(exercise),
+                                                  submitted.get(row["student"], {}).get(exercise), starters.get(exercise, b""),
+                                                  book.rules.due_of(row["student"], exercise))
+                                   for exercise, of in book.rules.wanted.items() if of == chapter]} for chapter in book.chapters]
+        at = book.rules.handed_in(row["student"], next((one.get("handed_in_s") for one in grades if one["student"] == row["student"]), None))
+        write_atomically(out / f"{file_name(row['student'])}.html", page(
+            "feedback.html", row=row, chapters=chapters, points=number(row["points"], "missing"), of=number(row["of"], ""),
+            handed_in=at.strftime("%Y-%m-%d %H:%M") if at else ""))
+    return len(book.rows)
+
+
+def exercise_entry(exercise: str, mark: dict, result: dict | None, data: bytes | None, starter: bytes, due) -> dict:
+    found = NUMBERS.fullmatch(mark["said"] or "")
+    pictures = []
+    for key, title in (("picture_expected", "expected"), ("picture", "yours")):
+        path = picture_path((result or {}).get(key) or "none")
+        if path.exists():
+            pictures.append({"title": title, "image": data_uri(path)})
+    handed_in = data is not None and mark["word"] != "missing" and not mark["right"]
+    return {"name": exercise, **mark, "points": number(mark["points"], ""), "of": number(mark["of"], ""),
+            "numbers": found.groupdict() if found else None, "pictures": pictures if len(pictures) == 2 else [],
+            "due": due.strftime("%Y-%m-%d %H:%M") if due else "",
+            "code": data.decode(errors="replace")[:MOST_SHOWN] if handed_in else ""}

@@ -1,0 +1,182 @@
+"""Writes grades as other systems import them: gradebook.moodle.csv, gradebook.canvas.csv, gradebook.csv, gradebook.json, and for
+each student a page that says what is wrong: feedback/NAME.html.
+
+    moodle   the columns of the class list (or of the grading worksheet), points per chapter and in all, feedback as text
+    canvas   Student, ID, SIS User ID, SIS Login ID, Section, a column for each chapter; a second line with the points possible
+    csv      a column for each exercise with its points, or the word that stands in their place: late, missing, look at
+    json     the same, with the words of each failure
+
+In Moodle's and Canvas's columns, which hold numbers alone, a chapter of which nothing was handed in is "-" or empty: no grade,
+where a 0 would be one. A name that a spreadsheet would take for a formula gets an apostrophe; an identifier never changes.
+"""
+
+import csv
+import hashlib
+import io
+import json
+import re
+from pathlib import Path
+
+from grading.roster import IDENTITY, Roster, known_as
+from grading.rules import Rules
+from grading.submission import cell, printable
+from pages.page import chapter_title
+from tree import write_atomically
+
+FORMATS = ("moodle", "canvas", "csv", "json")
+CANVAS_COLUMNS = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
+
+
+class Book:
+    """A class with its marks. `rows`: a student's, in the order of the grades, then those who handed in nothing."""
+
+    def __init__(self, grades: list[dict], rules: Rules, roster: Roster):
+        self.rules, self.roster = rules, roster
+        self.chapters = list(dict.fromkeys(rules.wanted.values()))
+        self.rows = [self.row(one, roster.of(one["student"])) for one in grades]
+        for row in roster.absent:
+            name = roster.name(row)
+            nothing = {"student": name, "error": "handed in nothing", "results": [], "alike": []}
+            self.rows.append(self.row(nothing, row))
+
+    def row(self, one: dict, identity: dict[str, str]) -> dict:
+        results = {result["exercise"]: result for result in one["results"]}
+        marks = {}
+        for exercise in self.rules.wanted:
+            result = results.get(exercise) or {"exercise": exercise, "state": "missing", "ok": False, "first_failure": None,
+                                               "hint": None}
+            word, points = self.rules.mark(one, result)
+            marks[exercise] = {"word": word, "points": points, "of": self.rules.points[exercise],
+                               "said": result["first_failure"] if word in ("wrong", "late", "look at", "not judged") else None,
+                               "hint": result["hint"] if word in ("wrong", "late") and not result["ok"] else None,
+                               "right": bool(result["ok"])}
+        name, number = known_as(one["student"])
+        return {"student": one["student"], "name": self.roster.name(identity) if identity else name,
+                "id": next((identity[c] for c in identity if c.lower() in ("id", "identifier", "id number", "idnumber", "username")
+                            and identity[c]), number),
+                "identity": identity, "error": one["error"], "marks": marks,
+                "points": self.total(marks.values()), "of": round(self.rules.most, 4), "chapters": {
+                    chapter: self.total(marks[e] for e, of in self.rules.wanted.items() if of == chapter)
+                    for chapter in self.chapters}}
+
+    @staticmethod
+    def total(marks) -> float | None:
+        """None where nothing was handed in."""
+        marks = list(marks)
+        if all(mark["word"] == "missing" for mark in marks):
+            return None
+        return round(sum(mark["points"] or 0 for mark in marks), 6)
+
+    def most(self, chapter: str) -> float:
+        return sum(self.rules.points[e] for e, of in self.rules.wanted.items() if of == chapter)
+
+    def title(self, chapter: str) -> str:
+        """Of a chapter's column: the platform's own where the class list has one that begins so, with its number."""
+        title = f"Lightwalk {chapter_title(chapter)}"
+        return next((column for column in self.roster.columns if column.startswith(f"Lightwalk {chapter[:2]}")), title)
+
+
+def number(value: float | None, nothing: str) -> str:
+    return nothing if value is None else f"{value:.2f}".rstrip("0").rstrip(".")
+
+
+def words_of(row: dict) -> str:
+    """A student's feedback as text: a line for each exercise that was handed in, or was not."""
+    lines = []
+    if row["error"]:
+        lines.append(f"Your submission: {row['error']}.")
+    for exercise, mark in row["marks"].items():
+        line = f"{exercise}: {mark['word']}"
+        if mark["points"] is not None:
+            line += f", {number(mark['points'], '')} of {number(mark['of'], '')}"
+        if mark["said"]:
+            line += f". {mark['said']}"
+        if mark["hint"]:
+            line += f" (hint: {mark['hint']})"
+        lines.append(line)
+    return "\n".join(lines)
+
+
+def write_books(out: Path, book: Book, formats: list[str]) -> list[str]:
+    """Their names."""
+    makers = {"moodle": moodle, "canvas": canvas, "csv": plain_csv, "json": as_json}
+    names = []
+    for kind in dict.fromkeys(formats):
+        names.append(f"gradebook.{kind}.csv" if kind in ("moodle", "canvas") else f"gradebook.{kind}")
+        write_atomically(out / names[-1], makers[kind](book))
+    return names
+
+
+def as_csv(rows: list[list[str]]) -> str:
+    text = io.StringIO()
+    csv.writer(text, quoting=csv.QUOTE_ALL, lineterminator="\r\n").writerows(rows)
+    return text.getvalue()
+
+
+def moodle(book: Book) -> str:
+    """A grading worksheet, where the list is one: Moodle reads Grade and Feedback comments. Else any list with an identifier,
+    for the gradebook's own import."""
+    worksheet = {"Identifier", "Grade", "Feedback comments"} <= set(book.roster.columns)
+    if worksheet:
+        rows = [book.roster.columns]
+        for row in book.rows:
+            most = re.sub(r"[^\d.]", "", row["identity"].get("Maximum grade", row["identity"].get("Maximum Grade", ""))) or row["of"]
+            points = None if row["points"] is None else round(row["points"] * float(most) / row["of"], 2)
+            filled = row["identity"] | {"Grade": number(points, ""), "Feedback comments": no_formula(words_of(row)).replace("\n", "<br>")}
+            if row["identity"]:  # Moodle knows its own numbers alone
+                rows.append([filled.get(column, "") for column in book.roster.columns])
+        return as_csv(rows)
+    columns = Roster.identity(book.roster.columns) or ["ID number", "Full name"]
+    rows = [[*columns, *[book.title(chapter) for chapter in book.chapters], "Lightwalk total", "Feedback"]]
+    for row in book.rows:
+        identity = row["identity"] or {"ID number": row["id"], "Full name": cell(row["name"])}
+        rows.append([*[guarded(column, identity.get(column, "")) for column in columns],
+                     *[number(row["chapters"][chapter], "-") for chapter in book.chapters], number(row["points"], "-"),
+                     no_formula(words_of(row))])
+    return as_csv(rows)
+
+
+def no_formula(text: str) -> str:
+    """Prose that no spreadsheet takes for a formula, wherever it ends a cell; a vector may hold negative numbers."""
+    return re.sub(r"((?:^|[;|\t\n])\s*)(?=[=+@\uff1d\uff0b\uff20]|-(?![\d.]))", r"\1'", text)
+
+
+def guarded(column: str, text: str) -> str:
+    """What identifies is kept to the letter; what only names is no formula."""
+    return cell(text) if column.lower() in IDENTITY and "name" in column.lower() or column.lower() == "student" else text
+
+
+def canvas(book: Book) -> str:
+    rows = [[*CANVAS_COLUMNS, *[book.title(chapter) for chapter in book.chapters]],
+            ["    Points Possible", *[""] * (len(CANVAS_COLUMNS) - 1), *[number(book.most(chapter), "") for chapter in book.chapters]]]
+    for row in book.rows:
+        known = {column: text for column, text in row["identity"].items() if column in CANVAS_COLUMNS}
+        identity = known or {"Student": row["name"], "ID": row["id"]}
+        rows.append([*[guarded(column, identity.get(column, "")) for column in CANVAS_COLUMNS],
+                     *[number(row["chapters"][chapter], "") for chapter in book.chapters]])
+    return as_csv(rows)
+
+
+def plain_csv(book: Book) -> str:
+    rows = [["student", "name", "id", "points", "of", *book.rules.wanted, "error"]]
+    for row in book.rows:
+        marks = [mark["word"] if mark["points"] is None else number(mark["points"], "") for mark in row["marks"].values()]
+        rows.append([cell(row["student"]), cell(row["name"]), row["id"], number(row["points"], "missing"), number(row["of"], ""),
+                     *marks, cell(row["error"] or "")])
+    return as_csv(rows)
+
+
+def as_json(book: Book) -> str:
+    kept = ("student", "name", "id", "error", "points", "of", "chapters", "marks")
+    return json.dumps([{key: row[key] for key in kept} for row in book.rows], indent=1, ensure_ascii=True) + "\n"
+
+
+def file_name(student: str) -> str:
+    """A student's page: no name leads out of its folder, and no two are one."""
+    safe = re.sub(r"[^\w .()-]", "_", printable(student, 100)).strip(". ") or "nobody"
+    return safe if safe == student else f"{safe}.{hash_of(student)}"
+
+
+def hash_of(text: str) -> str:
+    import hashlib
+    return hashlib.sha256(text.encode(errors="surrogatepass")).hexdigest()[:8]

@@ -1,0 +1,45 @@
+"""Keeps what was once said of an answer: marks.json beside the grades. Whoever grades again, with other checks, another driver or
+another number for the random inputs, gives the same answer the same mark, unless --regrade names its exercise.
+
+    {"ann": {"02.phong": {"answer": the SHA-256 of what was handed in, "result": {...}}}}
+"""
+
+import hashlib
+import json
+from pathlib import Path
+
+from tree import UsageError, write_atomically
+
+FINAL = ("judged", "undecided")  # states that are an answer's own
+
+
+def keep(file: Path, grades: list[dict], submitted: dict[str, dict[str, bytes]], regraded: set[str]) -> list[str]:
+    """Puts kept results in place of new ones, keeps those that are new, and says which mark of a regraded exercise changed.
+    Raises UsageError where the file cannot be read: a grade would be lost."""
+    try:
+        kept = json.loads(file.read_text()) if file.exists() else {}
+        before = {(student, exercise): (entry["answer"], dict(entry["result"]))
+                  for student, entries in kept.items() for exercise, entry in entries.items()}
+    except (OSError, ValueError, TypeError, AttributeError, KeyError) as error:
+        raise UsageError(f"{file} cannot be read: {error!r}; it holds the marks that were given, so it is not replaced") from None
+    changed = []
+    for one in grades:
+        student = one["student"]
+        for i, result in enumerate(one["results"]):
+            exercise, data = result["exercise"], submitted.get(student, {}).get(result["exercise"])
+            if data is None or result["state"] not in FINAL:
+                continue
+            answer = hashlib.sha256(data).hexdigest()
+            old_answer, old = before.get((student, exercise), (None, None))
+            if old_answer == answer and exercise not in regraded:
+                one["results"][i] = old
+            else:
+                if old_answer == answer and verdict(old) != verdict(result):
+                    changed.append(f"{exercise}: {student}: {verdict(old)} before, {verdict(result)} now")
+                kept.setdefault(student, {})[exercise] = {"answer": answer, "result": result}
+    write_atomically(file, json.dumps(kept, indent=1) + "\n")
+    return changed
+
+
+def verdict(result: dict) -> str:
+    return "look at" if result["state"] == "undecided" else "right" if result["ok"] else "wrong"

@@ -1,0 +1,102 @@
+"""The list of a class as a learning platform exports it: --roster FILE.csv. Its columns are kept as they are, so that the file
+./course grade writes can be imported there.
+
+A submission belongs to the row whose number stands in the submission's name, as these platforms name what they collect,
+
+    Moodle   Ann Example_123456_assignsubmission_file       "Participant 123456" in the column Identifier
+    Canvas   exampleann_4711_987654_lightwalk.zip           4711 in the column ID (exampleann_LATE_4711_... where it was late)
+
+or to the row one of whose cells is the submission's name: a login, a number, an address, a full name.
+"""
+
+import csv
+import io
+import re
+from pathlib import Path
+
+from grading.submission import printable
+from tree import UsageError
+
+MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_")
+CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<id>\d+)_\d+_")
+# What tells one person from another; grades are none of it.
+IDENTITY = ("identifier", "id", "id number", "idnumber", "sis user id", "sis login id", "login id", "username", "user name",
+            "email", "email address", "student", "full name", "name", "first name", "last name", "surname", "section", "root account",
+            "integration id", "group", "groups", "department", "institution")
+NAMES = ("student", "full name", "name")
+FORMULA = ("=", "+", "-", "@")
+
+
+class Roster:
+    """Rows of a class. `of(student)` is a student's row, empty for one that is not in it."""
+
+    def __init__(self, file: Path | None, students: list[str]):
+        self.columns, self.rows = self.read(file) if file else ([], [])
+        self.file = file
+        self.found = {student: row for student in students if (row := self.find(student)) is not None}
+        taken = {}
+        for student, row in self.found.items():
+            if id(row) in taken:
+                raise UsageError(f"{file}: '{taken[id(row)]}' and '{student}' are both {self.name(row)}: hand in once")
+            taken[id(row)] = student
+        self.absent = [row for row in self.rows if id(row) not in taken]
+        self.strangers = [student for student in students if self.rows and student not in self.found]
+
+    def read(self, file: Path) -> tuple[list[str], list[dict[str, str]]]:
+        try:
+            text = file.read_text(encoding="utf-8-sig")
+        except OSError as error:
+            raise UsageError(f"{file}: {error.strerror}") from None
+        except UnicodeDecodeError:
+            raise UsageError(f"{file}: is not UTF-8 text; export the list as CSV (UTF-8)") from None
+        first = text.partition("\n")[0]
+        separator = max(",;\t", key=first.count)
+        lines = list(csv.reader(io.StringIO(text, newline=""), delimiter=separator))
+        if not lines or not any(column.strip().lower() in IDENTITY for column in lines[0]):
+            raise UsageError(f"{file}: the first line names no column of a class list, such as ID, Username or Email address")
+        columns = [column.strip() for column in lines[0]]
+        rows = [dict(zip(columns, [*line, *[""] * len(columns)])) for line in lines[1:] if any(cell.strip() for cell in line)]
+        # Canvas has a row of points, and one of its test student.
+        rows = [row for row in rows if "points possible" not in next(iter(row.values())).lower()
+                and next(iter(row.values())).strip() != "Student, Test"]
+        for number, row in enumerate(rows, 2):
+            for column in self.identity(columns):
+                if row[column].startswith(FORMULA) and column.lower() not in NAMES:
+                    raise UsageError(f"{file}:{number}: {column}: '{printable(row[column], 40)}' would be read as a formula")
+        return columns, rows
+
+    @staticmethod
+    def identity(columns: list[str]) -> list[str]:
+        return [column for column in columns if column.lower() in IDENTITY]
+
+    def find(self, student: str) -> dict[str, str] | None:
+        columns = self.identity(self.columns)
+        name = student
+        for pattern, kinds in ((MOODLE, ("identifier",)), (CANVAS, ("id",))):
+            if match := pattern.match(student):
+                for row in self.rows:
+                    for column in columns:
+                        if column.lower() in kinds and re.sub(r"\D", "", row[column]) == match["id"]:
+                            return row
+                name = match["name"]
+        fits = [row for row in self.rows if name.casefold() in {row[column].strip().casefold() for column in columns}
+                | {self.name(row).casefold()}]
+        return fits[0] if len(fits) == 1 else None
+
+    def name(self, row: dict[str, str]) -> str:
+        """Of a person, as it is printed."""
+        lower = {column.lower(): cell for column, cell in row.items()}
+        whole = next((lower[column] for column in NAMES if lower.get(column)), "")
+        return printable(whole or " ".join(filter(None, (lower.get("first name"), lower.get("last name") or lower.get("surname"))))
+                         or next((cell for cell in row.values() if cell), "nobody"))
+
+    def of(self, student: str) -> dict[str, str]:
+        return self.found.get(student, {})
+
+
+def known_as(student: str) -> tuple[str, str]:
+    """(name, number) of what a platform called a submission; the submission's own name and nothing elsewhere."""
+    for pattern in (MOODLE, CANVAS):
+        if match := pattern.match(student):
+            return match["name"], match["id"]
+    return student, ""

@@ -1,0 +1,89 @@
+"""./course test in shards, for a CI's matrix: a chapter's pictures and all tests that compare them stay together, because one
+process draws them; every other test is a piece of its own. What a shard keeps are the results and their pictures.
+"""
+
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from many import shards
+from pages.report import write_report
+from tree import BUILD, ROOT, Failure, UsageError, relative, say, write_atomically
+
+TEST = re.compile(r"^ *Test +#(\d+): (\S+)", re.M)
+PICTURES = re.compile(r"(?:pictures|shot|teeth)\.(\d\d)(?:\.|$)")
+
+
+def piece(test: str) -> str:
+    """What is not cut apart."""
+    found = PICTURES.match(test)
+    return f"pictures.{found[1]}" if found else test
+
+
+def words(folder: Path, selection: list[str], shard: shards.Shard | None) -> list[str]:
+    """What ctest is given to run a shard's tests of a selection alone; nothing without a shard."""
+    if not shard:
+        return []
+    done = subprocess.run(["ctest", "--test-dir", str(folder), "-N", *selection], stdin=subprocess.DEVNULL, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if done.returncode:
+        raise Failure(f"ctest cannot list the tests: {done.stdout.strip()[-300:]}")
+    listed = TEST.findall(done.stdout)
+    if not listed:
+        raise UsageError(f"no test matches {' '.join(selection)}; ctest --test-dir build -N lists them")
+    mine = [number for number, name in listed if shard.takes(piece(name))]
+    if not mine:  # a selection of few tests, cut into many
+        return ["-E", "."]
+    chosen = folder / f"tests.{shard.number}-of-{shard.of}"
+    # START, END, STRIDE, then numbers: from a number behind the last one, so that only those that are named run.
+    chosen.write_text(",".join(["1", "0", "1", *mine]) + "\n")
+    return ["-I", str(chosen)]
+
+
+def write(file: Path, shard: shards.Shard, results: Path, runs: list[tuple[int, int]], selection: list[str]) -> int:
+    """Packs the results of a shard's tests with the pictures they name. The exit code."""
+    entries, pictures = {}, {}
+    for path in sorted(results.iterdir()):
+        if path.suffix == ".json":
+            entries[path.name] = json.loads(path.read_text())
+            for one in entries[path.name].get("pictures") or []:
+                for name in filter(None, (one.get("actual"), one.get("heatmap"))):
+                    pictures[name] = ROOT / name
+        elif path.suffix == ".xml":
+            entries[f"{path.stem}.{shard.number}-of-{shard.of}.xml"] = path.read_text()
+    head = {"selection": selection, "course": shards.course_version(), "runs": runs}
+    shards.write(file, "test", shard, head, entries, {name: path for name, path in pictures.items() if path.exists()})
+    total, failed = (sum(counts) for counts in zip(*runs))
+    say(f"\n{relative(file)}: {total} tests of shard {shard}")
+    say(closing_line(total, failed))
+    return 1 if failed else 0
+
+
+def merge(paths: list[Path]) -> int:
+    """The report of all shards, as one run writes it. The exit code."""
+    made = shards.merge(paths, "test", per_shard=("runs",))
+    results = BUILD / "results"
+    shutil.rmtree(results, ignore_errors=True)
+    for name, entry in made.entries.items():
+        if Path(name).name != name:
+            raise UsageError(f"{made.came_from[name]}: '{name}' is no result")
+        write_atomically(results / name, entry if isinstance(entry, str) else json.dumps(entry, indent=1) + "\n")
+        for one in (entry.get("pictures") or []) if isinstance(entry, dict) else []:
+            for picture in filter(None, (one.get("actual"), one.get("heatmap"))):
+                parts = Path(picture).parts
+                if parts[0] == "build" and ".." not in parts and made.has_file(name, picture):
+                    write_atomically(ROOT / picture, made.file(name, picture))
+    report = BUILD / "report" / "index.html"
+    write_report(results, report)
+    total, failed = (sum(counts) for counts in zip(*[run for runs in made.head["runs"] for run in runs]))
+    say(f"report: {relative(report)}")
+    say(closing_line(total, failed))
+    return 1 if failed else 0
+
+
+def closing_line(total: int, failed: int) -> str:
+    """As ctest ends, which is what a CI reads, over all its runs."""
+    percent = round(100 * (total - failed) / max(total, 1))
+    return f"{min(percent, 99) if failed else 100}% tests passed, {failed} tests failed out of {total}"

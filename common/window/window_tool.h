@@ -1,0 +1,31 @@
+// What a chapter may add to its window: panels, tools for the mouse, keys, its own way to save.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/window/display.h"
+
+namespace lightwalk {
+
+/// A chapter that is one too is asked by the window. True: taken, and nothing else happens with it.
+class WindowTool {
+  public:
+    virtual ~WindowTool() = default;
+
+    /// The mouse over the picture or held since it was there; `cursor_px` in pixels of the picture.
+    virtual bool on_mouse(const Input& input, glm::vec2 cursor_px, bool over_picture) = 0;
+    virtual bool on_key(const KeyPress& key) = 0;
+    virtual void on_drop(const std::vector<std::filesystem::path>& files) = 0;
+
+    /// Dear ImGui's widgets over the picture. True: it has to be drawn again.
+    virtual bool draw_panels(glm::uvec2 picture, float scale) = 0;
+
+    virtual bool on_save() = 0;             ///< Ctrl+S
+    virtual bool may_close() = 0;           ///< false: it asks first, and closes itself when wants_to_close()
+    virtual bool wants_to_close() = 0;      ///< the answer was yes
+    virtual bool is_busy() = 0;             ///< something goes on beside the picture
+    virtual std::string take_notice() = 0;  ///< what to tell, once; empty: nothing
+};
+
+}  // namespace lightwalk

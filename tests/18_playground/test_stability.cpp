@@ -1,0 +1,207 @@
+// Saving where it is hard: killed at any moment, no room, no right to write, links, a file that others change.
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "editor_fixture.h"
+
+using namespace lightwalk;
+namespace fs = std::filesystem;
+
+namespace {
+
+Document small_scene(int objects) {
+    Document document;
+    document.begin("make");
+    for (int i = 0; i < objects; ++i) document.add(root_entry, {.what = named(fmt::format("object {}", i))});
+    document.commit();
+    return document;
+}
+
+std::string said_by(const std::function<void()>& what) {
+    try {
+        what();
+    } catch (const InputError& e) { return e.what(); }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE(
+    "killed at 200 random moments of saving: the file is whole, and never older than the last save that was told") {
+    TestFolder folder;
+    const fs::path file = folder.path / "scene.json";
+    Random random(200);
+    int last_told = 0, killed_within = 0;
+    for (int round = 0; round < 200; ++round) {
+        int told[2];
+        REQUIRE(pipe(told) == 0);
+        const pid_t child = fork();
+        if (child == 0) {  // saves again and again, and says which number is on the disk
+            close(told[0]);
+            Document document = small_scene(300);
+            SceneStore store;
+            store.path = file;
+            for (int number = last_told + 1;; ++number) {
+                set_knobs(document, {{"number", std::to_string(number)}}, 0);
+                store.save(document);
+                if (write(told[1], &number, sizeof number) != sizeof number) _exit(1);
+            }
+        }
+        close(told[1]);
+        int number = 0;
+        if (read(told[0], &number, sizeof number) != sizeof number) FAIL("it never saved");
+        usleep(static_cast<useconds_t>(random.uniform(0, 6000)));
+        kill(child, SIGKILL);
+        int status = 0;
+        waitpid(child, &status, 0);
+        last_told = number;
+        while (read(told[0], &number, sizeof number) == sizeof number) last_told = number;
+        close(told[0]);
+        const SceneFile back = read_scene(file);
+        const int saved = std::stoi(back.knobs.at("number"));
+        REQUIRE(back.objects.size() == 300);
+        REQUIRE((saved == last_told || saved == last_told + 1));
+        killed_within += saved != last_told || std::distance(fs::directory_iterator(folder.path), {}) > 1;
+        for (const auto& other : fs::directory_iterator(folder.path))
+            if (other.path() != file) fs::remove(other.path());
+    }
+    fmt::print("of 200 kills {} came while it wrote\n", killed_within);
+    CHECK(killed_within > 20);
+}
+
+TEST_CASE("a full disk, a folder without the right to write: one line, and the old file stays") {
+    TestFolder folder;
+    SceneStore store;
+    store.path = folder.path / "scene.json";
+    store.save(small_scene(3));
+    const std::string before = read_file(store.path);
+    {
+        const pid_t child = fork();
+        if (child == 0) {  // the largest file that may be written is 1,000 bytes
+            signal(SIGXFSZ, SIG_IGN);
+            const rlimit most{1000, 1000};
+            setrlimit(RLIMIT_FSIZE, &most);
+            _exit(said_by([&] { store.save(small_scene(100)); }).empty() ? 1 : 0);
+        }
+        int status = 1;
+        waitpid(child, &status, 0);
+        CHECK(WEXITSTATUS(status) == 0);
+    }
+    CHECK(read_file(store.path) == before);
+    CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 1);
+    const fs::path nowhere = folder.path / "none" / "scene.json";
+    CHECK(said_by([&] { store.save_as(small_scene(1), nowhere); }).find("none") != std::string::npos);
+    CHECK(store.path == folder.path / "scene.json");
+    if (geteuid() != 0) {
+        fs::permissions(folder.path, fs::perms::owner_read | fs::perms::owner_exec);
+        CHECK(said_by([&] { store.save(small_scene(5)); }) != "");
+        fs::permissions(folder.path, fs::perms::owner_all);
+    }
+    CHECK(read_file(store.path) == before);
+}
+
+TEST_CASE("a link as target stays a link; what it leads to is written; links in a circle are said") {
+    TestFolder folder;
+    fs::create_directory(folder.path / "real");
+    write_file(folder.path / "real/scene.json", "{}");
+    fs::create_symlink("real/scene.json", folder.path / "scene.json");
+    SceneStore store;
+    store.path = folder.path / "scene.json";
+    store.save(small_scene(4));
+    CHECK(fs::is_symlink(folder.path / "scene.json"));
+    CHECK(read_scene(folder.path / "real/scene.json").objects.size() == 4);
+    fs::create_symlink("b.json", folder.path / "a.json");
+    fs::create_symlink("a.json", folder.path / "b.json");
+    store.path = folder.path / "a.json";
+    CHECK(said_by([&] { store.save(small_scene(4)); }) != "");
+}
+
+TEST_CASE("a file that somebody else has written is noticed; includes are kept while nothing of them is changed") {
+    TestFolder folder;
+    write_file(
+        folder.path / "lights.json",
+        R"({"objects": [{"name": "table"}, {"name": "leg", "parent": "table"}], "lights": [{"type": "point"}]})");
+    const fs::path file = folder.path / "scene.json";
+    write_file(file, R"({"include": ["lights.json"], "objects": [{"name": "cup", "parent": "table"}, {"name": "lamp"}],
+        "lights": [{"type": "spot", "direction": [0, -1, 0.3]}]})");
+    SceneStore store;
+    Document document = store.open(file);
+    CHECK_FALSE(store.has_unsaved(document));
+    const auto find = [&](const std::string& name) {
+        for (const EntryId id : with_children(document, root_entry))
+            if (document.at(id).name() == name) return id;
+        return no_entry;
+    };
+    CHECK(document.at(find("leg")).included);
+    CHECK_FALSE(document.at(find("cup")).included);
+    place(document, find("cup"), {{0.1f, 1, 0}, {}, glm::vec3(1)});
+    CHECK(store.has_unsaved(document));
+    CHECK_FALSE(store.changed_on_disk());
+    CHECK(store.save(document) == "");
+    const std::string text = read_file(file);
+    CHECK(text.find("lights.json") != std::string::npos);
+    CHECK(text.find("leg") == std::string::npos);
+    CHECK(text.find("0.1,") != std::string::npos);
+    SceneFile back = read_scene(file);
+    CHECK(back.objects.size() == 4);
+    CHECK(back.lights.size() == 2);
+    CHECK(store.text(document) == text);
+
+    write_file(file, "{}");
+    CHECK(store.changed_on_disk());
+    place(document, find("table"), {{0, 1, 0}, {}, glm::vec3(1)});
+    CHECK(store.save(document).find("includes") != std::string::npos);
+    CHECK(read_file(file).find("lights.json") == std::string::npos);
+    CHECK(read_scene(file).objects.size() == 4);
+}
+
+TEST_CASE("what is read and written again is the same text, and the same bits") {
+    Random random(9);
+    Document document;
+    for (int i = 0; i < 3000; ++i) random_command(document, random);
+    for (int i = 0; i < 200; ++i)
+        add_light(document, {.kind = Light::Kind::spot,
+                             .direction = random.direction(),
+                             .inner_rad = float(random.uniform(0, 1)),
+                             .outer_rad = float(random.uniform(1, 3))});
+    const std::string text = scene_text(exported(document).scene);
+    Document again(parse_scene(text, "scene.json"));
+    CHECK(scene_text(exported(again).scene) == text);
+    for (int i = 0; i < 1000000; ++i) {
+        const auto bits = uint32_t(random.uniform(0, 1) * 4294967295.0);
+        float value = 0;
+        std::memcpy(&value, &bits, 4);
+        char shortest[32];
+        if (!std::isfinite(value)) continue;
+        const int digits = std::snprintf(shortest, sizeof shortest, "%.9g", double(value));
+        REQUIRE(digits > 0);
+        REQUIRE(static_cast<float>(std::stod(shortest)) == value);
+    }
+}
+
+TEST_CASE("saves by itself beside the file, offers that after a crash, and takes it away when saved") {
+    TestFolder folder;
+    const fs::path file = folder.path / "scene.json";
+    SceneStore store;
+    store.path = file;
+    Document document = small_scene(2);
+    store.save(document);
+    CHECK_FALSE(store.autosave(document));
+    add_object(document, named("not saved"));
+    CHECK(store.autosave(document));
+    CHECK_FALSE(store.autosave(document));
+    CHECK(read_scene(file).objects.size() == 2);
+    SceneStore next;  // after a crash
+    Document opened = next.open(file);
+    REQUIRE(next.has_recovery());
+    opened = next.recover();
+    CHECK(opened.size() == 3);
+    CHECK(next.has_unsaved(opened));
+    next.save(opened);
+    CHECK_FALSE(next.has_recovery());
+    CHECK(read_scene(file).objects.size() == 3);
+}

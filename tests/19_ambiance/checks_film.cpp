@@ -1,0 +1,67 @@
+// What ./course check runs for chapter 19's fade, and for what must be ready before a cut.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "19_ambiance/exercises.h"
+#include "19_ambiance/truth.h"
+#include "common/check/check.h"
+
+using namespace lightwalk;
+
+CHECK_EXERCISE("19.fade_linear_light",
+               "light times a power of what is left of it; codes, or a clamp at 1, take the sun's colour") {
+    Random random(2);
+    Probe probe{.include = "19_ambiance/fade_linear_light.glsl",
+                .signature = "vec3 fade_linear_light(vec3 light, float black, float white)",
+                .bound = {.absolute = 1e-6, .relative = 1e-5}};
+    for (int i = 0; i < 240; ++i) {
+        const double level = i % 5 == 0 ? 0.0 : random.logarithmic(1e-3, 1e4);
+        const glm::dvec3 light = level * glm::dvec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+        const double black = i % 4 == 0 ? 0 : i % 11 == 0 ? 1 : i % 13 == 0 ? 1.5 : random.uniform(0, 1);
+        const double white = i % 3 == 0 ? 0 : i % 7 == 0 ? 1 : i % 17 == 0 ? -0.5 : random.uniform(0, 1);
+        probe.inputs.push_back({double(float(light.x)), double(float(light.y)), double(float(light.z)), black, white});
+    }
+    probe.truth = [](std::span<const double> in) {
+        const glm::dvec3 faded = truth::fade_linear_light({in[0], in[1], in[2]}, in[3], in[4]);
+        return Row{faded.x, faded.y, faded.z};
+    };
+    const Table results = check.probe(probe);
+    check.property(probe, results, "but black 1 is exactly 0 where there is no white", [](auto in, auto out) {
+        return in[3] < 1 || in[4] > 0 || (out[0] == 0 && out[1] == 0 && out[2] == 0);
+    });
+}
+
+namespace {
+
+std::string listed(const std::vector<int>& numbers) {
+    std::string all;
+    for (const int number : numbers) all += (all.empty() ? "" : ", ") + std::to_string(number);
+    return all.empty() ? "none" : all;
+}
+
+}  // namespace
+
+CHECK_EXERCISE("19.warm", "those on the screen whatever happens; then, by the time at which they begin, what fits") {
+    Random random(4);
+    for (int i = 0; i < 300; ++i) {
+        std::vector<OnScreen> scenes;
+        const int count = i % 9;
+        for (int k = 0; k < count; ++k) {
+            const double from = std::floor(random.uniform(0, 40)) / 2;
+            scenes.push_back({from, from + 0.5 + std::floor(random.uniform(0, 12)) / 2});
+        }
+        const double now = i % 3 ? std::floor(random.uniform(0, 44)) / 2 : random.uniform(0, 22);
+        const double ahead = i % 5 ? std::floor(random.uniform(0, 20)) / 2 : 0;
+        const int most = 1 + i % 4;
+        std::string what = fmt::format("warm({{", 0);
+        for (const OnScreen& one : scenes) what += fmt::format(" {:g}-{:g}", one.from_s, one.to_s);
+        what += fmt::format(" }}, now {:g} s, {:g} s ahead, at most {})", now, ahead, most);
+        check.call(what, [&]() -> std::string {
+            const std::vector<int> got = warm(scenes, now, ahead, most), right = truth::warm(scenes, now, ahead, most);
+            if (got == right) return "";
+            return fmt::format("{} gave {}, expected {}", what, listed(got), listed(right));
+        });
+        if (check.failed) return;
+    }
+}

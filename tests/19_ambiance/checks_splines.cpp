@@ -1,0 +1,134 @@
+// What ./course check runs for chapter 19's curves.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "19_ambiance/exercises.h"
+#include "19_ambiance/truth.h"
+#include "common/check/check.h"
+
+using namespace lightwalk;
+
+namespace {
+
+glm::dvec3 any_point(Random& random, double reach) {
+    return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
+}
+
+std::string text(glm::dvec3 v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+
+}  // namespace
+
+CHECK_EXERCISE("19.catmull_rom",
+               "three rounds of interpolation; each one divides by the distance of its own two knots, and "
+               "where that is 0 the key itself is meant") {
+    Random random(3);
+    for (int i = 0; i < 120; ++i) {
+        FourKeys keys;
+        const double reach = random.logarithmic(1e-2, 1e5);
+        double knot = random.uniform(-5, 5);
+        for (size_t k = 0; k < 4; ++k) {
+            const int kind = i % 8;
+            const bool rests = k > 0 && ((kind == 4 && k == 1) || (kind == 5 && k == 3) || (kind == 6 && k != 2) ||
+                                         (kind == 7 && k == 2));
+            keys.points[k] = rests ? keys.points[k - 1] : any_point(random, reach);
+            if (k > 0 && !rests) knot += i % 2 ? random.uniform(0.05, 3) : 1.0;
+            keys.knots[k] = knot;
+        }
+        if (i == 0) keys = {{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 1, 0}}}, {{0, 1, 2, 3}}};
+        for (const double share : {0.0, 0.25, 0.5, 0.9, 1.0}) {
+            const double t = keys.knots[1] + share * (keys.knots[2] - keys.knots[1]);
+            const std::string what =
+                fmt::format("catmull_rom(keys {} {} {} {} at knots {:g} {:g} {:g} {:g}, t = {:g})",
+                            text(keys.points[0]), text(keys.points[1]), text(keys.points[2]), text(keys.points[3]),
+                            keys.knots[0], keys.knots[1], keys.knots[2], keys.knots[3], t);
+            check.call(what, [&]() -> std::string {
+                const glm::dvec3 got = catmull_rom(keys, t), right = truth::catmull_rom(keys, t);
+                if (glm::distance(got, right) <= 1e-9 * reach) return "";
+                const char* why = !(glm::length(got) < 1e300) ? "two knots are equal, and it divides by their distance"
+                                  : share == 0 || share == 1
+                                      ? "the curve passes its second key at the second knot and its third at the third"
+                                      : "";
+                return fmt::format("{} gave {}, expected {}{}{}", what, text(got), text(right), *why ? ": " : "", why);
+            });
+            if (check.failed) return;
+        }
+    }
+}
+
+CHECK_EXERCISE("19.centripetal_knots", "the square root of each distance, added up; the first knot is 0") {
+    Random random(5);
+    for (int count = 0; count < 40; ++count) {
+        std::vector<glm::dvec3> points;
+        const double reach = random.logarithmic(1e-3, 1e4);
+        for (int i = 0; i < count % 14; ++i)
+            points.push_back(i > 0 && count > 20 && i % 3 == 1 ? points.back() : any_point(random, reach));
+        const std::string what = fmt::format("centripetal_knots({} points)", points.size());
+        check.call(what, [&]() -> std::string {
+            const std::vector<double> got = centripetal_knots(points), right = truth::centripetal_knots(points);
+            if (got.size() != right.size()) return fmt::format("{} gave {} knots", what, got.size());
+            for (size_t i = 0; i < got.size(); ++i)
+                if (!(std::abs(got[i] - right[i]) <= 1e-9 * right.back()))
+                    return fmt::format(
+                        "{}: knot {} is {:.9g}, expected {:.9g}; its point is {:.6g} from the one before", what, i,
+                        got[i], right[i], i ? glm::distance(points[i], points[i - 1]) : 0.0);
+            return "";
+        });
+        if (check.failed) return;
+    }
+}
+
+CHECK_EXERCISE("19.arc_length",
+               "add up the lengths of the lines first; then look for the line in which the share lies") {
+    Random random(8);
+    for (int i = 0; i < 80; ++i) {
+        std::vector<glm::dvec3> points{any_point(random, 10)};
+        const int pieces = i < 4 ? 1 : 2 + i % 37;
+        for (int k = 0; k < pieces; ++k)
+            points.push_back(i % 4 == 1 && k % 3 != 1 ? points.back()
+                             : i % 4 == 2             ? points.back() + glm::dvec3(1, 0, 0) * double(k * k)
+                             : i == 7 || i == 11      ? points.back()
+                                                 : points.back() + any_point(random, random.logarithmic(1e-3, 10)));
+        for (const double share : {-1.0, 0.0, 1e-9, 0.1, 0.5, random.uniform(0, 1), 0.999, 1.0, 3.0}) {
+            const std::string what = fmt::format("arc_length({} points, {:.9g})", points.size(), share);
+            check.call(what, [&]() -> std::string {
+                const double got = arc_length(points, share), right = truth::arc_length(points, share);
+                if (std::abs(got - right) <= 1e-9) return "";
+                const char* why = share <= 0 || share >= 1 ? ": the beginning and the end are the curve's own"
+                                  : !(std::abs(got) <= 1)  ? ": where the curve rests there is no length to divide by"
+                                                           : "";
+                return fmt::format("{} gave {:.9g}, expected {:.9g}{}", what, got, right, why);
+            });
+            if (check.failed) return;
+        }
+    }
+}
+
+CHECK_EXERCISE("19.up_without_roll",
+               "the turn is about the axis at right angles to both views, by the angle between them") {
+    Random random(11);
+    for (int i = 0; i < 200; ++i) {
+        const glm::dvec3 from = glm::normalize(glm::dvec3(random.direction()));
+        const glm::dvec3 side = glm::normalize(glm::cross(from, glm::dvec3(random.direction())));
+        const double angle = i == 0   ? 0.0
+                             : i == 1 ? M_PI
+                             : i < 40 ? random.logarithmic(1e-9, 1e-2)
+                             : i < 60 ? M_PI - random.logarithmic(2e-3, 0.1)
+                                      : random.uniform(0, 3.1);
+        const glm::dvec3 to = i == 1 ? -from : std::cos(angle) * from + std::sin(angle) * side;
+        const double around = random.uniform(0, 6.28);
+        const glm::dvec3 up = std::cos(around) * side + std::sin(around) * glm::cross(from, side);
+        const std::string what = fmt::format("up_without_roll(up {}, from {}, to {}: {:.4g} degrees)", text(up),
+                                             text(from), text(to), angle * 180 / M_PI);
+        check.call(what, [&]() -> std::string {
+            const glm::dvec3 got = up_without_roll(up, from, to), right = truth::up_without_roll(up, from, to);
+            if (glm::distance(got, right) <= 1e-9) return "";
+            const char* why = std::abs(glm::length(got) - 1) > 1e-6 ? "it is no unit vector"
+                              : std::abs(glm::dot(got, to)) > 1e-6  ? "it is not at a right angle to the new view"
+                              : glm::distance(got, right) > 1e-3    ? "it is rolled about the view"
+                                                                    : "it is not exact";
+            return fmt::format("{} gave {}, expected {}: {}", what, text(got), text(right), why);
+        });
+        if (check.failed) return;
+    }
+}

@@ -1,0 +1,91 @@
+"""Tests of what the course says to other systems: the workflow of a public CI, the dev container, docs/elsewhere.md and the
+hours of docs/teaching.md."""
+
+import argparse
+import json
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+REAL = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(REAL / "common/course"))
+from test import run_tests  # noqa: E402
+from tree import chapters  # noqa: E402
+
+try:
+    import yaml
+except ImportError:
+    yaml = None
+
+
+def commands(text: str) -> list[list[str]]:
+    """The words of each ./course in a shell's line."""
+    return [found.split() for found in re.findall(r"\./course ([^&;|\n]*)", text)]
+
+
+class Workflow(unittest.TestCase):
+    @unittest.skipUnless(yaml, "there is no python3-yaml, which mkdocs brings")
+    def test_its_steps_are_commands_of_the_course(self):
+        said = yaml.safe_load((REAL / ".github/workflows/test.yml").read_text())
+        part, report = said["jobs"]["part"], said["jobs"]["report"]
+        steps = [step["run"] for job in (part, report) for step in job["steps"] if "run" in step]
+        for step in steps:
+            script = re.sub(r"\$\{\{ matrix\.(\w+) \}\}", "1", step)
+            self.assertEqual(subprocess.run(["bash", "-n"], input=script, text=True).returncode, 0, script)
+            for command, *words in commands(script):
+                self.assertEqual(command, "test")
+                parser = argparse.ArgumentParser()
+                run_tests.add_arguments(parser)
+                _, rest = parser.parse_known_args(words)
+                self.assertEqual(rest, [])
+        parts = part["strategy"]["matrix"]["part"]
+        shard = next(words for step in steps for words in commands(step) if "--shard" in words)
+        self.assertEqual(shard[shard.index("--shard") + 1:][:1] and "".join(shard).count(f"/{len(parts)}"), 1)
+        self.assertEqual(parts, list(range(1, len(parts) + 1)))
+        self.assertEqual(part["strategy"]["matrix"]["system"], ["bookworm", "trixie"])
+        self.assertEqual(report["needs"], "part")
+        uploads = [step["with"]["name"] for job in (part, report) for step in job["steps"] if "upload-artifact" in step.get("uses", "")]
+        self.assertEqual(len(uploads), 2)
+
+    def test_the_container_does_what_the_readme_says(self):
+        said = json.loads((REAL / ".devcontainer/devcontainer.json").read_text())
+        first = re.findall(r"^    (\./course \w+)$", (REAL / "README.md").read_text(), re.M)[:2]
+        made = [words for key in ("updateContentCommand", "postCreateCommand") for words in commands(said[key])]
+        self.assertEqual([f"./course {' '.join(words)}" for words in made], first)
+        self.assertEqual(said["image"], "debian:12")
+
+
+class Page(unittest.TestCase):
+    def test_it_names_what_the_program_asks_for(self):
+        source = (REAL / "common/gpu/device_features.cpp").read_text()
+        page = (REAL / "docs/elsewhere.md").read_text()
+        for name in re.findall(r'need\(has1\d\.(\w+)', source):
+            self.assertIn(f"`{name}`", page)
+        optional = re.findall(r"FEATURE\((\w+)\)", source)
+        table = set(re.findall(r"^\| `(\w+)` ", page, re.M))
+        self.assertGreater(len(optional), 10)
+        self.assertEqual(table - set(optional), set())
+        # What the source asks before it uses it is in the table.
+        used = {name for path in (REAL / "common/gpu").glob("*.cpp") if path.name != "device_features.cpp"
+                for name in re.findall(r"\bhas\.(\w+)", path.read_text()) if name in optional}
+        self.assertEqual(used - table - {"depthBiasClamp", "independentBlend"}, set())
+
+    def test_hours_follow_from_the_lessons(self):
+        """As the page says they were estimated."""
+        rows = re.findall(r"^\| (\d\d) [^|]*\|[^|]*\| (\d+), (\d+), (\d+) \| ([\d.]+) \|$", (REAL / "docs/teaching.md").read_text(), re.M)
+        self.assertGreater(len(rows), 15)
+        for number, *counts, hours in rows:
+            [name] = [chapter for chapter in chapters() if chapter.startswith(number)]
+            text = (REAL / "docs" / f"{name}.md").read_text()
+            graded = [len(re.findall(rf"^### \d\d\.\w+ \({grade}\)$", text, re.M)) for grade in ("easy", "medium", "hard")]
+            self.assertEqual(list(map(int, counts)), graded, name)
+            text = re.sub(r"^( *)```.*?^\1```|<details>.*?</details>|<!--.*?-->", "", text, flags=re.M | re.S)
+            text = re.sub(r"^\|.*$|!?\[[^\]]*\]\([^)]*\)", "", text, flags=re.M)
+            estimate = len(text.split()) / 120 / 60 + (15 * graded[0] + 35 * graded[1] + 75 * graded[2]) / 60
+            self.assertLess(abs(float(hours) - estimate), 0.35, name)
+
+
+if __name__ == "__main__":
+    unittest.main()
