@@ -90,11 +90,14 @@ foreach(script ${scripts})
     lightwalk_python_test(window.${name} window ${script})
     # One after the other, from the beginning: they wait more than they work, beside tests that take all there is.
     set_tests_properties(window.${name} PROPERTIES COST 900 TIMEOUT 600 RESOURCE_LOCK window)
-  elseif(name MATCHES "common.(chart|course|elsewhere|grade|minimal|pages|report|slides|study)")
+  elseif(name MATCHES "common.(chart|course|elsewhere|grade|live|minimal|pages|report|slides|study)")
     string(REPLACE "common." "text." name ${name})
     lightwalk_python_test(${name} text ${script})
-    if(name MATCHES "course|grade|pages|chart")
+    if(name MATCHES "course|grade|live|pages|chart")
       set_tests_properties(${name} PROPERTIES COST 60)  # the longest: first
+    endif()
+    if(name MATCHES "live_browser")
+      set_tests_properties(${name} PROPERTIES DEPENDS text.pages)  # which leaves the pages there
     endif()
   else()
     lightwalk_python_test(python.${name} unit ${script})

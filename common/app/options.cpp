@@ -124,6 +124,8 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_flag("--default-variants", o.default_variants, "with --compile-shaders: the default knobs alone");
     app.add_flag("--pictures", o.pictures,
                  "For tests: draw a picture for each line of standard input, its arguments as a JSON list");
+    app.add_flag("--stream", o.stream,
+                 "For ./course serve: draw what each line of standard input asks for, to standard output");
     std::map<std::string, std::string> by_knob, by_command;
     const KnobList knobs = chapter.all_knobs();
     add_knobs(app, knobs, by_knob);

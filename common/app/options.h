@@ -17,6 +17,7 @@ struct Options {
     bool frames_given = false, json = false, validate = false, explain = false;
     bool default_variants = false;  ///< of what compile_shaders compiles
     bool pictures = false;          ///< standard input says which
+    bool stream = false;            ///< the same, of one chapter that stays, to standard output
     bool automatic = false;         ///< --method auto: the need rule chooses
     std::optional<double> budget;
     unsigned seed = 0;

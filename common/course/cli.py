@@ -33,6 +33,7 @@ COMMANDS = {
     "handout": "grading.handout",
     "grade": "grading.grade",
     "docs": "pages.docs",
+    "serve": "live.serve",
     "slides": "pages.slides",
     "book": "pages.book",
     "doctor": "build.doctor",

@@ -13,6 +13,7 @@
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/image/decode.h"
+#include "common/image/encode.h"
 
 namespace {
 
@@ -143,15 +144,31 @@ TexelImage read_texels(const fs::path& path, bool keep_16_bits) {
     return image;
 }
 
+namespace {
+
+void append(void* to, void* data, int size) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<size_t>(size));
+}
+
+}  // namespace
+
+std::string encode_png(const Image8& image) {
+    std::string bytes;
+    if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.pixels.data(), 4 * image.width))
+        throw Failure("a picture of {} x {} pixels could not be encoded as a PNG", image.width, image.height);
+    return bytes;
+}
+
+std::string encode_jpeg(const Image8& image, int quality) {
+    std::string bytes;
+    if (!stbi_write_jpg_to_func(append, &bytes, image.width, image.height, 4, image.pixels.data(), quality))
+        throw Failure("a picture of {} x {} pixels could not be encoded as a JPEG", image.width, image.height);
+    return bytes;
+}
+
 void write_png(const fs::path& path, const Image8& image) {
     check_image_size(path, image.width, image.height);
-    std::string bytes;
-    const auto append = [](void* to, void* data, int size) {
-        static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<size_t>(size));
-    };
-    if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.pixels.data(), 4 * image.width))
-        throw Failure("{}: the PNG could not be encoded", path.string());
-    write_file(path, bytes);
+    write_file(path, encode_png(image));
 }
 
 }  // namespace lightwalk

@@ -7,6 +7,7 @@
 #include "common/base/crash.h"
 #include "common/base/text.h"
 #include "common/study/study.h"
+#include "common/window/stream.h"
 #include "common/window/window.h"
 
 namespace lightwalk {
@@ -23,6 +24,7 @@ int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make
         if (!options->compile_shaders.empty())
             return compile_all_shaders(*chapter, options->compile_shaders, !options->default_variants);
         if (options->pictures) return draw_pictures(*options, name, make, gpu);
+        if (options->stream) return stream_pictures(*options, name, make, gpu);
         if (options->command) return options->command(*options, gpu);
         if (!options->study.empty()) return run_study(*options, *chapter, gpu);
         const Loading loading = automatic_choice(*options, *chapter);

@@ -21,7 +21,9 @@ TIMEOUT_S = 60
 class Browser:
     """One page. Use it as a context; `complaints` collects what the page's console would show as an error."""
 
-    def __init__(self, width: int = 1280, height: int = 900, dark: bool = False):
+    def __init__(self, width: int = 1280, height: int = 900, dark: bool = False, server: str = ""):
+        """server: an address, "http://127.0.0.1:8100/", that pages may ask."""
+        self.server = server
         self.profile = tempfile.mkdtemp(prefix="lightwalk_browser_")
         to_browser, self.write_end = os.pipe()
         self.read_end, from_browser = os.pipe()
@@ -107,13 +109,14 @@ class Browser:
             self.complaints.append(parameters["entry"]["text"])
         elif event["method"] == "Network.requestWillBeSent":
             url = parameters["request"]["url"]
-            if not url.startswith(("data:", "file:", "about:", "blob:")):
+            own = (self.server,) if self.server else ()
+            if not url.startswith(("data:", "file:", "about:", "blob:", *own)):
                 self.complaints.append(f"asks the network for {url}")
 
-    def open(self, path: Path):
-        """Loads a file and waits until it and its pictures are there."""
+    def open(self, path: Path | str):
+        """Loads a file, or an address, and waits until it and its pictures are there."""
         self.events.clear()
-        self.call("Page.navigate", url=Path(path).resolve().as_uri())
+        self.call("Page.navigate", url=path if isinstance(path, str) else path.resolve().as_uri())
         end = time.monotonic() + TIMEOUT_S
         while "Page.loadEventFired" not in self.events and time.monotonic() < end:
             self.receive(end - time.monotonic())
@@ -124,6 +127,15 @@ class Browser:
         if "exceptionDetails" in answer:
             raise RuntimeError(answer["exceptionDetails"].get("exception", {}).get("description", expression))
         return answer["result"].get("value")
+
+    def wait(self, expression: str, timeout_s: float = TIMEOUT_S):
+        """The value of a JavaScript expression once it is true. Raises RuntimeError where it never is."""
+        end = time.monotonic() + timeout_s
+        while not (value := self.evaluate(expression)):
+            if time.monotonic() > end:
+                raise RuntimeError(f"never true within {timeout_s} s: {expression}")
+            time.sleep(0.05)
+        return value
 
     def press(self, key: str):
         """A key as a person presses it: "ArrowRight", "Tab"."""

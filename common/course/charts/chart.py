@@ -47,7 +47,8 @@ def draw(chart: Chart) -> dict:
     return files
 
 
-def build_figure(chart: Chart):
+def build_figure(chart: Chart, made: list | None = None):
+    """The figure; its panels, and the points of each, are added to `made`."""
     panels = chart.panels
     columns = chart.columns
     rows = math.ceil(len(panels) / columns)
@@ -63,8 +64,10 @@ def build_figure(chart: Chart):
     limits = Limits(chart)
     for i, scenes in enumerate(panels):
         panel = Panel(figure, grid[i // columns, i % columns], chart, scenes, limits)
-        panel.draw([p for p in chart.drawable if p.scene in scenes], title=chart.panel_title(scenes),
-                   x_label=i + columns >= len(panels), y_label=i % columns == 0)
+        points = [p for p in chart.drawable if p.scene in scenes]
+        panel.draw(points, title=chart.panel_title(scenes), x_label=i + columns >= len(panels), y_label=i % columns == 0)
+        if made is not None:
+            made.append((panel, points))
     heading(figure, chart, height, says, measured)
     for i, line in enumerate(reversed(notes)):
         figure.text(0.022, (0.40 + 0.2 * i) / height, line, fontsize=9.5, color=QUIET, va="center")

@@ -27,7 +27,7 @@ KATEX = Path("/usr/share/javascript/katex")
 LATO = Path("/usr/share/fonts/truetype/lato")
 LANGUAGES = {".frag": "glsl", ".comp": "glsl",
              ".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
-OTHERS = {"teaching.md": "For instructors", "elsewhere.md": "Windows and macOS"}
+OTHERS = {"serve.md": "Live lessons", "teaching.md": "For instructors", "elsewhere.md": "Windows and macOS"}
 OWN = Path(__file__).parent / "site"
 
 

@@ -1,0 +1,152 @@
+"""The exercises as a page edits them: one file each, and nothing else can be written."""
+
+import asyncio
+import hashlib
+import json
+import os
+import signal
+import sys
+
+from check.check import TIMEOUT_S, grades, in_order
+from tree import BUILD, ROOT, chapters, exercises, has_solutions, relative, shots, write_atomically
+
+MOST_BYTES = 1 << 18  # of an exercise; the longest starter has 4 KiB
+CHECK_S = 900  # with a build from nothing
+
+
+class Refused(Exception):
+    """A request that is not answered: an HTTP status and one line."""
+
+    def __init__(self, status: int, words: str, **more):
+        super().__init__(words)
+        self.status, self.more = status, more
+
+
+def file_of(exercise: str):
+    """(chapter, the file) of an exercise's id. Raises Refused: nothing but exercises has an address."""
+    for chapter in chapters():
+        if chapter[:2] != exercise[:2]:
+            continue
+        path = exercises(chapter).get(exercise)
+        # A link would lead elsewhere.
+        if path and path.is_file() and path.resolve() == path and path.is_relative_to(ROOT):
+            return chapter, path
+    raise Refused(404, f"there is no exercise {exercise[:60]!r}")
+
+
+def version(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()[:16]
+
+
+def read(exercise: str) -> dict:
+    chapter, path = file_of(exercise)
+    data = path.read_bytes()
+    return {"exercise": exercise, "chapter": chapter, "file": relative(path), "version": version(data),
+            "text": data.decode("utf-8", errors="replace")}
+
+
+def write(exercise: str, text, base) -> dict:
+    """Replaces the file where it still is the version that the page has edited. Raises Refused."""
+    _, path = file_of(exercise)
+    if not isinstance(text, str) or not isinstance(base, str) or "\0" in text:
+        raise Refused(400, 'a request to write is {"text": ..., "base": the version that was edited}')
+    try:
+        data = text.encode("utf-8")
+    except UnicodeEncodeError:
+        raise Refused(400, "the text is not Unicode") from None
+    if len(data) > MOST_BYTES:
+        raise Refused(413, f"an exercise has at most {MOST_BYTES >> 10} KiB")
+    there = path.read_bytes()
+    if version(there) != base:
+        raise Refused(409, f"{relative(path)} was changed on disk since it was read; nothing was written",
+                      version=version(there), text=there.decode("utf-8", errors="replace"))
+    if data != there:
+        write_atomically(path, data)
+    return {"exercise": exercise, "version": version(data)}
+
+
+def catalogue() -> dict:
+    """What the pages know of the course: shots and exercises by chapter."""
+    def one(chapter: str) -> dict:
+        return {"shots": {shot["name"]: {key: shot[key] for key in ("caption", "size", "time_s", "set", "exercises")
+                                         if key in shot} for shot in shots(chapter)},
+                "exercises": [{"id": name, "file": relative(exercises(chapter)[name]), "grade": grades(chapter).get(name)}
+                              for name in in_order(chapter)]}
+    return {"chapters": {chapter: one(chapter) for chapter in chapters()}, "solutions": has_solutions()}
+
+
+class Verdicts:
+    """What the checks said last, for as long as the file is the one that was checked."""
+
+    def __init__(self):
+        self.path = BUILD / "live" / "verdicts.json"
+        try:
+            self.known = json.loads(self.path.read_text())
+            if not isinstance(self.known, dict):
+                raise ValueError
+        except (OSError, ValueError):
+            self.known = {}
+
+    def keep(self, exercise: str, of: str, result: dict):
+        self.known[exercise] = {"version": of, "ok": result["ok"]}
+        write_atomically(self.path, json.dumps(self.known))
+
+    def progress(self) -> dict:
+        """By chapter: how many exercises there are, and which are solved."""
+        def is_solved(exercise: str, path) -> bool:
+            said = self.known.get(exercise)
+            return bool(said and said.get("ok") and said.get("version") == version(path.read_bytes()))
+        return {chapter: {"exercises": len(files), "solved": [name for name, path in files.items() if is_solved(name, path)]}
+                for chapter in chapters() if (files := exercises(chapter))}
+
+
+async def run(words: list, say, limit_s: float = CHECK_S) -> tuple[int, str]:
+    """Runs a program with its words on stderr passed on to say(line) as they come. Returns its code and its output."""
+    process = await asyncio.create_subprocess_exec(
+        *words, cwd=ROOT, limit=1 << 20, stdin=asyncio.subprocess.DEVNULL, stdout=asyncio.subprocess.PIPE,
+        stderr=asyncio.subprocess.PIPE, start_new_session=True)
+
+    async def pass_on():
+        async for line in process.stderr:
+            say(line.decode(errors="replace").rstrip())
+
+    try:
+        out, _, code = await asyncio.wait_for(asyncio.gather(process.stdout.read(), pass_on(), process.wait()), limit_s)
+        return code, out.decode(errors="replace")
+    except asyncio.TimeoutError:
+        return -1, ""
+    finally:
+        if process.returncode is None:
+            os.killpg(process.pid, signal.SIGTERM)
+            await process.wait()
+
+
+def course(*words: str) -> list:
+    return [sys.executable, ROOT / "common/course/cli.py", *words]
+
+
+async def check(exercise: str, say, build: bool = True) -> dict:
+    """What ./course check says of an exercise: its protocol's object, with "version", the file's that was checked."""
+    chapter, path = file_of(exercise)
+    of = version(path.read_bytes())
+    if build:
+        code, out = await run(course("check", exercise, "--json"), say)
+    else:  # the numbers alone, by what is built
+        words = [BUILD / "tests" / f"check_{chapter}", "--exercise", exercise, "--use", "exercise"]
+        code, out = await run(words, say, TIMEOUT_S)
+    for line in out.splitlines():
+        try:
+            result = json.loads(line)
+        except ValueError:
+            continue
+        if isinstance(result, dict) and result.get("exercise") == exercise:
+            return result | {"ok": result.get("ok") is True and code == 0, "version": of}
+    return {"exercise": exercise, "ok": False, "version": of, "passed": 0, "failed": 0, "hint": None,
+            "first_failure": (out.strip().splitlines() or [f"the check ended with {code}"])[-1]}
+
+
+async def build_chapter(chapter: str, say) -> bool:
+    """Builds a chapter's program, in a process of its own, which has the lock of all builds."""
+    code, _ = await run([sys.executable, "-c", "import sys; sys.path.insert(0, sys.argv[1]); from build.build import build; "
+                         "build([sys.argv[2]])", ROOT / "common/course", chapter], say)
+    return code == 0

@@ -1,0 +1,95 @@
+"""Charts that answer: the points under the pointer, and the picture that was measured beside its truth and its error."""
+
+import asyncio
+import json
+import sys
+import tempfile
+from pathlib import Path
+
+from live import answers
+from live.answers import Refused
+from live.pages import Answer
+from tree import BUILD, ROOT, chapters
+
+STUDIES = ROOT / "docs" / "studies"
+SIZE = [480, 270]
+DRAW_S = 120
+
+
+def study_of(chart: str) -> Path:
+    """The study whose chart it is. Raises Refused."""
+    for path in STUDIES.glob("*.json"):
+        if chart == path.stem or chart.startswith(f"{path.stem}."):
+            return path
+    raise Refused(404, "there is no such chart")
+
+
+class Points(Answer):
+    """Where a chart's points lie (chart_points.py)."""
+
+    async def get(self, chart: str):
+        try:
+            path = study_of(chart)
+            known, at = self.application.charts, path.stat().st_mtime_ns
+            if (path, at) not in known:
+                code, out = await answers.run([sys.executable, ROOT / "common/course", "live.chart_points", path], lambda line: None, DRAW_S)
+                if code:
+                    raise Refused(500, "where the chart's points lie could not be found")
+                known[path, at] = json.loads(out)
+            study = json.loads(path.read_text())
+            self.say({"points": known[path, at].get(chart, []), "draws": can_draw(study)})
+        except Refused as why:
+            self.refuse(why)
+
+
+def can_draw(study: dict) -> bool:
+    """Whether a point is a picture of a scene that lies in the course."""
+    return study["subject"] == "frame" and bool(study.get("scenes")) and "truth" in study and study["chapter"] in chapters()
+
+
+def requests_of(chart, number) -> tuple[str, dict, dict]:
+    """The chapter, and the requests for a point's picture and for its truth. Raises Refused."""
+    study = json.loads(study_of(chart if isinstance(chart, str) else "").read_text())
+    if not can_draw(study) or isinstance(number, bool) or not isinstance(number, int) or not 0 <= number < len(study["points"]):
+        raise Refused(404, "there is no picture of that point")
+    point = study["points"][number]
+    scene = study["scenes"].get(point["scene"], {})
+    if not scene.get("file"):
+        raise Refused(404, "there is no scene of that point")
+
+    def request(*parts: dict, method: str) -> dict:
+        knobs = {name: text(value) for part in parts for name, value in part.items()}
+        return {"words": ["--scene", scene["file"]], "size": SIZE, "still": True, "set": ({"method": method} if method else {}) | knobs}
+    truth = study["truth"]
+    return study["chapter"], request(scene.get("set", {}), point.get("knobs", {}), method=point["method"]), \
+        request(scene.get("set", {}), truth.get("knobs", {}), method=truth.get("method", ""))
+
+
+def text(value) -> str:
+    """A knob's value as --set takes it."""
+    return "on" if value is True else "off" if value is False else value if isinstance(value, str) else json.dumps(value)
+
+
+async def show(socket, chart, number):
+    """Sends a point's picture, its truth and the error between them, each to a place of the page."""
+    programs = socket.application.programs
+    chapter, *requests = requests_of(chart, number)
+    answered = [asyncio.get_running_loop().create_future() for _ in requests]
+    for i, request in enumerate(requests):
+        def deliver(answer, picture, i=i):
+            socket.deliver(f"chart.{i}", number, answer, picture)
+            if not answered[i].done():
+                answered[i].set_result((answer, picture))
+        programs.ask(chapter, (socket, f"chart.{i}"), request, deliver)
+    done = await asyncio.wait_for(asyncio.gather(*answered), 300)
+    if any(answer["code"] for answer, _ in done):
+        return
+    with tempfile.TemporaryDirectory(prefix="lightwalk_error_") as folder:
+        files = [Path(folder, name) for name in ("picture.png", "truth.png", "error.png")]
+        for file, (_, picture) in zip(files, done):
+            file.write_bytes(picture)
+        code, out = await answers.run([BUILD / "compare", files[1], files[0], "--json", "--heatmap", files[2]], lambda line: None, DRAW_S)
+        if not files[2].is_file():
+            return
+        mean = json.loads(out)["flip"]["mean"] if code == 0 else None
+        socket.deliver("chart.2", number, {"code": 0, "error": "", "format": "png", "flip_mean": mean}, files[2].read_bytes())

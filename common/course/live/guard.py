@@ -1,0 +1,91 @@
+"""Who may ask the server, and how often."""
+
+import hmac
+import time
+from urllib.parse import urlsplit
+
+from tornado.web import HTTPError, RequestHandler
+
+# A lesson asks for some sixty files; ten tabs that open at once are below the burst.
+REQUESTS_A_S, REQUESTS_AT_ONCE = 100, 800
+# Mkdocs' theme has small scripts and styles within its pages; nothing is asked from elsewhere.
+POLICY = ("default-src 'none'; script-src 'self' 'unsafe-inline' blob:; style-src 'self' 'unsafe-inline'; font-src 'self' data:; "
+          "img-src 'self' data: blob:; connect-src 'self' blob:; worker-src 'self' blob:; form-action 'none'; base-uri 'none'; "
+          "frame-ancestors 'self'")
+
+
+class Bucket:
+    """So many at once, so many a second."""
+
+    def __init__(self, a_second: float, at_once: float):
+        self.a_second, self.at_once, self.left, self.at_s = a_second, at_once, at_once, time.monotonic()
+
+    def take(self) -> bool:
+        now_s = time.monotonic()
+        self.left = min(self.at_once, self.left + self.a_second * (now_s - self.at_s))
+        self.at_s = now_s
+        if self.left < 1:
+            return False
+        self.left -= 1
+        return True
+
+
+class Guard:
+    """What a request must bring: the name of this server as its host, and the token; from a page also the page's origin.
+
+    The host is looked at because a foreign page may give a name of its own this machine's address. On a Unix socket, whose
+    file is its user's alone, and where something else has looked who asks, there is no token."""
+
+    def __init__(self, token: str | None, hosts: set[str]):
+        self.token, self.hosts = token, hosts
+        self.bucket = Bucket(REQUESTS_A_S, REQUESTS_AT_ONCE)
+
+    def knows_host(self, request) -> bool:
+        return request.host.lower() in self.hosts
+
+    def knows_origin(self, request) -> bool:
+        """Whether the request comes from one of our own pages."""
+        origin = request.headers.get("Origin", "")
+        return urlsplit(origin).scheme in ("http", "https") and urlsplit(origin).netloc.lower() == request.host.lower() \
+            and self.knows_host(request)
+
+    def has_token(self, given: str) -> bool:
+        return self.token is None or hmac.compare_digest(given.encode(errors="replace"), self.token.encode())
+
+
+class Guarded(RequestHandler):
+    """A request that passes the guard, or an answer of one line."""
+
+    NAME = "lightwalk"
+
+    def cookie_name(self) -> str:
+        return f"{self.NAME}_{self.request.host.rpartition(':')[2] or 'socket'}"  # cookies know no ports
+
+    def set_default_headers(self):
+        self.set_header("Server", "Lightwalk")
+        self.set_header("Content-Security-Policy", POLICY)
+        self.set_header("X-Content-Type-Options", "nosniff")
+        self.set_header("Referrer-Policy", "no-referrer")
+        self.set_header("Cross-Origin-Resource-Policy", "same-origin")
+        self.set_header("Cache-Control", "no-cache")
+
+    def prepare(self):
+        guard = self.application.guard
+        if not guard.bucket.take():
+            self.set_header("Retry-After", "1")
+            raise HTTPError(429, reason="Too many requests: wait a second")
+        if not guard.knows_host(self.request):
+            raise HTTPError(403, reason="This server does not have that name")
+        if not guard.has_token(self.get_cookie(self.cookie_name(), "")):
+            given = self.get_query_argument("token", "")
+            if self.request.method != "GET" or not given or not guard.has_token(given):
+                raise HTTPError(403, reason="Open the address that ./course serve printed: it has a token")
+            self.set_cookie(self.cookie_name(), given, httponly=True, samesite="Strict")
+            self.redirect("/" + self.request.path.lstrip("/"))  # never //elsewhere
+            return
+        if self.request.method != "GET" and not guard.knows_origin(self.request):
+            raise HTTPError(403, reason="Another page may not ask this")
+
+    def write_error(self, status_code, **_):
+        self.set_header("Content-Type", "text/plain; charset=utf-8")
+        self.finish(f"{self._reason}\n")

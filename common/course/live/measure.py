@@ -1,0 +1,60 @@
+"""Measures how fast pictures answer: python3 common/course live.measure [NN...]
+
+A row of Markdown for each chapter, the first shot of each: the first picture of a program that has just been started and
+of one that is warm, the median for a knob that is dragged, at 480 x 270 as a JPEG, and pictures a second while orbiting.
+The load of the machine stands beside them: other work on the same cores makes all of it longer.
+"""
+
+import asyncio
+import json
+import os
+import statistics
+import subprocess
+import sys
+import time
+
+from live.programs import Program
+from tree import ROOT, chapter_program, find_chapter, say, shots
+
+SIZE, ROUNDS = [480, 270], 20
+DEFAULT = ("02", "03", "04", "05", "06", "07", "08")
+
+
+def knob_to_drag(chapter: str) -> dict:
+    """The last number that is declared and is not 0: it is dragged upwards from its default. Far from it a chapter may
+    take many times as long, as lights do that reach everything."""
+    said = subprocess.run([chapter_program(chapter), "--list", "knobs", "--json"], cwd=ROOT, stdout=subprocess.PIPE, check=True)
+    numbers = [knob for knob in json.loads(said.stdout) if knob["type"] == "number" and isinstance(knob["default"], float) and knob["default"] > 0]
+    return numbers[-1]
+
+
+async def measure(chapter: str) -> str:
+    program, words = Program(chapter), ["--shot", shots(chapter)[0]["name"]]
+    knob = knob_to_drag(chapter)
+
+    async def timed_ms(**more) -> float:
+        began_s = time.monotonic()
+        answer, picture = await program.draw({"words": words, "size": SIZE, **more})
+        if answer["code"] or not picture:
+            raise SystemExit(f"{chapter}: {answer['error']}")
+        return 1000 * (time.monotonic() - began_s)
+    try:
+        first, warm = await timed_ms(still=True), await timed_ms(still=True)
+        dragged = [await timed_ms(set={knob["name"]: f"{min(knob['default'] * (1 + i / ROUNDS), knob['range'][1]):g}"}) for i in range(ROUNDS)]
+        orbit = [await timed_ms(turn_rad=0.02 * i) for i in range(ROUNDS)]
+    finally:
+        await program.end()
+    return (f"| {chapter[:2]} {words[1]} | {first / 1000:.1f} s | {warm / 1000:.2f} s | {knob['name']} | {statistics.median(dragged):.0f} ms | "
+            f"{1000 / statistics.median(orbit):.1f} |")
+
+
+def main(words: list[str]) -> int:
+    say("| shot | first picture | warm | knob | dragged, median | orbit, pictures a second |\n|---|--:|--:|---|--:|--:|")
+    for word in words or DEFAULT:
+        say(asyncio.run(measure(find_chapter(word))))
+    say(f"\nload {os.getloadavg()[0]:.0f} on {os.cpu_count()} cores")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

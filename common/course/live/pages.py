@@ -1,0 +1,137 @@
+"""What the server hands out: the pages of ./course docs with a script more, and what the script asks for."""
+
+import asyncio
+import json
+import mimetypes
+from pathlib import Path
+
+from live import answers
+from live.answers import Refused
+from live.guard import Guarded
+from shots.golden import golden_path
+from tornado.web import HTTPError
+from tree import ROOT, chapter_program, chapters, shots
+
+SITE = Path(__file__).parent / "site"
+CODEMIRROR = Path("/usr/share/javascript/codemirror")
+EDITOR = ["lib/codemirror.js", "lib/codemirror.css", "mode/clike/clike.js", "addon/edit/matchbrackets.js",
+          "addon/edit/closebrackets.js", "addon/comment/comment.js"]
+SCRIPTS = ["client.js", "picture.js", "knobs.js", "panel.js", "exercise.js", "chart.js", "start.js"]
+STYLES = ["live.css"]
+OURS = {f"cm/{name}": CODEMIRROR / name for name in EDITOR} | {name: SITE / name for name in [*SCRIPTS, *STYLES]}
+LIST_S = 60
+
+
+def head(depth: int) -> str:
+    """What a page has more where the server answers; without it the page is the one on disk."""
+    up = "../" * depth
+    names = [*(f"cm/{name}" for name in EDITOR), *STYLES, *SCRIPTS]
+    return "".join(f'<link rel="stylesheet" href="{up}live/{name}">' if name.endswith(".css") else
+                   f'<script defer src="{up}live/{name}"></script>' for name in names)
+
+
+class Page(Guarded):
+    """A file of the pages."""
+
+    def initialize(self, folder: Path):
+        self.folder = folder
+
+    def get(self, path: str):
+        if "\0" in path:
+            raise HTTPError(404, reason="There is no such page")
+        file = self.folder / (path or "index.html")
+        try:
+            inside = file.resolve().is_relative_to(self.folder.resolve()) and file.is_file()
+        except OSError:  # a name that is too long
+            inside = False
+        if not inside:
+            raise HTTPError(404, reason="There is no such page")
+        data = file.read_bytes()
+        kind = mimetypes.guess_type(file.name)[0] or "application/octet-stream"
+        if file.suffix == ".html":
+            data = data.replace(b"</head>", head(path.count("/")).encode() + b"</head>", 1)
+            kind = "text/html; charset=utf-8"
+        self.set_header("Content-Type", kind)
+        self.finish(data)
+
+
+class Ours(Guarded):
+    """A script, a style, the editor."""
+
+    def get(self, name: str):
+        if name not in OURS:
+            raise HTTPError(404, reason="There is no such file")
+        self.set_header("Content-Type", {".js": "text/javascript; charset=utf-8", ".css": "text/css"}[Path(name).suffix])
+        self.finish(OURS[name].read_bytes())
+
+
+class Golden(Guarded):
+    """The accepted picture of a shot: what a picture shows until its chapter draws it."""
+
+    def get(self, chapter: str, shot: str):
+        if chapter not in chapters() or shot not in [one["name"] for one in shots(chapter)] or \
+                not golden_path(chapter, shot).is_file():
+            raise HTTPError(404, reason="There is no such picture")
+        self.set_header("Content-Type", "image/png")
+        self.finish(golden_path(chapter, shot).read_bytes())
+
+
+class Answer(Guarded):
+    """JSON, and refusals as JSON."""
+
+    def say(self, value, status: int = 200):
+        self.set_status(status)
+        self.set_header("Content-Type", "application/json")
+        self.finish(json.dumps(value))
+
+    def refuse(self, why: Refused):
+        self.say({"error": str(why)} | why.more, why.status)
+
+
+class Course(Answer):
+    def get(self):
+        self.say(answers.catalogue() | {"progress": self.application.verdicts.progress()})
+
+
+class Knobs(Answer):
+    """The knobs of a chapter, as --list knobs --json tells them."""
+
+    async def get(self, chapter: str):
+        if chapter not in chapters():
+            raise HTTPError(404, reason="There is no such chapter")
+        known, program = self.application.knobs, chapter_program(chapter)
+        at = program.stat().st_mtime_ns if program.exists() else 0
+        if (chapter, at) not in known:
+            process = await asyncio.create_subprocess_exec(program, "--list", "knobs", "--json", cwd=ROOT,
+                                                           stdout=asyncio.subprocess.PIPE) if at else None
+            out = (await asyncio.wait_for(process.communicate(), LIST_S))[0] if at else b""
+            if not at or process.returncode:
+                return self.refuse(Refused(503, f"chapter {chapter[:2]} is not built: ./course run {chapter[:2]} builds it"))
+            known[chapter, at] = json.loads(out)
+        self.say(known[chapter, at])
+
+
+class Exercise(Answer):
+    """An exercise's file: read, and written where it is still what the page has read."""
+
+    def get(self, exercise: str):
+        try:
+            self.say(answers.read(exercise))
+        except Refused as why:
+            self.refuse(why)
+
+    def put(self, exercise: str):
+        try:
+            try:
+                request = json.loads(self.request.body)
+            except ValueError:
+                raise Refused(400, "the request is not JSON") from None
+            if not isinstance(request, dict):
+                raise Refused(400, "the request is not an object")
+            said = answers.write(exercise, request.get("text"), request.get("base"))
+        except Refused as why:
+            return self.refuse(why)
+        except OSError as error:
+            return self.refuse(Refused(500, f"it could not be written: {error.strerror}"))
+        self.application.written(exercise)
+        self.say(said)

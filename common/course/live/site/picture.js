@@ -1,0 +1,184 @@
+"use strict";
+
+// A picture of the page that its chapter draws: one side, or two under a slider. What it shows is `state` and no more, so
+// that a question says all there is to know.
+class Picture {
+  static count = 0;
+  static all = [];
+
+  // frame: the element that holds the images. sides: {image, shot, over}, where `over` replaces parts of the state.
+  constructor(frame, chapter, sides) {
+    Object.assign(this, {frame, chapter, sides, place: `p${++Picture.count}`, state: Picture.fresh(), answers: []});
+    this.listeners = [];
+    frame.classList.add("live-frame");
+    frame.tabIndex = 0;
+    frame.picture = this;
+    this.note = make("span", {className: "live-note"});
+    frame.append(this.note);
+    Picture.all.push(this);
+    for (const side of sides) side.image.draggable = false;
+    frame.addEventListener("pointerenter", () => this.warm(), {once: true});
+    frame.addEventListener("pointerdown", event => this.press(event));
+    frame.addEventListener("wheel", event => this.turn_wheel(event), {passive: false});
+    frame.addEventListener("dblclick", () => this.change({turn_rad: 0, tilt_rad: 0, notches: 0, pan: [0, 0]}));
+    frame.addEventListener("keydown", event => this.press_key(event));
+    // The page's own click shows a picture large.
+    frame.addEventListener("click", event => { event.stopPropagation(); event.preventDefault(); }, true);
+  }
+
+  static fresh() {
+    return {set: {}, use: "solution", look: "", turn_rad: 0, tilt_rad: 0, notches: 0, pan: [0, 0], time_s: 0};
+  }
+
+  // The chapter starts before it is needed.
+  warm() {
+    if (!this.warmed) this.draw(true);
+  }
+
+  change(part, still = true) {
+    Object.assign(this.state, part);
+    this.draw(still);
+    for (const listener of this.listeners) listener(part);
+  }
+
+  knob(name, value, still = true) {
+    const set = {...this.state.set};
+    if (value === null) delete set[name];
+    else set[name] = String(value);
+    this.change({set}, still);
+  }
+
+  // Half the size while something moves, and the whole when it rests.
+  draw(still) {
+    this.warmed = true;
+    clearTimeout(this.rest);
+    if (!still) this.rest = setTimeout(() => this.draw(true), 250);
+    if (this.drawing_soon) {
+      this.drawing_still = still;
+      return;
+    }
+    this.drawing_soon = true;
+    this.drawing_still = still;
+    requestAnimationFrame(() => {
+      this.drawing_soon = false;
+      this.ask(this.drawing_still);
+    });
+  }
+
+  ask(still) {
+    const [wide, high] = this.shown_size(still);
+    this.sides.forEach((side, i) => {
+      const over = side.over ?? {}, {set, ...state} = this.state;
+      const request = {...state, ...over, set: {...set, ...over.set}, chapter: this.chapter, shot: side.shot,
+        size: [wide, high], still};
+      this.asked_at = performance.now();
+      Live.draw(`${this.place}.${i}`, request, (answer, picture, last) => this.show(i, answer, picture, last));
+    });
+    this.note.textContent ||= "…";
+  }
+
+  shown_size(still) {
+    const box = this.frame.getBoundingClientRect(), image = this.sides[0].image;
+    const aspect = (this.aspect ??= (image.naturalHeight / image.naturalWidth) || 9 / 16);
+    const wide = Math.min(Math.max(box.width || 480, 160) * Math.min(devicePixelRatio, 2), 1280) * (still ? 1 : 0.5);
+    return [Math.round(wide), Math.max(16, Math.round(wide * aspect))];
+  }
+
+  show(i, answer, picture, last) {
+    this.ms = performance.now() - this.asked_at;
+    this.answers[i] = answer;
+    const image = this.sides[i].image;
+    if (picture) {
+      const url = URL.createObjectURL(picture), old = this.sides[i].url;
+      this.sides[i].url = url;
+      image.onload = () => old && URL.revokeObjectURL(old);
+      image.src = url;
+    }
+    const wrong = answer.error || answer.errors?.[0] || "";
+    this.frame.classList.toggle("live-wrong", Boolean(wrong));
+    this.note.textContent = wrong || (last ? "" : this.note.textContent);
+    this.note.title = [answer.error, ...answer.errors ?? []].filter(Boolean).join("\n");
+    if (answer.code === 3 && last && Date.now() > (this.mended ?? 0) + 10000) { // it ended, and starts again
+      this.mended = Date.now();
+      setTimeout(() => this.draw(true), 500);
+    }
+    for (const listener of this.listeners) listener({answer, i});
+  }
+
+  get divider() {
+    return this.frame.querySelector("input[type=range]");
+  }
+
+  near_divider(x) {
+    const box = this.frame.getBoundingClientRect();
+    return this.divider && Math.abs((x - box.left) / box.width - this.divider.value / 100) < 28 / box.width;
+  }
+
+  press(event) {
+    if (event.button > 2 || event.target.closest("button, a")) return;
+    Live.emit("chosen", this);
+    this.frame.focus({preventScroll: true});
+    const divides = this.near_divider(event.clientX), pans = event.shiftKey || event.button !== 0;
+    let {clientX: x, clientY: y} = event, moved = false;
+    event.preventDefault();
+    this.frame.setPointerCapture(event.pointerId);
+    const move = to => {
+      const box = this.frame.getBoundingClientRect(), right = to.clientX - x, down = to.clientY - y;
+      [x, y] = [to.clientX, to.clientY];
+      moved ||= Boolean(right || down);
+      if (divides) {
+        this.divider.value = 100 * (x - box.left) / box.width;
+        this.divider.dispatchEvent(new Event("input"));
+      } else if (pans) {
+        const [a, b] = this.state.pan;
+        this.change({pan: [a + right / box.height, b + down / box.height]}, false);
+      } else if (right || down) {
+        this.change({turn_rad: this.state.turn_rad - 3 * right / box.width, tilt_rad: this.state.tilt_rad + 2 * down / box.height}, false);
+      }
+    };
+    const release = () => {
+      this.frame.removeEventListener("pointermove", move);
+      this.frame.removeEventListener("pointerup", release);
+      this.frame.removeEventListener("pointercancel", release);
+      if (!moved) Live.emit("clicked", this);
+    };
+    this.frame.addEventListener("pointermove", move);
+    this.frame.addEventListener("pointerup", release);
+    this.frame.addEventListener("pointercancel", release);
+  }
+
+  // Only a picture that was chosen takes the wheel from the page.
+  turn_wheel(event) {
+    if (document.activeElement !== this.frame && !event.ctrlKey) return;
+    event.preventDefault();
+    this.change({notches: this.state.notches - Math.sign(event.deltaY)}, false);
+  }
+
+  press_key(event) {
+    const turns = {ArrowLeft: ["turn_rad", -0.1], ArrowRight: ["turn_rad", 0.1], ArrowUp: ["tilt_rad", 0.1],
+      ArrowDown: ["tilt_rad", -0.1], "+": ["notches", 1], "-": ["notches", -1]}[event.key];
+    if (!turns || event.target !== this.frame) return;
+    event.preventDefault();
+    this.change({[turns[0]]: this.state[turns[0]] + turns[1]}, false);
+  }
+
+  // A second side with another knob or another version of an exercise; null takes it away.
+  split(over, names) {
+    this.frame.querySelectorAll(".live-second, input[type=range], .live-name").forEach(one => one.remove());
+    this.sides.length = 1;
+    this.frame.classList.toggle("slide", Boolean(over));
+    if (over) {
+      const first = this.sides[0], image = first.image.cloneNode();
+      image.className = "live-second";
+      const range = make("input", {type: "range", min: 0, max: 100, step: 0.5, value: 50});
+      range.setAttribute("aria-label", `${names[0]} left of the divider, ${names[1]} right of it`);
+      range.addEventListener("input", () => this.frame.style.setProperty("--at", `${range.value}%`));
+      first.image.after(image, range);
+      this.frame.style.setProperty("--at", "50%");
+      this.frame.append(make("span", {className: "live-name left", textContent: names[0]}),
+                        make("span", {className: "live-name right", textContent: names[1]}));
+      this.sides.push({image, shot: first.shot, over});
+    }
+    this.draw(true);
+  }
+}

@@ -1,0 +1,191 @@
+#include "common/window/stream.h"
+
+#include <cstdio>
+#include <iostream>
+#include <list>
+#include <nlohmann/json.hpp>
+
+#include "common/app/headless.h"
+#include "common/app/look.h"
+#include "common/app/read_picture.h"
+#include "common/base/error.h"
+#include "common/base/exercise.h"
+#include "common/image/encode.h"
+#include "common/window/camera_control.h"
+#include "common/window/live_chapter.h"
+
+namespace lightwalk {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+constexpr size_t most_warm = 3;     // a page shows several pictures of a chapter
+constexpr int most_frames = 16;     // of a shot that lets its picture settle
+constexpr int moving_quality = 85;  // of a JPEG
+
+// What a line of words loaded, and how it was before requests turned it.
+struct Warm {
+    Words words;
+    std::unique_ptr<Chapter> chapter;
+    Options options;
+    std::unique_ptr<LiveChapter> live;
+    std::unique_ptr<Frame> frame;
+    Image looked_at;
+    Camera camera;
+    Words settings;  // of all knobs
+};
+
+class Stream {
+  public:
+    Stream(std::string name, const MakeChapter& make, Gpu& gpu) : name_(std::move(name)), make_(make), gpu_(gpu) {
+        gpu.pipelines.keep_last_good = true;
+    }
+
+    // The answer; the picture goes into `bytes`.
+    json answer(const json& request, std::string& bytes);
+
+  private:
+    Warm& find(const Words& words);
+    void turn(Warm& warm, const json& request) const;
+    std::string name_;
+    const MakeChapter& make_;
+    Gpu& gpu_;
+    std::list<std::unique_ptr<Warm>> warm_;  // the last one used first
+};
+
+std::unique_ptr<Warm> load(Words words, const std::string& name, const MakeChapter& make, Gpu& gpu) {
+    auto warm = std::make_unique<Warm>();
+    warm->words = words;
+    warm->chapter = make();
+    Chapter& chapter = *warm->chapter;
+    chapter.name = name;
+    words.insert(words.begin(), name);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    auto options = read_options(static_cast<int>(arguments.size()), arguments.data(), chapter);
+    if (!options || options->automatic || options->headless() || options->command)
+        throw InputError("\"words\" name a scene or a shot, knobs and a size");
+    warm->options = std::move(*options);
+    const std::string& scene = warm->options.scene;
+    warm->live = std::make_unique<LiveChapter>(chapter, gpu, scene.empty() ? chapter.default_scene() : scene);
+    warm->live->load();
+    warm->frame = std::make_unique<Frame>(gpu);
+    warm->camera = chapter.camera;
+    for (const KnobBase* knob : chapter.all_knobs()) warm->settings.push_back(knob->text());
+    return warm;
+}
+
+Warm& Stream::find(const Words& words) {
+    const auto known = std::ranges::find_if(warm_, [&](const auto& one) { return one->words == words; });
+    if (known != warm_.end()) {
+        warm_.splice(warm_.begin(), warm_, known);
+        return *warm_.front();
+    }
+    while (warm_.size() >= most_warm) warm_.pop_back();
+    warm_.push_front(load(words, name_, make_, gpu_));
+    return *warm_.front();
+}
+
+// The size asked for, or the words' own.
+glm::uvec2 size_of(const json& request, const Options& options) {
+    if (!request.contains("size")) return options.size;
+    const glm::uvec2 size{request["size"].at(0).get<unsigned>(), request["size"].at(1).get<unsigned>()};
+    if (std::min(size.x, size.y) < 16 || std::max(size.x, size.y) > 2048)
+        throw InputError("\"size\": expected two numbers, each from 16 to 2048");
+    return size;
+}
+
+// Knobs and camera, each time from what was loaded: a request says all there is to know.
+void Stream::turn(Warm& warm, const json& request) const {
+    Chapter& chapter = *warm.chapter;
+    const KnobList knobs = chapter.all_knobs();
+    std::map<const KnobBase*, std::string> wanted;
+    const json set = request.value("set", json::object());
+    for (const auto& [name, value] : set.items())
+        wanted[&find_knob(knobs, name == "method" ? chapter.method_knob : name)] =
+            value.is_string() ? value.get<std::string>() : value.dump();
+    for (size_t i = 0; i < knobs.size(); ++i) {
+        const auto asked = wanted.find(knobs[i]);
+        const std::string& text = asked == wanted.end() ? warm.settings[i] : asked->second;
+        if (knobs[i]->text() != text) knobs[i]->set(text);
+    }
+    Camera& camera = chapter.camera = warm.camera;
+    const float turn_rad = request.value("turn_rad", 0.0f), tilt_rad = request.value("tilt_rad", 0.0f);
+    if (turn_rad != 0 || tilt_rad != 0) CameraControl::orbit(camera, turn_rad, tilt_rad);
+    if (const float notches = request.value("notches", 0.0f); notches != 0)
+        CameraControl::zoom(camera, notches, chapter.scene.bounds);
+    if (request.contains("pan"))
+        CameraControl::pan(camera, {request["pan"].at(0).get<float>(), request["pan"].at(1).get<float>()}, 1.0f);
+}
+
+json passes_json(const std::vector<PassTime>& times) {
+    json passes = json::array();
+    std::vector<PassTime> sums;  // a pass may have been recorded more than once
+    add_times(sums, times);
+    for (const PassTime& time : sums) passes.push_back({time.name, time.stage, time.gpu_ms});
+    return passes;
+}
+
+json Stream::answer(const json& request, std::string& bytes) {
+    Exercises::use("solution");
+    Exercises::use(request.value("use", "solution"));
+    const bool changed = gpu_.pipelines.forget_changed_files();
+    Warm& warm = find(request.at("words").get<Words>());
+    turn(warm, request);
+    const glm::uvec2 size = size_of(request, warm.options);
+    const bool still = request.value("still", false);
+    const int frames = still ? std::min(warm.options.frames, most_frames) : 1;
+    const float time_s = warm.options.time_s + request.value("time_s", 0.0f);
+    const Look look{.output = request.value("look", "")};
+    gpu_.pipelines.errors.clear();
+    if (still) warm.chapter->forget_history();
+    look.attach(*warm.frame, warm.looked_at, warm.chapter->camera, warm.chapter->scene.bounds);
+    for (int i = 0; i < frames; ++i)
+        warm.live->draw(*warm.frame, {size, time_s + static_cast<float>(i) / 60.0f, warm.options.seed, {}});
+    json said{{"code", 0}, {"error", ""}};
+    if (const std::string wrong = warm.live->load_error + warm.live->frame_error; !wrong.empty())
+        said = {{"code", 1}, {"error", wrong}};
+    else
+        look.check(*warm.frame);
+    if (warm.live->frame_error.empty()) {
+        const Image8 picture = read_picture(gpu_, look.picture(*warm.frame, warm.looked_at));
+        bytes = still ? encode_png(picture) : encode_jpeg(picture, moving_quality);
+    }
+    said["size"] = {size.x, size.y};
+    said["format"] = still ? "png" : "jpeg";
+    said["passes"] = passes_json(warm.frame->times);
+    said["looks"] = Look::names(*warm.frame);
+    said["status"] = warm.chapter->status();
+    said["moves"] = warm.chapter->any_animated();
+    said["changed"] = changed;
+    said["device"] = gpu_.device.info.name;
+    json& errors = said["errors"] = json::array();
+    for (const auto& [pipeline, error] : gpu_.pipelines.errors) errors.push_back(error);
+    return said;
+}
+
+}  // namespace
+
+int stream_pictures(const Options& options, const std::string& name, const MakeChapter& make,
+                    std::unique_ptr<Gpu>& gpu) {
+    gpu = make_gpu(options);
+    Stream stream(name, make, *gpu);
+    for (std::string line; std::getline(std::cin, line);) {
+        std::string bytes;
+        json said;
+        try {
+            said = stream.answer(json::parse(line), bytes);
+        } catch (const InputError& e) { said = {{"code", 2}, {"error", e.what()}}; } catch (const json::exception&) {
+            said = {{"code", 2}, {"error", "a line is no request: " + line.substr(0, 200)}};
+        } catch (const std::exception& e) { said = {{"code", 1}, {"error", e.what()}}; }
+        if (said["code"] == 2) bytes.clear();
+        said["bytes"] = bytes.size();
+        std::printf("%s\n", said.dump(-1, ' ', false, json::error_handler_t::replace).c_str());
+        std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+        std::fflush(stdout);
+    }
+    return 0;
+}
+
+}  // namespace lightwalk

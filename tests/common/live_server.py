@@ -1,0 +1,149 @@
+"""A server of ./course serve for tests, and what talks to it without a browser."""
+
+import asyncio
+import contextlib
+import json
+import os
+import re
+import signal
+import struct
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from pathlib import Path
+
+from small_course import clean_environment
+
+# A chapter's program that answers with its request. The knob "do" makes it crash or hang.
+PROGRAM = f"""#!{sys.executable}
+import json, os, sys, time
+if "--list" in sys.argv:
+    print(json.dumps([{{"name": "do", "type": "choice", "options": ["draw", "crash", "hang", "large"], "default": "draw", "help": ""}}]))
+    sys.exit()
+for line in sys.stdin:
+    request = json.loads(line)
+    what = request["set"].get("do")
+    if what == "crash":
+        sys.stderr.write("it fell\\n")
+        sys.stderr.flush()
+        os.abort()
+    time.sleep(1000 if what == "hang" else 0.02)
+    picture = b"x" * 1000000 if what == "large" else line.encode()
+    print(json.dumps({{"code": 0, "error": "", "bytes": len(picture), "format": "png", "pid": os.getpid()}}), flush=True)
+    sys.stdout.buffer.write(picture)
+    sys.stdout.flush()
+"""
+
+
+class Server:
+    """Use it as a context: `address` with the token, `base` without, `cookie` as a header's value."""
+
+    def __init__(self, root: Path, *words, **environment):
+        self.process = subprocess.Popen(
+            [sys.executable, root / "common/course/cli.py", "serve", "--no-build", "--port", "0", *words], cwd=root,
+            env=clean_environment() | environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
+        self.address = self.process.stdout.readline().strip()
+        found = re.fullmatch(r"(http://127.0.0.1:(\d+)/)\?token=(.+)", self.address)
+        if not found:
+            self.__exit__()
+            raise RuntimeError(f"the server said {self.address!r}")
+        self.base, self.port, self.token = found[1], int(found[2]), found[3]
+        self.host, self.origin = f"127.0.0.1:{self.port}", self.base.rstrip("/")
+        self.cookie = f"lightwalk_{self.port}={self.token}"
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.send_signal(signal.SIGTERM)
+        try:
+            self.process.wait(20)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+        self.process.stdout.close()
+
+    def ask(self, path: str, method: str = "GET", body=None, **headers) -> tuple[int, bytes]:
+        """Status and body; with cookie and origin unless headers say otherwise (None leaves one out)."""
+        sent = {"Cookie": self.cookie, "Origin": self.origin} | {name.replace("_", "-"): value for name, value in headers.items()}
+        data = json.dumps(body).encode() if body is not None and not isinstance(body, bytes) else body
+        request = urllib.request.Request(self.base + path, data, {name: value for name, value in sent.items() if value is not None},
+                                         method=method)
+        try:
+            with urllib.request.urlopen(request, timeout=30) as answer:
+                return answer.status, answer.read()
+        except urllib.error.HTTPError as error:
+            with error:
+                return error.code, error.read()
+
+    def raw_get(self, path: str) -> bytes:
+        return f"GET {path} HTTP/1.1\r\nHost: {self.host}\r\nCookie: {self.cookie}\r\n\r\n".encode()
+
+    def handshake(self) -> bytes:
+        """The request that opens the socket of a page."""
+        return (f"GET /live/socket HTTP/1.1\r\nHost: {self.host}\r\nCookie: {self.cookie}\r\nOrigin: {self.origin}\r\n"
+                "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+                "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n").encode()
+
+    async def socket(self, **headers):
+        """A page's socket."""
+        from tornado.httpclient import HTTPRequest
+        from tornado.websocket import websocket_connect
+        sent = {"Cookie": self.cookie, "Origin": self.origin} | headers
+        page = await websocket_connect(HTTPRequest(self.base.replace("http", "ws") + "live/socket", headers=sent))
+        self.pages.append(page)
+        return page
+
+    def run(self, talk):
+        """The result of a function that talks through sockets, which are closed afterwards."""
+        async def whole():
+            self.pages = []
+            try:
+                return await talk()
+            finally:
+                for page in self.pages:
+                    page.close()
+                for page in self.pages:
+                    with contextlib.suppress(asyncio.TimeoutError):
+                        while await asyncio.wait_for(page.read_message(), 2) is not None:
+                            pass
+        return asyncio.run(whole())
+
+    def memory_mb(self) -> float:
+        return int(re.search(r"VmRSS:\s*(\d+)", Path(f"/proc/{self.process.pid}/status").read_text())[1]) / 1024
+
+
+def frame(text: bytes) -> bytes:
+    """A message of a socket as a browser frames it, with a mask of zeros."""
+    size = len(text)
+    head = bytes([0x80 | size]) if size < 126 else b"\xfe" + struct.pack(">H", size) if size < 65536 else \
+        b"\xff" + struct.pack(">Q", size)
+    return b"\x81" + head + b"\0\0\0\0" + text
+
+
+async def receive(socket, timeout_s: float = 20):
+    """(answer, picture) or (event, None); None where the socket was closed."""
+    message = await asyncio.wait_for(socket.read_message(), timeout_s)
+    if message is None or isinstance(message, str):
+        return (json.loads(message), None) if message else None
+    length = struct.unpack("<I", message[:4])[0]
+    return json.loads(message[4:4 + length]), message[4 + length:]
+
+
+def until(condition, timeout_s: float = 30):
+    """Waits for what happens elsewhere."""
+    end = time.monotonic() + timeout_s
+    while not condition():
+        if time.monotonic() > end:
+            raise AssertionError("it did not happen in time")
+        time.sleep(0.05)
+
+
+def is_there(pid: int) -> bool:
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    return True

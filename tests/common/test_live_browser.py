@@ -1,0 +1,211 @@
+"""Tests of ./course serve in a browser: chapter 02's lesson on a copy of the course, drawn by its program."""
+
+import base64
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from browser import CHROMIUM, Browser
+from live_server import Server, is_there, until
+from small_course import REAL
+
+BUILD = Path(os.environ.get("LIGHTWALK_BUILD", REAL / "build"))
+CHAPTER, EXERCISE = "02_lambert_phong", "02.lambert"
+FILE = f"shaders/{CHAPTER}/exercise/lambert.glsl"
+SHOWN = "Picture.all[0].answers[0]"
+EDITOR = "document.querySelector('.live-exercise').exercise"
+
+
+def copy_of_course(root: Path):
+    """What the server reads, and an exercise that may be edited; what is built is the course's own."""
+    for name in ("common/course", "shaders"):
+        shutil.copytree(REAL / name, root / name, ignore=shutil.ignore_patterns("__pycache__", "*.cpp"))
+    for path in [*REAL.glob("docs/*.md"), *REAL.glob("chapters/*/exercise/*.cpp"), REAL / "course"]:
+        (root / path.relative_to(REAL)).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(path, root / path.relative_to(REAL))
+    for name in ("assets", "tests"):
+        (root / name).symlink_to(REAL / name)
+    (root / "build").mkdir()
+    for name in ("chapters", "tests", "shader_cache", "docs"):
+        (root / "build" / name).symlink_to(BUILD / name)
+
+
+def has_pages() -> bool:
+    if not (BUILD / "docs/index.html").exists():  # test_pages leaves them there
+        subprocess.run(["/usr/bin/python3", REAL / "common/course/cli.py", "docs"], check=True, stdout=subprocess.DEVNULL)
+    return True
+
+
+@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+@unittest.skipUnless((REAL / FILE.replace("exercise", "solution")).exists(), "a handout has no answer to type")
+class InBrowser(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        has_pages()
+        made = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(made.cleanup)
+        cls.root = Path(made.name).resolve() / "course"
+        copy_of_course(cls.root)
+        cls.server = Server(cls.root, LIGHTWALK_ROOT=str(cls.root))
+        cls.addClassCleanup(cls.server.__exit__)
+        cls.browser = Browser(1400, 1000, server=cls.server.base)
+        cls.addClassCleanup(cls.browser.__exit__)
+        cls.browser.open(cls.server.address)
+
+    def setUp(self):
+        self.browser.complaints.clear()
+        self.browser.open(f"{self.server.base}{CHAPTER}.html")
+        self.browser.wait("document.body.classList.contains('live-ready')")
+
+    def tearDown(self):
+        self.assertEqual(self.browser.complaints, [])
+
+    def middle(self, selector: str) -> tuple[float, float, float]:
+        """The middle of an element, which is brought into view, and its width."""
+        return self.browser.evaluate(f"(e => {{ e.scrollIntoView({{block: 'center', behavior: 'instant'}}); const r = "
+                                     f"e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2, r.width]; }})"
+                                     f"({selector})")
+
+    def answered(self, condition: str = "true"):
+        """Waits for the whole picture after what was asked last."""
+        self.browser.wait(f"Boolean(!Live.asked.size && {SHOWN}?.format === 'png' && ({condition}))")
+
+    def picture(self) -> bytes:
+        return base64.b64decode(self.browser.evaluate(
+            "fetch(Picture.all[0].sides[0].image.src).then(a => a.blob()).then(b => new Promise(done => { const r = new FileReader();"
+            " r.onload = () => done(r.result.split(',')[1]); r.readAsDataURL(b); }))"))
+
+    def choose(self):
+        x, y, _ = self.middle("Picture.all[0].frame")
+        self.browser.drag((x, y), (x, y))
+        self.answered()
+
+    def test_a_picture_is_dragged_and_its_knobs_turned(self):
+        self.choose()
+        first = self.picture()
+        self.assertTrue(first.startswith(b"\x89PNG"))
+        x, y, width = self.middle("Picture.all[0].frame")
+        self.browser.drag((x, y + 60), (x + width / 4, y + 60))
+        self.answered("Picture.all[0].state.turn_rad < -0.5")
+        turned = self.picture()
+        self.assertNotEqual(turned, first)
+        row = "document.querySelector('.live-panel .live-knob input[type=range]')"
+        x, y, width = self.middle(row)
+        self.browser.drag((x, y), (x + width / 3, y))
+        self.answered("Object.keys(Picture.all[0].state.set).length === 1")
+        self.assertNotEqual(self.picture(), turned)
+        self.browser.evaluate("document.querySelector('.live-panel button').click()")
+        self.answered("Picture.all[0].state.turn_rad === 0 && !Object.keys(Picture.all[0].state.set).length")
+        self.assertEqual(self.picture(), first)
+        self.assertGreater(self.browser.evaluate(f"{SHOWN}.passes.length"), 1)
+
+    def test_every_lesson_is_live(self):
+        lessons = sorted(path.stem for path in (self.root / "docs").glob("[0-9][0-9]_*.md"))
+        for lesson in lessons if os.environ.get("CI") != "true" else lessons[::6]:
+            if not (self.root / "tests" / lesson / "shots.json").exists():
+                continue
+            with self.subTest(lesson=lesson):
+                self.browser.open(f"{self.server.base}{lesson}.html")
+                self.browser.wait("document.body.classList.contains('live-ready')")
+                count = self.browser.evaluate("[Picture.all.length, document.querySelectorAll('article img[src*=\"/golden/\"]').length, "
+                                              "document.querySelectorAll('.live-open').length, Live.course.chapters[Lesson.chapter].exercises.length]")
+                self.assertEqual(count[0], count[1])
+                self.assertEqual(count[2], count[3])
+                self.assertEqual(self.browser.evaluate("[innerWidth >= document.documentElement.scrollWidth]"), [True])
+
+    def test_a_knob_in_the_text_is_a_link(self):
+        self.choose()
+        before = self.picture()
+        link = "[...document.querySelectorAll('.live-link')].find(c => c.textContent === 'method')"
+        self.browser.evaluate(f"{link}.click()")
+        self.browser.wait("Boolean(Picture.all.some(p => p.state.set.method))")
+        self.browser.wait("!Live.asked.size")
+        shown = self.browser.evaluate("Picture.all.find(p => p.state.set.method).panel.element.querySelector('[data-knob=method] select').value")
+        self.assertEqual(shown, self.browser.evaluate("Picture.all.find(p => p.state.set.method).state.set.method"))
+        self.assertTrue(before)
+
+    def test_two_methods_stand_under_one_slider(self):
+        self.choose()
+        self.browser.evaluate("(s => { s.value = s.options[1].value; s.onchange(); })(document.querySelector('.live-split'))")
+        self.browser.wait("Boolean(!Live.asked.size && document.querySelector('.live-second')?.src.startsWith('blob:'))")
+        x, y, width = self.middle("Picture.all[0].frame")
+        self.browser.drag((x, y), (x + width / 4, y))
+        self.assertLess(abs(self.browser.evaluate("+Picture.all[0].divider.value") - 75), 3)
+        self.assertEqual(self.browser.evaluate("Picture.all[0].state.turn_rad"), 0)
+
+    def test_an_exercise_from_starter_to_solved(self):
+        file, answer = self.root / FILE, (REAL / FILE.replace("exercise", "solution")).read_text()
+        starter = file.read_text()
+        self.addCleanup(file.write_text, starter)
+        self.browser.evaluate(f"document.querySelector('.live-open[data-exercise=\"{EXERCISE}\"]').click()")
+        self.browser.wait("Boolean(document.querySelector('.CodeMirror'))")
+        self.middle("document.querySelector('.live-exercise')")
+        self.browser.evaluate(f"{EDITOR}.check()")
+        self.browser.wait("Boolean(document.querySelector('.live-verdict.open'))")
+        self.browser.evaluate(f"{EDITOR}.editor.setValue({EDITOR}.editor.getValue().replace('{{', '{{ oops'))")
+        self.browser.wait("Boolean(document.querySelector('.live-message'))")
+        line = next(i for i, line in enumerate(file.read_text().splitlines()) if "oops" in line)
+        self.assertIn(self.browser.evaluate("[...document.querySelectorAll('.live-mark')].length"), (1, 2))
+        self.assertLessEqual(abs(self.browser.evaluate(f"{EDITOR}.marks[0].line.lineNo()") - line), 1)
+        self.browser.evaluate(f"{EDITOR}.editor.setValue('')")
+        self.type_text(answer)
+        self.browser.wait("!document.querySelector('.live-message')")
+        self.browser.evaluate(f"{EDITOR}.check()")
+        self.browser.wait("Boolean(document.querySelector('.live-verdict.ok'))")
+        self.assertEqual(file.read_text(), answer)
+        self.assertIn("1 of ", self.browser.evaluate("document.querySelector('.live-progress').textContent"))
+        self.browser.call("Page.reload")
+        self.browser.wait("document.querySelector('.live-progress')?.textContent.startsWith('1 of ')")
+
+    def type_text(self, text: str):
+        self.browser.evaluate(f"{EDITOR}.editor.focus()")
+        self.browser.call("Input.insertText", text=text)
+
+    def test_a_file_that_is_changed_on_disk_is_not_overwritten(self):
+        file = self.root / FILE
+        starter = file.read_text()
+        self.addCleanup(file.write_text, starter)
+        self.browser.evaluate(f"document.querySelector('.live-open[data-exercise=\"{EXERCISE}\"]').click()")
+        self.browser.wait("Boolean(document.querySelector('.CodeMirror'))")
+        file.write_text(starter + "// theirs\n")
+        self.browser.wait(f"{EDITOR}.editor.getValue().endsWith('theirs\\n')")
+        self.browser.evaluate(f"clearTimeout({EDITOR}.typing); {EDITOR}.save = () => {{}}")
+        self.browser.evaluate(f"{EDITOR}.editor.setValue('// mine')")
+        file.write_text(starter + "// again\n")
+        self.browser.wait("Boolean(document.querySelector('.live-conflict'))")
+        self.assertTrue(file.read_text().endswith("again\n"))
+        self.browser.evaluate("document.querySelector('.live-conflict button').click()")
+        self.assertTrue(self.browser.evaluate(f"{EDITOR}.editor.getValue()").endswith("again\n"))
+
+    def test_a_crash_is_said_and_mended(self):
+        self.choose()
+        program = [int(path.parent.name) for path in Path("/proc").glob("[0-9]*/cmdline") if is_ours(path, self.server.process.pid)]
+        self.assertEqual(len(program), 1)
+        os.kill(program[0], signal.SIGSEGV)
+        until(lambda: not is_there(program[0]) or is_zombie(program[0]))
+        said = "new MutationObserver(() => { const t = Picture.all[0].note.textContent; if (t) (window.said ??= []).push(t); })" \
+               ".observe(Picture.all[0].note, {childList: true, characterData: true, subtree: true})"
+        self.browser.evaluate(said)
+        self.browser.evaluate("Picture.all[0].change({turn_rad: 1})")
+        self.browser.wait("Boolean(window.said?.some(t => t.includes('SIGSEGV')))")
+        self.answered(f"{SHOWN}.code === 0")
+
+
+def is_ours(path: Path, parent: int) -> bool:
+    """A chapter's program that the server has started."""
+    try:
+        return b"--stream" in path.read_bytes() and f"PPid:\t{parent}\n" in (path.parent / "status").read_text()
+    except OSError:
+        return False
+
+
+def is_zombie(pid: int) -> bool:
+    return "State:\tZ" in Path(f"/proc/{pid}/status").read_text()
+
+
+if __name__ == "__main__":
+    unittest.main()

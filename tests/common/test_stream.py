@@ -1,0 +1,80 @@
+"""Tests of a chapter's --stream: a picture is the one that the command line draws, and what is wrong is said."""
+
+import io
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from PIL import Image, ImageChops
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
+PROGRAM = BUILD / "chapters" / "02_lambert_phong"
+SHOT = ["--shot", "teapot"]
+
+
+class Stream(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.program = subprocess.Popen([PROGRAM, "--stream", "--validate", "on"], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        cls.addClassCleanup(cls.end)
+
+    @classmethod
+    def end(cls):
+        cls.program.stdin.close()
+        cls.program.wait(60)
+        cls.program.stdout.close()
+
+    def ask(self, line: bytes | None = None, **request) -> tuple[dict, bytes]:
+        self.program.stdin.write((line or json.dumps({"words": SHOT, "size": [160, 90]} | request).encode()) + b"\n")
+        self.program.stdin.flush()
+        answer = json.loads(self.program.stdout.readline())
+        return answer, self.program.stdout.read(answer["bytes"])
+
+    def picture(self, **request) -> Image.Image:
+        answer, picture = self.ask(still=True, **request)
+        self.assertEqual((answer["code"], answer["error"], answer["errors"]), (0, "", []))
+        return Image.open(io.BytesIO(picture)).convert("RGB")
+
+    def assert_same(self, one: Image.Image, other: Image.Image):
+        self.assertIsNone(ImageChops.difference(one, other).getbbox())
+
+    def test_a_picture_is_what_the_command_line_draws(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "a.png")
+            for words, request in (([], {}), (["--set", "method=phong"], {"set": {"method": "phong"}}),
+                                   (["--use", "exercise"], {"use": "exercise"}), (["--look", "encode_srgb"], {"look": "encode_srgb"})):
+                subprocess.run([PROGRAM, *SHOT, *words, "--size", "160x90", "--screenshot", file], cwd=ROOT, check=True)
+                self.assert_same(self.picture(**request), Image.open(file).convert("RGB"))
+
+    def test_a_request_says_all_there_is_to_know(self):
+        first = self.picture()
+        for change in ({"turn_rad": 0.5}, {"tilt_rad": 0.3}, {"notches": 4}, {"pan": [0.2, 0]}, {"set": {"method": "phong"}}):
+            self.assertIsNotNone(ImageChops.difference(first, self.picture(**change)).getbbox(), change)
+            self.assert_same(first, self.picture())
+
+    def test_what_moves_is_a_jpeg_and_tells_its_passes(self):
+        answer, picture = self.ask()
+        self.assertEqual((picture[:3], answer["format"], answer["size"]), (b"\xff\xd8\xff", "jpeg", [160, 90]))
+        self.assertIn("encode_srgb", [name for name, _, _ in answer["passes"]])
+        self.assertTrue(answer["looks"] and answer["device"])
+
+    def test_what_is_wrong_is_said_and_the_next_one_drawn(self):
+        for line, says in ((b"{", "a line is no request: {"), (b"[]", "a line is no request: []"), (b'{"words": 1}', "a line is no request")):
+            answer, picture = self.ask(line)
+            self.assertEqual((answer["code"], picture), (2, b""))
+            self.assertIn(says, answer["error"])
+        for request, says in (({"set": {"nope": "1"}}, "unknown knob 'nope'"), ({"size": [4, 4]}, '"size": expected two numbers'),
+                              ({"words": ["--shot", "nope"]}, "nope"), ({"use": "nope"}, "neither 'solution' nor 'exercise'"),
+                              ({"look": "nope"}, "--look: no pass 'nope'"), ({"words": [*SHOT, "--screenshot", "/tmp/x.png"]}, '"words" name')):
+            answer, picture = self.ask(**request)
+            self.assertEqual((answer["code"], picture), (2, b""), request)
+            self.assertIn(says, answer["error"])
+        self.picture()
+
+
+if __name__ == "__main__":
+    unittest.main()
