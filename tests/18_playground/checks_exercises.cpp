@@ -167,7 +167,8 @@ CHECK_EXERCISE(
     codes.truth = [](auto in) { return Row{in[0] - 1}; };
     codes.hint = nullptr;
     check.probe(codes);
-    for (const auto& [width, height, every] : {std::array{9, 7, 11}, {9, 7, 41}, {16, 1, 5}, {1, 1, 7}, {20, 20, 97}}) {
+    for (const auto& [width, height, every] :
+         {std::array{9, 7, 11}, {9, 7, 41}, {16, 1, 5}, {1, 1, 7}, {20, 20, 97}, {12, 12, 4}}) {
         const auto id_at = [=](int x, int y) { return (7 * x + 13 * y) % every == 3 ? 16777216 + y * width + x : 0; };
         Probe near{.include = "18_playground/id_buffer.glsl",
                    .before = "#include \"../tests/18_playground/known_ids.glsl\"\n",

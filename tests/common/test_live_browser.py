@@ -72,7 +72,7 @@ class InBrowser(unittest.TestCase):
 
     def answered(self, condition: str = "true"):
         """Waits for the whole picture after what was asked last."""
-        self.browser.wait(f"Boolean(!Live.asked.size && {SHOWN}?.format === 'png' && ({condition}))")
+        self.browser.wait(f"Boolean(!Picture.all[0].drawing_soon && !Live.asked.size && {SHOWN}?.format === 'png' && ({condition}))")
 
     def picture(self) -> bytes:
         return base64.b64decode(self.browser.evaluate(
