@@ -81,7 +81,8 @@ void Playground::draw_world(Frame& frame, const View& view) {
     Drawings drawn{backdrop, objects};
     if (air.is("sky")) drawn = {objects, sky};
     if (!water.method.is("none")) {
-        water.reflect(frame, view, {objects}, air.is("sky") ? Drawings{sky, atmosphere} : Drawings{});
+        // The water has the sun's glitter itself.
+        water.reflect(frame, view, {objects}, air.is("sky") ? Drawings{sky, atmosphere.without_disc()} : Drawings{});
         drawn.push_back(water);
     }
     if (air.is("sky")) drawn.push_back(atmosphere);

@@ -44,11 +44,10 @@ struct WaterPart : FilmPart {
     void draw_light(Frame& frame, const Camera& camera) override {
         const View view = look(frame, camera);
         scene_.set_sun(atmosphere.sun());
-        const float disc = std::exchange(atmosphere.disc.value, 0.0f);  // the water has the sun's glitter itself
+        Drawing& air = atmosphere.without_disc();  // the water has the sun's glitter itself
         light.record(frame, scene_);
-        probe.record(frame, scene_, light, {sky, atmosphere});
-        water.reflect(frame, view, {land, city, objects}, {sky, atmosphere, fog});
-        atmosphere.disc.value = disc;
+        probe.record(frame, scene_, light, {sky, air});
+        water.reflect(frame, view, {land, city, objects}, {sky, air, fog});
         Canvas canvas(frame.hdr, frame.depth);
         canvas.mixed_by(&transparency);
         draw(frame, view, canvas, {land, city, objects, sky, water, atmosphere, fog});
