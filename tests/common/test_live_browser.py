@@ -119,6 +119,9 @@ class InBrowser(unittest.TestCase):
                 self.browser.wait(f"Boolean(![...{IMAGES}].some(i => !i.closest('.live-frame')))")
                 count = self.browser.evaluate("[document.querySelectorAll('.live-open').length, Live.course.chapters[Lesson.chapter].exercises.length]")
                 self.assertEqual(*count)
+                # What an exercise asks for is read without scrolling sideways.
+                cut = "[...document.querySelectorAll('.spec pre > code')].map(c => c.scrollWidth > c.clientWidth + 1)"
+                self.assertEqual(self.browser.evaluate(f"[...new Set({cut})]"), [False])
                 self.assertEqual(self.browser.evaluate("[innerWidth >= document.documentElement.scrollWidth]"), [True])
 
     def test_each_cell_of_a_picture_is_live(self):
@@ -160,8 +163,11 @@ class InBrowser(unittest.TestCase):
         scales = [self.browser.evaluate(f"Picture.scale_for({scale}, {ms})") for scale, ms in
                   ((0.5, 40), (0.5, 360), (0.5, 5000), (0.2, 10), (0.2, 90), (0.15, 1000))]
         self.assertEqual([round(scale, 3) for scale in scales], [0.5, 0.25, 0.25, 0.25, 0.2, 0.15])
+        # Most of it is not for pixels: a smaller picture would not come sooner.
+        self.assertAlmostEqual(self.browser.evaluate("Picture.scale_for(0.25, 300, {scale: 0.5, ms: 360})"), 0.3125)
+        self.assertAlmostEqual(self.browser.evaluate("Picture.scale_for(0.25, 95, {scale: 0.5, ms: 360})"), 0.243, delta=0.001)
         self.choose()
-        self.browser.evaluate("Picture.scale_for = scale => scale; Picture.all[0].moving_scale = 0.25; "
+        self.browser.evaluate("Picture.prototype.learn = () => {}; Picture.all[0].moving_scale = 0.25; "
                               "Picture.all[0].listeners.push(({answer}) => answer && (window.widths ??= []).push(answer.size[0]))")
         x, y, width = self.middle("Picture.all[0].frame")
         whole = self.browser.evaluate(f"{SHOWN}.size[0]")

@@ -29,9 +29,15 @@ def knob_to_drag(chapter: str) -> dict:
     return numbers[-1]
 
 
-def scale_for(scale: float, ms: float) -> float:
-    """The share of the whole size that the page asks for next (Picture.scale_for in site/picture.js)."""
-    return min(max(scale * (90 / max(ms, 1)) ** 0.5, 0.5 * scale, 0.15), 1.25 * scale, 0.5)
+def scale_for(known: list[tuple[float, float]]) -> float:
+    """The share of the whole size that the page asks for next, from the (scale, ms) that it knows, the newest first
+    (Picture.scale_for and learn in site/picture.js)."""
+    (scale, ms), fixed = known[0], 0
+    per_pixel = max(ms, 1) / scale ** 2
+    if before := next((one for one in known[1:4] if abs(one[0] - scale) > 0.02), None):
+        per_pixel = max((ms - before[1]) / (scale ** 2 - before[0] ** 2), 1)
+        fixed = max(ms - per_pixel * scale ** 2, 0)
+    return min(max((max(90 - fixed, fixed / 2) / per_pixel) ** 0.5, 0.5 * scale, 0.15), 1.25 * scale, 0.5)
 
 
 async def measure(chapter: str) -> str:
@@ -47,11 +53,12 @@ async def measure(chapter: str) -> str:
     try:
         first, warm = await timed_ms(still=True), await timed_ms(still=True)
         dragged = [await timed_ms(set={knob["name"]: f"{min(knob['default'] * (1 + i / ROUNDS), knob['range'][1]):g}"}) for i in range(ROUNDS)]
-        scale, as_page = 0.5, []
+        scale, known, as_page = 0.5, [], []
         for i in range(ROUNDS):
             size = [round(2 * side * scale) for side in SIZE]
             as_page.append((await timed_ms(size=size, set={knob["name"]: f"{min(knob['default'] * (1 + i / ROUNDS), knob['range'][1]):g}"}), size))
-            scale = scale_for(scale, as_page[-1][0])
+            known.insert(0, (scale, as_page[-1][0]))
+            scale = scale_for(known)
         orbit = [await timed_ms(turn_rad=0.02 * i) for i in range(ROUNDS)]
     finally:
         await program.end()

@@ -35,10 +35,23 @@ class Picture {
     frame.addEventListener("click", event => { event.stopPropagation(); event.preventDefault(); }, true);
   }
 
-  // How large to draw while something moves, as a share of the whole: half, and less where that takes more than 90 ms; the
-  // time is about proportional to the pixels.
-  static scale_for(scale, ms) {
-    return Math.min(Math.max(scale * Math.sqrt(90 / Math.max(ms, 1)), 0.5 * scale, 0.15), 1.25 * scale, 0.5);
+  // How large to draw while something moves, as a share of the whole: half, and less where that takes more than 90 ms. What
+  // the last two sizes took says how much of it is for the pixels; what is not, no smaller picture saves.
+  static scale_for(scale, ms, before) {
+    let per_pixel = Math.max(ms, 1) / scale ** 2, fixed = 0;
+    if (before) {
+      per_pixel = Math.max((ms - before.ms) / (scale ** 2 - before.scale ** 2), 1);
+      fixed = Math.max(ms - per_pixel * scale ** 2, 0);
+    }
+    const wanted = Math.sqrt(Math.max(90 - fixed, fixed / 2) / per_pixel);
+    return Math.min(Math.max(wanted, 0.5 * scale, 0.15), 1.25 * scale, 0.5);
+  }
+
+  // What a picture that moves took: the next one may have another size.
+  learn(ms) {
+    const scale = this.moving_scale, known = this.measured ?? [], before = known.find(one => Math.abs(one.scale - scale) > 0.02);
+    this.moving_scale = Picture.scale_for(scale, ms, before);
+    this.measured = [{scale, ms}, ...known].slice(0, 3);
   }
 
   static fresh() {
@@ -113,7 +126,7 @@ class Picture {
 
   show(i, answer, picture, last) {
     this.ms = performance.now() - this.asked_at;
-    if (answer.format === "jpeg") this.moving_scale = Picture.scale_for(this.moving_scale, answer.ms);
+    if (answer.format === "jpeg" && last) this.learn(answer.ms);
     this.answers[i] = answer;
     if (picture && this.sides[i]) this.put(this.sides[i], answer, picture);
     const wrong = answer.error || answer.errors?.[0] || "";
