@@ -15,6 +15,10 @@ double lambert(double cosine, double, double) { return std::max(cosine, 0.0); }
 TEST_CASE("half phase: Lambert's ball is 3.5 times as bright as the Moon, Hapke's is the Moon", "[figures]") {
     // C. W. Allen, Astrophysical Quantities: V(phase) = 0.026 |phase| + 4e-9 phase^4 magnitudes.
     const auto moon = [](double deg) { return std::pow(10.0, -0.4 * (0.026 * deg + 4e-9 * std::pow(deg, 4))); };
+    // The same book's table, page 143, in magnitudes below the full Moon.
+    for (const auto& [deg, below] : std::map<double, double>{
+             {10, 0.23}, {20, 0.51}, {30, 0.79}, {40, 1.06}, {60, 1.62}, {90, 2.63}, {120, 3.93}, {140, 5.07}})
+        CHECK(-2.5 * std::log10(moon(deg)) == Approx(below).margin(0.13));
     const double half = glm::radians(90.0);
     CHECK(truth::phase_curve(lambert, glm::radians(45.0)) == Approx(0.755).margin(0.002));
     CHECK(truth::phase_curve(lambert, half) == Approx(0.318).margin(0.002));
@@ -165,6 +169,16 @@ TEST_CASE("penumbras in pixels: none in a portrait of Saturn, many where the Moo
     const double wide = earth_sun * moon_away, earth_pixel = pixel_m(6378137, 4.9);
     fmt::print("penumbra of the Moon on the Earth: {:.0f} km, {:.0f} pixels\n", wide / 1e3, wide / earth_pixel);
     CHECK(wide / earth_pixel > 100);
+}
+
+TEST_CASE("parallax in pixels: none of the Earth's mountains in its portrait, dozens from 400 km above", "[figures]") {
+    // A summit of 8.8 km is moved by its height times the tangent of the angle at which it is seen: here 45 degrees.
+    const double summit_m = 8849, portrait_m = 6378137 * 4.9 * 2 * std::tan(glm::radians(13.0)) / 540;
+    const double low_m = 400e3 * std::sqrt(2.0) * 2 * std::tan(glm::radians(13.0)) / 540;
+    fmt::print("parallax of a summit: {:.2f} pixels in the portrait, {:.0f} from 400 km\n", summit_m / portrait_m,
+               summit_m / low_m);
+    CHECK(summit_m / portrait_m < 0.5);
+    CHECK(summit_m / low_m > 10);
 }
 
 namespace {
