@@ -9,6 +9,8 @@
 
 namespace lightwalk {
 
+struct SunShadow;
+
 // [land]
 /// Comes before what stands on it or lies behind it. All methods find the same thing, how far away the ground is in each
 /// pixel; one pass shades what they have found.
@@ -73,6 +75,11 @@ struct Land : Drawing {
     /// `count` says so. Rays: 0.
     uint64_t triangles() const;
     bool count = false;
+
+    const SunShadow* shadowed_by = nullptr;  ///< null: no house shades the ground
+
+    /// For passes that include 15_terrain_water/land_light.glsl.
+    void bind(Pass& pass) const override;
 
   private:
     struct PerView {
