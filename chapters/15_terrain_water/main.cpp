@@ -43,6 +43,7 @@ struct TerrainWater : ModelChapter {
         objects.lights.method.change_default("every_light");
         water.method.change_default("none");
         light.method.change_default("mirror");
+        light.radiance_alone = true;  // water looks along single directions
         land.shadowed_by = city.shadowed_by = &sun_shadow;
         water.tracer = &reflected;
         probe.update.change_default("moved");
