@@ -94,3 +94,24 @@ TEST_CASE("a sphere in place of Saturn: its shadow is 8% too long, its normals a
     CHECK(tilt(0.098) == Approx(5.9).margin(0.1));
     CHECK(tilt(0.0649) == Approx(3.8).margin(0.1));
 }
+
+TEST_CASE_METHOD(OnPlanets,
+                 "Saturn's portrait shows whether its shadow is a ball's, and not whether the Sun is a disc") {
+    size = {240, 160};
+    look_at("saturn", 7.5, 34, 18);
+    const auto by = [&](const char* shadow) {
+        planets.shadow.set(shadow);
+        return picture();
+    };
+    const ImageRgb disc = by("disc"), hard = by("hard"), sphere = by("sphere");
+    const auto apart = [&](const ImageRgb& other) {
+        double sum = 0;
+        for (size_t i = 0; i < disc.pixels.size(); ++i)
+            sum += std::fabs(double(other.pixels[i].g) - double(disc.pixels[i].g));
+        return sum / sum_of(disc);
+    };
+    fmt::print("Saturn's shadow: a hard edge changes {:.5f} of the light, a ball's {:.5f}\n", apart(hard),
+               apart(sphere));
+    CHECK(apart(hard) > 0);
+    CHECK(apart(sphere) > 5 * apart(hard));
+}
