@@ -37,7 +37,10 @@ void ReflectedRays::record(Frame& frame, const View& view, const Image& rays, co
     std::vector<With> with{ground_, land_, city_, atmosphere_, objects};
     const Macros variant = shadow_of(city_.shadowed_by, with);
     frame.compute("reflected rays", {.reads = {rays}, .writes = {met}, .with = with}, [&](Compute& pass) {
-        pass.use(trace_, variant).set("reflected", rays, nearest_clamp).set("met", met).set("rays", view_rays(view));
+        pass.use(trace_, variant)
+            .set("reflected", rays, nearest_clamp)
+            .set("met", met)
+            .set("water_rays", view_rays(view));
         pass.set("ray_colors", colors_).set("city_light", city_.light_of(view));
         pass.set("rays_meet", glm::uvec3(ground_.exists(), houses, !scene_->opaque().items().empty()));
         if (!houses) pass.set("city_boxes", none_).set("city_cells", none_cells_).set("city_grid", CityGrid{.yaw = 0});

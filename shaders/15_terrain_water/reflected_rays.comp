@@ -11,7 +11,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D reflected;  // direction, and metres along the view of where the ray begins; 0: there is none
 layout(scalar) readonly buffer RayColorsBlock { vec3 ray_colors[]; };  // albedo of each triangle
 layout(rgba16f) writeonly uniform image2D met;
-layout(scalar) uniform RaysBlock { ViewRays rays; };
+layout(scalar) uniform WaterRaysBlock { ViewRays water_rays; };
 layout(scalar) uniform ToSunBlock { vec3 to_sun; };
 layout(scalar) uniform RaysMeetBlock { uvec3 rays_meet; };  // 1: ground, houses, objects
 
@@ -47,9 +47,9 @@ void main() {
     if (any(greaterThanEqual(pixel, imageSize(met)))) return;
     vec4 ray = texelFetch(reflected, pixel, 0);
     vec3 direction = ray.xyz;
-    vec3 begins = opaque(rays.eye) + ray.w * opaque(ray_through(rays, vec2(pixel) + 0.5));
+    vec3 begins = opaque(water_rays.eye) + ray.w * opaque(ray_through(water_rays, vec2(pixel) + 0.5));
     // A little away from the water, so far that rounding does not put the ray below the shore.
-    vec3 origin = begins + 1e-4 * length(begins - rays.eye) * direction;
+    vec3 origin = begins + 1e-4 * length(begins - water_rays.eye) * direction;
     float nearest = 1e30;
     vec4 light = vec4(0.0);
     if (ray.w > 0.0) {
@@ -67,14 +67,14 @@ void main() {
         // 2. Its light, and what of it the air lets through.
         if (nearest < 1e30) {
             vec3 position = origin + nearest * direction, shown;
-            float seen_m = nearest + length(begins - rays.eye);
+            float seen_m = nearest + length(begins - water_rays.eye);
             if (is_object) {
                 shown = object_light(object, position, direction);
             } else if (house.t > 0.0) {
                 shown = house_light(house, position, seen_m);
             } else {
                 vec3 normal;
-                float footprint = seen_m * length(rays.right);
+                float footprint = seen_m * length(water_rays.right);
                 LandSurface surface = land_seen(position, direction, footprint, normal);
                 shown = land_light(surface, normal, position, footprint, to_sun);
             }
