@@ -85,9 +85,9 @@ void Shadow::draw_view(Frame& frame, const Wanted& wanted, const Casters& caster
     const ViewScope scope(frame, wanted.view.view);
     frame.raster("shadow_map", {.depth = clear(now_->map.layer(wanted.view.data.layer), 0.0f), .with = casters.with},
                  [&](Raster& pass) {
-                     if (casters.draw)
+                     if (wanted.casters.size() > 0 && casters.draw)
                          casters.draw(pass, wanted.casters);
-                     else
+                     else if (wanted.casters.size() > 0)
                          pass.use(solid).draw(wanted.casters);
                      if (wanted.others) casters.draw_others(pass, wanted.view.view);
                  });

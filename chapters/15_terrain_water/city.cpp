@@ -172,9 +172,9 @@ void City::draw(Frame& frame, const View& view, Canvas& canvas) {
                           .depth = canvas.depth_target(),
                           .reads = {},
                           .with = {ground_, atmosphere_, *this}};
-    const Macros variant = shadow_of(shadowed_by, targets.with);
+    const Pipeline& shader = add_shadow(shadowed_by, targets.with) ? draw_shadowed_ : draw_;
     frame.raster("city", targets, [&](Raster& pass) {
-        pass.use(draw_, variant).set("city_light", light_of(view));
+        pass.use(shader).set("city_light", light_of(view));
         draw_seen(pass, view);
     });
 }

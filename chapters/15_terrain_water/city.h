@@ -75,6 +75,8 @@ struct City : Drawing {
     CityGrid grid_{};
     uint64_t placed_ = 0;
     Pipeline cast_ = graphics({.vertex = "15_terrain_water/city.vert", .cull = VK_CULL_MODE_NONE, .depth_clamp = true});
+    Pipeline draw_shadowed_ =
+        graphics({.vertex = "15_terrain_water/city.vert", .fragment = "15_terrain_water/city_shadowed.frag"});
     Pipeline draw_ = graphics({.vertex = "15_terrain_water/city.vert", .fragment = "15_terrain_water/city.frag"});
 };
 

@@ -126,9 +126,9 @@ void Land::bind(Pass& pass) const {
 void Land::shade(Frame& frame, const View& view, Canvas& canvas, const PerView& kept) {
     const ImageView color = canvas.color(frame);
     std::vector<With> with{ground_, atmosphere_, *this};
-    const Macros variant = shadow_of(shadowed_by, with);
+    const Pipeline& shader = add_shadow(shadowed_by, with) ? shade_shadowed_ : shade_;
     frame.compute("land shade", {.reads = {kept.found, color}, .writes = {color}, .with = with}, [&](Compute& pass) {
-        pass.use(shade_, variant).set("found", kept.found, nearest_clamp).set("result", color);
+        pass.use(shader).set("found", kept.found, nearest_clamp).set("result", color);
         pass.set("rays", view_rays(view));
         if (pass.wants("chunk_view"))
             pass.set("chunk_view", ChunkView{view.view_projection, view.eye, error_px * view.pixel_rad(), -1});

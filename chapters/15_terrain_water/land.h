@@ -110,6 +110,7 @@ struct Land : Drawing {
     Pipeline ray_ = graphics(
         {.vertex = "06_deferred/whole.vert", .fragment = "15_terrain_water/land_rays.frag", .cull = VK_CULL_MODE_NONE});
     Pipeline shade_ = compute({.shader = "15_terrain_water/land_shade.comp"});
+    Pipeline shade_shadowed_ = compute({.shader = "15_terrain_water/land_shade_shadowed.comp"});
 };
 
 }  // namespace lightwalk

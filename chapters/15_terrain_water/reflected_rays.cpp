@@ -35,12 +35,9 @@ void ReflectedRays::record(Frame& frame, const View& view, const Image& rays, co
     }
     const bool houses = city_.box_count() > 0;
     std::vector<With> with{ground_, land_, city_, atmosphere_, objects};
-    const Macros variant = shadow_of(city_.shadowed_by, with);
+    const Pipeline& shader = add_shadow(city_.shadowed_by, with) ? trace_shadowed_ : trace_;
     frame.compute("reflected rays", {.reads = {rays}, .writes = {met}, .with = with}, [&](Compute& pass) {
-        pass.use(trace_, variant)
-            .set("reflected", rays, nearest_clamp)
-            .set("met", met)
-            .set("water_rays", view_rays(view));
+        pass.use(shader).set("reflected", rays, nearest_clamp).set("met", met).set("water_rays", view_rays(view));
         pass.set("ray_colors", colors_).set("city_light", city_.light_of(view));
         pass.set("rays_meet", glm::uvec3(ground_.exists(), houses, !scene_->opaque().items().empty()));
         if (!houses) pass.set("city_boxes", none_).set("city_cells", none_cells_).set("city_grid", CityGrid{.yaw = 0});

@@ -36,6 +36,7 @@ struct ReflectedRays : Module, WaterRays {
     Buffer colors_, none_, none_cells_;
     bool has_colors_ = false;
     Pipeline trace_ = compute({.shader = "15_terrain_water/reflected_rays.comp"});
+    Pipeline trace_shadowed_ = compute({.shader = "15_terrain_water/reflected_rays_shadowed.comp"});
 };
 
 }  // namespace lightwalk

@@ -21,12 +21,10 @@ void SunShadow::record(Frame& frame, const View& view, const Scene& scene, City&
 }
 // [/sun_shadow_record]
 
-Macros shadow_of(const SunShadow* shadow, std::vector<With>& with) {
-    Macros variant;
-    if (!shadow || !shadow->exists()) return variant;
-    with.push_back(shadow->maps);
-    variant.set("SUN_SHADOW", "1");
-    return variant;
+bool add_shadow(const SunShadow* shadow, std::vector<With>& with) {
+    const bool has_maps = shadow && shadow->exists();
+    if (has_maps) with.push_back(shadow->maps);
+    return has_maps;
 }
 
 }  // namespace lightwalk

@@ -25,7 +25,7 @@ struct SunShadow : Module {
 };
 // [/sun_shadow]
 
-/// Adds the shadow's maps to what a pass is given, where there are any; the variant of its shaders that reads them.
-Macros shadow_of(const SunShadow* shadow, std::vector<With>& with);
+/// Adds the shadow's maps to what a pass is given. False: there are none, and its shaders include no_sun_shadow.glsl.
+bool add_shadow(const SunShadow* shadow, std::vector<With>& with);
 
 }  // namespace lightwalk

@@ -2,7 +2,6 @@
 #include "10_atmosphere/ground_light.glsl"
 #include "10_atmosphere/view_path.glsl"
 #include "15_terrain_water/city_data.h"
-#include "15_terrain_water/sun_shadow.glsl"
 
 layout(scalar) uniform CityBlock { float lit; } city;
 layout(scalar) uniform CityLightBlock { vec2 city_light; };  // radiance of a lit window, a pixel's angle
@@ -38,11 +37,7 @@ vec3 city_light_of(vec3 position, vec3 normal, vec3 on_wall, uint kind, uint num
     vec3 sun = sunlight_on(place), sky = skylight_on(place);
     float open = mix(0.35, 1.0, smoothstep(0.0, 30.0, on_wall.y)) * (0.55 + 0.45 * normal.y);
     float facing = max(dot(normal, to_sun), 0.0);
-#ifdef SUN_SHADOW
-    if (facing > 0.0) facing *= sun_left_by_houses(position, normal, to_sun);
-#else
-    facing *= mix(0.5, 1.0, smoothstep(0.0, 14.0, on_wall.y));  // houses opposite shade the foot of a wall
-#endif
+    if (facing > 0.0) facing *= sun_left_on_wall(position, normal, to_sun, on_wall.y);
     vec3 arriving = sun * facing + sky * open;
     vec3 light = paint / 3.14159265 * arriving;
     // Glass mirrors the sky, darker than it is.

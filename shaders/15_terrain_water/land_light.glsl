@@ -4,7 +4,6 @@
 #include "15_terrain_water/ground.glsl"
 #include "15_terrain_water/land_shadow.glsl"
 #include "15_terrain_water/land_materials.glsl"
-#include "15_terrain_water/sun_shadow.glsl"
 
 // [surface]
 // The normal of as much ground as the pixel shows, and the textures on it. `ray`: of unit length, from the eye; `footprint`:
