@@ -41,6 +41,7 @@ struct OnCity : OnLand {
         begin(size);
         const View view = view_of(camera, size);
         scene.set_sun(atmosphere.sun());
+        atmosphere.update_once(frame);
         ground.record(frame, false);
         sun_shadow.record(frame, view, scene, city);
         light.record(frame, scene);
