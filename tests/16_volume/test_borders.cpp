@@ -43,7 +43,7 @@ TEST_CASE_METHOD(OnVolume, "noise goes on where a moment ends, by each method") 
         fmt::print("{}: in 0.02 of a moment the picture changes by {:.6f}, where one ends by {:.6f}\n", noise, within,
                    across);
         CHECK(within > 0);
-        CHECK(across < 3 * within);
+        CHECK(across < within);  // weights are level there
     }
 }
 
