@@ -11,7 +11,7 @@ class ShadedTest(ChapterPictures):
     chapter = "12_skin"
 
     def test_a_visibility_buffer_draws_the_same_portrait(self):
-        for method in ("lambert", "wrapped", "preintegrated", "gaussians_6"):
+        for method in ("preintegrated", "gaussians_6"):
             far, mean = self.shaded_otherwise("skin.shaded", "portrait", "--method", method)
             self.assertLess(far, 0.001, method)
             self.assertLess(mean, 0.05, method)
