@@ -159,8 +159,8 @@ TEST_CASE_METHOD(OnChain, "a checker of black and white is 188 and not 128") {
         CHECK(std::round(255 * last(codes).g) == Approx(188).margin(1));
         CHECK(last(codes).a == 1);
     }
-    fill(codes, "box", Content::linear);  // codes averaged as if they were light
-    CHECK(std::round(255 * level(codes, 1).at(9, 9).r) == 128);
+    fill(codes, "box", Content::linear);                                    // codes averaged as if they were light
+    CHECK(255 * level(codes, 1).at(9, 9).r == Approx(127.5).margin(0.51));  // devices round halves as they like
 }
 
 TEST_CASE_METHOD(OnChain, "a ramp's mean survives odd sizes with polyphase alone") {
