@@ -8,6 +8,7 @@ std::vector<With> LitScene::given() const {
     return with;
 }
 
+// A shading that somebody else gave is a fragment shader.
 // [visibility]
 void LitScene::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (!shaded.is("visibility") || shading || !VisibilityBuffer::suits(maps, canvas))

@@ -11,13 +11,6 @@ namespace {
 constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat srgb8 = VK_FORMAT_R8G8B8A8_SRGB;
 
-glm::dvec4 noise(uint32_t layer, uint32_t x, uint32_t y) {
-    uint32_t n = (x * 73856093u) ^ (y * 19349663u) ^ (layer * 83492791u);
-    n = (n ^ n >> 13) * 0x5bd1e995u;
-    n ^= n >> 15;
-    return {double(n & 255) / 255, double(n >> 8 & 255) / 255, double(n >> 16 & 255) / 255, 1};
-}
-
 }  // namespace
 
 TEST_CASE_METHOD(OnChain, "every size has all its levels, and their means are those of a reference on the host") {
@@ -79,76 +72,6 @@ TEST_CASE_METHOD(OnChain, "beyond 64x64 tiles a single pass takes several, and i
     for (const double error : errors(wide)) CHECK(error < 0.01);
 }
 
-TEST_CASE_METHOD(OnChain, "a single pass by shuffles makes what one through shared memory does, at any size") {
-    for (const glm::uvec2 size : {glm::uvec2{1, 7},
-                                  {1, 300},
-                                  {1023, 1},
-                                  {3, 5},
-                                  {64, 64},
-                                  {65, 63},
-                                  {129, 67},
-                                  {200, 1},
-                                  {5, 130},
-                                  {256, 256},
-                                  {500, 333}}) {
-        const Image noisy = image(size, one_float, noise, 2);
-        for (uint32_t layer = 0; layer < 2; ++layer) {
-            const ImageView view = ImageView(noisy).layer(layer);
-            std::vector<truth::Texels> expected;
-            chain.reduction.set("shared");
-            fill(noisy, "single_pass");
-            for (uint32_t m = 1; m < noisy.desc.mips; ++m) expected.push_back(level(view, m));
-            chain.reduction.set("shuffle");
-            fill(noisy, "single_pass");
-            for (uint32_t m = 1; m < noisy.desc.mips; ++m) {
-                const truth::Texels found = level(view, m);
-                double worst = 0;
-                for (size_t i = 0; i < found.values.size(); ++i)
-                    worst = std::max(worst, std::fabs(found.values[i].r - expected[m - 1].values[i].r));
-                INFO(size.x << "x" << size.y << " level " << m << " layer " << layer);
-                CHECK(worst < 1e-6);
-            }
-        }
-    }
-}
-
-TEST_CASE_METHOD(OnChain, "many tiles are finished by a second dispatch, which rounds nothing twice") {
-    // 33×33 tiles. Halves that were rounded at the sixth level would be off by some 1e-4 afterwards.
-    const Image noisy = image({2112, 2112}, one_float, noise);
-    for (const std::string reduction : {"shared", "shuffle"}) {
-        chain.reduction.set(reduction);
-        fill(noisy, "single_pass");
-        const truth::Texels sixth = level(noisy, 6), seventh = level(noisy, 7);
-        REQUIRE(seventh.size == glm::uvec2(16));
-        double worst = 0;
-        for (uint32_t y = 0; y < 16; ++y)
-            for (uint32_t x = 0; x < 16; ++x) {
-                double mean = 0;
-                for (uint32_t i = 0; i < 4; ++i) mean += 0.25 * sixth.at(2 * x + i % 2, 2 * y + i / 2).r;
-                worst = std::max(worst, std::fabs(seventh.at(x, y).r - mean));
-            }
-        CHECK(worst < 1e-6);
-        CHECK(last(noisy).r == Approx(0.5).margin(0.01));
-    }
-}
-
-TEST_CASE_METHOD(OnChain, "counters of finished workgroups are cleared before they come again") {
-    // 300 layers use 600 of 4096 counters each time.
-    const Image noisy = image({128, 70}, one_float, noise, 300);
-    fill(noisy, "box");
-    const double right = last(ImageView(noisy).layer(299)).r;
-    const Image again = image({128, 70}, one_float, noise, 300);
-    for (int i = 0; i < 16; ++i) {
-        fill(again, "single_pass");
-        CHECK(last(ImageView(again).layer(299)).r == Approx(right).epsilon(1e-5));
-        // So that a level that is left out shows.
-        Frame own(gpu);
-        own.begin({4, 4}, 0);
-        own.upload("nothing", ImageView(again).mip(again.desc.mips - 1), std::vector<std::byte>(300 * 4));
-        own.end();
-    }
-}
-
 TEST_CASE_METHOD(OnChain, "a checker of black and white is 188 and not 128") {
     const auto checker = [](uint32_t, uint32_t x, uint32_t y) { return glm::dvec4(glm::dvec3((x + y) % 2), 1); };
     const Image codes = image({64, 64}, srgb8, checker);
@@ -159,8 +82,8 @@ TEST_CASE_METHOD(OnChain, "a checker of black and white is 188 and not 128") {
         CHECK(std::round(255 * last(codes).g) == Approx(188).margin(1));
         CHECK(last(codes).a == 1);
     }
-    fill(codes, "box", Content::linear);                                    // codes averaged as if they were light
-    CHECK(255 * level(codes, 1).at(9, 9).r == Approx(127.5).margin(0.51));  // devices round halves as they like
+    fill(codes, "box", Content::linear);  // codes averaged as if they were light; devices round halves as they like
+    CHECK(255 * level(codes, 1).at(9, 9).r == Approx(127.5).margin(0.51));
 }
 
 TEST_CASE_METHOD(OnChain, "a ramp's mean survives odd sizes with polyphase alone") {
