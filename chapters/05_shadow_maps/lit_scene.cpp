@@ -8,6 +8,17 @@ std::vector<With> LitScene::given() const {
     return with;
 }
 
+// A shading that somebody else gave is a fragment shader.
+// [visibility]
+void LitScene::draw(Frame& frame, const View& view, Canvas& canvas) {
+    if (!shaded.is("visibility") || shading || !VisibilityBuffer::suits(maps, canvas))
+        return SurfaceScene::draw(frame, view, canvas);
+    seen_.record(frame, *scene_, maps, opaque_batches(), canvas);
+    record_light(frame, view, canvas.single_depth());
+    seen_.shade(frame, *scene_, maps, opaque_batches(), canvas, shade_seen_, given());
+}
+// [/visibility]
+
 void LitScene::record_light(Frame& frame, const View& view, const ImageView& depth) {
     SurfaceScene::record_light(frame, view, depth);
     record_shadows(frame, view);

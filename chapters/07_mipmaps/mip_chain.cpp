@@ -1,20 +1,26 @@
 #include "07_mipmaps/mip_chain.h"
 
 #include "common/base/error.h"
+#include "common/gpu/device_features.h"
 
 namespace lightwalk {
 namespace {
 
 constexpr uint32_t tile = 64, tiles_across = 64;  // as in single_pass.comp
-constexpr uint32_t most_levels = 12;              // 64×64 tiles of 64×64 texels
+// Of more tiles the last workgroup is not worth waiting for: a second dispatch makes the rest.
+constexpr uint32_t most_waited_for = 32 * 32;
+constexpr uint32_t most_levels = 12;       // 64×64 tiles of 64×64 texels
+constexpr uint32_t least_counters = 4096;  // of dispatches between two clears
 
 VkOffset3D corner(const ImageView& view) {
     const glm::ivec3 size(view.size());
     return {size.x, size.y, 1};
 }
 
-void grow(Device& device, Buffer& buffer, const char* name, VkDeviceSize bytes) {
-    if (buffer.bytes < bytes) buffer = Buffer(device, {.name = name, .bytes = bytes});
+bool grow(Device& device, Buffer& buffer, const char* name, VkDeviceSize bytes) {
+    if (buffer.bytes >= bytes) return false;
+    buffer = Buffer(device, {.name = name, .bytes = bytes});
+    return true;
 }
 
 }  // namespace
@@ -29,11 +35,11 @@ Content MipChain::content_of(const ImageView& image, Content what) const {
 void MipChain::record(Frame& frame, const ImageView& image, Content what, float cutoff) {
     if (method.is("none") || image.mips < 2) return;
     what = content_of(image, what);
-    const Macros variant{{content.macro(), std::to_string(static_cast<int>(what))}};
+    Macros variant{{content.macro(), std::to_string(static_cast<int>(what))}};
     if (method.is("blit"))
         record_blits(frame, image);
     else if (method.is("single_pass"))
-        record_single_pass(frame, image, variant);
+        record_single_pass(frame, image, std::move(variant));
     else
         record_levels(frame, image, variant);
     if (what == Content::cutout && !method.is("blit")) coverage_.record(frame, image, cutoff);
@@ -80,31 +86,48 @@ void MipChain::record_levels(Frame& frame, const ImageView& image, const Macros&
 // [/levels]
 
 // [single]
-void MipChain::record_single_pass(Frame& frame, const ImageView& image, const Macros& variant) {
-    grow(frame.gpu.device, tiles_, "mip tiles", sizeof(glm::vec4) * tiles_across * tiles_across * image.layers);
-    grow(frame.gpu.device, finished_, "mip workgroups finished", sizeof(uint32_t) * image.layers);
-    for (uint32_t base = 0; base + 1 < image.mips;) {
-        // Beyond 64×64 tiles the last workgroup could not finish what they leave: six levels, then again.
-        const glm::uvec2 size(image.mip(base).size());
-        const bool whole = glm::all(glm::lessThanEqual(size >> 6u, glm::uvec2(tiles_across)));
-        const uint32_t made = std::min(image.mips - 1 - base, whole ? most_levels : most_levels / 2);
-        std::vector<ImageView> levels;
-        for (uint32_t m = 1; m <= made; ++m) levels.push_back(plain_level(image, base + m));
-        ComputeAccess access{.reads = {plain_level(image, base), tiles_, finished_},
-                             .writes = {levels.begin(), levels.end()},
-                             .with = {*this}};
-        access.writes.insert(access.writes.end(), {tiles_, finished_});
-        frame.compute("mips in one pass", access, [&](Compute& pass) {
-            // Always: a dispatch that was broken off, or a student's, may have left any number.
-            pass.use(clear_).set("words", finished_).dispatch_threads(glm::uvec2(image.layers, 1)).wait();
-            pass.use(single_pass_, variant);
-            pass.set("source", plain_level(image, base), bilinear ? linear_clamp : nearest_clamp);
-            pass.set("levels", levels).set("tile_means", tiles_).set("chain", static_cast<int>(made));
-            pass.offer("finished", finished_);  // an exercise of the chapter's: it may not be there yet
-            pass.dispatch(glm::uvec3((size + tile - 1u) / tile, image.layers));
-        });
-        base += made;
-    }
+void MipChain::record_single_pass(Frame& frame, const ImageView& image, Macros variant) {
+    Device& device = frame.gpu.device;
+    if (!lanes_) lanes_ = Limits(device.physical).shuffling_lanes;
+    variant.set("SUBGROUP_LANES", std::to_string(lanes_));
+    grow(device, tiles_, "mip tiles", sizeof(glm::vec4) * tiles_across * tiles_across * image.layers);
+    const uint32_t most_dispatches = (image.mips + most_levels / 2 - 1) / (most_levels / 2);
+    const uint32_t counters = std::max(least_counters, most_dispatches * image.layers);
+    const bool grown = grow(device, finished_, "mip workgroups finished", sizeof(uint32_t) * counters);
+    const auto all = static_cast<uint32_t>(finished_.bytes / sizeof(uint32_t));
+    const bool clears = grown || next_counter_ + most_dispatches * image.layers > all;
+    if (clears) next_counter_ = 0;
+
+    ComputeAccess access{.reads = {tiles_, finished_}, .writes = {tiles_, finished_}, .with = {*this}};
+    std::vector<ImageView> levels;
+    for (uint32_t m = 0; m < image.mips; ++m) levels.push_back(plain_level(image, m));
+    access.reads.insert(access.reads.end(), levels.begin(), levels.end());
+    access.writes.insert(access.writes.end(), levels.begin() + 1, levels.end());
+    frame.compute("mips in one pass", access, [&](Compute& pass) {
+        // Each dispatch has counters of its own, which nothing has touched since all were cleared: one that was broken
+        // off, or a student's, may have left any number in those before.
+        if (clears) pass.use(clear_).set("words", finished_).dispatch_threads(glm::uvec2(all, 1)).wait();
+        for (uint32_t base = 0; base + 1 < image.mips;) {
+            // Beyond 64×64 tiles no workgroup could finish what they leave: six levels, then again.
+            const glm::uvec2 size(levels[base].size()), tiles = (size + tile - 1u) / tile;
+            const bool whole = glm::all(glm::lessThanEqual(size >> 6u, glm::uvec2(tiles_across)));
+            const uint32_t made = std::min(image.mips - 1 - base, whole ? most_levels : most_levels / 2);
+            const bool split = made > most_levels / 2 && tiles.x * tiles.y > most_waited_for;
+            const auto dispatch = [&](const char* makes, glm::uvec2 groups) {
+                variant.set("MAKES", makes);
+                pass.use(single_pass_, variant).set("tile_means", tiles_);
+                pass.offer("finished", finished_);  // an exercise of the chapter's: it may not be there yet
+                pass.set("source", levels[base], bilinear ? linear_clamp : nearest_clamp);
+                pass.set("levels", std::span(levels).subspan(base + 1, made));
+                pass.set("chain", glm::ivec2(made, next_counter_)).dispatch(glm::uvec3(groups, image.layers));
+            };
+            if (base > 0) pass.wait();
+            dispatch(split ? "SIX" : "ALL", tiles);
+            if (split) pass.wait(), dispatch("REST", {1, 1});
+            next_counter_ += image.layers;
+            base += made;
+        }
+    });
 }
 // [/single]
 

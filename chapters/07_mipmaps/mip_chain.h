@@ -42,6 +42,12 @@ struct MipChain : Module {
         "from sRGB, vectors of a normal map, colours weighted by alpha, the fourth power of roughness"};
 
     Knob<bool> bilinear{*this, "bilinear", false, "Mean of four texels by one linear lookup (method single_pass)"};
+    Choice reduction{*this,
+                     "reduction",
+                     {"auto", "shared", "shuffle"},
+                     "auto",
+                     "Exchange of means within a workgroup (method single_pass): through shared memory, by subgroup "
+                     "shuffles, or by shuffles where subgroups have 32 threads or more (auto)"};
 
     /// Records the view's levels from its second on. The view has all mips that are to be filled. With method `none`,
     /// or one level, nothing is recorded. `cutoff` is that of a cutout: what has less alpha is not drawn. Throws
@@ -54,13 +60,15 @@ struct MipChain : Module {
   private:
     void record_blits(Frame& frame, const ImageView& image);
     void record_levels(Frame& frame, const ImageView& image, const Macros& variant);
-    void record_single_pass(Frame& frame, const ImageView& image, const Macros& variant);
+    void record_single_pass(Frame& frame, const ImageView& image, Macros variant);
     Pipeline box_ = compute({.shader = "07_mipmaps/box.comp"});
     Pipeline polyphase_ = compute({.shader = "07_mipmaps/polyphase.comp"});
     Pipeline kaiser_ = compute({.shader = "07_mipmaps/kaiser.comp"});
     Pipeline single_pass_ = compute({.shader = "07_mipmaps/single_pass.comp"});
     Pipeline clear_ = compute({.shader = "07_mipmaps/clear_words.comp"});
-    Buffer tiles_, finished_;  ///< of the single pass
+    Buffer tiles_, finished_;    ///< of the single pass
+    uint32_t next_counter_ = 0;  ///< of finished_ that no dispatch has used since all were cleared
+    uint32_t lanes_ = 0;         ///< Limits::shuffling_lanes, once asked
     Coverage coverage_;
 };
 

@@ -19,6 +19,11 @@ class RingGrid {
     /// gl_InstanceIndex is the ring's number, from 0.
     void draw(Raster& pass, uint32_t rings) const;
 
+    /// For shaders that look triangles up: three numbers of vertices each, of the whole ring and then, from the index
+    /// hollow_from() on, of the hollow ones.
+    const Buffer& indices() const { return indices_; }
+    uint32_t hollow_from() const { return whole_; }
+
     uint64_t triangles(uint32_t rings) const { return (whole_ + uint64_t(rings - 1) * hollow_) / 3; }
 
   private:

@@ -1,6 +1,7 @@
 #include "11_fractals/terrain.h"
 
 #include "01_obj/camera_view.h"
+#include "05_shadow_maps/visibility_buffer.h"
 
 namespace lightwalk {
 void Terrain::prepare(Gpu& gpu, Scene& loaded) {
@@ -60,20 +61,60 @@ void Terrain::bind(Pass& pass) const {
                                         {look.ends.value, look.ends_slope.value}});
 }
 
+void Terrain::bind_maps(Pass& pass) const {
+    pass.offer("land_map", *land_);
+    pass.offer("rock_map", *rock_);
+}
+
+// The innermost ring whole, the others hollow.
+void Terrain::draw_ground(Frame& frame, Canvas& canvas) {
+    frame.raster("terrain", {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = {*this}},
+                 [&](Raster& pass) {
+                     pass.use(ground_);
+                     bind_maps(pass);
+                     grid_.draw(pass, static_cast<uint32_t>(now_.rings));
+                 });
+}
+
+// [visible]
+// Which triangle a pixel shows is drawn, and shaded afterwards: each pixel once, and no fragment does more than write
+// two numbers.
+void Terrain::draw_visible(Frame& frame, const View& view, Canvas& canvas) {
+    const auto count = static_cast<uint32_t>(now_.rings), side = static_cast<uint32_t>(now_.cells) + 1;
+    const VkDeviceSize bytes = sizeof(glm::vec3) * count * side * side;
+    if (lifted_.bytes < bytes) lifted_ = Buffer(frame.gpu.device, {.name = path() + ".lifted", .bytes = bytes});
+
+    frame.compute("terrain vertices", {.writes = {lifted_}, .with = {*this}}, [&](Compute& pass) {
+        pass.use(lift_).set("ground_vertices", lifted_).dispatch_threads({side * side, count});
+    });
+    const Attachment seen = nothing_seen(frame, seen_, canvas);
+    frame.raster("terrain visible",
+                 {.color = {seen}, .depth = canvas.depth_target(), .reads = {lifted_}, .with = {*this}},
+                 [&](Raster& pass) {
+                     pass.use(visible_).set("ground_vertices", lifted_);
+                     grid_.draw(pass, count);
+                 });
+    const ImageView color = canvas.color(frame);
+    frame.compute("terrain shade", {.reads = {seen_, lifted_}, .writes = {color}, .with = {*this}}, [&](Compute& pass) {
+        pass.use(shade_).set("visible", seen_, nearest_clamp).set("ground_vertices", lifted_).set("result", color);
+        pass.set("indices", grid_.indices()).set("grid", static_cast<int>(grid_.hollow_from()));
+        bind_maps(pass);
+        pass.dispatch_threads(view.size);
+    });
+}
+// [/visible]
+
 // [draw]
 void Terrain::draw(Frame& frame, const View& view, Canvas& canvas) {
     place(frame, view);
     grid_.fit(frame.gpu, static_cast<uint32_t>(now_.cells));
     const ViewScope scope(frame, from_);
 
-    // 1. The ground: the innermost ring whole, the others hollow.
-    frame.raster("terrain", {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = {*this}},
-                 [&](Raster& pass) {
-                     pass.use(ground_);
-                     if (pass.wants("land_map")) pass.set("land_map", *land_);
-                     if (pass.wants("rock_map")) pass.set("rock_map", *rock_);
-                     grid_.draw(pass, static_cast<uint32_t>(now_.rings));
-                 });
+    // 1. The ground.
+    if (shaded.is("visibility"))
+        draw_visible(frame, view, canvas);
+    else
+        draw_ground(frame, canvas);
     if (!show.is("picture") || !own_sky) return;
 
     // 2. The sky behind it, and chapter 10's fog before both.

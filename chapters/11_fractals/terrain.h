@@ -51,6 +51,13 @@ struct Terrain : Drawing {
                   {"none", "smooth", "marched"},
                   "smooth",
                   "Shadow of mountains: none, the light of a smoother ground, or a ray to the sun for every pixel"};
+    Choice shaded{
+        *this,
+        "shaded",
+        {"raster", "visibility"},
+        "raster",
+        "Shading of the ground: as it is drawn, by the fragment shader (raster), or in compute, once for each "
+        "pixel of a visibility buffer"};
     // [/terrain]
     Choice show{*this,
                 "show",
@@ -101,12 +108,21 @@ struct Terrain : Drawing {
 
   private:
     void place(const Frame& frame, const View& view);
+    void draw_ground(Frame& frame, Canvas& canvas);
+    void draw_visible(Frame& frame, const View& view, Canvas& canvas);
+    void bind_maps(Pass& pass) const;
     const Scene* scene_ = nullptr;
     Pipeline ground_ = graphics({.vertex = "11_fractals/terrain.vert", .fragment = "11_fractals/terrain.frag"});
+    Pipeline lift_ = compute({.shader = "11_fractals/terrain_lift.comp"});
+    Pipeline visible_ =
+        graphics({.vertex = "11_fractals/terrain_visible.vert", .fragment = "05_shadow_maps/visible.frag"});
+    Pipeline shade_ = compute({.shader = "11_fractals/terrain_shade.comp"});
     Pipeline sky_ = compute({.shader = "11_fractals/terrain_sky.comp"});
     std::unique_ptr<ImagePool> images_;
     std::shared_ptr<Image> land_, rock_;
     RingGrid grid_;
+    Buffer lifted_;  ///< vertices of the grid
+    Image seen_;     ///< the visibility buffer
     TerrainNow now_{};
     View from_;
 };

@@ -102,6 +102,28 @@ void Skin::light_map(Frame& frame, const Lit& lit) {
         });
 }
 
+// [draw_seen]
+// Which triangle each pixel shows, then a dispatch for each of skin, eyes and cloth.
+void Skin::draw_seen(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit, const std::vector<With>& with) {
+    const DrawItem* skin = skin_of(scene);
+    std::vector<Batch> of_skin, of_eyes, others, all;
+    for (const Batch& batch : scene.all().batches()) {
+        const DrawItem& item = batch.item();
+        if (item.role == Role::cornea) continue;
+        all.push_back(batch);
+        (&item == skin ? of_skin : item.role == Role::eye ? of_eyes : others).push_back(batch);
+    }
+    const Pipeline& look = on_map()                     ? seen_map_
+                           : method.is("wrapped")       ? seen_wrap_
+                           : method.is("preintegrated") ? seen_table_
+                                                        : seen_lambert_;
+    visibility_.record(frame, scene, lit.maps, all, canvas);
+    visibility_.shade(frame, scene, lit.maps, others, canvas, matt_seen_, with);
+    visibility_.shade(frame, scene, lit.maps, of_eyes, canvas, eye_seen_, with);
+    visibility_.shade(frame, scene, lit.maps, of_skin, canvas, look, with);
+}
+// [/draw_seen]
+
 // [draw]
 void Skin::draw(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit, Shown shown) {
     if (empty_) return;
@@ -123,15 +145,23 @@ void Skin::draw(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit
     const auto draw = [&](Raster& pass, const auto& predicate, const Pipeline& pipeline) {
         lit.maps.draw(pass, scene, scene.all().where(predicate), pipeline, pipeline);
     };
-    frame.raster("matt", {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with},
-                 [&](Raster& pass) { draw(pass, is_other, matt_), draw(pass, is_eye, eye_pass_); });
-    RasterTargets targets{.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with};
-    if (on_screen) {
-        screen_.fit(frame.gpu.device, canvas.size());
-        targets.color.push_back(clear(screen_.light, glm::vec4(0)));
-        targets.color.push_back(clear(screen_.after, glm::vec4(0)));
-    }
-    frame.raster("skin", targets, [&](Raster& pass) { draw(pass, is_skin, look); });
+    const auto draw_fragments = [&] {
+        frame.raster("matt", {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with},
+                     [&](Raster& pass) { draw(pass, is_other, matt_), draw(pass, is_eye, eye_pass_); });
+        RasterTargets targets{.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with};
+        if (on_screen) {
+            screen_.fit(frame.gpu.device, canvas.size());
+            targets.color.push_back(clear(screen_.light, glm::vec4(0)));
+            targets.color.push_back(clear(screen_.after, glm::vec4(0)));
+        }
+        frame.raster("skin", targets, [&](Raster& pass) { draw(pass, is_skin, look); });
+    };
+    const bool in_compute =
+        shaded.is("visibility") && shown == Shown::all && !on_screen && VisibilityBuffer::suits(lit.maps, canvas);
+    if (in_compute)
+        draw_seen(frame, scene, canvas, lit, with);
+    else
+        draw_fragments();
     if (!part(scene, Role::cornea)) return;
     with.push_back(lit.rays);
     frame.raster("cornea", {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with},

@@ -1,5 +1,6 @@
 // Skin module: subsurface scattering.
 #pragma once
+#include "05_shadow_maps/visibility_buffer.h"
 #include "12_skin/picture_blur.h"
 #include "12_skin/spread.h"
 #include "12_skin/unwrapped.h"
@@ -22,6 +23,13 @@ struct Skin : Module {
                   "1, 2, 3, 4 or 6 Gaussians on the texture; the exact convolution (reference)"};
     Choice specular{
         *this, "specular", {"closed", "tables"}, "closed", "Specular terms: computed, or read from tables of 8 bits"};
+    Choice shaded{
+        *this,
+        "shaded",
+        {"raster", "visibility"},
+        "raster",
+        "Shading of what is opaque: as it is drawn, by fragment shaders (raster, and always for separable), or "
+        "in compute, once for each pixel of a visibility buffer"};
     // [/skin]
     Knob<float> before{
         *this, "before", 0.5f, {0.0f, 1.0f}, "Share of the albedo that is applied before the blur, as an exponent"};
@@ -79,6 +87,7 @@ struct Skin : Module {
     static const DrawItem* part(const Scene& scene, Role role, bool any = false);
     void make_tables(Frame& frame);
     void light_map(Frame& frame, const Lit& lit);
+    void draw_seen(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit, const std::vector<With>& with);
 
     Unwrapped coarse_, fine_, eye_;
     PictureBlur screen_;
@@ -104,6 +113,10 @@ struct Skin : Module {
                          .blend = blend,
                          .macros = std::move(macros)});
     }
+    Pipeline seen(const char* shader, Macros macros) const {
+        macros.add(all_lights_);
+        return seen_pipeline(shader, std::move(macros));
+    }
     static Pipeline skin_pass(const char* diffuse, const char* views) {
         return shading("12_skin/skin.frag", {{"DIFFUSE", diffuse}, {"VIEWS", views}});
     }
@@ -112,6 +125,13 @@ struct Skin : Module {
     Pipeline matt_ = shading("12_skin/matt.frag", {{"EYE", "0"}}),
              eye_pass_ = shading("12_skin/matt.frag", {{"EYE", "1"}}),
              cornea_ = shading("12_skin/cornea.frag", {}, Blend::add);
+    VisibilityBuffer visibility_;
+    Pipeline seen_lambert_ = seen("12_skin/skin_seen.comp", {{"DIFFUSE", "0"}, {"VIEWS", "0"}}),
+             seen_wrap_ = seen("12_skin/skin_seen.comp", {{"DIFFUSE", "1"}, {"VIEWS", "0"}}),
+             seen_table_ = seen("12_skin/skin_seen.comp", {{"DIFFUSE", "2"}, {"VIEWS", "0"}}),
+             seen_map_ = seen("12_skin/skin_seen.comp", {{"DIFFUSE", "4"}, {"VIEWS", "0"}}),
+             matt_seen_ = seen("12_skin/matt_seen.comp", {{"EYE", "0"}}),
+             eye_seen_ = seen("12_skin/matt_seen.comp", {{"EYE", "1"}});
 };
 
 }  // namespace lightwalk

@@ -80,11 +80,16 @@ Limits::Limits(VkPhysicalDevice physical) {
     });
     VkPhysicalDevicePushDescriptorPropertiesKHR push{
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PUSH_DESCRIPTOR_PROPERTIES_KHR};
-    core13.pNext = pushes ? &push : nullptr;
+    VkPhysicalDeviceSubgroupProperties subgroup{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES,
+                                                .pNext = pushes ? &push : nullptr};
+    core13.pNext = &subgroup;
     VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &core13};
     vkGetPhysicalDeviceProperties2(physical, &properties);
     core13.pNext = nullptr;
     push_descriptors = push.maxPushDescriptors;
+    if ((subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) &&
+        (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT))
+        shuffling_lanes = core13.minSubgroupSize;
 }
 
 std::optional<uint32_t> graphics_family(VkPhysicalDevice physical) {

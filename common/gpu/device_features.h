@@ -30,6 +30,7 @@ struct Limits {
     explicit Limits(VkPhysicalDevice physical);
     VkPhysicalDeviceVulkan13Properties core13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES};
     uint32_t push_descriptors = 0;  ///< 0: it cannot push them
+    uint32_t shuffling_lanes = 1;  ///< invocations of the smallest subgroup that compute shaders may run in and shuffle
 };
 
 /// What is used where the device has it, by Vulkan's name. Of a device of Vulkan 1.3.

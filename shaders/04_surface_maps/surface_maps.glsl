@@ -24,22 +24,13 @@ layout(scalar) uniform MapsBlock {
     float scroll;  // tiles per second
 } maps;
 
-// What fragments get from the vertex shaders.
-layout(location = 0) in vec3 world_position;
-layout(location = 1) in vec3 world_normal;
-layout(location = 2) in vec3 world_tangent;
-layout(location = 3) in float handedness;
-layout(location = 4) in vec2 metres_per_uv;
-layout(location = 5) in vec2 uv;
-layout(location = 6) flat in uint material_index;
-layout(location = 7) flat in uint item;
-layout(location = 8) in float cos_uv;
+#include "04_surface_maps/fragment_varyings.glsl"
 
 // Tangent space in the world: columns along u, along v, along the normal.
 mat3 tangent_space() {
     // Normals of opposite vertices cancel between them: there the mesh's own slope has to do.
     vec3 n = dot(world_normal, world_normal) > 1e-8 ? normalize(world_normal)
-                                                    : normalize(cross(dFdy(world_position), dFdx(world_position)));
+                                                    : normalize(cross(position_down(), position_across()));
     vec3 t = world_tangent - n * dot(n, world_tangent);
     t = dot(t, t) > 1e-8 ? normalize(t) : normalize(abs(n.x) < 0.6 ? vec3(0.0, n.z, -n.y) : vec3(-n.z, 0.0, n.x));
     return mat3(t, handedness * cross(n, t), n);
@@ -182,7 +173,7 @@ vec4 read(sampler2D map, Coordinates at) {
 Coordinates coordinates_at(CameraView view) {
     vec2 moved = moving_uv(uv, maps.wobble, maps.scroll, view.time_s);
     float sharper = exp2(view.lod_bias);
-    return Coordinates(moved, sharper * dFdx(moved), sharper * dFdy(moved));
+    return Coordinates(moved, sharper * moved_across(moved, view.time_s), sharper * moved_down(moved, view.time_s));
 }
 
 // How far one unit of u and of v goes from the top of the height field to its bottom.
@@ -321,7 +312,7 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
 // This fragment's. What textures cut out is discarded, unless alpha mixes it with what lies behind.
 MappedSurface seen_surface() {
     MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
-#ifndef TRANSPARENT
+#if !defined(TRANSPARENT) && !defined(SEEN)  // what is seen was not cut out
     if (is_cut_out(m.alpha, maps.cutoff)) discard;
 #endif
     return m;

@@ -60,6 +60,14 @@ struct OnChain : OnModules {
     }
 };
 
+/// Numbers from 0 to 1 for OnChain::image().
+inline glm::dvec4 noise(uint32_t layer, uint32_t x, uint32_t y) {
+    uint32_t n = (x * 73856093u) ^ (y * 19349663u) ^ (layer * 83492791u);
+    n = (n ^ n >> 13) * 0x5bd1e995u;
+    n ^= n >> 15;
+    return {double(n & 255) / 255, double(n >> 8 & 255) / 255, double(n >> 16 & 255) / 255, 1};
+}
+
 inline const std::vector<std::string> filters{"blit", "box", "single_pass", "polyphase", "kaiser"};
 
 }  // namespace lightwalk

@@ -11,13 +11,6 @@ namespace {
 constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat srgb8 = VK_FORMAT_R8G8B8A8_SRGB;
 
-glm::dvec4 noise(uint32_t layer, uint32_t x, uint32_t y) {
-    uint32_t n = (x * 73856093u) ^ (y * 19349663u) ^ (layer * 83492791u);
-    n = (n ^ n >> 13) * 0x5bd1e995u;
-    n ^= n >> 15;
-    return {double(n & 255) / 255, double(n >> 8 & 255) / 255, double(n >> 16 & 255) / 255, 1};
-}
-
 }  // namespace
 
 TEST_CASE_METHOD(OnChain, "every size has all its levels, and their means are those of a reference on the host") {
@@ -89,8 +82,8 @@ TEST_CASE_METHOD(OnChain, "a checker of black and white is 188 and not 128") {
         CHECK(std::round(255 * last(codes).g) == Approx(188).margin(1));
         CHECK(last(codes).a == 1);
     }
-    fill(codes, "box", Content::linear);  // codes averaged as if they were light
-    CHECK(std::round(255 * level(codes, 1).at(9, 9).r) == 128);
+    fill(codes, "box", Content::linear);  // codes averaged as if they were light; devices round halves as they like
+    CHECK(255 * level(codes, 1).at(9, 9).r == Approx(127.5).margin(0.51));
 }
 
 TEST_CASE_METHOD(OnChain, "a ramp's mean survives odd sizes with polyphase alone") {

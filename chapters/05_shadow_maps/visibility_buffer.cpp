@@ -1,0 +1,73 @@
+#include "05_shadow_maps/visibility_buffer.h"
+
+namespace lightwalk {
+
+Pipeline seen_pipeline(const char* shader, Macros macros) {
+    for (const char* varyings : {"04_surface_maps/fragment_varyings.glsl", "04_surface_maps/vertex_varyings.glsl"})
+        macros.set(varyings, "05_shadow_maps/seen_varyings.glsl");
+    return compute({.shader = shader, .macros = std::move(macros)});
+}
+
+namespace {
+
+const Pipeline no_item = compute({.shader = "05_shadow_maps/nothing_seen.comp"});
+const Pipeline one_color = compute({.shader = "05_shadow_maps/background.comp"});
+
+}  // namespace
+
+Attachment nothing_seen(Frame& frame, Image& image, Canvas& canvas) {
+    image.fit(frame.gpu.device, {.name = "visible", .format = VK_FORMAT_R32G32_UINT, .size = canvas.size()});
+    ComputeAccess access{.writes = {image}};
+    const bool is_first = !canvas.has_color();
+    if (is_first) access.writes.push_back(canvas.color_overwritten());
+    frame.compute("nothing seen", access, [&](Compute& pass) {
+        pass.use(no_item).set("result", image).dispatch_threads(canvas.size());
+        if (!is_first) return;
+        pass.use(one_color).set("result", canvas.color_overwritten()).set("background", canvas.background());
+        pass.dispatch_threads(canvas.size());
+    });
+    return keep(image);
+}
+
+bool VisibilityBuffer::suits(const Maps& maps, const Canvas& canvas) {
+    return maps.mesh.is("loaded") && canvas.depth_read_only().view.image->desc.samples == 1;
+}
+
+// [record]
+void VisibilityBuffer::record(Frame& frame, const Scene& scene, const Maps& maps, const std::vector<Batch>& batches,
+                              Canvas& canvas) {
+    const Attachment seen = nothing_seen(frame, seen_, canvas);
+    std::vector<Batch> solid, holes;
+    for (const Batch& batch : batches) (maps.has_holes(batch.item()) ? holes : solid).push_back(batch);
+    frame.raster("visible", {.color = {seen}, .depth = canvas.depth_target(), .with = {maps}}, [&](Raster& pass) {
+        maps.draw(pass, scene, solid, solid_.loaded, solid_.displaced);
+        maps.draw(pass, scene, holes, holes_.loaded, holes_.displaced);
+    });
+}
+// [/record]
+
+// [shade]
+void VisibilityBuffer::shade(Frame& frame, const Scene& scene, const Maps& maps, const std::vector<Batch>& batches,
+                             Canvas& canvas, const Pipeline& pipeline, const std::vector<With>& with) const {
+    const ImageView color = canvas.color(frame);
+    frame.compute("shade seen", {.reads = {seen_}, .writes = {color}, .with = with}, [&](Compute& pass) {
+        for (const Batch& batch : batches) {
+            const DrawItem& item = batch.item();
+            pass.use(pipeline, maps.variant(item)).set("visible", seen_, nearest_clamp).set("result", color);
+            pass.offer("ambient", scene.ambient());
+            pass.offer("instances", scene.instances);
+            pass.offer("materials", scene.materials);
+            pass.offer("vertices", item.model->vertices[item.mesh]);
+            pass.offer("indices", item.model->indices[item.mesh]);
+            for (const auto& [name, buffers] : item.model->attributes) pass.offer(name, buffers[item.mesh]);
+            for (size_t slot = 0; slot < map_slot_count; ++slot)
+                pass.offer(map_slots()[slot].binding, scene.texture(item, static_cast<MapSlot>(slot)));
+            const Part& part = item.model->model.meshes[item.mesh].parts[item.part];
+            pass.set("seen", glm::uvec3(batch.first, batch.count, part.first_index));
+            pass.dispatch_threads(canvas.size());
+        }
+    });
+}
+// [/shade]
+
+}  // namespace lightwalk

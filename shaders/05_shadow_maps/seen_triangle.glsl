@@ -1,0 +1,43 @@
+// A pixel of a visibility buffer as a fragment of the mesh: the values of the triangle's corners, interpolated.
+#define SEEN
+#include "common/structs.h"
+#include "04_surface_maps/surface_varyings.glsl"
+#include "05_shadow_maps/visible.glsl"
+
+layout(scalar) readonly buffer VertexBuffer { Vertex vertices[]; };
+layout(scalar) readonly buffer TangentBuffer { TangentFrame tangents[]; };
+layout(scalar) readonly buffer InstanceBuffer { Instance instances[]; };
+layout(scalar) readonly buffer IndexBuffer { uint indices[]; };
+layout(scalar) uniform SeenBlock {
+    uint first_item, items;  // of the batch that is shaded
+    uint first_index;        // of its mesh's part
+} seen;
+
+// [look_up]
+// False where the pixel shows another batch. Else the varyings are set as a fragment shader has them, and gl_FragCoord.
+bool look_up(ivec2 pixel, ivec2 size, mat4 view_projection, out vec4 frag_coord) {
+    uvec2 id = texelFetch(visible, pixel, 0).xy;
+    item = id.x - 1u;
+    if (id.x == 0u || item - seen.first_item >= seen.items) return false;
+
+    vec4 corners[3];
+    mat3 positions, normals, tangent_vectors;
+    mat3x2 metres, uvs;
+    vec3 hands, cosines;
+    for (int i = 0; i < 3; ++i) {
+        uint number = indices[seen.first_index + 3u * id.y + uint(i)];
+        set_varyings(vertices[number], tangents[number], instances[item]);
+        corners[i] = world_to_clip(view_projection, world_position);
+        positions[i] = world_position, normals[i] = world_normal, tangent_vectors[i] = world_tangent;
+        metres[i] = metres_per_uv, uvs[i] = uv, hands[i] = handedness, cosines[i] = cos_uv;
+    }
+    Shares s = shares_at(corners, pixel, size);
+    world_position = positions * s.here, change_across = positions * s.across, change_down = positions * s.down;
+    uv = uvs * s.here, uv_across = uvs * s.across, uv_down = uvs * s.down;
+    world_normal = normals * s.here, world_tangent = tangent_vectors * s.here, metres_per_uv = metres * s.here;
+    handedness = dot(hands, s.here), cos_uv = dot(cosines, s.here);
+    vec4 clip = world_to_clip(view_projection, world_position);
+    frag_coord = vec4(vec2(pixel) + 0.5, clip.z / clip.w, 1.0 / clip.w);
+    return true;
+}
+// [/look_up]
