@@ -58,7 +58,7 @@ Flight::Moment Flight::at(double time_s, double days) const {
     if (t < 0) t += all;
     const size_t body = std::min(static_cast<size_t>(t / turn), body_count - 1), next = (body + 1) % body_count;
     const double within = t - static_cast<double>(body) * turn;
-    const auto drift = [&](double s) { return 5 * (s / stay - 0.5); };  // degrees, while it stays
+    const auto drift = [&](double s) { return static_cast<double>(drift_deg) * (s / stay - 0.5); };
     if (within <= stay) {
         const Pose pose = pose_at(body, days, drift(within));
         return {pose.eye, looking(pose.forward), pose.from_sun, body, 0};

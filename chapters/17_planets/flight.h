@@ -14,6 +14,8 @@ struct Flight : Module {
 
     Knob<bool> on{*this, "on", false, "Camera that flies from one body to the next, in place of the scene's"};
     Knob<float> stay_s{*this, "stay_s", 4.0f, {0.1f, 1000.0f}, "Time at each body", "s"};
+    Knob<float> drift_deg{
+        *this, "drift_deg", 5.0f, {-90.0f, 90.0f}, "Angle that the camera circles a body by while it stays", "deg"};
     Knob<float> travel_s{*this, "travel_s", 6.0f, {0.1f, 1000.0f}, "Time between two bodies", "s"};
 
     bool animated() const override { return on; }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "19_ambiance/ways.h"
 #include "common/app/gpu_load.h"
 #include "common/app/headless.h"
 #include "common/app/render.h"
@@ -62,13 +63,14 @@ json figures(const Measured& of) {
 }  // namespace
 
 // [run]
-int run_benchmark(Chapter& chapter, const Reel& reel, Mlaa& antialias, const std::string& file, const Options& options,
+int run_benchmark(Chapter& chapter, Reel& reel, Mlaa& antialias, const std::string& file, const Options& options,
                   std::unique_ptr<Gpu>& gpu) {
     check_writable(file);
     chapter.plays = true;
     gpu = make_gpu(options);
     load_scene(chapter, *gpu, options.scene.empty() ? chapter.default_scene() : options.scene);
     if (!reel.is_open()) throw InputError("--benchmark: {} is no film", options.scene);
+    if (options.automatic) choose_ways(reel, *gpu, options);
     const Timeline& film = reel.film();
     const int frames = options.frames_given ? options.frames : 60;
     Frame frame(*gpu);
@@ -102,6 +104,7 @@ int run_benchmark(Chapter& chapter, const Reel& reel, Mlaa& antialias, const std
             (i < 0 ? before : after).draw(chapter, frame, picture(scene.from_s + (i + 0.5) / 60));
         cuts.push_back({{"to", scene.name},
                         {"at_s", scene.from_s},
+                        {"frames_ms", after.wall_ms},
                         {"longest_ms", most(after.wall_ms)},
                         {"mean_ms", mean(after.wall_ms)}});
     }

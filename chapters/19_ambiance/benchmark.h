@@ -8,9 +8,9 @@ namespace lightwalk {
 
 /// Draws options.frames frames (60 unless given) of each scene, evenly over its time, with and without morphological
 /// anti-aliasing in turn, and the frames around each cut in order. Writes JSON: the device; of each scene GPU milliseconds
-/// of a frame (min, mean, p99), processor milliseconds, and the median of each pass; of each cut the longest and the mean
-/// time from one frame to the next. Returns the exit code. Throws InputError.
-int run_benchmark(Chapter& chapter, const Reel& reel, Mlaa& antialias, const std::string& file, const Options& options,
+/// of a frame (min, mean, p99), processor milliseconds, and the median of each pass; of each cut the
+/// milliseconds of the frames after it, their longest and their mean. Returns the exit code. Throws InputError.
+int run_benchmark(Chapter& chapter, Reel& reel, Mlaa& antialias, const std::string& file, const Options& options,
                   std::unique_ptr<Gpu>& gpu);
 
 }  // namespace lightwalk

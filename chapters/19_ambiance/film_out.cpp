@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "19_ambiance/frame_pipe.h"
+#include "19_ambiance/ways.h"
 #include "common/app/headless.h"
 #include "common/app/render.h"
 #include "common/base/error.h"
@@ -50,7 +51,7 @@ struct Unfinished {
 
 }  // namespace
 
-int FilmOut::write(Chapter& chapter, const Reel& reel, const std::string& file, const Options& options,
+int FilmOut::write(Chapter& chapter, Reel& reel, const std::string& file, const Options& options,
                    std::unique_ptr<Gpu>& gpu) {
     const std::filesystem::path path(file);
     const std::string ending = path.extension().string();
@@ -61,6 +62,7 @@ int FilmOut::write(Chapter& chapter, const Reel& reel, const std::string& file, 
     gpu = make_gpu(options);
     load_scene(chapter, *gpu, options.scene.empty() ? chapter.default_scene() : options.scene);
     if (!reel.is_open()) throw InputError("--film: {} is no film", options.scene);
+    if (options.automatic) choose_ways(reel, *gpu, options);
     const int last = static_cast<int>(std::lround(reel.film().duration_s * double(fps)));
     const int end = frames_to < 0 ? last : std::min(int(frames_to), last);
     if (frames_from >= end) throw InputError("--film: there is no frame from {} to {}", int(frames_from), end);

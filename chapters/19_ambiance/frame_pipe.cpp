@@ -2,9 +2,12 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -16,6 +19,7 @@ extern char** environ;
 namespace lightwalk {
 
 FramePipe::FramePipe(const std::filesystem::path& file) : name_(file.string()) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond a limit is an error, and no death
     output_ = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (output_ < 0) throw Failure("{}: {}", name_, std::strerror(errno));
 }
@@ -27,6 +31,8 @@ FramePipe::FramePipe(const std::vector<std::string>& command) : name_(command.fr
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], 0);
+    messages_ = memfd_create("messages", MFD_CLOEXEC);
+    if (messages_ >= 0) posix_spawn_file_actions_adddup2(&actions, messages_, 2);
     std::vector<char*> words;
     for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
@@ -46,6 +52,18 @@ FramePipe::FramePipe(const std::vector<std::string>& command) : name_(command.fr
 FramePipe::~FramePipe() {
     if (output_ >= 0) close(output_);
     end_program();
+    if (messages_ >= 0) close(messages_);
+}
+
+std::string FramePipe::last_words() const {
+    char text[2000];
+    const ssize_t size = messages_ < 0 ? 0 : lseek(messages_, 0, SEEK_END);
+    const ssize_t got =
+        size <= 0 ? 0 : pread(messages_, text, sizeof text, std::max<ssize_t>(0, size - ssize_t(sizeof text)));
+    std::string said(text, size_t(std::max<ssize_t>(got, 0)));
+    while (!said.empty() && std::isspace(static_cast<unsigned char>(said.back()))) said.pop_back();
+    said.erase(0, said.rfind('\n') + 1);
+    return said.empty() ? "" : ": " + said;
 }
 
 void FramePipe::end_program() {
@@ -65,7 +83,8 @@ void FramePipe::write(std::span<const std::byte> bytes) {
             const bool is_program = program_ >= 0;
             close(output_), output_ = -1;
             end_program();
-            if (is_program) throw Failure("{} ended before the last frame, with code {}", name_, ended_with_);
+            if (is_program)
+                throw Failure("{} ended before the last frame, with code {}{}", name_, ended_with_, last_words());
             throw Failure("{}: {}", name_, std::strerror(why));
         }
         bytes = bytes.subspan(static_cast<size_t>(taken));
@@ -77,7 +96,7 @@ void FramePipe::finish() {
     const int wrong = close(output_);
     output_ = -1;
     end_program();
-    if (is_program && ended_with_ != 0) throw Failure("{} failed, with code {}", name_, ended_with_);
+    if (is_program && ended_with_ != 0) throw Failure("{} failed, with code {}{}", name_, ended_with_, last_words());
     if (wrong != 0) throw Failure("{}: {}", name_, std::strerror(errno));
 }
 

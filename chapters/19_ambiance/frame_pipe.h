@@ -27,8 +27,9 @@ class FramePipe {
 
   private:
     void end_program();
+    std::string last_words() const;  ///< of the program's messages
     std::string name_;
-    int output_ = -1;
+    int output_ = -1, messages_ = -1;
     pid_t program_ = -1;
     int ended_with_ = 0;
 };

@@ -65,6 +65,15 @@ void FilmPart::apply_knobs(double clock_s) {
             throw InputError("{}", said.rfind(track.where, 0) == 0 ? said : track.where + ": " + said);
         }
     }
+    for (const auto& [name, value] : way_) knob(name, film_scene_.where).set(value);
+}
+
+void FilmPart::draw_by(const KnobSettings& way) {
+    if (way == way_) return;
+    for (const auto& [name, value] : before_way_) knob(name, film_scene_.where).set(value);
+    before_way_.clear();
+    for (const auto& [name, value] : way) before_way_.emplace_back(name, knob(name, film_scene_.where).text());
+    way_ = way;
 }
 
 View FilmPart::look(Frame& frame, const Camera& camera) {
@@ -76,13 +85,13 @@ View FilmPart::look(Frame& frame, const Camera& camera) {
 }
 
 // [record]
-void FilmPart::record(Frame& frame, double time_s, Timeline::Faded faded) {
+void FilmPart::record(Frame& frame, double time_s, Timeline::Faded faded, const Camera* flown) {
     const double clock_s = film_scene_.clock_at(time_s);
     const Clock clock(frame, clock_s);
     apply_knobs(clock_s);
 
     // 1. Its light, from where the camera is by now; the glare of what is bright.
-    draw_light(frame, film_scene_.camera.at(clock_s, scene_.file.camera));
+    draw_light(frame, flown ? *flown : camera_at(time_s));
     bloom.record(frame, frame.hdr);
 
     // 2. The film's fade, in linear light and before the tone curve: what is brightest is the last to go.

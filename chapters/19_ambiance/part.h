@@ -9,6 +9,9 @@
 
 namespace lightwalk {
 
+/// Knobs of a part by name, each with the text that KnobBase::set takes.
+using KnobSettings = std::vector<std::pair<std::string, std::string>>;
+
 // [part]
 /// Lives while the film needs it (19.warm): made before its scene is on the screen, dropped after it. A part has no state
 /// of its own: what it draws follows from the time and the size alone. It has no owner, as a chapter has none: its knobs are
@@ -22,8 +25,15 @@ class FilmPart : public Module {
     void load(Gpu& gpu);
 
     /// Draws the scene at the film's time: light, bloom, the film's fade, tones. What a screen shows of it is then in
-    /// frame.hdr, 0 to 1 and still linear.
-    void record(Frame& frame, double time_s, Timeline::Faded faded);
+    /// frame.hdr, 0 to 1 and still linear. `flown`: a camera in place of the scene's; may be null.
+    void record(Frame& frame, double time_s, Timeline::Faded faded, const Camera* flown = nullptr);
+
+    /// On its path, at the film's time.
+    Camera camera_at(double time_s) const {
+        return film_scene_.camera.at(film_scene_.clock_at(time_s), scene_.file.camera);
+    }
+    /// Sets knobs over what the scene's file and its tracks say, in place of those given before; {}: as they say.
+    void draw_by(const KnobSettings& way);
 
     const FilmScene& scene() const { return film_scene_; }
     bool is_loaded() const;  ///< nothing that load() depends on has changed since
@@ -48,6 +58,7 @@ class FilmPart : public Module {
     const FilmScene& film_scene_;
     std::string loaded_with_;
     std::map<std::string, KnobBase*> knobs_;
+    KnobSettings way_, before_way_;
     Pipeline fade_ = compute({.shader = "19_ambiance/fade.comp"});
 };
 

@@ -1,5 +1,7 @@
 #include "19_ambiance/reel.h"
 
+#include <algorithm>
+
 #include "14_environment/sound_file.h"
 #include "19_ambiance/exercises.h"
 #include "19_ambiance/level_file.h"
@@ -10,7 +12,7 @@ namespace lightwalk {
 bool is_film_file(const std::filesystem::path& file) { return file.extension() == ".film"; }
 
 void Reel::prepare(Gpu&, Scene& loaded) {
-    parts_.clear();
+    parts_.clear(), ways_.clear();
     chosen_.reset();
     film_ = is_film_file(loaded.file.file) ? read_timeline(loaded.file.file) : Timeline();
     has_sound_ = false;
@@ -39,9 +41,7 @@ void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, 
     std::vector<OnScreen> times;
     for (const FilmScene& scene : film_.scenes) times.push_back({scene.from_s, scene.to_s});
     const std::vector<int> wanted = warm(times, time_s, plays ? double(ahead_s) : later_s, plays ? int(most) : 3);
-    std::erase_if(parts_, [&](const auto& part) {
-        return std::find(wanted.begin(), wanted.end(), int(part.first)) == wanted.end();
-    });
+    drop_parts(wanted, plays ? size_t(most) : 3);
     for (const int i : wanted) {
         const auto place = static_cast<size_t>(i);
         if (const auto there = parts_.find(place); there != parts_.end()) {
@@ -51,39 +51,105 @@ void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, 
         const FilmScene& scene = film_.scenes.at(place);
         std::unique_ptr<FilmPart> part = make_part(scene, music);
         part->load(gpu);
-        if (scene.from_s > time_s) {  // it is not seen yet
-            Frame unseen(gpu);
-            part->begin_frame(gpu, size);
-            unseen.begin(size, static_cast<float>(scene.from_s));
-            part->record(unseen, scene.from_s, {});
-            unseen.end();
-        }
+        part->draw_by(ways_[place]);
         parts_[place] = std::move(part);
+        if (scene.from_s > time_s)  // it is not seen yet
+            for (const double at_s : plays ? film_.turns(place) : std::vector{scene.from_s})
+                draw_unseen(gpu, size, place, at_s);
     }
+    begin_frame(gpu, size);
     for (const auto& [place, part] : parts_) part->begin_frame(gpu, size);
+}
+
+// With everything that the film does to a scene: what a fade and a mixture need is made as well.
+void Reel::draw_unseen(Gpu& gpu, glm::uvec2 size, size_t place, double time_s) {
+    Frame unseen(gpu);
+    begin_frame(gpu, size);
+    parts_.at(place)->begin_frame(gpu, size);
+    unseen.begin(size, static_cast<float>(time_s));
+    parts_.at(place)->record(unseen, time_s, {.black = 0.5f, .white = 0.5f});
+    keep(unseen);
+    mix(unseen, 0.5f);
+    unseen.end();
+}
+
+// Freeing a scene's memory is work as well, and hard cuts, where the scene before was dropped, took 13 to 18 ms on a GPU. So
+// nothing is dropped there, but where there is no room for another scene, which takes seconds to be made anyway.
+void Reel::drop_parts(const std::vector<int>& wanted, size_t room) {
+    const auto is_wanted = [&](size_t place) {
+        return std::find(wanted.begin(), wanted.end(), int(place)) != wanted.end();
+    };
+    const auto missing = static_cast<size_t>(std::count_if(
+        wanted.begin(), wanted.end(), [&](int place) { return !parts_.contains(static_cast<size_t>(place)); }));
+    for (auto part = parts_.begin(); part != parts_.end() && parts_.size() + missing > room;)
+        part = is_wanted(part->first) ? std::next(part) : parts_.erase(part);
 }
 // [/make_ready]
 
+void Reel::draw_by(size_t scene, KnobSettings way) {
+    if (const auto part = parts_.find(scene); part != parts_.end()) part->second->draw_by(way);
+    ways_[scene] = std::move(way);
+}
+
+void Reel::apply_knobs(const Chapter& chapter, double time_s) const {
+    if (film_.knobs.empty()) return;
+    const KnobList all = chapter.all_knobs();
+    for (const Track& track : film_.knobs) try {
+            if (KnobBase& knob = find_knob(all, track.name); !knob.pinned) knob.set(track.at(time_s));
+        } catch (const InputError& e) { throw InputError("{}: {}", track.where, e.what()); }
+}
+
+std::optional<size_t> Reel::scene_at(double time_s) const {
+    const std::vector<Timeline::Shown> shown = film_.shown(time_s);
+    return shown.empty() ? std::nullopt : std::optional(shown.back().scene);
+}
+
+std::optional<Camera> Reel::camera_at(double time_s) const {
+    const std::optional<size_t> scene = scene_at(time_s);
+    const auto part = scene ? parts_.find(*scene) : parts_.end();
+    return part == parts_.end() ? std::nullopt : std::optional(part->second->camera_at(time_s));
+}
+
+bool Reel::take_cameras(const Timeline& edited) {
+    const auto same = [](const FilmScene& a, const FilmScene& b) {
+        return a.name == b.name && a.from_s == b.from_s && a.to_s == b.to_s;
+    };
+    if (!std::equal(film_.scenes.begin(), film_.scenes.end(), edited.scenes.begin(), edited.scenes.end(), same))
+        return false;
+    for (size_t i = 0; i < film_.scenes.size(); ++i) {
+        film_.scenes[i].camera = edited.scenes[i].camera, film_.scenes[i].path = edited.scenes[i].path;
+        if (chosen_) film_.scenes[i].camera.choose(*chosen_);
+    }
+    return true;
+}
+
 // [record]
-void Reel::record(Frame& frame, double time_s) {
+void Reel::record(Frame& frame, double time_s, const Camera& flown) {
     const std::vector<Timeline::Shown> shown = film_.shown(time_s);
     for (size_t i = 0; i < shown.size(); ++i) {
-        parts_.at(shown[i].scene)->record(frame, time_s, film_.faded(time_s));
-        if (i + 1 == shown.size()) continue;
-        frame.compute("keep", {.reads = {frame.hdr}, .writes = {before_}}, [&](Compute& pass) {
-            pass.use(copy_).set("from", frame.hdr, nearest_clamp).set("into", before_);
-            pass.dispatch_threads(frame.size);
-        });
+        const bool by_hand = fly && i + 1 == shown.size();
+        parts_.at(shown[i].scene)->record(frame, time_s, film_.faded(time_s), by_hand ? &flown : nullptr);
+        if (i + 1 < shown.size()) keep(frame);
     }
-    if (shown.size() == 2)
-        frame.compute("cross-fade", {.reads = {before_, frame.hdr}, .writes = {frame.hdr}}, [&](Compute& pass) {
-            pass.use(mix_).set("before", before_, nearest_clamp).set("picture", frame.hdr);
-            pass.set("share", shown[1].share).dispatch_threads(frame.size);
-        });
+    if (shown.size() == 2) mix(frame, shown[1].share);
     if (shown.empty())  // black
         frame.compute("black", {.writes = {frame.hdr}},
                       [&](Compute& pass) { pass.use(black_).set("picture", frame.hdr).dispatch_threads(frame.size); });
 }
 // [/record]
+
+void Reel::keep(Frame& frame) {
+    frame.compute("keep", {.reads = {frame.hdr}, .writes = {before_}}, [&](Compute& pass) {
+        pass.use(copy_).set("from", frame.hdr, nearest_clamp).set("into", before_);
+        pass.dispatch_threads(frame.size);
+    });
+}
+
+void Reel::mix(Frame& frame, float share) {
+    frame.compute("cross-fade", {.reads = {before_, frame.hdr}, .writes = {frame.hdr}}, [&](Compute& pass) {
+        pass.use(mix_).set("before", before_, nearest_clamp).set("picture", frame.hdr);
+        pass.set("share", share).dispatch_threads(frame.size);
+    });
+}
 
 }  // namespace lightwalk

@@ -2,6 +2,7 @@
 #pragma once
 #include "19_ambiance/part.h"
 #include "19_ambiance/titles.h"
+#include "common/app/chapter.h"
 #include "common/app/target.h"
 
 namespace lightwalk {
@@ -18,6 +19,7 @@ struct Reel : Module {
                         "Time before a scene begins at which it is made ready, while the film plays",
                         "s"};
     Knob<int> most{*this, "most", 32, {1, 64}, "Number of scenes that are kept ready at most, while the film plays"};
+    Knob<bool> fly{*this, "fly", false, "Camera of the scene flown by hand, in place of its path"};
     Music music{*this, "music"};
 
     /// True where the scene that was loaded is a film. Else nothing is drawn.
@@ -35,11 +37,25 @@ struct Reel : Module {
     /// How all cameras move, in place of what the film says; `pieces`: CameraPath's. None: as it says.
     void choose(const std::optional<PathKind>& kind);
 
+    /// Draws a scene with these knobs over what the film says of it, from now on. {}: as the film says.
+    void draw_by(size_t scene, KnobSettings way);
+
+    /// Sets the knobs of a chapter that the film has tracks for, but what was set on the command line. Throws InputError.
+    void apply_knobs(const Chapter& chapter, double time_s) const;
+
     /// The picture at a time, 0 to 1 in linear light: one scene, or two that are mixed; black where there is none.
-    void record(Frame& frame, double time_s);
+    /// `flown`: the camera of the scene that is shown, or shown next, while `fly` is on.
+    void record(Frame& frame, double time_s, const Camera& flown = {});
     void record_titles(Frame& frame, const Image& picture, double time_s) {
         titles_.record(frame, picture, film_, time_s);
     }
+
+    /// The scene on the screen, of two the later one; none in a gap.
+    std::optional<size_t> scene_at(double time_s) const;
+    /// Its camera on its path; none where it is not loaded.
+    std::optional<Camera> camera_at(double time_s) const;
+    /// The cameras of another version of the film's file. False where its scenes are others.
+    bool take_cameras(const Timeline& edited);
 
     const std::map<size_t, std::unique_ptr<FilmPart>>& parts() const { return parts_; }
     // [/reel]
@@ -49,9 +65,15 @@ struct Reel : Module {
     bool animated() const override { return is_open(); }
 
   private:
+    void drop_parts(const std::vector<int>& wanted, size_t room);
+    void draw_unseen(Gpu& gpu, glm::uvec2 size, size_t place, double time_s);
+    void keep(Frame& frame);
+    void mix(Frame& frame, float share);
+
     Timeline film_;
     std::optional<PathKind> chosen_;
     std::map<size_t, std::unique_ptr<FilmPart>> parts_;  ///< by their place in the film
+    std::map<size_t, KnobSettings> ways_;                ///< likewise
     bool has_sound_ = false;
     Titles titles_;
     Target before_{*this, {.name = "before", .kept = true}};

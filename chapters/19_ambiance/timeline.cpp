@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "common/base/text.h"
 
@@ -58,6 +59,17 @@ std::vector<Timeline::Shown> Timeline::shown(double time_s) const {
     return all;
 }
 // [/shown]
+
+std::vector<double> Timeline::turns(size_t scene) const {
+    const FilmScene& of = scenes.at(scene);
+    std::set<double> all{of.from_s};
+    for (const Track& track : of.knobs)
+        for (size_t i = 1; i < track.times_s.size(); ++i)
+            if (const double at_s = track.times_s[i] - of.clock_s + of.from_s;
+                at_s > of.from_s && at_s < of.to_s && (track.steps || numbers(track.values[i]).empty()))
+                all.insert(at_s);
+    return {all.begin(), all.end()};
+}
 
 Timeline::Faded Timeline::faded(double time_s) const {
     Faded now;

@@ -16,6 +16,8 @@ namespace lightwalk {
 //
 //   music        file of an Ogg Vorbis piece, from 0 s on
 //   duration_s   required, 0.1 to 3600
+//   knobs        {name: value} of the whole film, as a scene has them; tracks run in the film's time. What is set on the
+//                command line stays as it is
 //   scenes       list, by from_s:
 //     name         required, each once
 //     kind         required: what draws it (planets, landscape, water, volume, julia, head, surroundings, lights, street)
@@ -74,6 +76,7 @@ struct Timeline {
     std::filesystem::path file;
     SceneMusic music;
     double duration_s = 1;
+    std::vector<Track> knobs;       ///< of the whole film
     std::vector<FilmScene> scenes;  ///< by from_s
     std::vector<Fade> fades;        ///< by from_s
     std::vector<Title> titles;
@@ -84,6 +87,9 @@ struct Timeline {
         float share;  ///< of the picture; all together 1
     };
     std::vector<Shown> shown(double time_s) const;
+
+    /// When a scene may need something that it did not need before: at its beginning, and where a track jumps. In order.
+    std::vector<double> turns(size_t scene) const;
 
     /// How far the picture is faded, each from 0 to 1.
     struct Faded {

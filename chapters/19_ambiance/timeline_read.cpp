@@ -119,6 +119,15 @@ void read_path(const JsonWithLines& source, const json& object, const std::strin
     scene.camera = CameraPath(std::move(keys), scene.path);
 }
 
+std::vector<Track> read_tracks(const JsonWithLines& source, KeyReader& r) {
+    std::vector<Track> tracks;
+    const json* knobs = r.find("knobs");
+    if (!knobs) return tracks;
+    KeyReader k(source, *knobs, r.at("knobs"));
+    for (const auto& [name, value] : knobs->items()) tracks.push_back(read_track(k, source, name, value));
+    return tracks;
+}
+
 FilmScene read_film_scene(const JsonWithLines& source, KeyReader r, const std::string& at, double duration_s) {
     FilmScene scene;
     scene.where = source.where(at + "/scene");
@@ -131,10 +140,7 @@ FilmScene read_film_scene(const JsonWithLines& source, KeyReader r, const std::s
     scene.to_s = required(r, at, source, "to_s", 0, duration_s);
     if (!(scene.to_s > scene.from_s)) r.refuse("to_s", "is not after from_s");
     scene.clock_s = optional(r, at, source, "clock_s", 0, -1e5, 1e5);
-    if (const json* knobs = r.find("knobs")) {
-        KeyReader k(source, *knobs, r.at("knobs"));
-        for (const auto& [name, value] : knobs->items()) scene.knobs.push_back(read_track(k, source, name, value));
-    }
+    scene.knobs = read_tracks(source, r);
     if (const json* camera = r.find("camera")) read_path(source, *camera, r.at("camera"), scene);
     r.done();
     return scene;
@@ -204,6 +210,7 @@ Timeline parse_timeline(const std::string& text, const std::filesystem::path& pa
     film.file = path;
     if (r.find("music")) film.music = read_music(source, r);
     film.duration_s = required(r, "", source, "duration_s", 0.1, most_s);
+    film.knobs = read_tracks(source, r);
     each(source, r, "scenes", [&](KeyReader scene, const std::string& at) {
         film.scenes.push_back(read_film_scene(source, std::move(scene), at, film.duration_s));
     });

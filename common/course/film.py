@@ -1,61 +1,92 @@
 """Writes the course's film, whole or in shards that know nothing of each other, and joins them; prints benchmarks as a table."""
 
+import hashlib
 import json
 import shutil
 import subprocess
+import sys
+import tempfile
 from pathlib import Path
 
 from build.build import build
-from many.shards import Shard, parse
+from many import shards, slurm
+from many.shards import Shard
 from tree import ROOT, Failure, UsageError, chapter_program, find_chapter, say
 
 HELP = """Writes the film of chapter 19.
 
   ./course film OUT.mp4 [options]               all of it
-  ./course film OUT.mp4 --shard 3/16 [options]  the third of sixteen parts, into OUT.parts
+  ./course film OUT.mp4 --shard 3/16 [options]  the third of sixteen parts, into the folder OUT.parts
   ./course film OUT.mp4 --merge                 joins the parts of OUT.parts, with the sound
+  ./course film OUT.mp4 --slurm [options]       Slurm makes the parts, and they are joined; --slurm='--partition=short'
   ./course film --table A.json B.json ...       benchmarks (chapter 19's --benchmark) as one table
+  ./course film --page PAGE.html A.json ...     the same as a page with charts
 
-The options are the chapter's: --size 1920x1080, --fps 60, --samples 8, --shutter 0.5, --codec av1. A shard that failed is made
-again by the same command; one that is there already is left as it is."""
+The options are the chapter's: --size 1920x1080, --fps 60, --samples 8, --shutter 0.5, --codec av1. A part that failed is made
+again by the same command; one that is there already and whole is left as it is."""
 
 PASSES_OPTIONS = True
+KIND = "film"
 
 
 def add_arguments(parser):
     parser.add_argument("out", nargs="?", metavar="OUT.mp4")
-    parser.add_argument("--shard", metavar="I/N")
-    parser.add_argument("--merge", action="store_true")
+    parser.add_argument("--shard", type=shards.argument, metavar="K/N", help="write part K of N")
+    parser.add_argument("--merge", action="store_true", help="join the parts")
+    parser.add_argument("--out", dest="parts", type=Path, metavar="FOLDER", help="folder of the parts (OUT.parts)")
     parser.add_argument("--table", nargs="+", metavar="FILE", default=[])
+    parser.add_argument("--page", nargs="+", metavar="FILE", default=[])
+    slurm.add_arguments(parser)
 
 
 def run(arguments, rest) -> int:
     if arguments.table:
-        say(table([json.loads(Path(name).read_text()) for name in arguments.table]))
+        say(table(read_systems(arguments.table)))
         return 0
+    if arguments.page:
+        return write_page(arguments.page)
     if not arguments.out:
         raise UsageError("name the file that the film is written to; see ./course film --help")
+    shards.check_arguments(arguments)
+    slurm.check_arguments(arguments)
     out = Path(arguments.out)
-    parts = out.with_suffix(".parts")
+    if out.suffix not in (".mp4", ".mkv", ".raw"):
+        raise UsageError(f"{out}: expected a name that ends with .mp4, .mkv or .raw")
+    parts = arguments.parts or out.with_suffix(".parts")
     if arguments.merge:
-        return merge(out, parts, find_film(option(rest, "scene", "films/ambiance.film")))
-    build([find_chapter("19")])
-    if not arguments.shard:
-        return write(out, rest)
-    mine = shard(arguments.shard)
-    part = parts / f"{mine.number:04}_of_{mine.of:04}{out.suffix}"
-    if part.exists():
+        return merge(out, shards.merge([parts], KIND))
+    if arguments.slurm is not None:
+        made = shards.merge([slurm.run(KIND, arguments, sys.argv[1:], lambda: build([find_chapter("19")]))], KIND)
+        merge(out, made)
+        slurm.finished(KIND)
         return 0
-    parts.mkdir(parents=True, exist_ok=True)
-    first, end = cut(frame_count(rest), mine.number, mine.of)
-    return write(part, [*rest, "--frames_from", str(first), "--frames_to", str(end)])
+    build([find_chapter("19")])
+    return write_shard(out, parts, arguments.shard, rest) if arguments.shard else write(out, rest)
 
 
-def shard(text: str) -> Shard:
-    try:
-        return parse(text)
-    except ValueError as error:
-        raise UsageError(f"--shard: {error}") from None
+def write_shard(out: Path, parts: Path, shard: Shard, options: list[str]) -> int:
+    """The shard's frames as a film of their own, in a shard's file. The exit code."""
+    film = find_film(option(options, "scene", "films/ambiance.film"))
+    frames = frame_count(options)
+    head = {"frames": frames, "ending": out.suffix, "music": json.loads(film.read_text()).get("music"), "options": options,
+            "text": hashlib.sha256(film.read_bytes()).hexdigest()[:16], "course": shards.course_version()}
+    file = shards.file_of(parts, KIND, shard)
+    if file.exists():
+        if shards.read(file, KIND)["head"] == head:
+            return 0
+        raise UsageError(f"{file} is of another film, other options or another version of the course: remove it")
+    first, end = cut(frames, shard.number, shard.of)
+    with tempfile.TemporaryDirectory(prefix=".film.", dir=existing(parts)) as folder:
+        part = Path(folder, f"part{out.suffix}")
+        if code := write(part, [*options, "--frames_from", str(first), "--frames_to", str(end)]):
+            return code
+        shards.write(file, KIND, shard, head, {str(shard.number): [first, end]}, {f"part{out.suffix}": part})
+    return 0
+
+
+def existing(folder: Path) -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
 
 
 def cut(frames: int, number: int, count: int) -> tuple[int, int]:
@@ -81,44 +112,66 @@ def find_film(name: str) -> Path:
     for path in (Path(name), ROOT / "assets" / name, ROOT / name):
         if path.exists():
             return path
-    raise UsageError(f"there is no film {name}")
+    raise UsageError(f"there is no file {name}")
 
 
 def write(out: Path, options: list[str]) -> int:
     return subprocess.run([chapter_program(find_chapter("19")), "--film", out, *options]).returncode
 
 
-def merge(out: Path, parts: Path, film: Path) -> int:
-    """The parts' pictures as they are, and the film's sound in one piece."""
-    found = sorted(parts.glob(f"*_of_*{out.suffix}"))
-    counts = {path.stem.partition("_of_")[2] for path in found}
-    if len(counts) != 1:
-        raise UsageError(f"{parts} holds {'parts of different cuts' if counts else 'no parts'}")
-    count = int(counts.pop())
-    missing = [i for i in range(1, count + 1) if not (parts / f"{i:04}_of_{count:04}{out.suffix}").exists()]
-    if missing:
-        raise Failure(f"{parts}: {', '.join(f'{i}/{count}' for i in missing)} missing; ./course film {out} --shard {missing[0]}/{count}")
+def merge(out: Path, made: shards.Merged) -> int:
+    """The parts' pictures as they are, and the film's sound in one piece. What is there under this name stays until the film is
+    whole, and the parts stay."""
+    if made.head["ending"] != out.suffix:
+        raise UsageError(f"{out}: the parts are {made.head['ending']} files; name the film so")
     unfinished = out.with_name(f"{out.stem}.part{out.suffix}")
-    if out.suffix == ".raw":
-        with open(unfinished, "wb") as whole:
-            for path in found:
+    try:
+        with tempfile.TemporaryDirectory(prefix=".film.", dir=existing(out.absolute().parent)) as folder:
+            parts = []
+            for number in range(1, made.of + 1):
+                parts.append(Path(folder, f"{number:04}{out.suffix}"))
+                parts[-1].write_bytes(made.file(str(number), f"part{out.suffix}"))
+            join(parts, unfinished, made.head["music"])
+        unfinished.replace(out)
+    except OSError as error:
+        raise Failure(f"{out} is not joined, its parts are whole: {error.strerror or error}") from None
+    finally:
+        unfinished.unlink(missing_ok=True)
+    return 0
+
+
+def join(parts: list[Path], into: Path, music: str | None):
+    if into.suffix == ".raw":
+        with open(into, "wb") as whole:
+            for path in parts:
                 with open(path, "rb") as part:
                     shutil.copyfileobj(part, whole)
-    else:
-        listed = parts / "list.txt"
-        listed.write_text("".join(f"file '{path.name}'\n" for path in found))
-        music = json.loads(film.read_text()).get("music")
-        sound = ["-i", film.parents[1] / music, "-map", "0:v", "-map", "1:a", "-c:a", "aac", "-b:a", "160k", "-shortest"] if music else []
+        return
+    listed = parts[0].with_name("list.txt")
+    listed.write_text("".join(f"file '{path.name}'\n" for path in parts))
+    sound = ["-i", find_film(music), "-map", "0:v", "-map", "1:a", "-c:a", "aac", "-b:a", "160k", "-shortest"] if music else []
+    try:
+        done = subprocess.run(["ffmpeg", "-v", "error", "-y", "-f", "concat", "-safe", "0", "-i", listed, *sound, "-c:v",
+                               "copy", "-movflags", "+faststart", into], stderr=subprocess.PIPE, text=True)
+    except FileNotFoundError:
+        raise Failure("ffmpeg is not installed; it joins films (Debian's package ffmpeg)") from None
+    if done.returncode:
+        said = done.stderr.strip().splitlines()
+        raise Failure(f"ffmpeg failed, with code {done.returncode}{': ' + said[-1] if said else ''}; the parts are whole")
+
+
+def read_systems(names: list[str]) -> list[dict]:
+    """Benchmarks, one of each system: where several files are of one, at one size, the last counts. Raises UsageError."""
+    systems = {}
+    for name in names:
         try:
-            done = subprocess.run(["ffmpeg", "-v", "error", "-y", "-f", "concat", "-safe", "0", "-i", listed, *sound, "-c:v",
-                                   "copy", "-movflags", "+faststart", unfinished])
-        except FileNotFoundError:
-            raise Failure("ffmpeg is not installed; it joins films (Debian's package ffmpeg)") from None
-        if done.returncode:
-            unfinished.unlink(missing_ok=True)
-            raise Failure(f"ffmpeg failed, with code {done.returncode}")
-    unfinished.replace(out)
-    return 0
+            one = json.loads(Path(name).read_text())
+            systems[one["device"], tuple(one["size"])] = one
+            if not all("antialiasing" in scene for scene in one["scenes"]):
+                raise KeyError("scenes")
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            raise UsageError(f"{name}: is no benchmark: {error}") from None
+    return list(systems.values())
 
 
 def table(systems: list[dict]) -> str:
@@ -138,3 +191,11 @@ def table(systems: list[dict]) -> str:
                       f"{on['processor_ms']:.2f}"]
         lines.append(f"| {scene['name']} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
+
+
+def write_page(names: list[str]) -> int:
+    if not names[0].endswith(".html") or len(names) < 2:
+        raise UsageError("--page takes the page's name, which ends with .html, and benchmarks")
+    from pages.film_page import page
+    Path(names[0]).write_text(page(read_systems(names[1:])))
+    return 0

@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <mutex>
@@ -13,8 +14,11 @@
 namespace lightwalk {
 namespace {
 
-constexpr double most_apart_s = 0.06;  // sound and picture; what is less nobody sees
-constexpr double fade_s = 0.005;       // at a jump, where the samples would click
+constexpr double same_s = 1e-3;    // times that differ by less are no jump: the window's are rounded
+constexpr double fade_s = 0.005;   // at a jump, where the samples would click
+constexpr double asleep_s = 0.25;  // a device that has asked for nothing for so long has stopped
+
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 }  // namespace
 
@@ -46,6 +50,8 @@ struct SoundPlayer::Device {
     std::vector<float> samples;
     int rate_hz = 0;
     double place = 0, jump_to = 0;  ///< in samples of the sound
+    double begun_at = 0;            ///< where it was when the device asked for its latest buffer, in samples
+    double asked_s = 0;             ///< when that was
     float gain = 0;
     bool plays = false, jumps = false;
     const Sound* copied_from = nullptr;
@@ -68,6 +74,14 @@ struct SoundPlayer::Device {
         if (sdl.library && sdl.whole()) sdl.SDL_QuitSubSystem(SDL_INIT_AUDIO);
     }
 
+    double step() const { return double(rate_hz) / spec.freq; }  ///< samples of the sound for one of the device's
+
+    /// The sample that is heard. When the device asks for a buffer the one before begins to be heard, as long as it lasts.
+    double heard() const {
+        const double since = std::min((now_s() - asked_s) * spec.freq, double(spec.samples));
+        return begun_at + (since - double(spec.samples)) * step();
+    }
+
     float sample_at(double at) const {
         if (!(at >= 0) || at + 1 >= double(samples.size())) return 0.0f;
         const auto first = static_cast<size_t>(at);
@@ -78,13 +92,18 @@ struct SoundPlayer::Device {
     static void fill(void* self, Uint8* bytes, int size) {
         Device& d = *static_cast<Device*>(self);
         const std::lock_guard lock(d.guard);
+        d.asked_s = now_s();
+        d.begun_at = d.place;
         float* out = reinterpret_cast<float*>(bytes);
         const auto slope = static_cast<float>(1.0 / (fade_s * d.spec.freq));
         for (int i = 0; i < size / int(sizeof(float)); ++i) {
             d.gain = std::clamp(d.gain + (d.plays && !d.jumps ? slope : -slope), 0.0f, 1.0f);
-            if (d.gain == 0.0f && d.jumps) d.place = d.jump_to, d.jumps = false;
+            if (d.gain == 0.0f && d.jumps) {
+                d.place = d.jump_to, d.jumps = false;
+                d.begun_at = d.place - i * d.step();
+            }
             out[i] = d.gain * std::clamp(d.sample_at(d.place), -1.0f, 1.0f);
-            if (d.gain > 0.0f) d.place += double(d.rate_hz) / d.spec.freq;
+            if (d.gain > 0.0f) d.place += d.step();
         }
     }
 };
@@ -92,7 +111,7 @@ struct SoundPlayer::Device {
 SoundPlayer::SoundPlayer() = default;
 SoundPlayer::~SoundPlayer() = default;
 
-void SoundPlayer::follow(const Sound* sound, double time_s, bool clock_runs) {
+double SoundPlayer::advance(const Sound* sound, double time_s, bool clock_runs, double since_last_s) {
     if (sound && !tried_) {
         tried_ = true;
         device_ = std::make_unique<Device>();
@@ -104,23 +123,29 @@ void SoundPlayer::follow(const Sound* sound, double time_s, bool clock_runs) {
             log_event("sound at " + std::to_string(device_->spec.freq) + " Hz");
         }
     }
-    if (!device_) return;
+    const double by_processor_s = clock_runs ? time_s + since_last_s : time_s;
+    if (!device_) return by_processor_s;
     Device& d = *device_;
     const std::lock_guard lock(d.guard);
     d.plays = sound && clock_runs;
-    if (!sound) return;
-    if (d.copied_from != sound || d.copied_data != sound->samples.data()) {
+    const bool goes_on = ran_ && std::abs(time_s - given_s_) < same_s;
+    ran_ = d.plays;
+    if (!d.plays) return by_processor_s;
+    const bool is_new = d.copied_from != sound || d.copied_data != sound->samples.data();
+    if (is_new) {
         d.samples = sound->samples, d.rate_hz = sound->rate_hz;
         d.copied_from = sound, d.copied_data = sound->samples.data();
     }
-    // What the device has asked for is heard a buffer later.
-    const double wanted = (time_s + double(d.spec.samples) / d.spec.freq) * d.rate_hz;
-    if (d.plays && std::abs((d.jumps ? d.jump_to : d.place) - wanted) > most_apart_s * d.rate_hz) {
-        d.jump_to = wanted;
-        d.jumps = true;
-    } else if (d.jumps) {
-        d.jump_to = wanted;
+    if (!goes_on || is_new) {
+        d.jump_to = time_s * d.rate_hz, d.jumps = true;
+        d.asked_s = std::max(d.asked_s, now_s() - asleep_s / 2);  // it gets the time to wake up
     }
+    // The count of samples; it never goes back, also where the device begins a buffer late.
+    if (now_s() - d.asked_s < asleep_s)
+        given_s_ = d.jumps ? time_s : std::max(time_s, d.heard() / d.rate_hz);
+    else
+        given_s_ = by_processor_s, d.jump_to = given_s_ * d.rate_hz, d.jumps = true;
+    return given_s_;
 }
 
 }  // namespace lightwalk

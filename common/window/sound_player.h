@@ -6,22 +6,26 @@
 
 namespace lightwalk {
 
-/// Plays a sound so that the sample of the chapter's time is heard. The picture's clock leads: while it stands the
-/// device is silent, and where it has jumped, sound follows.
+/// Plays a sound, and is the clock of the picture beside it: the time is the count of the samples that were played. So
+/// the two cannot drift apart, whatever the device's idea of 48,000 samples a second is, and however long a frame takes.
 class SoundPlayer {
   public:
     SoundPlayer();
     ~SoundPlayer();
     SoundPlayer(const SoundPlayer&) = delete;
 
-    /// Once a frame. `sound` may be another one each time, or null; it must stay until the next call. The first call
-    /// with one opens the device; where there is none, one line says so, and nothing is played.
-    void follow(const Sound* sound, double time_s, bool clock_runs);
+    /// Once a frame, with the time of the frame before; returns the time of this one. While the clock runs that is the
+    /// time of the sample that is heard now; without a device, or where it has stopped asking for samples, `since_last_s`
+    /// later. A time other than the one returned last is a jump: sound follows. While the clock stands the device is
+    /// silent. `sound` may be another one each time, or null; it must stay until the next call. The first call with one
+    /// opens the device; where there is none, one line says so, and nothing is played.
+    double advance(const Sound* sound, double time_s, bool clock_runs, double since_last_s);
 
   private:
     struct Device;
     std::unique_ptr<Device> device_;
-    bool tried_ = false;
+    bool tried_ = false, ran_ = false;
+    double given_s_ = 0;  ///< the time returned last
 };
 
 }  // namespace lightwalk

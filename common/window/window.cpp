@@ -100,9 +100,8 @@ void Window::run() {
         // Music does not wait for a picture that takes long; without it, the clock of one that does goes slower.
         const double since_last = std::min(now() - last_draw_, sound ? 1.0 : 0.1);
         move_camera(input, since_last);
-        sound_.follow(sound, double(time_s_), clock_runs_);
+        time_s_ = static_cast<float>(sound_.advance(sound, double(time_s_), clock_runs_, since_last));
         if (is_still()) continue;
-        if (clock_runs_) time_s_ += static_cast<float>(since_last);
         draw();
     }
 }

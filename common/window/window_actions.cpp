@@ -129,6 +129,10 @@ void Window::ask_tool() {
         tool_->on_drop(files);
         active_until_ = now() + notice_s;
     }
+    WindowClock clock{time_s_, clock_runs_};
+    tool_->steer(clock);
+    if (clock.time_s != time_s_ || clock.runs != clock_runs_) active_until_ = std::max(active_until_, now() + 0.3);
+    time_s_ = clock.time_s, clock_runs_ = clock.runs;
     if (tool_->is_busy()) active_until_ = std::max(active_until_, now() + 0.1);
     if (tool_->wants_to_close()) close_ = true;
     if (const std::string notice = tool_->take_notice(); !notice.empty()) {

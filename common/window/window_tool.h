@@ -8,6 +8,12 @@
 
 namespace lightwalk {
 
+/// The chapter's clock in the window.
+struct WindowClock {
+    float time_s = 0;
+    bool runs = false;
+};
+
 /// A chapter that is one too is asked by the window. True: taken, and nothing else happens with it.
 class WindowTool {
   public:
@@ -26,6 +32,9 @@ class WindowTool {
     virtual bool wants_to_close() = 0;      ///< the answer was yes
     virtual bool is_busy() = 0;             ///< something goes on beside the picture
     virtual std::string take_notice() = 0;  ///< what to tell, once; empty: nothing
+
+    /// Before each frame: may set the clock, start and stop it.
+    virtual void steer(WindowClock& /*clock*/) {}
 };
 
 }  // namespace lightwalk

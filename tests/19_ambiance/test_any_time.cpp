@@ -1,38 +1,20 @@
 // Any time is a picture: however it is reached, it is the same one to the bit.
 #include "../catch.h"
-#include "01_obj/model_chapter.h"
-#include "19_ambiance/reel.h"
+#include "19_ambiance/ambiance.h"
 #include "common/app/render.h"
+#include "common/base/error.h"
 
 using namespace lightwalk;
 
 namespace {
 
-const char* const file = "tests/19_ambiance/short.film";
+const char* const short_film = "tests/19_ambiance/short.film";
 
-struct ShortFilm : ModelChapter {
-    Reel reel{*this, "reel"};
-    std::string default_scene() const override { return file; }
-    Model load_model(const std::filesystem::path&) override {
-        Model none;
-        none.materials.emplace_back();
-        return none;
-    }
-    void make_ready(Gpu& gpu, glm::uvec2 size, float time_s) override {
-        reel.make_ready(gpu, size, static_cast<double>(time_s), 0.0, plays);
-    }
-    void frame(Frame& frame) override {
-        reel.record(frame, static_cast<double>(frame.time_s));
-        reel.record_titles(frame, frame.hdr, static_cast<double>(frame.time_s));
-        encode_srgb(frame);
-    }
-};
-
-// The film on a validated device, as it was just started.
+// A film on a validated device, as it was just started.
 struct Started {
-    explicit Started(bool plays, int most = 32) : gpu(DeviceOptions{.validate = true}) {
+    explicit Started(bool plays, int most = 32, const char* film = short_film) : gpu(DeviceOptions{.validate = true}) {
         chapter.plays = plays, chapter.reel.most.value = most;
-        load_scene(chapter, gpu, file);
+        load_scene(chapter, gpu, film);
     }
     ~Started() { CHECK(gpu.device.validation_message_count() == 0); }
     std::vector<std::byte> picture(double time_s) {
@@ -40,30 +22,53 @@ struct Started {
         return gpu.read_back(frame.output);
     }
     Gpu gpu;
-    ShortFilm chapter;
+    Ambiance chapter;
     Frame frame{gpu};
 };
 
-constexpr double times_s[] = {0.25, 1, 1.75, 2.5, 4, 4.75};
+// A frame before each time at 30 and at 144 a second, then all times backwards, and every `cold_every`th from a cold start.
+void check_any_time(const char* film, const std::vector<double>& times_s, size_t cold_every) {
+    Started played(true, 32, film), played_fast(true, 2, film);
+    std::vector<std::vector<std::byte>> pictures;
+    for (const double time_s : times_s) {
+        played.picture(time_s - 1 / 30.0), played_fast.picture(time_s - 1 / 144.0);
+        pictures.push_back(played.picture(time_s));
+        INFO(time_s);
+        CHECK(pictures.back() == played_fast.picture(time_s));
+    }
+    for (size_t i = times_s.size(); i-- > 0;) {
+        INFO(times_s[i]);
+        CHECK(played.picture(times_s[i]) == pictures[i]);
+    }
+    for (size_t i = 0; i < times_s.size(); i += cold_every) {
+        INFO(times_s[i]);
+        Started cold(false, 32, film);
+        CHECK(cold.picture(times_s[i]) == pictures[i]);
+    }
+    size_t alike = 0;
+    for (size_t i = 1; i < pictures.size(); ++i) alike += pictures[i] == pictures[i - 1];
+    CHECK(alike <= 1);  // black, and black
+}
 
 }  // namespace
 
 TEST_CASE("a time is the same picture from a cold start, played at 30 and at 144 a second, and set back to") {
-    Started played(true), played_fast(true, 2);
-    std::map<double, std::vector<std::byte>> pictures;
-    for (const double time_s : times_s) {
-        // Frames before it, at either rate, as many as a change of scene takes.
-        for (int i = 4; i > 0; --i) played.picture(time_s - i / 30.0), played_fast.picture(time_s - i / 144.0);
-        pictures[time_s] = played.picture(time_s);
-        CHECK(pictures[time_s] == played_fast.picture(time_s));
-    }
-    for (auto it = pictures.rbegin(); it != pictures.rend(); ++it) CHECK(played.picture(it->first) == it->second);
-    for (const double time_s : times_s) {
-        Started cold(false);
-        INFO(time_s);
-        CHECK(cold.picture(time_s) == pictures.at(time_s));
-    }
-    CHECK(pictures.at(1) != pictures.at(2.5));
+    std::vector<double> times_s;
+    for (int i = 0; i < 12; ++i) times_s.push_back(0.25 + i / 2.5);
+    check_any_time(short_film, times_s, 3);
+}
+
+TEST_CASE("a small film at 60 times: cold, played at 30 and at 144 a second, set back to", "[.long]") {
+    std::vector<double> times_s;
+    for (int i = 0; i < 60; ++i) times_s.push_back(0.04 + i / 12.0);
+    check_any_time(short_film, times_s, 1);
+}
+
+TEST_CASE("the course's film at 60 times: cold, played at 30 and at 144 a second, set back to", "[.long]") {
+    std::vector<double> times_s{61.2, 62, 81, 115};  // cross-fades
+    for (int i = 0; i < 56; ++i) times_s.push_back(1.7 + i * 209.0 / 55);
+    std::sort(times_s.begin(), times_s.end());
+    check_any_time("films/ambiance.film", times_s, 1);
 }
 
 TEST_CASE("while it plays, what follows is ready and what is over is dropped; a single picture loads what it shows") {
@@ -80,6 +85,18 @@ TEST_CASE("while it plays, what follows is ready and what is over is dropped; a 
     CHECK(cold.chapter.reel.parts().size() == 2);
 }
 
+TEST_CASE("the film's tracks set the chapter's knobs, but what the command line has set") {
+    Started started(false);
+    Ambiance& film = started.chapter;
+    film.reel.apply_knobs(film, 0.5);
+    CHECK(float(film.smoothed) == Approx(0.75f));
+    CHECK(film.post.grain.is("white"));
+    film.smoothed.value = 0.25f, film.smoothed.pinned = true;
+    film.reel.apply_knobs(film, 3.5);
+    CHECK(float(film.smoothed) == 0.25f);
+    CHECK(film.post.aberration);
+}
+
 TEST_CASE("a fade to black ends in black, a gap is black, and the sun outlives the rest") {
     Started started(false);
     const auto brightest = [](const std::vector<std::byte>& picture) {
@@ -93,9 +110,24 @@ TEST_CASE("a fade to black ends in black, a gap is black, and the sun outlives t
     CHECK(brightest(started.picture(0.5)) > 100);
 }
 
+TEST_CASE("what is over is kept while there is room: a cut frees nothing") {
+    Started played(true, 8);
+    for (const double time_s : {0.25, 2.5, 4.0}) played.picture(time_s);
+    CHECK(played.chapter.reel.parts().size() == 3);
+}
+
+TEST_CASE("a scene by other knobs is another picture, and the same again as the film says") {
+    Started started(false);
+    const auto as_set = started.picture(1);
+    started.chapter.reel.draw_by(0, {{"bloom.method", "none"}});
+    CHECK(started.picture(1) != as_set);
+    started.chapter.reel.draw_by(0, {});
+    CHECK(started.picture(1) == as_set);
+}
+
 TEST_CASE("a scene of a film that does not exist, and a knob that nobody has, are named with their line") {
     Gpu gpu(DeviceOptions{});
-    ShortFilm chapter;
+    Ambiance chapter;
     const auto error = [&](const std::string& knobs, const std::string& scene) {
         const FilmScene parsed =
             parse_timeline(fmt::format("{{\"duration_s\": 1, \"scenes\": [\n{{\"name\": \"a\", \"kind\": \"julia\", "

@@ -1,6 +1,9 @@
-"""The film as a file: parts that join, and what happens where ffmpeg is missing or ends early."""
+"""The film as a file: parts that join, and what happens where ffmpeg is missing or ends early, or the disk is full."""
 
+import json
 import os
+import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -10,11 +13,15 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common/course"))
 import film  # noqa: E402
+from many import shards  # noqa: E402
+from many.shards import Shard  # noqa: E402
+from tree import Failure, UsageError  # noqa: E402
 from picture_drawing import BUILD, BUILT, HAS_SOLUTION  # noqa: E402
 
 PROGRAM = BUILD / "chapters" / "19_ambiance"
 FILM = Path(__file__).resolve().parent / "short.film"
-EARLY = "#!/bin/sh\nhead -c 5000 >/dev/null\nexit 3\n"
+EARLY = "#!/bin/sh\nhead -c 5000 >/dev/null\necho 'no such codec' >&2\nexit 3\n"
+FULL = "#!/bin/sh\ncat >/dev/full\n"
 WHOLE = '#!/bin/sh\nfor last; do :; done\nexec cat >"$last"\n'
 
 
@@ -25,7 +32,8 @@ class Film(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
 
-    def write(self, name: str, *options, ffmpeg: str | None = None, scene: Path | str = FILM) -> subprocess.CompletedProcess:
+    def write(self, name: str, *options, ffmpeg: str | None = None, scene: Path | str = FILM,
+              most_bytes: int | None = None) -> subprocess.CompletedProcess:
         environment = dict(os.environ)
         if ffmpeg is not None:
             place = self.folder / "programs"
@@ -35,7 +43,9 @@ class Film(unittest.TestCase):
                 (place / "ffmpeg").chmod(0o755)
             environment["PATH"] = f"{place}:/usr/bin:/bin" if ffmpeg else str(place)
         return subprocess.run([PROGRAM, "--scene", scene, "--size", "48x27", "--film", self.folder / name, *options],
-                              capture_output=True, text=True, timeout=300, env=environment)
+                              capture_output=True, text=True, timeout=300, env=environment,
+                              preexec_fn=(lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (most_bytes, most_bytes)))
+                              if most_bytes else None)
 
     def test_parts_join_without_a_seam_and_each_frame_is_its_picture(self):
         for name, *frames in (("whole.raw", "43", "49"), ("first.raw", "43", "46"), ("second.raw", "46", "49")):
@@ -51,13 +61,14 @@ class Film(unittest.TestCase):
 
     def test_what_was_there_stays_where_it_fails(self):
         for ffmpeg, words in (("", "ffmpeg cannot be started: No such file or directory"),
-                              (EARLY, "ffmpeg ended before the last frame, with code 3")):
+                              (EARLY, "ffmpeg ended before the last frame, with code 3: no such codec"),
+                              (FULL, "ffmpeg ended before the last frame, with code 1: cat: write error: No space left on device")):
             with self.subTest(words):
                 (self.folder / "a.mp4").write_text("a film")
                 done = self.write("a.mp4", "--frames_to", "60", ffmpeg=ffmpeg)
                 self.assertEqual((done.returncode, (self.folder / "a.mp4").read_text()), (1, "a film"))
                 self.assertIn(words, done.stderr)
-                self.assertEqual(done.stderr.count("error:"), 1)
+                self.assertEqual(len([line for line in done.stderr.splitlines() if line.startswith("error:")]), 1, done.stderr)
                 self.assertEqual(list(self.folder.glob("*.part*")), [])
 
     def test_bad_input(self):
@@ -68,29 +79,77 @@ class Film(unittest.TestCase):
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(words, done.stderr)
 
+    def test_a_full_disk_is_one_line_and_what_was_there_stays(self):
+        (self.folder / "a.raw").write_text("a film")
+        (self.folder / "a.part.raw").symlink_to("/dev/full")
+        done = self.write("a.raw", "--frames_to", "2")
+        self.assertEqual((done.returncode, (self.folder / "a.raw").read_text()), (1, "a film"))
+        self.assertEqual(done.stderr.count("error:"), 1)
+        self.assertIn("a.part.raw: No space left on device", done.stderr)
+        done = self.write("a.raw", "--frames_to", "60", most_bytes=100000)  # as many as fit
+        self.assertEqual((done.returncode, (self.folder / "a.raw").read_text()), (1, "a film"), done.stderr)
+        self.assertIn("a.part.raw: File too large", done.stderr)
+        self.assertEqual(list(self.folder.glob("*.part*")), [])
+
     def test_shards_are_all_frames_once(self):
         for frames, count in ((6360, 16), (7, 3), (3, 5)):
             cuts = [film.cut(frames, i, count) for i in range(1, count + 1)]
             self.assertEqual([first for first, _ in cuts[1:]], [end for _, end in cuts[:-1]])
             self.assertEqual((cuts[0][0], cuts[-1][1]), (0, frames))
             self.assertLessEqual(max(end - first for first, end in cuts) - min(end - first for first, end in cuts), 1)
-        self.assertEqual((film.shard("3/16").number, film.shard("3/16").of), (3, 16))
-        for wrong in ("0/4", "5/4", "3", "a/b"):
-            with self.assertRaises(film.UsageError):
-                film.shard(wrong)
 
-    def test_parts_are_merged_unless_one_is_missing(self):
-        parts = self.folder / "a.parts"
-        parts.mkdir()
-        for i in (1, 3):
-            (parts / f"000{i}_of_0003.raw").write_bytes(bytes([i]))
-        out = self.folder / "a.raw"
-        with self.assertRaisesRegex(film.Failure, "2/3 missing; ./course film .*a.raw --shard 2/3"):
-            film.merge(out, parts, FILM)
+    def part(self, parts: Path, number: int, of: int = 3, **head):
+        """A shard that holds its number as its film."""
+        piece = self.folder / f"{number}.raw"
+        piece.write_bytes(bytes([number]))
+        shard = Shard(number, of)
+        shards.write(shards.file_of(parts, "film", shard), "film", shard, {"ending": ".raw", "music": None, **head},
+                     {str(number): [number - 1, number]}, {"part.raw": piece})
+
+    def test_parts_are_merged_unless_one_is_missing_or_another_film_s(self):
+        parts, out = self.folder / "a.parts", self.folder / "a.raw"
+        self.part(parts, 1)
+        self.part(parts, 3)
+        with self.assertRaisesRegex(Failure, "of 3 shards one is missing: 2; .* --shard 2/3 makes it"):
+            film.merge(out, shards.merge([parts], "film"))
         self.assertFalse(out.exists())
-        (parts / "0002_of_0003.raw").write_bytes(bytes([2]))
-        film.merge(out, parts, FILM)
+        self.part(parts, 2, options=["--fps", "12"])
+        with self.assertRaisesRegex(UsageError, "differ in options"):
+            film.merge(out, shards.merge([parts], "film"))
+        self.part(parts, 2)
+        film.merge(out, shards.merge([parts], "film"))
         self.assertEqual(out.read_bytes(), bytes([1, 2, 3]))
+        with self.assertRaisesRegex(UsageError, "the parts are .raw files"):
+            film.merge(self.folder / "a.mp4", shards.merge([parts], "film"))
+
+    def test_a_disk_that_is_full_at_the_merge_leaves_the_parts(self):
+        parts, out = self.folder / "a.parts", self.folder / "a.raw"
+        for number in (1, 2, 3):
+            self.part(parts, number)
+        (self.folder / "a.part.raw").symlink_to("/dev/full")
+        with self.assertRaisesRegex(Failure, "a.raw is not joined, its parts are whole: No space left on device"):
+            film.merge(out, shards.merge([parts], "film"))
+        self.assertFalse(out.exists())
+        film.merge(out, shards.merge([parts], "film"))
+        self.assertEqual(out.read_bytes(), bytes([1, 2, 3]))
+
+    @unittest.skipUnless(shutil.which("ffmpeg") and shutil.which("ffprobe"), "needs ffmpeg")
+    def test_the_course_writes_shards_and_joins_them_to_a_film_with_all_frames(self):
+        out = self.folder / "a.mp4"
+        words = ["--scene", str(FILM), "--size", "48x27", "--fps", "4", "--validate", "on"]
+        for number in (1, 2):
+            self.assertEqual(film.write_shard(out, self.folder / "a.parts", Shard(number, 2), words), 0)
+        file = self.folder / "a.parts" / "film.1-of-2.zip"
+        before = file.stat().st_mtime_ns
+        self.assertEqual(film.write_shard(out, self.folder / "a.parts", Shard(1, 2), words), 0)
+        self.assertEqual(file.stat().st_mtime_ns, before, "a part that is whole is left as it is")
+        with self.assertRaisesRegex(UsageError, "is of another film, other options or another version"):
+            film.write_shard(out, self.folder / "a.parts", Shard(1, 2), [*words, "--codec", "av1"])
+        film.merge(out, shards.merge([self.folder / "a.parts"], "film"))
+        said = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-show_entries",
+                               "stream=nb_read_frames,width,height", "-of", "json", out], capture_output=True, text=True)
+        stream = json.loads(said.stdout)["streams"][0]
+        self.assertEqual((stream["nb_read_frames"], stream["width"], stream["height"]), ("20", 48, 28))
 
     def test_benchmarks_of_several_systems_are_one_table(self):
         def system(name, scale):
@@ -102,6 +161,28 @@ class Film(unittest.TestCase):
         lines = film.table([system("a", 1), system("b", 3)]).splitlines()
         self.assertIn("a, 480×270: mean", lines[0])
         self.assertEqual(lines[2], "| dawn | 1.25 | 2.00 | 0.25 | 0.50 | 3.25 | 6.00 | 0.25 | 0.50 |")
+
+    def test_a_page_of_several_systems(self):
+        from pages import film_page
+
+        def system(name, software, scale):
+            figures = {"mean_ms": scale, "p99_ms": 2 * scale, "processor_ms": 0.5, "min_ms": 0.5 * scale}
+            return {"device": name, "driver": "1 <2>", "software": software, "size": [480, 270],
+                    "scenes": [{"name": name, "antialiasing": {"none": figures, "mlaa": figures}} for name in ("dawn", "car")],
+                    "cuts": [{"to": "car", "longest_ms": 3 * scale, "mean_ms": 2 * scale}]}
+
+        text = film_page.page([system("a <b>", False, 1), system("lavapipe", True, 30)])
+        self.assertIn("a &lt;b&gt;", text)
+        self.assertEqual(text.count("<svg"), 2, "a software renderer shares no axis with a GPU")
+        self.assertEqual(text.count("<td>dawn</td>"), 1)
+        self.assertIn("1.50", text)  # the cut
+        out = self.folder / "page.html"
+        (self.folder / "a.json").write_text(json.dumps(system("a", False, 1)))
+        self.assertEqual(film.write_page([str(out), str(self.folder / "a.json")]), 0)
+        self.assertTrue(out.read_text().startswith("<!doctype html>"))
+        for wrong in (["a.txt", "b.json"], [str(out)], [str(out), str(FILM)], [str(out), "none.json"]):
+            with self.assertRaises(UsageError):
+                film.write_page(wrong)
 
 
 if __name__ == "__main__":

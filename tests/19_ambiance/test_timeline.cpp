@@ -109,6 +109,24 @@ TEST_CASE("tracks run evenly between numbers, jump between words, and rest outsi
     CHECK(tracks.at("shadow")->at(7) == "off");
 }
 
+TEST_CASE("a scene turns where it begins and where a track jumps, not where one runs") {
+    const Timeline film =
+        read("\"scenes\": [" + scene("a", 10, 20, R"(, "clock_s": 3, "knobs": {"slice": [[3, 1], [7, 3]],
+        "show": ["steps", [3, "picture"], [8, "normals"], [90, "depth"]], "trust": ["steps", [3, 0.5], [5, 1]],
+        "method": [[3, "a"], [8, "b"]]})") +
+             "]");
+    CHECK(film.turns(0) == std::vector<double>{10, 12, 15});
+}
+
+TEST_CASE("tracks of the whole film run in its time, and their errors name their line") {
+    const Timeline film = read(R"("knobs": {"post.grain": "white", "post.grain_by": [[0, 0.02], [50, 0]]})");
+    REQUIRE(film.knobs.size() == 2);
+    CHECK(film.knobs[1].at(25) == "0.01");
+    CHECK(error_of(R"({"duration_s": 9, "knobs": {
+        "smoothed": [[3, 1], [3, 0]]}})")
+              .find("a.film:2: key 'smoothed' has an entry at 3 s") == 0);
+}
+
 TEST_CASE("titles come and go, and count") {
     const Title title{.from_s = 10, .to_s = 20, .text = "{} lights", .count = glm::dvec2(0, 12345)};
     CHECK(title_strength(title, 9.9) == 0.0f);

@@ -1,5 +1,8 @@
-"""The film in a window: it plays, is set back, and ends without a word from validation."""
+"""The film in a window: the strip of its timeline under the mouse, and keys of a camera that is flown by hand."""
 
+import json
+import math
+import re
 import sys
 import tempfile
 import unittest
@@ -7,22 +10,138 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 from picture_drawing import BUILD, BUILT, HAS_SOLUTION  # noqa: E402
-from window_session import Session, XServer  # noqa: E402
+from window_session import ROOT, Session, XServer  # noqa: E402
 
 FILM = Path(__file__).resolve().parent / "short.film"
+WIDTH, HEIGHT = 900, 420
+STRIP = 116  # pixels of the strip's height
 
 
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "needs the programs and the reference solutions")
 class FilmWindow(unittest.TestCase):
-    def test_in_a_window(self):
-        server = XServer()
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="lightwalk_film_window_")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.film = self.folder / "own.film"
+        self.film.write_text(FILM.read_text())
+        server = XServer(1400, 900)
         self.addCleanup(server.close)
-        with tempfile.TemporaryDirectory(prefix="lightwalk_film_window_") as folder:
-            session = Session(server, BUILD / "chapters" / "19_ambiance",
-                              ["--validate", "on", "--scene", str(FILM), "--size", "320x180"], Path(folder))
-            session.key("F5")
-            session.key("Escape")
-            self.assertEqual((session.end(), session.errors), (0, []))
+        self.session = Session(server, BUILD / "chapters" / "19_ambiance",
+                               ["--validate", "on", "--scene", str(self.film), "--size", f"{WIDTH}x{HEIGHT}"], self.folder,
+                               LIGHTWALK_ROOT=str(ROOT))
+        self.addCleanup(self.session.close)
+
+    def say(self, pattern: str, since: int) -> re.Match:
+        return self.session.wait_for_line(pattern, since)
+
+    def told(self, what, pattern: str) -> re.Match:
+        """What is said after something was done."""
+        since = self.session.said()
+        what()
+        return self.say(pattern, since)
+
+    def press(self, key: str, pattern: str) -> re.Match:
+        return self.told(lambda: self.session.key(key), pattern)
+
+    def click(self, place: str, pattern: str) -> re.Match:
+        return self.told(lambda: self.session.click(place), pattern)
+
+    def bar_x(self, time_s: float) -> float:
+        left, _, right, _ = self.session.areas["strip.bar"]
+        return left + (right - left) * time_s / 5
+
+    def scrub(self, from_s: float, to_s: float) -> float:
+        """The time at which it was left."""
+        y = self.session.places["strip.bar"][1]
+        said = self.told(lambda: self.session.drag((round(self.bar_x(from_s)), y), (round(self.bar_x(to_s)), y)),
+                         r"film at ([\d.]+) s (\w+)")
+        return float(said[1])
+
+    def picture(self) -> bytes:
+        return self.session.settled(0, 0, WIDTH, HEIGHT - STRIP)
+
+    def test_the_strip_scrubs_steps_loops_and_keys_are_placed_by_flying_there(self):
+        session = self.session
+        session.wait(lambda: "strip.bar" in session.areas, "the strip")
+
+        # It plays from the start; a click stops it, the bar sets it, and the picture is another.
+        self.click("strip.play", "film stands")
+        at_s = self.scrub(0.4, 1.0)
+        self.assertAlmostEqual(at_s, 1.0, delta=0.02)
+        set_ = self.picture()
+        self.assertAlmostEqual(self.scrub(1.0, 2.75), 2.75, delta=0.02)
+        statue = self.picture()
+        self.assertNotEqual(set_, statue)
+
+        # Set back to the same time it is the same picture to the bit.
+        self.scrub(2.75, 0.5)
+        back_s = self.scrub(0.5, at_s)
+        if back_s == at_s:
+            self.assertEqual(self.picture(), set_)
+
+        # A frame on and back, with keys and with buttons; frame n is at n / 30.
+        stepped = float(self.press("Right", r"film at ([\d.]+) s set")[1])
+        self.assertAlmostEqual(stepped * 30, round(back_s * 30) + 1, delta=0.02)
+        self.assertAlmostEqual(float(self.click("strip.back", r"film at ([\d.]+) s set")[1]), stepped - 1 / 30, delta=0.002)
+        self.assertEqual(self.press("Next", r"film at ([\d.]+) s (\w+)").groups(), ("1.500", "statue"))
+        self.assertEqual(self.click("strip.next", r"film at ([\d.]+) s (\w+)").groups(), ("3.500", "street"))
+        self.assertEqual(self.click("strip.previous", r"film at ([\d.]+) s (\w+)").groups(), ("1.500", "statue"))
+
+        # A scene that is looped comes again.
+        self.scrub(1.5, 2.6)
+        self.click("strip.loop", "loop statue")
+        since = session.said()
+        session.key("space")
+        self.say("film plays", since)
+        self.say("loop again", since)
+        self.press("space", "film stands")
+        self.press("l", "loop off")
+
+        # Flown by hand, and a key where one stands: one more line in the file, and the rest as it was.
+        self.scrub(3.0, 1.25)
+        before, text = self.picture(), self.film.read_text()
+        self.press("c", "fly set")
+        session.drag((300, 150), (420, 170))
+        flown = self.picture()
+        self.assertNotEqual(flown, before)
+        since = session.said()
+        session.key("k")
+        time_s = float(self.say(r"key placed at ([\d.]+) s", since)[1])
+        self.say("fly off", since)
+        film = json.loads(self.film.read_text())
+        keys = film["scenes"][0]["camera"]["keys"]
+        self.assertEqual(len(keys), 3)
+        self.assertAlmostEqual(keys[1]["time_s"], time_s + 3, delta=0.0011)  # the scene's clock begins at 3 s
+        self.assertGreater(math.dist(keys[1]["position"], [1.6, 0.7, 2.1]), 0.05)
+        added = self.film.read_text()
+        begin = next(i for i, (a, b) in enumerate(zip(text, added)) if a != b)
+        self.assertTrue(added.endswith(text[begin:]), "only one piece is new")
+        self.assertEqual(self.difference(self.picture(), flown), [])  # the path passes where the camera was
+
+        # And gone again, to the byte; another scene is left alone.
+        self.press("Delete", r"key removed at .*")
+        self.assertEqual(self.film.read_text(), text)
+        self.assertNotEqual(self.picture(), flown)
+
+        # What somebody else wrote into the file meanwhile stays; what is no film is not written over.
+        self.film.write_text(text.replace("{} frames", "{} pictures"))
+        self.press("k", r"key placed at .*")
+        self.assertIn("{} pictures", self.film.read_text())
+        self.film.write_text("{")
+        self.press("k", "not written")
+        self.assertEqual(self.film.read_text(), "{")
+        self.film.write_text(text)
+        self.press("F5", "reloaded")
+
+        session.key("Escape")
+        self.assertEqual((session.end(), session.errors), (0, []))
+
+    @staticmethod
+    def difference(a: bytes, b: bytes) -> list[int]:
+        """Places where the two differ by more than rounding a key to millimetres can do; a few at edges are left out."""
+        far = [i for i in range(0, len(a), 3) if max(abs(x - y) for x, y in zip(a[i:i + 3], b[i:i + 3])) > 40]
+        return far if len(far) > len(a) // 300 else []
 
 
 if __name__ == "__main__":

@@ -46,16 +46,18 @@ struct ToFile {
 
 using Clock = std::chrono::steady_clock;
 
-// Frames of 20 ms for so long, from a time of the chapter on.
-double run(SoundPlayer& player, const Sound* sound, double from_s, double seconds, bool clock_runs) {
+// Frames of 20 ms for so long, from a time of the chapter on. Returns the time of the last one.
+double run(SoundPlayer& player, const Sound* sound, double time_s, double seconds, bool clock_runs) {
     const auto start = Clock::now();
-    double passed = 0;
-    while (passed < seconds) {
-        player.follow(sound, from_s + (clock_runs ? passed : 0), clock_runs);
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    double before = 0;
+    for (double passed = 0; passed < seconds; before = passed) {
         passed = std::chrono::duration<double>(Clock::now() - start).count();
+        const double next = player.advance(sound, time_s, clock_runs, passed - before);
+        CHECK(next >= time_s);
+        time_s = next;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
-    return from_s + passed;
+    return time_s;
 }
 
 double heard_s(float value) { return 5 * (double(value) + 1); }
@@ -81,7 +83,7 @@ TEST_CASE("the sample of the picture's time is heard; a clock that stands is sil
     {
         SoundPlayer player;
         stopped = run(player, &sound, 1.0, 0.6, true);
-        run(player, &sound, stopped, 0.3, false);
+        CHECK(run(player, &sound, stopped, 0.3, false) == stopped);
         run(player, &sound, 7.0, 0.6, true);
         run(player, nullptr, 0, 0.2, true);
         CHECK(handlers() == before);  // SDL would take those that end a program
@@ -107,11 +109,36 @@ TEST_CASE("the sample of the picture's time is heard; a clock that stands is sil
     CHECK(heard_s(played[after + 9600]) == Approx(7.2).margin(0.15));
 }
 
-TEST_CASE("without a sound device nothing is played, and nothing fails") {
-    setenv("SDL_AUDIODRIVER", "none_of_that_name", 1);
+TEST_CASE("the picture's clock is the count of the samples played, at the device's speed and not the processor's") {
+    const ToFile device;
+    setenv("SDL_DISKAUDIODELAY", "32", 1);  // for 512 samples: a third of 48,000 a second
     const Sound sound = ruler();
-    SoundPlayer player;
-    for (int i = 0; i < 3; ++i) player.follow(&sound, i, true);
-    player.follow(nullptr, 3, true);
-    unsetenv("SDL_AUDIODRIVER");
+    double time_s = 0;
+    {
+        SoundPlayer player;
+        time_s = run(player, &sound, 2.0, 1.5, true);
+    }
+    unsetenv("SDL_DISKAUDIODELAY");
+    const std::vector<float> played = device.samples();
+    size_t first = 0;
+    while (first < played.size() && played[first] == 0.0f) ++first;
+    const double written_s = double(played.size() - first) / 48000;
+    CHECK(time_s - 2.0 < 0.75);  // 1.5 s have passed
+    CHECK(time_s - 2.0 == Approx(written_s).margin(0.06));
+}
+
+TEST_CASE("a dummy device plays at its own speed; without a device the processor's clock counts") {
+    const Sound sound = ruler();
+    for (const char* driver : {"dummy", "none_of_that_name"}) {
+        INFO(driver);
+        setenv("SDL_AUDIODRIVER", driver, 1);
+        SoundPlayer player;
+        const auto start = Clock::now();
+        const double time_s = run(player, &sound, 3.0, 0.8, true);
+        const double passed = std::chrono::duration<double>(Clock::now() - start).count();
+        CHECK(time_s - 3.0 == Approx(passed).margin(0.15));
+        CHECK(player.advance(&sound, 8.0, true, 0.02) == Approx(8.0).margin(0.03));    // set: it goes on from there
+        CHECK(player.advance(nullptr, 9.0, true, 0.02) == Approx(9.02).margin(1e-6));  // nothing to hear
+        unsetenv("SDL_AUDIODRIVER");
+    }
 }

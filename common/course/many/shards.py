@@ -60,7 +60,7 @@ def parse(word: str) -> Shard:
     return Shard(int(found[1]), int(found[2]))
 
 
-def _argument(word: str) -> Shard:
+def argument(word: str) -> Shard:
     try:
         return parse(word)
     except ValueError as error:
@@ -68,7 +68,7 @@ def _argument(word: str) -> Shard:
 
 
 def add_arguments(parser):
-    parser.add_argument("--shard", type=_argument, metavar="K/N", help="do part K of N, and write it to a file for --merge")
+    parser.add_argument("--shard", type=argument, metavar="K/N", help="do part K of N, and write it to a file for --merge")
     parser.add_argument("--merge", type=Path, nargs="+", metavar="FILE", help="merge shards: their files, or folders of them")
 
 
@@ -109,7 +109,7 @@ def write(file: Path, kind: str, shard: Shard, head: dict, entries: dict, files:
             members |= {f"files/{name}": content for name, content in sorted((files or {}).items())}
             for name, content in members.items():
                 info = zipfile.ZipInfo(name, STAMP)
-                info.compress_type = zipfile.ZIP_STORED if name.endswith((".png", ".webp")) else zipfile.ZIP_DEFLATED
+                info.compress_type = zipfile.ZIP_STORED if name.endswith((".png", ".webp", ".mp4", ".mkv")) else zipfile.ZIP_DEFLATED
                 info.external_attr = 0o644 << 16
                 archive.writestr(info, content if isinstance(content, bytes) else Path(content).read_bytes())
         os.replace(beside, file)

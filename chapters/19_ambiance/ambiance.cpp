@@ -1,0 +1,97 @@
+#include "19_ambiance/ambiance.h"
+
+#include <nlohmann/json.hpp>
+
+#include "19_ambiance/benchmark.h"
+#include "19_ambiance/level_file.h"
+#include "19_ambiance/path_error.h"
+#include "19_ambiance/ways.h"
+
+namespace lightwalk {
+
+Ambiance::Ambiance() {
+    method.alone = true;
+    post.tone.change_default("off");  // the scenes have their own
+    objects.in_use = [this] { return !reel.is_open(); };
+    objects.lights.method.change_default("every_light");
+    commands = {
+        {"levels", "FILE", "Write the levels of the music FILE beside it, for films, and exit",
+         [](const std::string& file, const Options&, auto&) { return write_levels(file), 0; }},
+        {"film", "FILE", "Write the film to FILE (.mp4, .mkv, .raw), and exit",
+         [this](const std::string& file, const Options& options, std::unique_ptr<Gpu>& gpu) {
+             return out.write(*this, reel, file, options, gpu);
+         }},
+        {"benchmark", "FILE", "Write what each scene costs as JSON, and exit",
+         [this](const std::string& file, const Options& options, std::unique_ptr<Gpu>& gpu) {
+             return run_benchmark(*this, reel, antialias, file, options, gpu);
+         }},
+        {"ways", "FILE", "Write what each scene costs in each way, and how far it is from the best, as JSON, and exit",
+         [this](const std::string& file, const Options& options, std::unique_ptr<Gpu>& gpu) {
+             return write_ways(*this, reel, file, options, gpu);
+         }}};
+}
+
+Model Ambiance::load_model(const std::filesystem::path& file) {
+    if (!is_film_file(file)) return ModelChapter::load_model(file);
+    Model empty;  // the reel itself reads the file
+    empty.materials.emplace_back();
+    return empty;
+}
+
+// [ready]
+void Ambiance::make_ready(Gpu& gpu, glm::uvec2 size, float time_s) {
+    std::optional<PathKind> kind;
+    if (!method.is("as_set")) kind = {static_cast<Spline>(std::min<size_t>(method.index - 1, 2)), 0};
+    if (method.is("arc_length")) kind->pieces = 64;
+    if (method.is("exact")) kind->pieces = 1024;
+    reel.choose(kind);
+    if (plays) reel.load_sound();
+    reel.make_ready(gpu, size, static_cast<double>(time_s), out.latest_s(samples), plays);
+}
+// [/ready]
+
+// [frame]
+void Ambiance::frame(Frame& frame) {
+    const double time_s = static_cast<double>(frame.time_s) + out.later_s(frame.samples.index, frame.samples.count);
+
+    // 1. What the timeline says of the whole film: grain, dispersion, anti-aliasing.
+    reel.apply_knobs(*this, time_s);
+
+    // 2. What is on at this time: one scene, or two; or the one scene that was given.
+    if (reel.is_open()) {
+        reel.record(frame, time_s, camera);
+    } else {
+        Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
+        draw(frame, set_view(frame), canvas, {objects});
+    }
+
+    // 3. Chapter 13's edges, before chapter 09's grain, which has none.
+    smooth_edges(frame);
+    post.record(frame, frame.hdr);
+
+    // 4. Titles, and the codes that a screen expects.
+    reel.record_titles(frame, frame.hdr, time_s);
+    encode_srgb(frame);
+}
+// [/frame]
+
+// The filter's picture, or a share of it.
+void Ambiance::smooth_edges(Frame& frame) {
+    if (smoothed <= 0) return;
+    const bool whole = smoothed >= 1 || !antialias.is_filter();
+    if (!whole)
+        frame.compute("keep edges", {.reads = {frame.hdr}, .writes = {jagged_}}, [&](Compute& pass) {
+            pass.use(copy_).set("from", frame.hdr, nearest_clamp).set("into", jagged_);
+            pass.dispatch_threads(frame.size);
+        });
+    antialias.record(frame, frame.hdr);
+    if (!whole)
+        frame.compute("share of edges", {.reads = {jagged_, frame.hdr}, .writes = {frame.hdr}}, [&](Compute& pass) {
+            pass.use(mix_).set("before", jagged_, nearest_clamp).set("picture", frame.hdr);
+            pass.set("share", float(smoothed)).dispatch_threads(frame.size);
+        });
+}
+
+void Ambiance::measure(Gpu&, glm::uvec2, nlohmann::json& error) { measure_paths(reel.film(), error); }
+
+}  // namespace lightwalk

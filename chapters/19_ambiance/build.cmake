@@ -1,0 +1,2 @@
+# A panel of its own: Dear ImGui's headers. Its code is in the library already, and there must be one of it only.
+target_include_directories(chapter_19_ambiance SYSTEM PUBLIC ${imgui_INCLUDE_DIRS})

@@ -1,0 +1,171 @@
+#include "19_ambiance/ways.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "common/app/headless.h"
+#include "common/app/read_picture.h"
+#include "common/app/render.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/base/patience.h"
+#include "common/base/statistics.h"
+#include "common/measure/flip.h"
+#include "common/scene/json_lines.h"
+#include "common/study/gpu_time.h"
+
+namespace lightwalk {
+namespace {
+
+using nlohmann::json;
+
+// Parts of a scene's time at which it is alone on the screen.
+constexpr double looked_at[] = {0.25, 0.45, 0.65};
+constexpr int rounds = 3;
+
+// One scene of a film, and nothing else: neither anti-aliasing nor grain nor titles.
+struct OneScene : Chapter {
+    explicit OneScene(Reel& r) : reel(r) {}
+    std::string default_scene() const override { return {}; }
+    Model load_model(const std::filesystem::path&) override { return {}; }
+    void make_ready(Gpu& gpu, glm::uvec2 size, float time_s) override {
+        reel.make_ready(gpu, size, static_cast<double>(time_s), 0.0, false);
+    }
+    void frame(Frame& frame) override {
+        reel.record(frame, static_cast<double>(frame.time_s));
+        encode_srgb(frame);
+    }
+    Reel& reel;
+};
+
+std::vector<KnobSettings> read_ways(const std::string& kind) {
+    const std::filesystem::path file = course_root() / "chapters/19_ambiance/ways.json";
+    std::vector<KnobSettings> all;
+    const JsonWithLines source = parse_json(read_file(file), file.string());
+    for (const json& way : source.root.at(kind)) {
+        KnobSettings& knobs = all.emplace_back();
+        for (const auto& [name, value] : way.items())
+            knobs.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+    }
+    return all;
+}
+
+std::vector<double> times_of(const FilmScene& scene) {
+    std::vector<double> times_s;
+    for (const double share : looked_at) times_s.push_back(scene.from_s + share * (scene.to_s - scene.from_s));
+    return times_s;
+}
+
+json as_json(const KnobSettings& knobs) {
+    json object = json::object();
+    for (const auto& [name, value] : knobs) object[name] = value;
+    return object;
+}
+
+// Draws a scene at its times in several ways by turns: what each draws, and how long that takes.
+class Measuring {
+  public:
+    Measuring(Reel& reel, Gpu& gpu, size_t scene, const Options& options)
+        : reel_(reel), scene_(scene), options_(options), chapter_(reel), frame_(gpu) {}
+    ~Measuring() { reel_.draw_by(scene_, {}); }
+
+    void draw(const KnobSettings& way, double time_s) {
+        reel_.draw_by(scene_, way);
+        render(chapter_, frame_, {options_.size, static_cast<float>(time_s), options_.seed, {}});
+    }
+    std::vector<ImageRgb> pictures(const KnobSettings& way) {
+        std::vector<ImageRgb> all;
+        for (const double time_s : times_of(reel_.film().scenes.at(scene_))) {
+            draw(way, time_s);
+            all.push_back(read_linear(frame_.gpu, frame_.output));
+        }
+        return all;
+    }
+    /// Medians, one for each way.
+    std::vector<double> times_ms(const std::vector<KnobSettings>& ways) {
+        std::vector<std::vector<double>> all(ways.size());
+        for (int round = 0; round < rounds; ++round)
+            for (const double time_s : times_of(reel_.film().scenes.at(scene_)))
+                for (size_t i = 0; i < ways.size(); ++i) draw(ways[i], time_s), all[i].push_back(gpu_ms(frame_));
+        std::vector<double> medians;
+        for (const std::vector<double>& times : all) medians.push_back(median(times));
+        return medians;
+    }
+
+  private:
+    Reel& reel_;
+    const size_t scene_;
+    const Options& options_;
+    OneScene chapter_;
+    Frame frame_;
+};
+
+}  // namespace
+
+// [measure_ways]
+std::vector<Way> measure_ways(Reel& reel, Gpu& gpu, size_t scene, const Options& options) {
+    const std::vector<KnobSettings> all = read_ways(reel.film().scenes.at(scene).kind);
+    Measuring measuring(reel, gpu, scene, options);
+    std::vector<Way> ways;
+    const std::vector<ImageRgb> best = measuring.pictures(all.front());
+    for (const KnobSettings& knobs : all) {
+        Way& way = ways.emplace_back(Way{.knobs = knobs});
+        const std::vector<ImageRgb> drawn = measuring.pictures(knobs);
+        for (size_t i = 0; i < drawn.size(); ++i)
+            if (drawn[i].pixels != best[i].pixels)
+                way.error = std::max(way.error, double(summarize(flip_ldr(best[i], drawn[i])).mean));
+    }
+    const std::vector<double> times_ms = measuring.times_ms(all);
+    for (size_t i = 0; i < ways.size(); ++i) ways[i].gpu_ms = times_ms[i];
+    return ways;
+}
+// [/measure_ways]
+
+const Way& cheapest_way(const std::vector<Way>& ways, double budget) {
+    const Way* cheapest = &ways.front();
+    for (const Way& way : ways)
+        if (way.error <= budget && way.gpu_ms < cheapest->gpu_ms) cheapest = &way;
+    return *cheapest;
+}
+
+void choose_ways(Reel& reel, Gpu& gpu, const Options& options) {
+    for (size_t i = 0; i < reel.film().scenes.size(); ++i) {
+        const std::vector<Way> ways = measure_ways(reel, gpu, i, options);
+        const Way& chosen = cheapest_way(ways, *options.budget);
+        std::printf("%-14s %9.2f ms, was %9.2f; error %.5f  %s\n", reel.film().scenes[i].name.c_str(), chosen.gpu_ms,
+                    ways.front().gpu_ms, chosen.error, as_json(chosen.knobs).dump().c_str());
+        std::fflush(stdout);
+        reel.draw_by(i, chosen.knobs);
+    }
+}
+
+int write_ways(Chapter& chapter, Reel& reel, const std::string& file, const Options& options,
+               std::unique_ptr<Gpu>& gpu) {
+    check_writable(file);
+    gpu = make_gpu(options);
+    load_scene(chapter, *gpu, options.scene.empty() ? chapter.default_scene() : options.scene);
+    if (!reel.is_open()) throw InputError("--ways: {} is no film", options.scene);
+    json scenes = json::array();
+    Patience patience("measuring", "scenes");
+    for (size_t i = 0; i < reel.film().scenes.size(); ++i) {
+        json ways = json::array();
+        for (const Way& way : measure_ways(reel, *gpu, i, options))
+            ways.push_back({{"knobs", as_json(way.knobs)}, {"error", way.error}, {"gpu_ms", way.gpu_ms}});
+        const double as_it_stands = Measuring(reel, *gpu, i, options).times_ms({{}}).front();
+        scenes.push_back({{"name", reel.film().scenes[i].name},
+                          {"kind", reel.film().scenes[i].kind},
+                          {"as_set_ms", as_it_stands},
+                          {"ways", ways}});
+        patience.show(static_cast<int>(i) + 1, static_cast<int>(reel.film().scenes.size()));
+    }
+    write_file(file, json{{"device", gpu->device.info.name},
+                          {"driver", gpu->device.info.driver},
+                          {"software", gpu->device.software()},
+                          {"size", {options.size.x, options.size.y}},
+                          {"scenes", scenes}}
+                             .dump(1, '\t') +
+                         "\n");
+    return 0;
+}
+
+}  // namespace lightwalk

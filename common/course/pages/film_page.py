@@ -1,0 +1,118 @@
+"""Charts of chapter 19's film: what each scene costs on each system, on a page; and what is saved where each scene is drawn by the
+cheapest way that is enough.
+
+    ./course film --page PAGE.html A.json B.json          benchmarks (chapter 19's --benchmark)
+    python3 common/course pages.film_page WAYS.json OUT  OUT.svg and OUT.png of chapter 19's --ways
+
+The scenes' ways are judged by their mean FLIP against the first one, at three times of the scene.
+"""
+
+import io
+import json
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+from charts.chart import STYLE  # noqa: E402
+from pages.page import page as filled  # noqa: E402
+
+BUDGETS = (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1)
+SHOWN = 0.01  # the budget of the bars
+BEST, ENOUGH, SET = "#b9c2cc", "#2f78b7", "#e08a2e"
+
+
+def page(systems: list[dict]) -> str:
+    rows = [{"name": scene["name"], "cells": [cell for one in systems for cell in cells(one, scene["name"])]}
+            for scene in systems[0]["scenes"]]
+    charts = [{"title": title, "svg": bars(of)} for title, of in
+              (("Graphics processors", [one for one in systems if not one["software"]]),
+               ("Software renderers", [one for one in systems if one["software"]])) if of]
+    return filled("film.html", systems=systems, rows=rows, charts=charts)
+
+
+def cells(system: dict, name: str) -> list[str]:
+    scene = next((one for one in system["scenes"] if one["name"] == name), None)
+    if scene is None:
+        return [""] * 5
+    off, on = scene["antialiasing"]["none"], scene["antialiasing"]["mlaa"]
+    cut = next((one for one in system.get("cuts", []) if one["to"] == name), None)
+    return [f"{on['mean_ms']:.2f}", f"{on['p99_ms']:.2f}", f"{on['mean_ms'] - off['mean_ms']:.2f}", f"{on['processor_ms']:.2f}",
+            f"{cut['longest_ms'] / cut['mean_ms']:.2f}" if cut else "–"]
+
+
+def bars(systems: list[dict]) -> str:
+    """Mean of each scene on each system, with a line to the 99th percentile, as the text of an SVG."""
+    names = [scene["name"] for scene in systems[0]["scenes"]]
+    with plt.rc_context(STYLE):
+        figure, axes = plt.subplots(figsize=(10, 0.6 + 0.22 * len(names) * (1 + len(systems))))
+        for i, one in enumerate(systems):
+            on = {scene["name"]: scene["antialiasing"]["mlaa"] for scene in one["scenes"]}
+            places = [k + (i - (len(systems) - 1) / 2) * 0.8 / len(systems) for k, name in enumerate(names) if name in on]
+            means = [on[name]["mean_ms"] for name in names if name in on]
+            axes.barh(places, means, 0.7 / len(systems), label=f"{one['device']}, {one['size'][0]}×{one['size'][1]}")
+            axes.hlines(places, means, [on[name]["p99_ms"] for name in names if name in on], color="#333", linewidth=1)
+        axes.set_yticks(range(len(names)), names)
+        axes.invert_yaxis()
+        axes.set_xlabel("milliseconds of a frame; thin line: to the 99th percentile")
+        axes.legend(frameon=False)
+        text = io.StringIO()
+        figure.savefig(text, format="svg", bbox_inches="tight", metadata={"Date": None, "Creator": None})
+        plt.close(figure)
+    svg = text.getvalue()
+    return svg[svg.index("<svg"):]
+
+
+def cheapest(scene: dict, budget: float) -> dict:
+    """As chapters/19_ambiance/ways.cpp chooses."""
+    return min((way for way in scene["ways"] if way["error"] <= budget), key=lambda way: way["gpu_ms"])
+
+
+def ways_chart(measured: dict, command: str):
+    """Frame time of each scene by its best way, as the film stands and by the cheapest that is enough; the whole film over budgets."""
+    scenes, size = measured["scenes"], "×".join(map(str, measured["size"]))
+    with plt.rc_context(STYLE):
+        figure, (left, right) = plt.subplots(1, 2, figsize=(10, 5.2), width_ratios=(3, 2))
+        for k, scene in enumerate(scenes):
+            best, enough = scene["ways"][0]["gpu_ms"], cheapest(scene, SHOWN)["gpu_ms"]
+            left.barh(k, best, 0.72, color=BEST, label="most accurate way" if k == 0 else None)
+            left.barh(k, enough, 0.36, color=ENOUGH, label=f"cheapest way within {SHOWN:g}" if k == 0 else None)
+            left.plot([scene["as_set_ms"]] * 2, [k - 0.36, k + 0.36], color=SET, linewidth=2, label="the film as it stands" if k == 0 else None)
+            left.text(max(best, enough, scene["as_set_ms"]), k, f"  {enough / best:.0%}", va="center", fontsize=9.5)
+        left.set_yticks(range(len(scenes)), [scene["name"] for scene in scenes])
+        left.invert_yaxis()
+        left.set_xlabel("milliseconds of a frame")
+        left.margins(x=0.12)
+        left.legend(frameon=False, fontsize=9, loc="lower right")
+        means = [sum(cheapest(scene, budget)["gpu_ms"] for scene in scenes) / len(scenes) for budget in BUDGETS]
+        right.plot(BUDGETS, means, "o-", color=ENOUGH)
+        for value, color, words in ((sum(scene["ways"][0]["gpu_ms"] for scene in scenes), BEST, "most accurate"),
+                                    (sum(scene["as_set_ms"] for scene in scenes), SET, "as it stands")):
+            right.axhline(value / len(scenes), color=color, linewidth=2)
+            right.text(BUDGETS[0], value / len(scenes), f" {words}", va="bottom", fontsize=9.5)
+        right.set_xscale("log")
+        right.set_ylim(0)
+        right.set_xlabel("budget: greatest mean FLIP of a scene")
+        right.set_ylabel("mean of all scenes, ms a frame")
+        figure.suptitle("No more than a scene needs", x=0.022, ha="left", fontsize=15, weight="bold")
+        figure.text(0.022, 0.9, f"{measured['device']} · {measured['driver']} · {size}"
+                    + (" · times of the processor" if measured["software"] else ""), fontsize=9.5)
+        figure.text(0.022, 0.015, command, fontsize=9, family="DejaVu Sans Mono")
+        figure.tight_layout(rect=(0, 0.035, 1, 0.9))
+    return figure
+
+
+def main(words: list[str]) -> int:
+    file, out = Path(words[0]), Path(words[1])
+    measured = json.loads(file.read_text())
+    figure = ways_chart(measured, f"build/chapters/19_ambiance --ways {file.name} --size {'x'.join(map(str, measured['size']))}")
+    figure.savefig(out.with_suffix(".svg"), metadata={"Date": None, "Creator": None})
+    figure.savefig(out.with_suffix(".png"), dpi=150, metadata={"Software": None})
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
