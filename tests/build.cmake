@@ -99,6 +99,9 @@ foreach(script ${scripts})
     if(name MATCHES "live_browser")
       set_tests_properties(${name} PROPERTIES DEPENDS text.pages)  # which leaves the pages there
     endif()
+    if(name MATCHES "live_chapter")
+      set_tests_properties(${name} PROPERTIES LABELS "text;study" COST 800 TIMEOUT 1800)  # it checks all exercises of a chapter
+    endif()
   else()
     lightwalk_python_test(python.${name} unit ${script})
     if(name MATCHES "(knobs|equal_methods)$")

@@ -11,22 +11,26 @@ Shadow::Shadow(Module& owner, std::string name) : Module(owner, std::move(name),
 
 // [find_views]
 // The views of all lights, those without casters without a layer.
-std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const Lights& lights, const Camera& camera) {
+std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
+                                               const Camera& camera, const Casters& casters) {
     const LightViewOptions options{resolution, near_m, cascades, split, distance_m, snap};
     std::vector<Wanted> wanted;
     const auto has_shadow = [this](const DrawItem&) { return has_passed(); };
+    Bounds bounds = scene.bounds;
+    bounds.add(casters.others);
     shadow_lights_.clear();
-    for (const Light& light : lights.buffer().lights()) {
+    for (const Light& light : lights) {
         ShadowLight& shadow = shadow_lights_.emplace_back();
         shadow = {.position = light.position, .first_view = static_cast<uint32_t>(wanted.size())};
-        if (!light.shadow || method.is("none") || scene.bounds.empty()) continue;
+        if (!light.shadow || method.is("none") || bounds.empty()) continue;
         bool any = false;
-        for (const LightView& view : light_views(light, lights.reach_m(light), scene.bounds, camera, options)) {
+        for (const LightView& view : light_views(light, reach(light), bounds, camera, options)) {
             const auto inside = [&](const DrawList& list) { return list.inside(view.casters); };
             Wanted one{view,
                        inside(scene.opaque()),
                        inside(scene.transparent()).where(has_shadow),
-                       {view.view.view_projection, {}}};
+                       {view.view.view_projection, {}, casters.others_placed},
+                       !casters.others.empty()};
             for (const DrawList* const list : {&one.casters, &one.passed})
                 for (const uint32_t i : list->items()) one.key.casters.emplace_back(i, scene.items[i].transform);
             any |= one.is_needed();
@@ -81,10 +85,11 @@ void Shadow::draw_view(Frame& frame, const Wanted& wanted, const Casters& caster
     const ViewScope scope(frame, wanted.view.view);
     frame.raster("shadow_map", {.depth = clear(now_->map.layer(wanted.view.data.layer), 0.0f), .with = casters.with},
                  [&](Raster& pass) {
-                     if (casters.draw)
+                     if (wanted.casters.size() > 0 && casters.draw)
                          casters.draw(pass, wanted.casters);
-                     else
+                     else if (wanted.casters.size() > 0)
                          pass.use(solid).draw(wanted.casters);
+                     if (wanted.others) casters.draw_others(pass, wanted.view.view);
                  });
 }
 // [/draw_view]
@@ -123,13 +128,13 @@ std::string Shadow::map_key() const {
 }
 
 // [record]
-void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters) {
+void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
+                    const View& view, const Casters& casters) {
     const auto has_cascades = [](const Light& light) { return light.shadow && light.kind == Light::Kind::directional; };
-    const std::vector<Light>& all = lights.buffer().lights();
-    now_ = &by_view_[std::any_of(all.begin(), all.end(), has_cascades) ? view.id : 0];
+    now_ = &by_view_[std::any_of(lights.begin(), lights.end(), has_cascades) ? view.id : 0];
     if (std::exchange(toggles_, Exercises::version()) != Exercises::version()) forget();
     now_->eye = {view.eye, view.pixel_rad()};
-    const std::vector<Wanted> wanted = find_views(scene, lights, view.camera);
+    const std::vector<Wanted> wanted = find_views(scene, lights, reach, view.camera, casters);
     std::vector<ShadowView> data;
     views = drawn_views = 0;
     for (const Wanted& w : wanted) data.push_back(w.view.data), views += w.view.data.layer != NO_LAYER;
@@ -151,6 +156,17 @@ void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, cons
     }
 }
 // [/record]
+
+void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters) {
+    const auto reach = [&](const Light& light) { return lights.reach_m(light); };
+    record(frame, scene, lights.buffer().lights(), reach, view, casters);
+}
+
+void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& directional, const View& view,
+                    const Casters& casters) {
+    record(
+        frame, scene, directional, [](const Light&) { return 0.0f; }, view, casters);
+}
 
 std::vector<Resource> Shadow::reads() const {
     std::vector<Resource> reads{now_->map, now_->lights, now_->views};

@@ -115,12 +115,20 @@ struct Shadow : Module {
         Draw draw;
         /// Of transparent casters by 05_shadow_maps/passed.frag: the first that the light meets, or the product of all.
         Draw draw_first, draw_passed;
+        /// What casts and is no item of the scene: within `others` (world space), drawn into each view after the items. A
+        /// map is drawn again when `others_placed` is another number.
+        std::function<void(Raster& pass, const View& light)> draw_others;
+        Bounds others;
+        uint64_t others_placed;
     };
     Pipeline solid =
         graphics({.vertex = "03_attenuation/surface.vert", .cull = VK_CULL_MODE_NONE, .depth_clamp = true});
 
     /// Depth from every light of `lights` that casts a shadow, where it is not in the map already.
     void record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters = {});
+    /// The same for directional lights that no module Lights has.
+    void record(Frame& frame, const Scene& scene, const std::vector<Light>& directional, const View& view,
+                const Casters& casters = {});
 
     std::vector<Resource> reads() const override;
     void bind(Pass& pass) const override;
@@ -139,15 +147,21 @@ struct Shadow : Module {
     struct Drawn {
         glm::mat4 view{0.0f};
         std::vector<std::pair<uint32_t, glm::mat4>> casters;
+        uint64_t others = 0;
         bool operator==(const Drawn&) const = default;
     };
     struct Wanted {
         LightView view;
         DrawList casters, passed;  ///< opaque, and transparent ones where these have shadows
         Drawn key;
-        bool is_needed() const { return casters.size() + passed.size() > 0; }
+        bool others = false;
+        bool is_needed() const { return others || casters.size() + passed.size() > 0; }
     };
-    std::vector<Wanted> find_views(const Scene& scene, const Lights& lights, const Camera& camera);
+    using Reach = std::function<float(const Light&)>;  ///< metres
+    std::vector<Wanted> find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
+                                   const Camera& camera, const Casters& casters);
+    void record(Frame& frame, const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
+                const View& view, const Casters& casters);
     void draw_view(Frame& frame, const Wanted& wanted, const Casters& casters);
     void draw_passed(Frame& frame, const Wanted& wanted, const Casters& casters);
     void reserve(Frame& frame, uint32_t layers);

@@ -5,9 +5,10 @@
 
 #include "10_atmosphere/path_parts.h"
 #include "10_atmosphere/skylight.h"
+#include "common/base/bytes.h"
+#include "common/base/exercise.h"
 
 namespace lightwalk {
-namespace {}  // namespace
 
 float cornette_shanks_g(float mean_cosine) {
     const double wanted = double(std::fabs(mean_cosine));
@@ -94,7 +95,7 @@ void Atmosphere::make_images(Device& device) {
         const uint32_t slices = depth > 0 ? scaled(depth) : 0;
         if (image.fit(device,
                       {.name = path() + name, .size = {scaled(size.x), scaled(size.y)}, .depth = slices, .kept = true}))
-            made_of_.clear();
+            made_of_.clear(), sky_made_of_.clear();
     };
     table(transmittance_, " transmittance", {256, 64}, 0);
     table(multiple_, " multiple scattering", {32, 32}, 0);
@@ -128,12 +129,19 @@ void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
     // 2. What depends on the eye and the sun.
     const float height = height_of(view.eye);
     const glm::vec3 up = (view.eye + glm::vec3(0.0f, radius_m.value, 0.0f)) / (radius_m + height);
-    frame.compute("sky table", {.reads = {transmittance_, multiple_}, .writes = {sky_}, .with = {*this}},
-                  [&](Compute& pass) {
-                      pass.use(make_sky_).set("result", sky_).set("eye", glm::vec2(height, glm::dot(up, to_sun())));
-                      set_lasting(pass);
-                      pass.dispatch_threads(sky_.desc.size);
-                  });
+    const glm::vec2 eye(height, glm::dot(up, to_sun()));
+    ByteWriter sky_from;
+    sky_from(now, often, eye, Exercises::version());
+    if (refresh.is("always") || sky_from.bytes != sky_made_of_) {
+        sky_made_of_ = std::move(sky_from.bytes);
+        ++skies_made;
+        frame.compute("sky table", {.reads = {transmittance_, multiple_}, .writes = {sky_}, .with = {*this}},
+                      [&](Compute& pass) {
+                          pass.use(make_sky_).set("result", sky_).set("eye", eye);
+                          set_lasting(pass);
+                          pass.dispatch_threads(sky_.desc.size);
+                      });
+    }
     frame.compute("aerial volume",
                   {.reads = {transmittance_, multiple_}, .writes = {light_, through_}, .with = {*this}},
                   [&](Compute& pass) {

@@ -131,7 +131,7 @@ struct Atmosphere : Drawing {
     /// And with `truth` for many scatterings: the standard error of each pixel's light, over the light.
     const Image& doubt() const { return doubt_; }
 
-    int tables_made = 0;  ///< so far, to show that none is made twice
+    int tables_made = 0, skies_made = 0;  ///< so far, to show that none is made twice
 
   private:
     struct WithoutDisc : Drawing {
@@ -154,6 +154,7 @@ struct Atmosphere : Drawing {
     std::vector<std::byte> sky_table_of_;  ///< what it was made from
     Image light_so_far_, through_so_far_, doubt_, transmittance_, multiple_, sky_, light_, through_;
     std::vector<std::byte> made_of_;  ///< what the two lasting tables were made from
+    std::string sky_made_of_;         ///< what sky_ was made from: views from one height share it
     Pipeline make_transmittance_ = compute({.shader = "10_atmosphere/make_transmittance.comp"});
     Pipeline make_multiple_ = compute({.shader = "10_atmosphere/make_multiple.comp"});
     Pipeline make_sky_ = compute({.shader = "10_atmosphere/make_sky.comp"});

@@ -39,11 +39,14 @@ void Julia::march(Frame& frame, const View& view) {
     Device& device = frame.gpu.device;
     found.fit(device, {.name = path() + " found", .format = float4, .size = view.size});
     starts_.fit(device, {.name = path() + " starts", .format = float4, .size = (view.size + tile - 1u) / tile});
-    if (method.is("cone"))
+    if (method.is("cone")) {
+        // An answer may march no cones: its rays begin behind everything.
+        if (!Exercises::uses_solution("11.record_cones")) frame.fill("julia no starts", starts_, glm::vec4(1e6f));
         record_cones(frame, {cone_, march_, starts_, found, {*this}});
-    else
+    } else {
         frame.compute("julia march", {.writes = {found}, .with = {*this}},
                       [&](Compute& pass) { pass.use(march_).set("found", found).dispatch_threads(view.size); });
+    }
 }
 
 // [draw]

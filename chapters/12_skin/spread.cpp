@@ -23,7 +23,9 @@ void Spread::record(Frame& frame, const Maps& maps, int gaussians) {
     std::vector<const Image*> levels;
     for (Image& level : levels_) make(frame, level, "skin level", size, half4), levels.push_back(&level);
 
-    // 1. Each Gaussian from the one before it.
+    // 1. Each Gaussian from the one before it. Levels that an answer leaves out are black.
+    if (!Exercises::uses_solution("12.blur_irradiance"))
+        for (const Image& level : levels_) frame.fill("skin no level", level, glm::vec4(0));
     blur_irradiance(frame, {.line = sum.size() == 1 ? line_per_channel_ : line_,
                             .irradiance = maps.irradiance,
                             .stretch = maps.stretch,

@@ -88,6 +88,8 @@ void ImageLight::record(Frame& frame, const Scene& scene) {
         pass.dispatch_threads(glm::uvec3(cube.size().x, cube.size().y, 6));
     });
     filter(frame, sky);
+    made_ = made_from();
+    if (radiance_alone) return;
 
     // 14.sh_project has summed the picture itself; that of a drawn cube is summed on the device.
     std::vector<glm::vec4> windowed;
@@ -95,11 +97,13 @@ void ImageLight::record(Frame& frame, const Scene& scene) {
     for (size_t i = 0; i < 9; ++i)
         windowed.emplace_back(glm::vec3(picture_sh_[i] * factors[i == 0 ? 0u : i < 4 ? 1u : 2u]), 0.0f);
     frame.upload(path() + " sh", sky.sh, windowed);
-    made_ = made_from();
 }
 
 void ImageLight::record_drawn(Frame& frame, const ImageLightState& box) {
     filter(frame, drawn);
+    box_ = box;
+    now_ = &drawn;
+    if (radiance_alone) return;
     const std::array<double, 3> factors = lightwalk::sh_window(sh_window.index);
     const ImageView array = drawn.radiance.as_array();
     if (!drawn.sh) drawn.sh = Buffer(frame.gpu.device, {.name = path() + " drawn sh", .bytes = 9 * sizeof(glm::vec4)});
@@ -107,12 +111,11 @@ void ImageLight::record_drawn(Frame& frame, const ImageLightState& box) {
         pass.use(sh_sums_).set("radiance", array, nearest_clamp).set("source_level", 4).set("sh_buffer", drawn.sh);
         pass.set("window_now", glm::vec3(factors[0], factors[1], factors[2])).dispatch({1, 1, 1});
     });
-    box_ = box;
-    now_ = &drawn;
 }
 
 void ImageLight::filter(Frame& frame, LightCubes& cubes) {
     levels.record(frame, cubes.radiance.all_mips());
+    if (radiance_alone) return;
     prefilter_faces(frame, {face_, cubes.radiance, cubes.prefiltered, {prefilter}});
 
     // From the level of 16 by 16: a cosine sees no more.
@@ -130,10 +133,12 @@ void ImageLight::bind(Pass& pass) const {
     const LightCubes& cubes = *now_;
     pass.offer("image_light_radiance", cubes.radiance, linear_clamp);
     pass.offer("image_light_texels", cubes.radiance.as_array(), nearest_clamp);
-    pass.offer("image_light_prefiltered", cubes.prefiltered, linear_clamp);
-    pass.offer("image_light_irradiance", cubes.irradiance, linear_clamp);
-    pass.offer("image_light_table", table, linear_clamp);
-    pass.offer("image_light_sh", cubes.sh);
+    if (!radiance_alone) {
+        pass.offer("image_light_prefiltered", cubes.prefiltered, linear_clamp);
+        pass.offer("image_light_irradiance", cubes.irradiance, linear_clamp);
+        pass.offer("image_light_table", table, linear_clamp);
+        pass.offer("image_light_sh", cubes.sh);
+    }
     ImageLightState state = now_ == &drawn ? box_ : ImageLightState{};
     state.levels = static_cast<float>(cubes.prefiltered.desc.mips);
     state.texels = static_cast<float>(LightCubes::face_texels);

@@ -97,12 +97,17 @@ struct ImageLight : Module {
     /// and texels are filled in.
     void record_drawn(Frame& frame, const ImageLightState& box);
 
+    /// True: only radiance and its levels are made, for passes that look along single directions, radiance_along(). What is
+    /// filtered from them costs far more.
+    bool radiance_alone = false;
+
     /// Which of the two shaders get from now on. record() and record_drawn() choose their own.
     void use(LightCubes& cubes) { now_ = &cubes; }
 
     void prepare(Gpu& gpu, Scene& scene) override;
     std::vector<std::string> load_exercises() const override { return {"14.sh_project"}; }
     std::vector<Resource> reads() const override {
+        if (radiance_alone) return {now_->radiance};
         return {now_->radiance, now_->prefiltered, now_->irradiance, table, now_->sh};
     }
     void bind(Pass& pass) const override;

@@ -61,7 +61,7 @@ LevelTable measure_levels(const Sound& sound) {
 
 // [smooth]
 LevelTable smooth_levels(const LevelTable& table, double attack_s, double release_s) {
-    const auto share = [](double constant_s) {  // of the way to a new level that is gone in one hop
+    const auto share = [](double constant_s) {  // of the remaining way, done in one hop
         return constant_s > 0 ? static_cast<float>(-std::expm1(-LevelTable::hop_s / constant_s)) : 1.0f;
     };
     const float attack = share(attack_s), release = share(release_s);

@@ -4,10 +4,16 @@
 #include <cstring>
 #include <random>
 
+#include "15_terrain_water/sun_shadow.h"
+
 namespace lightwalk {
 namespace {
 
-constexpr float street_m = 16, block_x_m = 110, block_z_m = 70;
+constexpr float street_m = 16, block_x_m = 110, block_z_m = 70, city_yaw = 0.35f;
+
+glm::ivec2 most_cells(const CityPlan& plan) {
+    return glm::ivec2(plan.radius_m / (glm::vec2(block_x_m, block_z_m) + street_m)) + 1;
+}
 
 /// Random numbers of one block: the same whatever was built before.
 class Dice {
@@ -45,17 +51,16 @@ std::vector<CityBlock> plan_city(const CityPlan& plan, std::vector<CityBox>& box
     std::vector<CityBlock> blocks;
     boxes.clear();
     if (plan.most_boxes <= 0) return blocks;
-    const float yaw = 0.35f, c = std::cos(yaw), s = std::sin(yaw);
+    const float yaw = city_yaw, c = std::cos(yaw), s = std::sin(yaw);
     const auto world = [&](glm::vec2 p) { return plan.middle_m + glm::vec2(c * p.x + s * p.y, -s * p.x + c * p.y); };
-    const int most_x = static_cast<int>(plan.radius_m / (block_x_m + street_m)) + 1;
-    const int most_z = static_cast<int>(plan.radius_m / (block_z_m + street_m)) + 1;
-    for (int bz = -most_z; bz <= most_z; ++bz)
-        for (int bx = -most_x; bx <= most_x; ++bx) {
+    const glm::ivec2 most = most_cells(plan);
+    for (int bz = -most.y; bz <= most.y; ++bz)
+        for (int bx = -most.x; bx <= most.x; ++bx) {
             const glm::vec2 middle = glm::vec2(bx, bz) * glm::vec2(block_x_m + street_m, block_z_m + street_m);
             const float away = glm::length(middle) / plan.radius_m;
             if (away > 1) continue;
             Dice dice(plan.seed, bx, bz);
-            CityBlock block{world(middle), 90, static_cast<uint32_t>(boxes.size()), 0};
+            CityBlock block{world(middle), {bx, bz}, 90, static_cast<uint32_t>(boxes.size()), 0};
             const int lots_x = away < 0.35f ? 3 : 5, lots_z = 2;
             const glm::vec2 lot = glm::vec2(block_x_m, block_z_m) / glm::vec2(lots_x, lots_z);
             const bool park = dice.between(0, 1) < 0.06f;
@@ -92,38 +97,86 @@ void City::update(Frame& frame) {
                         .most_boxes = most_boxes,
                         .seed = plan_seed};
     if (std::memcmp(&plan, &made_of_, sizeof plan) == 0 && (buffer_ || most_boxes == 0)) return;
-    made_of_ = plan;
+    made_of_ = plan, ++placed_;
     blocks_ = plan_city(plan, boxes_);
-    if (!boxes_.empty()) buffer_ = frame.gpu.upload("city", boxes_);
+    if (boxes_.empty()) return;
+    buffer_ = frame.gpu.upload("city", boxes_);
+    grid_ = {.middle = plan.middle_m,
+             .yaw = city_yaw,
+             .pitch = glm::vec2(block_x_m, block_z_m) + street_m,
+             .most = most_cells(plan),
+             .highest = 0};
+    for (const CityBox& box : boxes_) grid_.highest = std::max(grid_.highest, box.base_m + 2 * box.half_size.y);
+    const glm::ivec2 side = 2 * grid_.most + 1;
+    std::vector<glm::uvec2> cells(static_cast<size_t>(side.x * side.y), glm::uvec2(0));
+    for (const CityBlock& block : blocks_) {
+        const glm::ivec2 at = block.cell + grid_.most;
+        cells[static_cast<size_t>(at.y * side.x + at.x)] = {block.first, block.count};
+    }
+    cells_ = frame.gpu.upload("city cells", cells);
+}
+
+Bounds City::bounds() const {
+    Bounds all;
+    if (boxes_.empty() || !ground_.exists()) return all;
+    const float reach = made_of_.radius_m + block_x_m;
+    all.add(glm::vec3(made_of_.middle_m.x - reach, -10.0f, made_of_.middle_m.y - reach));
+    all.add(
+        glm::vec3(made_of_.middle_m.x + reach, ground_.map().highest_m + grid_.highest, made_of_.middle_m.y + reach));
+    return all;
+}
+
+std::vector<With> City::casts_with() const { return {ground_}; }
+
+// [cast]
+void City::cast(Raster& pass, const View& light) const {
+    pass.use(cast_).set("city_boxes", buffer_).set("city_light", glm::vec2(0.0f));
+    draw_seen(pass, light);
+}
+// [/cast]
+
+void City::bind(Pass& pass) const {
+    if (boxes_.empty()) return;
+    pass.offer("city_boxes", buffer_), pass.offer("city_cells", cells_), pass.offer("city_grid", grid_);
+}
+
+// Blocks in a row that the view may see are one draw.
+void City::draw_seen(Raster& pass, const View& view) const {
+    const glm::mat4 rows = glm::transpose(view.view_projection);
+    uint32_t first = 0, count = 0;
+    const auto flush = [&] {
+        if (count > 0) pass.draw(30, count, first);
+        count = 0;
+    };
+    for (const CityBlock& block : blocks_) {
+        const glm::vec4 middle(block.middle_m.x, 0.0f, block.middle_m.y, 1.0f);
+        const float reach = 3 * (block.reach_m + towers_m);
+        const auto beyond = [&](const glm::vec4& plane) {
+            return glm::dot(plane, middle) < -reach * glm::length(glm::vec3(plane));
+        };
+        if (beyond(rows[3] + rows[0]) || beyond(rows[3] - rows[0]) || beyond(rows[3] + rows[1]) ||
+            beyond(rows[3] - rows[1])) {
+            flush();
+            continue;
+        }
+        if (count == 0) first = block.first;
+        count += block.count;
+    }
+    flush();
 }
 
 void City::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (boxes_.empty() || !ground_.exists()) return;
     const ViewScope scope(frame, view);
-    frame.raster(
-        "city",
-        {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = {ground_, atmosphere_, *this}},
-        [&](Raster& pass) {
-            pass.use(draw_).set("city_boxes", buffer_);
-            pass.set("city_light", glm::vec2(atmosphere_.exposure * lamps, view.pixel_rad()));
-            // Blocks in a row that the view may see are one draw.
-            uint32_t first = 0, count = 0;
-            const auto flush = [&] {
-                if (count > 0) pass.draw(30, count, first);
-                count = 0;
-            };
-            for (const CityBlock& block : blocks_) {
-                const glm::vec4 at = view.view_projection * glm::vec4(block.middle_m.x, 0.0f, block.middle_m.y, 1.0f);
-                const float reach = 3 * (block.reach_m + towers_m);
-                if (std::fabs(at.x) > at.w + reach || at.w < -reach) {
-                    flush();
-                    continue;
-                }
-                if (count == 0) first = block.first;
-                count += block.count;
-            }
-            flush();
-        });
+    RasterTargets targets{.color = {canvas.color_target()},
+                          .depth = canvas.depth_target(),
+                          .reads = {},
+                          .with = {ground_, atmosphere_, *this}};
+    const Pipeline& shader = add_shadow(shadowed_by, targets.with) ? draw_shadowed_ : draw_;
+    frame.raster("city", targets, [&](Raster& pass) {
+        pass.use(shader).set("city_light", light_of(view));
+        draw_seen(pass, view);
+    });
 }
 
 }  // namespace lightwalk

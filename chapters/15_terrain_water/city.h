@@ -4,8 +4,11 @@
 #include "15_terrain_water/city_data.h"
 #include "15_terrain_water/ground.h"
 #include "common/app/drawing.h"
+#include "common/scene/mesh.h"
 
 namespace lightwalk {
+
+struct SunShadow;
 
 struct CityPlan {
     glm::vec2 middle_m{0.0f};  ///< world x and z
@@ -18,6 +21,7 @@ struct CityPlan {
 /// Boxes that stand close together, for culling: `first` and `count` in City's list.
 struct CityBlock {
     glm::vec2 middle_m{0.0f};
+    glm::ivec2 cell{0};  ///< in the grid of blocks; (0, 0) is in the middle of the city
     float reach_m = 0;
     uint32_t first = 0, count = 0;
 };
@@ -46,13 +50,33 @@ struct City : Drawing {
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     size_t box_count() const { return boxes_.size(); }
 
+    const SunShadow* shadowed_by = nullptr;  ///< null: no house stands in another one's light
+
+    /// Radiance of a lit window, exposed, and a pixel's angle: city_light of 15_terrain_water/city_light.glsl.
+    glm::vec2 light_of(const View& view) const { return {atmosphere_.exposure * lamps, view.pixel_rad()}; }
+
+    /// For shadow maps: what holds all houses (empty without any), a number that changes with them, and their draw.
+    Bounds bounds() const;
+    uint64_t placed() const { return placed_; }
+    std::vector<With> casts_with() const;
+    void cast(Raster& pass, const View& light) const;
+
+    /// For rays: 15_terrain_water/city_rays.glsl.
+    void bind(Pass& pass) const override;
+
   private:
+    void draw_seen(Raster& pass, const View& view) const;
     const Ground& ground_;
     const Atmosphere& atmosphere_;
     CityPlan made_of_;
     std::vector<CityBlock> blocks_;
     std::vector<CityBox> boxes_;
-    Buffer buffer_;
+    Buffer buffer_, cells_;
+    CityGrid grid_{};
+    uint64_t placed_ = 0;
+    Pipeline cast_ = graphics({.vertex = "15_terrain_water/city.vert", .cull = VK_CULL_MODE_NONE, .depth_clamp = true});
+    Pipeline draw_shadowed_ =
+        graphics({.vertex = "15_terrain_water/city.vert", .fragment = "15_terrain_water/city_shadowed.frag"});
     Pipeline draw_ = graphics({.vertex = "15_terrain_water/city.vert", .fragment = "15_terrain_water/city.frag"});
 };
 

@@ -91,9 +91,13 @@ void Ground::make_heights(Frame& frame, const LandSource& from) {
 void Ground::make_errors(Frame& frame) {
     frame.compute("ground errors", {.reads = {heights_, errors_}, .writes = {errors_}}, [&](Compute& pass) {
         for (uint32_t m = 0; m < errors_.desc.mips; ++m) {
+            const struct {
+                int level;
+                float spacing_m;
+            } level{static_cast<int>(m), map_.spacing_m};
             pass.use(make_errors_).set("heights", heights_, nearest_clamp).set("result", errors_.mip(m));
             pass.set("finer", m == 0 ? ImageView(heights_) : errors_.mip(m - 1), nearest_clamp);
-            pass.set("error_level", static_cast<int>(m)).dispatch(errors_.mip(m).size()).wait();
+            pass.set("error_level", level).dispatch(errors_.mip(m).size()).wait();
         }
     });
 }
@@ -106,7 +110,7 @@ void Ground::record(Frame& frame, bool with_errors) {
         map_ = {.corner = -0.5f * from.spacing_m * static_cast<float>(from.samples - 1) * glm::vec2(1.0f),
                 .spacing_m = from.spacing_m,
                 .samples = from.samples,
-                .top = levels - 5,
+                .top = levels - CHUNK_LEVELS,
                 .highest_m = height_scale * (*high - datum_m) + 4 * detail_m + 0.5f * cliff_m};
         make_images(frame.gpu.device);
         make_heights(frame, from);

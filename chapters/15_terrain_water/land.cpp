@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "15_terrain_water/ground_textures.h"
+#include "15_terrain_water/sun_shadow.h"
 
 namespace lightwalk {
 namespace {
@@ -117,19 +118,22 @@ void Land::draw_rays(Frame& frame, const View& view, Canvas& canvas, const PerVi
                  [&](Raster& pass) { pass.use(ray_).set("rays", view_rays(view)).draw(3); });
 }
 
+void Land::bind(Pass& pass) const {
+    if (materials_) pass.offer("materials", materials_), pass.offer("material_bumps", bumps_);
+    if (ground_.exists()) pass.offer("heights_between", ground_.heights(), linear_clamp);
+}
+
 void Land::shade(Frame& frame, const View& view, Canvas& canvas, const PerView& kept) {
     const ImageView color = canvas.color(frame);
-    frame.compute(
-        "land shade", {.reads = {kept.found, color}, .writes = {color}, .with = {ground_, atmosphere_, *this}},
-        [&](Compute& pass) {
-            pass.use(shade_).set("found", kept.found, nearest_clamp).set("result", color);
-            pass.set("rays", view_rays(view));
-            if (pass.wants("materials")) pass.set("materials", materials_).set("material_bumps", bumps_);
-            if (pass.wants("heights_between")) pass.set("heights_between", ground_.heights(), linear_clamp);
-            if (pass.wants("chunk_view"))
-                pass.set("chunk_view", ChunkView{view.view_projection, view.eye, error_px * view.pixel_rad(), -1});
-            pass.dispatch_threads(view.size);
-        });
+    std::vector<With> with{ground_, atmosphere_, *this};
+    const Pipeline& shader = add_shadow(shadowed_by, with) ? shade_shadowed_ : shade_;
+    frame.compute("land shade", {.reads = {kept.found, color}, .writes = {color}, .with = with}, [&](Compute& pass) {
+        pass.use(shader).set("found", kept.found, nearest_clamp).set("result", color);
+        pass.set("rays", view_rays(view));
+        if (pass.wants("chunk_view"))
+            pass.set("chunk_view", ChunkView{view.view_projection, view.eye, error_px * view.pixel_rad(), -1});
+        pass.dispatch_threads(view.size);
+    });
 }
 
 }  // namespace lightwalk

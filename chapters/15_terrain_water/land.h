@@ -9,6 +9,8 @@
 
 namespace lightwalk {
 
+struct SunShadow;
+
 // [land]
 /// Comes before what stands on it or lies behind it. All methods find the same thing, how far away the ground is in each
 /// pixel; one pass shades what they have found.
@@ -74,6 +76,11 @@ struct Land : Drawing {
     uint64_t triangles() const;
     bool count = false;
 
+    const SunShadow* shadowed_by = nullptr;  ///< null: no house shades the ground
+
+    /// For passes that include 15_terrain_water/land_light.glsl.
+    void bind(Pass& pass) const override;
+
   private:
     struct PerView {
         Image found;
@@ -103,6 +110,7 @@ struct Land : Drawing {
     Pipeline ray_ = graphics(
         {.vertex = "06_deferred/whole.vert", .fragment = "15_terrain_water/land_rays.frag", .cull = VK_CULL_MODE_NONE});
     Pipeline shade_ = compute({.shader = "15_terrain_water/land_shade.comp"});
+    Pipeline shade_shadowed_ = compute({.shader = "15_terrain_water/land_shade_shadowed.comp"});
 };
 
 }  // namespace lightwalk

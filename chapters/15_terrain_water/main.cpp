@@ -10,6 +10,8 @@
 #include "14_environment/probe.h"
 #include "15_terrain_water/city.h"
 #include "15_terrain_water/land_error.h"
+#include "15_terrain_water/reflected_rays.h"
+#include "15_terrain_water/sun_shadow.h"
 #include "15_terrain_water/transparency.h"
 #include "15_terrain_water/water.h"
 #include "common/window/run.h"
@@ -22,10 +24,12 @@ struct TerrainWater : ModelChapter {
     Ground ground{*this, "ground"};
     Land land{*this, "land", ground, atmosphere};
     City city{*this, "city", ground, atmosphere};
+    SunShadow sun_shadow{*this, "sun_shadow", atmosphere};
     LitScene objects{*this, "objects"};
     ImageLight light{*this, "environment"};
     SceneProbe probe{*this, "probe"};
     Water water{*this, "water", light};
+    ReflectedRays reflected{*this, "reflected", ground, land, city, atmosphere};
     Transparency transparency{*this, "transparency"};
     HeightFog fog{*this, "fog"};
     Bloom bloom{*this, "bloom"};
@@ -39,6 +43,9 @@ struct TerrainWater : ModelChapter {
         objects.lights.method.change_default("every_light");
         water.method.change_default("none");
         light.method.change_default("mirror");
+        light.radiance_alone = true;  // water looks along single directions
+        land.shadowed_by = city.shadowed_by = &sun_shadow;
+        water.tracer = &reflected;
         probe.update.change_default("moved");
         probe.distant = true;
         probe.in_use = light.in_use = [this] { return !water.method.is("none"); };
@@ -62,7 +69,9 @@ struct TerrainWater : ModelChapter {
         const View view = set_view(frame);
         scene.set_sun(atmosphere.sun());
 
-        // 1. The sky in a cube and the mirror image, where there is water to show them.
+        // 1. What houses leave of the sun; the sky in a cube and the mirror image, where there is water to show them.
+        ground.record(frame, false);
+        sun_shadow.record(frame, view, scene, city);
         if (!water.method.is("none")) {
             Drawing& air = atmosphere.without_disc();  // the water has the sun's glitter itself
             light.record(frame, scene);

@@ -35,12 +35,10 @@ void Mirror::record(Frame& frame, const View& view, float level_m, const Drawing
     View clipped = plain;
     clipped.view_projection = mirror_view(view.view_projection, level_m);
 
-    // 2. What is solid, clipped at the water.
-    {
-        Canvas canvas(color_, oblique_);
-        draw(frame, clipped, canvas, solid);
-        canvas.color(frame), canvas.depth(frame);
-    }
+    // 2. What is opaque, clipped at the water.
+    Canvas below(color_, oblique_);
+    draw_opaque(frame, clipped, below, solid);
+    below.depth(frame);
 
     // 3. Its depth as the air wants it. The third row of the matrix is the fourth less `scale` times the water's plane.
     const glm::mat4 rows = glm::transpose(clipped.view_projection);
@@ -50,10 +48,11 @@ void Mirror::record(Frame& frame, const View& view, float level_m, const Drawing
         pass.set("mirror_rays", view_rays(plain)).draw(3);
     });
 
-    // 4. The sky behind it and the air before it.
+    // 4. The sky behind it and the air before it; then what is transparent, as in the picture itself.
     Canvas canvas(color_, depth_);
     canvas.color_overwritten(), canvas.depth_overwritten();
-    if (!air.empty()) draw(frame, plain, canvas, air);
+    if (!air.empty()) draw_opaque(frame, plain, canvas, air);
+    draw_transparent(frame, clipped, below, solid);
 }
 // [/mirror_record]
 

@@ -162,6 +162,22 @@ void Water::bind(Pass& pass) const {
     if (behind_) pass.offer("behind", behind_, nearest_clamp), pass.offer("behind_depth", behind_depth_, nearest_clamp);
 }
 
+// [follow_rays]
+// The surface is drawn once more before its own pass, as the rays that leave it: that is compute's work.
+void Water::follow_rays(Frame& frame, const View& view, Canvas& canvas) {
+    const auto fit = [&](Image& image, const char* name, VkFormat format) {
+        image.fit(frame.gpu.device, {.name = path() + name, .format = format, .size = canvas.size()});
+    };
+    fit(rays_, " rays", VK_FORMAT_R32G32B32A32_SFLOAT), fit(met_, " met", VK_FORMAT_R16G16B16A16_SFLOAT);
+    RasterTargets targets{
+        .color = {clear(rays_, glm::vec4(0.0f))}, .depth = canvas.depth_target(), .reads = {black_}, .with = {*this}};
+    if (method.is("fft")) targets.reads = {ocean.moved(), ocean.sloped()};
+    frame.raster("water rays", targets,
+                 [&](Raster& pass) { pass.use(rays_of_).draw_indexed(rings_, 0, 6 * SPOKES * (RINGS - 1)); });
+    tracer->record(frame, view, rays_, met_);
+}
+// [/follow_rays]
+
 // [draw]
 void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (method.is("none")) return;
@@ -180,11 +196,14 @@ void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
                   });
 
     // 2. The surface. Where there is no mirror image, its place takes what is behind.
-    const ImageView mirror_image = mirrored ? ImageView(mirror.image()) : ImageView(behind_);
+    const bool by_rays = reflection.is("rays") && tracer && !below;
+    if (by_rays) follow_rays(frame, view, canvas);
+    const ImageView mirror_image = mirrored ? ImageView(mirror.image()) : ImageView(by_rays ? met_ : behind_);
     std::vector<Resource> reads{behind_, behind_depth_, foam_tile_, black_, mirror_image};
     if (method.is("fft")) reads.insert(reads.end(), {ocean.moved(), ocean.sloped()});
     Macros variant;
-    if (reflection.is("planar") && !mirrored) variant.set("WATER_REFLECTION", "WATER_REFLECTION_CUBE");
+    if ((reflection.is("planar") && !mirrored) || (reflection.is("rays") && !by_rays))
+        variant.set("WATER_REFLECTION", "WATER_REFLECTION_CUBE");
     frame.raster(
         "water",
         {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = reads, .with = {*this, light_}},

@@ -7,6 +7,14 @@
 
 namespace lightwalk {
 
+/// Follows reflected rays, for Water: `rays` has in each pixel a direction and the metres along the view to where its ray
+/// begins (0: no ray). Writes into `met` (RGBA16F, as large) the light of what it meets, and what share of the light from
+/// behind that is hidden.
+struct WaterRays {
+    virtual ~WaterRays() = default;
+    virtual void record(Frame& frame, const View& view, const Image& rays, const Image& met) = 0;
+};
+
 // [water]
 /// Comes after all that is opaque and after the sky, before the air:
 ///
@@ -26,10 +34,10 @@ struct Water : Drawing {
                   "transforms"};
     Choice reflection{*this,
                       "reflection",
-                      {"none", "cube", "screen_space", "planar"},
+                      {"none", "cube", "screen_space", "planar", "rays"},
                       "planar",
-                      "Reflection: none, the surroundings in a cube, the picture itself where it shows what is met, or "
-                      "the scene drawn from below"};
+                      "Reflection: none, the surroundings in a cube, the picture itself where it shows what is met, "
+                      "the scene drawn from below, or a ray for each pixel (the reference)"};
     Knob<float> level_m{*this, "level_m", 0.0f, {-1e4f, 1e4f}, "Height of the water at rest", "m"};
     Knob<int> waves{*this, "waves", 12, {2, 16}, "Number of waves (methods sines and gerstner)"};
     Knob<float> longest_m{*this, "longest_m", 12.0f, {0.01f, 1000.0f}, "Length of the longest wave", "m"};
@@ -61,6 +69,8 @@ struct Water : Drawing {
     Ocean ocean{*this, "ocean"};
     Mirror mirror{*this, "mirror"};
 
+    WaterRays* tracer = nullptr;  ///< for reflection by rays; null: these meet nothing but the surroundings
+
     void prepare(Gpu&, Scene& loaded) override;
     bool animated() const override { return method.is("sines") || method.is("gerstner") || method.is("fft"); }
     /// The mirror image, where that is the method and the eye is above the water.
@@ -76,9 +86,10 @@ struct Water : Drawing {
 
   private:
     WaterNow now(const Frame& frame, const View& view) const;
+    void follow_rays(Frame& frame, const View& view, Canvas& canvas);
     const ImageLight& light_;
     const Scene* scene_ = nullptr;
-    Image behind_, behind_depth_, foam_tile_, black_;
+    Image behind_, behind_depth_, foam_tile_, black_, rays_, met_;
     Buffer rings_;  ///< indices
     bool has_foam_ = false;
     uint32_t mirrored_ = ~0u;  ///< the view of which there is a mirror image
@@ -86,6 +97,9 @@ struct Water : Drawing {
     Pipeline keep_ = compute({.shader = "15_terrain_water/keep_depth.comp"});
     Pipeline foam_ = compute({.shader = "15_terrain_water/foam_tile.comp"});
     Pipeline under_ = compute({.shader = "15_terrain_water/under_water.comp"});
+    Pipeline rays_of_ = graphics({.vertex = "15_terrain_water/water.vert",
+                                  .fragment = "15_terrain_water/water_rays.frag",
+                                  .cull = VK_CULL_MODE_NONE});
     Pipeline surface_ = graphics({.vertex = "15_terrain_water/water.vert",
                                   .fragment = "15_terrain_water/water.frag",
                                   .cull = VK_CULL_MODE_NONE});

@@ -40,21 +40,23 @@ SurfaceLaw wrapped(float w, float k, glm::vec3 terminator, glm::vec3 tint = whit
 }
 
 // Radii: NASA's Saturnian rings fact sheet. Optical depths: of C, 0.05 to 0.12, from the same; of A, 0.45 to 0.57, from K. Lumme
-// and H. Reitsema, Icarus 33, 1978, page 288; of B, 1 to 3, after J. Colwell et al., in Saturn from Cassini-Huygens, 2009,
-// chapter 13. Single-scattering albedos after J. Cuzzi et al., chapter 15 of that book. The lesson says what of it was read.
+// and H. Reitsema, Icarus 33, 1978, page 288; of B, 1 to 3: 1.25 and 1.5 by photometry from the Earth, and parts of its middle
+// that let nothing through, by occultations. Single-scattering albedos: 0.9 at most, of C 0.3 at its inner edge. The lesson says
+// whose they are, and what of it was read.
 constexpr RingPart saturn_rings[] = {{74658e3, 92000e3, 0.09, 0.30},  {92000e3, 99000e3, 1.2, 0.74},
                                      {99000e3, 110000e3, 2.2, 0.88},  {110000e3, 117580e3, 1.6, 0.84},
                                      {117580e3, 122170e3, 0.1, 0.35}, {122170e3, 133423e3, 0.55, 0.66},
                                      {133423e3, 133745e3, 0.0, 0.5},  {133745e3, 136775e3, 0.5, 0.6}};
-// Radius, width and optical depth of the ten, and of the sheet beside one of them: R. French et al., "Dynamics and structure of
-// the Uranian rings", in Uranus, 1991. The widths of narrow ones vary around the planet. Albedo: particles as dark as coal,
+// Radius, width and optical depth of the ten: PDS Ring-Moon Systems Node, "Vital Statistics for Uranus's Rings and Inner
+// Satellites" (after R. French et al. in Uranus, 1991), the middle where it states a range, and of that of depths of the widest
+// ring what fits its mean width; the sheet beside one of them is from memory. The widths vary around the planet. Albedo: particles as dark as coal,
 // whose geometric albedo is 0.061 (E. Karkoschka, Icarus 125, 1997, page 348), times 4 over their phase function at 0.
 constexpr RingPart narrow(double radius_km, double width_km, double depth) {
     return {1e3 * (radius_km - 0.5 * width_km), 1e3 * (radius_km + 0.5 * width_km), depth, 0.052};
 }
-constexpr RingPart uranus_rings[] = {narrow(41837, 2, 0.3),   narrow(42234, 2.5, 0.55), narrow(42571, 2.5, 0.3),
-                                     narrow(44718, 9, 0.35),  narrow(45661, 9, 0.2),    narrow(47176, 1.5, 0.3),
-                                     narrow(47204, 55, 0.02), narrow(47627, 3, 1.8),    narrow(48300, 6, 0.4),
+constexpr RingPart uranus_rings[] = {narrow(41837, 1.5, 0.3), narrow(42234, 2, 0.5),   narrow(42571, 2, 0.3),
+                                     narrow(44718, 7, 0.4),   narrow(45661, 8, 0.3),   narrow(47176, 1.6, 0.4),
+                                     narrow(47204, 55, 0.02), narrow(47627, 2.5, 0.8), narrow(48300, 5, 0.5),
                                      narrow(50024, 2, 0.1),   narrow(51149, 58, 1.2)};
 
 glm::vec3 per_m(glm::vec3 per_megametre) { return 1e-6f * per_megametre; }

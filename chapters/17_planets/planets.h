@@ -46,6 +46,13 @@ struct Planets : Drawing {
         "two_frames",
         "Jupiter's clouds: at rest, all at one speed, two moved frames mixed, or carried in 64 steps (the reference)"};
     // [/planets]
+    Choice shadow{
+        *this,
+        "shadow",
+        {"sphere", "hard", "disc"},
+        "disc",
+        "Shadows of bodies: of a ball with a hard edge, of the flattened body with a hard edge, or in the light "
+        "of the Sun's disc (the reference)"};
     Choice show{*this,
                 "show",
                 {"bodies", "laws"},

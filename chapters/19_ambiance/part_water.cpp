@@ -19,6 +19,7 @@ struct WaterPart : FilmPart {
         fog.method.change_default("none");
         objects.lights.method.change_default("every_light");
         light.method.change_default("mirror");
+        light.radiance_alone = true;
         probe.update.change_default("moved");
         probe.distant = true;
     }

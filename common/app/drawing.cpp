@@ -90,10 +90,19 @@ void Drawing::update_once(Frame& frame) {
 }
 
 void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
+    draw_opaque(frame, view, canvas, drawings);
+    draw_transparent(frame, view, canvas, drawings);
+}
+
+void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
     const ViewScope scope(frame, view);
     for (Drawing& drawing : drawings) drawing.update_once(frame);
     for (Drawing& drawing : drawings) drawing.draw(frame, view, canvas);
     canvas.color(frame);
+}
+
+void draw_transparent(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
+    const ViewScope scope(frame, view);
     const std::vector<SeenThrough> surfaces = transparent_surfaces(view, drawings);
     if (surfaces.empty()) return;
     canvas.depth(frame);  // cleared where nothing opaque was drawn

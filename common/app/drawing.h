@@ -131,4 +131,8 @@ void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
 /// Updates the drawings, unless this frame did so before, draws them in this order, and then their transparent surfaces.
 void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
 
+/// The two halves of draw(), for what comes between them: everything but the transparent surfaces, and these alone.
+void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
+void draw_transparent(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
+
 }  // namespace lightwalk

@@ -63,6 +63,9 @@ VkInstance make_instance(const DeviceOptions& options, bool debug_utils) {
                                            .pEnabledValidationFeatures = &synchronisation};
     if (options.validate && !has_layer(validation_layer))
         throw InputError("--validate on needs the Vulkan validation layer: apt install vulkan-validationlayers");
+    // Layers since 1.3.290 leave what shaders read and write out of it, unless they are told. Debian 12's headers do not
+    // know VK_EXT_layer_settings, which would say the same.
+    if (options.validate) setenv("VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC", "true", 0);
     const VkInstanceCreateInfo create{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                       .pNext = options.validate ? &features : nullptr,
                                       .pApplicationInfo = &app,

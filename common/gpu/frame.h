@@ -73,6 +73,10 @@ class Frame {
     /// Throws Failure for another number of bytes.
     void upload(const std::string& name, const ImageView& view, std::span<const std::byte> texels);
 
+    /// A transfer pass that fills the whole image, of numbers and not of depths: for what a student's passes may leave
+    /// unwritten and a later pass reads.
+    void fill(const std::string& name, const Image& image, glm::vec4 value);
+
     /// A transfer pass after which, when this frame has ended, `into` has the bytes; of a view, the first mip's texels,
     /// layer by layer, tightly packed. Throws Failure for an image with several samples.
     void read_back(const Buffer& buffer, ReadBack& into);

@@ -37,6 +37,16 @@ void Frame::upload(const std::string& name, const ImageView& view, std::span<con
              [&](VkCommandBuffer commands) { copy(commands, from.buffer, from.offset, view); });
 }
 
+void Frame::fill(const std::string& name, const Image& image, glm::vec4 value) {
+    transfer(name, {.reads = {}, .writes = {image}}, [&](VkCommandBuffer commands) {
+        const VkClearColorValue color{.float32 = {value.r, value.g, value.b, value.a}};
+        const VkImageSubresourceRange whole{.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT,
+                                            .levelCount = VK_REMAINING_MIP_LEVELS,
+                                            .layerCount = VK_REMAINING_ARRAY_LAYERS};
+        vkCmdClearColorImage(commands, image.handle, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &color, 1, &whole);
+    });
+}
+
 ReadBack::State& Frame::staging_for(ReadBack& into, const std::string& name, VkDeviceSize bytes) {
     if (!into.state_) into.state_ = std::make_shared<ReadBack::State>();
     ReadBack::State& state = *into.state_;

@@ -149,6 +149,10 @@ VkDescriptorImageInfo Pass::image_info(const Binding& binding, ImageView view, c
     if (!turn_into(view, binding.view_type))
         throw Failure("pass '{}': '{}' is {} in the shader, and {} is {}", name, binding.name, shape(binding.view_type),
                       view.name(), shape(view));
+    const VkFormat format = view.format == VK_FORMAT_UNDEFINED ? view.image->desc.format : view.format;
+    if (binding.format != VK_FORMAT_UNDEFINED && binding.format != format)
+        throw Failure("pass '{}': '{}' is {} in the shader, and {} is {}", name, binding.name, name_of(binding.format),
+                      view.name(), name_of(format));
     const Stated* found = stated(view, storage);
     if (!found && (!view.image->constant || storage)) fail_unstated(binding.name, storage);
     if (found && !found->read && (!storage || binding.readable)) fail_unstated(binding.name, false);

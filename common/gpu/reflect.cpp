@@ -93,6 +93,32 @@ VkImageViewType view_type_of(spvc_type type) {
     }
 }
 
+/// Undefined for a shader without a layout(), and for formats that no shader of the course names.
+VkFormat storage_format_of(spvc_type type) {
+    switch (spvc_type_get_image_storage_format(type)) {
+        case SpvImageFormatRgba32f:
+            return VK_FORMAT_R32G32B32A32_SFLOAT;
+        case SpvImageFormatRgba16f:
+            return VK_FORMAT_R16G16B16A16_SFLOAT;
+        case SpvImageFormatRgba8:
+            return VK_FORMAT_R8G8B8A8_UNORM;
+        case SpvImageFormatRg32f:
+            return VK_FORMAT_R32G32_SFLOAT;
+        case SpvImageFormatRg16f:
+            return VK_FORMAT_R16G16_SFLOAT;
+        case SpvImageFormatR32f:
+            return VK_FORMAT_R32_SFLOAT;
+        case SpvImageFormatR16f:
+            return VK_FORMAT_R16_SFLOAT;
+        case SpvImageFormatR8:
+            return VK_FORMAT_R8_UNORM;
+        case SpvImageFormatR32ui:
+            return VK_FORMAT_R32_UINT;
+        default:
+            return VK_FORMAT_UNDEFINED;
+    }
+}
+
 }  // namespace
 
 Reflection reflect(const std::vector<uint32_t>& spirv) {
@@ -129,6 +155,7 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
                 binding.count *= spvc_type_get_array_dimension(whole, d);
             if (binding.count == 0) throw Failure("'{}' is an array without a size", binding.name);
             if (!block) binding.view_type = view_type_of(base);
+            if (type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE) binding.format = storage_format_of(base);
             if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) {
                 size_t bytes = 0;
                 spvc_compiler_get_declared_struct_size(compiler, base, &bytes);

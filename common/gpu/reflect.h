@@ -27,6 +27,7 @@ struct Binding {
     uint32_t count = 1;                                 ///< elements of an array
     uint32_t first = 0;                                 ///< of its elements among those of all the pipeline's bindings
     VkImageViewType view_type = VK_IMAGE_VIEW_TYPE_2D;  ///< of an image
+    VkFormat format = VK_FORMAT_UNDEFINED;              ///< that a storage image's layout() names; undefined: any
     VkShaderStageFlags stages = 0;
     uint32_t bytes = 0;     ///< of a uniform block
     bool writable = false;  ///< a storage buffer or image without `readonly`

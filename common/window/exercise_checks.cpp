@@ -5,6 +5,7 @@
 
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/starters.h"
 #include "common/window/event_log.h"
 
 namespace lightwalk {
@@ -53,13 +54,13 @@ CheckVerdict read_check(const std::string& exercise, const std::string& said, in
 
 void ExerciseChecks::start(const std::string& exercise) {
     jobs_.erase(exercise);  // two at once would say the same of two versions of the file
-    CheckVerdict& check = checks_[exercise] = {};
+    CheckVerdict& check = checks_[exercise] = {.of = answer_digest(exercise)};
     try {
         jobs_[exercise] = std::make_unique<ChildProcess>(
             course_root() / "course", std::vector<std::string>{"check", exercise, "--json"}, ChildProcess::Kind::job);
     } catch (const Failure& e) {
         jobs_.erase(exercise);
-        check = {.state = CheckVerdict::State::failed, .words = e.what()};
+        check = {.state = CheckVerdict::State::failed, .of = check.of, .words = e.what()};
     }
     log_event("check " + exercise + " " + state_names[static_cast<int>(check.state)]);
 }
@@ -72,7 +73,10 @@ bool ExerciseChecks::poll() {
             ++job;
             continue;
         }
-        const CheckVerdict& check = checks_[job->first] = read_check(job->first, job->second->said(), *code);
+        CheckVerdict& check = checks_[job->first];
+        const uint64_t of = check.of;
+        check = read_check(job->first, job->second->said(), *code);
+        check.of = of;
         log_event("check " + job->first + " " + state_names[static_cast<int>(check.state)]);
         job = jobs_.erase(job);
         ended = true;

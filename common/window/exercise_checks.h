@@ -1,5 +1,6 @@
 // The checks of exercises, run beside the window by the program that ./course check is.
 #pragma once
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -18,6 +19,7 @@ struct CheckVerdict {
         failed    ///< there is no verdict: it could not be built or started
     };
     State state = State::running;
+    uint64_t of = 0;  ///< answer_digest() when the check began
     int passed = 0, cases = 0;
     std::string words;  ///< what is wrong, or why there is no verdict; empty where all is said
     std::string hint;   ///< empty where there is none

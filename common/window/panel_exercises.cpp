@@ -1,4 +1,7 @@
+#include <map>
+
 #include "common/base/exercise.h"
+#include "common/base/starters.h"
 #include "common/window/event_log.h"
 #include "common/window/panel.h"
 
@@ -60,6 +63,12 @@ Verdict verdict(const CheckVerdict& check) {
     }
 }
 
+// Of an exercise that was not checked as it stands.
+Verdict verdict(const std::string& id) {
+    if (!Exercises::compiles(id)) return {"does not compile", error_color};
+    return {is_untouched(id) ? "untouched" : "not checked", quiet_color};
+}
+
 // What the check says, as high as it needs but no higher than ten lines, and its hint behind a fold of its own.
 void check_words(const std::string& id, const CheckVerdict& check) {
     if (check.words.empty() && check.hint.empty()) return;
@@ -86,20 +95,25 @@ void check_words(const std::string& id, const CheckVerdict& check) {
     ImGui::TreePop();
 }
 
+void log_state(const std::string& id, const std::string& state) {
+    static std::map<std::string, std::string> last;
+    if (std::string& before = last[id]; before != state) log_event("state " + id + " " + (before = state));
+}
+
 // An exercise's name and verdict; below them its toggle, its lesson and its check, and what that has said. True where
 // it was switched.
 bool exercise_row(const std::string& id, const CheckVerdict* check, Requests& requests) {
     ImGui::PushID(id.c_str());
     ImGui::TextUnformatted(id.c_str());
     const float right = ImGui::GetWindowContentRegionMax().x;
-    if (check) {
-        const Verdict said = verdict(*check);
-        const std::string text = check->cases && check->state != CheckVerdict::State::invalid
-                                     ? fmt::format("{}: {} of {}", said.name, check->passed, check->cases)
-                                     : said.name;
-        ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
-        ImGui::TextColored(said.color, "%s", text.c_str());
-    }
+    const bool holds = check && check->of == answer_digest(id);
+    const Verdict said = holds ? verdict(*check) : verdict(id);
+    const std::string text = holds && check->cases && check->state != CheckVerdict::State::invalid
+                                 ? fmt::format("{}: {} of {}", said.name, check->passed, check->cases)
+                                 : said.name;
+    ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextColored(said.color, "%s", text.c_str());
+    log_state(id, said.name);
     const bool switched = toggle(id);
     ImGui::SameLine(right - width_of("lesson") - width_of("check") - gap);
     if (ImGui::Button("lesson")) requests.lesson = id;

@@ -6,7 +6,7 @@
 #include "09_post_effects/sharpen.glsl"
 
 layout(local_size_x = 32, local_size_y = 4) in;
-layout(rgba32f) writeonly uniform image2D into;
+writeonly uniform image2D into;
 
 // Each channel is read elsewhere; and rows are torn to the sides by noise, red one way and blue the other.
 vec3 split_channels(vec2 uv, ivec2 pixel) {

@@ -20,8 +20,8 @@ vec4 waves(vec3 n, float frequency, float exponent) {
 // [/waves]
 
 // [normal]
-// Of the surface (1 + h(n)) n, unit length: along it the height changes by the gradient's part that lies in the sphere,
-// over a way that is 1 + h times as long.
+// The unit normal of the surface (1 + h(n)) n. Along the sphere the height changes by the tangential part of its gradient,
+// over a distance that is 1 + h times as long on the displaced surface.
 vec3 normal_above(vec3 n, vec4 height) {
     vec3 along = height.xyz - dot(height.xyz, n) * n;
     return normalize(n - along / (1.0 + height.w));

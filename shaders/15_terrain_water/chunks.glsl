@@ -24,7 +24,7 @@ float chunk_error_at(ivec2 chunk, int level) {
 void chunk_box(Chunk chunk, out vec3 low, out vec3 high) {
     float side = land_map.spacing_m * float(CHUNK_CELLS << chunk.level);
     vec2 corner = land_map.corner + side * vec2(chunk.x, chunk.z);
-    vec2 heights = texelFetch(land_bounds, ivec2(chunk.x, chunk.z), chunk.level + 5).rg;
+    vec2 heights = texelFetch(land_bounds, ivec2(chunk.x, chunk.z), chunk.level + CHUNK_LEVELS).rg;
     low = vec3(corner.x, heights.x, corner.y), high = vec3(corner.x + side, heights.y, corner.y + side);
 }
 
@@ -42,13 +42,8 @@ float chunk_distance(Chunk chunk) {
     return length(max(max(low - opaque(chunk_view.from), opaque(chunk_view.from) - high), 0.0));
 }
 
-// The greatest error of the chunk and of the eight around it, metres. Never less than that of a chunk within.
-float chunk_error(Chunk chunk) {
-    float error = 0.0;
-    for (int i = 0; i < 9; ++i)
-        error = max(error, chunk_error_at(ivec2(chunk.x, chunk.z) + ivec2(i % 3, i / 3) - 1, chunk.level));
-    return error;
-}
+// The error of the chunk, metres. Never less than that of a chunk within.
+float chunk_error(Chunk chunk) { return chunk_error_at(ivec2(chunk.x, chunk.z), chunk.level); }
 
 // False: nothing of its box can be in the picture.
 bool chunk_in_view(Chunk chunk) {

@@ -15,4 +15,13 @@ struct CityBox {
     uint number;     // what its colour and its windows are chosen by
 };
 
+// The blocks of a city as a grid over level ground, for rays. All boxes are turned by the same angle.
+struct CityGrid {
+    vec2 middle;    // metres, world x and z
+    float yaw;      // radians about +y
+    vec2 pitch;     // metres from one block to the next
+    ivec2 most;     // blocks run from -most to most
+    float highest;  // metres: of the highest box over its ground
+};
+
 END_SHARED

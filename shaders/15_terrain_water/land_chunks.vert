@@ -10,12 +10,12 @@ bool is_drawn() { return gl_VertexIndex >= 0; }
 
 // [morph]
 // How far a vertex has moved to its place in level + 1: 0 to 1. A function of its place alone, so that two chunks that
-// share a vertex agree. 1 from where any chunk of level + 1 that touches it may be drawn.
+// share a vertex agree. 1 from where any chunk of level + 1 that touches it may be drawn: that with the least error.
 float morphed(ivec2 at, vec3 point, int level) {
     int side = CHUNK_CELLS << (level + 1);
     ivec2 upper = at / side, lower = (at - 1) / side;
-    float error = max(max(chunk_error_at(lower, level + 1), chunk_error_at(upper, level + 1)),
-                      max(chunk_error_at(ivec2(lower.x, upper.y), level + 1), chunk_error_at(ivec2(upper.x, lower.y), level + 1)));
+    float error = min(min(chunk_error_at(lower, level + 1), chunk_error_at(upper, level + 1)),
+                      min(chunk_error_at(ivec2(lower.x, upper.y), level + 1), chunk_error_at(ivec2(upper.x, lower.y), level + 1)));
     float reached = length(point - opaque(chunk_view.from)) * chunk_limit();  // the error that is allowed here
     return error <= 0.0 ? 1.0 : clamp((reached / error - 0.7) / 0.299, 0.0, 1.0);
 }

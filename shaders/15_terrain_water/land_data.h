@@ -4,7 +4,8 @@
 
 BEGIN_SHARED
 
-const int CHUNK_CELLS = 32;  // along a side of a chunk; a power of two
+const int CHUNK_LEVELS = 5;  // of the tree below a chunk: it has 2^CHUNK_LEVELS cells along a side
+const int CHUNK_CELLS = 1 << CHUNK_LEVELS;
 
 // Heights at samples x samples places; x runs eastwards (+x), y southwards (+z).
 struct LandMap {

@@ -1,12 +1,15 @@
-// How far the ground's samples lie from the triangles of a coarser level, in metres: for each chunk of that level the
-// greatest distance, straight up, of it and of all finer levels. A workgroup for each chunk.
+// How far the ground's samples lie from the triangles of a coarser level, in metres: for each chunk of that level, its
+// border with it, the greatest distance of it and of all finer levels. A workgroup for each chunk.
 #include "15_terrain_water/land_data.h"
 #include "common/opaque.glsl"
 
 layout(local_size_x = 64) in;
 uniform sampler2D heights;
 uniform sampler2D finer;  // errors of the level before
-layout(scalar) uniform ErrorLevelBlock { int error_level; };
+layout(scalar) uniform ErrorLevelBlock {
+    int level;
+    float spacing_m;
+} error_level;
 layout(r32f) writeonly uniform image2D result;
 shared float greatest[64];
 
@@ -15,23 +18,27 @@ bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }
 float height_at(ivec2 at) { return texelFetch(heights, at, 0).r; }
 
 // [error]
-// On the two triangles of a cell, whose common edge runs from its upper right to its lower left corner.
-float coarse_height(ivec2 at, int cell) {
-    ivec2 corner = at / cell * cell;
+// From the plane of one of the two triangles of a cell, whose common edge runs from its upper right to its lower left
+// corner. On a wall that is far less than the distance straight up, which nobody sees from before the wall.
+float distance_from_cell(ivec2 at, ivec2 corner, int cell) {
     vec2 t = vec2(at - corner) / float(cell);
     float a = height_at(corner), b = height_at(corner + ivec2(cell, 0));
     float c = height_at(corner + ivec2(0, cell)), d = height_at(corner + cell);
-    return t.x + t.y <= 1.0 ? a + t.x * (b - a) + t.y * (c - a) : d + (1.0 - t.x) * (c - d) + (1.0 - t.y) * (b - d);
+    bool first = t.x + t.y <= 1.0;
+    vec2 rise = first ? vec2(b - a, c - a) : vec2(d - c, d - b);
+    float above = height_at(at) - (first ? a + dot(t, rise) : d - dot(1.0 - t, rise));
+    vec2 slope = rise / (float(cell) * opaque(error_level.spacing_m));
+    return abs(above) * inversesqrt(1.0 + dot(slope, slope));
 }
 // [/error]
 
 void main() {
     ivec2 chunk = ivec2(gl_WorkGroupID.xy);
-    int level = opaque(error_level), cell = 1 << level, side = CHUNK_CELLS * cell;
+    int level = opaque(error_level.level), cell = 1 << level, side = CHUNK_CELLS * cell;
     float error = 0.0;
-    for (int i = int(gl_LocalInvocationIndex); i < side * side; i += 64) {
-        ivec2 at = chunk * side + ivec2(i % side, i / side);
-        error = max(error, abs(height_at(at) - coarse_height(at, cell)));
+    for (int i = int(gl_LocalInvocationIndex); i < (side + 1) * (side + 1); i += 64) {
+        ivec2 within = ivec2(i % (side + 1), i / (side + 1)), corner = min(within / cell, ivec2(CHUNK_CELLS - 1)) * cell;
+        error = max(error, distance_from_cell(chunk * side + within, chunk * side + corner, cell));
     }
     greatest[gl_LocalInvocationIndex] = error;
     barrier();

@@ -2,7 +2,7 @@
 #include "common/view_rays.h"
 #include "14_environment/image_light.glsl"
 #include "15_terrain_water/fresnel_water.glsl"
-#include "15_terrain_water/water_surface.glsl"
+#include "15_terrain_water/water_facet.glsl"
 #include "15_terrain_water/water_reflection.glsl"
 #include "15_terrain_water/foam.glsl"
 
@@ -52,26 +52,19 @@ void main() {
     vec3 to_eye = away / far_m;
     bool below = water_now.eye_depth_m > 0.0;
 
-    // 1. The surface as finely as the pixels are, and the variance of what is finer.
-    float spacing = max(length(dFdx(at_rest)), length(dFdy(at_rest)));
-    WaterPoint p = water_at(at_rest, 0.5 * spacing);
-    vec3 normal = gerstner_normal(p.slopes);
-    float variance = p.hidden + 2.0 * water_now.roughness * water_now.roughness;
-    if (below) normal = -normal;
-    // A facet that is turned away shows its neighbour's front.
-    float cosine = dot(normal, to_eye);
-    if (cosine < 0.02) normal = normalize(normal + (0.02 - cosine) * to_eye), cosine = 0.02;
+    // 1. The surface as finely as the pixels are.
+    Facet facet = facet_at(at_rest, to_eye, below);
+    vec3 normal = facet.normal;
 
     // 2. Schlick's formula; of a rough surface at a grazing angle the facets that are seen are turned to the eye (Bruneton et
     //    al. 2010, equation 23).
-    float deviation = sqrt(variance), f0 = 0.0204;
-    float fresnel = fresnel_water(cosine, below ? 1.333 : 1.0, below ? 1.0 : 1.333);
+    float deviation = sqrt(facet.variance), f0 = 0.0204;
+    float fresnel = fresnel_water(facet.cosine, below ? 1.333 : 1.0, below ? 1.0 : 1.333);
     if (!below)
-        fresnel = f0 + (fresnel - f0) * pow(max(1.0 - cosine, 1e-3), 5.0 * exp(-2.69 * deviation) - 5.0) /
+        fresnel = f0 + (fresnel - f0) * pow(max(1.0 - facet.cosine, 1e-3), 5.0 * exp(-2.69 * deviation) - 5.0) /
                            (1.0 + 22.7 * pow(deviation, 1.5));
 
     // 3. What is reflected, and what comes through.
-    vec3 mirrored = reflect(-to_eye, normal);
     float depth_m;
     vec3 through, reflected;
     if (below) {
@@ -81,15 +74,14 @@ void main() {
         reflected = water_now.turbid * (water_now.sky + water_now.sun * max(water_now.to_sun.y, 0.0) / 3.14159265);
         depth_m = 1e3;
     } else {
-        mirrored.y = abs(mirrored.y);
         through = through_water(normal, to_eye, distance_m, depth_m);
-        reflected = reflected_light(position, normal, to_eye, mirrored, deviation, distance_m);
+        reflected = reflected_light(position, normal, to_eye, mirrored_direction(facet, to_eye), deviation, distance_m);
     }
     vec3 light = mix(through, reflected, clamp(fresnel, 0.0, 1.0));
-    if (!below) light += glitter(normal, to_eye, max(variance, 2e-5));
+    if (!below) light += glitter(normal, to_eye, max(facet.variance, 2e-5));
 
     // 4. Foam where the surface folds and along the shore.
-    float white = foam_share(at_rest, jacobian(p.slopes), depth_m, spacing);
+    float white = foam_share(at_rest, jacobian(facet.slopes), depth_m, facet.spacing);
     vec3 lit = water_now.sky + water_now.sun * max(dot(below ? -normal : normal, water_now.to_sun), 0.0) / 3.14159265;
     light = mix(light, 0.8 * lit, below ? 0.5 * white : white);
     color = vec4(min(light, LARGEST_HALF), 1.0);

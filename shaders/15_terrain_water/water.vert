@@ -4,6 +4,8 @@
 
 layout(scalar) uniform ViewBlock { CameraView view; };
 
+invariant gl_Position;  // two passes draw the same surface, and the second meets the first one's depth
+
 layout(location = 0) out vec2 at_rest;
 layout(location = 1) out vec3 position;
 

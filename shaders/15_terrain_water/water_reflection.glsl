@@ -1,4 +1,4 @@
-// What a water surface reflects: the surroundings from a cube, the picture itself, or the scene drawn from below.
+// What a water surface reflects: the surroundings from a cube, the picture itself, the scene drawn from below, or rays.
 #include "common/structs.h"
 #include "common/view_rays.h"
 
@@ -6,7 +6,7 @@ layout(scalar) uniform ViewBlock { CameraView view; };
 layout(scalar) uniform WaterRaysBlock { ViewRays water_rays; };
 uniform sampler2D behind;        // the picture without the water
 uniform sampler2D behind_depth;  // reversed
-uniform sampler2D mirror;        // the scene as the water shows it, turned from left to right
+uniform sampler2D mirror;        // the scene as the water shows it, turned from left to right; method rays: what was met
 
 // Along the view, of what lies at a pixel; at least a nanometre deep, so that the sky is far but finite.
 float distance_at(vec2 pixel) {
@@ -79,6 +79,10 @@ vec3 reflected_light(vec3 from, vec3 normal, vec3 to_eye, vec3 direction, float 
 #elif WATER_REFLECTION == WATER_REFLECTION_SCREEN_SPACE
     vec4 met = screen_space(from, direction, distance_m);
     return mix(sky_along(from, direction, deviation), met.rgb, met.a);
+#elif WATER_REFLECTION == WATER_REFLECTION_RAYS
+    // What the pixel's ray met, as much of it as the air lets through; behind that the air and the sky.
+    vec4 met = texelFetch(mirror, ivec2(gl_FragCoord.xy), 0);
+    return met.rgb + (1.0 - met.a) * sky_along(from, direction, deviation);
 #else
     return planar(normal, to_eye);
 #endif

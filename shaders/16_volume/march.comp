@@ -8,6 +8,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(scalar) uniform VolumeBlock { float glow, shine, threshold, shell_strength, shell_bumps, shell_scale; int light_steps, truth_samples; } volume;
 #include "16_volume/shading.glsl"
+#include "16_volume/exact.glsl"
 #include "16_volume/shell.glsl"
 #include "16_volume/skip.glsl"
 #include "16_volume/show.glsl"
@@ -42,22 +43,13 @@ vec4 march(vec3 from, vec3 along, vec2 range, ivec2 pixel, float step_m) {
     float before = density_at(from + range.x * along);
     vec4 before_looks = classified(before);
 #endif
-    float known_to = -1.0;
+#if VOLUME_METHOD == VOLUME_METHOD_SKIPPING
+    float known_to = -1.0;  // the block at the sample before ends there
+    vec3 speed = voxels_a_metre(along);
+#endif
     for (int i = 0; i < count; ++i) {
         float begins = float(i) * step_m, length_m = min(step_m, way - begins);
         vec3 position = from + (range.x + begins + offset * length_m) * along;
-#if VOLUME_METHOD == VOLUME_METHOD_SKIPPING
-        if (begins + offset * length_m > known_to) {
-            bool empty;
-            known_to = block_leaves(position, along, begins + offset * length_m, empty);
-            if (empty) {
-                // On at the first sample behind the block, where it would have been without skipping.
-                i = max(i, int(ceil(known_to / step_m - 0.5)) - 1);
-                known_to = -1.0;
-                continue;
-            }
-        }
-#endif
 #if VOLUME_METHOD == VOLUME_METHOD_TRAPEZIUM
         // Extinctions have a mean, opacities do not; and each end colours as far as it is opaque.
         float after = density_at(from + (range.x + begins + length_m) * along);
@@ -75,7 +67,19 @@ vec4 march(vec3 from, vec3 along, vec2 range, ivec2 pixel, float step_m) {
 #else
         vec4 looks = classified(density_at(position));
 #endif
-        if (looks.a <= 0.0) continue;
+        if (looks.a <= 0.0) {
+#if VOLUME_METHOD == VOLUME_METHOD_SKIPPING
+            // Blocks are asked where a sample shows nothing: what is dense everywhere pays for no question.
+            float at = begins + offset * length_m;
+            if (at > known_to) {
+                bool empty;
+                known_to = block_leaves(position, speed, at, empty);
+                // On at the first sample behind the block, where it would have been without skipping.
+                if (empty) i = max(i, int(ceil(known_to / step_m - 0.5)) - 1);
+            }
+#endif
+            continue;
+        }
 #if VOLUME_METHOD == VOLUME_METHOD_SUM
         float opacity = min(looks.a * length_m / REFERENCE_M, 1.0);  // as many of them as fit: right for thin steps alone
 #elif VOLUME_METHOD == VOLUME_METHOD_PREINTEGRATED
@@ -100,7 +104,12 @@ void main() {
     vec2 range = volume_range(from, along);
     bool enters = range.x > 0.0;
     if (stored > 0.0) range.y = min(range.y, stretch * distance_along_view(volume_now.rays, stored));
-    vec4 sum = range.y > range.x ? march(from, along, range, pixel, opaque(volume_now.step_m)) : vec4(0.0, 0.0, 0.0, 1.0);
+    vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
+#if VOLUME_METHOD == VOLUME_METHOD_EXACT
+    if (range.y > range.x) sum = march_exact(from, along, range, opaque(volume_now.step_m), volume.truth_samples);
+#else
+    if (range.y > range.x) sum = march(from, along, range, pixel, opaque(volume_now.step_m));
+#endif
 #if VOLUME_METHOD == VOLUME_METHOD_JITTERED
     if (volume_now.history > 0.0) sum = mix(imageLoad(marched, pixel), sum, 1.0 / (volume_now.history + 1.0));
     imageStore(marched, pixel, sum);

@@ -2,13 +2,17 @@
 #if VOLUME_METHOD == VOLUME_METHOD_SKIPPING || VOLUME_SHOW == VOLUME_SHOW_BLOCKS
 uniform sampler3D volume_blocks;
 
+// Along the volume's axes, of a step of 1 m along the ray; never 0.
+vec3 voxels_a_metre(vec3 along) {
+    vec3 speed = 0.5 * volume_now.size / volume_now.half_m * opaque(volume_now.to_volume * along);
+    return mix(speed, vec3(1e-12), lessThan(abs(speed), vec3(1e-12)));
+}
+
 // [skip]
 // How far, in metres along the ray, the block at `position` reaches that decides about it: the largest that is empty
 // (`empty` is true), or, where none is, the smallest.
-float block_leaves(vec3 position, vec3 along, float t, out bool empty) {
+float block_leaves(vec3 position, vec3 speed, float t, out bool empty) {
     vec3 voxel = to_texture(position) * volume_now.size;
-    vec3 speed = 0.5 * volume_now.size / volume_now.half_m * opaque(volume_now.to_volume * along);  // voxels a metre
-    speed = mix(speed, vec3(1e-12), lessThan(abs(speed), vec3(1e-12)));
     ivec3 block = clamp(ivec3(floor(voxel / float(BLOCK_VOXELS))), ivec3(0), textureSize(volume_blocks, 0) - 1);
     int levels = int(round(255.0 * texelFetch(volume_blocks, block, 0).r));
     empty = levels > 0;

@@ -76,7 +76,7 @@ vec4 seen_body(vec3 direction, float pixel_rad) {
         // What a pixel covers of the radius: more where the rings are seen at a low angle along it.
         float slant = abs(dot(normalize(at.xz), ray.direction.xz)) / max(abs(ray.direction.y), 1e-3);
         vec4 ring = ring_light(body.rings, at, -ray.direction, to_sun, t * pixel_rad * sqrt(1.0 + slant * slant));
-        ring.rgb *= body.sunlight * ellipsoid_shadow(at, vec3(0.0, 1.0, 0.0), body.radius, body.flattening, to_sun, body.sun_rad);
+        ring.rgb *= body.sunlight * ellipsoid_shadow(at, vec3(0.0, 1.0, 0.0), body.radius, shadow_flattening(), to_sun, shadow_sun_rad());
         bool before = t * ray.stretch < way || covered == 0.0;
         light = before ? ring + (1.0 - ring.a) * light : light + (1.0 - covered) * ring;
     }

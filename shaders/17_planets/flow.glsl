@@ -2,10 +2,11 @@
 #include "17_planets/flow_blend.glsl"
 #include "17_planets/map_lookup.glsl"
 
-// Zonal wind in m/s every 5° of latitude from 80° S on, in the system of the magnetic field: after C. Porco et al., Science 299,
-// 2003, figure 3, read off to some 10 m/s.
+// Zonal wind in m/s every 5° of latitude from 80° S on, in the system of the magnetic field, to some 10 m/s. Read in their
+// sources: 116 to 162 at 7° S, 103 of the hot spots at 6° N, 135 to 146 at 24° N, 30 at 35° N; the lesson names them. The others
+// from memory of C. Porco et al., Science 299, 2003, figure 3.
 const float zonal_wind[33] = float[](0.0, 5.0, 10.0, 0.0, 15.0, 5.0, 20.0, 0.0, 25.0, 30.0, -15.0, 40.0, -55.0, 20.0, 130.0, 95.0,
-                                     85.0, 105.0, 40.0, -20.0, 60.0, 140.0, 0.0, -25.0, 25.0, -5.0, 20.0, 0.0, 15.0, 5.0, 10.0, 0.0, 0.0);
+                                     85.0, 105.0, 40.0, -20.0, 60.0, 140.0, 0.0, 30.0, -10.0, 10.0, 20.0, 0.0, 15.0, 5.0, 10.0, 0.0, 0.0);
 const vec2 red_spot = vec2(0.372, 0.606), red_spot_deg = vec2(9.5, 5.5);  // on our map; half its axes
 const float red_spot_speed = 110.0;  // m/s at its edge, anticlockwise: six days a turn (Porco et al. 2003)
 const float flow_radius_m = 71.492e6;

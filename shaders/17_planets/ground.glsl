@@ -26,9 +26,9 @@ vec3 tilted_normal(vec3 up, vec2 uv, float footprint_rad, float strength) {
 float sun_seen(vec3 at, vec3 to_sun) {
     float seen = 1.0;
     if (body.other_radius > 0.0)
-        seen = sphere_visibility(body.to_body * body.other - at, body.other_radius, to_sun, body.sun_rad);
+        seen = sphere_visibility(body.to_body * body.other - at, body.other_radius, to_sun, shadow_sun_rad());
 #ifdef BODY_RINGS
-    seen *= ring_shadow(body.rings, at, to_sun, body.sun_rad);
+    seen *= ring_shadow(body.rings, at, to_sun, shadow_sun_rad());
 #endif
     return seen;
 }

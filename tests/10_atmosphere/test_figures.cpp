@@ -134,9 +134,17 @@ TEST_CASE_METHOD(OnAtmosphere,
 TEST_CASE_METHOD(OnAtmosphere, "tables are made once, and again when the air changes, not when the sun moves") {
     picture("tables");
     CHECK(atmosphere.tables_made == 1);
+    CHECK(atmosphere.skies_made == 1);
+    camera.target.y += 0.1f;  // the sky's table knows the eye's height and the sun, not where one looks
+    picture("tables");
+    CHECK(atmosphere.skies_made == 1);
+    camera.position.y += 50;
+    picture("tables");
+    CHECK(atmosphere.skies_made == 2);
     atmosphere.sun_elevation_deg.value = 12;
     picture("tables");
     CHECK(atmosphere.tables_made == 1);
+    CHECK(atmosphere.skies_made == 3);
     atmosphere.mie_height_m.value = 2000;
     const ImageRgb changed = picture("tables");
     CHECK(atmosphere.tables_made == 2);

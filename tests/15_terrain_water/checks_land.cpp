@@ -114,8 +114,7 @@ class ChunkMap {
 
     bool split(int x, int z, int level) const {
         if (level == 0) return false;
-        float error = 0;
-        for (int i = 0; i < 9; ++i) error = std::max(error, at(x + i % 3 - 1, z + i / 3 - 1, level));
+        const float error = at(x, z, level);
         const glm::vec3 low = corner(x, z, level), high = low + glm::vec3(side_m(level), 0, side_m(level));
         const glm::vec3 away = glm::max(glm::max(low - trial_.eye, trial_.eye - high), glm::vec3(0));
         return error > glm::length(away) * trial_.metres_per_m;

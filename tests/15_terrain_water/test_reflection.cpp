@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "transparency_fixture.h"
 #include "water_fixture.h"
 
 using namespace lightwalk;
@@ -85,4 +86,30 @@ TEST_CASE_METHOD(OnWater, "reflections of a wall in waves, by each method, again
             CHECK(off["screen_space"] < (away < 100 ? 0.15 : 0.5));
             if (slope < 0.03f) CHECK(off["planar"] < off["screen_space"]);
         }
+}
+
+TEST_CASE_METHOD(OnWater, "a transparent surface is seen in the mirror before the sky") {
+    Wall sky(owner);
+    sky.left = -9000, sky.right = 9000, sky.bottom = -1, sky.top = 9000, sky.z = -3000, sky.color = {0, 2, 0, 1};
+    Quads smoke(owner, "smoke");
+    smoke.quads = {{{{-9, 1, -40}, {9, 1, -40}, {9, 8, -40}, {-9, 8, -40}}, {0, 0, 4, 0.5f}}};
+    water.mirror.scale.value = 1;
+    const auto middle = [&](const Drawings& solid) {
+        water.method.set("flat"), water.reflection.set("planar");
+        begin(size);
+        const View view = view_of(camera, size);
+        light.record(frame, scene);
+        water.reflect(frame, view, solid, {sky});
+        Canvas canvas(frame.hdr, frame.depth, background);
+        lightwalk::draw(frame, view, canvas, {water});
+        frame.end();
+        const ImageRgb seen = read_linear(gpu, frame.hdr);
+        const glm::vec4 clip = view.view_projection * glm::vec4(0, -4.5f, -40, 1);  // of the pane's mirror image
+        const glm::uvec2 p((glm::vec2(clip) / clip.w * 0.5f + 0.5f) * glm::vec2(size));
+        return seen.pixels[p.y * size.x + p.x];
+    };
+    const glm::vec3 without = middle({}), with = middle({smoke});
+    // Half of the sky is hidden, and half of the pane's own light takes its place: 2 for each 1 that goes.
+    CHECK(without.g - with.g > 0.05f);
+    CHECK(double((with.b - without.b) / (without.g - with.g)) == Approx(2).epsilon(0.05));
 }

@@ -48,13 +48,14 @@ inline bool all_finite(const ImageRgb& picture) {
 // A bright vertical wall.
 struct Wall : Drawing {
     explicit Wall(Module& owner) : Drawing(owner, "wall") {}
+    glm::vec4 color{4, 0, 0, 1};
     float left = -8, right = 1, bottom = -3, top = 6, z = -40;
     void draw(Frame& frame, const View&, Canvas& canvas) override {
         frame.raster("wall", {.color = {canvas.color_target()}, .depth = canvas.depth_target()}, [&](Raster& pass) {
             struct {
                 glm::vec3 corners[4];
                 glm::vec4 color;
-            } quad{{{left, bottom, z}, {right, bottom, z}, {right, top, z}, {left, top, z}}, {4, 0, 0, 1}};
+            } quad{{{left, bottom, z}, {right, bottom, z}, {right, top, z}, {left, top, z}}, color};
             pass.use(pipeline).set("quad", quad).draw(6);
         });
     }

@@ -27,6 +27,32 @@ void main() { atomicAdd(count.sum, 1u); if (gl_GlobalInvocationID.x == 0u) count
 
 }  // namespace
 
+TEST_CASE_METHOD(OnDevice, "a storage image has the format that the shader names") {
+    const Pipeline writes = compute_pipeline("writes", R"(
+layout(local_size_x = 1) in;
+layout(rgba32f) writeonly uniform image2D into;
+void main() { imageStore(into, ivec2(0), vec4(1)); }
+)");
+    const Image halves = image({.name = "halves", .format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = {2, 2}});
+    const Image floats = image({.name = "floats", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = {2, 2}});
+    frame.compute("writes", {.writes = {halves, floats}}, [&](Compute& pass) {
+        pass.use(writes);
+        CHECK(failure_of([&] { pass.set("into", halves); }) ==
+              "pass 'writes': 'into' is R32G32B32A32Sfloat in the shader, and halves is R16G16B16A16Sfloat");
+        pass.set("into", floats).dispatch({1, 1, 1});
+    });
+    frame.end();
+}
+
+TEST_CASE_METHOD(OnDevice, "a filled image holds the value in all of its levels, and may be read") {
+    const Image twos = image({.format = one_float, .size = {4, 2}, .mips = 2});
+    frame.fill("fill", twos, glm::vec4(2));
+    ReadBack texels;
+    frame.read_back(twos.mip(1), texels);
+    frame.end();
+    CHECK(texels.as<float>() == std::vector<float>{2, 2});
+}
+
 TEST_CASE_METHOD(OnDevice, "a storage image that a shader reads stands in the pass's reads, too") {
     const Pipeline doubles = compute_pipeline("doubles", R"(
 layout(local_size_x = 4, local_size_y = 4) in;

@@ -4,10 +4,21 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+from check.starters import LIST, digest
 from graded_class import REAL
 from grading import handout
 
 GUARDED = "__has_include"  # a file that asks first can do without
+
+TEXTS = (".cpp", ".h", ".glsl", ".comp", ".frag", ".vert", ".md", ".py", ".changes")
+MOST_SHARED = 0.6
+SHORT = 24  # letters; a shorter line says nothing
+
+
+def distinct(source: Path | bytes) -> set[str]:
+    text = source.decode() if isinstance(source, bytes) else source.read_text()
+    lines = ("".join(line.split("//")[0].split()) for line in text.splitlines())
+    return {line for line in lines if len(line) >= SHORT and not line.startswith("#")}
 
 
 class Handout(unittest.TestCase):
@@ -24,6 +35,24 @@ class Handout(unittest.TestCase):
         for name in ("chapters/05_shadow_maps/ray_truth.h", "chapters/09_post_effects/tone_truth.h"):
             self.assertTrue((REAL / name).exists())
             self.assertNotIn(Path(name), self.contents)
+
+    def test_no_file_holds_an_answer(self):
+        """Lines of a reference that its starter does not have, without white space and comments: a loop's head may stand
+        elsewhere as well, but never most of an answer."""
+        texts = {name: distinct(source) for name, source in self.contents.items() if name.suffix in TEXTS}
+        for answer in sorted([*REAL.glob("shaders/*/solution/*"), *REAL.glob("chapters/*/solution/*")]):
+            own = distinct(answer) - distinct(Path(str(answer).replace("/solution/", "/exercise/")))
+            for name, lines in texts.items():
+                if own:
+                    self.assertLessEqual(len(own & lines), MOST_SHARED * len(own), f"{answer.name} in {name}: {own & lines}")
+
+    def test_it_says_what_is_handed_out_as_starters(self):
+        listed = dict(reversed(line.split()) for line in self.contents[LIST].decode().splitlines())
+        starters = [name for name in self.contents if "exercise" in name.parts[:-1]]
+        self.assertEqual(sorted(listed), sorted(name.as_posix() for name in starters))
+        for name in starters:
+            source = self.contents[name]
+            self.assertEqual(listed[name.as_posix()], digest(source if isinstance(source, bytes) else source.read_bytes()), name)
 
     def test_what_it_includes_is_in_it(self):
         for name in self.contents:

@@ -155,7 +155,7 @@ class Exercises(Live):
         self.assertEqual((event["result"]["ok"], event["progress"]["01_obj"]["solved"]), (True, ["01.one"]))
         file.write_text("right no more")
         progress = json.loads(self.server.ask("live/course")[1])["progress"]
-        self.assertEqual(progress["01_obj"], {"exercises": 1, "solved": []})
+        self.assertEqual(progress["01_obj"], {"exercises": 1, "solved": [], "untouched": []})
 
     async def verdict(self, page) -> dict:
         while True:

@@ -17,6 +17,10 @@ BUILD = Path(os.environ.get("LIGHTWALK_BUILD", REAL / "build"))
 CHAPTER, EXERCISE = "02_lambert_phong", "02.lambert"
 FILE = f"shaders/{CHAPTER}/exercise/lambert.glsl"
 SHOWN = "Picture.all[0].answers[0]"
+IMAGES = "document.querySelectorAll('article img:is([src*=\"/golden/\"], [src*=\"images/\"][src$=\".png\"])')"
+# An image's colours, one after the other.
+PIXELS = ("(image => {{ const c = make('canvas', {{width: 320, height: 180}}).getContext('2d'); c.drawImage(image, 0, 0, 320, 180); "
+          "return [...c.getImageData(0, 0, 320, 180).data].filter((_, i) => i % 4 < 3); }})({})")
 EDITOR = "document.querySelector('.live-exercise').exercise"
 
 
@@ -24,7 +28,7 @@ def copy_of_course(root: Path):
     """What the server reads, and an exercise that may be edited; what is built is the course's own."""
     for name in ("common/course", "shaders"):
         shutil.copytree(REAL / name, root / name, ignore=shutil.ignore_patterns("__pycache__", "*.cpp"))
-    for path in [*REAL.glob("docs/*.md"), *REAL.glob("chapters/*/exercise/*.cpp"), REAL / "course"]:
+    for path in [*REAL.glob("docs/*.md"), *REAL.glob("docs/images/*.json"), *REAL.glob("chapters/*/exercise/*.cpp"), REAL / "course"]:
         (root / path.relative_to(REAL)).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(path, root / path.relative_to(REAL))
     for name in ("assets", "tests"):
@@ -111,11 +115,66 @@ class InBrowser(unittest.TestCase):
             with self.subTest(lesson=lesson):
                 self.browser.open(f"{self.server.base}{lesson}.html")
                 self.browser.wait("document.body.classList.contains('live-ready')")
-                count = self.browser.evaluate("[Picture.all.length, document.querySelectorAll('article img[src*=\"/golden/\"]').length, "
-                                              "document.querySelectorAll('.live-open').length, Live.course.chapters[Lesson.chapter].exercises.length]")
-                self.assertEqual(count[0], count[1])
-                self.assertEqual(count[2], count[3])
+                # What is neither a chart nor a diagram is drawn by a chapter.
+                self.browser.wait(f"Boolean(![...{IMAGES}].some(i => !i.closest('.live-frame')))")
+                count = self.browser.evaluate("[document.querySelectorAll('.live-open').length, Live.course.chapters[Lesson.chapter].exercises.length]")
+                self.assertEqual(*count)
+                # What an exercise asks for is read without scrolling sideways.
+                cut = "[...document.querySelectorAll('.spec pre > code')].map(c => c.scrollWidth > c.clientWidth + 1)"
+                self.assertEqual(self.browser.evaluate(f"[...new Set({cut})]"), [False])
                 self.assertEqual(self.browser.evaluate("[innerWidth >= document.documentElement.scrollWidth]"), [True])
+
+    def test_each_cell_of_a_picture_is_live(self):
+        """Six methods side by side: parts of pictures that the page cuts out of what the chapter draws."""
+        self.browser.open(f"{self.server.base}04_surface_maps.html")
+        self.browser.wait("document.body.classList.contains('live-ready')")
+        self.browser.wait("Boolean(document.querySelectorAll('.live-grid .live-frame img[src^=\"blob:\"]').length >= 12)")
+        cell = "Picture.all.find(p => p.cell?.set.method === 'relief')"
+
+        def drawn(condition: str):
+            self.browser.wait(f"Boolean(!Live.asked.size && !{cell}.drawing_soon && {cell}.answers[0]?.format === 'png' && ({condition}))")
+            self.browser.wait(f"{cell}.sides[0].image.complete && {cell}.sides[0].image.naturalWidth === 320")
+            return self.browser.evaluate(PIXELS.format(f"{cell}.sides[0].image"))
+        x, y, width = self.middle(f"{cell}.frame")
+        shown = self.browser.evaluate(PIXELS.format(f"{cell}.sides[0].image"))
+        self.browser.drag((x, y), (x, y))
+        first = drawn("true")
+        self.assertEqual(self.browser.evaluate(f"{cell}.answers[0].size"), [640, 360])
+        # The lesson's picture has sixteen samples, this one four.
+        self.assertLess(sum(abs(a - b) for a, b in zip(first, shown)) / len(first), 8)
+        x, y, width = self.middle(f"{cell}.frame")
+        self.browser.drag((x, y), (x + width / 4, y))
+        self.assertNotEqual(drawn(f"{cell}.state.turn_rad < -0.5"), first)
+        self.assertEqual(self.browser.evaluate(f"{cell}.panel.value(Knobs.find({cell}.panel.knobs, 'method'))"), "relief")
+
+    def test_a_pair_under_a_slider_is_turned_together(self):
+        self.browser.open(f"{self.server.base}04_surface_maps.html")
+        self.browser.wait("document.body.classList.contains('live-ready')")
+        pair = "Picture.all.find(p => p.sides[1]?.cell?.[0] === '04_wall_parallax')"
+        x, y, width = self.middle(f"{pair}.frame")
+        self.browser.drag((x + width / 4, y), (x + width / 3, y))
+        self.browser.wait(f"Boolean(!Live.asked.size && !{pair}.drawing_soon && {pair}.answers.length === 2 && {pair}.answers.every(a => a.format === 'png'))")
+        self.assertLess(self.browser.evaluate(f"{pair}.state.turn_rad"), -0.1)
+        self.assertEqual(self.browser.evaluate(f"{pair}.sides.map(s => s.image.src.startsWith('blob:'))"), [True, True])
+        self.browser.drag((x, y), (x + width / 4, y))
+        self.assertLess(abs(self.browser.evaluate(f"+{pair}.divider.value") - 75), 3)
+
+    def test_what_moves_is_drawn_as_large_as_time_allows(self):
+        scales = [self.browser.evaluate(f"Picture.scale_for({scale}, {ms})") for scale, ms in
+                  ((0.5, 40), (0.5, 360), (0.5, 5000), (0.2, 10), (0.2, 90), (0.15, 1000))]
+        self.assertEqual([round(scale, 3) for scale in scales], [0.5, 0.25, 0.25, 0.25, 0.2, 0.15])
+        # Most of it is not for pixels: a smaller picture would not come sooner.
+        self.assertAlmostEqual(self.browser.evaluate("Picture.scale_for(0.25, 300, {scale: 0.5, ms: 360})"), 0.3125)
+        self.assertAlmostEqual(self.browser.evaluate("Picture.scale_for(0.25, 95, {scale: 0.5, ms: 360})"), 0.243, delta=0.001)
+        self.choose()
+        self.browser.evaluate("Picture.prototype.learn = () => {}; Picture.all[0].moving_scale = 0.25; "
+                              "Picture.all[0].listeners.push(({answer}) => answer && (window.widths ??= []).push(answer.size[0]))")
+        x, y, width = self.middle("Picture.all[0].frame")
+        whole = self.browser.evaluate(f"{SHOWN}.size[0]")
+        self.browser.drag((x, y + 60), (x + width / 4, y + 60))
+        self.answered("Picture.all[0].state.turn_rad < -0.5")
+        self.browser.wait(f"window.widths.includes({whole})")
+        self.assertLessEqual(abs(min(self.browser.evaluate("window.widths")) - whole / 4), 1)
 
     def test_a_knob_in_the_text_is_a_link(self):
         self.choose()

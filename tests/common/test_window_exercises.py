@@ -102,6 +102,33 @@ class Exercises(WindowTest):
         self.assertTrue(words() != whole)
         self.assert_as_at_the_start()
 
+    def test_a_starter_is_untouched_until_it_is_edited(self):
+        """What git knows does not matter: the copy has no history."""
+        file = self.course / "shaders/01_obj/exercise/transform.glsl"
+        starter = file.read_text()
+        self.addCleanup(file.write_text, starter)
+        if starter != (ROOT / "shaders/01_obj/exercise/transform.glsl").read_text():
+            self.skipTest("the exercise is being worked at")
+
+        def edited(text: str, state: str):
+            since = self.session.said()
+            file.write_text(text)
+            self.session.wait(lambda: self.session.move(WIDTH + 20, 300) or self.session.move(WIDTH + 22, 300) or
+                              any(line == f"state 01.transform {state}" for line in self.session.lines[since:]), state)
+        states = [line.removeprefix("state 01.transform ") for line in self.session.lines if line.startswith("state 01.transform ")]
+        self.assertEqual(states[0], "untouched")
+        edited(starter + "// mine\n", "not checked")
+        edited(starter.replace("\n", "\r\n") + "\n\n", states[-1])  # what a test before this one made of it
+        edited(starter + "// right\n", "not checked")
+        since = self.session.said()
+        self.verdict(0, ok=True, passed=12, failed=0)
+        self.check("passed")
+        self.session.wait_for_line("state 01.transform right", since)
+        edited(starter + "// edited since\n", "not checked")
+        edited(starter, "untouched")  # the verdict was another text's
+        self.session.park()
+        self.assert_as_at_the_start()
+
     def test_the_window_goes_on_while_a_check_runs(self):
         self.wait_for_a_check()
         since = self.session.said()

@@ -10,14 +10,17 @@
 namespace lightwalk::exercise {
 
 // [parse_vertex_line]
-// Returns the position on one line of the form `v x y z`, `v x y z w`, `v x y z r g b` or `v x y z w r g b`. The
-// values w, r, g and b must be valid numbers; they are ignored. Spaces and tabs separate words. A word that begins
-// with # starts a comment, which runs to the end of the line.
-// A number is decimal, with an optional sign, decimal point and exponent: 1, -.5, +2.5e-3. Hexadecimal numbers (0x10),
-// nan and inf are errors. Every number is rounded once, to the nearest float, in any locale. A number too small for a
-// float (1e-400) becomes a zero with its sign.
-// Throws InputError with the reason alone (the caller adds file and line) if a number is missing, malformed or too
-// large for a float, or if the count of numbers fits none of the four forms.
+// Returns the position on one line of the form `v x y z`, `v x y z w`, `v x y z r g b` or
+// `v x y z w r g b`. The values w, r, g and b must be valid numbers; they are ignored.
+// Spaces and tabs separate words. A word that begins with # starts a comment, which runs to
+// the end of the line.
+// A number is decimal, with an optional sign, decimal point and exponent: 1, -.5, +2.5e-3.
+// Hexadecimal numbers (0x10), nan and inf are errors. Every number is rounded once, to the
+// nearest float, in any locale. A number too small for a float (1e-400) becomes a zero with
+// its sign.
+// Throws InputError with the reason alone (the caller adds file and line) if a number is
+// missing, malformed or too large for a float, or if the count of numbers fits none of the
+// four forms.
 // [/parse_vertex_line]
 glm::vec3 parse_vertex_line(std::string_view line) {
     // 1. Skip the `v`, then read three numbers. std::from_chars (in <charconv>) reads one without looking at the locale

@@ -5,10 +5,12 @@
 namespace lightwalk::exercise {
 
 // [triangulate]
-// Cuts a polygon into triangles, given as corner numbers. The result always has polygon.size() - 2 triangles, wound in
-// the same direction as the polygon; together they cover a simple, nearly planar polygon exactly once, whether it is
-// convex or not. A convex polygon becomes the fan (0, 1, 2), (0, 2, 3), ... The function must return for any finite
-// input: flat, self-intersecting, or with repeated corners. Fewer than three corners give no triangles.
+// Cuts a polygon into triangles, given as corner numbers. The result always has
+// polygon.size() - 2 triangles, wound in the same direction as the polygon; together they
+// cover a simple, nearly planar polygon exactly once, whether it is convex or not. A convex
+// polygon becomes the fan (0, 1, 2), (0, 2, 3), ... The function must return for any finite
+// input: flat, self-intersecting, or with repeated corners. Fewer than three corners give
+// no triangles.
 // [/triangulate]
 std::vector<glm::uvec3> triangulate(std::span<const glm::vec3> polygon) {
     // n corners make n - 2 triangles. For a convex polygon a fan will do: (0, 1, 2), (0, 2, 3), ...

@@ -5,10 +5,10 @@
 namespace lightwalk::exercise {
 
 // [view_projection]
-// The matrix from world space to Vulkan's clip space: x right, y down, depth 1 at near_m and 0 at far_m, which may be
-// infinite. The camera looks from its position towards its target. `up` may have any length and need not be
-// perpendicular to the view direction. fov_y_rad is the full vertical field of view; `aspect` is width / height, above
-// 0.
+// The matrix from world space to Vulkan's clip space: x right, y down, depth 1 at near_m
+// and 0 at far_m, which may be infinite. The camera looks from its position towards its
+// target. `up` may have any length and need not be perpendicular to the view direction.
+// fov_y_rad is the full vertical field of view; `aspect` is width / height, above 0.
 // [/view_projection]
 glm::mat4 view_projection(const Camera& camera, float aspect) {
     // View: three axes of the camera. It looks along -z, its x points right and its y up (cross products of the

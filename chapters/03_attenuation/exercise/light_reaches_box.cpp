@@ -5,11 +5,13 @@
 namespace lightwalk::exercise {
 
 // [light_reaches_box]
-// True if a light may illuminate something in `box` (world space, not empty); never false if it does. `radius_m`, 0 or
-// more, is the distance at which the light ends. A directional light always reaches the box. Any other light of radius
-// 0 never does. A point light reaches the box if the box's nearest point lies within the radius. A spot light must in
-// addition have a cone, of half angle outer_rad (0 to pi), that meets the bounding sphere of the box. A margin of a
-// thousandth of the radius on the safe side is allowed everywhere.
+// True if a light may illuminate something in `box` (world space, not empty); never false
+// if it does. `radius_m`, 0 or more, is the distance at which the light ends. A directional
+// light always reaches the box. Any other light of radius 0 never does. A point light
+// reaches the box if the box's nearest point lies within the radius. A spot light must in
+// addition have a cone, of half angle outer_rad (0 to pi), that meets the bounding sphere
+// of the box. A margin of a thousandth of the radius on the safe side is allowed
+// everywhere.
 // [/light_reaches_box]
 bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     // The box's point nearest to a point p is p clamped to the box (glm::clamp takes vectors).

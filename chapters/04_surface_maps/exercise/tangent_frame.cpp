@@ -5,12 +5,14 @@
 namespace lightwalk::exercise {
 
 // [tangent_frame]
-// The frame at corner `a` of the triangle a, b, c. `tangent` is a unit vector, perpendicular to a.normal (a unit
-// vector), that points where u grows. `handedness` is 1 if v grows along cross(normal, tangent), and -1 if v grows
-// against it, where the texture is mirrored. `metres_per_uv` holds the lengths of dP/du and dP/dv. If the texture
-// coordinates, or the triangle, span no area, these derivatives do not exist: return any unit vector perpendicular to
-// the normal as the tangent, handedness 1 and metres_per_uv 0. Leave cos_uv at 0: the caller fills it in when it joins
-// the frames of all triangles at a vertex.
+// The frame at corner `a` of the triangle a, b, c. `tangent` is a unit vector,
+// perpendicular to a.normal (a unit vector), that points where u grows. `handedness` is 1
+// if v grows along cross(normal, tangent), and -1 if v grows against it, where the texture
+// is mirrored. `metres_per_uv` holds the lengths of dP/du and dP/dv. If the texture
+// coordinates, or the triangle, span no area, these derivatives do not exist: return any
+// unit vector perpendicular to the normal as the tangent, handedness 1 and metres_per_uv 0.
+// Leave cos_uv at 0: the caller fills it in when it joins the frames of all triangles at a
+// vertex.
 // [/tangent_frame]
 TangentFrame tangent_frame(const Vertex& a, const Vertex& b, const Vertex& c) {
     // Two edges of the triangle, e1 = b - a and e2 = c - a, and how u and v change along them:

@@ -5,15 +5,17 @@
 namespace lightwalk::exercise {
 
 // [prefilter_faces]
-// Records one compute pass, "prefilter", that fills every face of every level of the cube passes.prefiltered. The pass
-// reads passes.radiance, writes passes.prefiltered, and its .with is passes.with. Its pipeline, passes.filter, has
+// Records one compute pass, "prefilter", that fills every face of every level of the cube
+// passes.prefiltered. The pass reads passes.radiance, writes passes.prefiltered, and its
+// .with is passes.with. Its pipeline, passes.filter, has
 //
 //     radiance      a cube texture: passes.radiance, with linear_clamp
 //     face_level    an image of one layer: the texels of one face of one level, a view of passes.prefiltered
 //     face_now      a FaceNow: which face it is, 0 to 5, and the level's roughness
 //
-// and wants a thread for each texel of face_level. The roughness rises evenly from 0 in level 0 to 1 in the last level;
-// a cube of one level has roughness 0. passes.prefiltered.desc.mips is the number of levels; cube.face(f).mip(m) is
+// and wants a thread for each texel of face_level. The roughness rises evenly from 0 in
+// level 0 to 1 in the last level; a cube of one level has roughness 0.
+// passes.prefiltered.desc.mips is the number of levels; cube.face(f).mip(m) is
 // a view, and .size() of a view is in texels. No dispatch reads what another has written.
 // [/prefilter_faces]
 void prefilter_faces(Frame& frame, const PrefilterPasses& passes) {

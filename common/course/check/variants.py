@@ -4,7 +4,8 @@ A variant is either a whole file, EXERCISE.WHAT.glsl or EXERCISE.WHAT.cpp, whose
 
     // right
     // right, in its pictures too     every shot that shows the exercise is drawn with it as well
-    // wrong: WORDS                   the check's first failure must contain these words
+    // wrong: WORDS                   the check's first failure must contain these words; with WORDS | OTHERS either,
+                                      where drivers do different things with what GLSL leaves undefined
 
 or an entry in EXERCISE.changes, which lists the few lines in which it differs from the solution:
 

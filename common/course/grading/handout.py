@@ -12,6 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from build.build import configure, is_configured
+from check.starters import LIST, as_they_stand, listed
 from progress import Progress
 from tree import BUILD, ROOT, Failure, UsageError, chapters, exercises, files, git, say, warn
 
@@ -72,8 +73,9 @@ def what_is_handed_out(sources: bool) -> dict[Path, Path | bytes]:
     """Each file, by its place in the copy: where it is copied from, or what it holds."""
     names = [name for name in tracked() if "solution" not in name.parts[:-1]]
     contents = {name: ROOT / name for name in names}
-    for name, starter in starters(names).items():
-        contents[name] = starter
+    committed = starters(names)
+    contents |= committed
+    contents[LIST] = listed(as_they_stand() | committed).encode()
     if sources:
         return contents
     hidden = [name for name in names if any(name.match(pattern) for pattern in COMPILED)]

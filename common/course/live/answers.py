@@ -8,6 +8,8 @@ import signal
 import sys
 
 from check.check import TIMEOUT_S, grades, in_order
+from check.starters import untouched
+from pages.made import cells, made
 from tree import BUILD, ROOT, chapters, exercises, has_solutions, relative, shots, write_atomically
 
 MOST_BYTES = 1 << 18  # of an exercise; the longest starter has 4 KiB
@@ -66,13 +68,14 @@ def write(exercise: str, text, base) -> dict:
 
 
 def catalogue() -> dict:
-    """What the pages know of the course: shots and exercises by chapter."""
+    """What the pages know of the course: shots and exercises by chapter, and the lessons' other pictures."""
     def one(chapter: str) -> dict:
         return {"shots": {shot["name"]: {key: shot[key] for key in ("caption", "size", "time_s", "set", "exercises")
                                          if key in shot} for shot in shots(chapter)},
                 "exercises": [{"id": name, "file": relative(exercises(chapter)[name]), "grade": grades(chapter).get(name)}
                               for name in in_order(chapter)]}
-    return {"chapters": {chapter: one(chapter) for chapter in chapters()}, "solutions": has_solutions()}
+    pictures = {name: {"columns": made()[name]["columns"], "cells": cells(name)} for name in made()}
+    return {"chapters": {chapter: one(chapter) for chapter in chapters()}, "pictures": pictures, "solutions": has_solutions()}
 
 
 class Verdicts:
@@ -92,11 +95,14 @@ class Verdicts:
         write_atomically(self.path, json.dumps(self.known))
 
     def progress(self) -> dict:
-        """By chapter: how many exercises there are, and which are solved."""
+        """By chapter: how many exercises there are, which are solved, and which are as they were handed out."""
+        new = untouched()
+
         def is_solved(exercise: str, path) -> bool:
             said = self.known.get(exercise)
             return bool(said and said.get("ok") and said.get("version") == version(path.read_bytes()))
-        return {chapter: {"exercises": len(files), "solved": [name for name, path in files.items() if is_solved(name, path)]}
+        return {chapter: {"exercises": len(files), "solved": [name for name, path in files.items() if is_solved(name, path)],
+                          "untouched": [name for name in files if name in new]}
                 for chapter in chapters() if (files := exercises(chapter))}
 
 

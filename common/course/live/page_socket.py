@@ -9,6 +9,7 @@ from live import answers, charts
 from live.answers import Refused
 from live.guard import Bucket, Guarded
 from live.programs import is_cpp
+from pages.made import cells, made
 from tornado.iostream import StreamClosedError
 from tornado.web import HTTPError
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
@@ -144,14 +145,29 @@ def number(value, low: float, high: float) -> float:
     return value
 
 
+def words_of_shot(chapter: str, shot) -> list[str]:
+    if shot not in [one["name"] for one in shots(chapter)]:
+        raise Refused(404, f"chapter {chapter[:2]} has no such picture")
+    return ["--shot", shot]
+
+
+def words_of_cell(chapter: str, picture) -> list[str]:
+    """What a cell of a picture of docs/images/pictures.json is drawn from; its knobs are the page's to turn."""
+    name, i = picture if isinstance(picture, list) and len(picture) == 2 else (None, None)
+    known = cells(name) if isinstance(name, str) and name in made() else []
+    if isinstance(i, bool) or not isinstance(i, int) or not 0 <= i < len(known) or known[i]["chapter"] != chapter:
+        raise Refused(404, f"chapter {chapter[:2]} has no such picture")
+    return [word for kind in ("shot", "scene") if kind in known[i] for word in (f"--{kind}", known[i][kind])]
+
+
 def what_to_draw(request: dict) -> tuple[str, dict]:
-    """The chapter, and the request to its program. A page names a shot, and never a file. Raises Refused."""
-    chapter, shot = request.get("chapter"), request.get("shot")
+    """The chapter, and the request to its program. A page names a shot or a cell of a lesson's picture, and never a file.
+    Raises Refused."""
+    chapter = request.get("chapter")
     if chapter not in chapters():
         raise Refused(404, "there is no such chapter")
     try:
-        if shot not in [one["name"] for one in shots(chapter)]:
-            raise Refused(404, f"chapter {chapter[:2]} has no such picture")
+        words = words_of_cell(chapter, request["picture"]) if "picture" in request else words_of_shot(chapter, request.get("shot"))
     except Failure as why:
         raise Refused(500, str(why)) from None
     size = request.get("size", [480, 270])
@@ -160,7 +176,7 @@ def what_to_draw(request: dict) -> tuple[str, dict]:
     size = [int(number(side, 16, 2048)) for side in size]
     if size[0] * size[1] > MOST_PIXELS:
         raise Refused(400, f"a picture has at most {MOST_PIXELS} pixels")
-    asked = {"words": ["--shot", shot], "size": size, "still": request.get("still") is True}
+    asked = {"words": words, "size": size, "still": request.get("still") is True}
     for name, low, high in (("turn_rad", -1e3, 1e3), ("tilt_rad", -10, 10), ("notches", -200, 200), ("time_s", -1e6, 1e6)):
         if name in request:
             asked[name] = number(request[name], low, high)

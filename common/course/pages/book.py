@@ -1,5 +1,5 @@
-"""Makes one PDF of all lessons: build/book/lightwalk.pdf. Chromium prints it, twice: the pages of the table of contents are known
-after the first time.
+"""Makes one PDF of all lessons: build/book/lightwalk.pdf. Chromium prints it, twice at least: the pages of the table of contents
+are known after the first time, and the second must agree.
 """
 
 import re
@@ -20,6 +20,7 @@ HELP = """Makes one PDF of all lessons: build/book/lightwalk.pdf, with contents,
   ./course book --out FILE"""
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 PRINTING_S = 1800
+MOST_PRINTINGS = 4  # two, unless the numbers themselves move a page
 MOST_SIDE, QUALITY = 1100, 80  # of pictures, in pixels and as JPEG: 9 cm at 300 dpi, and less than 40 MB in all
 
 
@@ -43,15 +44,23 @@ def run(arguments, _rest) -> int:
     book = [chapter_part(chapter) for chapter in named if (ROOT / "docs" / f"{chapter}.md").exists()]
     with tempfile.TemporaryDirectory(prefix=".book.", dir=out.parent) as made:
         file, printed = Path(made, "book.html"), Path(made, "book.pdf")
-        places = {}
-        for what in ("laying out", "printing"):
-            warn(f"{what} {len(book)} chapters")
-            file.write_text(page(book, places), encoding="utf-8")
-            print_pdf(browser, file, printed)
-            places = pages_of(printed)
+        print_until_settled(browser, book, file, printed)
         printed.replace(out)
     say(f"{relative(out)}: {page_count(out)} pages, {out.stat().st_size / 1e6:.1f} MB")
     return 0
+
+
+def print_until_settled(browser: str, book: list[dict], file: Path, printed: Path):
+    """Prints with the page numbers of the printing before until no page has moved. Raises Failure where that does not end."""
+    places = None
+    for what in ("laying out", *["printing"] * (MOST_PRINTINGS - 1)):
+        warn(f"{what} {len(book)} chapters")
+        file.write_text(page(book, places or {}), encoding="utf-8")
+        print_pdf(browser, file, printed)
+        before, places = places, pages_of(printed)
+        if places == before:
+            return
+    raise Failure(f"pages still moved in printing {MOST_PRINTINGS}: the contents name wrong ones")
 
 
 def page(book: list[dict], places: dict[str, int]) -> str:

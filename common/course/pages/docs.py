@@ -166,6 +166,17 @@ def build_site(source: Path, made: Path):
         raise Failure("; ".join(complaints[:3]) or str(error)) from None
 
 
+# Where the theme looks for the search's index and its worker: in __search until its version 8, since 9 in __index, which it
+# reads from a script (a page from a file) or as JSON (a page from ./course serve), and in its settings.
+SEARCH = """{
+  const worker = URL.createObjectURL(new Blob([%s], {type: "text/javascript"}));
+  const settings = document.getElementById("__config");
+  window.__search = {index: Promise.resolve(window.__index), worker};
+  settings.textContent = JSON.stringify({...JSON.parse(settings.textContent), search: worker});
+}
+"""
+
+
 def finish(made: Path):
     """What a server would need goes; the search's index and worker become a script, which a page from a file may read."""
     for name in ("404.html", "sitemap.xml", "sitemap.xml.gz"):
@@ -174,11 +185,9 @@ def finish(made: Path):
     index["docs"] = [entry | {"text": plain(entry["text"])} for entry in index["docs"]
                      if not entry["location"].startswith(("source/", "studies/", "tree/"))]
     worker = next((made / "assets" / "javascripts" / "workers").glob("search.*.js")).read_text(encoding="utf-8")
-    write_atomically(made / "assets" / "search.js",
-                     f"const worker = {script(worker)};\n"
-                     f"window.__search = {{index: Promise.resolve({script(index)}),\n"
-                     'worker: URL.createObjectURL(new Blob([worker], {type: "text/javascript"}))};\n')
-    shutil.rmtree(made / "search")
+    write_atomically(made / "search" / "search_index.json", script(index))
+    write_atomically(made / "search" / "search_index.js", f"window.__index = {script(index)};\n")
+    write_atomically(made / "assets" / "search.js", SEARCH % script(worker))
     for chapter in chapters():
         for exercise in in_order(chapter):
             write_atomically(made / "open" / f"{exercise}.html", TEMPLATES.get_template("docs_open.html").render(

@@ -77,7 +77,7 @@ def convert(site: Site, text: Path) -> str:
                 out += [line] if fence or not whole else [line, "", whole]
             elif fence:
                 quote = QUOTE.match(lines[i - 2]) if i > 1 else None
-                out.append(f'{line} title="{quote[1]}"' if quote else line)
+                out.append(titled(line, quote[1]) if quote else line)
                 whole = whole_link(site, text, line, quote)
             elif COMPARE.match(line):
                 out += ["", slider(site, text, lines[i:i + 3]), ""]
@@ -87,6 +87,14 @@ def convert(site: Site, text: Path) -> str:
         except Failure as failure:
             raise Failure(f"{text}:{i}: {failure}") from None
     return "\n".join(out) + "\n"
+
+
+def titled(fence: str, source: str) -> str:
+    """The head of a block that quotes a file. What an exercise asks for is prose: its lines are broken, not cut."""
+    mark, language = re.match(r"(\s*[`~]+)(.*)", fence).groups()
+    if Path(source).parent.name != "exercise":
+        return f'{fence} title="{source}"'
+    return f'{mark} {{.{language.strip()} .spec title="{source}"}}'
 
 
 def indented(lines: list[str]) -> list[str]:

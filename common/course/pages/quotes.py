@@ -14,9 +14,11 @@ without their indentation; other markers within them are left out.
 import re
 from pathlib import Path
 
+from check.starters import check_starters
 from tree import ROOT, Failure, files, say, write_atomically
 
-HELP = "Fills the code that lessons quote (<!-- quote: FILE#MARKER --> before a block of code) from the source."
+HELP = ("Fills the code that lessons quote (<!-- quote: FILE#MARKER --> before a block of code) from the source, and writes\n"
+        "tests/starters.txt, which says what is handed out as each exercise's starter.")
 
 QUOTE = re.compile(r"\s*<!-- quote: (\S+?)#(\S+) -->\s*$")
 FENCE = re.compile(r"\s*(```+|~~~+)")
@@ -30,6 +32,7 @@ def add_arguments(parser):
 
 def run(_arguments, _rest) -> int:
     wrong = [problem for name in lessons() for problem in check_quotes(name, write=True)]
+    check_starters(write=True)
     for problem in wrong:
         say(problem)
     return 1 if wrong else 0

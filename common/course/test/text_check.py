@@ -12,6 +12,7 @@ from pathlib import Path
 
 from build.format_tree import unformatted
 from check.check import grades
+from check.starters import check_starters
 from pages.quotes import FENCE, LINK, MARKER, check_quotes, lessons
 from shots.golden import measured_distances
 from test.order import check_order
@@ -206,7 +207,7 @@ def check_all() -> list[str]:
         wrong += check_private_paths(name)
     wrong += [f"{name}: not as clang-format writes it; ./course format does" for name in unformatted()]
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
-    return wrong + check_order(files()) + check_chapters() + check_credits() + check_variables() + check_figures()
+    return wrong + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_figures()
 
 
 if __name__ == "__main__":

@@ -2,7 +2,8 @@
 // As handed out, every surface is lit as if it faced every light.
 
 // [lambert]
-// The cosine of the angle between the unit vectors `normal` and `to_light`, or 0 if the light is behind the surface.
+// The cosine of the angle between the unit vectors `normal` and `to_light`, or 0 if the
+// light is behind the surface.
 // [/lambert]
 float lambert(vec3 normal, vec3 to_light) {
     return 1.0;

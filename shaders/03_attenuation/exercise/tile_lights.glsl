@@ -2,22 +2,24 @@
 // As handed out, every light is in every tile: the picture is right, and nothing is saved.
 
 // [tile_lights]
-// One workgroup of TILE_INVOCATIONS invocations runs these functions together for one tile. `local` numbers the
-// invocations from 0; use it, not gl_LocalInvocationIndex. The invocations share the variables declared `shared`; you
-// may add more.
+// One workgroup of TILE_INVOCATIONS invocations runs these functions together for one tile.
+// `local` numbers the invocations from 0; use it, not gl_LocalInvocationIndex. The
+// invocations share the variables declared `shared`; you may add more.
 //
 //     vec2 tile_depth_range(uint local)
-// Returns (farthest, nearest): the smallest and the largest tile_depth(p) above 0 among the pixels p from 0 to
-// tile_pixels() - 1, the same result to every invocation. The pixels may be more or fewer than the invocations. Depths
-// run from 0 to 1, reversed; 0 is the background and does not count. If the whole tile is background, the result is
-// (1, 0).
+// Returns (farthest, nearest): the smallest and the largest tile_depth(p) above 0 among the
+// pixels p from 0 to tile_pixels() - 1, the same result to every invocation. The pixels may
+// be more or fewer than the invocations. Depths run from 0 to 1, reversed; 0 is the
+// background and does not count. If the whole tile is background, the result is (1, 0).
 //
 //     void find_tile_lights(uint local, uint group)
-// Finds which of the lights 1024 * group to 1024 * group + 1023 reach the tile. Bit i of tile_masks[m] becomes 1 if
-// light_reaches_tile(1024 * group + 32 * m + i), and 0 otherwise. There are light_count() lights: the bits of numbers
-// beyond them are 0, and light_reaches_tile must not be called for them. The function is called for one group after
-// the other. When it returns to an invocation, this invocation may read all of tile_masks; the masks must not change
-// until every invocation has called the function again.
+// Finds which of the lights 1024 * group to 1024 * group + 1023 reach the tile. Bit i of
+// tile_masks[m] becomes 1 if light_reaches_tile(1024 * group + 32 * m + i), and 0
+// otherwise. There are light_count() lights: the bits of numbers beyond them are 0, and
+// light_reaches_tile must not be called for them. The function is called for one group
+// after the other. When it returns to an invocation, this invocation may read all of
+// tile_masks; the masks must not change until every invocation has called the function
+// again.
 // [/tile_lights]
 shared uint farthest_bits, nearest_bits;  // atomicMin and atomicMax work on integers; see floatBitsToUint
 shared uint tile_masks[32];

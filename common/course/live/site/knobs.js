@@ -11,14 +11,14 @@ const Knobs = {
     });
   },
 
-  // A knob by its path, or by its name where only one has it or it is the chapter's own.
+  // A knob by its path, or by its name: the only one of that name, the chapter's own, or the first that it declares.
   find(knobs, name) {
     const last = knob => knob.name.split(".").pop();
     const found = knobs.filter(knob => knob.name === name);
     if (found.length) return found[0];
     const named = knobs.filter(knob => last(knob) === name);
     const alone = named.filter(knob => knob.alone);
-    return alone[0] ?? (named.length === 1 ? named[0] : named.find(knob => !knob.name.includes(".")));
+    return alone[0] ?? (named.length === 1 ? named[0] : named.find(knob => !knob.name.includes(".")) ?? named[0]);
   },
 
   default_text(knob) {

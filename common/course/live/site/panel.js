@@ -3,8 +3,8 @@
 // What stands below a picture: its knobs, two sides, time, passes.
 class Panel {
   // shown: knobs in view, the first ones; the rest is folded.
-  constructor(picture, knobs, shown, shot) {
-    Object.assign(this, {picture, knobs, shot, rows: new Map()});
+  constructor(picture, knobs, shown) {
+    Object.assign(this, {picture, knobs, rows: new Map()});
     this.element = make("div", {className: "live-panel"});
     this.element.panel = this;
     picture.panel = this;
@@ -37,7 +37,7 @@ class Panel {
     this.play.onclick = () => this.run_time();
     this.moving = make("span", {className: "live-moves", hidden: true}, this.play, this.time);
     this.said = make("span", {className: "live-said"});
-    return make("div", {className: "live-head"}, make("b", {textContent: this.shot}), reset, this.split_choice(), this.moving, this.said);
+    return make("div", {className: "live-head"}, make("b", {textContent: picture.title}), reset, this.split_choice(), this.moving, this.said);
   }
 
   // Two values of a choice under one slider: the chapter's methods first.
@@ -79,12 +79,11 @@ class Panel {
 
   // What a knob is now: turned here, set by the shot, or its default.
   value(knob) {
-    const set = Object.entries(this.shot_set ?? {}).find(([name]) => Knobs.find(this.knobs, name) === knob);
+    const set = Object.entries(this.picture.given).find(([name]) => Knobs.find(this.knobs, name) === knob);
     return this.picture.state.set[knob.name] ?? (set ? String(set[1] === true ? "on" : set[1] === false ? "off" : set[1]) : Knobs.default_text(knob));
   }
 
   row(knob) {
-    this.shot_set ??= Live.course.chapters[this.picture.chapter].shots[this.shot]?.set;
     const row = Knobs.control(knob, this.value(knob), (text, still) => this.picture.knob(knob.name, text, still));
     this.rows.set(knob, row);
     return row;

@@ -6,10 +6,19 @@ class Picture {
   static count = 0;
   static all = [];
 
-  // frame: the element that holds the images. sides: {image, shot, over}, where `over` replaces parts of the state.
+  // frame: the element that holds the images. sides: {image, shot, over}, where `over` replaces parts of the state; a cell
+  // of one of the lesson's pictures has {image, cell: [name, number], over}.
   constructor(frame, chapter, sides) {
     Object.assign(this, {frame, chapter, sides, place: `p${++Picture.count}`, state: Picture.fresh(), answers: []});
     this.listeners = [];
+    this.moving_scale = 0.5;
+    const {cell, shot} = sides[0];
+    this.cell = cell && Live.course.pictures[cell[0]].cells[cell[1]];
+    // Knobs as the picture has them, before a hand turns them.
+    this.given = this.cell?.set ?? Live.course.chapters[chapter].shots[shot]?.set ?? {};
+    this.title = cell ? Object.values(this.given).join(", ") || this.cell.shot || cell[0] : shot;
+    if (this.cell) this.aspect = this.cell.size[1] / this.cell.size[0];
+    if (this.cell?.use) this.state.use = this.cell.use;
     frame.classList.add("live-frame");
     frame.tabIndex = 0;
     frame.picture = this;
@@ -24,6 +33,25 @@ class Picture {
     frame.addEventListener("keydown", event => this.press_key(event));
     // The page's own click shows a picture large.
     frame.addEventListener("click", event => { event.stopPropagation(); event.preventDefault(); }, true);
+  }
+
+  // How large to draw while something moves, as a share of the whole: half, and less where that takes more than 90 ms. What
+  // the last two sizes took says how much of it is for the pixels; what is not, no smaller picture saves.
+  static scale_for(scale, ms, before) {
+    let per_pixel = Math.max(ms, 1) / scale ** 2, fixed = 0;
+    if (before) {
+      per_pixel = Math.max((ms - before.ms) / (scale ** 2 - before.scale ** 2), 1);
+      fixed = Math.max(ms - per_pixel * scale ** 2, 0);
+    }
+    const wanted = Math.sqrt(Math.max(90 - fixed, fixed / 2) / per_pixel);
+    return Math.min(Math.max(wanted, 0.5 * scale, 0.15), 1.25 * scale, 0.5);
+  }
+
+  // What a picture that moves took: the next one may have another size.
+  learn(ms) {
+    const scale = this.moving_scale, known = this.measured ?? [], before = known.find(one => Math.abs(one.scale - scale) > 0.02);
+    this.moving_scale = Picture.scale_for(scale, ms, before);
+    this.measured = [{scale, ms}, ...known].slice(0, 3);
   }
 
   static fresh() {
@@ -48,7 +76,7 @@ class Picture {
     this.change({set}, still);
   }
 
-  // Half the size while something moves, and the whole when it rests.
+  // Smaller while something moves, and the whole when it rests.
   draw(still) {
     this.warmed = true;
     clearTimeout(this.rest);
@@ -69,31 +97,38 @@ class Picture {
     const [wide, high] = this.shown_size(still);
     this.sides.forEach((side, i) => {
       const over = side.over ?? {}, {set, ...state} = this.state;
-      const request = {...state, ...over, set: {...set, ...over.set}, chapter: this.chapter, shot: side.shot,
-        size: [wide, high], still};
+      const source = side.cell ? {picture: side.cell} : {shot: side.shot};
+      const knobs = {...set, ...over.set}, request = {...state, ...over, chapter: this.chapter, ...source, size: [wide, high], still,
+        set: {...Picture.given(side.cell, still, knobs), ...knobs}};
       this.asked_at = performance.now();
       Live.draw(`${this.place}.${i}`, request, (answer, picture, last) => this.show(i, answer, picture, last));
     });
     this.note.textContent ||= "…";
   }
 
+  // The knobs of a cell but those that `turned` replaces, by their names or longer ones ("maps.method" for "method").
+  static given(cell, still, turned) {
+    if (!cell) return {};
+    const {set, samples} = Live.course.pictures[cell[0]].cells[cell[1]];
+    const replaced = name => Object.keys(turned).some(one => one === name || one.endsWith(`.${name}`));
+    return Object.fromEntries(Object.entries({...set, samples: String(still ? samples ?? 4 : 1)}).filter(([name]) => !replaced(name)));
+  }
+
+  // A cell has the size that the lesson's picture was drawn at: what it shows may be a matter of single pixels.
   shown_size(still) {
+    const scale = still ? 1 : this.moving_scale;
+    if (this.cell) return this.cell.size.map(pixels => Math.max(16, Math.round(pixels * scale)));
     const box = this.frame.getBoundingClientRect(), image = this.sides[0].image;
     const aspect = (this.aspect ??= (image.naturalHeight / image.naturalWidth) || 9 / 16);
-    const wide = Math.min(Math.max(box.width || 480, 160) * Math.min(devicePixelRatio, 2), 1280) * (still ? 1 : 0.5);
+    const wide = Math.min(Math.max(box.width || 480, 160) * Math.min(devicePixelRatio, 2), 1280) * scale;
     return [Math.round(wide), Math.max(16, Math.round(wide * aspect))];
   }
 
   show(i, answer, picture, last) {
     this.ms = performance.now() - this.asked_at;
+    if (answer.format === "jpeg" && last) this.learn(answer.ms);
     this.answers[i] = answer;
-    const image = this.sides[i].image;
-    if (picture) {
-      const url = URL.createObjectURL(picture), old = this.sides[i].url;
-      this.sides[i].url = url;
-      image.onload = () => old && URL.revokeObjectURL(old);
-      image.src = url;
-    }
+    if (picture && this.sides[i]) this.put(this.sides[i], answer, picture);
     const wrong = answer.error || answer.errors?.[0] || "";
     this.frame.classList.toggle("live-wrong", Boolean(wrong));
     this.note.textContent = wrong || (last ? "" : this.note.textContent);
@@ -103,6 +138,24 @@ class Picture {
       setTimeout(() => this.draw(true), 500);
     }
     for (const listener of this.listeners) listener({answer, i});
+  }
+
+  async put(side, answer, picture) {
+    const number = side.number = (side.number ?? 0) + 1;
+    if (this.cell?.crop) picture = await Picture.part(picture, this.cell.crop.map(pixels => pixels * answer.size[0] / this.cell.size[0]));
+    if (number !== side.number) return; // a newer one was quicker
+    const url = URL.createObjectURL(picture), old = side.url;
+    side.url = url;
+    side.image.onload = () => old && URL.revokeObjectURL(old);
+    side.image.src = url;
+  }
+
+  // A part of an image, [left, top, width, height], as a PNG.
+  static async part(source, [left, top, width, height]) {
+    const bitmap = source instanceof Blob ? await createImageBitmap(source) : source;
+    const canvas = make("canvas", {width: Math.round(width), height: Math.round(height)});
+    canvas.getContext("2d").drawImage(bitmap, left, top, width, height, 0, 0, canvas.width, canvas.height);
+    return new Promise(done => canvas.toBlob(done));
   }
 
   get divider() {
@@ -177,7 +230,7 @@ class Picture {
       this.frame.style.setProperty("--at", "50%");
       this.frame.append(make("span", {className: "live-name left", textContent: names[0]}),
                         make("span", {className: "live-name right", textContent: names[1]}));
-      this.sides.push({image, shot: first.shot, over});
+      this.sides.push({image, shot: first.shot, cell: first.cell, over});
     }
     this.draw(true);
   }

@@ -37,19 +37,63 @@ const Lesson = {
     document.querySelector("article h1")?.after(make("p", {className: "live-complaint", textContent: words}));
   },
 
-  // A picture of a shot is its golden: tree/tests/NN_name/golden/SHOT.png.
+  // What an image shows: the golden of a shot, tree/tests/NN_name/golden/SHOT.png, or one of the lesson's other pictures,
+  // images/NAME.png. Null for a diagram or a chart.
+  source(image) {
+    const path = decodeURIComponent(new URL(image.src).pathname);
+    const golden = path.match(/\/tree\/tests\/(\d\d_\w+)\/golden\/(\w+)\.png$/), name = path.match(/\/images\/(\w+)\.png$/)?.[1];
+    if (Live.course.chapters[golden?.[1]]?.shots[golden[2]]) return {chapter: golden[1], shot: golden[2]};
+    const made = Live.course.pictures[name];
+    return made ? {chapter: made.cells[0].chapter, cell: [name, 0], made} : null;
+  },
+
   find_pictures() {
     for (const image of document.querySelectorAll("article img")) {
-      const found = decodeURIComponent(new URL(image.src).pathname).match(/\/tree\/tests\/(\d\d_\w+)\/golden\/(\w+)\.png$/);
-      if (!found || !Live.course.chapters[found[1]]?.shots[found[2]] || image.closest("a, .hero, .slide")) continue;
-      const frame = make("span");
-      image.replaceWith(frame);
-      frame.append(image);
-      image.classList.remove("zooms");
-      const picture = new Picture(frame, found[1], [{image, shot: found[2]}]);
-      frame.closest("table")?.classList.add("live-table");
-      picture.block = frame.closest(".md-typeset__scrollwrap, p, figure") ?? frame.closest("table") ?? frame;
+      const source = image.closest("a, .hero") ? null : Lesson.source(image);
+      if (!source) continue;
+      const slide = image.closest(".slide");
+      if (slide) Lesson.liven_pair(slide);
+      else if (source.made?.cells.length > 1) Lesson.liven_cells(image, source);
+      else Lesson.liven(image, source);
     }
+  },
+
+  liven(image, source) {
+    const frame = make("span");
+    image.replaceWith(frame);
+    frame.append(image);
+    Lesson.place(new Picture(frame, source.chapter, [{image, ...source}]), frame);
+  },
+
+  place(picture, element) {
+    for (const side of picture.sides) side.image.classList.remove("zooms");
+    element.closest("table")?.classList.add("live-table");
+    picture.block = element.closest(".md-typeset__scrollwrap, p, figure") ?? element.closest("table") ?? element;
+  },
+
+  // Two pictures under a slider: each is drawn from what it shows, and both are turned together.
+  liven_pair(slide) {
+    const images = [...slide.querySelectorAll("img")], sources = images.map(Lesson.source);
+    if (slide.picture || images.length !== 2 || sources.some(one => !one || one.chapter !== sources[0].chapter || one.made?.cells.length > 1)) return;
+    images[1].classList.add("live-second");
+    Lesson.place(new Picture(slide, sources[0].chapter, sources.map((source, i) => ({image: images[i], ...source}))), slide);
+  },
+
+  // A picture of several cells becomes a grid of live ones, which show their part of it until they are drawn.
+  async liven_cells(image, {chapter, cell: [name], made}) {
+    await image.decode().catch(() => {});
+    const {columns, cells} = made, rows = Math.ceil(cells.length / columns), gap = 4;
+    const wide = image.naturalWidth / columns, high = image.naturalHeight / rows;
+    const grid = make("span", {className: "live-grid"});
+    grid.style.gridTemplateColumns = `repeat(${columns}, 1fr)`;
+    image.replaceWith(grid);
+    cells.forEach((_, i) => {
+      const own = make("img", {alt: `${image.alt}, ${i + 1} of ${cells.length}`}), frame = make("span", {}, own);
+      grid.append(frame);
+      Picture.part(image, [i % columns * wide + gap / 2, Math.floor(i / columns) * high + gap / 2, wide - gap, high - gap])
+        .then(part => { own.src ||= URL.createObjectURL(part); });
+      Lesson.place(new Picture(frame, chapter, [{image: own, cell: [name, i]}]), grid);
+    });
   },
 
   async choose(picture) {
@@ -84,10 +128,9 @@ const Lesson = {
   async open(picture) {
     const knobs = await Knobs.of(picture.chapter);
     if (!picture.panel) {
-      const shot = picture.sides[0].shot, set = Live.course.chapters[picture.chapter].shots[shot]?.set ?? {};
-      const first = [Knobs.find(knobs, "method"), ...Object.keys(set).map(name => Knobs.find(knobs, name)),
+      const first = [Knobs.find(knobs, "method"), ...Object.keys(picture.given).map(name => Knobs.find(knobs, name)),
                      ...(picture.chapter === Lesson.chapter ? Lesson.named : [])].filter(Boolean);
-      new Panel(picture, knobs, [...new Set(first)], shot);
+      new Panel(picture, knobs, [...new Set(first)]);
     }
     if (picture.dock) return;
     for (const other of document.querySelectorAll("article .live-panel"))
@@ -97,7 +140,7 @@ const Lesson = {
 
   // The picture that a link turns: the one chosen last, else the one above the link, else the page's first.
   near(element) {
-    const own = Picture.all.filter(one => one.chapter === Lesson.chapter && one.frame.isConnected && one.frame.offsetParent);
+    const own = Picture.all.filter(one => one.sides[0].shot && one.chapter === Lesson.chapter && one.frame.isConnected && one.frame.offsetParent);
     if (Lesson.current && own.includes(Lesson.current)) return Lesson.current;
     return own.filter(one => one.frame.compareDocumentPosition(element) & Node.DOCUMENT_POSITION_FOLLOWING).pop() ?? own[0];
   },
@@ -171,8 +214,11 @@ const Lesson = {
     }
     place.textContent = `${solved} of ${total} exercises solved`;
     place.title = Object.entries(progress).map(([name, one]) => `${name}: ${one.solved.length} of ${one.exercises}`).join("\n");
-    for (const mark of document.querySelectorAll("a.exercise"))
-      mark.nextElementSibling?.classList.toggle("live-solved", all.some(one => one.solved.includes(mark.id)));
+    for (const mark of document.querySelectorAll("a.exercise")) {
+      const [heading] = Exercise.section(mark);
+      heading?.classList.toggle("live-solved", all.some(one => one.solved.includes(mark.id)));
+      heading?.classList.toggle("live-untouched", all.some(one => one.untouched.includes(mark.id)));
+    }
   },
 };
 Lesson.start().catch(error => Lesson.complain(error.message));

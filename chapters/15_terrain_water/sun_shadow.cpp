@@ -1,0 +1,30 @@
+#include "15_terrain_water/sun_shadow.h"
+
+namespace lightwalk {
+
+SunShadow::SunShadow(Module& owner, std::string name, const Atmosphere& atmosphere)
+    : Module(owner, std::move(name), "sun_shadow"), atmosphere_(atmosphere) {}
+
+// [sun_shadow_record]
+void SunShadow::record(Frame& frame, const View& view, const Scene& scene, City& city) {
+    city.update_once(frame);
+    Bounds all = scene.bounds;
+    all.add(city.bounds());
+    const glm::vec3 to_sun = atmosphere_.to_sun();
+    exists_ = !all.empty() && to_sun.y > 0 && !maps.method.is("none");
+    if (!exists_) return;
+    const Light sun{.direction = -to_sun, .shadow = true, .size_rad = glm::radians(atmosphere_.sun_deg.value)};
+    Shadow::Casters casters{.with = city.casts_with(), .draw = {}, .draw_first = {}, .draw_passed = {}};
+    casters.draw_others = [&](Raster& pass, const View& light) { city.cast(pass, light); };
+    casters.others = city.bounds(), casters.others_placed = city.placed();
+    maps.record(frame, scene, std::vector<Light>{sun}, view, casters);
+}
+// [/sun_shadow_record]
+
+bool add_shadow(const SunShadow* shadow, std::vector<With>& with) {
+    const bool has_maps = shadow && shadow->exists();
+    if (has_maps) with.push_back(shadow->maps);
+    return has_maps;
+}
+
+}  // namespace lightwalk

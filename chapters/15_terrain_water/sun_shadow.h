@@ -1,0 +1,31 @@
+// Sun shadow module: the shadow that houses and objects cast in the light of an atmosphere's sun.
+#pragma once
+#include "05_shadow_maps/shadow.h"
+#include "10_atmosphere/atmosphere.h"
+#include "15_terrain_water/city.h"
+
+namespace lightwalk {
+
+// [sun_shadow]
+/// Chapter 05's cascades for the atmosphere's sun. record() once a frame, for the view of the picture: other views of the
+/// frame (mirror images) read the same maps. Land and City read them where their `shadowed_by` says so. The ground's
+/// shadow on itself is its own (land.shadow).
+struct SunShadow : Module {
+    SunShadow(Module& owner, std::string name, const Atmosphere& atmosphere);
+
+    Shadow maps{*this, "maps"};
+
+    void record(Frame& frame, const View& view, const Scene& scene, City& city);
+    /// False: the sun is down, nothing casts, or the method is none. Then nothing is recorded, and nothing may read it.
+    bool exists() const { return exists_; }
+
+  private:
+    const Atmosphere& atmosphere_;
+    bool exists_ = false;
+};
+// [/sun_shadow]
+
+/// Adds the shadow's maps to what a pass is given. False: there are none, and its shaders include no_sun_shadow.glsl.
+bool add_shadow(const SunShadow* shadow, std::vector<With>& with);
+
+}  // namespace lightwalk

@@ -1,0 +1,28 @@
+// The water surface in a pixel: its normal as finely as the pixels are, and the variance of what is finer.
+#include "15_terrain_water/water_surface.glsl"
+
+struct Facet {
+    vec3 normal;     // towards the eye
+    float cosine;    // of the angle between it and the eye, above 0
+    float variance;  // of the slopes that are too fine to be seen, both axes
+    float spacing;   // metres from one pixel to the next
+    mat3 slopes;     // as 15.gerstner_normal sums them
+};
+
+// Calls dFdx().
+Facet facet_at(vec2 at_rest, vec3 to_eye, bool below) {
+    float spacing = max(length(dFdx(at_rest)), length(dFdy(at_rest)));
+    WaterPoint p = water_at(at_rest, 0.5 * spacing);
+    vec3 normal = gerstner_normal(p.slopes);
+    if (below) normal = -normal;
+    // A facet that is turned away shows its neighbour's front.
+    float cosine = dot(normal, to_eye);
+    if (cosine < 0.02) normal = normalize(normal + (0.02 - cosine) * to_eye), cosine = 0.02;
+    return Facet(normal, cosine, p.hidden + 2.0 * water_now.roughness * water_now.roughness, spacing, p.slopes);
+}
+
+// What arrives at the eye comes from there, if it was reflected once; never from below the horizon.
+vec3 mirrored_direction(Facet facet, vec3 to_eye) {
+    vec3 mirrored = reflect(-to_eye, facet.normal);
+    return vec3(mirrored.x, abs(mirrored.y), mirrored.z);
+}

@@ -1,0 +1,78 @@
+// Borders: of a simplex, of a moment, of a box. What lies on both sides must meet there.
+#include <fmt/core.h>
+
+#include "volume_fixture.h"
+
+using namespace lightwalk;
+
+TEST_CASE_METHOD(OnVolume, "simplex noise has no steps: along lines it changes by what its slope allows") {
+    Probe probe{.include = "16_volume/simplex_4d.glsl",
+                .signature = "float simplex_4d(vec3 at, NoiseMoment moment)",
+                .inputs = {}};
+    Random random(31);
+    const size_t points = 400;
+    for (int line = 0; line < 60; ++line) {
+        const glm::dvec3 from(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9));
+        const glm::dvec3 along =
+            glm::normalize(glm::dvec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
+        const NoiseMoment moment = noise_moment(random.uniform(0, 100), 5);
+        for (size_t i = 0; i < points; ++i) {
+            const glm::dvec3 at = from + 5e-4 * double(i) * along;
+            probe.inputs.push_back({at.x, at.y, at.z, double(moment.cell), double(moment.time),
+                                    double(moment.skew_cell), double(moment.skew_time), double(moment.seed)});
+        }
+    }
+    const Table found = run_probe(gpu, probe, 1);
+    double most = 0, squares = 0;
+    for (size_t i = 0; i < found.size(); ++i) {
+        squares += found[i][0] * found[i][0];
+        if (i % points) most = std::max(most, std::fabs(found[i][0] - found[i - 1][0]));
+    }
+    fmt::print("simplex noise: steps of at most {:.5f} in 5e-4 of a cell, deviation {:.2f}\n", most,
+               std::sqrt(squares / double(found.size())));
+    CHECK(most < 0.01);  // a corner that ends at a distance of sqrt(0.6) leaves up to 0.003, at sqrt(0.7) 0.04
+    CHECK(squares / double(found.size()) > 0.01);
+}
+
+TEST_CASE_METHOD(OnVolume, "noise goes on where a moment ends, by each method") {
+    volume.shell.value = true, volume.shell_bumps.value = 0.3f, volume.shell_speed.value = 1;
+    for (const char* noise : {"lattice", "simplex", "texture"}) {
+        volume.noise.set(noise);
+        const double within = mean_difference(picture(7.49f), picture(7.51f));
+        const double across = mean_difference(picture(6.99f), picture(7.01f));
+        fmt::print("{}: in 0.02 of a moment the picture changes by {:.6f}, where one ends by {:.6f}\n", noise, within,
+                   across);
+        CHECK(within > 0);
+        CHECK(across < within);  // weights are level there
+    }
+}
+
+TEST_CASE_METHOD(OnVolume, "a ray leaves a flat box at the face that it meets first, along each axis") {
+    background = {1, 1, 1, 1};
+    volume.transfer.set("even"), volume.method.set("midpoint"), volume.steps.value = 800, volume.glow.value = 0;
+    volume.density.value = float(std::log(0.3) / (50 * std::log(0.8)));  // 0.3 gets through half a metre
+    const struct {
+        glm::ivec3 dims;
+        glm::vec3 eye, up;
+    } views[] = {
+        {{2, 8, 8}, {3, 0, 0}, {0, 1, 0}}, {{8, 2, 8}, {0, 0, 3}, {0, 1, 0}}, {{8, 8, 2}, {0, 3, 0}, {0, 0, 1}}};
+    for (const auto& view : views) {
+        load(view.dims, [](int, int, int) { return 1.0f; });
+        camera.position = view.eye, camera.up = view.up;
+        INFO(view.dims.x << " x " << view.dims.y << " x " << view.dims.z);
+        CHECK(double(middle().g) == Approx(0.3).epsilon(0.03));
+    }
+}
+
+TEST_CASE_METHOD(OnVolume,
+                 "the reference is the integral: dense matter in thousands of steps, none of them rounded away") {
+    load({8, 8, 8}, [](int, int, int) { return 1.0f; });
+    background = {1, 1, 1, 1};
+    volume.transfer.set("even"), volume.method.set("exact"), volume.glow.value = 0;
+    volume.density.value = float(std::log(0.3) / (200 * std::log(0.8)));  // 0.3 gets through 2 m
+    for (const int samples : {4, 48, 192}) {                              // per voxel: 192 are 1,536 steps
+        volume.truth_samples.value = samples;
+        INFO(samples);
+        CHECK(double(middle().g) == Approx(0.3).epsilon(0.004));
+    }
+}

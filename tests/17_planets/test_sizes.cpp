@@ -1,0 +1,117 @@
+// What a scene has to model, by how large it is: in pixels, in degrees, in kilometres.
+#include <fmt/core.h>
+
+#include "planets_fixture.h"
+
+using namespace lightwalk;
+
+TEST_CASE("penumbras in pixels: none in a portrait of Saturn, many where the Moon's shadow falls on the Earth",
+          "[figures]") {
+    // Across the light a penumbra is as wide as the sun's disc after the shadow's way. A pixel of a portrait of 540 lines and
+    // 26 degrees, so many radii away, is this wide.
+    const auto pixel_m = [](double radius_m, double radii) {
+        return radius_m * radii * 2 * std::tan(glm::radians(13.0)) / 540;
+    };
+    const double saturn_sun = glm::radians(0.056), r = 60268e3, pixel = pixel_m(r, 7.5);
+    for (const double ring : {74658e3, 136775e3}) {  // in the plane of the rings, the sun 26.7 degrees above it
+        const double wide = saturn_sun * ring * std::cos(glm::radians(26.7));
+        fmt::print("penumbra on Saturn's rings at {:.0f} km: {:.0f} km, {:.2f} pixels\n", ring / 1e3, wide / 1e3,
+                   wide / pixel);
+        CHECK(wide / pixel < 0.5);
+    }
+    const double moon_away = 3.78e8, earth_sun = glm::radians(0.533);
+    const double wide = earth_sun * moon_away, earth_pixel = pixel_m(6378137, 4.9);
+    fmt::print("penumbra of the Moon on the Earth: {:.0f} km, {:.0f} pixels\n", wide / 1e3, wide / earth_pixel);
+    CHECK(wide / earth_pixel > 100);
+}
+
+TEST_CASE("parallax in pixels: none of the Earth's mountains in its portrait, dozens from 400 km above", "[figures]") {
+    // A summit of 8.8 km is moved by its height times the tangent of the angle at which it is seen: here 45 degrees.
+    const double summit_m = 8849, portrait_m = 6378137 * 4.9 * 2 * std::tan(glm::radians(13.0)) / 540;
+    const double low_m = 400e3 * std::sqrt(2.0) * 2 * std::tan(glm::radians(13.0)) / 540;
+    fmt::print("parallax of a summit: {:.2f} pixels in the portrait, {:.0f} from 400 km\n", summit_m / portrait_m,
+               summit_m / low_m);
+    CHECK(summit_m / portrait_m < 0.5);
+    CHECK(summit_m / low_m > 10);
+}
+
+TEST_CASE("Mercury's wide sun moves n.l by 0.0026 at most: it is no reason to wrap the light") {
+    // Over the disc, with half its angle: the mean of what is above the horizon, against its middle.
+    const double half = glm::radians(0.5 * 1.377);
+    double worst = 0;
+    for (double middle = -0.03; middle < 0.03; middle += 1e-4) {
+        double sum = 0, area = 0;
+        for (int i = 0; i < 400; ++i) {
+            const double at = -1 + (i + 0.5) / 200, chord = std::sqrt(1 - at * at);
+            sum += chord * std::max(std::sin(std::asin(middle) + half * at), 0.0), area += chord;
+        }
+        worst = std::max(worst, std::fabs(sum / area - std::max(middle, 0.0)));
+    }
+    fmt::print("Mercury's sun: n.l differs by {:.4f} at most\n", worst);
+    CHECK(worst < 0.0027);
+    CHECK(worst > 0.0020);
+}
+
+TEST_CASE("the edges of Saturn's rings are NASA's") {
+    std::vector<double> edges;
+    for (const RingPart& part : ring_parts(BodyId::saturn))
+        edges.push_back(part.inner_m / 1e3), edges.push_back(part.outer_m / 1e3);
+    for (const double edge : {74658.0, 92000.0, 117580.0, 122170.0, 133423.0, 133745.0, 136775.0})
+        CHECK(std::any_of(edges.begin(), edges.end(), [&](double e) { return std::fabs(e - edge) < 1; }));
+    for (const RingPart& part : ring_parts(BodyId::saturn)) {
+        const double r = part.inner_m / 1e3;
+        if (r < 92000) CHECK((part.depth >= 0.05 && part.depth <= 0.12));           // C
+        if (r >= 92000 && r < 117580) CHECK((part.depth >= 1 && part.depth <= 3));  // B
+        if (r == 117580) CHECK(part.depth == Approx(0.1));                          // Cassini's division
+    }
+}
+
+TEST_CASE("a sphere in place of Saturn: its shadow is 8% too long, its normals are 5.9 degrees off", "[figures]") {
+    const double r = 60268, f = 0.098, sun = glm::radians(26.7);
+    const glm::dvec3 to_sun(0, std::sin(sun), std::cos(sun)), pole(0, 1, 0);
+    // Where on the ring's plane, opposite to the sun, does the shadow end?
+    const auto end = [&](double flattening) {
+        double low = r, high = 4 * r;
+        for (int i = 0; i < 60; ++i) {
+            const double middle = 0.5 * (low + high);
+            (truth::ellipsoid_shadow({0, 0, -middle}, pole, r, flattening, to_sun, 1e-9, 2) < 0.5 ? low : high) =
+                middle;
+        }
+        return low;
+    };
+    fmt::print("the shadow ends at {:.0f} km, a sphere's at {:.0f} km\n", end(f), end(0));
+    CHECK(end(0) / end(f) == Approx(1.08).margin(0.005));
+    CHECK(end(0) - end(f) == Approx(10400).margin(200));
+    const auto tilt = [](double flattening) {
+        double worst = 0;
+        for (double b = 0; b < 1.57; b += 0.001) {
+            const glm::dvec2 at(std::cos(b), (1 - flattening) * std::sin(b)),
+                normal(std::cos(b), std::sin(b) / (1 - flattening));
+            worst = std::max(worst, std::acos(std::min(1.0, glm::dot(glm::normalize(at), glm::normalize(normal)))));
+        }
+        return glm::degrees(worst);
+    };
+    CHECK(tilt(0.098) == Approx(5.9).margin(0.1));
+    CHECK(tilt(0.0649) == Approx(3.8).margin(0.1));
+}
+
+TEST_CASE_METHOD(OnPlanets,
+                 "Saturn's portrait shows whether its shadow is a ball's, and not whether the Sun is a disc") {
+    size = {240, 160};
+    look_at("saturn", 7.5, 34, 18);
+    const auto by = [&](const char* shadow) {
+        planets.shadow.set(shadow);
+        return picture();
+    };
+    const ImageRgb disc = by("disc"), hard = by("hard"), sphere = by("sphere");
+    const auto apart = [&](const ImageRgb& other) {
+        double sum = 0;
+        for (size_t i = 0; i < disc.pixels.size(); ++i)
+            sum += std::fabs(double(other.pixels[i].g) - double(disc.pixels[i].g));
+        return sum / sum_of(disc);
+    };
+    fmt::print("Saturn's shadow: a hard edge changes {:.5f} of the light, a ball's {:.5f}\n", apart(hard),
+               apart(sphere));
+    CHECK(apart(hard) > 0);
+    CHECK(apart(sphere) > 5 * apart(hard));
+}
