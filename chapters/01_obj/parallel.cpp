@@ -9,6 +9,7 @@
 #include "01_obj/loaders.h"
 #include "01_obj/scan.h"
 #include "01_obj/threads.h"
+#include "common/base/progress.h"
 
 namespace lightwalk {
 namespace {
@@ -135,13 +136,18 @@ ObjData parse_parallel(std::string_view text, const std::string& name, ParseOpti
     }
     ObjData data;
     try {
+        Progress* const waited_for = progress();
+        if (waited_for) waited_for->begin("reading", text.size());
         // [threads]
         on_threads(threads, chunks.size(), [&](unsigned thread, size_t i) {
+            if (waited_for) waited_for->step(chunks[i].size());
             populate(chunks[i]);
             pieces[i] = read_chunk(chunks[i], collected[thread]);
         });
         // [/threads]
-    } catch (const InputError&) { throw_first_error(text, name); }
+    } catch (const Cancelled&) { throw; } catch (const InputError&) {
+        throw_first_error(text, name);
+    }
     bool absent = false;
     if (!assemble(pieces, threads, name, data, absent)) throw_first_error(text, name);
     if (absent) warn_of_absent(text, name);

@@ -5,9 +5,12 @@
 #include <utility>
 
 #include "01_obj/obj.h"
+#include "common/base/progress.h"
 
 namespace lightwalk {
 namespace {
+
+constexpr size_t reported_corners = 1 << 16;  // between two reports of progress
 
 glm::vec3 at3(const Array<float>& values, uint32_t i) {
     return {values[3 * size_t{i}], values[3 * size_t{i} + 1], values[3 * size_t{i} + 2]};
@@ -132,6 +135,8 @@ Model weld(const ObjData& data, std::vector<Material> materials, const std::stri
         return Vertex{at3(data.positions, c.position), unit(has_normal || smooth.empty() ? given : smooth[c.position]),
                       c.uv == none ? glm::vec2(0.0f) : glm::vec2(data.uvs[uv], data.uvs[uv + 1])};
     };
+    Progress* const waited_for = progress();
+    if (waited_for) waited_for->begin("joining vertices", data.corners.size());
     for (size_t i = 0; i < stretches.size(); ++i) {
         const Stretch& s = stretches[i];
         Mesh& mesh = model.meshes[s.mesh];
@@ -141,6 +146,7 @@ Model weld(const ObjData& data, std::vector<Material> materials, const std::stri
             mesh.parts.push_back({static_cast<uint32_t>(mesh.indices.size()), 0, s.material});
         if (new_mesh) mesh.indices.reserve(3 * (s.end - s.begin));
         for (size_t k = 3 * s.begin; k < 3 * s.end; ++k) {
+            if (waited_for && k % reported_corners == 0) waited_for->step(reported_corners);
             bool is_new;
             mesh.indices.push_back(table.find(data.corners[k], is_new));
             if (!is_new) continue;

@@ -3,11 +3,14 @@
 #include <set>
 
 #include "04_surface_maps/exercises.h"
+#include "common/base/exercise.h"
+#include "common/base/progress.h"
 
 namespace lightwalk {
 namespace {
 
-constexpr float nowhere_m = 1e9f;  // metres per uv where a texture has no direction
+constexpr size_t reported_corners = 1 << 16;  // between two reports of progress
+constexpr float nowhere_m = 1e9f;             // metres per uv where a texture has no direction
 
 struct Sum {
     glm::vec3 tangent{0.0f};
@@ -50,7 +53,10 @@ FramedMesh frame_mesh(const Mesh& mesh) {
     std::vector<Sum> sums(mesh.vertices.size());
     std::map<uint32_t, uint32_t> mirrored;  // vertex → its twin of the other handedness
     const auto frame_of = tangent_frame.function();
+    Progress* const waited_for = progress();
+    if (waited_for) waited_for->begin("tangents", mesh.indices.size());
     for (size_t i = 0; i < mesh.indices.size(); ++i) {
+        if (waited_for && i % reported_corners == 0) waited_for->step(reported_corners);
         const size_t first = i - i % 3;
         const Vertex& a = mesh.vertices[mesh.indices[i]];
         const Vertex& b = mesh.vertices[mesh.indices[first + (i + 1) % 3]];
@@ -75,23 +81,47 @@ FramedMesh frame_mesh(const Mesh& mesh) {
     return result;
 }
 
+std::vector<std::vector<TangentFrame>> frame_model(Model& model) {
+    std::vector<std::vector<TangentFrame>> all;
+    for (Mesh& mesh : model.meshes) {
+        FramedMesh framed = frame_mesh(mesh);
+        all.push_back(std::move(framed.frames));
+        if (framed.vertices.size() == mesh.vertices.size()) continue;
+        mesh.vertices = std::move(framed.vertices);
+        mesh.indices = std::move(framed.indices);
+    }
+    return all;
+}
+
+std::map<const Vertex*, std::vector<TangentFrame>>& frames_at_hand() {
+    static std::map<const Vertex*, std::vector<TangentFrame>> all;
+    return all;
+}
+
 void add_tangents(Gpu& gpu, const Scene& scene) {
     std::set<GpuModel*> done;
+    const std::string by = Exercises::uses_solution("04.tangent_frame") ? " tangents" : " tangents by an exercise";
     for (const DrawItem& item : scene.items) {
         GpuModel& gpu_model = *item.model;
         if (!done.insert(&gpu_model).second) continue;
-        std::vector<Buffer> tangents;
-        for (size_t i = 0; i < gpu_model.model.meshes.size(); ++i) {
-            Mesh& mesh = gpu_model.model.meshes[i];
-            FramedMesh framed = frame_mesh(mesh);
-            tangents.push_back(gpu.upload(mesh.name + " tangents", framed.frames));
-            if (framed.vertices.size() == mesh.vertices.size()) continue;
-            mesh.vertices = std::move(framed.vertices);
-            mesh.indices = std::move(framed.indices);
+        std::vector<Buffer>& tangents = gpu_model.attributes["tangents"];
+        const std::vector<Mesh>& meshes = gpu_model.model.meshes;
+        if (!tangents.empty() && tangents[0].name == meshes[0].name + by) continue;
+        tangents.clear();
+        std::vector<size_t> vertices;
+        for (const Mesh& mesh : meshes) vertices.push_back(mesh.vertices.size());
+        std::vector<std::vector<TangentFrame>> frames;
+        for (const Mesh& mesh : meshes)
+            if (const auto ready = frames_at_hand().find(mesh.vertices.data()); ready != frames_at_hand().end())
+                frames.push_back(std::move(ready->second));
+        if (frames.size() != meshes.size()) frames = frame_model(gpu_model.model);
+        for (size_t i = 0; i < meshes.size(); ++i) {
+            const Mesh& mesh = meshes[i];
+            tangents.push_back(gpu.upload(mesh.name + by, frames[i]));
+            if (mesh.vertices.size() == vertices[i]) continue;
             gpu_model.vertices[i] = gpu.upload(mesh.name + " vertices", mesh.vertices);
             gpu_model.indices[i] = gpu.upload(mesh.name + " indices", mesh.indices);
         }
-        gpu_model.attributes["tangents"] = std::move(tangents);
     }
 }
 

@@ -1,5 +1,7 @@
 // Tangent frames of a mesh: the result of 04.tangent_frame at every corner, joined at the vertices.
 #pragma once
+#include <map>
+
 #include "common/scene/scene.h"
 #include "common/structs.h"
 
@@ -18,7 +20,16 @@ struct FramedMesh {
 /// frame is one of theirs, and metres_per_uv so large that nothing is displaced along the surface.
 FramedMesh frame_mesh(const Mesh& mesh);
 
-/// Gives every model of the scene its frames, as the vertex attribute `tangents`.
+/// Frames of all meshes of a model, in order. Meshes are changed where their frames need more vertices. Work for the
+/// processor alone, on any thread.
+std::vector<std::vector<TangentFrame>> frame_model(Model& model);
+
+/// Frames that were computed beforehand, for add_tangents() to take, by the address of the vertices that they belong to.
+/// Whoever fills it clears it once the scene is prepared.
+std::map<const Vertex*, std::vector<TangentFrame>>& frames_at_hand();
+
+/// Gives every model of the scene its frames, as the vertex attribute `tangents`, where it has not those of the code that is
+/// in use already: the student's or the reference.
 void add_tangents(Gpu& gpu, const Scene& scene);
 
 }  // namespace lightwalk

@@ -41,9 +41,10 @@ void SceneProbe::draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, 
 void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, const Drawings& drawings) {
     drawn_faces = 0;
     if (update.is("off")) return;
-    // Any knob of the chapter may change what is drawn; and where something is animated besides the objects, time does.
-    std::string now =
-        fmt::format("{} {} {}", scene.placed, Exercises::version(), owner_.any_animated() ? frame.time_s : 0.0f);
+    // Any knob of the chapter may change what is drawn; and where something is animated besides the objects, time does. Where
+    // the sky alone is drawn, objects may move.
+    std::string now = fmt::format("{} {} {}", distant ? 0 : scene.placed, Exercises::version(),
+                                  owner_.any_animated() ? frame.time_s : 0.0f);
     for (const KnobBase* knob : owner_.all_knobs()) now += " " + knob->text();
     const bool first = made_.empty();
     if (update.is("moved") && now == made_) {

@@ -24,9 +24,11 @@ bool EditorWindow::draw_panels(glm::uvec2 picture, float scale) {
     draw_properties();
     ImGui::End();
     browser_.draw(scale);
+    draw_loading(scale);
     draw_steps();
     draw_keys();
     draw_question();
+    carry_on_previews();
     return changed || state != editor.document.state() || selected != editor.selection.ids || editor.document.in_step();
 }
 
@@ -76,12 +78,14 @@ void EditorWindow::draw_tree() {
     };
     if (editor.document.size() > 2000) editor.tree.node_count = nullptr;  // every item would be asked for every entry
     begin_padded_child("tree", {0.0f, ImGui::GetContentRegionAvail().y * 0.45f});
-    if (ImGui::Selectable("scene", editor.selection.has(root_entry))) editor.selection.set({root_entry});
+    if (ImGui::Selectable("scene", editor.selection.has(root_entry) && facet_.empty()))
+        editor.selection.set({root_entry}), facet_.clear();
     log_place("entry.scene");
     if (ImGui::BeginDragDropTarget()) {
         if (ImGui::AcceptDragDropPayload("entries")) say(reparent(editor.document, editor.selection.ids, root_entry));
         ImGui::EndDragDropTarget();
     }
+    draw_facets();
     const std::vector<TreeRow> rows = editor.tree.rows(editor.document);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows.size()));

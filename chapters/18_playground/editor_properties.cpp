@@ -1,6 +1,9 @@
 // What is selected, as numbers, colours and files.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "18_playground/editor_window.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
@@ -51,6 +54,7 @@ void EditorWindow::draw_properties() {
         return;
     }
     begin_padded_child("properties", {0.0f, 0.0f});
+    ImGui::PushID(static_cast<int>(id));  // what is being typed belongs to this entry alone
     if (id == root_entry) {
         draw_settings();
     } else {
@@ -73,6 +77,7 @@ void EditorWindow::draw_properties() {
         else
             draw_light(id);
     }
+    ImGui::PopID();
     ImGui::EndChild();
 }
 
@@ -95,6 +100,7 @@ void EditorWindow::draw_material(EntryId id) {
     float shininess = 32.0f, opacity = 1.0f;
     for (const DrawItem& item : scene.items)
         if (editor.live.entry_of(item.object) == id) {
+            draw_ball(id, item);
             diffuse = item.material.diffuse, specular = item.material.specular, emissive = item.material.emissive;
             shininess = item.material.shininess, opacity = item.material.opacity;
             break;
@@ -158,24 +164,69 @@ void EditorWindow::draw_light(EntryId id) {
     if (changed) change(id, "light", [&](Entry& entry) { *entry.light() = own; });
 }
 
+// It is drawn when nobody drags: a new material means its textures' levels again.
+void EditorWindow::draw_ball(EntryId id, const DrawItem& item) {
+    SceneFile shows = material_ball(*editor.document.at(id).object(), item);
+    if (std::string key = scene_text(shows); key != ball_key_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        ball_key_ = std::move(key), ball_scene_ = std::move(shows);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float pixel = std::max(1.0f, std::floor(ImGui::GetFontSize() / 15.0f));
+    if (ball_.width) draw_pixels(ball_, at, pixel);
+    ImGui::Dummy({pixel * float(ball_size), pixel * float(ball_size)});
+    log_place("ball");
+}
+
+void EditorWindow::carry_on_previews() {
+    if (!gpu_) return;
+    if (ball_scene_) try {
+            ball_ = preview_.draw(*gpu_, *std::exchange(ball_scene_, std::nullopt), glm::uvec2(ball_size));
+            log_event("ball drawn");
+            changed_ = true;
+        } catch (const InputError& e) { editor.notice = e.what(); }
+    else if (browser_.shown && browser_.thumbnails.carry_on(*gpu_, preview_))
+        changed_ = true;
+}
+
 void EditorWindow::draw_settings() {
+    if (!facet_.empty()) ImGui::TextUnformatted(facet_.c_str());
+    if (facet_ == "environment" || facet_ == "camera") return draw_facet_settings();
+    if (!facet_.empty()) return draw_facet();
     ImGui::TextUnformatted(editor.store.path.empty() ? "not saved yet" : editor.store.path.filename().c_str());
     SceneSettings settings = editor.document.settings();
     bool changed = color("ambient", settings.ambient);
     changed |= color("background", settings.background);
-    std::string image = settings.environment.image.string();
-    ImGui::SetNextItemWidth(-110.0f);
-    if (text_field("environment", image) && image != settings.environment.image) {
-        settings.environment.image = image, settings.environment.where = "environment";
-        changed = true;
-    }
-    changed |= number("brightness", settings.environment.intensity, 0.01f, 0.0f, 1e6f);
-    changed |= number("turn", settings.environment.rotation_deg, 0.5f, -360.0f, 360.0f);
-    if (tool_button("camera: take this view", "The scene's own camera becomes the one that is shown"))
-        settings.camera = camera, changed = true;
     ImGui::SetNextItemWidth(-110.0f);
     text_field("save as", save_name_);
     if (changed) change(root_entry, "scene", [&](Entry& entry) { *entry.settings() = settings; });
+}
+
+// What a facet has beside knobs.
+void EditorWindow::draw_facet_settings() {
+    SceneSettings settings = editor.document.settings();
+    bool changed = false;
+    if (facet_ == "camera") {
+        if (tool_button("take this view", "The scene's own camera becomes the one that is shown"))
+            settings.camera = camera, changed = true;
+        ImGui::SameLine();
+        if (tool_button("go there", "The view becomes the scene's own")) camera = settings.camera, changed_ = true;
+        Camera& own = settings.camera;
+        changed |= numbers("position", own.position, 0.01f);
+        changed |= numbers("target", own.target, 0.01f);
+        float degrees = glm::degrees(own.fov_y_rad);
+        if (number("field of view", degrees, 0.2f, 1.0f, 170.0f)) own.fov_y_rad = glm::radians(degrees), changed = true;
+        changed |= number("near", own.near_m, 0.001f, 1e-5f, 1e5f);
+        changed |= number("far", own.far_m, 1.0f, 1e-4f, 1e9f);
+        if (glm::length(own.target - own.position) < 1e-6f || own.far_m <= own.near_m) changed = false;
+    } else {
+        std::string image = settings.environment.image.string();
+        ImGui::SetNextItemWidth(-110.0f);
+        if (text_field("image", image) && image != settings.environment.image)
+            settings.environment.image = image, settings.environment.where = "environment", changed = true;
+        changed |= number("brightness", settings.environment.intensity, 0.01f, 0.0f, 1e6f);
+        changed |= number("turn", settings.environment.rotation_deg, 0.5f, -360.0f, 360.0f);
+    }
+    if (changed) change(root_entry, facet_.c_str(), [&](Entry& entry) { *entry.settings() = settings; });
+    draw_facet();
 }
 
 }  // namespace lightwalk

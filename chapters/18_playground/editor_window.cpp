@@ -122,6 +122,7 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
             return frame_selected(), true;
         case GLFW_KEY_ESCAPE:
             if (editor.drag) return editor.end_drag(false), true;
+            if (!wanted_.empty()) return stop_loading("cancelled: " + wanted_.front().file.filename().string()), true;
             if (browser_.shown || shows_keys_) return browser_.shown = shows_keys_ = false, true;
             if (editor.selection.ids.empty()) return false;
             return editor.selection.clear(), true;
@@ -134,23 +135,6 @@ void EditorWindow::frame_selected() {
     const Bounds box = editor.selected_bounds(scene);
     const glm::vec2 size(picture_);
     CameraControl::frame(camera, box.empty() ? scene.bounds : box, size.x / size.y);
-}
-
-void EditorWindow::add_file(const std::filesystem::path& file) {
-    try {
-        find_asset(file);
-        editor.add_model(*this, file);
-        remember_file(file);
-        log_event("added " + file.filename().string());
-    } catch (const InputError& e) { editor.notice = e.what(); }
-}
-
-void EditorWindow::on_drop(const std::vector<std::filesystem::path>& files) {
-    for (const std::filesystem::path& file : files)
-        if (file.extension() == ".json")
-            browser_.chosen(file, false);
-        else
-            add_file(file);
 }
 
 bool EditorWindow::on_save() {
@@ -186,24 +170,18 @@ bool EditorWindow::may_close() {
 // Besides, time goes by here: every 30 s what is not saved is written beside the file.
 bool EditorWindow::is_busy() {
     check_recovery();
-    if (now_s() < next_autosave_) return changed_;
+    const bool busy = changed_ || !wanted_.empty() || ball_scene_ || (browser_.shown && browser_.thumbnails.busy());
+    if (now_s() < next_autosave_) return busy;
     if (next_autosave_ != 0) try {
             if (editor.store.autosave(editor.document)) log_event("autosaved");
         } catch (const InputError& e) { editor.notice = "not saved by itself: " + std::string(e.what()); }
     next_autosave_ = now_s() + autosave_every_s;
-    return changed_;
+    return busy;
 }
 
 void EditorWindow::check_recovery() {
     if (std::exchange(checked_recovery_, true)) return;
-    browser_.chosen = [this](const std::filesystem::path& file, bool adds) {
-        if (adds) return add_file(file);
-        if (editor.store.has_unsaved(editor.document)) {
-            editor.notice = "save first (Ctrl+S), or undo: " + file.filename().string() + " was not opened";
-            return;
-        }
-        opens = file;
-    };
+    browser_.chosen = [this](const std::filesystem::path& file, bool adds) { want(file, adds); };
     if (editor.store.has_recovery()) question_ = Question::recover;
 }
 

@@ -1,5 +1,8 @@
 // The editor in a window: the playground with panels, the gizmo under the mouse, and keys.
 #pragma once
+#include <deque>
+
+#include "18_playground/background_load.h"
 #include "18_playground/file_browser.h"
 #include "18_playground/playground.h"
 #include "common/window/window_tool.h"
@@ -7,6 +10,7 @@
 namespace lightwalk {
 
 struct EditorWindow : Playground, WindowTool {
+    void frame(Frame& frame) override;
     bool on_mouse(const Input& input, glm::vec2 cursor_px, bool over_picture) override;
     bool on_key(const KeyPress& key) override;
     void on_drop(const std::vector<std::filesystem::path>& files) override;
@@ -32,7 +36,16 @@ struct EditorWindow : Playground, WindowTool {
     void say(const Said& said) {
         if (!said.empty()) editor.notice = said;
     }
-    void add_file(const std::filesystem::path& file);
+    void want(const std::filesystem::path& file, bool adds);
+    void carry_on_loading();
+    void stop_loading(const std::string& why);
+    void draw_loading(float scale);
+    void draw_facets();
+    void draw_facet();
+    void draw_facet_settings();
+    bool has_facet(const std::string& name) const;
+    void draw_ball(EntryId id, const DrawItem& item);
+    void carry_on_previews();
     template <class Change>
     void change(EntryId id, const char* what, const Change& set);
     void frame_selected();
@@ -40,6 +53,24 @@ struct EditorWindow : Playground, WindowTool {
 
     enum class Question { nothing, close, overwrite, recover } question_ = Question::nothing;
     FileBrowser browser_{*this};
+    /// A file that was asked for, and the models that it still needs.
+    struct Wanted {
+        std::filesystem::path file;
+        bool adds = false;
+        std::vector<std::filesystem::path> models;
+        std::map<std::filesystem::path, LoadedModel> read;
+        int frames = 0;
+        double since = 0, longest_s = 0, last = 0;  ///< of the frames that were drawn meanwhile
+    };
+    std::deque<Wanted> wanted_;
+    BackgroundLoad loading_;
+    Gpu* gpu_ = nullptr;  ///< of the frames
+    Preview preview_;
+    std::optional<SceneFile> ball_scene_;  ///< that is still to be drawn
+    std::string ball_key_;
+    Image8 ball_;
+    static constexpr uint32_t ball_size = 88;  ///< pixels
+    std::string facet_;                        ///< of the scene: its entry in the tree; empty: the scene itself
     std::string search_, renaming_text_, save_name_ = "scene.json";
     EntryId renaming_ = no_entry, last_clicked_ = no_entry;
     bool closes_ = false, shows_keys_ = false, shows_steps_ = false, changed_ = false, overwrites_ = false;

@@ -139,17 +139,10 @@ void FileBrowser::draw(float scale) {
     if (!listing_.error.empty()) ImGui::TextColored(error_color, "%s", listing_.error.c_str());
     const int count = static_cast<int>(listing_.files.size());
     if (ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && !ImGui::GetIO().WantTextInput) {
-        const auto pressed = [](ImGuiKey key) {
-#if IMGUI_VERSION_NUM >= 18700
-            return ImGui::IsKeyPressed(key);
-#else
-            return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
-#endif
-        };
-        if (pressed(ImGuiKey_DownArrow)) marked_ = std::min(marked_ + 1, count - 1);
-        if (pressed(ImGuiKey_UpArrow)) marked_ = std::max(marked_ - 1, 0);
-        if (pressed(ImGuiKey_Backspace)) enter = listing_.folder.parent_path();
-        if (pressed(ImGuiKey_Enter) && marked_ < count) {
+        if (key_pressed(ImGuiKey_DownArrow)) marked_ = std::min(marked_ + 1, count - 1);
+        if (key_pressed(ImGuiKey_UpArrow)) marked_ = std::max(marked_ - 1, 0);
+        if (key_pressed(ImGuiKey_Backspace)) enter = listing_.folder.parent_path();
+        if (key_pressed(ImGuiKey_Enter) && marked_ < count) {
             const Listing::File& file = listing_.files[static_cast<size_t>(marked_)];
             (file.is_folder ? enter : take) = file.path;
         }
@@ -162,7 +155,13 @@ void FileBrowser::draw(float scale) {
             const Listing::File& file = listing_.files[static_cast<size_t>(i)];
             const std::string name = clean_name(file.path.filename().string());
             ImGui::PushID(i);
-            if (ImGui::Selectable((file.is_folder ? name + "/" : name).c_str(), i == marked_)) {
+            const ImVec2 at = ImGui::GetCursorScreenPos(),
+                         picture_size{float(Thumbnails::size.x), float(Thumbnails::size.y)};
+            if (const Image8* picture = file.is_folder ? nullptr : thumbnails.of(file.path))
+                draw_pixels(*picture, at, scale), log_place("thumbnail." + name);
+            ImGui::SetCursorPosX(ImGui::GetCursorPosX() + scale * (picture_size.x + 8.0f));
+            if (ImGui::Selectable((file.is_folder ? name + "/" : name).c_str(), i == marked_, 0,
+                                  {0.0f, scale * picture_size.y})) {
                 marked_ = i;
                 (file.is_folder ? enter : take) = file.path;
             }

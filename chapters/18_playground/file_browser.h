@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "18_playground/preview.h"
+
 namespace lightwalk {
 
 struct EditorWindow;
@@ -38,6 +40,7 @@ class FileBrowser {
     /// Of what was chosen; the flag says whether it is to be added to the scene.
     std::function<void(const std::filesystem::path&, bool)> chosen;
     void draw(float scale);
+    Thumbnails thumbnails;
 
   private:
     void go(const std::filesystem::path& folder);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "03_attenuation/scattered_lights.h"
+#include "04_surface_maps/tangents.h"
 #include "18_playground/picking_error.h"
 
 namespace lightwalk {
@@ -27,7 +28,20 @@ Playground::Playground() {
     antialias.method.change_default("none");
     bloom.method.change_default("none");
     water.in_use = [this] { return !water.method.is("none"); };
-    atmosphere.in_use = sky.in_use = [this] { return air.is("sky"); };
+    probe.update.change_default("moved");
+    probe.distant = true;
+    atmosphere.in_use = sky.in_use = probe.in_use = [this] { return air.is("sky"); };
+}
+
+// What was read beside the picture, where it was; its tangents wait for Maps::prepare().
+Model Playground::load_model(const std::filesystem::path& file) {
+    std::error_code error;
+    auto read = ready.extract(std::filesystem::weakly_canonical(file, error));
+    if (!read) return ModelChapter::load_model(file);
+    Model model = std::move(read.mapped().model);
+    for (size_t i = 0; i < model.meshes.size(); ++i)
+        frames_at_hand()[model.meshes[i].vertices.data()] = std::move(read.mapped().frames[i]);
+    return model;
 }
 
 // The document's changes, before anything is drawn. What a step adds has to be prepared, as after loading.
@@ -35,13 +49,16 @@ void Playground::bring_up_to_date(Gpu& gpu) {
     if (opens) try {
             editor.open(*this, gpu, *std::exchange(opens, std::nullopt));
         } catch (const InputError& e) { editor.notice = e.what(); }
-    if (editor.update(*this, gpu) != LiveScene::Done::replaced) return;
+    const LiveScene::Done done = editor.update(*this, gpu);
+    ready.clear();
+    if (done != LiveScene::Done::replaced) return frames_at_hand().clear();
     const bool updates = std::exchange(updates_, false);
     maps_due_ = editor.loads;
     substances.prepare(gpu, scene);
     picker.rays.prepare(gpu, scene);
     if (editor.loads) objects.maps.prepare(gpu, scene);
     maps_due_ = true, updates_ = updates;
+    frames_at_hand().clear();
 }
 
 // [frame]
@@ -79,7 +96,10 @@ void Playground::draw_world(Frame& frame, const View& view) {
     light.record(frame, scene);
     paint.record(frame);
     Drawings drawn{backdrop, objects};
-    if (air.is("sky")) drawn = {objects, sky};
+    if (air.is("sky")) {  // which has its sun: what is reflected is this sky, and not the scene's environment
+        probe.record(frame, scene, light, {sky, atmosphere.without_disc()});
+        drawn = {objects, sky};
+    }
     if (!water.method.is("none")) {
         // The water has the sun's glitter itself.
         water.reflect(frame, view, {objects}, air.is("sky") ? Drawings{sky, atmosphere.without_disc()} : Drawings{});

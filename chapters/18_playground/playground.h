@@ -9,8 +9,10 @@
 #include "13_mlaa/mlaa.h"
 #include "14_environment/backdrop.h"
 #include "14_environment/paint.h"
+#include "14_environment/probe.h"
 #include "14_environment/substances.h"
 #include "15_terrain_water/water.h"
+#include "18_playground/background_load.h"
 #include "18_playground/editor.h"
 #include "18_playground/marks.h"
 
@@ -23,6 +25,7 @@ struct Playground : ModelChapter {
     Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "Number of random lights added to those of the scene"};
 
     ImageLight light{*this, "environment"};
+    SceneProbe probe{*this, "probe"};  ///< of the sky
     Backdrop backdrop{*this, "backdrop", light};
     DeferredScene objects{*this, "objects"};
     Substances substances{*this, "substance"};
@@ -38,11 +41,13 @@ struct Playground : ModelChapter {
     Marks marks{*this, "marks"};
 
     Editor editor;
-    std::optional<std::filesystem::path> opens;  ///< a scene that the next frame shall open
-    std::optional<glm::ivec2> click;             ///< a pixel that the next frame shall pick
+    std::optional<std::filesystem::path> opens;          ///< a scene that the next frame shall open
+    std::map<std::filesystem::path, LoadedModel> ready;  ///< by canonical path: load_model() takes them
+    std::optional<glm::ivec2> click;                     ///< a pixel that the next frame shall pick
 
     Playground();
     std::string default_scene() const override { return "scenes/workbench.json"; }
+    Model load_model(const std::filesystem::path& file) override;
     void prepare(Gpu&, Scene&) override { editor.loaded(*this), updates_ = true; }
     void frame(Frame& frame) override;
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override;

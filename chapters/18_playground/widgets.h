@@ -1,25 +1,59 @@
 // Widgets of the editor's panels, the same with every version of Dear ImGui.
 #pragma once
 #include <cstring>
+#include <map>
 
+#include "common/image/image.h"
 #include "common/window/event_log.h"
 #include "common/window/overlay.h"
 #include "common/window/panel.h"
 
 namespace lightwalk {
 
-/// A field for a text of up to 400 bytes. True where it was changed and left, or Enter was pressed.
+/// Whether a key went down since the frame before.
+inline bool key_pressed(ImGuiKey key) {
+#if IMGUI_VERSION_NUM >= 18700
+    return ImGui::IsKeyPressed(key);
+#else
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+#endif
+}
+
+/// A field for a text of up to 400 bytes. True where it was changed and left, or Enter was pressed; Escape takes back what
+/// was typed. `text` may be another string in each frame: what is being typed is kept here.
 inline bool text_field(const char* label, std::string& text, bool at_once = false) {
+    static std::map<ImGuiID, std::string> typed;  // where one field is left for another, both are there for a frame
     char buffer[400];
     const size_t length = std::min(text.size(), sizeof buffer - 1);
     std::memcpy(buffer, text.data(), length);
     buffer[length] = '\0';
     const bool enter =
         ImGui::InputText(label, buffer, sizeof buffer, at_once ? 0 : ImGuiInputTextFlags_EnterReturnsTrue);
-    const bool left = at_once ? enter : enter || ImGui::IsItemDeactivatedAfterEdit();
     log_place(std::string("field.") + (label[0] == '#' ? label + 2 : label));
-    if (at_once || left || ImGui::IsItemActive()) text = buffer;
-    return left;
+    if (at_once) {
+        text = buffer;
+        return enter;
+    }
+    const bool left = !enter && ImGui::IsItemDeactivatedAfterEdit() && !key_pressed(ImGuiKey_Escape);
+    const ImGuiID id = ImGui::GetID(label);
+    if (ImGui::IsItemActive() || enter) typed[id] = buffer;
+    if (enter || left) text = typed[id];
+    if (!ImGui::IsItemActive()) typed.erase(id);
+    return enter || left;
+}
+
+/// A small picture at a place of the screen, one rectangle for each run of equal pixels: early versions of Dear ImGui show
+/// no images of the renderer's.
+inline void draw_pixels(const Image8& picture, ImVec2 at, float pixel) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0, end = 0; x < picture.width; x = end) {
+            const glm::u8vec4 c = picture.at(x, y);
+            while (end < picture.width && picture.at(end, y) == c) ++end;
+            const float top = at.y + static_cast<float>(y) * pixel;
+            list.AddRectFilled({at.x + static_cast<float>(x) * pixel, top},
+                               {at.x + static_cast<float>(end) * pixel, top + pixel}, IM_COL32(c.r, c.g, c.b, 255));
+        }
 }
 
 /// A button whose place tests know.

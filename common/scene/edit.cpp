@@ -1,5 +1,7 @@
 // Edits of a loaded scene: objects moved, added, removed and changed, without loading it again.
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "common/scene/scene.h"
@@ -59,44 +61,55 @@ void Scene::move(std::span<const Move> moves) {
 // [/move]
 
 // [replace_objects]
+// First all that may fail, with the old lists aside; then items are moved from the old list to the new one, and copied where
+// several objects take theirs from the same one.
 bool Scene::replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::span<const uint32_t> from,
                             const ModelLoader& loader) {
-    std::vector<DrawItem> old_items = items;
     std::vector<SceneObject> old_objects = std::exchange(file.objects, std::move(objects));
-    std::vector<std::vector<uint32_t>> of_object(old_objects.size());
-    for (uint32_t i = 0; i < old_items.size(); ++i) of_object[old_items[i].object].push_back(i);
+    std::vector<DrawItem> old_items = std::exchange(items, {});
+    // Items are sorted by what is drawn at once: those of an object are listed from its first one to the next object's.
+    std::vector<uint32_t> first(old_objects.size() + 1, 0), place_of(old_items.size());
+    for (const DrawItem& item : old_items) ++first[item.object + 1];
+    for (size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+    std::vector<uint32_t> next = first;
+    for (uint32_t i = 0; i < old_items.size(); ++i) place_of[next[old_items[i].object]++] = i;
     const auto alike = [&](size_t old, const SceneObject& object) {
-        return !of_object[old].empty() && old_objects[old].model == object.model &&
+        return first[old] != first[old + 1] && old_objects[old].model.native() == object.model.native() &&
                same_material(old_objects[old].material, object.material) &&
                same_role(old_objects[old].role, object.role);
     };
-    std::multimap<std::string, size_t> by_model;  // of what a copy may take its items from
-    bool loads = false;
+    struct Source {
+        uint32_t old = new_object;  ///< object whose items it takes; else it has new ones
+        size_t begin = 0, end = 0;
+    };
+    std::vector<Source> sources(file.objects.size());
+    std::vector<uint32_t> uses(old_objects.size(), 0);
+    std::unordered_multimap<std::string_view, uint32_t> by_model;  // of what a copy may take its items from
+    size_t count = 0;
     try {
-        items.clear();
         link_objects();
         const Roles roles(file);
         for (size_t i = 0; i < file.objects.size(); ++i) {
             const SceneObject& object = file.objects[i];
             if (object.model.empty() || objects_[i].hidden) continue;
-            size_t source = from[i];
-            if (source == new_object || !alike(source, object)) {
-                if (by_model.empty())
-                    for (size_t k = 0; k < old_objects.size(); ++k)
-                        if (!of_object[k].empty()) by_model.emplace(old_objects[k].model.string(), k);
-                source = new_object;
-                const auto [first, last] = by_model.equal_range(object.model.string());
-                for (auto other = first; other != last && source == new_object; ++other)
-                    if (alike(other->second, object)) source = other->second;
+            Source& source = sources[i];
+            if (from[i] != new_object && alike(from[i], object)) source.old = from[i];
+            if (source.old == new_object && by_model.empty())
+                for (uint32_t k = 0; k < old_objects.size(); ++k)
+                    if (first[k] != first[k + 1]) by_model.emplace(old_objects[k].model.native(), k);
+            if (source.old == new_object) {
+                const auto [begin, end] = by_model.equal_range(object.model.native());
+                for (auto other = begin; other != end && source.old == new_object; ++other)
+                    if (alike(other->second, object)) source.old = other->second;
             }
-            if (source == new_object) {
+            if (source.old == new_object) {
+                source.begin = items.size();
                 add_items(gpu, i, roles, loader);
-                loads = true;
-                continue;
-            }
-            for (const uint32_t item : of_object[source]) {
-                items.push_back(old_items[item]);
-                items.back().object = static_cast<uint32_t>(i);
+                source.end = items.size();
+                count += source.end - source.begin;
+            } else {
+                ++uses[source.old];
+                count += first[source.old + 1] - first[source.old];
             }
         }
     } catch (...) {
@@ -105,6 +118,23 @@ bool Scene::replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::spa
         link_objects();
         throw;
     }
+    std::vector<DrawItem> loaded = std::exchange(items, {});
+    items.reserve(count);
+    for (size_t i = 0; i < sources.size(); ++i) {
+        const Source& source = sources[i];
+        const size_t begin = items.size();
+        for (size_t at = source.begin; at < source.end; ++at) items.push_back(std::move(loaded[at]));
+        const bool last = source.old != new_object && --uses[source.old] == 0;
+        for (uint32_t at = 0; source.old != new_object && at < first[source.old + 1] - first[source.old]; ++at) {
+            DrawItem& item = old_items[place_of[first[source.old] + at]];
+            if (last)
+                items.push_back(std::move(item));
+            else
+                items.push_back(item);
+        }
+        for (size_t at = begin; at < items.size(); ++at) items[at].object = static_cast<uint32_t>(i);
+    }
+    const bool loads = !loaded.empty();
     if (loads)
         for (DrawItem& item : items) item.maps = item.loaded_maps;
     std::erase_if(moving_models_, [&](const std::shared_ptr<GpuModel>& model) {

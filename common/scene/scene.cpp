@@ -141,21 +141,27 @@ void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLo
 
 // Groups in the order in which their first item stands in the file, the transparent ones after the opaque ones.
 void Scene::sort_items() {
-    using Key = std::tuple<bool, const GpuModel*, uint32_t, uint32_t, bool, MaterialMaps>;
+    using Images = std::array<const Image*, map_slot_count>;
+    using Key = std::tuple<bool, const GpuModel*, uint32_t, uint32_t, bool, Images>;
     std::map<Key, size_t> groups;
     std::vector<size_t> group;
+    group.reserve(items.size());
     for (const DrawItem& item : items) {
-        const Key key{item.transparent, item.model.get(), item.mesh, item.part, item.mirrored, item.maps};
+        Images images;
+        for (size_t i = 0; i < map_slot_count; ++i) images[i] = item.maps[i].get();
+        const Key key{item.transparent, item.model.get(), item.mesh, item.part, item.mirrored, images};
         group.push_back(groups.emplace(key, groups.size()).first->second);
     }
     std::vector<uint32_t> order = places(0, items.size());
     std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
         return std::pair(items[a].transparent, group[a]) < std::pair(items[b].transparent, group[b]);
     });
-    std::vector<DrawItem> sorted;
-    sorted.reserve(items.size());
-    for (const uint32_t i : order) sorted.push_back(std::move(items[i]));
-    items = std::move(sorted);
+    if (!std::is_sorted(order.begin(), order.end())) {
+        std::vector<DrawItem> sorted;
+        sorted.reserve(items.size());
+        for (const uint32_t i : order) sorted.push_back(std::move(items[i]));
+        items = std::move(sorted);
+    }
     first_transparent_ = static_cast<size_t>(
         std::count_if(items.begin(), items.end(), [](const DrawItem& item) { return !item.transparent; }));
 }

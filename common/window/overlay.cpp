@@ -11,6 +11,7 @@
 
 #include "common/base/error.h"
 #include "common/window/event_log.h"
+#include "common/window/short_keys.h"
 
 namespace lightwalk {
 namespace {
@@ -126,6 +127,7 @@ Overlay::Overlay(Gpu& gpu, Display& display, Swapchain& swapchain) : gpu_(gpu), 
     large = sans(20.0f * scale);
     ImGui_ImplGlfw_InitForVulkan(display.window, true);
     watch_entering(display.window);
+    hold_short_keys(display.window);
     ImGui_ImplVulkan_InitInfo info{};
     info.Instance = gpu.device.instance;
     info.PhysicalDevice = gpu.device.physical;
@@ -206,14 +208,16 @@ bool Overlay::input_is_left() const {
 #if IMGUI_VERSION_NUM >= 18700
     return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
 #else
-    return false;
+    return short_keys_wait();
 #endif
 }
 
 void Overlay::begin() {
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    pass_short_keys();
     ImGui::NewFrame();
+    note_keys_were_read();
     log_mouse();
 }
 

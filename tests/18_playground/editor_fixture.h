@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <ctime>
 
 #include "18_playground/commands.h"
 #include "18_playground/saving.h"
@@ -15,6 +16,13 @@ namespace lightwalk {
 
 inline double now_ms() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Of this thread: what others on the machine do does not count.
+inline double processor_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
 }
 
 /// Everything of a document but its steps: ids, order, parents, switches, and every number to the bit.

@@ -131,14 +131,20 @@ TEST_CASE("a drag of 1,000 among 10,000 objects takes less than 4 ms of processo
     drag.finish();
     std::sort(times.begin(), times.end());
     std::sort(updates.begin(), updates.end());
-    start = now_ms();
-    duplicate(shown.document, {ids[0]});
-    shown.update();
+    std::vector<double> more;
+    for (int i = 0; i < 5; ++i) {
+        start = processor_ms();
+        duplicate(shown.document, {ids[0]});
+        shown.update();
+        more.push_back(processor_ms() - start);
+    }
+    std::sort(more.begin(), more.end());
     fmt::print(
         "10,000 objects: shown in {:.1f} ms; 1,000 dragged: {:.2f} ms a frame ({:.2f} without the upload); one more "
-        "object: {:.1f} ms\n",
-        first, times[7], updates[7], now_ms() - start);
+        "object: {:.1f} ms of processor time\n",
+        first, times[7], updates[7], more[2]);
     CHECK(times[1] < 4);
+    CHECK(more[0] < 60);
     CHECK(glm::vec3(shown.scene.items[0].transform[3]) != glm::vec3(0));
 }
 

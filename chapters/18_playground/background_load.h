@@ -1,0 +1,52 @@
+// A model that is read on a thread beside the picture.
+#pragma once
+#include <future>
+#include <memory>
+#include <optional>
+
+#include "common/base/progress.h"
+#include "common/scene/scene.h"
+
+namespace lightwalk {
+
+/// A model with what chapter 04 computes from it.
+struct LoadedModel {
+    Model model;
+    std::vector<std::vector<TangentFrame>> frames;  ///< of each mesh
+};
+
+// [background_load]
+/// One model at a time. Reading, joining vertices and tangents are work for the processor, and run on a thread; only the
+/// window's thread speaks to the device.
+class BackgroundLoad {
+  public:
+    ~BackgroundLoad() { cancel(); }
+
+    /// In place of what is being loaded.
+    void start(const std::filesystem::path& file);
+    /// At once, whatever the thread is doing: it ends when it reports next, and nobody looks at what it has read.
+    void cancel();
+    bool busy() const { return now_.has_value(); }
+
+    struct Ended {
+        std::filesystem::path file;
+        std::optional<LoadedModel> model;  ///< none: it failed, and `error` says why
+        std::string error;
+    };
+    std::optional<Ended> poll();  ///< once for each
+
+    float share() const;        ///< of the stage that words() names, 0 to 1
+    std::string words() const;  ///< "dragon.obj: reading 43%"
+                                // [/background_load]
+
+  private:
+    struct Now {
+        std::filesystem::path file;
+        std::shared_ptr<Progress> progress;
+        std::future<LoadedModel> read;
+    };
+    std::optional<Now> now_;
+    std::vector<std::future<LoadedModel>> dropped_;
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,107 @@
+// Files that were asked for: they are read beside the picture, one after the other, and shown when all of them is there.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "18_playground/editor_window.h"
+#include "18_playground/widgets.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+
+namespace lightwalk {
+namespace fs = std::filesystem;
+namespace {
+
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+bool has_model(const Scene& scene, const fs::path& file) {
+    return std::any_of(scene.file.objects.begin(), scene.file.objects.end(), [&](const SceneObject& object) {
+        return !object.model.empty() && !object.hidden && find_asset(object.model) == file;
+    });
+}
+
+}  // namespace
+
+void EditorWindow::frame(Frame& frame) {
+    gpu_ = &frame.gpu;
+    carry_on_loading();
+    Playground::frame(frame);
+}
+
+void EditorWindow::on_drop(const std::vector<fs::path>& files) {
+    for (const fs::path& file : files) want(file, file.extension() != ".json");
+}
+
+// What it needs is found out now: what cannot be found is said at once.
+void EditorWindow::want(const fs::path& file, bool adds) {
+    try {
+        if (!adds && editor.store.has_unsaved(editor.document))
+            throw InputError("save first (Ctrl+S), or undo: {} was not opened", file.filename().string());
+        Wanted one{.file = find_asset(file), .adds = adds};
+        if (one.file.extension() == ".json")
+            for (const SceneObject& object : read_scene(one.file).objects) {
+                if (object.model.empty() || object.hidden) continue;
+                const fs::path model = find_asset(object.model);
+                if (std::find(one.models.begin(), one.models.end(), model) == one.models.end())
+                    one.models.push_back(model);
+            }
+        else if (!adds || !has_model(scene, one.file))
+            one.models.push_back(one.file);
+        one.since = one.last = now_s();
+        wanted_.push_back(std::move(one));
+    } catch (const InputError& e) { editor.notice = e.what(); }
+    changed_ = true;
+}
+
+void EditorWindow::stop_loading(const std::string& why) {
+    loading_.cancel();
+    if (!wanted_.empty()) wanted_.pop_front();
+    editor.notice = why;
+    changed_ = true;
+}
+
+// [carry_on]
+void EditorWindow::carry_on_loading() {
+    if (wanted_.empty()) return;
+    Wanted& now = wanted_.front();
+    ++now.frames;
+    now.longest_s = std::max(now.longest_s, now_s() - std::exchange(now.last, now_s()));
+    if (auto ended = loading_.poll()) {
+        if (!ended->model) return stop_loading(ended->error);
+        std::error_code error;
+        now.read.emplace(fs::weakly_canonical(ended->file, error), std::move(*ended->model));
+        now.models.erase(now.models.begin());
+    }
+    if (loading_.busy()) return;
+    if (!now.models.empty()) return loading_.start(now.models.front());
+    Wanted done = std::move(now);
+    wanted_.pop_front();
+    ready = std::move(done.read);
+    if (done.adds) {
+        editor.add_model(*this, done.file);
+        log_event("added " + done.file.filename().string());
+    } else {
+        opens = done.file;
+    }
+    remember_file(done.file);
+    log_event(fmt::format("loading took {:.2f} s, {} frames, the longest {:.0f} ms", now_s() - done.since, done.frames,
+                          1e3 * done.longest_s));
+}
+// [/carry_on]
+
+void EditorWindow::draw_loading(float scale) {
+    if (wanted_.empty()) return;
+    ImGui::SetNextWindowPos({284.0f * scale, 12.0f * scale});
+    ImGui::SetNextWindowBgAlpha(0.9f);
+    ImGui::Begin("loading", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::ProgressBar(loading_.share(), {300.0f * scale, 0.0f}, loading_.words().c_str());
+    ImGui::SameLine();
+    if (tool_button("cancel", "Esc: the scene stays as it is"))
+        stop_loading("cancelled: " + wanted_.front().file.filename().string());
+    ImGui::End();
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,130 @@
+// Files of the editor without its window: models that are read on a thread, and where thumbnails are kept.
+#include <thread>
+
+#include "01_obj/obj.h"
+#include "04_surface_maps/tangents.h"
+#include "18_playground/background_load.h"
+#include "18_playground/preview.h"
+#include "editor_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+// A square of side * side quads with texture coordinates.
+std::string grid_text(int side) {
+    std::string text;
+    for (int y = 0; y <= side; ++y)
+        for (int x = 0; x <= side; ++x) text += fmt::format("v {} {} {}\nvt {} {}\n", x, (x * y) % 3, y, x, y);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const int a = y * (side + 1) + x + 1, b = a + side + 1;
+            text += fmt::format("f {0}/{0} {1}/{1} {2}/{2} {3}/{3}\n", a, a + 1, b + 1, b);
+        }
+    return text;
+}
+
+BackgroundLoad::Ended waited_for(BackgroundLoad& load) {
+    for (int i = 0; i < 6000; ++i) {
+        if (auto ended = load.poll()) return *ended;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    FAIL("it does not end");
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("a model that is read on a thread is the one that would be loaded, with its tangents") {
+    const TestFolder folder;
+    const auto file = folder.path / "grid.obj";
+    write_file(file, grid_text(40));
+    BackgroundLoad load;
+    load.start(file);
+    CHECK(load.busy());
+    const BackgroundLoad::Ended ended = waited_for(load);
+    REQUIRE(ended.model);
+    CHECK_FALSE(load.busy());
+    Model expected = load_model(file);
+    const auto frames = frame_model(expected);
+    const Mesh &mesh = ended.model->model.meshes.at(0), &other = expected.meshes.at(0);
+    CHECK(mesh.indices == other.indices);
+    REQUIRE(mesh.vertices.size() == other.vertices.size());
+    REQUIRE(ended.model->frames.at(0).size() == frames.at(0).size());
+    for (size_t i = 0; i < frames[0].size(); ++i) CHECK(ended.model->frames[0][i].tangent == frames[0][i].tangent);
+}
+
+TEST_CASE("a file that cannot be read is one line, and the next one is read all the same") {
+    const TestFolder folder;
+    write_file(folder.path / "bad.obj", "v 0 0 0\nf 1 2 3\n");
+    write_file(folder.path / "good.obj", grid_text(2));
+    BackgroundLoad load;
+    load.start(folder.path / "bad.obj");
+    const BackgroundLoad::Ended bad = waited_for(load);
+    CHECK_FALSE(bad.model);
+    CHECK(bad.error.find("bad.obj:2") != bad.error.npos);
+    CHECK(bad.error.find('\n') == bad.error.npos);
+    load.start(folder.path / "good.obj");
+    CHECK(waited_for(load).model);
+}
+
+TEST_CASE("what is cancelled ends early and is never delivered; progress is a share of a stage") {
+    const TestFolder folder;
+    const auto file = folder.path / "large.obj";
+    write_file(file, grid_text(700));
+    BackgroundLoad load;
+    double start = now_ms();
+    load.start(file);
+    float most = 0;
+    while (!load.poll()) {
+        most = std::max(most, load.share());
+        CHECK(load.share() >= 0.0f);
+        CHECK(load.share() <= 1.0f);
+        CHECK(load.words().starts_with("large.obj: "));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const double whole = now_ms() - start;
+    CHECK(most > 0.2f);
+    start = now_ms();
+    {
+        BackgroundLoad other;
+        other.start(file);
+        other.cancel();
+        CHECK_FALSE(other.busy());
+        CHECK_FALSE(other.poll());
+    }  // waits for the thread
+    CHECK(now_ms() - start < 0.7 * whole);
+}
+
+TEST_CASE("a thumbnail's file depends on the path, the size and the time of its file") {
+    const TestFolder folder;
+    write_file(folder.path / "a.obj", grid_text(1));
+    write_file(folder.path / "b.obj", grid_text(1));
+    const auto first = thumbnail_file(folder.path / "a.obj");
+    CHECK(first.extension() == ".png");
+    CHECK(first == thumbnail_file(folder.path / "a.obj"));
+    CHECK(first != thumbnail_file(folder.path / "b.obj"));
+    write_file(folder.path / "a.obj", grid_text(2));
+    CHECK(first != thumbnail_file(folder.path / "a.obj"));
+}
+
+TEST_CASE("the material ball has the object's numbers and the textures of its model") {
+    DrawItem item;
+    item.model = std::make_shared<GpuModel>();
+    item.model->model.materials.resize(1);
+    item.model->model.materials[0].diffuse_map.file = "wood.png";
+    item.model->model.meshes.push_back({.parts = {{0, 3, 0}}});
+    item.material.diffuse = {0.1f, 0.2f, 0.3f};
+    item.loaded_maps[MapSlot::diffuse] = std::make_shared<Image>();
+    SceneObject object;
+    object.material.roughness = 0.25f;
+    object.material.maps["normal"] = "own_normal.png";
+    const SceneFile scene = material_ball(object, item);
+    const MaterialOverride& material = scene.objects.at(0).material;
+    CHECK(material.diffuse == glm::vec3(0.1f, 0.2f, 0.3f));
+    CHECK(material.roughness == 0.25f);
+    CHECK(material.maps.at("diffuse") == "wood.png");
+    CHECK(material.maps.at("normal") == "own_normal.png");
+    object.material.maps["diffuse"] = "own.png";
+    CHECK(material_ball(object, item).objects.at(0).material.maps.at("diffuse") == "own.png");
+}
