@@ -24,17 +24,17 @@ struct KeyEvent {
 
 GLFWwindow* keyboard_of = nullptr;
 GLFWkeyfun imgui_key = nullptr;
-std::set<int> changed;  // since a frame has read them
+std::set<int> changed_keys;  // since a frame has read them
 std::deque<KeyEvent> waiting;
 
-bool may_pass(const KeyEvent& event) { return event.action == GLFW_REPEAT || changed.insert(event.key).second; }
+bool may_pass(const KeyEvent& event) { return event.action == GLFW_REPEAT || changed_keys.insert(event.key).second; }
 
 // Letters and Shift for the text that they make, which comes as characters: nobody asks for their state.
 bool makes_text(const KeyEvent& event) {
     if (event.key == GLFW_KEY_LEFT_SHIFT || event.key == GLFW_KEY_RIGHT_SHIFT)
-        return waiting.empty() && changed.empty();
+        return waiting.empty() && changed_keys.empty();
     if (event.key >= GLFW_KEY_ESCAPE || (event.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER))) return false;
-    return !changed.contains(event.key) &&
+    return !changed_keys.contains(event.key) &&
            std::none_of(waiting.begin(), waiting.end(), [&](const KeyEvent& one) { return one.key == event.key; });
 }
 
@@ -42,7 +42,7 @@ bool makes_text(const KeyEvent& event) {
 
 void hold_short_keys(GLFWwindow* window) {
     keyboard_of = window;
-    changed.clear(), waiting.clear();
+    changed_keys.clear(), waiting.clear();
     imgui_key = glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int scancode, int action, int mods) {
         const KeyEvent event{key, scancode, action, mods};
         if (makes_text(event) || (waiting.empty() && may_pass(event)))
@@ -60,7 +60,7 @@ void pass_short_keys() {
     }
 }
 
-void note_keys_were_read() { changed.clear(); }
+void note_keys_were_read() { changed_keys.clear(); }
 bool short_keys_wait() { return !waiting.empty(); }
 #endif
 
