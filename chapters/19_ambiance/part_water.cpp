@@ -6,6 +6,7 @@
 #include "15_terrain_water/city.h"
 #include "15_terrain_water/height_map.h"
 #include "15_terrain_water/land.h"
+#include "15_terrain_water/sun_shadow.h"
 #include "15_terrain_water/transparency.h"
 #include "15_terrain_water/water.h"
 #include "19_ambiance/part.h"
@@ -20,6 +21,7 @@ struct WaterPart : FilmPart {
         objects.lights.method.change_default("every_light");
         light.method.change_default("mirror");
         light.radiance_alone = true;
+        land.shadowed_by = city.shadowed_by = &sun_shadow;
         probe.update.change_default("moved");
         probe.distant = true;
     }
@@ -28,6 +30,7 @@ struct WaterPart : FilmPart {
     Ground ground{*this, "ground"};
     Land land{*this, "land", ground, atmosphere};
     City city{*this, "city", ground, atmosphere};
+    SunShadow sun_shadow{*this, "sun_shadow", atmosphere};
     LitScene objects{*this, "objects"};
     ImageLight light{*this, "environment"};
     SceneProbe probe{*this, "probe"};
@@ -46,6 +49,8 @@ struct WaterPart : FilmPart {
         const View view = look(frame, camera);
         scene_.set_sun(atmosphere.sun());
         Drawing& air = atmosphere.without_disc();  // the water has the sun's glitter itself
+        ground.record(frame, false);
+        sun_shadow.record(frame, view, scene_, city);
         light.record(frame, scene_);
         probe.record(frame, scene_, light, {sky, air});
         water.reflect(frame, view, {land, city, objects}, {sky, air, fog});

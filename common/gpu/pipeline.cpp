@@ -58,12 +58,18 @@ std::vector<std::string> Pipeline::shaders() const {
     return result;
 }
 
+uint64_t mixed(uint64_t hash, uint64_t value) {
+    hash = (hash ^ value) * 0x9e3779b97f4a7c15u;
+    return hash ^ hash >> 29;
+}
+
 uint64_t TargetFormats::hash() const {
-    uint64_t result = 31 * static_cast<uint64_t>(depth) + 2 * samples + (depth_read_only ? 1 : 0);
-    for (const VkFormat format : color) result = 31 * result + static_cast<uint64_t>(format) + 1;
+    uint64_t result = mixed(mixed(mixed(1, static_cast<uint64_t>(depth)), samples), depth_read_only);
+    for (const VkFormat format : color) result = mixed(result, static_cast<uint64_t>(format));
     if (!mixing) return result;
-    for (const Blend blend : mixing->blend) result = 31 * result + static_cast<uint64_t>(blend) + 7;
-    return 31 * result + (mixing->depth_write ? 5 : 3);
+    result = mixed(result, mixing->depth_write ? 5 : 3);
+    for (const Blend blend : mixing->blend) result = mixed(result, static_cast<uint64_t>(blend));
+    return result;
 }
 
 BuiltPipeline::~BuiltPipeline() {
@@ -129,11 +135,8 @@ std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_s
 
 const BuiltPipeline* PipelineLibrary::get(const Pipeline& pipeline, const TargetFormats& formats,
                                           std::span<const Macros* const> macros) {
-    uint64_t key = pipeline.id;
-    const auto mix = [&](uint64_t value) { key = (key ^ value) * 0x9e3779b97f4a7c15u, key ^= key >> 29; };
-    mix(formats.hash());
-    mix(Exercises::version());
-    for (const Macros* scope : macros) mix(scope->hash());
+    uint64_t key = mixed(mixed(mixed(1, pipeline.id), formats.hash()), Exercises::version());
+    for (const Macros* scope : macros) key = mixed(key, scope->hash());
     if (const auto it = known_.find(key); it != known_.end()) return it->second;
     Macros all;
     for (const Macros* scope : macros) all.add(*scope);

@@ -56,6 +56,10 @@ class Pipeline {
 inline Pipeline graphics(Pipeline::Graphics desc) { return Pipeline(std::move(desc)); }
 inline Pipeline compute(Pipeline::Compute desc) { return Pipeline(std::move(desc)); }
 
+/// One more number in a hash. Small ones must not cancel each other: of two pipelines whose ids and targets differ in a bit
+/// each, one was drawn as the other. So the first is mixed into 1, and nothing is combined before it is mixed.
+uint64_t mixed(uint64_t hash, uint64_t value);
+
 /// What a graphics pipeline draws into.
 struct TargetFormats {
     std::vector<VkFormat> color;

@@ -71,7 +71,10 @@ class Building(PictureTest):
         self.scroll_to(field)
         self.session.click(field)
         self.session.xdotool("type", text)
-        self.session.key(end) if end else self.session.click("field.search")
+        if end:
+            return self.session.key(end)
+        self.session.settled(0, 0, WIDTH, HEIGHT)  # who clicks elsewhere has seen what was typed
+        self.session.click("field.search")
 
     def set_knob(self, knob: str, option: str):
         """By the panel on the right, found by its filter."""

@@ -15,6 +15,9 @@ import unittest
 from pathlib import Path
 
 REAL = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(REAL / "common/course"))
+
+from check.starters import LIST as STARTERS, listed  # noqa: E402
 
 CMAKE = """cmake_minimum_required(VERSION 3.25)
 project(small NONE)
@@ -147,6 +150,8 @@ def make_tree(root: Path):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text.replace("#!PYTHON", f"#!{sys.executable}"))
         path.chmod(0o755 if text.startswith("#!") else 0o644)
+    starters = {path.relative_to(root): path.read_bytes() for path in root.glob("*/*/exercise/*")}
+    (root / STARTERS).write_text(listed(starters))
 
 
 def clean_environment() -> dict[str, str]:

@@ -271,6 +271,8 @@ class Text(Course):
         file = "chapters/01_obj/exercise/one.cpp"
         self.put(file, "// [one]\n// What it does.\n// [/one]\nright\n")
         self.put("docs/01_obj.md", lesson.format(file))
+        self.restore_afterwards(self.root / "tests/starters.txt")
+        self.course("quote")  # another starter
         self.assertEqual(self.wrong(), "")
         self.put("docs/01_obj.md", "# One\n## Exercises\n### 01.one (easy)\n")
         self.assertIn(f"docs/01_obj.md: it does not quote {file}#one", self.wrong())

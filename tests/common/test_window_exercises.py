@@ -110,15 +110,16 @@ class Exercises(WindowTest):
         if starter != (ROOT / "shaders/01_obj/exercise/transform.glsl").read_text():
             self.skipTest("the exercise is being worked at")
 
-        def edited(text: str, state: str):
+        def edited(text: str, *states: str):
             since = self.session.said()
             file.write_text(text)
             self.session.wait(lambda: self.session.move(WIDTH + 20, 300) or self.session.move(WIDTH + 22, 300) or
-                              any(line == f"state 01.transform {state}" for line in self.session.lines[since:]), state)
-        states = [line.removeprefix("state 01.transform ") for line in self.session.lines if line.startswith("state 01.transform ")]
-        self.assertEqual(states[0], "untouched")
+                              any(line == f"state 01.transform {state}" for line in self.session.lines[since:] for state in states),
+                              " or ".join(states))
+        first = next(line for line in self.session.lines if line.startswith("state 01.transform "))
+        self.assertEqual(first, "state 01.transform untouched")
         edited(starter + "// mine\n", "not checked")
-        edited(starter.replace("\n", "\r\n") + "\n\n", states[-1])  # what a test before this one made of it
+        edited(starter.replace("\n", "\r\n") + "\n\n", "untouched", "wrong", "does not compile")  # a test before this said which
         edited(starter + "// right\n", "not checked")
         since = self.session.said()
         self.verdict(0, ok=True, passed=12, failed=0)
