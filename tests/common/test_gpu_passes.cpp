@@ -1,5 +1,4 @@
 // Within a pass: arrays, indirect draws and dispatches, slots, and what binding costs.
-#include <algorithm>
 #include <chrono>
 #include <set>
 
@@ -38,8 +37,6 @@ TEST_CASE("no two pipelines are taken for each other, whatever they draw into") 
                     targets.push_back({.depth = VkFormat(depth), .depth_read_only = read_only, .samples = samples});
                     if (color > 0) targets.back().color.assign(1 + size_t(read_only), VkFormat(color));
                 }
-    std::sort(targets.begin(), targets.end());
-    targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
     std::set<uint64_t> keys;
     for (uint64_t id = 1; id <= 300; ++id)
         for (const TargetFormats& one : targets) keys.insert(mixed(mixed(1, id), one.hash()));
