@@ -119,7 +119,7 @@ class Exercises(WindowTest):
         first = next(line for line in self.session.lines if line.startswith("state 01.transform "))
         self.assertEqual(first, "state 01.transform untouched")
         edited(starter + "// mine\n", "not checked")
-        edited(starter.replace("\n", "\r\n") + "\n\n", "untouched", "wrong", "does not compile")  # a test before this said which
+        edited(starter.replace("\n", "\r\n") + "\n\n", "untouched", "right", "wrong", "does not compile")  # as tests before this said
         edited(starter + "// right\n", "not checked")
         since = self.session.said()
         self.verdict(0, ok=True, passed=12, failed=0)
