@@ -48,7 +48,8 @@ void Mirror::record(Frame& frame, const View& view, float level_m, const Drawing
         pass.set("mirror_rays", view_rays(plain)).draw(3);
     });
 
-    // 4. The sky behind it and the air before it; then what is transparent, as in the picture itself.
+    // 4. The sky behind it and the air before it; then transparent surfaces, back to front by object,
+    //    whatever method the picture has for them.
     Canvas canvas(color_, depth_);
     canvas.color_overwritten(), canvas.depth_overwritten();
     if (!air.empty()) draw_opaque(frame, plain, canvas, air);

@@ -51,7 +51,7 @@ class Places {
             if (one.name == name) return &one;
         return nullptr;
     }
-    /// What stands between the beginning of a piece's line and the piece.
+    /// The text between the beginning of a piece's line and the piece.
     std::string before_on_line(const Piece& piece) const {
         const size_t line = text_.rfind('\n', piece.begin);
         const size_t from = line == std::string::npos ? 0 : line + 1;

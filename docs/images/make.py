@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Makes the pictures of this folder that chapters draw: docs/images/make.py [NAME...], after ./course run.
 
-pictures.json says what each shows. A picture has cells, side by side in rows of `columns`. What stands beside "cells"
+pictures.json says what each shows. A picture has cells, side by side in rows of `columns`. Everything beside "cells"
 holds for all of them: the chapter, a shot or a scene, knobs ("set"), exercises ("use"), the size, the samples (16), the
 part to keep ("crop": left, top, width, height) and how many times to enlarge it ("zoom"). The pages of ./course serve
 draw the same cells.

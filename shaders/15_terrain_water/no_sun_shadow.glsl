@@ -1,4 +1,4 @@
-// The sun where no module SunShadow knows what stands in its way.
+// The sun's visibility without shadow maps: all of its light arrives.
 float sun_left_by_houses(vec3 position, vec3 normal, vec3 to_sun) { return 1.0; }
 
 // Houses opposite shade the foot of a wall.

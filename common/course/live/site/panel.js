@@ -1,6 +1,6 @@
 "use strict";
 
-// What stands below a picture: its knobs, two sides, time, passes.
+// The panel below a picture: knobs, two sides, time, passes.
 class Panel {
   // shown: knobs in view, the first ones; the rest is folded.
   constructor(picture, knobs, shown) {
