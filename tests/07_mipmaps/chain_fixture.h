@@ -60,6 +60,10 @@ struct OnChain : OnModules {
     }
 };
 
+/// Sizes that halve badly: lines, primes, one beside a tile of 64.
+inline const std::vector<glm::uvec2> odd_sizes{{1, 1},   {1, 7},    {1, 300}, {1023, 1}, {3, 5},     {64, 64},
+                                               {65, 63}, {129, 67}, {200, 1}, {5, 130},  {256, 256}, {500, 333}};
+
 /// Numbers from 0 to 1 for OnChain::image().
 inline glm::dvec4 noise(uint32_t layer, uint32_t x, uint32_t y) {
     uint32_t n = (x * 73856093u) ^ (y * 19349663u) ^ (layer * 83492791u);
