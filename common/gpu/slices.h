@@ -23,8 +23,9 @@ class Slices {
     /// One slice at least, more until `budget_ms` have passed. True: nothing is left.
     bool step(Gpu& gpu, double budget_ms);
 
-    float share() const { return count_ ? 1.0f - float(waiting_.size()) / float(count_) : 1.0f; }  ///< done, 0 to 1
-                                                                                                   // [/slices]
+    /// What is done, 0 to 1.
+    float share() const { return count_ ? 1.0f - float(waiting_.size()) / float(count_) : 1.0f; }
+    // [/slices]
 
   private:
     using Slice = std::function<void(Gpu& gpu)>;

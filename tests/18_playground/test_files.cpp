@@ -100,8 +100,8 @@ TEST_CASE("what is cancelled ends early and is never delivered; progress is a sh
 TEST_CASE("what comes to the device in slices is drawn as what is loaded at once, and nothing of it is loaded again") {
     const TestFolder folder;
     write_file(folder.path / "grid.obj", "mtllib grid.mtl\nusemtl wall\n" + grid_text(300));
-    write_file(folder.path / "grid.mtl", "newmtl wall\nmap_Kd wall.png\nnorm bumps.png\nmap_bump gone.png\n");
-    Image8 wall{67, 33}, bumps{512, 1024};  // more than a slice
+    write_file(folder.path / "grid.mtl", "newmtl wall\nmap_Kd wall.png\nnorm bumps.png\nmap_Ks gone.png\n");
+    Image8 wall{67, 33}, bumps{1024, 1536};  // its first level is more than a slice
     for (int y = 0; y < wall.height; ++y)
         for (int x = 0; x < wall.width; ++x) wall.at(x, y) = {uint8_t(3 * x), uint8_t(7 * y), 90, 255};
     for (int y = 0; y < bumps.height; ++y)
