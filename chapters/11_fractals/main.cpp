@@ -20,6 +20,7 @@ struct Fractals : ModelChapter {
     EnvironmentLight environment{*this, "environment"};
     Julia julia{*this, "julia", environment};
     Terrain terrain{*this, "terrain"};
+    const Drawings worlds{julia, terrain};
     DepthError depth_error;
 
     Fractals() {
@@ -57,10 +58,7 @@ struct Fractals : ModelChapter {
         choose_method();
         const View view = set_view(frame);
         Canvas canvas(frame.hdr, frame.depth);
-        if (world.is("julia"))
-            draw(frame, view, canvas, {julia});
-        else
-            draw(frame, view, canvas, {terrain});
+        draw(frame, view, canvas, {worlds[world.index]});
 
         // Linear light to the codes that a screen expects; bright light fades to white.
         encode_film(frame);
