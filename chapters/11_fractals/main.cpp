@@ -57,7 +57,7 @@ struct Fractals : ModelChapter {
     void frame(Frame& frame) override {
         choose_method();
         const View view = set_view(frame);
-        Canvas canvas(frame.hdr, frame.depth);
+        Canvas canvas(frame.hdr, world.is("julia") ? ImageView() : frame.depth);  // a set's depth would not be read
         draw(frame, view, canvas, {worlds[world.index]});
 
         // Linear light to the codes that a screen expects; bright light fades to white.
