@@ -29,6 +29,11 @@ Mlaa::Counts Mlaa::counts() const {
     return words.size() < 5 ? Counts{} : Counts{words[3], words[4]};
 }
 
+std::vector<std::string> Mlaa::status() const {
+    if (!count) return {};
+    return {fmt::format("{} pixels beside an edge, {} mixed", counts().listed, counts().changed)};
+}
+
 // What the device keeps from frame to frame: for a picture of this size, and the tables.
 void Mlaa::set_up(Frame& frame, glm::uvec2 size) {
     Device& device = frame.gpu.device;
@@ -145,6 +150,14 @@ void Mlaa::search_by_luma(Frame& frame, const Image& picture) {
 void Mlaa::put(Compute& pass, const Image& picture) const {
     pass.use(put_).set("listed", list_).set("mixed", mixed_).set("work", work_).set("picture", picture);
     pass.dispatch_indirect(work_);
+}
+
+void Mlaa::show_edges(Frame& frame, const Image& picture, bool lengths) const {
+    if (!follows_edges()) return;
+    frame.compute("edges in color", {.reads = {distances(), picture}, .writes = {picture}}, [&](Compute& pass) {
+        pass.use(lengths ? lengths_in_color_ : edges_in_color_).set("distances", distances(), nearest_clamp);
+        pass.set("picture", picture).dispatch_threads(picture.desc.size);
+    });
 }
 
 }  // namespace lightwalk

@@ -46,12 +46,17 @@ struct Mlaa : Module {
     /// Of the frame recorded last, for whoever looks: r32ui, four bytes (13_mlaa/distance_bits.glsl).
     const Image& distances() const { return *lengths_; }
 
+    /// Draws the edges of that frame over the picture in grey, or the lengths of their lines; nothing where the method
+    /// follows none.
+    void show_edges(Frame& frame, const Image& picture, bool lengths) const;
+
     /// How many pixels were looked at as lying beside an edge, and how many of them were mixed, in the frame that ended
     /// last of those recorded with `count` on.
     struct Counts {
         uint32_t listed = 0, changed = 0;
     };
     Counts counts() const;
+    std::vector<std::string> status() const override;
 
   private:
     void set_up(Frame& frame, glm::uvec2 size);
@@ -78,6 +83,8 @@ struct Mlaa : Module {
     Pipeline mix_ = compute({.shader = "13_mlaa/mix.comp"});
     Pipeline mix_shapes_ = compute({.shader = "13_mlaa/mix_shapes.comp", .macros = {{"CROSSINGS", "1"}}});
     Pipeline fxaa_ = compute({.shader = "13_mlaa/fxaa.comp"});
+    Pipeline edges_in_color_ = compute({.shader = "13_mlaa/edges_in_color.comp", .macros = {{"LENGTHS", "0"}}});
+    Pipeline lengths_in_color_ = compute({.shader = "13_mlaa/edges_in_color.comp", .macros = {{"LENGTHS", "1"}}});
     Pipeline put_ = compute({.shader = "13_mlaa/put.comp"});
 };
 

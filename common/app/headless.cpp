@@ -63,7 +63,7 @@ json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter
             {"frames", frames.size()},
             {"recording_cpu_ms", median(recording_ms)},
             {"passes", passes},
-            {"status", chapter.status()}};
+            {"status", chapter.all_status()}};
 }
 
 }  // namespace

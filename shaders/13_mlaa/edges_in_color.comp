@@ -1,4 +1,4 @@
-// Edges, or how long they are, over the picture in grey.
+// The edges, or the lengths of their lines, in colour over the picture in grey.
 #include "common/light.glsl"
 #include "13_mlaa/edge_source.glsl"
 
@@ -17,11 +17,11 @@ void main() {
     vec3 shown = vec3(0.25 * luminance(clamp(imageLoad(picture, pixel).rgb, 0.0, 1.0)));
     uint word = distances_at(pixel);
     bool below = byte_of(word, back_below) > 0u, right = byte_of(word, back_right) > 0u;
-#if SHOW == SHOW_EDGES
-    if (below || right) shown = vec3(below ? 1.0 : 0.02, below && right ? 0.8 : 0.3, right ? 1.0 : 0.02);
-#else
+#if LENGTHS
     if (below) shown = hue_of(byte_of(word, back_below), byte_of(word, ahead_below));
     else if (right) shown = hue_of(byte_of(word, back_right), byte_of(word, ahead_right));
+#else
+    if (below || right) shown = vec3(below ? 1.0 : 0.02, below && right ? 0.8 : 0.3, right ? 1.0 : 0.02);
 #endif
     imageStore(picture, pixel, vec4(shown, 1.0));
 }
