@@ -194,7 +194,7 @@ class Film(unittest.TestCase):
         rough = {"name": "julia", "as_set_ms": 6, "ways": [{**way, "error": way["error"] + 0.2} for way in ways]}
         figure = film_page.ways_chart({"device": "a", "driver": "b", "software": True, "size": [4, 3], "scenes": [scene, rough]}, "made so")
         words = {text.get_text().strip() for axes in figure.axes for text in axes.texts}
-        self.assertLessEqual({"40%", "none: the truest errs 0.22", "0 of 2", "1 of 2", "2 of 2"}, words)
+        self.assertLessEqual({"40%", "none: the truest errs 0.22", "0", "1", "2"}, words)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """The lesson's table of what each scene costs has the figures of the benchmarks that were measured, docs/studies/film."""
 
 import json
+import sys
 import unittest
 from pathlib import Path
 
@@ -39,6 +40,19 @@ class FilmLesson(unittest.TestCase):
     def test_a_gpu(self):
         self.compare("benchmark.h200.json", slice(3, 7),
                      lambda off, on, cut: [f"{on['mean_ms']:.2f}", f"{on['p99_ms']:.2f}", f"{on['mean_ms'] - off['mean_ms']:.2f}", cut])
+
+    def test_the_study_over_budgets(self):
+        sys.path.insert(0, str(ROOT / "common/course"))
+        from pages.film_page import cheapest
+        scenes = json.loads((MEASURED / "ways.lavapipe.json").read_text())["scenes"]
+        lines = (ROOT / "docs/19_ambiance.md").read_text().splitlines()
+        budgets, counts, times = ([cell.strip() for cell in next(line for line in lines if line.startswith(head)).split("|")[2:-1]]
+                                  for head in ("| budget, mean FLIP", "| scenes with a way", "| mean frame time"))
+        whole = sum(scene["ways"][0]["gpu_ms"] for scene in scenes)
+        for budget, count, time in zip(budgets, counts, times):
+            chosen = [cheapest(scene, float(budget)) for scene in scenes]
+            self.assertEqual(count, str(sum(way["error"] <= float(budget) for way in chosen)), budget)
+            self.assertEqual(time, f"{sum(way['gpu_ms'] for way in chosen) / whole:.0%}", budget)
 
 
 if __name__ == "__main__":
