@@ -100,9 +100,12 @@ struct MlaaChapter : ModelChapter {
 
         // 3. The edges or the lengths in place of the picture, if the knob says so.
         if (!show.is("picture") && antialias.follows_edges())
-            frame.compute("look", {.reads = {antialias.distances(), frame.hdr}, .writes = {frame.hdr}},
+            frame.compute("look",
+                          {.reads = {antialias.edge_rows(), antialias.edge_columns(), antialias.distances(), frame.hdr},
+                           .writes = {frame.hdr}},
                           [&](Compute& pass) {
                               pass.use(look).set("distances", antialias.distances(), nearest_clamp);
+                              antialias.set_edges(pass);
                               pass.set("picture", frame.hdr).dispatch_threads(frame.size);
                           });
 
