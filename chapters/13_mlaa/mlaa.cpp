@@ -121,12 +121,16 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
     const bool shapes = method.is("smaa_like"), doubles = !reads.is("words");
 
     // 1. Edges as bits, and the list of pixels beside them.
-    ComputeAccess access{
-        .reads = {picture, work_}, .writes = {edge_rows_, edge_columns_, list_, work_, next_work_}, .with = {*this}};
+    ComputeAccess access{.reads = {picture, work_, list_},
+                         .writes = {edge_rows_, edge_columns_, list_, work_, next_work_},
+                         .with = {*this}};
     frame.compute("mlaa edges", access, [&](Compute& pass) {
-        pass.use(shapes ? strong_edges_ : edges_).set("picture", picture, nearest_clamp);
+        pass.use(edges_).set("picture", picture, nearest_clamp);
         pass.set("row_words", edge_rows_).set("column_words", edge_columns_);
         pass.set("listed", list_).set("work", work_).set("next_work", next_work_).dispatch_threads(picture.desc.size);
+        if (!shapes) return;
+        over_list(pass.wait(), strong_edges_).set("picture", picture, nearest_clamp);
+        pass.set("row_words", edge_rows_).set("column_words", edge_columns_).dispatch_indirect(work_);
     });
 
     // 2. Line lengths. From here on only listed pixels are processed, by as many workgroups as they need.

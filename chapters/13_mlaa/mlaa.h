@@ -85,7 +85,7 @@ struct Mlaa : Module {
     Buffer list_;
     ReadBack counted_;
     Pipeline edges_ = compute({.shader = "13_mlaa/edges.comp"});
-    Pipeline strong_edges_ = compute({.shader = "13_mlaa/edges.comp", .macros = {{"STRONG_EDGES", "1"}}});
+    Pipeline strong_edges_ = compute({.shader = "13_mlaa/strong_edges.comp"});
     Pipeline scan_ = compute({.shader = "13_mlaa/lengths.comp"});
     Pipeline scan_and_walk_ = compute({.shader = "13_mlaa/lengths.comp", .macros = {{"DIAGONALS", "1"}}});
     Pipeline diagonal_seeds_ = compute({.shader = "13_mlaa/diagonal_seeds.comp"});

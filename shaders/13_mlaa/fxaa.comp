@@ -85,9 +85,8 @@ void main() {
     barrier();
     ivec2 pixel = corner, side = ivec2(0);
     float share = 0.0;
-    if (gl_LocalInvocationIndex < strong_count) {
-        uint taken = strong[gl_LocalInvocationIndex];
-        ivec2 place = ivec2(taken % square, taken / square);
+    for (uint i = gl_LocalInvocationIndex; i < strong_count; i += square * square) {  // once at most
+        ivec2 place = ivec2(strong[i] % square, strong[i] / square);
         pixel += place;
         share = fxaa_share(place, side);
     }
