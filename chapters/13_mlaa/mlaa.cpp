@@ -121,7 +121,7 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
     const bool shapes = method.is("smaa_like"), doubles = !reads.is("words");
 
     // 1. Edges as bits, and the list of pixels beside them.
-    ComputeAccess access{.reads = {picture, work_, list_},
+    ComputeAccess access{.reads = {picture, work_, list_, edge_rows_, edge_columns_},
                          .writes = {edge_rows_, edge_columns_, list_, work_, next_work_},
                          .with = {*this}};
     frame.compute("mlaa edges", access, [&](Compute& pass) {
