@@ -6,16 +6,6 @@
 
 using namespace lightwalk;
 
-namespace {
-
-// Of the transfer function `even` at density 1: the opacity of 0.01 m, and what a way through it adds and lets through.
-constexpr double even_opacity = 0.2;
-double even_light(double way_m, double density) {
-    return truth::correct_opacity(even_opacity, density * way_m / double(REFERENCE_M));
-}
-
-}  // namespace
-
 TEST_CASE_METHOD(OnVolume,
                  "an even volume: every method gives the closed form, from outside, inside and before a wall") {
     load({8, 8, 8}, [](int, int, int) { return 1.0f; });
