@@ -1,5 +1,6 @@
 #include "05_shadow_maps/shadow.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -113,6 +114,38 @@ void Shadow::draw_passed(Frame& frame, const Wanted& wanted, const Casters& cast
 }
 // [/draw_passed]
 
+// [copy_views]
+// A map that another view has, drawn from the same casters in the same way, is copied from there.
+void Shadow::copy_views(Frame& frame, const std::vector<Wanted>& wanted) {
+    std::vector<std::pair<ImageView, ImageView>> copies;
+    const auto copy_layers = [&](const ViewMaps& other, uint32_t from, uint32_t into) {
+        const auto add = [&](const Image& a, const Image& b) {
+            copies.emplace_back(ImageView(a).layer(from), ImageView(b).layer(into));
+        };
+        add(other.map, now_->map);
+        if (has_passed()) {
+            add(other.first, now_->first), add(other.first_depth, now_->first_depth);
+            add(other.passed, now_->passed), add(other.last_depth, now_->last_depth);
+        }
+        if (has_moments()) add(other.moments.moments, now_->moments.moments);
+        now_->drawn[into] = other.drawn[from];
+        ++copied_views;
+    };
+    for (const Wanted& w : wanted) {
+        const uint32_t layer = w.view.data.layer;
+        if (layer == NO_LAYER || now_->drawn[layer] == w.key) continue;
+        for (const auto& [id, other] : by_view_) {
+            if (&other == now_ || other.made != now_->made || other.map.desc.size != now_->map.desc.size) continue;
+            const auto found = std::find(other.drawn.begin(), other.drawn.end(), w.key);
+            if (found == other.drawn.end()) continue;
+            copy_layers(other, static_cast<uint32_t>(found - other.drawn.begin()), layer);
+            break;
+        }
+    }
+    if (!copies.empty()) frame.copy_images("shadow_copies", copies);
+}
+// [/copy_views]
+
 void Shadow::forget() {
     for (auto& [id, maps] : by_view_) maps.drawn.assign(maps.drawn.size(), {});
 }
@@ -136,12 +169,13 @@ void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& 
     now_->eye = {view.eye, view.pixel_rad()};
     const std::vector<Wanted> wanted = find_views(scene, lights, reach, view.camera, casters);
     std::vector<ShadowView> data;
-    views = drawn_views = 0;
+    views = drawn_views = copied_views = 0;
     for (const Wanted& w : wanted) data.push_back(w.view.data), views += w.view.data.layer != NO_LAYER;
     reserve(frame, static_cast<uint32_t>(views));
     frame.upload("shadow_lights", now_->lights, shadow_lights_);
     frame.upload("shadow_views", now_->views, data);
     if (std::exchange(now_->made, map_key()) != map_key()) now_->drawn.assign(now_->drawn.size(), {});
+    if (keep) copy_views(frame, wanted);
     for (uint32_t i = 0; i < wanted.size(); ++i) {
         const Wanted& w = wanted[i];
         const uint32_t layer = w.view.data.layer;

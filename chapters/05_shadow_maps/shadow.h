@@ -140,7 +140,8 @@ struct Shadow : Module {
 
     const Image& moments() const { return now_->moments.moments; }
 
-    int views = 0, drawn_views = 0;  ///< of the last frame: maps that exist, and those of them that were drawn
+    /// Of the view recorded last: maps that exist, and those of them that were drawn or copied.
+    int views = 0, drawn_views = 0, copied_views = 0;
 
   private:
     /// What a layer of the map was drawn from.
@@ -162,6 +163,7 @@ struct Shadow : Module {
                                    const Camera& camera, const Casters& casters);
     void record(Frame& frame, const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
                 const View& view, const Casters& casters);
+    void copy_views(Frame& frame, const std::vector<Wanted>& wanted);
     void draw_view(Frame& frame, const Wanted& wanted, const Casters& casters);
     void draw_passed(Frame& frame, const Wanted& wanted, const Casters& casters);
     void reserve(Frame& frame, uint32_t layers);
@@ -171,7 +173,8 @@ struct Shadow : Module {
     std::string map_key() const;
 
     /// Cascades follow the eye. So that two views of one frame do not draw each other's maps again and again, each
-    /// View::id has maps of its own where a light has cascades; else all views share those of id 0.
+    /// View::id has maps of its own where a light has cascades; else all views share those of id 0. What another view
+    /// has drawn already, the map of a lamp, is copied.
     struct ViewMaps {
         Image map;
         /// What the first transparent caster lets through, and all of them; where the first and the last are.

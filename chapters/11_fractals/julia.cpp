@@ -73,6 +73,7 @@ void Julia::draw(Frame& frame, const View& view, Canvas& canvas) {
                   });
 
     // Its depth, for what is drawn afterwards; where others have drawn before, only what is nearer stays.
+    if (alone && !canvas.keeps_depth()) return;
     if (alone)
         frame.raster("julia depth", {.depth = canvas.depth_target(), .reads = {found}, .with = {*this}},
                      [&](Raster& pass) { pass.use(depth_).set("found", found, nearest_clamp).draw(3); });

@@ -56,8 +56,9 @@ struct Fractals : ModelChapter {
     void frame(Frame& frame) override {
         choose_method();
         const View view = set_view(frame);
-        Canvas canvas(frame.hdr, frame.depth);
-        if (world.is("julia"))
+        const bool is_julia = world.is("julia");  // alone in the picture, and nothing reads how far it is
+        Canvas canvas(frame.hdr, is_julia ? ImageView() : frame.depth);
+        if (is_julia)
             draw(frame, view, canvas, {julia});
         else
             draw(frame, view, canvas, {terrain});

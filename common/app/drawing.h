@@ -16,7 +16,8 @@ class TransparencyMethod;
 /// clears what another has drawn.
 class Canvas {
   public:
-    /// `color`: RGBA16F, linear; `depth`: D32F, reversed. `background`: what is seen where nothing is drawn.
+    /// `color`: RGBA16F, linear; `depth`: D32F, reversed, or none where one drawing is the whole picture and finds what
+    /// is nearest without it. `background`: what is seen where nothing is drawn.
     Canvas(const ImageView& color, const ImageView& depth, const glm::vec4& background = {0.0f, 0.0f, 0.0f, 1.0f})
         : color_(color), depth_(depth), background_(background) {}
 
@@ -47,6 +48,7 @@ class Canvas {
 
     bool has_color() const { return color_begun_; }
     bool has_depth() const { return depth_begun_; }
+    bool keeps_depth() const { return bool(depth_); }
     glm::uvec2 size() const { return color_.size(); }
     const glm::vec4& background() const { return background_; }
 

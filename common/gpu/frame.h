@@ -73,6 +73,9 @@ class Frame {
     /// Throws Failure for another number of bytes.
     void upload(const std::string& name, const ImageView& view, std::span<const std::byte> texels);
 
+    /// A transfer pass that copies views to others of the same format, size, mips and layers: (from, into).
+    void copy_images(const std::string& name, const std::vector<std::pair<ImageView, ImageView>>& views);
+
     /// A transfer pass that fills the whole image, of numbers and not of depths: for what a student's passes may leave
     /// unwritten and a later pass reads.
     void fill(const std::string& name, const Image& image, glm::vec4 value);

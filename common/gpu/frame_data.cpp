@@ -37,6 +37,29 @@ void Frame::upload(const std::string& name, const ImageView& view, std::span<con
              [&](VkCommandBuffer commands) { copy(commands, from.buffer, from.offset, view); });
 }
 
+void Frame::copy_images(const std::string& name, const std::vector<std::pair<ImageView, ImageView>>& views) {
+    ComputeAccess access;
+    for (const auto& [from, into] : views) {
+        if (from.image->desc.format != into.image->desc.format || from.size() != into.size() ||
+            from.mips != into.mips || from.layers != into.layers)
+            throw Failure("{}: {} and {} differ in format, size, mips or layers", name, from.name(), into.name());
+        access.reads.push_back(from), access.writes.push_back(into);
+    }
+    transfer(name, access, [&](VkCommandBuffer commands) {
+        for (const auto& [from, into] : views) {
+            std::vector<VkImageCopy> mips;
+            for (uint32_t mip = 0; mip < from.mips; ++mip) {
+                const glm::uvec3 texels = from.mip(mip).size();
+                mips.push_back({.srcSubresource = from.mip(mip).first_mip_layers(),
+                                .dstSubresource = into.mip(mip).first_mip_layers(),
+                                .extent = {texels.x, texels.y, texels.z}});
+            }
+            vkCmdCopyImage(commands, from.image->handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, into.image->handle,
+                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, static_cast<uint32_t>(mips.size()), mips.data());
+        }
+    });
+}
+
 void Frame::fill(const std::string& name, const Image& image, glm::vec4 value) {
     transfer(name, {.reads = {}, .writes = {image}}, [&](VkCommandBuffer commands) {
         const VkClearColorValue color{.float32 = {value.r, value.g, value.b, value.a}};

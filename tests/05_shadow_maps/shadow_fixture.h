@@ -53,6 +53,19 @@ void main() {
             find_knob(chapter.all_knobs(), std::string("shadow.") + name).set(value);
     }
 
+    /// A frame that records the shadows of another view alone, from a camera moved by `by` (metres).
+    void record_view(uint32_t id, glm::vec3 by) {
+        Camera moved = camera;
+        moved.position += by, moved.target += by;
+        Frame frame(gpu);
+        chapter.begin_frame(gpu, {4, 4});
+        frame.begin({4, 4}, 0);
+        lights.update(frame, scene, scene.file.lights);
+        shadow.record(frame, scene, lights,
+                      {.eye = moved.position, .camera = moved, .crop = {.whole = {64, 64}}, .id = id});
+        frame.end();
+    }
+
     /// 0 to 1 for each point.
     std::vector<float> visibility(const std::vector<TestPoint>& points) {
         Frame frame(gpu);

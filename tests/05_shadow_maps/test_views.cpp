@@ -161,15 +161,7 @@ TEST_CASE("two views of a light with cascades have maps of their own, and draw t
     ShadowScene test({object_at(quad_file, {0, 0, 0}, glm::vec3(40.0f)), object_at(quad_file, {0, 0, 1})}, {sun});
     test.set({{"distance_m", "8"}});
     const auto drawn = [&](uint32_t id, glm::vec3 from) {
-        Camera camera = test.camera;
-        camera.position += from, camera.target += from;
-        Frame frame(test.gpu);
-        test.chapter.begin_frame(test.gpu, {4, 4});
-        frame.begin({4, 4}, 0);
-        test.lights.update(frame, test.scene, test.scene.file.lights);
-        test.shadow.record(frame, test.scene, test.lights,
-                           {.eye = camera.position, .camera = camera, .crop = {.whole = {64, 64}}, .id = id});
-        frame.end();
+        test.record_view(id, from);
         return test.shadow.drawn_views;
     };
     const glm::vec3 here(0), there(9, 0, 0);
@@ -177,8 +169,36 @@ TEST_CASE("two views of a light with cascades have maps of their own, and draw t
     CHECK(drawn(1, there) > 0);
     CHECK(drawn(0, here) == 0);
     CHECK(drawn(1, there) == 0);
-    CHECK(drawn(0, there) > 0);  // with one id they would take turns
+    CHECK(drawn(0, there) == 0);  // as the other view has them
+    CHECK(test.shadow.copied_views > 0);
     CHECK(drawn(0, here) > 0);
+    CHECK(test.shadow.copied_views == 0);
+}
+
+TEST_CASE("a lamp's map is drawn for one view, and copied for another whose cascades are its own") {
+    const Light sun{.kind = Light::Kind::directional, .direction = {0.3f, 0, -1}};
+    const Light lamp{.kind = Light::Kind::spot, .position = {0, 0, 3}, .direction = {0, 0, -1}, .outer_rad = 0.6f};
+    for (const char* method : {"pcf", "vsm"}) {
+        INFO(method);
+        std::vector<float> alone;
+        for (const bool after_another : {false, true}) {
+            ShadowScene test(
+                {object_at(quad_file, {0, 0, 0}, glm::vec3(4.0f)), object_at(ball_file, {0, 0, 1}, glm::vec3(0.3f))},
+                {lamp, sun});
+            test.set({{"method", method}, {"distance_m", "8"}});
+            if (after_another) test.record_view(1, {9, 0, 0});
+            const std::vector<float> found = test.visibility(square(500, 0.9f));
+            CHECK((test.shadow.copied_views > 0) == after_another);
+            CHECK(test.shadow.drawn_views + test.shadow.copied_views == test.shadow.views);
+            if (!after_another)
+                alone = found;
+            else
+                CHECK(found == alone);
+        }
+        const auto [least, most] = std::minmax_element(alone.begin(), alone.end());
+        CHECK(*least < 0.1f);
+        CHECK(*most > 0.9f);
+    }
 }
 
 TEST_CASE("a spot that is too wide for one view has six, and the same shadow") {

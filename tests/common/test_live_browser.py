@@ -33,6 +33,8 @@ def copy_of_course(root: Path):
         shutil.copy(path, root / path.relative_to(REAL))
     for name in ("assets", "tests"):
         (root / name).symlink_to(REAL / name)
+    for path in REAL.glob("chapters/*/"):  # a chapter need not have exercises in C++
+        (root / "chapters" / path.name).mkdir(exist_ok=True)
     (root / "build").mkdir()
     for name in ("chapters", "tests", "shader_cache", "docs"):
         (root / "build" / name).symlink_to(BUILD / name)
