@@ -31,7 +31,8 @@ void report_non_finite(Gpu& gpu, const Image& linear, const std::string& why) {
 }
 
 json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter,
-                  const std::vector<std::vector<PassTime>>& frames, const std::vector<double>& recording_ms) {
+                  const std::vector<PassTime>& first_frame, const std::vector<std::vector<PassTime>>& frames,
+                  const std::vector<double>& recording_ms) {
     // Not every frame has every pass: an upload is in those alone in which something has changed.
     std::vector<std::pair<const PassTime*, std::vector<double>>> passes_of;
     for (const std::vector<PassTime>& frame : frames) {
@@ -56,6 +57,12 @@ json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter
                           {"q1_ms", q.q1},
                           {"q3_ms", q.q3}});
     }
+    // What is made once is in the first frame alone, which is not among those measured.
+    json once = json::array();
+    for (const PassTime& pass : first_frame)
+        if (std::none_of(passes_of.begin(), passes_of.end(),
+                         [&](const auto& one) { return one.first->name == pass.name; }))
+            once.push_back({{"name", pass.name}, {"stage", pass.stage}, {"gpu_ms", pass.gpu_ms}});
     return {{"device", gpu.device.info.name},
             {"driver", gpu.device.info.driver},
             {"software", gpu.device.software()},
@@ -63,6 +70,7 @@ json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter
             {"frames", frames.size()},
             {"recording_cpu_ms", median(recording_ms)},
             {"passes", passes},
+            {"once", once},
             {"status", chapter.all_status()}};
 }
 
@@ -92,6 +100,7 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     // The first frame of a timing run compiles and warms up, and is not counted.
     GpuLoad load(gpu);
     const int warm_up = options.timings.empty() ? 0 : 1;
+    std::vector<PassTime> first_times;
     std::vector<std::vector<PassTime>> times;
     std::vector<double> recording_ms;
     Patience patience("drawing", "frames");
@@ -104,6 +113,7 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
         render(chapter, frame, {options.size, options.time_s + static_cast<float>(counted) / 60.0f, options.seed, {}});
         if (captured) capture->write(options.capture);
         patience.show(i + 1, options.frames + warm_up);
+        if (i < warm_up) add_times(first_times, frame.times);
         if (i < warm_up) continue;
         add_times(times.emplace_back(), frame.times);  // a pass may have been recorded more than once
         recording_ms.push_back(frame.recording_ms);
@@ -113,7 +123,7 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     report_non_finite(gpu, frame.linear(), chapter.why_not_finite());
     if (!options.screenshot.empty()) write_png(options.screenshot, read_picture(gpu, look.picture(frame, looked_at)));
     if (!options.timings.empty())
-        write_file(options.timings, timings_json(gpu, options, chapter, times, recording_ms)
+        write_file(options.timings, timings_json(gpu, options, chapter, first_times, times, recording_ms)
                                             .dump(1, ' ', false, json::error_handler_t::replace) +
                                         "\n");
     gpu.device.check_validation(said_before);

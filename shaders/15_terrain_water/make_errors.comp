@@ -3,7 +3,7 @@
 #include "15_terrain_water/land_data.h"
 #include "common/opaque.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D heights;
 uniform sampler2D finer;  // errors of the level before
 layout(scalar) uniform ErrorLevelBlock {
@@ -36,10 +36,12 @@ void main() {
     ivec2 chunk = ivec2(gl_WorkGroupID.xy);
     int level = opaque(error_level.level), cell = 1 << level, side = CHUNK_CELLS * cell;
     float error = 0.0;
-    for (int i = int(gl_LocalInvocationIndex); i < (side + 1) * (side + 1); i += 64) {
-        ivec2 within = ivec2(i % (side + 1), i / (side + 1)), corner = min(within / cell, ivec2(CHUNK_CELLS - 1)) * cell;
-        error = max(error, distance_from_cell(chunk * side + within, chunk * side + corner, cell));
-    }
+    ivec2 thread = ivec2(gl_LocalInvocationID.xy);
+    for (int y = thread.y; y <= side; y += 8)
+        for (int x = thread.x; x <= side; x += 8) {
+            ivec2 within = ivec2(x, y), corner = min(within >> level, ivec2(CHUNK_CELLS - 1)) << level;
+            error = max(error, distance_from_cell(chunk * side + within, chunk * side + corner, cell));
+        }
     greatest[gl_LocalInvocationIndex] = error;
     barrier();
     if (gl_LocalInvocationIndex != 0u) return;

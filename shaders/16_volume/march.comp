@@ -45,7 +45,7 @@ vec4 march(vec3 from, vec3 along, vec2 range, ivec2 pixel, float step_m) {
 #endif
 #if VOLUME_METHOD == VOLUME_METHOD_SKIPPING
     float known_to = -1.0;  // the block at the sample before ends there
-    vec3 speed = voxels_a_metre(along);
+    vec3 speed = voxels_a_metre(along), first = to_texture(from + range.x * along) * volume_now.size;
 #endif
     for (int i = 0; i < count; ++i) {
         float begins = float(i) * step_m, length_m = min(step_m, way - begins);
@@ -69,14 +69,19 @@ vec4 march(vec3 from, vec3 along, vec2 range, ivec2 pixel, float step_m) {
 #endif
         if (looks.a <= 0.0) {
 #if VOLUME_METHOD == VOLUME_METHOD_SKIPPING
-            // Blocks are asked where a sample shows nothing: what is dense everywhere pays for no question.
+            // Blocks are asked where a sample shows nothing: what is dense everywhere pays for no question. Then on to the
+            // first sample behind all empty blocks, where it would have been without skipping.
             float at = begins + offset * length_m;
-            if (at > known_to) {
-                bool empty;
-                known_to = block_leaves(position, speed, at, empty);
-                // On at the first sample behind the block, where it would have been without skipping.
-                if (empty) i = max(i, int(ceil(known_to / step_m - 0.5)) - 1);
+            int next = i;
+            for (bool empty = at > known_to; empty;) {
+                known_to = block_leaves(first + at * speed, speed, at, empty);
+                if (!empty) break;
+                next = max(next + 1, int(ceil(known_to / step_m - 0.5)));
+                if (next >= count) break;
+                begins = float(next) * step_m;
+                at = begins + offset * min(step_m, way - begins);
             }
+            i = max(i, next - 1);
 #endif
             continue;
         }

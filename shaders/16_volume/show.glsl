@@ -8,7 +8,7 @@ vec3 block_edges(vec3 from, vec3 along, vec2 range) {
     for (int i = 0; i < 64 && t < range.y; ++i) {
         vec3 position = from + (t + 1e-4) * along;
         bool empty;
-        float leaves = block_leaves(position, voxels_a_metre(along), t + 1e-4, empty);
+        float leaves = block_leaves(to_texture(position) * volume_now.size, voxels_a_metre(along), t + 1e-4, empty);
         ivec3 block = clamp(ivec3(to_texture(position) * volume_now.size / float(BLOCK_VOXELS)), ivec3(0), textureSize(volume_blocks, 0) - 1);
         int levels = int(round(255.0 * texelFetch(volume_blocks, block, 0).r)), edge = BLOCK_VOXELS << max(levels - 1, 0);
         vec3 inside = fract(to_texture(position) * volume_now.size / float(edge));

@@ -9,16 +9,14 @@ vec3 voxels_a_metre(vec3 along) {
 }
 
 // [skip]
-// How far, in metres along the ray, the block at `position` reaches that decides about it: the largest that is empty
-// (`empty` is true), or, where none is, the smallest.
-float block_leaves(vec3 position, vec3 speed, float t, out bool empty) {
-    vec3 voxel = to_texture(position) * volume_now.size;
+// How far, in metres along the ray, the block reaches that decides about a place, `voxel` in voxels and `t` metres from the
+// ray's beginning: the largest block that is empty (`empty` is true), or, where none is, the smallest.
+float block_leaves(vec3 voxel, vec3 speed, float t, out bool empty) {
     ivec3 block = clamp(ivec3(floor(voxel / float(BLOCK_VOXELS))), ivec3(0), textureSize(volume_blocks, 0) - 1);
-    int levels = int(round(255.0 * texelFetch(volume_blocks, block, 0).r));
+    int levels = int(255.0 * texelFetch(volume_blocks, block, 0).r + 0.5), level = max(levels - 1, 0);
     empty = levels > 0;
-    int edge = 1 << max(levels - 1, 0);
-    vec3 first = vec3(block / edge * edge), face = (first + float(edge) * vec3(greaterThan(speed, vec3(0.0)))) * float(BLOCK_VOXELS);
-    vec3 way = max((face - voxel) / speed, 0.0);
+    ivec3 face = ((block >> level) + ivec3(greaterThan(speed, vec3(0.0)))) << level;
+    vec3 way = max((vec3(face * BLOCK_VOXELS) - voxel) / speed, 0.0);
     return t + min(way.x, min(way.y, way.z));
 }
 // [/skip]

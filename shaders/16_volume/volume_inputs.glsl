@@ -20,6 +20,7 @@ float stored_density(vec3 at) { return density_of(textureLod(volume_field, at, 0
 // Three sums of sines displace the places that are sampled, 0 to 1 in the volume. The phases come from the processor,
 // which keeps time in double precision and hands over what is left of it within a turn.
 vec3 waved(vec3 at) {
+    if (opaque(volume_now.wave) == 0.0) return at;
     vec3 turn = 6.2831853 * at;
     return at + volume_now.wave * vec3(sin(2.0 * turn.y + volume_now.wave_phase.x) + 0.5 * sin(5.0 * turn.z - volume_now.wave_phase.y),
                                        sin(2.0 * turn.z + volume_now.wave_phase.y) + 0.5 * sin(5.0 * turn.x - volume_now.wave_phase.z),

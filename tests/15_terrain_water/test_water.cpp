@@ -321,3 +321,21 @@ TEST_CASE_METHOD(OnWater, "waves of length 0, or shortest above longest: one cle
         CHECK(said.find('\n') == said.npos);
     }
 }
+
+TEST_CASE_METHOD(DeviceTest, "the Jacobian of a surface is the area of what was a square of 1 m at rest") {
+    Probe probe{.include = "15_terrain_water/water_surface.glsl",
+                .signature = "float jacobian(mat3 slopes)",
+                .inputs = {},
+                .truth = [](auto in) { return Row{(1 + in[0]) * (1 + in[8]) - in[2] * in[6]}; },
+                .bound = {.absolute = 1e-5, .relative = 1e-5},
+                .macros = {{"WATER_METHOD", "0"},
+                           {"WATER_METHOD_SINES", "1"},
+                           {"WATER_METHOD_GERSTNER", "2"},
+                           {"WATER_METHOD_FFT", "3"}}};
+    Random random(15);
+    for (int i = 0; i < 50; ++i) {
+        probe.inputs.emplace_back();
+        for (int k = 0; k < 9; ++k) probe.inputs.back().push_back(random.uniform(-1.5, 1.5));
+    }
+    CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
+}

@@ -76,3 +76,29 @@ TEST_CASE_METHOD(OnVolume,
         CHECK(double(middle().g) == Approx(0.3).epsilon(0.004));
     }
 }
+
+TEST_CASE_METHOD(OnVolume, "a wall ends a ray where they meet, also in the picture's corner, which is farther away") {
+    load({8, 8, 8}, [](int, int, int) { return 1.0f; });
+    volume.transfer.set("even"), volume.density.value = 0.03f, volume.steps.value = 128, volume.method.set("midpoint");
+    wall_m = 2.15f;  // along the view: 0.15 m behind the face of the box
+    const glm::dvec2 corner =
+        std::tan(0.3) * glm::dvec2(double(size.x) / size.y * (1 - 1.0 / size.x), 1 - 1.0 / size.y);
+    const double stretch = std::sqrt(1 + glm::dot(corner, corner));
+    CHECK(stretch > 1.1);
+    CHECK(double(picture().pixels[0].g) == Approx(even_light(0.15 * stretch, 0.03)).margin(0.003));
+}
+
+TEST_CASE_METHOD(OnVolume, "noise that changes along the radius alone makes no bumps on the shell") {
+    Probe probe{.include = "16_volume/shell.glsl",
+                .before = "#include \"../tests/16_volume/known_shell.glsl\"\n",
+                .signature = "vec3 shell_over(vec3 light, vec3 position, vec3 along)",
+                .inputs = {},
+                .truth =
+                    [](auto in) {
+                        return Row{0.04 * in[3], 0.04 * in[4], 0.04 * in[5]};
+                    },
+                .bound = {.absolute = 0.01}};
+    for (const glm::dvec3 normal : {glm::dvec3(1, 0, 0), {0, 0.6, -0.8}, {-0.48, -0.6, 0.64}})
+        probe.inputs.push_back({0, 0, 0, normal.x, normal.y, normal.z, -normal.x, -normal.y, -normal.z});
+    CHECK(worst_of(probe, run_probe(gpu, probe, 3)) == "");
+}

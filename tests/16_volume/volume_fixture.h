@@ -89,6 +89,12 @@ struct OnVolume {
     glm::vec3 middle() { return picture().pixels[size_t(size.y / 2) * size.x + size.x / 2]; }
 };
 
+/// Of the transfer function `even` at density 1: the opacity of 0.01 m, and what a way through it adds and lets through.
+constexpr double even_opacity = 0.2;
+inline double even_light(double way_m, double density) {
+    return truth::correct_opacity(even_opacity, density * way_m / double(REFERENCE_M));
+}
+
 /// The mean difference of all channels.
 inline double mean_difference(const ImageRgb& a, const ImageRgb& b) {
     double sum = 0;

@@ -1,0 +1,68 @@
+// What lies around a body: its air from within, clouds from below, the soft shadow of rings.
+#include "planets_fixture.h"
+#include "with_air.h"
+
+using namespace lightwalk;
+
+TEST_CASE_METHOD(DeviceTest, "air lets through the same in both directions, from within it to space and back") {
+    const Air air = air_of(BodyId::earth, glm::vec3(1.0f), 0.0047f);
+    Probe probe{.include = "common/srgb.glsl",
+                .before = std::string(with_known_air) +
+                          "#include \"17_planets/air_shell.glsl\"\n"
+                          "vec3 let_through(vec3 from, vec3 direction, float way) { return air_before(from, direction, "
+                          "vec3(0.0, 1.0, 0.0), way, 128).transmittance; }\n",
+                .signature = "vec3 let_through(vec3 from, vec3 direction, float way)",
+                .inputs = {},
+                .macros = known_air(air)};
+    for (const double height : {100.0, 9e3, 3e4})
+        for (const double slope : {1.0, 0.5, 0.1}) {
+            const glm::dvec3 from(0, double(air.radius) + height, 0);
+            const glm::dvec3 up(std::sqrt(1 - slope * slope), slope, 0), outside = from + 2e6 * up;
+            probe.inputs.push_back({from.x, from.y, from.z, up.x, up.y, up.z, 2e6});
+            probe.inputs.push_back({outside.x, outside.y, outside.z, -up.x, -up.y, -up.z, 2e6});
+        }
+    const Table found = run_probe(gpu, probe, 3);
+    for (size_t i = 0; i < found.size(); i += 2)
+        for (size_t c = 0; c < 3; ++c) {
+            INFO(call_text(probe, probe.inputs[i]));
+            CHECK(found[i][c] == Approx(found[i + 1][c]).margin(0.01));
+            CHECK(found[i][c] < 1);
+        }
+}
+
+TEST_CASE_METHOD(OnPlanets, "at midnight the ground hides the clouds of the day side, also from below the clouds") {
+    look_at("earth", 1.0001, 180);
+    camera.up = {0, 1, 0};
+    for (const float turn : {0.0f, 90.0f, 180.0f, 270.0f}) {
+        planets.turn_deg.value = turn;
+        INFO(turn);
+        CHECK(sum_of(picture()) < 0.02 * double(size.x * size.y));
+    }
+}
+
+TEST_CASE_METHOD(DeviceTest, "a ring's shadow is as soft as the sun's disc is wide where it falls") {
+    // In place of the tables' texel the level that was asked for: exp(-level / sine of the sun's height) comes back.
+    Probe probe{.include = "common/srgb.glsl",
+                .before =
+                    "#define PLANETS_RINGS 0\n#define PLANETS_RINGS_ALPHA 0\n#define PLANETS_RINGS_TABLES 1\n"
+                    "#define textureSize(map, level) ivec3(1000, 1, 4)\n"
+                    "#define textureLod(map, at, level) vec4(level)\n"
+                    "#include \"17_planets/rings.glsl\"\n"
+                    "float shadow(vec3 point, vec3 to_sun, float sun_rad) { Rings rings; rings.inner = 1e8; "
+                    "rings.outer = 2e8; return ring_shadow(rings, point, to_sun, sun_rad); }\n",
+                .signature = "float shadow(vec3 point, vec3 to_sun, float sun_rad)",
+                .inputs = {},
+                .truth =
+                    [](auto in) {
+                        const double sine = std::fabs(in[4]), way = -in[1] / in[4];
+                        const double width = 2 * in[6] * way / std::max(sine, 0.02);  // of a disc that slants
+                        return Row{std::exp(-std::log2(std::max(width / 1e5, 1.0)) / sine)};
+                    },
+                .bound = {.absolute = 1e-4, .relative = 1e-3}};
+    for (const double sine : {0.9, 0.5, 0.3})
+        for (const double sun_rad : {0.01, 0.003, 0.0005}) {
+            const double way = 5e7 / sine, across = std::sqrt(1 - sine * sine);
+            probe.inputs.push_back({1.5e8 - way * across, -5e7, 0, across, sine, 0, sun_rad});
+        }
+    CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
+}
