@@ -42,7 +42,7 @@ function(lightwalk_common)
   # Reading a command line or JSON happens once in a run: that such a file compiles fast matters more.
   set_source_files_properties(
     common/app/options.cpp common/app/lists.cpp common/scene/json_lines.cpp common/scene/scene_write.cpp
-    common/measure/compare_main.cpp PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
+    common/check/run_checks.cpp common/measure/compare_main.cpp PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
   if(LIGHTWALK_SANITIZE OR LIGHTWALK_FUZZ)
     # Debian builds glslang without type information, which this check of the undefined-behaviour sanitizer needs.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/common/gpu/compile.cpp PROPERTIES
@@ -227,8 +227,7 @@ function(lightwalk_tests)
   target_compile_options(serve_main PRIVATE -O0)
   target_link_libraries(serve_main PRIVATE lightwalk)
   add_library(check_main OBJECT ${PROJECT_SOURCE_DIR}/common/check/check_main.cpp)
-  target_compile_options(check_main PRIVATE -O0)
-  target_link_libraries(check_main PUBLIC lightwalk CLI11::CLI11)
+  target_link_libraries(check_main PUBLIC lightwalk)
   if(Catch2_VERSION VERSION_LESS 3)
     target_link_libraries(catch_main PUBLIC Catch2::Catch2)
   else()

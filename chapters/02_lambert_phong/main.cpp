@@ -2,7 +2,7 @@
 #include "01_obj/model_chapter.h"
 #include "02_lambert_phong/directional_lights.h"
 #include "02_lambert_phong/exercises.h"
-#include "02_lambert_phong/mist.h"
+#include "02_lambert_phong/set_mist.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -60,7 +60,7 @@ struct LambertPhong : ModelChapter {
             pass.draw(scene);
         };
         if (mist > 0.0f) {  // a sky behind, mist in between: three passes
-            set_mist(frame);
+            set_mist(frame, mist, scene.file.background, camera);
             record_mist(frame, {sky, fade, draw_scene});
         } else {
             frame.raster("shade",
@@ -72,14 +72,6 @@ struct LambertPhong : ModelChapter {
         encode_srgb(frame);
     }
     // [/frame]
-
-    // Gives the shaders of this frame the uniform block `mist`.
-    void set_mist(Frame& frame) const {
-        const glm::vec3 color = scene.file.background;
-        const Mist air{color, mist, 0.4f * color * color, 1.0f / camera.near_m, 1.0f / camera.far_m};
-        const auto bytes = std::as_bytes(std::span(&air, 1));
-        frame.globals["mist"].assign(bytes.begin(), bytes.end());
-    }
 };
 
 CHAPTER(LambertPhong)

@@ -1,5 +1,7 @@
 #include "03_attenuation/lights.h"
 
+#include <fmt/core.h>
+
 namespace lightwalk {
 
 void Lights::update(Frame& frame, const Scene& scene, const std::vector<Light>& lights) {
@@ -12,6 +14,11 @@ void Lights::record(Frame& frame, const Scene& scene, const View& view, const Im
                    method.is("tiled") ? LightGrid::Cells::tiles : LightGrid::Cells::clusters, slices,
                    buffer_.lights().size(), ends_at());
     if (has_cells()) grid_.record(frame, *this, depth);
+}
+
+std::vector<std::string> Lights::status() const {
+    if (!buffer_.rebuilds) return {};
+    return {fmt::format("{} lights, packed {}×", buffer_.lights().size(), buffer_.rebuilds)};
 }
 
 std::vector<Resource> Lights::reads() const {

@@ -49,6 +49,7 @@ struct Lights : Module {
     void bind(Pass& pass) const override;
 
     const LightBuffer& buffer() const { return buffer_; }
+    std::vector<std::string> status() const override;
 
     /// How far a point or spot light is computed, in metres: beyond, it is taken for dark.
     float reach_m(const Light& light) const { return influence_radius(pack(light), ends_at()); }

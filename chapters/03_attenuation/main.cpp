@@ -1,6 +1,4 @@
 // Chapter 03: point and spot lights, and the culling of those that do not reach a pixel.
-#include <fmt/core.h>
-
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
@@ -13,7 +11,7 @@ using namespace lightwalk;
 
 struct Attenuation : ModelChapter {
     Lights lights{*this, "lights"};
-    Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "Number of random lights added to those of the scene"};
+    ScatteredLights scattered{*this};
     Knob<bool> moving{*this, "moving", false, "Animation of the point and spot lights"};
     Choice show{*this,
                 "show",
@@ -24,27 +22,17 @@ struct Attenuation : ModelChapter {
     Pipeline depth = graphics({.vertex = "03_attenuation/surface.vert"});
     Pipeline shade = graphics({.vertex = "03_attenuation/surface.vert", .fragment = "03_attenuation/shade.frag"});
 
-    Bounds lit;  ///< where lights are scattered: where the scene was when it was loaded
-
     std::string default_scene() const override { return "scenes/night.json"; }
     bool animated() const override { return moving || ModelChapter::animated(); }
-    void prepare(Gpu&, Scene&) override { lit = scene.bounds; }
-
-    // The scene's lights and the scattered ones, where they are at this time.
-    std::vector<Light> lights_at(float time_s, unsigned seed) const {
-        std::vector<Light> all = scene.file.lights;
-        const std::vector<Light> more = scatter_lights(lit, scattered, seed);
-        all.insert(all.end(), more.begin(), more.end());
-        if (moving) move_lights(all, time_s);
-        return all;
-    }
 
     // [frame]
     void frame(Frame& frame) override {
         const View view = set_view(frame);
 
-        // 1. The lights, if any has changed.
-        lights.update(frame, scene, lights_at(frame.time_s, frame.seed));
+        // 1. The scene's lights and the scattered ones, if any has changed.
+        std::vector<Light> all = scattered.all(frame.seed);
+        if (moving) move_lights(all, frame.time_s);
+        lights.update(frame, scene, all);
 
         // 2. Depth alone, so that each pixel is lit once and tiles know their depth range.
         frame.raster("depth", {.depth = frame.depth}, [&](Raster& pass) { pass.use(depth).draw(scene); });
@@ -70,10 +58,6 @@ struct Attenuation : ModelChapter {
         Frame counting(gpu);
         render(*this, counting, {size, 0, 0, {}});
         error["lights_per_pixel"] = mean_light_count(gpu, counting.hdr);
-    }
-
-    std::vector<std::string> status() const override {
-        return {fmt::format("{} lights, packed {}×", lights.buffer().lights().size(), lights.buffer().rebuilds)};
     }
 };
 

@@ -52,6 +52,17 @@ std::vector<Light> scatter_lights(const Bounds& where, int count, unsigned seed)
     return lights;
 }
 
+ScatteredLights::ScatteredLights(Module& owner)
+    : Module(owner, "scattered"),
+      count(owner, "lights", 0, {0, 1000000}, "Number of random lights added to those of the scene") {}
+
+std::vector<Light> ScatteredLights::all(unsigned seed) const {
+    std::vector<Light> lights = scene_->lights();
+    const std::vector<Light> more = scatter_lights(where_, count, seed);
+    lights.insert(lights.end(), more.begin(), more.end());
+    return lights;
+}
+
 void move_lights(std::vector<Light>& lights, float time_s) {
     for (uint32_t i = 0; i < lights.size(); ++i) {
         Light& light = lights[i];

@@ -1,9 +1,7 @@
 // Random lights over a scene; equal seeds give equal lights on every machine.
 #pragma once
-#include <vector>
-
-#include "common/scene/light.h"
-#include "common/scene/mesh.h"
+#include "common/app/module.h"
+#include "common/scene/scene.h"
 
 namespace lightwalk {
 
@@ -13,5 +11,19 @@ std::vector<Light> scatter_lights(const Bounds& where, int count, unsigned seed)
 
 /// Takes each point and spot light around a circle of up to half a metre, in 2 s to 6 s. At time 0 it has moved, too.
 void move_lights(std::vector<Light>& lights, float time_s);
+
+/// A chapter's lights: those of its scene, and random ones where the scene was when it was loaded. Its knob is the
+/// chapter's own.
+struct ScatteredLights : Module {
+    explicit ScatteredLights(Module& owner);
+    Knob<int> count;
+
+    void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded, where_ = loaded.bounds; }
+    std::vector<Light> all(unsigned seed) const;
+
+  private:
+    const Scene* scene_ = nullptr;
+    Bounds where_;
+};
 
 }  // namespace lightwalk

@@ -4,7 +4,6 @@
 #include "01_obj/model_chapter.h"
 #include "03_attenuation/lights.h"
 #include "04_surface_maps/maps.h"
-#include "common/app/read_picture.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -33,14 +32,10 @@ struct SurfaceMaps : ModelChapter {
     std::string default_scene() const override { return "scenes/courtyard.json"; }
 
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
-        const auto mean_of = [&](const char* shown) {
-            show.set(shown);
-            Frame own(gpu);
-            render(*this, own, {size, 0.0f, 0, {}});
-            return mean_texels(read_linear(gpu, own.hdr));
-        };
-        error["hit_texels"] = mean_of("hit_error");
-        error["swim_texels"] = mean_of("swim");
+        show.set("hit_error");
+        error["hit_texels"] = mean_texels(render_linear(*this, gpu, size));
+        show.set("swim");
+        error["swim_texels"] = mean_texels(render_linear(*this, gpu, size));
     }
 
     // [frame]

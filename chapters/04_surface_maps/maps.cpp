@@ -46,16 +46,28 @@ class Codec {
     VkFormat format_;
 };
 
-std::shared_ptr<Image> upload_levels(Gpu& gpu, Image::Desc desc, const std::vector<Level>& levels) {
-    const Codec codec(desc.format);
-    desc.mips = static_cast<uint32_t>(levels.size());
+Level decoded(std::span<const std::byte> bytes, glm::uvec2 size, VkFormat format) {
+    const Codec codec(format);
+    Level level{size, {}};
+    level.texels.reserve(bytes.size() / codec.bytes());
+    for (size_t at = 0; at < bytes.size(); at += codec.bytes()) level.texels.push_back(codec.decode(&bytes[at]));
+    return level;
+}
+
+std::vector<std::vector<std::byte>> encoded(const std::vector<Level>& levels, VkFormat format) {
+    const Codec codec(format);
     std::vector<std::vector<std::byte>> bytes;
     for (const Level& level : levels) {
         bytes.emplace_back();
         for (const glm::vec4& texel : level.texels) codec.encode(texel, bytes.back());
     }
+    return bytes;
+}
+
+std::shared_ptr<Image> upload_levels(Gpu& gpu, Image::Desc desc, const std::vector<Level>& levels) {
+    desc.mips = static_cast<uint32_t>(levels.size());
     auto image = std::make_shared<Image>(gpu.device, desc);
-    gpu.upload(*image, bytes);
+    gpu.upload(*image, encoded(levels, desc.format));
     return image;
 }
 
@@ -84,11 +96,12 @@ std::vector<Level> opacity_levels(Gpu& gpu, Level level, float cutoff) {
 }  // namespace
 
 Level read_level(Gpu& gpu, const Image& image) {
-    const std::vector<std::byte> bytes = gpu.read_back(image);
-    const Codec codec(image.desc.format);
-    Level level{image.desc.size, {}};
-    for (size_t at = 0; at < bytes.size(); at += codec.bytes()) level.texels.push_back(codec.decode(&bytes[at]));
-    return level;
+    return decoded(gpu.read_back(image), image.desc.size, image.desc.format);
+}
+
+std::vector<std::vector<std::byte>> normal_map_levels(const DecodedTexture& texture) {
+    return encoded(normal_levels(decoded(texture.levels.at(0), texture.desc.size, texture.desc.format)),
+                   texture.desc.format);
 }
 
 Maps::Maps(Module& owner, std::string name) : Module(owner, std::move(name), "maps") {}
@@ -143,10 +156,14 @@ std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff) {
                     entry = image;
                     continue;
                 }
+                if (slot == MapSlot::normal || slot == MapSlot::detail_normal) {
+                    std::shared_ptr<Image>& kept = scene.images(gpu).derived[{image.get(), normal_levels_name}];
+                    if (!kept) kept = upload_levels(gpu, image->desc, normal_levels(read_level(gpu, *image)));
+                    image = entry = kept;
+                    continue;
+                }
                 const Level level = read_level(gpu, *image);
-                if (slot == MapSlot::normal || slot == MapSlot::detail_normal)
-                    entry = upload_levels(gpu, image->desc, normal_levels(level));
-                else if (slot == MapSlot::height)
+                if (slot == MapSlot::height)
                     entry = upload_heights(gpu, *image, level);
                 else if (slot == MapSlot::displacement)
                     entry = upload_displacement(gpu, *image, level);

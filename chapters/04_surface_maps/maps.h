@@ -121,6 +121,10 @@ std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff);
 /// The first level of an image as numbers; sRGB becomes linear. Waits for the device.
 Level read_level(Gpu& gpu, const Image& image);
 
+/// A normal map's levels as make_mips() has them; on any thread. For ImagePool::derived, as `normal_levels_name`.
+std::vector<std::vector<std::byte>> normal_map_levels(const DecodedTexture& texture);
+inline constexpr const char* normal_levels_name = "normal levels";
+
 /// The mean of a picture of hit errors or of swimming over the pixels where there is one, in texels of the height map.
 double mean_texels(const ImageRgb& picture);
 

@@ -11,7 +11,9 @@ SurfaceScene::SurfaceScene(Module& owner, std::string name, const char* fragment
       lights(owner, "lights"),
       shade_({.fragment = fragment}),
       see_through_(see_through(fragment, {})),
-      see_through_tiles_(see_through(fragment, {{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}})) {}
+      see_through_tiles_(see_through(fragment, {{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}})) {
+    lights.method.change_default("every_light");
+}
 
 SurfacePipelines SurfaceScene::see_through(const char* fragment, Macros macros) {
     macros.set("TRANSPARENT", "1");

@@ -7,7 +7,8 @@
 namespace lightwalk {
 
 // [surface_scene]
-/// Its modules are the owner's: their options and scene keys are maps.* and lights.*.
+/// Its modules are the owner's: their options and scene keys are maps.* and lights.*. As scenes of objects have few
+/// lights, lights.method is every_light unless something else is said.
 struct SurfaceScene : Drawing {
     SurfaceScene(Module& owner, std::string name);
 

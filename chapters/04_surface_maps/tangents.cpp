@@ -93,31 +93,25 @@ std::vector<std::vector<TangentFrame>> frame_model(Model& model) {
     return all;
 }
 
-std::map<const Vertex*, std::vector<TangentFrame>>& frames_at_hand() {
-    static std::map<const Vertex*, std::vector<TangentFrame>> all;
-    return all;
+std::string tangents_name(const Mesh& mesh) {
+    return mesh.name + (Exercises::uses_solution("04.tangent_frame") ? " tangents" : " tangents by an exercise");
 }
 
 void add_tangents(Gpu& gpu, const Scene& scene) {
     std::set<GpuModel*> done;
-    const std::string by = Exercises::uses_solution("04.tangent_frame") ? " tangents" : " tangents by an exercise";
     for (const DrawItem& item : scene.items) {
         GpuModel& gpu_model = *item.model;
         if (!done.insert(&gpu_model).second) continue;
         std::vector<Buffer>& tangents = gpu_model.attributes["tangents"];
         const std::vector<Mesh>& meshes = gpu_model.model.meshes;
-        if (!tangents.empty() && tangents[0].name == meshes[0].name + by) continue;
+        if (!tangents.empty() && tangents[0].name == tangents_name(meshes[0])) continue;
         tangents.clear();
         std::vector<size_t> vertices;
         for (const Mesh& mesh : meshes) vertices.push_back(mesh.vertices.size());
-        std::vector<std::vector<TangentFrame>> frames;
-        for (const Mesh& mesh : meshes)
-            if (const auto ready = frames_at_hand().find(mesh.vertices.data()); ready != frames_at_hand().end())
-                frames.push_back(std::move(ready->second));
-        if (frames.size() != meshes.size()) frames = frame_model(gpu_model.model);
+        const std::vector<std::vector<TangentFrame>> frames = frame_model(gpu_model.model);
         for (size_t i = 0; i < meshes.size(); ++i) {
             const Mesh& mesh = meshes[i];
-            tangents.push_back(gpu.upload(mesh.name + by, frames[i]));
+            tangents.push_back(gpu.upload(tangents_name(mesh), frames[i]));
             if (mesh.vertices.size() == vertices[i]) continue;
             gpu_model.vertices[i] = gpu.upload(mesh.name + " vertices", mesh.vertices);
             gpu_model.indices[i] = gpu.upload(mesh.name + " indices", mesh.indices);

@@ -1,6 +1,6 @@
 // Tangent frames of a mesh: the result of 04.tangent_frame at every corner, joined at the vertices.
 #pragma once
-#include <map>
+#include <string>
 
 #include "common/scene/scene.h"
 #include "common/structs.h"
@@ -24,9 +24,8 @@ FramedMesh frame_mesh(const Mesh& mesh);
 /// processor alone, on any thread.
 std::vector<std::vector<TangentFrame>> frame_model(Model& model);
 
-/// Frames that were computed beforehand, for add_tangents() to take, by the address of the vertices that they belong to.
-/// Whoever fills it clears it once the scene is prepared.
-std::map<const Vertex*, std::vector<TangentFrame>>& frames_at_hand();
+/// The name of a mesh's buffer of frames: it says whether the student's code or the reference has made them.
+std::string tangents_name(const Mesh& mesh);
 
 /// Gives every model of the scene its frames, as the vertex attribute `tangents`, where it has not those of the code that is
 /// in use already: the student's or the reference.

@@ -1,6 +1,4 @@
 // Chapter 05: shadow maps, depth as seen from each light.
-#include <fmt/core.h>
-
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
@@ -30,18 +28,10 @@ struct ShadowMaps : ModelChapter {
                 "View: picture, light visibility, errors against rays (wrong: acne red, peter-panning blue, leaks "
                 "yellow, edges violet), the map in use, or the size of its texels"};
 
-    // [pipelines]
     SurfacePipelines shown{{.fragment = "05_shadow_maps/shown.frag"}};
-    SurfacePipelines ringed{{.fragment = "05_shadow_maps/ringed.frag"}};
-    SurfacePipelines ringed_transparent{{.fragment = "05_shadow_maps/ringed.frag",
-                                         .depth_write = false,
-                                         .blend = Blend::alpha,
-                                         .macros = {{"TRANSPARENT", "1"}}}};
-    // [/pipelines]
 
     ShadowMaps() {
-        objects.shadow.method.alone = true;                   // --method is about shadows here
-        objects.lights.method.change_default("every_light");  // these scenes have few
+        objects.shadow.method.alone = true;  // --method is about shadows here
         objects.all_lights = [this](const Frame&) { return lamps(); };
     }
     std::string default_scene() const override { return "scenes/colonnade.json"; }
@@ -64,8 +54,8 @@ struct ShadowMaps : ModelChapter {
     void choose_shading(Frame& frame) {
         const bool asks_rays = visibility.is("rays") || show.is("wrong"), plain = show.is("picture") && !asks_rays;
         sphere_shadow.update(scene);
-        objects.shading = sphere_shadow ? &ringed : plain ? nullptr : &shown;
-        objects.transparent_shading = sphere_shadow ? &ringed_transparent : nullptr;
+        objects.shading = sphere_shadow ? &sphere_shadow.ringed : plain ? nullptr : &shown;
+        objects.transparent_shading = sphere_shadow ? &sphere_shadow.ringed_transparent : nullptr;
         objects.shading_with.clear();
         if (sphere_shadow) objects.shading_with.push_back(sphere_shadow);
         if (plain) return;
@@ -88,10 +78,6 @@ struct ShadowMaps : ModelChapter {
     // [/frame]
 
     std::string why_not_finite() const override { return visibility.is("rays") ? rays.why_not_finite() : ""; }
-
-    std::vector<std::string> status() const override {
-        return {fmt::format("{} shadow maps, {} drawn", objects.shadow.views, objects.shadow.drawn_views)};
-    }
 };
 
 CHAPTER(ShadowMaps)

@@ -1,5 +1,7 @@
 #include "05_shadow_maps/shadow.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -223,6 +225,11 @@ void Shadow::bind(Pass& pass) const {
     }
     // A method without moments names them all the same, and reads none.
     pass.offer("shadow_moments", has_moments() ? now_->moments.moments.as_array() : now_->map.as_array(), linear_clamp);
+}
+
+std::vector<std::string> Shadow::status() const {
+    if (views == 0) return {};
+    return {fmt::format("{} shadow maps, {} drawn", views, drawn_views)};
 }
 
 }  // namespace lightwalk

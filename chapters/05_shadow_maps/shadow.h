@@ -134,6 +134,7 @@ struct Shadow : Module {
     void bind(Pass& pass) const override;
 
     void prepare(Gpu&, Scene&) override { forget(); }
+    std::vector<std::string> status() const override;
 
     /// What is not seen from the scene's placement has changed: another scene, textures that cut other holes.
     void forget();

@@ -1,5 +1,6 @@
 // Sphere shadow module: shadows without maps, of a sphere on its ring and of the ring on the sphere.
 #pragma once
+#include "04_surface_maps/surface_pipelines.h"
 #include "05_shadow_maps/ringed_planet.h"
 #include "common/app/module.h"
 #include "common/scene/scene.h"
@@ -35,6 +36,13 @@ struct SphereShadow : Module {
     const Image* ring = nullptr;
 
     void bind(Pass& pass) const override;
+
+    /// Surfaces that shade a planet and its ring so.
+    const SurfacePipelines ringed{{.fragment = "05_shadow_maps/ringed.frag"}};
+    const SurfacePipelines ringed_transparent{{.fragment = "05_shadow_maps/ringed.frag",
+                                               .depth_write = false,
+                                               .blend = Blend::alpha,
+                                               .macros = {{"TRANSPARENT", "1"}}}};
 };
 // [/sphere_shadow]
 

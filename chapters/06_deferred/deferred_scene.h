@@ -10,7 +10,9 @@ namespace lightwalk {
 /// LitScene through a G-buffer, or as LitScene draws it where gbuffer.method is forward. Transparent surfaces are drawn
 /// as LitScene draws them.
 struct DeferredScene : LitScene {
-    DeferredScene(Module& owner, std::string name) : LitScene(owner, std::move(name)), gbuffer(owner, "gbuffer") {}
+    DeferredScene(Module& owner, std::string name) : LitScene(owner, std::move(name)), gbuffer(owner, "gbuffer") {
+        lights.method.change_default("clustered");
+    }
 
     GBuffer gbuffer;
 

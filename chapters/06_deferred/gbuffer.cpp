@@ -1,5 +1,7 @@
 #include "06_deferred/gbuffer.h"
 
+#include <fmt/core.h>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace lightwalk {
@@ -42,6 +44,11 @@ uint32_t GBuffer::bytes_per_pixel() const {
     uint32_t bytes = 0;
     for (const Texture& t : textures()) bytes += texel_bytes(t.format);
     return bytes;
+}
+
+std::vector<std::string> GBuffer::status() const {
+    if (is_forward()) return {};
+    return {fmt::format("{} bytes a pixel beside depth", bytes_per_pixel())};
 }
 
 std::vector<Resource> GBuffer::reads() const {

@@ -51,6 +51,7 @@ struct GBuffer : Module {
 
     std::vector<Resource> reads() const override;
     void bind(Pass& pass) const override;
+    std::vector<std::string> status() const override;
 
   private:
     struct Texture {

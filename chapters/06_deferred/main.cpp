@@ -1,13 +1,10 @@
 // Chapter 06: deferred shading, surfaces stored first and lit afterwards.
-#include <fmt/core.h>
-
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
 #include "03_attenuation/scattered_lights.h"
 #include "06_deferred/deferred_scene.h"
 #include "06_deferred/screens.h"
-#include "common/app/read_picture.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -21,26 +18,17 @@ struct Deferred : ModelChapter {
                 "fixed",
                 "Back-face culling in the G-buffer pass: by the device (fixed), by a geometry shader (geometry), none, "
                 "or only the triangles that geometry removes (left_out)"};
-    Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "Number of random lights added to those of the scene"};
+    ScatteredLights scattered{*this};
     Knob<int> overdraw{*this, "overdraw", 1, {1, 64}, "Overdraw: number of times each surface is drawn"};
     Knob<bool> prepass{*this, "prepass", false, "Depth prepass, so that each pixel is shaded or written once"};
-    Bounds lit;  ///< where lights are scattered: where the scene was when it was loaded
 
     Deferred() {
         objects.gbuffer.method.alone = true;  // --method is about G-buffers here
-        objects.all_lights = [this](const Frame& frame) { return all_lights(frame.seed); };
+        objects.all_lights = [this](const Frame& frame) { return scattered.all(frame.seed); };
         objects.surfaces = [this] { return screens.batches(scene); };
         objects.shading_with = {screens};
     }
     std::string default_scene() const override { return "scenes/hundred_lamps.json"; }
-    void prepare(Gpu&, Scene&) override { lit = scene.bounds; }
-
-    std::vector<Light> all_lights(unsigned seed) const {
-        std::vector<Light> all = scene.lights();
-        const std::vector<Light> more = scatter_lights(lit, scattered, seed);
-        all.insert(all.end(), more.begin(), more.end());
-        return all;
-    }
 
     // [frame]
     void frame(Frame& frame) override {
@@ -65,17 +53,10 @@ struct Deferred : ModelChapter {
     // For the study: what the G-buffer takes, and what it loses of normals and positions in the mean over the picture.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         objects.gbuffer.show.set("loss");
-        Frame own(gpu);
-        render(*this, own, {size, 0.0f, 0, {}});
-        const glm::vec2 lost = mean_loss(read_linear(gpu, own.hdr));
+        const glm::vec2 lost = mean_loss(render_linear(*this, gpu, size));
         error["bytes_per_pixel"] = objects.gbuffer.bytes_per_pixel();
         error["normal_deg"] = lost.x;
         error["position_mm"] = lost.y;
-    }
-
-    std::vector<std::string> status() const override {
-        return {fmt::format("{} lights; {} bytes a pixel beside depth", objects.lights.buffer().lights().size(),
-                            objects.gbuffer.bytes_per_pixel())};
     }
 };
 

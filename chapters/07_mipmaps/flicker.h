@@ -9,8 +9,10 @@ namespace lightwalk {
 
 /// Of a chapter whose `method` has the option "none" and whose eye walks by `walk_m_s` and the frame's time; where
 /// `remake` is off it keeps the levels that it has.
-class Flicker {
+class Flicker : public Module {
   public:
+    using Module::Module;
+
     struct Knobs {
         Choice& method;
         Knob<float>& walk_m_s;
@@ -26,8 +28,8 @@ class Flicker {
     /// back.
     double measure(Chapter& chapter, Gpu& gpu, glm::uvec2 size, const Knobs& knobs);
 
-    /// The pictures of the truth are kept: to be called when a scene was loaded.
-    void forget() { truth_.clear(); }
+    /// The pictures of the truth are kept for a scene.
+    void prepare(Gpu&, Scene&) override { truth_.clear(); }
 
   private:
     std::map<std::pair<uint32_t, uint32_t>, std::vector<ImageRgb>> truth_;  ///< by size

@@ -35,7 +35,7 @@ Content content_of_slot(MapSlot slot, bool holes) {
 
 }  // namespace
 
-void LevelledMaps::prepare(Gpu& gpu, const Scene& scene) {
+void LevelledMaps::prepare(Gpu& gpu, Scene& scene) {
     entries_.clear();
     uses_.clear();
     recorded_ = false;

@@ -5,8 +5,10 @@
 
 namespace lightwalk {
 
-class LevelledMaps {
+class LevelledMaps : public Module {
   public:
+    using Module::Module;
+
     struct Entry {
         std::string name;
         Content content;
@@ -14,7 +16,8 @@ class LevelledMaps {
     };
 
     /// Copies the scene's textures; each slot's content is what its numbers stand for. Waits.
-    void prepare(Gpu& gpu, const Scene& scene);
+    void prepare(Gpu& gpu, Scene& scene) override;
+    std::vector<std::string> load_exercises() const override { return {"07.level_sizes"}; }
 
     /// Records the levels of every texture.
     void record(Frame& frame, MipChain& chain, float cutoff);
@@ -25,7 +28,7 @@ class LevelledMaps {
     void use(Scene& scene, bool levels) const;
 
     /// What a pass has to state that draws the scene.
-    std::vector<Resource> reads() const;
+    std::vector<Resource> reads() const override;
 
     const std::vector<std::shared_ptr<Entry>>& entries() const { return entries_; }
 

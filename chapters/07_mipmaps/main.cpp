@@ -22,53 +22,30 @@ struct Mipmaps : ModelChapter {
         "scene",
         "Picture shown: the scene, the scene with its left half drawn without levels, or one level of a texture"};
     Knob<float> walk_m_s{*this, "walk_m_s", 0.0f, {-10.0f, 10.0f}, "Walking speed of the camera", "m/s"};
-
     Knob<bool> remake{*this, "remake", true,
                       "Rebuild all levels in every frame; off: keep the levels of the first frame"};
 
     Pipeline halves = compute({.shader = "07_mipmaps/halves.comp"});
     Target left{*this, {.name = "without levels"}};
-    LevelledMaps textures;
-    Flicker flicker;
+    LevelledMaps textures{*this, "textures"};
+    Flicker flicker{*this, "flicker"};
 
     Mipmaps() {
         mips.method.alone = true;  // --method is about levels here
         objects.maps.makes_levels = false;
         objects.maps.method.change_default("normal");
-        objects.lights.method.change_default("every_light");
         commands = {{"mip-bench", "FILE",
                      "measures every method from 64x64 to 8192x8192 texels and writes the result as a study",
                      [](const std::string& file, const Options&, auto&) { return run_mip_bench(file); }}};
     }
     std::string default_scene() const override { return "scenes/tiled_hall.json"; }
-    std::vector<std::string> load_exercises() const override {
-        std::vector<std::string> all = ModelChapter::load_exercises();
-        all.push_back("07.level_sizes");
-        return all;
-    }
     bool animated() const override { return walk_m_s != 0 || ModelChapter::animated(); }
     std::vector<std::string> status() const override {
         return show.is("level") ? std::vector{viewer.text()} : std::vector<std::string>{};
     }
 
-    void prepare(Gpu& gpu, Scene&) override {
-        textures.prepare(gpu, scene);
-        flicker.forget();
-    }
-
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         error["flicker"] = flicker.measure(*this, gpu, size, {mips.method, walk_m_s, remake});
-    }
-
-    // The eye so far on along the ground; one that looks straight down stays.
-    Camera walked(float metres) const {
-        Camera eye = camera;
-        const glm::vec3 ahead = (eye.target - eye.position) * glm::vec3(1, 0, 1);
-        if (const float length = glm::length(ahead); length > 0) {
-            eye.position += metres / length * ahead;
-            eye.target += metres / length * ahead;
-        }
-        return eye;
     }
 
     // Chapter 04's surfaces, with levels or with the first ones alone.
@@ -89,7 +66,7 @@ struct Mipmaps : ModelChapter {
 
     // [frame]
     void frame(Frame& frame) override {
-        const View view = set_view(frame, walked(walk_m_s * frame.time_s));
+        const View view = set_view(frame, camera.walked(walk_m_s * frame.time_s));
 
         // 1. The levels of every texture.
         if (remake || !textures.recorded()) textures.record(frame, mips, objects.maps.cutoff);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "08_bloom/step_parameters.h"
+#include "common/app/show_image.h"
 
 namespace lightwalk {
 namespace {
@@ -53,10 +54,14 @@ void Bloom::set_up(Frame& frame, glm::uvec2 size) {
     if (taps != taps_made_ || !taps_) taps_ = frame.gpu.upload("bloom taps", taps), taps_made_ = taps;
 }
 
-glm::vec4 Bloom::picture_in(const Image& image) const {
-    for (size_t i = 0; i < images_.size(); ++i)
-        if (&images_[i] == &image) return {glm::vec2(static_cast<float>(plan_.aprons[i])), plan_.extents[i]};
-    return {0.0f, 0.0f, image.desc.size};
+// All but what was cut out hold anything where no blur ran: the word that dispatches.glsl calls lit_at() says so.
+void Bloom::show(Frame& frame, size_t image, float gain) const {
+    const size_t i = std::min(image, images_.size() - 1);
+    show_image(frame, images_[i],
+               {.gain = glm::vec3(gain),
+                .texels = {glm::vec2(static_cast<float>(plan_.aprons[i])), plan_.extents[i]},
+                .words = &dispatch_,
+                .gate = static_cast<uint32_t>(3 * plan_.steps.size())});
 }
 
 // [record]

@@ -65,16 +65,14 @@ struct Bloom : Module {
 
     void record(Frame& frame, const Image& hdr);
 
-    /// Of the frame recorded last, for whoever looks: what was cut out, what it was spread to, an image between. All
-    /// but the first hold anything where nothing was cut out: dispatches(), as in shaders/08_bloom/dispatches.glsl,
-    /// says so.
+    /// Of the frame recorded last: what was cut out, and what it was spread to, which holds anything where that was
+    /// nothing.
     const Image& cut_out() const { return images_.at(0); }
     const Image& spread() const { return images_.at(1); }
-    const Image& level(size_t i) const { return images_.at(std::min(i, images_.size() - 1)); }
-    /// Where in one of them the picture begins, and how large it is there, in texels.
-    glm::vec4 picture_in(const Image& image) const;
 
-    const Buffer& dispatches() const { return dispatch_; }
+    /// Shows an image of the frame recorded last in place of the picture: what was cut out (0), what it was spread to
+    /// (1), those between; beyond the last, the last one. Black where nothing was cut out.
+    void show(Frame& frame, size_t image, float gain) const;
 
     const Plan& plan() const { return plan_; }
     BlurWish wish(glm::uvec2 size) const;

@@ -29,59 +29,33 @@ struct BloomChapter : ModelChapter {
     Knob<int> level{*this, "level", 2, {0, 24}, "Intermediate image to show, in the order of computation"};
     Knob<float> gain{*this, "gain", 1.0f, {0.0f, 1e6f}, "Scale factor for the brightness of a displayed bloom image"};
 
-    Pipeline spot = compute({.shader = "08_bloom/spot.comp"});
-    Pipeline look = compute({.shader = "08_bloom/look_at_bloom.comp"});
-    PointSpread spreads;
+    PointSpread point;
 
     BloomChapter() {
         bloom.method.alone = true;  // --method is about bloom here
         objects.maps.method.change_default("normal");
-        objects.lights.method.change_default("every_light");
     }
     std::string default_scene() const override { return "scenes/neon.json"; }
 
     // For the study: how far the picture of one bright pixel is from what it should be.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         source.set("spot"), show.set("spread"), gain.set("1"), bloom.cut.set("none");
-        error["psf_l2"] = spreads.error(*this, bloom, gpu, size);
-    }
-
-    void draw_spot(Frame& frame) {
-        frame.compute("spot", {.writes = {frame.hdr}}, [&](Compute& pass) {
-            pass.use(spot).set("spot_x", spot_x.value).set("result", frame.hdr).dispatch_threads(frame.size);
-        });
-    }
-
-    // Chapter 04's surfaces under chapter 03's lights.
-    void draw_scene(Frame& frame) {
-        const View view = set_view(frame);
-        Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
-        draw(frame, view, canvas, {objects});
-    }
-
-    // One of the bloom's images in place of the picture; black where nothing was cut out.
-    void look_at(Frame& frame, const Image& image) {
-        frame.compute("look", {.reads = {image, bloom.dispatches()}, .writes = {frame.hdr}}, [&](Compute& pass) {
-            pass.use(look).set("image", image, nearest_clamp).set("gain", gain.value).set("result", frame.hdr);
-            pass.set("dispatches", bloom.dispatches())
-                .set("picture_in", bloom.picture_in(image))
-                .dispatch_threads(frame.size);
-        });
+        error["psf_l2"] = point.error(*this, bloom, gpu, size);
     }
 
     // [frame]
     void frame(Frame& frame) override {
         // 1. A picture in linear light, with values above the white of a screen.
-        source.is("spot") ? draw_spot(frame) : draw_scene(frame);
+        const View view = set_view(frame);
+        Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
+        source.is("spot") ? point.draw_spot(frame, spot_x) : draw(frame, view, canvas, {objects});
 
         // 2. Its bloom.
         bloom.record(frame, frame.hdr);
 
         // 3. An image of the bloom in place of the picture, if the knob says so.
         if (!show.is("picture") && !bloom.method.is("none"))
-            look_at(frame, show.is("cut_out")  ? bloom.cut_out()
-                           : show.is("spread") ? bloom.spread()
-                                               : bloom.level(static_cast<size_t>(level.value)));
+            bloom.show(frame, show.is("cut_out") ? 0 : show.is("spread") ? 1 : size_t(level), gain);
 
         // 4. Linear light to the codes that a screen expects.
         encode_srgb(frame);

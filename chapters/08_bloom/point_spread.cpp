@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "common/app/read_picture.h"
 #include "common/app/render.h"
 
 namespace lightwalk {
@@ -18,19 +17,20 @@ double relative_l2(const ImageRgb& found, const ImageRgb& exact) {
     return all > 0 ? std::sqrt(off / all) : std::sqrt(off);
 }
 
+void PointSpread::draw_spot(Frame& frame, float x_px) const {
+    frame.compute("spot", {.writes = {frame.hdr}}, [&](Compute& pass) {
+        pass.use(spot_).set("spot_x", x_px).set("result", frame.hdr).dispatch_threads(frame.size);
+    });
+}
+
 double PointSpread::error(Chapter& chapter, Bloom& bloom, Gpu& gpu, glm::uvec2 size) {
-    const auto draw = [&] {
-        Frame frame(gpu);
-        render(chapter, frame, {size, 0.0f, 0, {}});
-        return read_linear(gpu, frame.hdr);
-    };
     if (bloom.method.is("none")) return 1;  // nothing of it is spread
-    const ImageRgb found = draw();
+    const ImageRgb found = render_linear(chapter, gpu, size);
     ImageRgb& exact = exact_[fmt::format("{}x{} {} {} {}", size.x, size.y, bloom.sigma_px.text(), bloom.shape.text(),
                                          bloom.border.text())];
     if (exact.pixels.empty()) {
         bloom.method.set("exact");
-        exact = draw();
+        exact = render_linear(chapter, gpu, size);
     }
     return relative_l2(found, exact);
 }

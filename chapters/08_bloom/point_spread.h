@@ -10,11 +10,15 @@ namespace lightwalk {
 
 class PointSpread {
   public:
+    /// Draws the bright pixel into frame.hdr, so far to the right of the middle.
+    void draw_spot(Frame& frame, float x_px) const;
+
     /// How far the chapter's picture is from that of the method `exact`: the root of the sum of squared differences
     /// over that of the exact squares, 0 to about 1. Sets bloom.method, and leaves it to the caller to put it back.
     double error(Chapter& chapter, Bloom& bloom, Gpu& gpu, glm::uvec2 size);
 
   private:
+    Pipeline spot_ = compute({.shader = "08_bloom/spot.comp"});
     std::map<std::string, ImageRgb> exact_;  ///< by what the truth depends on
 };
 

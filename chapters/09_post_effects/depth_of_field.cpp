@@ -5,6 +5,7 @@
 #include "01_obj/camera_view.h"
 #include "08_bloom/exercises.h"
 #include "08_bloom/step_parameters.h"
+#include "common/app/show_image.h"
 
 namespace lightwalk {
 namespace {
@@ -71,10 +72,7 @@ void DepthOfField::sample_lens(Frame& frame, const View& view, Canvas& canvas, c
             pass.set("weight", 1.0f / float(i + 1)).dispatch_threads(view.size);
         });
     }
-    frame.compute("dof take", {.reads = {mean}, .writes = {color}}, [&](Compute& pass) {
-        pass.use(take_).set("image", mean, nearest_clamp).set("gain", 1.0f).set("result", color);
-        pass.dispatch_threads(view.size);
-    });
+    show_image(frame, mean, color, {.pass = "dof take"});
 }
 // [/lens]
 

@@ -58,7 +58,6 @@ struct DepthOfField : Module {
     Pipeline fill_ = compute({.shader = "09_post_effects/dof_fill.comp"});
     Pipeline compose_ = compute({.shader = "09_post_effects/dof_compose.comp"});
     Pipeline add_ = compute({.shader = "common/accumulate.comp"});
-    Pipeline take_ = compute({.shader = "08_bloom/look.comp"});
     Pipeline line_ = compute({.shader = "08_bloom/line.comp"});
 };
 

@@ -222,4 +222,13 @@ void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas, float disc
 }
 // [/record]
 
+const Image* Atmosphere::table(std::string_view name) const {
+    if (method.is("truth")) return name == "doubt" ? &doubt_ : nullptr;
+    if (!method.is("tables")) return nullptr;
+    return name == "transmittance" ? &transmittance_
+           : name == "multiple"    ? &multiple_
+           : name == "sky"         ? &sky_
+                                   : nullptr;
+}
+
 }  // namespace lightwalk

@@ -123,12 +123,11 @@ struct Atmosphere : Drawing {
 
     void bind(Pass& pass) const override;
 
-    /// Of the frame recorded last with `tables`: to look at.
-    const Image& transmittance() const { return transmittance_; }
-    const Image& multiple() const { return multiple_; }
-    const Image& sky() const { return sky_; }
+    /// Of the frame recorded last, to look at: "transmittance", "multiple" or "sky" of the method tables, and "doubt" of
+    /// truth; null: none of this name for this method.
+    const Image* table(std::string_view name) const;
 
-    /// And with `truth` for many scatterings: the standard error of each pixel's light, over the light.
+    /// With `truth` for many scatterings: the standard error of each pixel's light, over the light.
     const Image& doubt() const { return doubt_; }
 
     int tables_made = 0, skies_made = 0;  ///< so far, to show that none is made twice

@@ -20,6 +20,7 @@ struct Fractals : ModelChapter {
     EnvironmentLight environment{*this, "environment"};
     Julia julia{*this, "julia", environment};
     Terrain terrain{*this, "terrain"};
+    const Drawings worlds{julia, terrain};
     DepthError depth_error;
 
     Fractals() {
@@ -56,12 +57,8 @@ struct Fractals : ModelChapter {
     void frame(Frame& frame) override {
         choose_method();
         const View view = set_view(frame);
-        const bool is_julia = world.is("julia");  // alone in the picture, and nothing reads how far it is
-        Canvas canvas(frame.hdr, is_julia ? ImageView() : frame.depth);
-        if (is_julia)
-            draw(frame, view, canvas, {julia});
-        else
-            draw(frame, view, canvas, {terrain});
+        Canvas canvas(frame.hdr, world.is("julia") ? ImageView() : frame.depth);  // a set's depth would not be read
+        draw(frame, view, canvas, {worlds[world.index]});
 
         // Linear light to the codes that a screen expects; bright light fades to white.
         encode_film(frame);

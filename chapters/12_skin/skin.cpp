@@ -1,5 +1,7 @@
 #include "12_skin/skin.h"
 
+#include <fmt/core.h>
+
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -26,6 +28,20 @@ const DrawItem* Skin::part(const Scene& scene, Role role, bool any) {
 int Skin::sum_count() const {
     const std::string name = method.text(), prefix = "gaussians_";
     return name.starts_with(prefix) ? std::stoi(name.substr(prefix.size())) : 0;
+}
+
+const Image* Skin::map(std::string_view name, size_t of_level) const {
+    if (empty_) return nullptr;
+    if (name == "stretch") return &layout().stretch;
+    if (name == "occlusion") return &occlusion();
+    if (on_map() && name == "irradiance") return &irradiance();
+    if (on_map() && name == "diffused") return &diffused();
+    return sum_count() && name == "level" ? &level(of_level) : nullptr;
+}
+
+std::vector<std::string> Skin::status() const {
+    if (!on_map() || empty_) return {};
+    return {fmt::format("the map of light is {} texels wide", irradiance_.desc.size.x)};
 }
 
 void Skin::prepare(Gpu& gpu, Scene& scene) {

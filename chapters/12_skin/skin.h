@@ -63,6 +63,7 @@ struct Skin : Module {
 
     void bind(Pass& pass) const override;
     std::vector<Resource> reads() const override;
+    std::vector<std::string> status() const override;
 
     /// Of the frame recorded last, for whoever looks: the light that enters, a level of the blur, what leaves.
     const Image& irradiance() const { return irradiance_; }
@@ -70,6 +71,8 @@ struct Skin : Module {
     const Image& level(size_t i) const { return spread_.level(i); }
     const Image& diffused() const { return spread_.result(); }
     const Unwrapped& layout() const { return on_map() ? fine_ : coarse_; }
+    /// One of those, "stretch" or "occlusion" by its name; null: it has none of that name for this method.
+    const Image* map(std::string_view name, size_t of_level) const;
     const DrawItem* skin_of(const Scene& scene) const { return part(scene, Role::skin, true); }
 
     /// A side of the map that the screen needs: the power of two at which a texel is about as wide as a pixel, 64 to

@@ -1,6 +1,4 @@
 // Chapter 13: morphological anti-aliasing, and four other methods to compare it with.
-#include <fmt/core.h>
-
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
@@ -40,10 +38,10 @@ struct MlaaChapter : ModelChapter {
     Julia julia{*this, "julia", environment};
     Terrain terrain{*this, "terrain"};
     Head head{*this, "head", objects, environment};
+    const Drawings worlds{objects, julia, terrain, head, half_plane};
     const SurfacePipelines surface{{.fragment = "13_mlaa/surface.frag"}};
     const SurfacePipelines glass =
         LitScene::see_through("13_mlaa/surface.frag", {{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}});
-    Pipeline look = compute({.shader = "13_mlaa/look.comp"});
     Pipeline cut_off = compute({.shader = "13_mlaa/clip.comp"});
     FourSamples four_samples{*this};
     EdgeError edge_error;
@@ -51,7 +49,6 @@ struct MlaaChapter : ModelChapter {
     MlaaChapter() {
         antialias.method.alone = true;  // --method is about edges here
         objects.maps.method.change_default("normal");
-        objects.lights.method.change_default("every_light");
         objects.shading = &surface;
         objects.transparent_shading = &glass;
         julia.in_use = [this] { return world.is("julia"); };
@@ -65,21 +62,13 @@ struct MlaaChapter : ModelChapter {
         edge_error.measure(*this, antialias, gpu, size, error);
     }
 
-    Drawings drawn() {
-        if (world.is("julia")) return {julia};
-        if (world.is("terrain")) return {terrain};
-        if (world.is("head")) return {head};
-        if (world.is("half_plane")) return {half_plane};
-        return {objects};
-    }
-
     // The world, seen through one sample of each pixel, or four.
     void draw_light(Frame& frame) {
         const View view = set_view(frame);
         const auto draw_from = [&](const View& from) {
             Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
             if (antialias.method.is("msaa_4x") && world.is("objects")) four_samples.multisample(frame, canvas);
-            draw(frame, from, canvas, drawn());
+            draw(frame, from, canvas, {worlds[world.index]});
         };
         if (antialias.method.is("supersample_4"))
             four_samples.supersample(frame, view, draw_from);
@@ -99,23 +88,12 @@ struct MlaaChapter : ModelChapter {
         antialias.record(frame, frame.hdr);
 
         // 3. The edges or the lengths in place of the picture, if the knob says so.
-        if (!show.is("picture") && antialias.follows_edges())
-            frame.compute("look", {.reads = {antialias.distances(), frame.hdr}, .writes = {frame.hdr}},
-                          [&](Compute& pass) {
-                              pass.use(look).set("distances", antialias.distances(), nearest_clamp);
-                              pass.set("picture", frame.hdr).dispatch_threads(frame.size);
-                          });
+        if (!show.is("picture")) antialias.show_edges(frame, frame.hdr, show.is("lengths"));
 
         // 4. Linear light to the codes that a screen expects.
         encode_srgb(frame);
     }
     // [/frame]
-
-    std::vector<std::string> status() const override {
-        if (!antialias.count) return {};
-        const Mlaa::Counts counts = antialias.counts();
-        return {fmt::format("{} pixels beside an edge, {} mixed", counts.listed, counts.changed)};
-    }
 };
 
 CHAPTER(MlaaChapter)

@@ -20,6 +20,7 @@ constexpr glm::ivec2 diagonal[4] = {{-1, -1}, {1, 1}, {1, -1}, {-1, 1}};
 
 int Mlaa::passes() const {
     int passes = 0;
+    if (reads.is("words")) return passes;
     for (int steps = 1; steps < reach - 1; steps *= reads.is("two") ? 2 : 4) ++passes;
     return passes;
 }
@@ -29,16 +30,29 @@ Mlaa::Counts Mlaa::counts() const {
     return words.size() < 5 ? Counts{} : Counts{words[3], words[4]};
 }
 
+std::vector<std::string> Mlaa::status() const {
+    if (!count) return {};
+    return {fmt::format("{} pixels beside an edge, {} mixed", counts().listed, counts().changed)};
+}
+
 // What the device keeps from frame to frame: for a picture of this size, and the tables.
 void Mlaa::set_up(Frame& frame, glm::uvec2 size) {
     Device& device = frame.gpu.device;
-    const auto fit = [&](Image& image, const char* name, VkFormat format = VK_FORMAT_R32_UINT) {
-        const Image::Desc desc{.name = path() + name, .format = format, .size = size};
-        image.fit(device, desc);
+    const auto fit = [&](Image& image, const char* name, glm::uvec2 side, VkFormat format = VK_FORMAT_R32_UINT) {
+        image.fit(device, {.name = path() + name, .format = format, .size = side});
     };
-    fit(mixed_, " mixed", VK_FORMAT_R16G16B16A16_SFLOAT);
-    if (follows_edges()) fit(distances_[0], " distances"), fit(distances_[1], " longer distances");
-    if (method.is("smaa_like")) fit(diagonals_[0], " staircases"), fit(diagonals_[1], " longer staircases");
+    fit(mixed_, " mixed", size, VK_FORMAT_R16G16B16A16_SFLOAT);
+    const bool doubles = !reads.is("words");
+    if (follows_edges()) {
+        fit(edge_rows_, " edges in rows", {(size.x + 15) / 16, size.y});
+        fit(edge_columns_, " edges in columns", {size.x, (size.y + 15) / 16});
+        fit(distances_[0], " distances", size);
+        if (doubles) fit(distances_[1], " longer distances", size);
+    }
+    if (method.is("smaa_like")) {
+        fit(diagonals_[0], " staircases", size);
+        if (doubles) fit(diagonals_[1], " longer staircases", size);
+    }
     const VkDeviceSize pixels = VkDeviceSize(size.x) * size.y;
     for (Buffer* const work : {&work_, &next_work_})
         if (!*work) *work = frame.gpu.upload("mlaa work", std::vector<uint32_t>{0, 1, 1, 0, 0});
@@ -63,12 +77,42 @@ const Image* Mlaa::propagate(Compute& pass, const Image* from, const Image* into
     Step step{.directions = {}, .reads = reads.is("two") ? 2 : 4, .reach = reach};
     std::copy(std::begin(directions), std::end(directions), step.directions);
     for (int i = 0; i < passes(); ++i, std::swap(from, into)) {
-        pass.use(propagate_).set("listed", list_).set("work", work_).set("pass_step", step);
-        pass.set("from", *from, nearest_clamp).set("into", *into).dispatch_indirect(work_).wait();
+        over_list(pass, propagate_).set("pass_step", step).set("from", *from, nearest_clamp).set("into", *into);
+        pass.dispatch_indirect(work_).wait();
     }
     return from;
 }
 // [/propagate]
+
+void Mlaa::set_edges(Compute& pass) const {
+    pass.set("edge_rows", edge_rows_, nearest_clamp).set("edge_columns", edge_columns_, nearest_clamp);
+}
+
+Compute& Mlaa::over_list(Compute& pass, const Pipeline& pipeline) const {
+    return pass.use(pipeline).set("listed", list_).set("work", work_);
+}
+
+// Lines by scanning words of edges; staircases step by step.
+void Mlaa::measure_by_words(Compute& pass) {
+    const bool shapes = method.is("smaa_like");
+    over_list(pass, shapes ? scan_and_walk_ : scan_).set("lengths", distances_[0]);
+    if (shapes) pass.set("staircases", diagonals_[0]);
+    set_edges(pass);
+    pass.dispatch_indirect(work_);
+    lengths_ = &distances_[0], staircases_ = &diagonals_[0];
+}
+
+// Links between neighbours, then distances that grow from pass to pass.
+void Mlaa::measure_by_doubling(Compute& pass) {
+    const auto grow = [&](const Pipeline& link, const Image(&images)[2], const glm::ivec2(&directions)[4]) {
+        over_list(pass, link).set("into", images[0]);
+        set_edges(pass);
+        pass.dispatch_indirect(work_).wait();
+        return propagate(pass, &images[0], &images[1], directions);
+    };
+    if (method.is("smaa_like")) staircases_ = grow(diagonal_seeds_, diagonals_, diagonal);
+    lengths_ = grow(links_, distances_, straight);
+}
 
 // [record]
 void Mlaa::record(Frame& frame, const Image& picture) {
@@ -79,53 +123,42 @@ void Mlaa::record(Frame& frame, const Image& picture) {
 }
 
 void Mlaa::follow_edges(Frame& frame, const Image& picture) {
-    const bool shapes = method.is("smaa_like");
+    const bool shapes = method.is("smaa_like"), doubles = !reads.is("words");
 
-    // 1. Edges, and the list of pixels beside them.
-    ComputeAccess access{
-        .reads = {picture, work_}, .writes = {distances_[0], distances_[1], list_, work_, next_work_}, .with = {*this}};
-    if (shapes) access.writes.insert(access.writes.end(), {diagonals_[0], diagonals_[1]});
+    // 1. Edges as bits, and the list of pixels beside them.
+    ComputeAccess access{.reads = {picture, work_, list_, edge_rows_, edge_columns_},
+                         .writes = {edge_rows_, edge_columns_, list_, work_, next_work_},
+                         .with = {*this}};
     frame.compute("mlaa edges", access, [&](Compute& pass) {
-        pass.use(shapes ? edges_and_diagonals_ : edges_).set("picture", picture, nearest_clamp);
-        pass.set("seeds", distances_[0]).set("next", distances_[1]).set("listed", list_).set("work", work_);
-        pass.set("next_work", next_work_);
-        if (shapes) pass.set("diagonal_seeds", diagonals_[0]).set("diagonal_next", diagonals_[1]);
-        pass.dispatch_threads(picture.desc.size);
+        pass.use(edges_).set("picture", picture, nearest_clamp);
+        pass.set("row_words", edge_rows_).set("column_words", edge_columns_);
+        pass.set("listed", list_).set("work", work_).set("next_work", next_work_).dispatch_threads(picture.desc.size);
+        if (!shapes) return;
+        over_list(pass.wait(), strong_edges_).set("picture", picture, nearest_clamp);
+        pass.set("row_words", edge_rows_).set("column_words", edge_columns_).dispatch_indirect(work_);
     });
 
     // 2. Line lengths. From here on only listed pixels are processed, by as many workgroups as they need.
-    access.reads = {work_, list_, distances_[0], distances_[1]};
-    access.writes = {distances_[0], distances_[1]};
-    if (shapes)
-        for (const Image& image : diagonals_) access.reads.push_back(image), access.writes.push_back(image);
-    access.reads.push_back(picture);
-    frame.compute("mlaa distances", access, [&](Compute& pass) {
-        const auto over_list = [&](const Pipeline& pipeline, const Image& from, const Image& into) {
-            pass.use(pipeline).set("distances", from, nearest_clamp).set("into", into);
-            if (pass.wants("picture")) pass.set("picture", picture, nearest_clamp);
-            pass.set("listed", list_).set("work", work_).dispatch_indirect(work_).wait();
-        };
-        const Image *edges = &distances_[0], *other = &distances_[1];
-        if (shapes) {
-            over_list(strong_edges_, *edges, *other);
-            std::swap(edges, other);
-            over_list(diagonal_seeds_, *edges, diagonals_[0]);
-            staircases_ = propagate(pass, &diagonals_[0], &diagonals_[1], diagonal);
-        }
-        over_list(links_, *edges, *other);
-        lengths_ = propagate(pass, other, edges, straight);
-    });
+    std::vector<ImageView> lengths{distances_[0]};
+    if (shapes) lengths.push_back(diagonals_[0]);
+    if (doubles) lengths.push_back(distances_[1]);
+    if (doubles && shapes) lengths.push_back(diagonals_[1]);
+    access = {.reads = {work_, list_, edge_rows_, edge_columns_}, .with = {*this}};
+    for (const ImageView& image : lengths) access.writes.push_back(image), access.reads.push_back(image);
+    frame.compute("mlaa distances", access,
+                  [&](Compute& pass) { doubles ? measure_by_doubling(pass) : measure_by_words(pass); });
 
     // 3. Weights, mixed light, and its copy into the picture.
-    access = {.reads = {work_, list_, mixed_, picture, areas_, crossings_, distances()},
+    access = {.reads = {work_, list_, edge_rows_, edge_columns_, mixed_, picture, areas_, crossings_, distances()},
               .writes = {work_, mixed_, picture},
               .with = {*this}};
     if (shapes) access.reads.push_back(*staircases_);
     frame.compute("mlaa mix", access, [&](Compute& pass) {
-        pass.use(shapes ? mix_shapes_ : mix_).set("picture", picture, nearest_clamp);
+        over_list(pass, shapes ? mix_shapes_ : mix_).set("picture", picture, nearest_clamp).set("mixed", mixed_);
         pass.set("distances", distances(), nearest_clamp).set("areas", areas_, nearest_clamp);
         if (shapes) pass.set("diagonals", *staircases_, nearest_clamp).set("crossings", crossings_, nearest_clamp);
-        pass.set("listed", list_).set("mixed", mixed_).set("work", work_).dispatch_indirect(work_).wait();
+        set_edges(pass);
+        pass.dispatch_indirect(work_).wait();
         put(pass, picture);
     });
 }
@@ -143,8 +176,18 @@ void Mlaa::search_by_luma(Frame& frame, const Image& picture) {
 }
 
 void Mlaa::put(Compute& pass, const Image& picture) const {
-    pass.use(put_).set("listed", list_).set("mixed", mixed_).set("work", work_).set("picture", picture);
-    pass.dispatch_indirect(work_);
+    over_list(pass, put_).set("mixed", mixed_).set("picture", picture).dispatch_indirect(work_);
+}
+
+void Mlaa::show_edges(Frame& frame, const Image& picture, bool lengths) const {
+    if (!follows_edges()) return;
+    frame.compute("edges in color", {.reads = {edge_rows_, edge_columns_, distances(), picture}, .writes = {picture}},
+                  [&](Compute& pass) {
+                      pass.use(lengths ? lengths_in_color_ : edges_in_color_);
+                      set_edges(pass);
+                      pass.set("distances", distances(), nearest_clamp).set("picture", picture);
+                      pass.dispatch_threads(picture.desc.size);
+                  });
 }
 
 }  // namespace lightwalk

@@ -27,7 +27,13 @@ struct Mlaa : Module {
     Knob<int> reach{
         *this, "reach", 255, {2, 255}, "Reach: distance to which a line of edges is followed to each side of a pixel",
         "px"};
-    Choice reads{*this, "reads", {"two", "four"}, "four", "Numbers that a pass adds: distances double, or quadruple"};
+    Choice reads{
+        *this,
+        "reads",
+        {"two", "four", "words"},
+        "words",
+        "Reads that give a distance: two or four numbers in each of several passes, so that distances double or "
+        "quadruple; or words of sixteen edges, in one pass"};
     Knob<float> threshold{
         *this, "threshold", 12.0f, {0.0f, 100.0f}, "Threshold of an edge: difference of two neighbours in CIELAB"};
     Knob<int> search{*this, "search", 16, {1, 255}, "Search distance for the ends of an edge (method fxaa_like)", "px"};
@@ -40,11 +46,20 @@ struct Mlaa : Module {
     bool is_filter() const { return method.is("fxaa_like") || follows_edges(); }
     bool follows_edges() const { return method.is("mlaa") || method.is("smaa_like"); }
 
-    /// Passes over the list until lines are followed as far as `reach`, after the one that links neighbours.
+    /// Passes over the list until lines are followed as far as `reach`, after the one that links neighbours. None with
+    /// words.
     int passes() const;
 
-    /// Of the frame recorded last, for whoever looks: r32ui, four bytes (13_mlaa/distance_bits.glsl).
+    /// Of the frame recorded last, for whoever looks: words of edges (13_mlaa/edge_words.glsl), and beside edges four
+    /// bytes (13_mlaa/distance_bits.glsl). All r32ui.
+    const Image& edge_rows() const { return edge_rows_; }
+    const Image& edge_columns() const { return edge_columns_; }
     const Image& distances() const { return *lengths_; }
+    void set_edges(Compute& pass) const;  ///< Binds the first two.
+
+    /// Draws the edges of that frame over the picture in grey, or the lengths of their lines; nothing where the method
+    /// follows none.
+    void show_edges(Frame& frame, const Image& picture, bool lengths) const;
 
     /// How many pixels were looked at as lying beside an edge, and how many of them were mixed, in the frame that ended
     /// last of those recorded with `count` on.
@@ -52,16 +67,21 @@ struct Mlaa : Module {
         uint32_t listed = 0, changed = 0;
     };
     Counts counts() const;
+    std::vector<std::string> status() const override;
 
   private:
     void set_up(Frame& frame, glm::uvec2 size);
     void follow_edges(Frame& frame, const Image& picture);
     void search_by_luma(Frame& frame, const Image& picture);
+    void measure_by_words(Compute& pass);
+    void measure_by_doubling(Compute& pass);
     const Image* propagate(Compute& pass, const Image* from, const Image* into,
                            const glm::ivec2 (&directions)[4]) const;
+    Compute& over_list(Compute& pass, const Pipeline& pipeline) const;
     void put(Compute& pass, const Image& picture) const;
 
-    Image distances_[2], diagonals_[2];
+    Image edge_rows_, edge_columns_;
+    Image distances_[2], diagonals_[2];                       ///< the second of each for passes that double
     const Image *lengths_ = nullptr, *staircases_ = nullptr;  ///< of those, as the last frame left them
     Image areas_, crossings_;
     unsigned toggles_ = ~0u;  ///< that the tables were made for
@@ -70,14 +90,17 @@ struct Mlaa : Module {
     Buffer list_;
     ReadBack counted_;
     Pipeline edges_ = compute({.shader = "13_mlaa/edges.comp"});
-    Pipeline edges_and_diagonals_ = compute({.shader = "13_mlaa/edges.comp", .macros = {{"DIAGONALS", "1"}}});
     Pipeline strong_edges_ = compute({.shader = "13_mlaa/strong_edges.comp"});
+    Pipeline scan_ = compute({.shader = "13_mlaa/lengths.comp"});
+    Pipeline scan_and_walk_ = compute({.shader = "13_mlaa/lengths.comp", .macros = {{"DIAGONALS", "1"}}});
     Pipeline diagonal_seeds_ = compute({.shader = "13_mlaa/diagonal_seeds.comp"});
     Pipeline links_ = compute({.shader = "13_mlaa/links.comp"});
     Pipeline propagate_ = compute({.shader = "13_mlaa/propagate.comp"});
     Pipeline mix_ = compute({.shader = "13_mlaa/mix.comp"});
-    Pipeline mix_shapes_ = compute({.shader = "13_mlaa/mix_shapes.comp", .macros = {{"CROSSINGS", "1"}}});
+    Pipeline mix_shapes_ = compute({.shader = "13_mlaa/mix_shapes.comp"});
     Pipeline fxaa_ = compute({.shader = "13_mlaa/fxaa.comp"});
+    Pipeline edges_in_color_ = compute({.shader = "13_mlaa/edges_in_color.comp", .macros = {{"LENGTHS", "0"}}});
+    Pipeline lengths_in_color_ = compute({.shader = "13_mlaa/edges_in_color.comp", .macros = {{"LENGTHS", "1"}}});
     Pipeline put_ = compute({.shader = "13_mlaa/put.comp"});
 };
 

@@ -22,7 +22,6 @@ struct EnvironmentChapter : ModelChapter {
 
     EnvironmentChapter() {
         light.method.alone = true;  // --method is about reflections here
-        objects.lights.method.change_default("every_light");
         objects.maps.method.change_default("normal");
         bloom.method.change_default("none");
     }

@@ -40,7 +40,6 @@ struct TerrainWater : ModelChapter {
         sky.map.change_default("plain");
         fog.method.change_default("none");
         bloom.method.change_default("none");
-        objects.lights.method.change_default("every_light");
         water.method.change_default("none");
         light.method.change_default("mirror");
         light.radiance_alone = true;  // water looks along single directions

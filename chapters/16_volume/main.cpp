@@ -22,7 +22,6 @@ struct VolumeChapter : ModelChapter {
     VolumeChapter() {
         volume.method.alone = true;  // --method is about the march here
         objects.maps.method.change_default("flat");
-        objects.lights.method.change_default("every_light");
     }
     std::string default_scene() const override { return "scenes/light_in_rings.json"; }
 

@@ -1,18 +1,41 @@
 #include "18_playground/background_load.h"
 
 #include <fmt/core.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 
 #include "01_obj/obj.h"
+#include "04_surface_maps/maps.h"
 #include "04_surface_maps/tangents.h"
+#include "common/base/error.h"
 
 namespace lightwalk {
 namespace {
 
 bool is_ready(const std::future<LoadedModel>& future) {
     return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+std::vector<LoadedTexture> decode_textures(const Model& model) {
+    std::map<std::pair<std::filesystem::path, TextureKind>, bool> wanted;  // and whether it is a normal map
+    for (const Material& material : model.materials)
+        for (const MapSlotInfo& slot : map_slots())
+            if (slot.from && material.*slot.from) wanted[{(material.*slot.from).file, slot.kind}] |= slot.is_normal;
+    progress()->begin("decoding textures", wanted.size());
+    std::vector<LoadedTexture> textures;
+    for (const auto& [texture, is_normal] : wanted) {
+        progress()->step(1);
+        LoadedTexture one{texture.first, texture.second, {}, {}};
+        try {
+            one.texels = decode_texture(one.file, one.kind);
+        } catch (const InputError&) { continue; }  // who draws it says so
+        if (is_normal) one.normal_levels = normal_map_levels(one.texels);
+        textures.push_back(std::move(one));
+    }
+    return textures;
 }
 
 }  // namespace
@@ -23,8 +46,11 @@ void BackgroundLoad::start(const std::filesystem::path& file) {
     const auto shared = std::make_shared<Progress>();
     now_.emplace(Now{file, shared, std::async(std::launch::async, [file, shared] {
                          progress() = shared.get();
-                         LoadedModel read{load_model(file), {}};
+                         setpriority(PRIO_PROCESS, 0, 10);  // of this thread and those that it starts
+                         LoadedModel read{load_model(file), {}, {}};
+                         check_extent(read.model, file);
                          read.frames = frame_model(read.model);
+                         read.textures = decode_textures(read.model);
                          return read;
                      })});
 }

@@ -9,15 +9,24 @@
 
 namespace lightwalk {
 
-/// A model with what chapter 04 computes from it.
+/// A texture that the model's materials name; of a normal map also what chapter 04 makes of it.
+struct LoadedTexture {
+    std::filesystem::path file;
+    TextureKind kind = TextureKind::color;
+    DecodedTexture texels;
+    std::vector<std::vector<std::byte>> normal_levels;
+};
+
+/// A model with what chapter 04 computes from it, and its textures; those that cannot be read are left out.
 struct LoadedModel {
     Model model;
     std::vector<std::vector<TangentFrame>> frames;  ///< of each mesh
+    std::vector<LoadedTexture> textures;
 };
 
 // [background_load]
-/// One model at a time. Reading, joining vertices and tangents are work for the processor, and run on a thread; only the
-/// window's thread speaks to the device.
+/// One model at a time. Reading, joining vertices, tangents and decoding textures are work for the processor, and run on
+/// threads that give way to the window's; only that one speaks to the device.
 class BackgroundLoad {
   public:
     ~BackgroundLoad() { cancel(); }

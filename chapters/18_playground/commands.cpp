@@ -251,39 +251,23 @@ Said rename(Document& document, EntryId id, const std::string& name) {
     return said;
 }
 
-void set_hidden(Document& document, const std::vector<EntryId>& ids, bool hidden) {
-    document.begin(hidden ? "hide" : "show");
+namespace {
+
+void set_switch(Document& document, const std::vector<EntryId>& ids, const char* step, bool Entry::*which, bool on) {
+    document.begin(step);
     for (const EntryId id : ids)
-        if (id != root_entry && document.find(id) && document.at(id).hidden != hidden)
-            document.edit(id).hidden = hidden;
+        if (id != root_entry && document.find(id) && document.at(id).*which != on) document.edit(id).*which = on;
     document.commit();
+}
+
+}  // namespace
+
+void set_hidden(Document& document, const std::vector<EntryId>& ids, bool hidden) {
+    set_switch(document, ids, hidden ? "hide" : "show", &Entry::hidden, hidden);
 }
 
 void set_locked(Document& document, const std::vector<EntryId>& ids, bool locked) {
-    document.begin(locked ? "lock" : "unlock");
-    for (const EntryId id : ids)
-        if (id != root_entry && document.find(id) && document.at(id).locked != locked)
-            document.edit(id).locked = locked;
-    document.commit();
-}
-
-Said place(Document& document, EntryId id, const Placement& placement, uint64_t gesture) {
-    if (is_locked(document, id)) return "it is locked";
-    const SceneObject* object = document.at(id).object();
-    if (!object) return "only objects have a rotation and a scale";
-    for (int i = 0; i < 3; ++i) {
-        if (!(std::fabs(placement.scale[i]) >= least_scale && std::fabs(placement.scale[i]) <= 1e6f))
-            return fmt::format("a scale of {:g} is not possible: 1e-6 to 1e6, or negative to mirror",
-                               placement.scale[i]);
-        if (!(std::fabs(placement.position[i]) <= 1e9f) || !(std::fabs(placement.rotation_deg[i]) <= 1e9f))
-            return fmt::format("{:g} is no place: at most 1e9", placement.position[i]);
-    }
-    if (placement_of(*object) == placement) return "";
-    document.begin("place " + object->name, gesture);
-    SceneObject& edited = *document.edit(id).object();
-    edited.position = placement.position, edited.rotation_deg = placement.rotation_deg, edited.scale = placement.scale;
-    document.commit();
-    return "";
+    set_switch(document, ids, locked ? "lock" : "unlock", &Entry::locked, locked);
 }
 
 void set_knobs(Document& document, const std::map<std::string, std::string>& knobs, uint64_t gesture) {

@@ -1,6 +1,7 @@
 #include "18_playground/document.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "common/base/error.h"
 
@@ -26,16 +27,20 @@ Document::Document(const SceneFile& scene) {
     };
     for (const SceneObject& object : scene.objects) {
         SceneObject own = object;
-        own.parent.clear(), own.hidden = false;
+        own.parent.clear(), own.hidden = own.locked = false;
         const EntryId id = append(object.parent.empty() ? root_entry : by_name.at(object.parent),
-                                  {.what = std::move(own), .hidden = object.hidden});
+                                  {.what = std::move(own), .hidden = object.hidden, .locked = object.locked});
         if (!object.name.empty()) by_name[object.name] = id;
     }
+    const auto append_light = [&](Light light, bool is_hidden) {
+        const bool locked = std::exchange(light.locked, false);
+        append(root_entry, {.what = std::move(light), .hidden = is_hidden, .locked = locked});
+    };
     auto hidden = scene.hidden_lights.begin();
     for (size_t i = 0; i <= scene.lights.size(); ++i) {
         for (; hidden != scene.hidden_lights.end() && (hidden->before <= i || i == scene.lights.size()); ++hidden)
-            append(root_entry, {.what = hidden->light, .hidden = true});
-        if (i < scene.lights.size()) append(root_entry, {.what = scene.lights[i]});
+            append_light(hidden->light, true);
+        if (i < scene.lights.size()) append_light(scene.lights[i], false);
     }
     note_structure();
 }

@@ -29,7 +29,7 @@ struct Entry {
     std::vector<EntryId> children{};  ///< in order
     std::variant<SceneSettings, SceneObject, Light> what{};
     bool hidden = false;
-    bool locked = false;    ///< neither picked nor changed; not saved
+    bool locked = false;    ///< neither picked nor changed
     bool included = false;  ///< from a file that the scene includes
 
     const SceneObject* object() const { return std::get_if<SceneObject>(&what); }

@@ -45,11 +45,13 @@ void Editor::loaded(Chapter& chapter) {
     live.begin(document, chapter.scene);
 }
 
-void Editor::open(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file) {
+void Editor::open(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file,
+                  const std::function<void(Scene&)>& give) {
     Scene kept = std::exchange(chapter.scene, Scene());
     const Camera camera = chapter.camera;
     shown_ = nullptr;
     try {
+        if (give) give(chapter.scene);
         load_scene(chapter, gpu, file);
     } catch (...) {
         chapter.scene = std::move(kept);

@@ -26,7 +26,9 @@ class Editor {
     void loaded(Chapter& chapter);
 
     /// Opens the document's scene in the chapter. Throws InputError, and nothing has changed.
-    void open(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file);
+    /// `give`: fills the new scene's pools with what is there already.
+    void open(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file,
+              const std::function<void(Scene&)>& give = {});
     void open_document(Chapter& chapter, Document next);
 
     /// Between frames: knobs that were changed in the panel become steps, and the document's changes are shown. What cannot

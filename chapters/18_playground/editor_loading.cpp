@@ -15,6 +15,8 @@ namespace {
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+constexpr double upload_ms = 8.0;  // of each frame
+
 bool has_model(const Scene& scene, const fs::path& file) {
     return std::any_of(scene.file.objects.begin(), scene.file.objects.end(), [&](const SceneObject& object) {
         return !object.model.empty() && !object.hidden && find_asset(object.model) == file;
@@ -25,8 +27,24 @@ bool has_model(const Scene& scene, const fs::path& file) {
 
 void EditorWindow::frame(Frame& frame) {
     gpu_ = &frame.gpu;
+    const double start = now_s();
+    const bool loads = !wanted_.empty();
+    if (loads && !pace_) pace_ = Pace{start, start};
     carry_on_loading();
+    bring_up_to_date(frame.gpu);
+    if (pace_) note_pace(start, now_s() - start, !loads);
     Playground::frame(frame);
+}
+
+void EditorWindow::note_pace(double start, double own_s, bool ended) {
+    Pace& pace = *pace_;
+    ++pace.frames;
+    pace.longest_s = std::max(pace.longest_s, start - std::exchange(pace.last, start));
+    pace.own_longest_s = std::max(pace.own_longest_s, own_s);
+    if (!ended) return;
+    log_event(fmt::format("loading took {:.2f} s, {} frames, the longest {:.0f} ms, of which loading at most {:.0f} ms",
+                          start - pace.since, pace.frames, 1e3 * pace.longest_s, 1e3 * pace.own_longest_s));
+    pace_.reset();
 }
 
 void EditorWindow::on_drop(const std::vector<fs::path>& files) {
@@ -48,7 +66,6 @@ void EditorWindow::want(const fs::path& file, bool adds) {
             }
         else if (!adds || !has_model(scene, one.file))
             one.models.push_back(one.file);
-        one.since = one.last = now_s();
         wanted_.push_back(std::move(one));
     } catch (const InputError& e) { editor.notice = e.what(); }
     changed_ = true;
@@ -65,19 +82,16 @@ void EditorWindow::stop_loading(const std::string& why) {
 void EditorWindow::carry_on_loading() {
     if (wanted_.empty()) return;
     Wanted& now = wanted_.front();
-    ++now.frames;
-    now.longest_s = std::max(now.longest_s, now_s() - std::exchange(now.last, now_s()));
     if (auto ended = loading_.poll()) {
         if (!ended->model) return stop_loading(ended->error);
-        std::error_code error;
-        now.read.emplace(fs::weakly_canonical(ended->file, error), std::move(*ended->model));
+        now.arrived.push_back(std::make_unique<Arrival>(*gpu_, ended->file, std::move(*ended->model)));
         now.models.erase(now.models.begin());
     }
-    if (loading_.busy()) return;
+    if (loading_.busy() || (!now.arrived.empty() && !now.arrived.back()->step(upload_ms))) return;
     if (!now.models.empty()) return loading_.start(now.models.front());
     Wanted done = std::move(now);
     wanted_.pop_front();
-    ready = std::move(done.read);
+    arrived = std::move(done.arrived);
     if (done.adds) {
         editor.add_model(*this, done.file);
         log_event("added " + done.file.filename().string());
@@ -85,8 +99,6 @@ void EditorWindow::carry_on_loading() {
         opens = done.file;
     }
     remember_file(done.file);
-    log_event(fmt::format("loading took {:.2f} s, {} frames, the longest {:.0f} ms", now_s() - done.since, done.frames,
-                          1e3 * done.longest_s));
 }
 // [/carry_on]
 
@@ -97,7 +109,12 @@ void EditorWindow::draw_loading(float scale) {
     ImGui::Begin("loading", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::ProgressBar(loading_.share(), {300.0f * scale, 0.0f}, loading_.words().c_str());
+    const Wanted& now = wanted_.front();
+    if (loading_.busy() || now.arrived.empty())
+        ImGui::ProgressBar(loading_.share(), {300.0f * scale, 0.0f}, loading_.words().c_str());
+    else
+        ImGui::ProgressBar(now.arrived.back()->share(), {300.0f * scale, 0.0f},
+                           (now.file.filename().string() + ": uploading").c_str());
     ImGui::SameLine();
     if (tool_button("cancel", "Esc: the scene stays as it is"))
         stop_loading("cancelled: " + wanted_.front().file.filename().string());

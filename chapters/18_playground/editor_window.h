@@ -58,11 +58,16 @@ struct EditorWindow : Playground, WindowTool {
         std::filesystem::path file;
         bool adds = false;
         std::vector<std::filesystem::path> models;
-        std::map<std::filesystem::path, LoadedModel> read;
-        int frames = 0;
-        double since = 0, longest_s = 0, last = 0;  ///< of the frames that were drawn meanwhile
+        std::vector<std::unique_ptr<Arrival>> arrived;
     };
     std::deque<Wanted> wanted_;
+    /// What loading costs the frames that are drawn meanwhile, up to the first one that shows all of it.
+    struct Pace {
+        double since = 0, last = 0, longest_s = 0, own_longest_s = 0;
+        int frames = 0;
+    };
+    std::optional<Pace> pace_;
+    void note_pace(double start, double own_s, bool ended);
     BackgroundLoad loading_;
     Gpu* gpu_ = nullptr;  ///< of the frames
     Preview preview_;

@@ -58,8 +58,8 @@ LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, co
                 const SceneObject& before = scene.file.objects[places_.at(id)];
                 if (placement_of(*object) != placement_of(before))
                     moves.push_back({places_.at(id), object->position, object->rotation_deg, object->scale});
-            } else if (const Light* light = entry->light(); light && !entry->hidden) {
-                scene.file.lights[light_places_.at(id)] = *light;
+            } else if (entry->light() && !entry->hidden) {
+                scene.file.lights[light_places_.at(id)] = light_of(*entry);
             }
         }
         scene.move(moves);

@@ -1,8 +1,12 @@
 #include "18_playground/placement.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+
+#include "18_playground/commands.h"
 
 namespace lightwalk {
 
@@ -77,6 +81,25 @@ glm::mat4 world_of(const Document& document, EntryId id) {
             world = glm::translate(glm::dmat4(1.0), glm::dvec3(light->position)) * world;
     }
     return glm::mat4(world);
+}
+
+Said place(Document& document, EntryId id, const Placement& placement, uint64_t gesture) {
+    if (is_locked(document, id)) return "it is locked";
+    const SceneObject* object = document.at(id).object();
+    if (!object) return "only objects have a rotation and a scale";
+    for (int i = 0; i < 3; ++i) {
+        if (!(std::fabs(placement.scale[i]) >= least_scale && std::fabs(placement.scale[i]) <= 1e6f))
+            return fmt::format("a scale of {:g} is not possible: 1e-6 to 1e6, or negative to mirror",
+                               placement.scale[i]);
+        if (!(std::fabs(placement.position[i]) <= 1e9f) || !(std::fabs(placement.rotation_deg[i]) <= 1e9f))
+            return fmt::format("{:g} is no place: at most 1e9", placement.position[i]);
+    }
+    if (placement_of(*object) == placement) return "";
+    document.begin("place " + object->name, gesture);
+    SceneObject& edited = *document.edit(id).object();
+    edited.position = placement.position, edited.rotation_deg = placement.rotation_deg, edited.scale = placement.scale;
+    document.commit();
+    return "";
 }
 
 }  // namespace lightwalk

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "03_attenuation/scattered_lights.h"
-#include "04_surface_maps/tangents.h"
 #include "18_playground/picking_error.h"
 
 namespace lightwalk {
@@ -33,32 +32,23 @@ Playground::Playground() {
     atmosphere.in_use = sky.in_use = probe.in_use = [this] { return air.is("sky"); };
 }
 
-// What was read beside the picture, where it was; its tangents wait for Maps::prepare().
-Model Playground::load_model(const std::filesystem::path& file) {
-    std::error_code error;
-    auto read = ready.extract(std::filesystem::weakly_canonical(file, error));
-    if (!read) return ModelChapter::load_model(file);
-    Model model = std::move(read.mapped().model);
-    for (size_t i = 0; i < model.meshes.size(); ++i)
-        frames_at_hand()[model.meshes[i].vertices.data()] = std::move(read.mapped().frames[i]);
-    return model;
-}
-
 // The document's changes, before anything is drawn. What a step adds has to be prepared, as after loading.
 void Playground::bring_up_to_date(Gpu& gpu) {
+    const auto give = [this](Scene& to) {
+        for (const auto& one : arrived) one->give(to);
+    };
     if (opens) try {
-            editor.open(*this, gpu, *std::exchange(opens, std::nullopt));
+            editor.open(*this, gpu, *std::exchange(opens, std::nullopt), give);
         } catch (const InputError& e) { editor.notice = e.what(); }
-    const LiveScene::Done done = editor.update(*this, gpu);
-    ready.clear();
-    if (done != LiveScene::Done::replaced) return frames_at_hand().clear();
+    give(scene);
+    arrived.clear();
+    if (editor.update(*this, gpu) != LiveScene::Done::replaced) return;
     const bool updates = std::exchange(updates_, false);
     maps_due_ = editor.loads;
     substances.prepare(gpu, scene);
     picker.rays.prepare(gpu, scene);
     if (editor.loads) objects.maps.prepare(gpu, scene);
     maps_due_ = true, updates_ = updates;
-    frames_at_hand().clear();
 }
 
 // [frame]

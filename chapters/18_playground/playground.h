@@ -12,7 +12,7 @@
 #include "14_environment/probe.h"
 #include "14_environment/substances.h"
 #include "15_terrain_water/water.h"
-#include "18_playground/background_load.h"
+#include "18_playground/arrival.h"
 #include "18_playground/editor.h"
 #include "18_playground/marks.h"
 
@@ -41,13 +41,12 @@ struct Playground : ModelChapter {
     Marks marks{*this, "marks"};
 
     Editor editor;
-    std::optional<std::filesystem::path> opens;          ///< a scene that the next frame shall open
-    std::map<std::filesystem::path, LoadedModel> ready;  ///< by canonical path: load_model() takes them
-    std::optional<glm::ivec2> click;                     ///< a pixel that the next frame shall pick
+    std::optional<std::filesystem::path> opens;     ///< a scene that the next frame shall open
+    std::vector<std::unique_ptr<Arrival>> arrived;  ///< models for what the next frame adds or opens
+    std::optional<glm::ivec2> click;                ///< a pixel that the next frame shall pick
 
     Playground();
     std::string default_scene() const override { return "scenes/workbench.json"; }
-    Model load_model(const std::filesystem::path& file) override;
     void prepare(Gpu&, Scene&) override { editor.loaded(*this), updates_ = true; }
     void frame(Frame& frame) override;
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override;
@@ -55,8 +54,10 @@ struct Playground : ModelChapter {
 
     View view_now;  ///< of the frame that was drawn last
 
-  private:
+  protected:
     void bring_up_to_date(Gpu& gpu);
+
+  private:
     void draw_world(Frame& frame, const View& view);
     void draw_marks(Frame& frame, const View& view);
     void show_ids(Frame& frame);

@@ -14,6 +14,7 @@ namespace lightwalk {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr double slice_ms = 4.0;
 constexpr uintmax_t largest_file = uintmax_t{64} << 20;  // beyond it a thumbnail would take longer than a look
 
 // In the light in which most things look their best.
@@ -32,11 +33,6 @@ Playground& Preview::chapter() {
     chapter_->marks.on.value = false;
     chapter_->light.prefilter.samples.value = 16;  // it is small
     return *chapter_;
-}
-
-void Preview::give(const fs::path& file, LoadedModel model) {
-    std::error_code error;
-    chapter().ready[fs::weakly_canonical(file, error)] = std::move(model);
 }
 
 Image8 Preview::draw(Gpu& gpu, const SceneFile& scene, glm::uvec2 size) {
@@ -126,9 +122,11 @@ bool Thumbnails::carry_on(Gpu& gpu, Preview& preview) {
                 scene_ = scene_of_model(file, model_bounds(ended->model->model));
                 light_well(*scene_);
             }
-            preview.give(ended->file, std::move(*ended->model));
+            arrival_ = std::make_unique<Arrival>(gpu, ended->file, std::move(*ended->model));
             models_.pop_back();
         }
+        if (arrival_ && !arrival_->step(slice_ms)) return false;
+        if (arrival_) preview.give(*std::exchange(arrival_, nullptr));
         if (loading_.busy()) return false;
         if (!models_.empty()) return loading_.start(models_.back()), false;
         Image8 picture = preview.draw(gpu, *scene_, size);

@@ -13,7 +13,7 @@ class Preview {
     /// Throws InputError where the scene cannot be loaded.
     Image8 draw(Gpu& gpu, const SceneFile& scene, glm::uvec2 size);
     /// For the next draw(), which then does not read it.
-    void give(const std::filesystem::path& file, LoadedModel model);
+    void give(const Arrival& model) { model.give(chapter().scene); }
     void forget() { chapter_.reset(); }  ///< the models and textures that it has seen
 
   private:
@@ -45,6 +45,7 @@ class Thumbnails {
     std::optional<SceneFile> scene_;
     int drawn_ = 0;
     BackgroundLoad loading_;
+    std::unique_ptr<Arrival> arrival_;
 };
 
 /// Where a file's thumbnail is kept: by its path, size and time of writing. Empty where there is no such place.

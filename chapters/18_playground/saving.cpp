@@ -10,6 +10,12 @@
 namespace lightwalk {
 namespace fs = std::filesystem;
 
+Light light_of(const Entry& entry) {
+    Light light = *entry.light();
+    light.locked = entry.locked;
+    return light;
+}
+
 Exported exported(const Document& document) {
     Exported result;
     const SceneSettings& settings = document.settings();
@@ -21,13 +27,13 @@ Exported exported(const Document& document) {
         const Entry& entry = document.at(id);
         if (const SceneObject* object = entry.object()) {
             scene.objects.push_back(*object);
-            scene.objects.back().hidden = entry.hidden;
+            scene.objects.back().hidden = entry.hidden, scene.objects.back().locked = entry.locked;
             if (entry.parent != root_entry) scene.objects.back().parent = document.at(entry.parent).name();
             result.objects.push_back(id);
-        } else if (const Light* light = entry.light(); light && entry.hidden) {
-            scene.hidden_lights.push_back({scene.lights.size(), *light});
-        } else if (light) {
-            scene.lights.push_back(*light);
+        } else if (entry.light() && entry.hidden) {
+            scene.hidden_lights.push_back({scene.lights.size(), light_of(entry)});
+        } else if (entry.light()) {
+            scene.lights.push_back(light_of(entry));
             result.lights.push_back(id);
         }
     }
@@ -49,9 +55,9 @@ SceneFile part_of(const Document& document, bool included) {
         const Entry& entry = document.at(id);
         if (!entry.light() || entry.included != included) continue;
         if (entry.hidden)
-            part.hidden_lights.push_back({part.lights.size(), *entry.light()});
+            part.hidden_lights.push_back({part.lights.size(), light_of(entry)});
         else
-            part.lights.push_back(*entry.light());
+            part.lights.push_back(light_of(entry));
     }
     return part;
 }

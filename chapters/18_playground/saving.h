@@ -11,6 +11,7 @@ struct Exported {
     std::vector<EntryId> lights;   ///< of scene.lights
 };
 Exported exported(const Document& document);
+Light light_of(const Entry& entry);  ///< an entry that is one, as in a scene file
 
 // [scene_store]
 /// A document's file. The text is the same for equal documents, to the byte.

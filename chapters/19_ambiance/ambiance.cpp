@@ -13,7 +13,6 @@ Ambiance::Ambiance() {
     method.alone = true;
     post.tone.change_default("off");  // the scenes have their own
     objects.in_use = [this] { return !reel.is_open(); };
-    objects.lights.method.change_default("every_light");
     commands = {
         {"levels", "FILE", "Write the levels of the music FILE beside it, for films, and exit",
          [](const std::string& file, const Options&, auto&) { return write_levels(file), 0; }},

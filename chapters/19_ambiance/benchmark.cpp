@@ -70,7 +70,7 @@ int run_benchmark(Chapter& chapter, Reel& reel, Mlaa& antialias, const std::stri
     gpu = make_gpu(options);
     load_scene(chapter, *gpu, options.scene.empty() ? chapter.default_scene() : options.scene);
     if (!reel.is_open()) throw InputError("--benchmark: {} is no film", options.scene);
-    if (options.automatic) choose_ways(reel, *gpu, options);
+    if (options.automatic) choose_ways(chapter, reel, *gpu, options);
     const Timeline& film = reel.film();
     const int frames = options.frames_given ? options.frames : 60;
     Frame frame(*gpu);

@@ -62,7 +62,7 @@ int FilmOut::write(Chapter& chapter, Reel& reel, const std::string& file, const 
     gpu = make_gpu(options);
     load_scene(chapter, *gpu, options.scene.empty() ? chapter.default_scene() : options.scene);
     if (!reel.is_open()) throw InputError("--film: {} is no film", options.scene);
-    if (options.automatic) choose_ways(reel, *gpu, options);
+    if (options.automatic) choose_ways(chapter, reel, *gpu, options);
     const int last = static_cast<int>(std::lround(reel.film().duration_s * double(fps)));
     const int end = frames_to < 0 ? last : std::min(int(frames_to), last);
     if (frames_from >= end) throw InputError("--film: there is no frame from {} to {}", int(frames_from), end);

@@ -8,7 +8,6 @@ namespace {
 struct HeadPart : FilmPart {
     HeadPart(const FilmScene& scene, Music& music) : FilmPart(scene, music) {
         objects.maps.method.change_default("normal");
-        objects.lights.method.change_default("every_light");
     }
     LitScene objects{*this, "objects"};  // its lights and maps; the head is what is drawn
     EnvironmentLight environment{*this, "environment"};

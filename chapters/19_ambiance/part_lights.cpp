@@ -14,16 +14,11 @@ struct LightsPart : FilmPart {
         objects.all_lights = [this](const Frame& frame) { return all_lights(frame); };
     }
     DeferredScene objects{*this, "objects"};
-    Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "Number of random lights added to those of the scene"};
+    ScatteredLights scattered{*this};
     Knob<bool> moving{*this, "moving", false, "Animation of the point and spot lights"};
-    Bounds lit;
-
-    void prepare(Gpu&, Scene& loaded) override { lit = loaded.bounds; }
 
     std::vector<Light> all_lights(const Frame& frame) const {
-        std::vector<Light> all = scene_.lights();
-        const std::vector<Light> more = scatter_lights(lit, scattered, frame.seed);
-        all.insert(all.end(), more.begin(), more.end());
+        std::vector<Light> all = scattered.all(frame.seed);
         if (moving) move_lights(all, frame.time_s);
         return all;
     }

@@ -9,7 +9,6 @@ namespace {
 
 struct SurroundingsPart : FilmPart {
     SurroundingsPart(const FilmScene& scene, Music& music) : FilmPart(scene, music) {
-        objects.lights.method.change_default("every_light");
         objects.maps.method.change_default("normal");
     }
     ImageLight light{*this, "environment"};

@@ -13,7 +13,6 @@ struct VolumePart : FilmPart {
     VolumePart(const FilmScene& scene, Music& music) : FilmPart(scene, music) {
         bloom.method.change_default("pyramid");
         objects.maps.method.change_default("flat");
-        objects.lights.method.change_default("every_light");
     }
     Finish finish{*this, "finish"};  // before the maps' levels are made of it
     SurfaceScene objects{*this, "objects"};

@@ -18,7 +18,6 @@ struct WaterPart : FilmPart {
     WaterPart(const FilmScene& scene, Music& music) : FilmPart(scene, music) {
         sky.map.change_default("plain");
         fog.method.change_default("none");
-        objects.lights.method.change_default("every_light");
         light.method.change_default("mirror");
         light.radiance_alone = true;
         land.shadowed_by = city.shadowed_by = &sun_shadow;

@@ -22,21 +22,7 @@ using nlohmann::json;
 // Parts of a scene's time at which it is alone on the screen.
 constexpr double looked_at[] = {0.25, 0.45, 0.65};
 constexpr int rounds = 3;
-
-// One scene of a film, and nothing else: neither anti-aliasing nor grain nor titles.
-struct OneScene : Chapter {
-    explicit OneScene(Reel& r) : reel(r) {}
-    std::string default_scene() const override { return {}; }
-    Model load_model(const std::filesystem::path&) override { return {}; }
-    void make_ready(Gpu& gpu, glm::uvec2 size, float time_s) override {
-        reel.make_ready(gpu, size, static_cast<double>(time_s), 0.0, false);
-    }
-    void frame(Frame& frame) override {
-        reel.record(frame, static_cast<double>(frame.time_s));
-        encode_srgb(frame);
-    }
-    Reel& reel;
-};
+constexpr int truth_samples = 16;  // for each of the film's
 
 std::vector<KnobSettings> read_ways(const std::string& kind) {
     const std::filesystem::path file = course_root() / "chapters/19_ambiance/ways.json";
@@ -65,20 +51,26 @@ json as_json(const KnobSettings& knobs) {
 // Draws a scene at its times in several ways by turns: what each draws, and how long that takes.
 class Measuring {
   public:
-    Measuring(Reel& reel, Gpu& gpu, size_t scene, const Options& options)
-        : reel_(reel), scene_(scene), options_(options), chapter_(reel), frame_(gpu) {}
+    Measuring(Chapter& chapter, Reel& reel, Gpu& gpu, size_t scene, const Options& options)
+        : chapter_(chapter), reel_(reel), scene_(scene), options_(options), frame_(gpu) {}
     ~Measuring() { reel_.draw_by(scene_, {}); }
+    Measuring(const Measuring&) = delete;
 
-    void draw(const KnobSettings& way, double time_s) {
-        reel_.draw_by(scene_, way);
-        render(chapter_, frame_, {options_.size, static_cast<float>(time_s), options_.seed, {}});
-    }
     std::vector<ImageRgb> pictures(const KnobSettings& way) {
         std::vector<ImageRgb> all;
         for (const double time_s : times_of(reel_.film().scenes.at(scene_))) {
             draw(way, time_s);
             all.push_back(read_linear(frame_.gpu, frame_.output));
         }
+        return all;
+    }
+    std::vector<ImageRgb> truth(const KnobSettings& way) {
+        KnobBase& smoothing = find_knob(chapter_.all_knobs(), "mlaa.method");
+        const std::string smoothed_by = smoothing.text();
+        const int samples = chapter_.samples;
+        smoothing.set("none"), chapter_.samples.value = truth_samples * samples;
+        std::vector<ImageRgb> all = pictures(way);
+        smoothing.set(smoothed_by), chapter_.samples.value = samples;
         return all;
     }
     /// Medians, one for each way.
@@ -93,49 +85,58 @@ class Measuring {
     }
 
   private:
+    void draw(const KnobSettings& way, double time_s) {
+        reel_.draw_by(scene_, way);
+        render(chapter_, frame_, {options_.size, static_cast<float>(time_s), options_.seed, {}});
+    }
+    Chapter& chapter_;
     Reel& reel_;
     const size_t scene_;
     const Options& options_;
-    OneScene chapter_;
     Frame frame_;
 };
+
+double greatest_error(const std::vector<ImageRgb>& truth, const std::vector<ImageRgb>& drawn) {
+    double greatest = 0;
+    for (size_t i = 0; i < drawn.size(); ++i)
+        greatest = std::max(greatest, double(summarize(flip_ldr(truth[i], drawn[i])).mean));
+    return greatest;
+}
 
 }  // namespace
 
 // [measure_ways]
-std::vector<Way> measure_ways(Reel& reel, Gpu& gpu, size_t scene, const Options& options) {
+std::vector<Way> measure_ways(Chapter& chapter, Reel& reel, Gpu& gpu, size_t scene, const Options& options) {
     const std::vector<KnobSettings> all = read_ways(reel.film().scenes.at(scene).kind);
-    Measuring measuring(reel, gpu, scene, options);
+    Measuring measuring(chapter, reel, gpu, scene, options);
+    const std::vector<ImageRgb> truth = measuring.truth(all.front());
     std::vector<Way> ways;
-    const std::vector<ImageRgb> best = measuring.pictures(all.front());
-    for (const KnobSettings& knobs : all) {
-        Way& way = ways.emplace_back(Way{.knobs = knobs});
-        const std::vector<ImageRgb> drawn = measuring.pictures(knobs);
-        for (size_t i = 0; i < drawn.size(); ++i)
-            if (drawn[i].pixels != best[i].pixels)
-                way.error = std::max(way.error, double(summarize(flip_ldr(best[i], drawn[i])).mean));
-    }
+    for (const KnobSettings& knobs : all)
+        ways.push_back({.knobs = knobs, .error = greatest_error(truth, measuring.pictures(knobs))});
     const std::vector<double> times_ms = measuring.times_ms(all);
     for (size_t i = 0; i < ways.size(); ++i) ways[i].gpu_ms = times_ms[i];
     return ways;
 }
+
+ChosenWay cheapest_way(const std::vector<Way>& ways, double budget) {
+    const Way *cheapest = nullptr, *truest = &ways.front();
+    for (const Way& way : ways) {
+        if (way.error < truest->error) truest = &way;
+        if (way.error <= budget && (!cheapest || way.gpu_ms < cheapest->gpu_ms)) cheapest = &way;
+    }
+    return {cheapest ? *cheapest : *truest, cheapest != nullptr};
+}
 // [/measure_ways]
 
-const Way& cheapest_way(const std::vector<Way>& ways, double budget) {
-    const Way* cheapest = &ways.front();
-    for (const Way& way : ways)
-        if (way.error <= budget && way.gpu_ms < cheapest->gpu_ms) cheapest = &way;
-    return *cheapest;
-}
-
-void choose_ways(Reel& reel, Gpu& gpu, const Options& options) {
+void choose_ways(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options) {
     for (size_t i = 0; i < reel.film().scenes.size(); ++i) {
-        const std::vector<Way> ways = measure_ways(reel, gpu, i, options);
-        const Way& chosen = cheapest_way(ways, *options.budget);
-        std::printf("%-14s %9.2f ms, was %9.2f; error %.5f  %s\n", reel.film().scenes[i].name.c_str(), chosen.gpu_ms,
-                    ways.front().gpu_ms, chosen.error, as_json(chosen.knobs).dump().c_str());
+        const std::vector<Way> ways = measure_ways(chapter, reel, gpu, i, options);
+        const auto [way, enough] = cheapest_way(ways, *options.budget);
+        std::printf("%-14s %9.2f ms, was %9.2f; error %.5f  %s%s\n", reel.film().scenes[i].name.c_str(), way.gpu_ms,
+                    ways.front().gpu_ms, way.error, as_json(way.knobs).dump().c_str(),
+                    enough ? "" : "; no way is within the budget, the truest is kept");
         std::fflush(stdout);
-        reel.draw_by(i, chosen.knobs);
+        reel.draw_by(i, way.knobs);
     }
 }
 
@@ -149,9 +150,9 @@ int write_ways(Chapter& chapter, Reel& reel, const std::string& file, const Opti
     Patience patience("measuring", "scenes");
     for (size_t i = 0; i < reel.film().scenes.size(); ++i) {
         json ways = json::array();
-        for (const Way& way : measure_ways(reel, *gpu, i, options))
+        for (const Way& way : measure_ways(chapter, reel, *gpu, i, options))
             ways.push_back({{"knobs", as_json(way.knobs)}, {"error", way.error}, {"gpu_ms", way.gpu_ms}});
-        const double as_it_stands = Measuring(reel, *gpu, i, options).times_ms({{}}).front();
+        const double as_it_stands = Measuring(chapter, reel, *gpu, i, options).times_ms({{}}).front();
         scenes.push_back({{"name", reel.film().scenes[i].name},
                           {"kind", reel.film().scenes[i].kind},
                           {"as_set_ms", as_it_stands},

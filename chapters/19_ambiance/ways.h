@@ -11,18 +11,25 @@ namespace lightwalk {
 /// Of one scene: a row of ways.json for its kind.
 struct Way {
     KnobSettings knobs;
-    double error = 0;   ///< greatest mean FLIP against the first way, over three times of the scene
+    double error = 0;   ///< greatest mean FLIP against the truth, over three times of the scene
     double gpu_ms = 0;  ///< of a frame: median over these times and three rounds
 };
 
-/// All ways of a scene, the most accurate one first, measured in turn. The reel then draws it as the film says.
-std::vector<Way> measure_ways(Reel& reel, Gpu& gpu, size_t scene, const Options& options);
+/// All ways of a scene, the most accurate one first, measured in turn as the chapter draws its film: with its
+/// anti-aliasing and its samples a pixel. The truth is the first way with 16 times the samples and no anti-aliasing, so
+/// that what a way loses between pixels counts, too. The reel then draws the scene as the film says.
+std::vector<Way> measure_ways(Chapter& chapter, Reel& reel, Gpu& gpu, size_t scene, const Options& options);
 
-/// The cheapest of those whose error is at most the budget; the first one's is 0.
-const Way& cheapest_way(const std::vector<Way>& ways, double budget);
+/// The cheapest of those whose error is at most the budget. Where there is none, the one with the least error.
+struct ChosenWay {
+    const Way& way;
+    bool enough;
+};
+ChosenWay cheapest_way(const std::vector<Way>& ways, double budget);
 
-/// Has the reel draw each scene by its cheapest way within options.budget, and says which on standard output.
-void choose_ways(Reel& reel, Gpu& gpu, const Options& options);
+/// Has the reel draw each scene by its cheapest way within options.budget, and says which on standard output; of a
+/// scene that has none, too.
+void choose_ways(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options);
 
 /// Writes all scenes' ways as JSON, and what the film as it stands costs. Returns the exit code. Throws InputError.
 int write_ways(Chapter& chapter, Reel& reel, const std::string& file, const Options& options,

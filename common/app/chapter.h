@@ -63,9 +63,6 @@ class Chapter : public Module {
     /// For the error where the picture is not finite: what may have caused that, and what to do.
     virtual std::string why_not_finite() const { return {}; }
 
-    /// What the panel shows of the last frame beside the times, and --timings writes: a line each.
-    virtual std::vector<std::string> status() const { return {}; }
-
     bool animated() const override { return scene.moves(); }
 };
 

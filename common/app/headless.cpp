@@ -71,7 +71,7 @@ json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter
             {"recording_cpu_ms", median(recording_ms)},
             {"passes", passes},
             {"once", once},
-            {"status", chapter.status()}};
+            {"status", chapter.all_status()}};
 }
 
 }  // namespace

@@ -102,6 +102,14 @@ const Sound* Module::any_sound() const {
     return any;
 }
 
+std::vector<std::string> Module::all_status() const {
+    std::vector<std::string> all;
+    visit_used(*this, [&](const Module& module) {
+        for (std::string& line : module.status()) all.push_back(std::move(line));
+    });
+    return all;
+}
+
 std::string Module::load_state() const {
     std::string state;
     visit_used(*this, [&](const Module& module) {

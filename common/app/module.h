@@ -66,12 +66,16 @@ class Module : public Given {
     /// What a window plays beside the picture, from 0 s on; null: nothing. It stays until the next prepare().
     virtual const Sound* sound() const { return nullptr; }
 
+    /// Of the last frame, for the panel beside the times and for --timings: a line each; none before it had one.
+    virtual std::vector<std::string> status() const { return {}; }
+
     /// False: not asked any of the above, nor are its modules. None given: always true.
     std::function<bool()> in_use;
 
     void prepare_all(Gpu& gpu, Scene& scene);
     bool any_animated() const;
     const Sound* any_sound() const;  ///< of the first module that has one
+    std::vector<std::string> all_status() const;
     std::string load_state() const;  ///< all load keys, and the toggles of all load exercises
     bool loads_exercise() const;     ///< some exercise runs at load, in the student's version
                                      // [/life]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "common/app/read_picture.h"
 #include "common/base/patience.h"
 
 namespace lightwalk {
@@ -63,6 +64,12 @@ void render(Chapter& chapter, Frame& frame, const Picture& picture) {
         patience.show(sample + 1, samples);
     }
     if (samples > 1) frame.times = std::move(times);
+}
+
+ImageRgb render_linear(Chapter& chapter, Gpu& gpu, glm::uvec2 size) {
+    Frame frame(gpu);
+    render(chapter, frame, {.size = size, .crop = {}});
+    return read_linear(gpu, frame.linear());
 }
 
 void accumulate(Frame& frame) {

@@ -1,6 +1,7 @@
 // Drawing a chapter's frames.
 #pragma once
 #include "common/app/chapter.h"
+#include "common/image/image.h"
 
 namespace lightwalk {
 
@@ -18,6 +19,9 @@ struct Picture {
 /// recorded is submitted all the same.
 void render(Chapter& chapter, Frame& frame, const Picture& picture);
 // [/render]
+
+/// Linear light of one more picture with the knobs as they are, at time 0, in a frame of its own: for measure(). Waits.
+ImageRgb render_linear(Chapter& chapter, Gpu& gpu, glm::uvec2 size);
 
 /// Adds times to those of passes of the same names.
 void add_times(std::vector<PassTime>& sum, const std::vector<PassTime>& times);

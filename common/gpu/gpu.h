@@ -58,6 +58,9 @@ class Gpu {
 void copy(VkCommandBuffer commands, VkBuffer from, VkDeviceSize offset, const ImageView& to);
 void copy(VkCommandBuffer commands, const ImageView& from, VkBuffer to);
 
+/// Makes the levels from `first` (1 at least) on, each by halving the one before it, in layouts for transfers.
+void make_levels(VkCommandBuffer commands, Image& image, uint32_t first);
+
 /// Ends the process at once with a line on stderr and exit code 1: the device is still busy with a command that never
 /// ends, so that destroying anything would wait for ever.
 [[noreturn]] void abandon_device(const std::string& message);

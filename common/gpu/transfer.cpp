@@ -36,6 +36,21 @@ void copy(VkCommandBuffer commands, const ImageView& from, VkBuffer to) {
     vkCmdCopyImageToBuffer(commands, from.image->handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, 1, &one);
 }
 
+void make_levels(VkCommandBuffer commands, Image& image, uint32_t first) {
+    const ImageView whole(image);
+    for (uint32_t m = first; m < image.desc.mips; ++m) {
+        const ImageView from = whole.mip(m - 1), to = whole.mip(m);
+        barrier(commands, from, transfer_read);
+        barrier(commands, to, transfer_write);
+        const VkImageBlit half{.srcSubresource = from.first_mip_layers(),
+                               .srcOffsets = {{}, corner(from)},
+                               .dstSubresource = to.first_mip_layers(),
+                               .dstOffsets = {{}, corner(to)}};
+        vkCmdBlitImage(commands, image.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image.handle,
+                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &half, VK_FILTER_LINEAR);
+    }
+}
+
 // [upload]
 Buffer Gpu::upload(const std::string& name, std::span<const std::byte> bytes) {
     Buffer buffer(device, {.name = name, .bytes = bytes.size()});
@@ -64,16 +79,7 @@ void Gpu::upload(Image& image, std::span<const std::byte> texels) {
     submit_now([&](VkCommandBuffer commands) {
         barrier(commands, whole, transfer_write);
         copy(commands, staging.handle, 0, whole.mip(0));
-        for (uint32_t m = 1; m < image.desc.mips; ++m) {
-            const ImageView from = whole.mip(m - 1), to = whole.mip(m);
-            barrier(commands, from, transfer_read);
-            const VkImageBlit half{.srcSubresource = from.first_mip_layers(),
-                                   .srcOffsets = {{}, corner(from)},
-                                   .dstSubresource = to.first_mip_layers(),
-                                   .dstOffsets = {{}, corner(to)}};
-            vkCmdBlitImage(commands, image.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image.handle,
-                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &half, VK_FILTER_LINEAR);
-        }
+        make_levels(commands, image, 1);
         barrier(commands, whole, any_read);
     });
     image.constant = true;

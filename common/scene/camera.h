@@ -12,6 +12,16 @@ struct Camera {
     float fov_y_rad = 0.8f;                ///< full vertical field of view, in (0, pi)
     float near_m = 0.05f;                  ///< above 0; depth 1
     float far_m = 1000.0f;                 ///< above near_m, may be infinity; depth 0
+
+    /// So many metres on along the ground; one that looks straight down stays.
+    Camera walked(float metres) const {
+        Camera there = *this;
+        const glm::vec3 ahead = (target - position) * glm::vec3(1, 0, 1);
+        const float length = glm::length(ahead);
+        const glm::vec3 step = length > 0 ? metres / length * ahead : glm::vec3(0);
+        there.position += step, there.target += step;
+        return there;
+    }
 };
 
 }  // namespace lightwalk

@@ -11,15 +11,8 @@
 namespace lightwalk {
 namespace {
 
-struct Texels {
-    glm::uvec2 size{0};
-    VkFormat format = VK_FORMAT_R8G8B8A8_UNORM;
-    int channels = 3;
-    std::vector<std::byte> bytes;
-};
-
 // Halves of linear values, clamped to their range; alpha is 1.
-Texels linear_texels(const std::filesystem::path& file) {
+DecodedTexture linear_texels(const std::filesystem::path& file) {
     const ImageRgb image = read_image_linear(file);
     std::vector<uint16_t> halves;
     halves.reserve(4 * image.pixels.size());
@@ -31,34 +24,46 @@ Texels linear_texels(const std::filesystem::path& file) {
         }
     if (not_numbers > 0) throw InputError("{}: {} of its values are NaN, expected numbers", file.string(), not_numbers);
     const auto bytes = std::as_bytes(std::span(halves));
-    return {{image.width, image.height}, VK_FORMAT_R16G16B16A16_SFLOAT, 3, {bytes.begin(), bytes.end()}};
+    return {.desc = {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = {image.width, image.height}},
+            .levels = {{bytes.begin(), bytes.end()}}};
 }
 
-Texels decode(const std::filesystem::path& file, TextureKind kind, uint32_t max_size) {
-    Texels texels;
-    if (is_hdr_name(file)) {
-        texels = linear_texels(file);
-    } else {
-        TexelImage image = read_texels(file, kind == TextureKind::data);
-        texels = {{image.width, image.height},
-                  image.bits == 16             ? VK_FORMAT_R16G16B16A16_UNORM
-                  : kind == TextureKind::color ? VK_FORMAT_R8G8B8A8_SRGB
-                                               : VK_FORMAT_R8G8B8A8_UNORM,
-                  image.channels,
-                  std::move(image.bytes)};
-    }
-    if (std::max(texels.size.x, texels.size.y) > max_size)
-        throw InputError("{}: {}x{} is larger than the device's {}", file.string(), texels.size.x, texels.size.y,
-                         max_size);
-    return texels;
+// One entry for each file and use of it.
+std::string key_of_image(const std::filesystem::path& file, TextureKind kind) {
+    std::error_code error;
+    return std::filesystem::weakly_canonical(file, error).string() + (kind == TextureKind::color ? " color" : " data");
 }
 
 }  // namespace
 
+DecodedTexture decode_texture(const std::filesystem::path& file, TextureKind kind) {
+    DecodedTexture texture;
+    if (is_hdr_name(file)) {
+        texture = linear_texels(file);
+    } else {
+        TexelImage image = read_texels(file, kind == TextureKind::data);
+        texture.desc.size = {image.width, image.height};
+        texture.desc.format = image.bits == 16             ? VK_FORMAT_R16G16B16A16_UNORM
+                              : kind == TextureKind::color ? VK_FORMAT_R8G8B8A8_SRGB
+                                                           : VK_FORMAT_R8G8B8A8_UNORM;
+        texture.channels = image.channels;
+        if (texture.desc.format == VK_FORMAT_R8G8B8A8_SRGB)
+            texture.levels = color_levels(texture.desc.size, image.bytes);
+        else
+            texture.levels.push_back(std::move(image.bytes));
+    }
+    texture.desc.name = file.filename().string();
+    texture.desc.mips = full_mip_count(texture.desc.size);
+    return texture;
+}
+
+void ImagePool::put(const std::filesystem::path& file, TextureKind kind, const std::shared_ptr<Image>& image,
+                    int channels) {
+    if (images_.try_emplace(key_of_image(file, kind), image).second) channels_[image.get()] = channels;
+}
+
 std::shared_ptr<Image> ImagePool::load(const std::filesystem::path& file, TextureKind kind, int channels) {
-    std::error_code error;
-    const std::filesystem::path real = std::filesystem::weakly_canonical(file, error);
-    std::shared_ptr<Image>& entry = images_[real.string() + (kind == TextureKind::color ? " color" : " data")];
+    std::shared_ptr<Image>& entry = images_[key_of_image(file, kind)];
     const auto enough = [&](int there) {
         if (there >= channels) return;
         throw InputError("{}: has {}, expected three or four", file.string(),
@@ -68,17 +73,17 @@ std::shared_ptr<Image> ImagePool::load(const std::filesystem::path& file, Textur
         enough(channels_[entry.get()]);
         return entry;
     }
-    const Texels texels = decode(file, kind, gpu_.device.properties.limits.maxImageDimension2D);
-    enough(texels.channels);
-    auto image = std::make_shared<Image>(gpu_.device, Image::Desc{.name = file.filename().string(),
-                                                                  .format = texels.format,
-                                                                  .size = texels.size,
-                                                                  .mips = full_mip_count(texels.size)});
-    if (texels.format == VK_FORMAT_R8G8B8A8_SRGB)
-        gpu_.upload(*image, color_levels(texels.size, texels.bytes));
+    const DecodedTexture texture = decode_texture(file, kind);
+    const glm::uvec2 size = texture.desc.size;
+    if (const uint32_t most = gpu_.device.properties.limits.maxImageDimension2D; std::max(size.x, size.y) > most)
+        throw InputError("{}: {}x{} is larger than the device's {}", file.string(), size.x, size.y, most);
+    enough(texture.channels);
+    auto image = std::make_shared<Image>(gpu_.device, texture.desc);
+    if (texture.levels.size() > 1)
+        gpu_.upload(*image, texture.levels);
     else
-        gpu_.upload(*image, texels.bytes);
-    channels_[image.get()] = texels.channels;
+        gpu_.upload(*image, texture.levels.at(0));
+    channels_[image.get()] = texture.channels;
     return entry = image;
 }
 

@@ -11,6 +11,17 @@ namespace lightwalk {
 /// What a texture's numbers mean: sRGB-encoded colour, or linear data such as normals and heights.
 enum class TextureKind { color, data };
 
+/// A texture in memory, as the device takes it.
+struct DecodedTexture {
+    Image::Desc desc;
+    int channels = 3;  ///< of the file: 1 grey, 2 grey and alpha, 3 colour, 4 with alpha
+    std::vector<std::vector<std::byte>>
+        levels;  ///< all of a colour texture's; else the first, and the device makes others
+};
+
+/// What ImagePool::load() reads; on any thread. Throws InputError: missing, empty, damaged.
+DecodedTexture decode_texture(const std::filesystem::path& file, TextureKind kind);
+
 class ImagePool {
   public:
     explicit ImagePool(Gpu& gpu) : gpu_(gpu) {}
@@ -20,13 +31,19 @@ class ImagePool {
     /// allows, or with fewer than `channels` channels (1 grey, 2 grey and alpha, 3 colour).
     std::shared_ptr<Image> load(const std::filesystem::path& file, TextureKind kind, int channels = 1);
 
+    /// An image that was decoded by decode_texture() and is on the device already, for load() to find.
+    void put(const std::filesystem::path& file, TextureKind kind, const std::shared_ptr<Image>& image, int channels);
+
+    /// What a chapter makes of an image of this pool, by its own name for that; kept as long as the pool's images.
+    std::map<std::pair<const Image*, std::string>, std::shared_ptr<Image>> derived;
+
     /// One texel of that colour, for a slot without a texture.
     std::shared_ptr<Image> constant(glm::vec4 value);
 
     /// Whether the file of an image of this pool has an alpha channel.
     bool has_alpha(const Image& image) const { return channels_.contains(&image) && channels_.at(&image) % 2 == 0; }
 
-    void clear() { images_.clear(), channels_.clear(); }
+    void clear() { images_.clear(), channels_.clear(), derived.clear(); }
     size_t size() const { return images_.size(); }
 
   private:

@@ -19,6 +19,7 @@ struct Light {
     float size_m = 0.0f;    ///< diameter of the lamp, a disc that faces what it lights; point and spot
     float size_rad = 0.0f;  ///< how wide the lamp looks from here, as the sun; directional
     std::string name{};     ///< for people; may be empty
+    bool locked = false;    ///< not changed in an editor
     bool operator==(const Light&) const = default;
 };
 

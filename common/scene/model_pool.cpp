@@ -8,6 +8,13 @@ namespace {
 // Beyond, squares of distances leave a float's range, and the picture holds NaN.
 constexpr float farthest_m = 1e15f;
 
+std::string key_of_model(const std::filesystem::path& file) {
+    std::error_code error;
+    return std::filesystem::weakly_canonical(file, error).string();
+}
+
+}  // namespace
+
 void check_extent(const Model& model, const std::filesystem::path& file) {
     for (const Mesh& mesh : model.meshes)
         for (int i = 0; i < 3; ++i)
@@ -17,11 +24,12 @@ void check_extent(const Model& model, const std::filesystem::path& file) {
                                      mesh.name, x, farthest_m);
 }
 
-}  // namespace
+void ModelPool::put(const std::filesystem::path& file, const std::shared_ptr<GpuModel>& model) {
+    models_.try_emplace(key_of_model(file), model);
+}
 
 std::shared_ptr<GpuModel> ModelPool::load(Gpu& gpu, const std::filesystem::path& file, const ModelLoader& loader) {
-    std::error_code error;
-    std::shared_ptr<GpuModel>& entry = models_[std::filesystem::weakly_canonical(file, error).string()];
+    std::shared_ptr<GpuModel>& entry = models_[key_of_model(file)];
     if (entry) return entry;
     auto model = std::make_shared<GpuModel>();
     model->model = loader(file);

@@ -21,11 +21,16 @@ struct GpuModel {
     std::map<std::string, std::vector<Buffer>> attributes;
 };
 
+/// Throws InputError where the model reaches farther than can be drawn.
+void check_extent(const Model& model, const std::filesystem::path& file);
+
 /// Models by file.
 class ModelPool {
   public:
     /// Throws what the loader throws.
     std::shared_ptr<GpuModel> load(Gpu& gpu, const std::filesystem::path& file, const ModelLoader& loader);
+    /// A model whose buffers are filled already, for load() to find; check_extent() has seen it.
+    void put(const std::filesystem::path& file, const std::shared_ptr<GpuModel>& model);
     void clear() { models_.clear(); }
     size_t size() const { return models_.size(); }
 

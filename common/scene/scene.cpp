@@ -55,8 +55,7 @@ std::vector<uint32_t> places(size_t from, size_t to) {
 }  // namespace
 
 void Scene::load(Gpu& gpu, SceneFile scene, const ModelLoader& loader) {
-    if (!images_) images_ = std::make_unique<ImagePool>(gpu);
-    white_ = images_->constant(glm::vec4(1.0f));
+    white_ = images(gpu).constant(glm::vec4(1.0f));
     flat_ = images_->constant({0.5f, 0.5f, 1.0f, 1.0f});
     file = std::move(scene);
     time_s_ = 0;
@@ -69,6 +68,11 @@ void Scene::load(Gpu& gpu, SceneFile scene, const ModelLoader& loader) {
     for (size_t i = 0; i < file.objects.size(); ++i)
         if (!file.objects[i].model.empty() && !objects_[i].hidden) add_items(gpu, i, roles, loader);
     place_and_upload(gpu);
+}
+
+ImagePool& Scene::images(Gpu& gpu) {
+    if (!images_) images_ = std::make_unique<ImagePool>(gpu);
+    return *images_;
 }
 
 // Parents, and where objects are.

@@ -118,7 +118,9 @@ class Scene : public Drawable {
     void clear();
 
     const ModelPool& models() const { return models_; }
+    ModelPool& models() { return models_; }
     const ImagePool* images() const { return images_.get(); }
+    ImagePool& images(Gpu& gpu);
 
   private:
     friend void animate(Scene& scene, float time_s);

@@ -30,6 +30,7 @@
 //                    (0 to 1), maps {slot: file} (diffuse, specular, emissive, opacity, normal, height, orm, occlusion,
 //                    gloss, detail_normal, displacement)
 //     hidden         false; true: neither it nor its children are drawn
+//     locked         false; true: the editor (chapter 18) changes neither it nor its children
 //     motion         at least one of
 //       spin_deg_per_s   0, about axis ([0, 1, 0], any length above 0) in the object's own space, -1e5 to 1e5
 //       path             list of keyframes: time_s (required, rising, -1e6 to 1e6), position, rotation_deg, scale (the
@@ -50,6 +51,7 @@
 //     size_deg       0, how wide the lamp looks (the sun: 0.53), 0 to 90; directional
 //     name           a text; none
 //     hidden         false; true: it is switched off
+//     locked         false; true: the editor does not change it
 //   knobs        {name: value}, those of the chapter that shows the scene
 //   knobs_of     a chapter, such as 18_playground, whose knobs these are: other chapters leave out those that they do not
 //                have. Without it every chapter refuses a knob that it does not have
@@ -86,6 +88,7 @@ struct SceneObject {
     GivenRole role{};
     std::string shows{};  ///< of a screen: the name of the object whose view it shows
     bool hidden = false;  ///< neither it nor its children are drawn
+    bool locked = false;  ///< neither it nor its children are changed in an editor
 };
 
 /// A light that is switched off.

@@ -156,6 +156,7 @@ SceneObject read_object(const JsonWithLines& source, KeyReader r, const std::str
     if (!model.empty()) object.model = asset(source, pointer + "/model", model);
     read_roles(source, r, object);
     r.boolean("hidden", object.hidden);
+    r.boolean("locked", object.locked);
     r.vector("position", object.position);
     r.vector("rotation_deg", object.rotation_deg);
     read_scale(r, object.scale);
@@ -201,6 +202,7 @@ Light read_light(KeyReader r, bool& hidden) {
     }
     r.string("name", light.name);
     r.boolean("shadow", light.shadow);
+    r.boolean("locked", light.locked);
     if (light.kind == Light::Kind::directional)
         r.angle("size_deg", light.size_rad, 0, 90);
     else

@@ -71,6 +71,7 @@ json object_json(const SceneObject& o) {
     if (m.blend) material["blend"] = *m.blend;
     if (!material.empty()) j["material"] = material;
     if (o.hidden) j["hidden"] = true;
+    if (o.locked) j["locked"] = true;
     if (o.motion) j["motion"] = motion_json(o.motion);
     return j;
 }
@@ -93,6 +94,7 @@ json light_json(const Light& light) {
         j["softness"] = number(light.softness);
     }
     if (light.shadow) j["shadow"] = true;
+    if (light.locked) j["locked"] = true;
     if (light.size_m > 0.0f) j["size_m"] = number(light.size_m);
     if (light.size_rad > 0.0f) j["size_deg"] = degrees(light.size_rad);
     return j;

@@ -117,7 +117,7 @@ void Panel::times(PanelState& state) {
     row("frame", "wall clock", state.frame_ms);
     ImGui::EndTable();
     ImGui::PushTextWrapPos();
-    for (const std::string& line : state.chapter.status()) ImGui::TextUnformatted(line.c_str());
+    for (const std::string& line : state.chapter.all_status()) ImGui::TextUnformatted(line.c_str());
     ImGui::TextColored(quiet_color, "%zu triangles, %u×%u pixels", state.chapter.scene.triangle_count(),
                        state.picture.x, state.picture.y);
     ImGui::TextColored(quiet_color, "%s%s", state.device.info.name.c_str(),

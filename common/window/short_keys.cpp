@@ -20,22 +20,49 @@ namespace {
 
 struct KeyEvent {
     int key, scancode, action, mods;
+    unsigned character = 0;  ///< what was typed, in place of a key
 };
 
 GLFWwindow* keyboard_of = nullptr;
 GLFWkeyfun imgui_key = nullptr;
+GLFWcharfun imgui_character = nullptr;
 std::set<int> changed_keys;  // since a frame has read them
+bool was_typed = false;      // text, since then
 std::deque<KeyEvent> waiting;
 
-bool may_pass(const KeyEvent& event) { return event.action == GLFW_REPEAT || changed_keys.insert(event.key).second; }
+bool is_shift(int key) { return key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT; }
+bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+
+// Of a modifier a frame knows one state, and takes all keys and text that are new in it for pressed with that one.
+bool may_pass(const KeyEvent& event) {
+    if (event.character || event.action == GLFW_REPEAT) return true;
+    if (is_modifier(event.key) && (was_typed || !std::all_of(changed_keys.begin(), changed_keys.end(), is_modifier)))
+        return false;
+    return changed_keys.insert(event.key).second;
+}
 
 // Letters and Shift for the text that they make, which comes as characters: nobody asks for their state.
 bool makes_text(const KeyEvent& event) {
-    if (event.key == GLFW_KEY_LEFT_SHIFT || event.key == GLFW_KEY_RIGHT_SHIFT)
-        return waiting.empty() && changed_keys.empty();
+    if (event.character) return false;
+    if (is_shift(event.key)) return waiting.empty() && changed_keys.empty();
     if (event.key >= GLFW_KEY_ESCAPE || (event.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER))) return false;
     return !changed_keys.contains(event.key) &&
            std::none_of(waiting.begin(), waiting.end(), [&](const KeyEvent& one) { return one.key == event.key; });
+}
+
+void pass(const KeyEvent& event) {
+    was_typed |= event.character != 0;
+    if (event.character)
+        imgui_character(keyboard_of, event.character);
+    else
+        imgui_key(keyboard_of, event.key, event.scancode, event.action, event.mods);
+}
+
+void take(const KeyEvent& event) {
+    if (makes_text(event) || (waiting.empty() && may_pass(event)))
+        pass(event);
+    else
+        waiting.push_back(event);
 }
 
 }  // namespace
@@ -43,24 +70,23 @@ bool makes_text(const KeyEvent& event) {
 void hold_short_keys(GLFWwindow* window) {
     keyboard_of = window;
     changed_keys.clear(), waiting.clear();
-    imgui_key = glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int scancode, int action, int mods) {
-        const KeyEvent event{key, scancode, action, mods};
-        if (makes_text(event) || (waiting.empty() && may_pass(event)))
-            imgui_key(from, key, scancode, action, mods);
-        else
-            waiting.push_back(event);
+    was_typed = false;
+    imgui_key = glfwSetKeyCallback(window, [](GLFWwindow*, int key, int scancode, int action, int mods) {
+        take({key, scancode, action, mods});
+    });
+    imgui_character = glfwSetCharCallback(window, [](GLFWwindow*, unsigned character) {
+        take({0, 0, 0, 0, character});
     });
 }
 
 void pass_short_keys() {
     while (!waiting.empty() && may_pass(waiting.front())) {
-        const KeyEvent event = waiting.front();
+        pass(waiting.front());
         waiting.pop_front();
-        imgui_key(keyboard_of, event.key, event.scancode, event.action, event.mods);
     }
 }
 
-void note_keys_were_read() { changed_keys.clear(); }
+void note_keys_were_read() { changed_keys.clear(), was_typed = false; }
 bool short_keys_wait() { return !waiting.empty(); }
 #endif
 

@@ -7,7 +7,9 @@ namespace lightwalk {
 
 /// Dear ImGui before 1.87 reads the state of keys once per frame, so that a key pressed and released within one frame is
 /// lost: Return held for 10 ms in a window that takes 100 ms per frame. From here on each key changes at most once per
-/// frame, and what came after it waits, in order. Later versions of Dear ImGui do that themselves: then this does nothing.
+/// frame, and what came after it waits, in order; text too. A modifier that is released within the frame in which its key
+/// was pressed is held until a frame has seen both: Ctrl+A is no A. Later versions of Dear ImGui do that themselves: then
+/// this does nothing.
 /// To be called after Dear ImGui has installed its callbacks.
 void hold_short_keys(GLFWwindow* window);
 

@@ -156,7 +156,7 @@ json Stream::answer(const json& request, std::string& bytes) {
     said["format"] = still ? "png" : "jpeg";
     said["passes"] = passes_json(warm.frame->times);
     said["looks"] = Look::names(*warm.frame);
-    said["status"] = warm.chapter->status();
+    said["status"] = warm.chapter->all_status();
     said["moves"] = warm.chapter->any_animated();
     said["changed"] = changed;
     said["device"] = gpu_.device.info.name;

@@ -1,33 +1,31 @@
-// Where neighbours differ: the first distances along edges, and the list of pixels beside an edge.
+// Where neighbours differ: words of edges, and the list of pixels beside an edge.
 #include "13_mlaa/lab_edges.glsl"
 #include "13_mlaa/list.glsl"
-#include "13_mlaa/distance_bits.glsl"
 #include "13_mlaa/picture.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(scalar) uniform MlaaBlock { float threshold; } mlaa;
-layout(r32ui) writeonly uniform uimage2D seeds;
-layout(r32ui) writeonly uniform uimage2D next;  // what no later pass writes is 0 there, too
-#ifdef DIAGONALS
-layout(r32ui) writeonly uniform uimage2D diagonal_seeds;
-layout(r32ui) writeonly uniform uimage2D diagonal_next;
-#endif
+layout(r32ui) writeonly uniform uimage2D row_words, column_words;  // 13_mlaa/edge_words.glsl
+shared uint row_word[tile_side], column_word[tile_side];
 
 vec3 lab_at(ivec2 pixel) { return to_lab(light_at(pixel)); }
 
+// [edges]
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = textureSize(picture, 0);
-    uint edges = lab_edges(tile_side * ivec2(gl_WorkGroupID.xy), mlaa.threshold);
-    bool inside = all(lessThan(pixel, size));
-    if (inside) {
+    ivec2 group = ivec2(gl_WorkGroupID.xy), place = ivec2(gl_LocalInvocationID.xy), corner = tile_side * group, pixel = corner + place;
+    int thread = int(gl_LocalInvocationIndex);
+    if (thread < tile_side) row_word[thread] = column_word[thread] = 0u;
+    uint edges = lab_edges(corner, mlaa.threshold);
+    barrier();
+    edges = all(lessThan(pixel, textureSize(picture, 0))) ? edges : 0u;
+    if ((edges & 3u) != 0u) {
         uint right = edges & 1u, below = edges >> 1 & 1u;
-        imageStore(seeds, pixel, uvec4(right * seed_of_right | below * seed_of_below));
-        imageStore(next, pixel, uvec4(0u));
-#ifdef DIAGONALS
-        imageStore(diagonal_seeds, pixel, uvec4(0u));
-        imageStore(diagonal_next, pixel, uvec4(0u));
-#endif
+        atomicOr(row_word[place.y], below << place.x | right << place.x + tile_side);
+        atomicOr(column_word[place.x], right << place.y | below << place.y + tile_side);
     }
-    put_on_list(inside && edges != 0u, pixel);
+    put_on_list(edges != 0u, pixel);  // has barriers
+    if (thread < tile_side) imageStore(row_words, ivec2(group.x, corner.y + thread), uvec4(row_word[thread]));
+    else if (thread < 2 * tile_side) imageStore(column_words, ivec2(corner.x + thread - tile_side, group.y), uvec4(column_word[thread - tile_side]));
 }
+// [/edges]

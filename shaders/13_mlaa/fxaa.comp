@@ -12,28 +12,49 @@ layout(rgba16f) writeonly uniform image2D mixed;
 // As an eye takes it, about: the root of the luminance.
 float luma_at(ivec2 pixel) { return sqrt(luminance(light_at(pixel))); }
 
+// Of a workgroup's square and the pixels around it, each read once.
+const int square = 16, kept_side = square + 2;
+shared float kept[kept_side * kept_side];
+shared uint strong[square * square], strong_count;  // threads whose pixels stand out of their neighbours
+
+void keep_luma() {
+    ivec2 from = square * ivec2(gl_WorkGroupID.xy) - 1;
+    for (int slot = int(gl_LocalInvocationIndex); slot < kept_side * kept_side; slot += square * square)
+        kept[slot] = luma_at(from + ivec2(slot % kept_side, slot / kept_side));
+}
+float kept_luma(ivec2 place) { return kept[(place.y + 1) * kept_side + place.x + 1]; }
+
+// The contrast around a pixel of the square, 0 where it is too low to be seen.
+float contrast(ivec2 place) {
+    float m = kept_luma(place), n = kept_luma(place + ivec2(0, -1)), s = kept_luma(place + ivec2(0, 1));
+    float w = kept_luma(place + ivec2(-1, 0)), e = kept_luma(place + ivec2(1, 0));
+    float most = max(max(max(n, s), max(w, e)), m), range = most - min(min(min(n, s), min(w, e)), m);
+    return range < max(1.0 / 16.0, most / 8.0) ? 0.0 : range;
+}
+
 // How many pixels from here the mean luma of the edge's two sides stays near that at the pixel; `left` is by how much it
 // has changed where it does not.
 int search_end(ivec2 pixel, ivec2 side, ivec2 along, float mean, float enough, out float left) {
-    for (int i = 1; i <= mlaa.search; ++i) {
-        left = 0.5 * (luma_at(pixel + i * along) + luma_at(pixel + i * along + side)) - mean;
-        if (abs(left) >= enough) return i;
+    for (int i = 1; i <= mlaa.search; i += 2) {  // two at once: none of these reads waits for another
+        ivec2 first = pixel + i * along, second = first + along;
+        float change = 0.5 * (luma_at(first) + luma_at(first + side)) - mean, next_change = 0.5 * (luma_at(second) + luma_at(second + side)) - mean;
+        left = change;
+        if (abs(left) >= enough || i == mlaa.search) return i;
+        left = next_change;
+        if (abs(left) >= enough) return i + 1;
     }
     return mlaa.search;
 }
 
 // [fxaa]
 // The share of the neighbour across the edge, and where that neighbour lies.
-float fxaa_share(ivec2 pixel, out ivec2 side) {
-    side = ivec2(0);
-    float m = luma_at(pixel);
-    float n = luma_at(pixel + ivec2(0, -1)), s = luma_at(pixel + ivec2(0, 1));
-    float w = luma_at(pixel + ivec2(-1, 0)), e = luma_at(pixel + ivec2(1, 0));
-    float most = max(max(max(n, s), max(w, e)), m), range = most - min(min(min(n, s), min(w, e)), m);
-    if (range < max(1.0 / 16.0, most / 8.0)) return 0.0;
-
-    float nw = luma_at(pixel + ivec2(-1, -1)), ne = luma_at(pixel + ivec2(1, -1));
-    float sw = luma_at(pixel + ivec2(-1, 1)), se = luma_at(pixel + ivec2(1, 1));
+float fxaa_share(ivec2 place, out ivec2 side) {
+    ivec2 pixel = square * ivec2(gl_WorkGroupID.xy) + place;
+    float range = contrast(place), m = kept_luma(place);
+    float n = kept_luma(place + ivec2(0, -1)), s = kept_luma(place + ivec2(0, 1));
+    float w = kept_luma(place + ivec2(-1, 0)), e = kept_luma(place + ivec2(1, 0));
+    float nw = kept_luma(place + ivec2(-1, -1)), ne = kept_luma(place + ivec2(1, -1));
+    float sw = kept_luma(place + ivec2(-1, 1)), se = kept_luma(place + ivec2(1, 1));
     float across_rows = abs(nw + sw - 2.0 * w) + 2.0 * abs(n + s - 2.0 * m) + abs(ne + se - 2.0 * e);
     float across_columns = abs(nw + ne - 2.0 * n) + 2.0 * abs(w + e - 2.0 * m) + abs(sw + se - 2.0 * s);
     bool horizontal = across_rows >= across_columns;
@@ -58,10 +79,21 @@ float fxaa_share(ivec2 pixel, out ivec2 side) {
 }
 // [/fxaa]
 
+// Few pixels stand out. The workgroup's first threads take those, so that no thread waits while others search.
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), side = ivec2(0);
-    bool inside = all(lessThan(pixel, textureSize(picture, 0)));
-    float share = inside ? fxaa_share(pixel, side) : 0.0;
+    if (gl_LocalInvocationIndex == 0u) strong_count = 0u;
+    keep_luma();
+    barrier();
+    ivec2 corner = square * ivec2(gl_WorkGroupID.xy), own = ivec2(gl_LocalInvocationID.xy);
+    if (all(lessThan(corner + own, textureSize(picture, 0))) && contrast(own) > 0.0) strong[atomicAdd(strong_count, 1u)] = gl_LocalInvocationIndex;
+    barrier();
+    ivec2 pixel = corner, side = ivec2(0);
+    float share = 0.0;
+    for (uint i = gl_LocalInvocationIndex; i < strong_count; i += square * square) {  // once at most
+        ivec2 place = ivec2(strong[i] % square, strong[i] / square);
+        pixel += place;
+        share = fxaa_share(place, side);
+    }
     put_on_list(share > 0.0, pixel);
     if (share > 0.0) imageStore(mixed, pixel, vec4(mix(light_at(pixel), light_at(pixel + side), share), 1.0));
     if (gl_LocalInvocationIndex == 0u && listed_here > 0u) atomicAdd(work.changed_count, listed_here);

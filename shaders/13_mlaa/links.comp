@@ -1,6 +1,7 @@
 // Which pixels' edges are one line: the next pixel has such an edge as well, and there is no crossing between the two.
 #define WORK_ACCESS readonly
-#include "13_mlaa/edge_source.glsl"
+#include "13_mlaa/distance_bits.glsl"
+#include "13_mlaa/edge_words.glsl"
 #include "13_mlaa/work.glsl"
 
 layout(local_size_x = 256) in;
@@ -29,6 +30,6 @@ void main() {
         uint word = 0u;
         if (edge_below(pixel)) word |= linked(pixel, true) << back_below;
         if (edge_right(pixel)) word |= linked(pixel, false) << back_right;
-        imageStore(into, pixel, uvec4(word));  // 0, too: there may have been one that is hidden
+        imageStore(into, pixel, uvec4(word));
     }
 }

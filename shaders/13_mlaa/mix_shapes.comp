@@ -1,13 +1,11 @@
 // SMAA's shapes (J. Jimenez et al., "SMAA: enhanced subpixel morphological antialiasing", 2012), by lists and distances:
-// staircases of single steps, and ends at which edges across begin on both sides.
-#include "13_mlaa/line_weight.glsl"
+// staircases of single steps, corners, and ends at which edges across begin on both sides.
+#include "13_mlaa/shape_weight.glsl"
 #include "13_mlaa/staircase.glsl"
 
-// Beside the edge across at a staircase's end: the outline runs on the edge's other side.
-bool is_beside(ivec2 pixel, int way) {
-    ivec2 next = pixel + ivec2(way, 0), last = pixel - ivec2(way, 1);
-    return edge_before(next, way) && is_staircase(staircase_at(next, way > 0)) ||
-           edge_after(last, way) && is_staircase(staircase_at(last, way > 0));
+// On all four sides of the pixel.
+bool is_lone(ivec2 pixel) {
+    return edge_right(pixel) && edge_below(pixel) && edge_right(pixel - ivec2(1, 0)) && edge_below(pixel - ivec2(0, 1));
 }
 
 vec4 weights_of(ivec2 pixel) {
@@ -15,11 +13,11 @@ vec4 weights_of(ivec2 pixel) {
     for (int way = 1; way >= -1; way -= 2) {
         Staircase here = staircase_at(pixel, way > 0), above = staircase_at(pixel - ivec2(0, 1), way > 0);
         bool is_above = is_staircase(here), is_below = is_staircase(above);
-        if (is_above || is_below || is_beside(pixel, way))
+        if ((is_above || is_below) && !is_lone(pixel))
             return vec4(0.0, 0.0, is_below ? corner_below(above) : 0.0, is_above ? corner_above(here) : 0.0);
     }
-    return vec4(crossed_line_weight(pixel - ivec2(1, 0), false, 1), crossed_line_weight(pixel, false, -1),
-                crossed_line_weight(pixel - ivec2(0, 1), true, 1), crossed_line_weight(pixel, true, -1));
+    return vec4(shape_weight(pixel - ivec2(1, 0), false, 1), shape_weight(pixel, false, -1),
+                shape_weight(pixel - ivec2(0, 1), true, 1), shape_weight(pixel, true, -1));
 }
 
 #include "13_mlaa/mix_listed.glsl"

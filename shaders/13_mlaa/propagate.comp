@@ -14,7 +14,6 @@ void main() {
     for (uint i = gl_GlobalInvocationID.x; i < work.listed_count; i += listed_threads * gl_NumWorkGroups.x) {
         known_from = unpack_pixel(listed[i]);
         uint own = texelFetch(from, known_from, 0).x, longer = 0u;
-        if (own == 0u) continue;  // beside an edge that another pixel holds
         for (uint d = 0u; d < 4u; ++d) {
             known_shift = 8u * d;
             known_direction = pass_step.directions[d];

@@ -2,12 +2,7 @@
 #include "13_mlaa/diagonal_bits.glsl"
 #include "13_mlaa/edge_source.glsl"
 
-uniform usampler2D diagonals;
-
-uint diagonals_at(ivec2 pixel) {
-    bool inside = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(diagonals, 0)));
-    return inside ? texelFetch(diagonals, pixel, 0).x : 0u;
-}
+uniform usampler2D diagonals;  // valid beside edges
 
 // A staircase and one of its steps, which are the edges below pixels: how many to its ends, that one counted, and which way
 // it runs (1 falling, -1 rising).
@@ -17,7 +12,7 @@ struct Staircase {
 };
 
 Staircase staircase_at(ivec2 pixel, bool falling) {
-    uint word = diagonals_at(pixel);
+    uint word = edge_below(pixel) ? texelFetch(diagonals, pixel, 0).x : 0u;
     return Staircase(pixel, int(byte_of(word, falling ? back_falling : back_rising)),
                      int(byte_of(word, falling ? ahead_falling : ahead_rising)), falling ? 1 : -1);
 }

@@ -29,7 +29,7 @@ void main() {
     for (uint i = 0u; i < title.count; ++i) nearest = min(nearest, distance_to(at, strokes[title.begin + i]));
     // A pen of 1/14 of the height, and round it a shade, so that letters stand out of what is bright.
     float pen = clamp((0.036 - nearest) * title.scale + 0.5, 0.0, 1.0);
-    float shade = 0.5 * exp(-60.0 * nearest * nearest);
+    float shade = 0.8 * exp(-25.0 * nearest * nearest);
     vec3 light = imageLoad(picture, pixel).rgb;
     light = mix(light * (1.0 - shade * title.strength), vec3(0.92, 0.9, 0.86), pen * title.strength);
     imageStore(picture, pixel, vec4(light, 1.0));

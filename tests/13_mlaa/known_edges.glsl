@@ -1,5 +1,5 @@
 // For the check of 13.line_ends: edges by lot.
-#pragma replaces "13_mlaa/distance_bits.glsl"
+#pragma replaces "13_mlaa/edge_words.glsl"
 
 bool known_edge(ivec2 pixel, uint which) {
     uint n = uint(pixel.x + 64) * 73856093u ^ uint(pixel.y + 64) * 19349663u ^ which * 83492791u;

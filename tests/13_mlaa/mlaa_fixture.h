@@ -29,6 +29,18 @@ struct OnMlaa : OnModules {
 
     std::vector<uint64_t> after() { return read<uint64_t>(picture); }
 
+    /// The distances beside edges, four bytes a pixel; 0 where the words of edges have none.
+    std::vector<uint32_t> lengths(glm::ivec2 size) {
+        auto words = numbers<uint32_t>(gpu.read_back(antialias.distances()));
+        const auto rows = numbers<uint32_t>(gpu.read_back(antialias.edge_rows()));
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const uint32_t edges = rows[size_t(y * ((size.x + 15) / 16) + x / 16)] >> x % 16;
+                words[size_t(y * size.x + x)] &= (edges & 1 ? 0xffffu : 0u) | (edges >> 16 & 1 ? 0xffff0000u : 0u);
+            }
+        return words;
+    }
+
     size_t changed_texels() {
         const std::vector<uint64_t> now = after();
         size_t changed = 0;

@@ -41,14 +41,18 @@ TEST_CASE_METHOD(OnMlaa, "distances are those that counting gives, for every rea
                                        {255, "two"},
                                        {5, "four"},
                                        {16, "four"},
-                                       {255, "four"}})
+                                       {255, "four"},
+                                       {2, "words"},
+                                       {17, "words"},
+                                       {100, "words"},
+                                       {255, "words"}})
         for (const bool upright : {false, true}) {
             antialias.reach.value = reach;
             antialias.reads.set(reads);
             const auto light = [&](int x, int y) { return upright ? broken_rows(y, x) : broken_rows(x, y); };
             const glm::ivec2 turned = upright ? glm::ivec2(size.y, size.x) : size;
             filter("mlaa", glm::uvec2(turned), light);
-            const auto words = OnDevice::numbers<uint32_t>(gpu.read_back(antialias.distances()));
+            const auto words = lengths(turned);
             size_t wrong = 0;
             uint32_t longest = 0;
             for (int y = 0; y < turned.y; ++y)
@@ -83,23 +87,24 @@ TEST_CASE("passes: two reads reach 2^k beyond the pixel in k, four reads 255 in 
     }
 }
 
-TEST_CASE_METHOD(OnMlaa, "two reads and four give one picture to the bit, and a reach of all of it what 255 gives") {
-    const Line line{.angle_deg = 3, .point = {47.4, 31.7}};
-    const auto light = [&](int x, int y) { return line.sample(x, y); };
-    for (const std::string method : {"mlaa", "smaa_like"}) {
-        antialias.reach.value = 255;
-        antialias.reads.set("four");
-        filter(method, {96, 64}, light);
-        const auto four = after();
-        antialias.reads.set("two");
-        filter(method, {96, 64}, light);
-        CHECK((after() == four));
-        antialias.reach.value = 96;
-        filter(method, {96, 64}, light);
-        CHECK((after() == four));
-        antialias.reach.value = 6;
-        filter(method, {96, 64}, light);
-        CHECK((after() != four));
+TEST_CASE_METHOD(OnMlaa, "two reads, four and words give one picture to the bit, a reach of all of it what 255 gives") {
+    for (const double angle : {3.0, 41.0}) {
+        const Line line{.angle_deg = angle, .point = {47.4, 31.7}};
+        const auto light = [&](int x, int y) { return noise(x / 5, y / 3) < 0.06f ? 0.5f : line.sample(x, y); };
+        for (const std::string method : {"mlaa", "smaa_like"}) {
+            std::map<int, std::vector<uint64_t>> of;
+            for (const int reach : {6, 96, 255})
+                for (const std::string reads : {"two", "four", "words"}) {
+                    antialias.reach.value = reach;
+                    antialias.reads.set(reads);
+                    filter(method, {96, 64}, light);
+                    if (reads == "two") of[reach] = after();
+                    INFO(method << " at " << angle << ", reach " << reach << ", " << reads);
+                    CHECK((after() == of[reach]));
+                }
+            CHECK((of[96] == of[255]));
+            if (angle < 10) CHECK((of[6] != of[255]));
+        }
     }
 }
 
@@ -141,7 +146,7 @@ TEST_CASE_METHOD(OnMlaa, "smaa_like drops an edge less than half as strong as on
         std::map<std::string, std::vector<uint32_t>> words;
         for (const std::string method : {"mlaa", "smaa_like"}) {
             filter(method, {32, 32}, turned);
-            words[method] = OnDevice::numbers<uint32_t>(gpu.read_back(antialias.distances()));
+            words[method] = lengths({32, 32});
         }
         const auto has = [&](const std::string& method, int x, int y) {
             const uint32_t word = words[method][size_t(upright ? y * 32 + x : x * 32 + y)];
@@ -155,7 +160,7 @@ TEST_CASE_METHOD(OnMlaa, "smaa_like drops an edge less than half as strong as on
     const auto close = [&](int x, int) { return x < 10 ? 0.0f : x < 11 ? 0.8f : 0.5f; };
     for (const auto& [method, seen] : {std::pair{"mlaa", true}, {"smaa_like", false}}) {
         filter(method, {32, 8}, close);
-        const auto words = OnDevice::numbers<uint32_t>(gpu.read_back(antialias.distances()));
+        const auto words = lengths({32, 8});
         CHECK((words[4 * 32 + 9] >> 16) != 0);
         CHECK(((words[4 * 32 + 10] >> 16) != 0) == seen);
     }

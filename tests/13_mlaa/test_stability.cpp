@@ -63,15 +63,31 @@ TEST_CASE_METHOD(OnMlaa, "at the border: pictures of one pixel, of a row, and li
             CHECK(nan_count(found) == 0);
             for (const glm::vec3& pixel : found.pixels) CHECK((pixel.g >= 0.0999f && pixel.g <= 0.9004f));
         }
-    // A line that runs into the border turns nowhere there: of its last stretch half is smoothed.
-    const Line line{.angle_deg = 4, .point = {31.4, 31.7}};
-    const auto light = [&](int x, int y) { return line.sample(x, y); };
-    const ImageRgb found = filter("mlaa", {64, 64}, light);
-    const double inside = edge_error(found, line, 16), with_border = edge_error(found, line, 0);
-    fmt::print("edge of 4 degrees: error {:.4f} inside, {:.4f} with the border\n", inside, with_border);
-    CHECK(inside < 0.05);
-    CHECK(with_border > inside);
-    CHECK(with_border < 0.15);
+    // A line that the border cuts goes on outside, as long as the one before it.
+    for (const double angle : {1.2, 4.0, 86.0, 178.8})
+        for (const std::string method : {"mlaa", "smaa_like"}) {
+            const Line line{.angle_deg = angle, .point = {63.4, 63.7}};
+            const auto light = [&](int x, int y) { return line.sample(x, y); };
+            const ImageRgb found = filter(method, {128, 128}, light);
+            const double inside = edge_error(found, line, 32), with_border = edge_error(found, line, 0);
+            fmt::print("{} at {} degrees: error {:.4f} inside, {:.4f} with the border\n", method, angle, inside,
+                       with_border);
+            INFO(method << " at " << angle);
+            CHECK(inside < 0.05);
+            CHECK(with_border < 0.05);
+        }
+}
+
+TEST_CASE_METHOD(OnMlaa, "smaa_like: a corner keeps a quarter of its weight, and a lone pixel gives four tenths") {
+    const auto box = [](int x, int y) { return x >= 20 && x < 60 && y >= 20 && y < 50 ? 1.0f : 0.0f; };
+    const ImageRgb mlaa = filter("mlaa", {80, 70}, box), smaa = filter("smaa_like", {80, 70}, box);
+    CHECK(1 - double(mlaa.at(22, 20).g) == Approx(truth::area(2, 40)).margin(1e-3));
+    CHECK(1 - double(smaa.at(22, 20).g) == Approx(0.25 * truth::area(2, 40)).margin(1e-3));
+    CHECK(1 - double(mlaa.at(20, 23).g) == Approx(truth::area(3, 30)).margin(1e-3));
+    CHECK(1 - double(smaa.at(20, 23).g) == Approx(0.25 * truth::area(3, 30)).margin(1e-3));
+    const auto pixel = [](int x, int y) { return x == 15 && y == 15 ? 1.0f : 0.0f; };
+    CHECK(double(filter("smaa_like", {32, 32}, pixel).at(15, 15).g) == Approx(0.6).margin(1e-3));
+    CHECK(double(filter("mlaa", {32, 32}, pixel).at(15, 15).g) == 1);
 }
 
 TEST_CASE_METHOD(OnMlaa, "edges of 0.5 to 89 degrees against their exact coverage", "[figures]") {

@@ -1,15 +1,13 @@
 """Drawings of many chapters in one frame (compositions/everything.cpp), at the first try: a cold start, an odd size,
 validation. Whatever is drawn first, twice, on a screen within the picture or into a cube, the picture is the same.
 """
-import re
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from picture_drawing import BUILD, BUILT, HAS_SOLUTION, sets, steps  # noqa: E402
+from picture_drawing import BUILD, BUILT, HAS_SOLUTION, Drawing, sets, steps  # noqa: E402
 from window_session import Session, XServer  # noqa: E402
 
 SCENES = Path(__file__).resolve().parent / "compositions"
@@ -20,20 +18,25 @@ NO_SURROUNDINGS = ("bloom.method=none", "around.intensity=0")
 
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "needs the programs and the reference solutions")
 class Compositions(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory(prefix="lightwalk_compositions_")
-        self.addCleanup(self.folder.cleanup)
-        self.count = 0
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="lightwalk_compositions_")
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.drawings = {program: Drawing(BUILD / "tests" / program) for program in PROGRAMS}
+        for drawing in cls.drawings.values():
+            cls.addClassCleanup(drawing.close)
+        cls.pictures = {}  # by what is drawn: each once
 
     def draw(self, program: str, scene: str, *options) -> Path:
-        self.count += 1
-        picture = Path(self.folder.name, f"{self.count}.png")
-        done = subprocess.run([BUILD / "tests" / program, "--scene", SCENES / f"{scene}.json", "--size", "127x71",
-                               "--validate", "on", "--screenshot", picture, *options], capture_output=True, text=True,
-                              timeout=300)
-        said = re.sub(r"drawing: .*", "", done.stdout + done.stderr).strip()
-        self.assertEqual((done.returncode, said), (0, ""), f"{program} {scene} {options}")
-        return picture
+        key = (program, scene, *options)
+        if key not in self.pictures:
+            picture = Path(self.folder.name, f"{len(self.pictures)}.png")
+            words = ["--scene", SCENES / f"{scene}.json", "--size", "127x71", *options]
+            code, wrong, said = self.drawings[program].draw(words, picture)
+            said = [line for line in said.splitlines() if line.strip() and not line.startswith("drawing: ")]
+            self.assertEqual((code, wrong, said), (0, "", []), key)
+            self.pictures[key] = picture
+        return self.pictures[key]
 
     def test_the_order_of_opaque_drawings_does_not_matter(self):
         for program in PROGRAMS:

@@ -2,8 +2,9 @@
 #include <thread>
 
 #include "01_obj/obj.h"
+#include "04_surface_maps/maps.h"
 #include "04_surface_maps/tangents.h"
-#include "18_playground/background_load.h"
+#include "18_playground/arrival.h"
 #include "18_playground/preview.h"
 #include "editor_fixture.h"
 
@@ -94,6 +95,62 @@ TEST_CASE("what is cancelled ends early and is never delivered; progress is a sh
         CHECK_FALSE(other.poll());
     }  // waits for the thread
     CHECK(now_ms() - start < 0.7 * whole);
+}
+
+TEST_CASE("what comes to the device in slices is drawn as what is loaded at once, and nothing of it is loaded again") {
+    const TestFolder folder;
+    write_file(folder.path / "grid.obj", "mtllib grid.mtl\nusemtl wall\n" + grid_text(300));
+    write_file(folder.path / "grid.mtl", "newmtl wall\nmap_Kd wall.png\nnorm bumps.png\nmap_Ks gone.png\n");
+    Image8 wall{67, 33}, bumps{1024, 1536};  // its first level is more than a slice
+    for (int y = 0; y < wall.height; ++y)
+        for (int x = 0; x < wall.width; ++x) wall.at(x, y) = {uint8_t(3 * x), uint8_t(7 * y), 90, 255};
+    for (int y = 0; y < bumps.height; ++y)
+        for (int x = 0; x < bumps.width; ++x) bumps.at(x, y) = {uint8_t(100 + x % 50), uint8_t(90 + y % 60), 230, 255};
+    write_png(folder.path / "wall.png", wall);
+    write_png(folder.path / "bumps.png", bumps);
+    const auto file = folder.path / "grid.obj";
+    BackgroundLoad load;
+    load.start(file);
+    BackgroundLoad::Ended ended = waited_for(load);
+    REQUIRE(ended.model);
+    CHECK(ended.model->textures.size() == 2);  // the third is not there
+
+    Gpu& gpu = check_device();
+    Arrival arrival(gpu, file, std::move(*ended.model));
+    int slices = 1;
+    while (!arrival.step(0)) {
+        CHECK(arrival.share() < 1.0f);
+        ++slices;
+    }
+    CHECK(slices > 10);
+    CHECK(arrival.share() == 1.0f);
+    const auto prepared = [&](Scene& scene, Maps& maps) {
+        scene.load(gpu, scene_of_model(file, {}), [](const auto& path) { return load_model(path); });
+        maps.prepare(gpu, scene);
+    };
+    struct : Module {
+    } owner;
+    Maps maps(owner, "maps"), other_maps(owner, "other");
+    Scene scene, other;
+    arrival.give(scene);
+    const uint64_t before = gpu.uploaded_bytes;
+    prepared(scene, maps);
+    CHECK(gpu.uploaded_bytes - before < 10000);  // instances and materials
+    prepared(other, other_maps);
+    REQUIRE(scene.items.size() == 1);
+    const DrawItem &ours = scene.items[0], &theirs = other.items.at(0);
+    for (const char* attribute : {"tangents"})
+        CHECK(gpu.read_back(ours.model->attributes[attribute][0]) ==
+              gpu.read_back(theirs.model->attributes[attribute][0]));
+    CHECK(gpu.read_back(ours.model->vertices[0]) == gpu.read_back(theirs.model->vertices[0]));
+    CHECK(gpu.read_back(ours.model->indices[0]) == gpu.read_back(theirs.model->indices[0]));
+    for (const MapSlot slot : {MapSlot::diffuse, MapSlot::normal}) {
+        REQUIRE(ours.maps[slot]);
+        const ImageView one(*ours.maps[slot]), two(*theirs.maps[slot]);
+        REQUIRE(ours.maps[slot]->desc == theirs.maps[slot]->desc);
+        for (uint32_t m = 0; m < ours.maps[slot]->desc.mips; ++m)
+            CHECK(gpu.read_back(one.mip(m)) == gpu.read_back(two.mip(m)));
+    }
 }
 
 TEST_CASE("a thumbnail's file depends on the path, the size and the time of its file") {

@@ -183,6 +183,30 @@ TEST_CASE("what is read and written again is the same text, and the same bits") 
     }
 }
 
+TEST_CASE("what is hidden and what is locked is so again after saving and opening, object or light") {
+    const TestFolder folder;
+    Document document = small_scene(4);
+    const std::vector<EntryId> objects = document.at(root_entry).children;
+    std::vector<EntryId> lights;
+    for (int i = 0; i < 4; ++i) lights.push_back(add_light(document, {.kind = Light::Kind::point}));
+    set_hidden(document, {objects[1], objects[3], lights[1], lights[3]}, true);
+    set_locked(document, {objects[2], objects[3], lights[2], lights[3]}, true);
+    SceneStore store;
+    store.path = folder.path / "scene.json";
+    store.save(document);
+    Document opened = SceneStore().open(store.path);
+    const std::vector<EntryId> entries = opened.at(root_entry).children;
+    REQUIRE(entries.size() == 8);
+    for (size_t i = 0; i < 8; ++i) {
+        CHECK(opened.at(entries[i]).hidden == (i % 2 == 1));
+        CHECK(opened.at(entries[i]).locked == (i % 4 >= 2));
+    }
+    CHECK(remove(opened, {entries[2]}) != "");
+    set_locked(opened, {entries[2]}, false);
+    CHECK(remove(opened, {entries[2]}) == "");
+    CHECK(store.text(document) == read_file(store.path));
+}
+
 TEST_CASE("saves by itself beside the file, offers that after a crash, and takes it away when saved") {
     TestFolder folder;
     const fs::path file = folder.path / "scene.json";

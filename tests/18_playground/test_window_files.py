@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Files of the editor in its window: what a crash has left, and thumbnails. Under Xvfb, validated."""
+"""Files of the editor in its window: what a crash has left, thumbnails, paths that are typed, files that are dropped, loading
+that fails or is cancelled. Under Xvfb, validated."""
 import json
 import os
 import re
@@ -18,6 +19,14 @@ SCENE = {"camera": {"position": [0, 0.8, 4], "target": [0, 0, 0], "fov_deg": 40}
          "objects": [{"name": "cube", "model": "models/cube.obj"}]}
 
 
+def grid(side: int) -> str:
+    """A square of quads as an OBJ file."""
+    rows = range(side + 1)
+    corners = "".join(f"v {x / side} 0 {y / side}\n" for y in rows for x in rows)
+    first = [y * (side + 1) + x + 1 for y in range(side) for x in range(side)]
+    return corners + "".join(f"f {a} {a + 1} {a + side + 2} {a + side + 1}\n" for a in first)
+
+
 class Files(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -25,6 +34,9 @@ class Files(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, cls.folder)
         cls.scene = cls.folder / "built.json"
         cls.scene.write_text(json.dumps(SCENE))
+        (cls.folder / "bad.obj").write_text("v 0 0 0\nf 1 2 3\n")
+        (cls.folder / "one more.obj").write_text(grid(40))  # a name that is escaped where it is dropped
+        (cls.folder / "large.obj").write_text(grid(1000))  # takes long enough to be cancelled
         # What the editor wrote by itself before it was killed: newer, with an object more.
         cls.left = cls.folder / "built.json.unsaved"
         ghost = {**SCENE, "objects": [*SCENE["objects"], {"name": "ghost", "model": "models/cube.obj", "position": [1, 0, 0]}]}
@@ -61,11 +73,67 @@ class Files(unittest.TestCase):
         kept = list((self.folder / "cache" / "lightwalk" / "thumbnails").glob("*.png"))
         self.assertTrue(kept and all(re.fullmatch(r"[0-9a-f]{16}\.png", one.name) for one in kept), kept)
         session.click("tool.open")
-        self.saved()
-        session.key("Escape")
-        session.key("Escape")
-        self.assertEqual(session.end(), 0)
-        self.assertEqual([line for line in session.errors if line], [])
+
+    def type_path(self, path: str):
+        """Into the browser, in place of what stands there, without waiting for a frame in between; ended with Return."""
+        self.session.click("tool.open")
+        self.session.click("field.path")
+        self.session.key("ctrl+a")
+        self.session.xdotool("type", path)
+        self.session.key("Return")
+
+    def names(self) -> list:
+        return [one["name"] for one in self.saved()["objects"]]
+
+    def test_3_loading_is_cancelled_and_changes_nothing(self):
+        session, before = self.session, self.saved()
+        picture = self.picture()
+        since = session.said()
+        self.type_path(str(self.folder / "large.obj"))
+        self.assertNotIn("tool.cancel", session.places)  # the first one that anybody sees
+        session.wait(lambda: "tool.cancel" in session.places, "the button that cancels")
+        session.move(*session.places["tool.cancel"])
+        session.press()
+        session.release()
+        session.park()
+        self.wait_for("notice cancelled: large.obj", since)
+        self.assertEqual(self.picture(), picture)
+        self.assertEqual(self.saved(), before)
+        self.assertFalse([line for line in session.lines[since:] if line.startswith("added")])
+
+    def test_4_a_path_that_is_typed_and_ended_with_return_is_added(self):
+        since = self.session.said()
+        self.type_path(str(ROOT / "assets/models/plane.obj"))
+        self.wait_for(r"added plane\.obj", since)
+        self.assertEqual(self.names(), ["cube", "ghost", "plane"])
+
+    def test_5_a_file_that_cannot_be_read_is_a_line_and_changes_nothing(self):
+        session, before = self.session, self.saved()
+        picture = self.picture()
+        for path, why in ((self.folder / "bad.obj", r"notice .*bad\.obj:2: .*"), (self.folder / "none.obj", r"notice .*none\.obj.*")):
+            since = session.said()
+            self.type_path(str(path))
+            self.wait_for(why, since)
+        self.assertEqual(self.picture(), picture)
+        self.assertEqual(self.saved(), before)
+
+    def picture(self) -> bytes:
+        """Below what is said over it."""
+        return self.session.settled(280, 120, 440, 580)
+
+    def test_6_files_that_are_dropped_are_added_in_turn_but_for_one_that_is_bad(self):
+        since = self.session.said()
+        self.session.drop(self.folder / "bad.obj", ROOT / "assets/models/sphere.obj", self.folder / "one more.obj")
+        self.wait_for(r"notice .*bad\.obj:2: .*", since)
+        self.wait_for(r"added sphere\.obj", since)
+        self.wait_for(r"added one more\.obj", since)
+        self.assertEqual(self.names(), ["cube", "ghost", "plane", "sphere", "one more"])
+
+    def test_7_it_ends_with_nothing_to_say(self):
+        self.session.key("Escape")
+        self.session.key("Escape")
+        self.assertEqual(self.session.end(), 0)
+        self.assertEqual([line for line in self.session.errors if line], [])
 
 
 if __name__ == "__main__":

@@ -184,6 +184,18 @@ class Film(unittest.TestCase):
             with self.assertRaises(UsageError):
                 film.write_page(wrong)
 
+    def test_the_chart_of_ways_chooses_as_the_program_does(self):
+        from pages import film_page
+
+        ways = [{"error": 0.02, "gpu_ms": 10, "knobs": {}}, {"error": 0.04, "gpu_ms": 4, "knobs": {}}, {"error": 0.3, "gpu_ms": 1, "knobs": {}}]
+        scene = {"name": "dawn", "as_set_ms": 6, "ways": ways}
+        for budget, ms in ((0.01, 10), (0.02, 10), (0.05, 4), (1, 1)):
+            self.assertEqual(film_page.cheapest(scene, budget)["gpu_ms"], ms, budget)
+        rough = {"name": "julia", "as_set_ms": 6, "ways": [{**way, "error": way["error"] + 0.2} for way in ways]}
+        figure = film_page.ways_chart({"device": "a", "driver": "b", "software": True, "size": [4, 3], "scenes": [scene, rough]}, "made so")
+        words = {text.get_text().strip() for axes in figure.axes for text in axes.texts}
+        self.assertLessEqual({"40%", "none: the truest errs 0.22", "0", "1", "2"}, words)
+
 
 if __name__ == "__main__":
     unittest.main()

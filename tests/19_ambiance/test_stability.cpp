@@ -32,10 +32,8 @@ Spread spread(std::vector<double> values) {
     return {values[values.size() / 2], values[values.size() * 95 / 100], values.back()};
 }
 
-// Of the middle segment of four keys: whether the curve in the plane crosses itself there.
-bool crosses(const Curve& curve) {
-    std::vector<glm::dvec2> points;
-    for (int i = 0; i <= 96; ++i) points.push_back(glm::dvec2(curve.at(1 + i / 96.0)));
+// Whether lines between points of the plane cross each other.
+bool crosses(const std::vector<glm::dvec2>& points) {
     const auto side = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
         return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     };
@@ -45,6 +43,13 @@ bool crosses(const Curve& curve) {
                 side(points[k], points[k + 1], points[i]) * side(points[k], points[k + 1], points[i + 1]) < 0)
                 return true;
     return false;
+}
+
+// Of the middle segment of four keys.
+bool crosses(const Curve& curve) {
+    std::vector<glm::dvec2> points;
+    for (int i = 0; i <= 96; ++i) points.push_back(glm::dvec2(curve.at(1 + i / 96.0)));
+    return crosses(points);
 }
 
 double turn_deg(glm::dvec3 a, glm::dvec3 b) { return glm::degrees(std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0))); }
@@ -82,6 +87,85 @@ TEST_CASE("only the centripetal curve never crosses itself between two keys", "[
     fmt::print("crossings of 2,000: uniform {}, centripetal {}\n", uniform, centripetal);
     CHECK(uniform > 5);
     CHECK(centripetal == 0);
+}
+
+TEST_CASE("knots by distance itself swing out less in the mean, but cross themselves; only the root never does",
+          "[figures]") {
+    Random random(5);
+    int crossings[3] = {};
+    std::vector<double> off[3];
+    for (int i = 0; i < 4000; ++i) {
+        const Curve curve = any_curve(random, Spline::catmull_rom, 4, 10);
+        for (int k = 0; k < 3; ++k) {
+            FourKeys keys{{curve.points[0], curve.points[1], curve.points[2], curve.points[3]}, {}};
+            for (glm::dvec3& point : keys.points) point.z = 0;
+            for (size_t j = 1; j < 4; ++j)
+                keys.knots[j] =
+                    keys.knots[j - 1] + std::pow(glm::distance(keys.points[j - 1], keys.points[j]), 0.5 * k);
+            const glm::dvec2 from(keys.points[1]), chord = glm::dvec2(keys.points[2]) - from;
+            std::vector<glm::dvec2> points;
+            double most = 0;
+            for (int s = 0; s <= 64; ++s) {
+                points.emplace_back(catmull_rom(keys, glm::mix(keys.knots[1], keys.knots[2], s / 64.0)));
+                const glm::dvec2 there = points.back() - from;
+                const double along = std::clamp(glm::dot(there, chord) / glm::dot(chord, chord), 0.0, 1.0);
+                most = std::max(most, glm::length(there - along * chord) / glm::length(chord));
+            }
+            off[k].push_back(most), crossings[k] += crosses(points);
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        const Spread s = spread(off[k]);
+        fmt::print("knots by distance to the {:g}: off the chord {:.2f} {:.2f} {:.2f}, {} of 4,000 cross\n", 0.5 * k,
+                   s.median, s.p95, s.most, crossings[k]);
+    }
+    CHECK(crossings[0] > 10);
+    CHECK(crossings[1] == 0);
+    CHECK(crossings[2] > 0);
+    CHECK(spread(off[1]).p95 < 0.5 * spread(off[0]).p95);
+}
+
+TEST_CASE("the length between two keys: four Gauss points err as 16 chords do, and no less at the worst", "[figures]") {
+    Random random(6);
+    const double nodes[] = {0.3399810435848563, 0.8611363115940526},
+                 weights[] = {0.6521451548625461, 0.3478548451374538};
+    std::vector<double> by_gauss, by_chords;
+    for (int i = 0; i < 200; ++i) {
+        const Curve curve = any_curve(random, Spline::centripetal, 4, 4);
+        const auto chords = [&](int pieces) {
+            double sum = 0;
+            for (int s = 0; s < pieces; ++s)
+                sum += glm::distance(curve.at(1 + double(s) / pieces), curve.at(1 + (s + 1.0) / pieces));
+            return sum;
+        };
+        const auto speed = [&](double t) { return glm::length(curve.at(t + 1e-6) - curve.at(t - 1e-6)) / 2e-6; };
+        double sum = 0;
+        for (int k = 0; k < 2; ++k)
+            sum += 0.5 * weights[k] * (speed(1.5 - 0.5 * nodes[k]) + speed(1.5 + 0.5 * nodes[k]));
+        const double exact = chords(4096);
+        by_gauss.push_back(std::abs(sum / exact - 1));
+        by_chords.push_back(std::abs(chords(16) / exact - 1));
+    }
+    const Spread gauss = spread(by_gauss), by_16 = spread(by_chords);
+    fmt::print("length: four Gauss points err by {:.1e} {:.1e} {:.1e}, 16 chords by {:.1e} {:.1e} {:.1e}\n",
+               gauss.median, gauss.p95, gauss.most, by_16.median, by_16.p95, by_16.most);
+    CHECK(gauss.median < 1e-3);
+    CHECK(gauss.most < 8e-3);
+    CHECK(by_16.most < 3e-3);
+    CHECK(gauss.most > by_16.most);
+}
+
+TEST_CASE("a rule of thumb: keys whose distances differ by less than a factor of 2 need no knots of their own") {
+    Random random(7);
+    const auto most = [&](double ratio, Spline spline) {
+        double greatest = 0;
+        for (int i = 0; i < 500; ++i)
+            greatest = std::max(greatest, off_the_chord(any_curve(random, spline, 4, ratio), 16));
+        return greatest;
+    };
+    CHECK(most(1.001, Spline::catmull_rom) < 1.3 * most(1.001, Spline::centripetal));
+    CHECK(most(2, Spline::catmull_rom) < 0.5);
+    CHECK(most(10, Spline::catmull_rom) > 3 * most(10, Spline::centripetal));
 }
 
 TEST_CASE("speed varies along a centripetal curve; a table of 64 evens it out to 3%", "[figures]") {

@@ -145,3 +145,21 @@ TEST_CASE("the course's film: two scenes at most at any time, and none missing")
     }
     CHECK(film.scenes.size() == 12);
 }
+
+TEST_CASE("each scene of the course's film has a title that names the chapter that says how it is made") {
+    const std::map<std::string, std::string> chapters{{"planets", "17: planets"}, {"landscape", "11: fractals"},
+                                                      {"volume", "16: volume"},   {"julia", "11: fractals"},
+                                                      {"head", "12: skin"},       {"water", "15: terrain and water"},
+                                                      {"street", "06: deferred"}, {"surroundings", "14: environment"},
+                                                      {"lights", "06: deferred"}};
+    const Timeline film = read_timeline(find_asset("films/ambiance.film"));
+    for (const FilmScene& scene : film.scenes) {
+        double longest_s = 0;
+        for (const Title& title : film.titles)
+            if (title.text.find(chapters.at(scene.kind)) != std::string::npos && title.from_s >= scene.from_s &&
+                title.to_s <= scene.to_s)
+                longest_s = std::max(longest_s, title.to_s - title.from_s);
+        INFO(scene.name);
+        CHECK(longest_s > 3);
+    }
+}

@@ -6,7 +6,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from picture_drawing import BUILT, CHAPTERS, Drawer, cheap, knobs_of, sets, thing
+from picture_drawing import BUILT, CHAPTERS, EVERYTHING, Drawer, cheap, knobs_of, sets, thing
 
 # A small scene with what knobs of materials, lights and shadows act on: a map for every slot, holes, and three kinds of
 # light with shadows.
@@ -33,6 +33,8 @@ MAPPED = {
         {"type": "spot", "position": [-1.5, 2.2, 1.5], "direction": [0.6, -0.8, -0.6], "intensity": 4, "range_m": 6,
          "inner_deg": 20, "outer_deg": 35, "shadow": True, "size_m": 0.3},
         {"type": "point", "position": [1.2, 1.2, 0.8], "intensity": 1, "range_m": 4, "shadow": True}]}
+
+OWN = {"mapped": MAPPED, "everything": EVERYTHING}
 
 # The scenes that knobs whose names begin so are drawn with, where a chapter's own has nothing for them.
 SCENES = {"planet.l": "scenes/earth.json", "planet.turn_deg": "scenes/earth.json", "planet.clouds": "scenes/earth.json",
@@ -119,6 +121,8 @@ USED_WITH = {
     "terrain.difference_m": ["world=terrain", "terrain.method=central"],
     "terrain.shadow_steps": ["world=terrain", "terrain.shadow=marched"],
     "skin.wrap": ["world=head", "skin.method=wrapped"], "12 level": ["show=level"], "half_plane.": ["world=half_plane"],
+    # The walls of chapter 06's own scene reach below its floor, where random lights begin; none of its lights has cascades.
+    "06 lights": ["scene=scenes/field.json"], "06 shadow.snap": ["scene=mapped"],
     "lamp": ["visibility=rays"], "rays.": ["visibility=rays"], "environment.turn_deg": ["world=julia"],
 }
 
@@ -128,18 +132,21 @@ def used_with(chapter: str, name: str, knobs: dict) -> list[str]:
     own = f"{chapter[:2]} {name}"
     begin = own if own in USED_WITH else max((begin for begin in USED_WITH if name.startswith(begin)), key=len, default="")
     return [one for one in USED_WITH.get(begin, [])
-            if one.startswith("time=") or one.split("=")[0] in knobs and one.split("=")[0] != name]
+            if one.startswith(("time=", "scene=")) or one.split("=")[0] in knobs and one.split("=")[0] != name]
 
 
 # Chapters whose knobs are all looked at, borrowed ones as well. In the others a knob is tried in the first chapter that has
 # it, and need only be accepted.
-LOOKED_AT = ("01", "02", "03", "04", "05", "08", "10", "11")
+LOOKED_AT = ("01", "02", "03", "04", "05", "06", "07", "08", "10", "11")
 # Those that by design change nothing in the chapter's own scene, and why; "NN NAME" for one chapter.
 SILENT = {
     "01 loader": "all read one file alike",
     **dict.fromkeys(("lights.method", "shadow.fetch", "shadow.blur_by", "shadow.keep", "gbuffer.volumes", "overdraw",
                      "prepass", "mips.bilinear", "remake", "atmosphere.refresh", "mlaa.reads"),
                     "they draw equal pictures (test_equal_methods.py)"),
+    "mips.reduction": "two ways to one mean, which differ in time alone",
+    "06 objects.shaded": "a G-buffer is shaded in compute as it is, and what is drawn forward beside it by fragment shaders",
+    "07 maps.coverage": "the levels of its textures are its own, and keep coverage",
     "lights.slices": "says how many lights a pixel computes, not what they shed",
     "post.automatic.adapt_s": "the first frame has nothing to adapt from",
     "terrain.stitch": "a crack is far narrower than a pixel of so small a picture",
@@ -151,11 +158,11 @@ def scene_of(name: str) -> list[str]:
     return next(([f"scene={scene}"] for begin, scene in SCENES.items() if name.startswith(begin)), [])
 
 
-def options_of(settings, mapped: Path) -> list[str]:
-    """Of settings as --set takes them, and of a scene=FILE and a time=SECONDS."""
+def options_of(settings, folder: Path) -> list[str]:
+    """Of settings as --set takes them, and of a scene=FILE and a time=SECONDS. The scenes named here lie in the folder."""
     scenes = [setting.removeprefix("scene=") for setting in settings if setting.startswith("scene=")]
     times = [setting.removeprefix("time=") for setting in settings if setting.startswith("time=")]
-    return [word for scene in scenes for word in ("--scene", str(mapped) if scene == "mapped" else scene)] + \
+    return [word for scene in scenes for word in ("--scene", str(folder / f"{scene}.json") if scene in OWN else scene)] + \
         [word for time in times for word in ("--time", time)] + \
         sets(*(setting for setting in settings if not setting.startswith(("scene=", "time="))))
 
@@ -187,12 +194,12 @@ class KnobsTest(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder, Drawer(chapter, folder) as drawer:
                 drawn = {}  # pictures by what is set: each is drawn once
 
-                mapped = Path(folder, "mapped.json")
-                mapped.write_text(json.dumps(MAPPED))
+                for name, scene in OWN.items():
+                    Path(folder, f"{name}.json").write_text(json.dumps(scene))
 
                 def draw(*settings):
                     if settings not in drawn:
-                        options = options_of(settings, mapped)
+                        options = options_of(settings, Path(folder))
                         picture, wrong = drawer.draw(*cheap(chapter), *options, "--size", "32x24")
                         with self.subTest(chapter=chapter, set=settings):
                             self.assertEqual(wrong, "")

@@ -5,7 +5,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from random_scenes import CHAPTERS, draw, random_scene, run
+from random_scenes import CHAPTERS, FILLINGS, SIZE, draw, random_scene, run
+from shots.rendering import Drawing
 
 FEW = 5
 
@@ -66,11 +67,19 @@ class RandomScenes(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "scene.json").write_text('{"lights": [{"type": "directional", "shadow": true}]}')
             for program in CHAPTERS:
-                for view in views.get(program.name[:2], [""]):
-                    options = (["--set", f"show={view}"] if view else []) + (["--world", "head"] if program.name[:2] == "13" else [])
-                    with self.subTest(program=program.name, view=view):
-                        done = run(program, folder, "--scene", f"{folder}/scene.json", *options)
-                        self.assertEqual((done.returncode, done.stderr), (0, ""))
+                drawn = {}  # by the view, in memory filled with NaN and with small numbers: as run() does, many views in a process
+                for filling in FILLINGS:
+                    with Drawing(program, MALLOC_PERTURB_=filling) as drawing:
+                        for view in views.get(program.name[:2], [""]):
+                            with self.subTest(program=program.name, view=view, filling=filling):
+                                options = ["--scene", f"{folder}/scene.json", "--size", SIZE]
+                                options += ["--set", f"show={view}"] if view else []
+                                options += ["--world", "head"] if program.name[:2] == "13" else []
+                                code, wrong, said = drawing.draw(options, Path(folder, "picture.png"))
+                                said = [line for line in said.splitlines() if not line.startswith("drawing: ")]
+                                self.assertEqual((code, wrong, said), (0, "", []))
+                                picture = Path(folder, "picture.png").read_bytes()
+                                self.assertEqual(drawn.setdefault(view, picture), picture)
 
 
 if __name__ == "__main__":

@@ -19,6 +19,7 @@ TEST_CASE("scene files keep hidden objects and lights in their places, names of 
     CHECK(written.find("\"intensity\": 0.1,") != std::string::npos);
     CHECK(scene_text(parse_scene(written, "scene.json")) == written);
     CHECK(error_of(R"({"objects": [{"hidden": 1}]})").find("hidden") != std::string::npos);
+    CHECK(error_of(R"({"lights": [{"locked": 1}]})").find("locked") != std::string::npos);
     CHECK(error_of(R"({"knobs_of": 18})").find("knobs_of") != std::string::npos);
 }
 

@@ -202,6 +202,51 @@ class Session:
                 before, since = now, time.monotonic()
         return before
 
+    def drop(self, *files: Path):
+        """What a file manager does when files are dropped on the window: the protocol XDND, version 5, from enter to finished."""
+        x11 = ctypes.CDLL("libX11.so.6")
+        for function in ("XOpenDisplay", "XDefaultRootWindow", "XInternAtom", "XCreateSimpleWindow"):
+            getattr(x11, function).restype = ctypes.c_void_p
+        display = ctypes.c_void_p(x11.XOpenDisplay(self.server.display.encode()))
+        try:
+            self.drop_by(x11, display, "".join(file.resolve().as_uri() + "\r\n" for file in files).encode())
+        finally:
+            x11.XCloseDisplay(display)
+
+    def drop_by(self, x11, display, uris: bytes):
+        def atom(name):
+            return x11.XInternAtom(display, name.encode(), 0)
+
+        long, target = ctypes.c_long, int(self.window)
+        source = x11.XCreateSimpleWindow(display, long(x11.XDefaultRootWindow(display)), 0, 0, 1, 1, 0, long(0), long(0))
+
+        def send(kind, *data):
+            event = (long * 24)(33, 0, 1, 0, target, atom(kind), 32, source, *data)  # 33: ClientMessage
+            x11.XSendEvent(display, long(target), 0, long(0), event)
+
+        x, y, width, height = self.geometry()
+        x11.XSetSelectionOwner(display, long(atom("XdndSelection")), long(source), long(0))
+        send("XdndEnter", 5 << 24, atom("text/uri-list"), 0, 0)
+        send("XdndPosition", 0, (x + width // 2) << 16 | (y + height // 2), 0, atom("XdndActionCopy"))
+        send("XdndDrop", 0, 0, 0, 0)
+        x11.XSync(display, 0)
+        event, until = (long * 24)(), time.monotonic() + PATIENCE_S
+        while True:
+            if time.monotonic() > until:
+                raise AssertionError("nobody took what was dropped")
+            if not x11.XPending(display):
+                time.sleep(0.02)
+                continue
+            x11.XNextEvent(display, event)
+            kind = event[0] & 0xff
+            if kind == 30:  # SelectionRequest: owner, requestor, selection, target, property, time
+                requestor, selection, form, place, when = event[5:10]
+                x11.XChangeProperty(display, long(requestor), long(place), long(form), 8, 0, uris, len(uris))
+                answer = (long * 24)(31, 0, 1, 0, requestor, selection, form, place, when)
+                x11.XSendEvent(display, long(requestor), 0, long(0), answer)
+            elif kind == 33 and event[5] == atom("XdndFinished"):
+                return
+
     def set_minimised(self, minimised: bool):
         """What a window manager does: the property first, then the mapping (ICCCM 4.1.3.1)."""
         x11 = ctypes.CDLL("libX11.so.6")

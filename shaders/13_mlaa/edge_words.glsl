@@ -1,0 +1,17 @@
+// Where edges are, one bit each: a word holds sixteen pixels of a row, or of a column.
+// In a row's word the low half are the edges below its pixels, the high half those on their right; in a column's word the
+// low half are the edges on the right, the high half those below. The low half is what lines in that direction are made of,
+// the high half what crosses them.
+const int word_pixels = 16;
+uniform usampler2D edge_rows, edge_columns;
+
+// The word number `tile` of a row (`horizontal`) or column. No edges outside of the picture.
+uint edge_word(int tile, int line, bool horizontal) {
+    ivec2 at = horizontal ? ivec2(tile, line) : ivec2(line, tile), size = horizontal ? textureSize(edge_rows, 0) : textureSize(edge_columns, 0);
+    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) return 0u;
+    return horizontal ? texelFetch(edge_rows, at, 0).x : texelFetch(edge_columns, at, 0).x;
+}
+
+// Between the pixel and the one below it, or on its right.
+bool edge_below(ivec2 pixel) { return (edge_word(pixel.x >> 4, pixel.y, true) >> (pixel.x & 15) & 1u) != 0u; }
+bool edge_right(ivec2 pixel) { return (edge_word(pixel.x >> 4, pixel.y, true) >> (pixel.x & 15) + 16 & 1u) != 0u; }
