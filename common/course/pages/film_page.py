@@ -92,7 +92,7 @@ def ways_chart(measured: dict, command: str):
         left.invert_yaxis()
         left.set_xlabel("milliseconds of a frame")
         left.margins(x=0.12)
-        left.legend(frameon=False, fontsize=9, loc="upper right")
+        left.legend(frameon=False, fontsize=9, loc="lower left", bbox_to_anchor=(0, 1), ncols=3)
         means = [sum(cheapest(scene, budget)["gpu_ms"] for scene in scenes) / len(scenes) for budget in BUDGETS]
         right.plot(BUDGETS, means, "o-", color=ENOUGH)
         for budget, mean in zip(BUDGETS, means):
@@ -102,10 +102,10 @@ def ways_chart(measured: dict, command: str):
         for value, color, words in ((sum(scene["ways"][0]["gpu_ms"] for scene in scenes), BEST, "most accurate"),
                                     (sum(scene["as_set_ms"] for scene in scenes), SET, "as it stands")):
             right.axhline(value / len(scenes), color=color, linewidth=2)
-            right.text(BUDGETS[-1], value / len(scenes), words, va="bottom", ha="right", fontsize=9.5)
+            right.text(BUDGETS[0], value / len(scenes), words, va="bottom", fontsize=9.5)
         right.set_xscale("log")
         right.set_ylim(0)
-        right.set_xlabel(f"budget: greatest mean FLIP of a scene\n(in blue: of {len(scenes)} scenes, those with a way within it)", fontsize=10)
+        right.set_xlabel(f"budget: greatest mean FLIP of a scene\n(in blue: scenes of {len(scenes)} that keep within it)", fontsize=10)
         right.set_ylabel("mean of all scenes, ms a frame")
         figure.suptitle("No more than a scene needs", x=0.022, ha="left", fontsize=15, weight="bold")
         figure.text(0.022, 0.9, f"{measured['device']} · {measured['driver']} · {size}"
