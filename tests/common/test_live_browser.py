@@ -143,6 +143,7 @@ class InBrowser(unittest.TestCase):
             self.browser.wait(f"{cell}.sides[0].image.complete && {cell}.sides[0].image.naturalWidth === 320")
             return self.browser.evaluate(PIXELS.format(f"{cell}.sides[0].image"))
         x, y, width = self.middle(f"{cell}.frame")
+        self.browser.wait(f"{cell}.sides[0].image.complete && {cell}.sides[0].image.naturalWidth > 0")
         shown = self.browser.evaluate(PIXELS.format(f"{cell}.sides[0].image"))
         self.browser.drag((x, y), (x, y))
         first = drawn("true")
