@@ -34,12 +34,19 @@ MAPPED = {
          "inner_deg": 20, "outer_deg": 35, "shadow": True, "size_m": 0.3},
         {"type": "point", "position": [1.2, 1.2, 0.8], "intensity": 1, "range_m": 4, "shadow": True}]}
 
-OWN = {"mapped": MAPPED, "everything": EVERYTHING}
+# A sheet of glass over the floor, whose shadow may be coloured.
+GLASS = {
+    "camera": {"position": [0, 2, 3], "target": [0, 0, 0], "fov_deg": 50, "near_m": 0.05, "far_m": 50},
+    "objects": [
+        thing("plane", [0, 0, 0], name="floor", scale=4, material={"diffuse": [0.8, 0.8, 0.8]}),
+        thing("plane", [0, 0.8, 0], name="sheet", scale=1.5, material={"diffuse": [0.9, 0.1, 0.1], "opacity": 0.5})],
+    "lights": [{"type": "directional", "direction": [0.2, -1, -0.1], "intensity": 1, "shadow": True}]}
+OWN = {"mapped": MAPPED, "everything": EVERYTHING, "glass": GLASS}
 
 # The scenes that knobs whose names begin so are drawn with, where a chapter's own has nothing for them.
 SCENES = {"planet.l": "scenes/earth.json", "planet.turn_deg": "scenes/earth.json", "planet.clouds": "scenes/earth.json",
           "planet.night": "scenes/earth.json", "terrain.": "scenes/terrain_noon.json", "maps.": "mapped", "lights.": "mapped", "rays.": "mapped", "shadow.near_m": "mapped",
-          "lamp": "mapped", "shadow.transparent": "everything",
+          "lamp": "mapped", "shadow.transparent": "glass",
           "sphere_shadow.": "scenes/ringed_planet.json", "screens.": "scenes/control_room.json"}
 
 
@@ -182,7 +189,7 @@ def silent_knobs(chapter: str, known: set, draw) -> list[str]:
             changes |= draw(*used, *others, setting) != draw(*used, *others)
         if looked_at and not changes and not {name, f"{chapter[:2]} {name}"} & SILENT.keys():
             silent.append(f"{chapter[:2]} {name}")
-    known |= knobs.keys()
+    known.update(knobs)
     return silent
 
 
