@@ -27,7 +27,7 @@ class Tree {
     /// Words that must all be in a name, case aside; empty: no search. With a search, the rows are those found, and flat.
     void search(const std::string& words);
 
-    /// Made anew where the document, what is unfolded or the search has changed; else what was there.
+    /// Rebuilt where the document, what is unfolded or the search has changed; else what was there.
     const std::vector<TreeRow>& rows(const Document& document);
 
     /// Entries from one row to another, both included: what Shift and a click select.

@@ -7,7 +7,7 @@
 
 namespace lightwalk {
 
-/// Made anew when the window's size has changed. One frame is in flight, so nothing else uses its images then.
+/// Recreated when the window's size has changed. One frame is in flight, so nothing else uses its images then.
 class Swapchain {
   public:
     Swapchain(Gpu& gpu, Display& display);

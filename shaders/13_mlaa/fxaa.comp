@@ -15,7 +15,7 @@ float luma_at(ivec2 pixel) { return sqrt(luminance(light_at(pixel))); }
 // Of a workgroup's square and the pixels around it, each read once.
 const int square = 16, kept_side = square + 2;
 shared float kept[kept_side * kept_side];
-shared uint strong[square * square], strong_count;  // threads whose pixels stand out of their neighbours
+shared uint strong[square * square], strong_count;  // threads whose pixels have contrast
 
 void keep_luma() {
     ivec2 from = square * ivec2(gl_WorkGroupID.xy) - 1;
@@ -79,7 +79,7 @@ float fxaa_share(ivec2 place, out ivec2 side) {
 }
 // [/fxaa]
 
-// Few pixels stand out. The workgroup's first threads take those, so that no thread waits while others search.
+// Few pixels have contrast. The workgroup's first threads take those, so that no thread waits while others search.
 void main() {
     if (gl_LocalInvocationIndex == 0u) strong_count = 0u;
     keep_luma();

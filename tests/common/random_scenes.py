@@ -140,7 +140,7 @@ def remembers(options: list) -> bool:
 
 
 def draw(program, seed, folder) -> tuple:
-    """The command that draws that scene with that chapter, and what is wrong: nothing where all is well. One frame from a
+    """The command that draws that scene with that chapter, and what is wrong: empty if it is right. One frame from a
     cold start, and the second of two, at one time: they are equal but where something remembers."""
     rng = random.Random(f"{program.name} {seed}")
     scene = Path(folder) / f"scene_{seed}.json"
