@@ -91,10 +91,12 @@ void Window::move_camera(const Input& input, double seconds) {
     if (!held) dragging_ = false;
     const float pixels_per_unit = static_cast<float>(display_.framebuffer_size().x) / float(display_.size().x);
     const bool over_picture = input.cursor.x * pixels_per_unit < static_cast<float>(picture_size().x);
-    if (held && !dragging_ && over_picture && !io.WantCaptureMouse) dragging_ = true;
+    const bool was_dragging = dragging_;
+    if (held && over_picture && !io.WantCaptureMouse) dragging_ = true;
     if (!held && over_picture && !io.WantCaptureMouse)
         follow_mouse(input.cursor * pixels_per_unit / glm::vec2(picture_size()));
-    if (dragging_ && glm::length(input.moved) > 0.0f) {
+    // The way to where the button went down is no drag: a frame that takes long reads both at once.
+    if (was_dragging && dragging_ && glm::length(input.moved) > 0.0f) {
         const glm::vec2 turn = -radians_per_pixel * input.moved;
         const float height = static_cast<float>(display_.size().y);
         if (input.middle || (input.left && input.shift))

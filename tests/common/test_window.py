@@ -98,6 +98,17 @@ class Window(WindowTest):
         self.session.key("Home")
         self.assert_as_at_the_start()
 
+    def test_the_way_to_where_a_button_is_pressed_moves_nothing(self):
+        places = [(str(x), "200") for x in (60, 300, 90, 310, 70)]
+        for x, y in places:  # a slow frame reads all of it at once
+            self.session.xdotool("mousemove", "--window", self.session.window, x, y)
+        self.session.xdotool("mousemove", "--window", self.session.window, "60", "200",
+                             "mousemove", "--window", self.session.window, "320", "200", "mousedown", "1")
+        self.session.wait(lambda: self.session.mouse[2] != 0, "the button down")
+        self.session.release()
+        self.session.park()
+        self.assert_as_at_the_start()
+
     def test_looks_at_a_pass(self):
         self.session.click("look")
         self.session.click("look.clay depth: depth")
