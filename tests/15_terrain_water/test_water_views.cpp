@@ -1,0 +1,106 @@
+// Water from above and from below: where reflected rays meet the picture, and how much light is left at a depth.
+#include <fmt/core.h>
+
+#include <cmath>
+#include <list>
+
+#include "water_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+/// Radiance that deep water at a depth scatters towards the eye.
+glm::dvec3 scattered(const OnWater& on, double depth_m) {
+    const Sun sun = on.scene.sun();
+    return glm::dvec3(on.water.turbid.value) * glm::exp(-depth_m * glm::dvec3(on.water.absorption.value)) *
+           (glm::dvec3(sun.sky) + glm::dvec3(sun.light) * double(sun.to_sun.y) / glm::pi<double>());
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(OnWater, "in the picture a reflected ray is followed to the stripe of the wall that it meets") {
+    size = {192, 128};
+    camera.position = {0, 4, 0}, camera.target = {0, 2, -20};
+    water.roughness.value = 0, water.refraction.value = 0, water.mirror.scale.value = 1;
+    // Stripes of 2 m, each half as bright again as the one below.
+    std::list<Wall> stripes;
+    Drawings wall;
+    for (int i = 0; i < 7; ++i) {
+        Wall& stripe = stripes.emplace_back(owner);
+        stripe.left = -60, stripe.right = 60, stripe.bottom = float(2 * i), stripe.top = float(2 * i + 2);
+        stripe.z = -40, stripe.color = {std::pow(1.5f, float(i)), 0, 0, 1};
+        wall.push_back(stripe);
+    }
+    const ImageRgb none = picture("flat", "none"), followed = picture("flat", "screen_space", 0, wall),
+                   right = picture("flat", "planar", 0, wall);
+    int asked = 0, wrong = 0;
+    for (int y = 70; y < int(size.y); ++y)
+        for (int x = 24; x < 168; ++x) {
+            // Of the mirror image, where neighbours above and below show the same stripe.
+            const auto red = [&](const ImageRgb& seen, int row) {
+                return double(seen.at(x, row).r - none.at(x, row).r);
+            };
+            if (y + 2 >= int(size.y) || red(right, y) < 0.02) continue;
+            if (std::fabs(red(right, y - 2) / red(right, y) - 1) > 0.2 ||
+                std::fabs(red(right, y + 2) / red(right, y) - 1) > 0.2)
+                continue;
+            ++asked, wrong += std::fabs(red(followed, y) / red(right, y) - 1) > 0.1;
+        }
+    fmt::print("{} of {} pixels reflect another stripe than they should\n", wrong, asked);
+    CHECK(asked > 1000);
+    CHECK(wrong < 0.12 * asked);
+}
+
+TEST_CASE_METHOD(OnWater,
+                 "at a depth there is what the water above it has left of the light from the sky and the sun") {
+    for (const float level : {0.0f, 3.0f})
+        for (const float depth : {0.5f, 2.0f, 9.0f}) {
+            water.level_m.value = level;
+            camera.position = {0, level - depth, 0}, camera.target = {0, level - depth - 2, -20};
+            const glm::dvec3 right = scattered(*this, double(depth));
+            const ImageRgb seen = picture("flat", "none");
+            INFO("level " << level << ", depth " << depth);
+            for (const int x : {3, 50, 90}) CHECK(glm::length(glm::dvec3(seen.at(x, 60)) / right - 1.0) < 0.01);
+            // A wall 8 m away, through as much water.
+            Wall wall(owner);
+            wall.z = -8, wall.left = -90, wall.right = 90, wall.bottom = level - 90, wall.color = {2, 3, 4, 1};
+            wall.top = level - depth;
+            const ImageRgb behind = picture("flat", "none", 0, {wall});
+            const glm::dvec3 ray(ray_through(view_rays(view_of(camera, size)), glm::vec2(40.5f, 60.5f)));
+            const double way = 8 / -ray.z * glm::length(ray);
+            const glm::dvec3 left = glm::exp(-way * glm::dvec3(water.absorption.value));
+            CHECK(glm::length(glm::dvec3(behind.at(40, 60)) / (glm::dvec3(2, 3, 4) * left + right * (1.0 - left)) -
+                              1.0) < 0.01);
+        }
+}
+
+TEST_CASE_METHOD(OnWater, "in waves an eye is as deep as the surface above it is high") {
+    water.waves.value = 3, water.slope.value = 0.2f;
+    for (const float time_s : {0.5f, 2.5f, 4.0f}) {
+        water.method.set("gerstner");
+        const float height = water.height_above({0, 0}, double(time_s));
+        CHECK(std::fabs(height) > 0.01f);
+        camera.position = {0, height - 2, 0}, camera.target = {0, height - 8, -20};
+        const ImageRgb seen = picture("gerstner", "none", time_s);
+        CHECK(glm::length(glm::dvec3(seen.at(50, 62)) / scattered(*this, 2) - 1.0) < 0.01);
+    }
+}
+
+TEST_CASE_METHOD(OnWater, "from below: the sky straight above, and past the critical angle the water alone") {
+    water.roughness.value = 0, water.refraction.value = 0, water.absorption.value = glm::vec3(0);
+    water.turbid.value = glm::vec3(0.2f, 0.05f, 0.01f);
+    camera.up = {0, 0, -1}, camera.fov_y_rad = 2.2f;  // 63 degrees to the upper edge
+    camera.position = {0, -3, 0}, camera.target = {0, 0, 0};
+    const ImageRgb seen = picture("flat", "none");
+    const glm::dvec3 water_light = scattered(*this, 3), sky(background);
+    const ViewRays rays = view_rays(view_of(camera, size));
+    for (uint32_t y = 1; y < size.y; y += 3)
+        for (uint32_t x = 1; x < size.x; x += 3) {
+            const glm::dvec3 ray = glm::normalize(glm::dvec3(ray_through(rays, glm::vec2(x, y) + 0.5f)));
+            const double share = truth::fresnel_water(ray.y, 1.333, 1);
+            INFO("cosine " << ray.y << ", reflected " << share);
+            if (ray.y > std::sqrt(1 - 1 / (1.333 * 1.333)) + 0.01 || ray.y < std::sqrt(1 - 1 / (1.333 * 1.333)) - 0.01)
+                CHECK(glm::length(glm::dvec3(seen.at(int(x), int(y))) - glm::mix(sky, water_light, share)) < 0.01);
+        }
+}
