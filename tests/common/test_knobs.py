@@ -67,8 +67,8 @@ def settings_of(knob, borrowed: bool) -> list[str]:
         return ["on", "off"]
     if "options" in knob:
         return knob["options"]
-    if knob["name"] == "samples":
-        return ["2", "7"]  # the end is 4,096 pictures
+    if knob["name"] in ("samples", "dof.views"):
+        return ["2", "7"]  # the end is 4,096 or 65,536 pictures
     if knob["range"] == [-360, 360]:
         return ["-360", "90", "360"]  # whole turns change nothing
     count = len(knob["default"]) if isinstance(knob["default"], list) else 1
@@ -80,7 +80,9 @@ def settings_of(knob, borrowed: bool) -> list[str]:
 WITH = {"bloom.method=window": ["sigma_px=4"], "skin.sky_rays=1024": ["skin.sky_size=16"],
         "skin.map_size=4096": ["skin.sky_rays=1", "skin.method=gaussians_1", "shadow.method=none"],
         "skin.": ["skin.sky_rays=1"],
-        "maps.mesh=displaced": ["maps.subdivide=2"], "finish.width=4096": ["finish.bake_rays=1"]}
+        "maps.mesh=displaced": ["maps.subdivide=2"], "finish.width=4096": ["finish.bake_rays=1"],
+        # No wave may be shorter than the shortest.
+        "water.longest_m=0.00": ["water.shortest_m=0.01"], "water.shortest_m=1000": ["water.longest_m=1000"]}
 
 
 def others_of(setting: str) -> list[str]:
