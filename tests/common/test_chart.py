@@ -113,6 +113,16 @@ class Drawing(unittest.TestCase):
         self.assertEqual(places("8-bit", (0.0312, 0.11), (0.0312, 3)), [1])
         self.assertEqual(places("truth", (0.018, 3)), [0])
 
+    def test_words_about_a_thin_band_stand_on_it(self):
+        points = [point(scene, "m", error, ms) for scene in "ab" for error, ms in ((0.5, 0.1), (0.01, 3))]
+        for doubt in (0.00058, 0.0007, 0.0008, 0.00095):
+            doubts = {scene: {"set": {}, "doubling": {"flip_mean": error}} for scene, error in (("a", 0.00101), ("b", doubt))}
+            figure = self.figure(study(points=points, scenes=doubts))
+            axis, renderer = figure.axes[1], figure.canvas.get_renderer()
+            words, = [text for text in axis.texts if "truth" in text.get_text()]
+            below = words.get_window_extent(renderer).y0 - axis.get_window_extent(renderer).y0
+            self.assertGreaterEqual(below, 0, doubt)  # else they cover the ticks' labels
+
     def test_an_exact_truth_is_called_so(self):
         texts = self.texts(self.figure(study(truth={"method": "uncut", "knobs": {}, "exact": True})))
         self.assertTrue([text for text in texts if "Truth: uncut, by definition." in text])

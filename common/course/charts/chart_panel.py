@@ -199,10 +199,17 @@ class Panel:
             notes.append(self.note(words, ((right, step, 0, 3), (1 - right, step, 0, 3)), 9.5, points))
         if doubling and low < doubling < high:
             self.main.axhspan(low, doubling, facecolor="#eef0f3", zorder=0)
-            places = ((1, doubling, -3, -12), (0, doubling, 3, -12), (1, low, -3, 4), (0, low, 3, 4))
+            places = ((1, doubling, -3, -12), (0, doubling, 3, -12), (1, low, -3, 4), (0, low, 3, 4), (1, doubling, -3, 3),
+                      (0, doubling, 3, 3))
+            if self.pixels(doubling) - self.pixels(low) < 20:  # too thin for the words: they stand on it
+                places = places[4:]
             places = places if right else places[1::2]
             notes.append(self.note("below: less than the truth is sure of", places, 9, points))
         return notes
+
+    def pixels(self, error: float) -> float:
+        """The height at which an error lies in the figure."""
+        return self.main.transData.transform((self.main.get_xlim()[0], error))[1]
 
     def note(self, text: str, places: tuple, size: float, points: list):
         """Words about a line, at the first of the places (share of the width, value, and from there in points) where

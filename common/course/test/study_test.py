@@ -12,10 +12,10 @@ where nothing is asserted of "either". Loaders: the course's own read every floa
 import json
 
 from charts.study import SceneEntry, study_of
-from shots.rendering import text
+from shots.rendering import run_program, text
 from test.need_test import run_study, sweep
 from test.results import table
-from tree import BUILD, run_on_chapter, say
+from tree import BUILD, chapter_program, run_on_chapter, say
 
 SIZE = [480, 270]  # or the study's "test_size": where its frames are slow, a test can do with fewer pixels
 OWN_LOADERS = ("textbook", "scan", "parallel")
@@ -54,7 +54,16 @@ def rows_of(chapter: str) -> list[dict]:
     rows = [{"case": "a second run, with one thread", "inputs": f"{len(errors[0])} points", "worst": len(differ),
              "bound": "0 differ", "ok": not differ and len(errors[0]) == len(errors[1]),
              "text": f"{differ[0][0]} {differ[0][1]} differs" if differ else "the same errors"}]
-    return rows + frame_rows(study, first)
+    return [*rows, *([whole_row(chapter)] if "test_scenes" in study else []), *frame_rows(study, first)]
+
+
+def whole_row(chapter: str) -> dict:
+    """That study.json can be read with the scenes that this test leaves out: what refuses no rounds has read it."""
+    done = run_program([chapter_program(chapter), "--study", BUILD / "study" / f"whole.{chapter}.json"],
+                       LIGHTWALK_STUDY_ROUNDS="0")
+    read = "LIGHTWALK_STUDY_ROUNDS is 0" in done.stderr
+    return {"case": "study.json with all of its scenes", "inputs": "1 file", "worst": "read" if read else "refused",
+            "bound": "read", "ok": read, "text": "read" if read else done.stderr.strip()[-300:]}
 
 
 def loader_rows(measured: dict) -> list[dict]:
