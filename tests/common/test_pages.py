@@ -34,6 +34,8 @@ LEFT_OVER = r"""(() => {
 BROKEN = "Promise.all([...document.images].map(i => i.decode().then(() => '', () => i.src))).then(all => all.filter(Boolean))"
 UNSET = "[...document.querySelectorAll('.arithmatex')].filter(f => !f.querySelector('.katex') || " \
         "f.querySelector('.katex-error')).map(f => f.textContent)"
+PHONE = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True}
+WIDTHS = "[innerWidth, document.documentElement.scrollWidth]"
 ASK = """new Promise(done => {
   document.querySelector("[data-md-toggle=search]").click();
   const field = document.querySelector("[data-md-component=search-query]"), end = Date.now() + 20000;
@@ -128,6 +130,10 @@ class InBrowser(TheCourse):
                     self.assertEqual(browser.evaluate(UNSET), [])
                     self.assertEqual(browser.evaluate(LEFT_OVER), [])
                     self.assertFalse(browser.evaluate("document.documentElement.scrollWidth > innerWidth"))
+                    if page in self.lessons:
+                        browser.call("Emulation.setDeviceMetricsOverride", **PHONE)
+                        self.assertEqual(browser.evaluate(WIDTHS), [390, 390])
+                        browser.call("Emulation.clearDeviceMetricsOverride")
                     formulas += browser.evaluate("document.querySelectorAll('.katex').length")
                     self.assertEqual(browser.complaints, [])
             self.assertGreater(formulas, 100)
@@ -141,11 +147,12 @@ class InBrowser(TheCourse):
         return list(kinds.values())
 
     def test_on_a_phone_in_the_dark(self):
+        """Colours are the theme's and alike in all pages; whether a lesson fits a phone is seen with the rest of it."""
         with Browser(dark=True) as browser:
-            browser.call("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=1, mobile=True)
-            for page in [self.folder / "index.html", *self.lessons]:
+            browser.call("Emulation.setDeviceMetricsOverride", **PHONE)
+            for page in (self.folder / "index.html", self.lessons[-1]):
                 browser.open(page)
-                self.assertEqual(browser.evaluate("[innerWidth, document.documentElement.scrollWidth]"), [390, 390], page)
+                self.assertEqual(browser.evaluate(WIDTHS), [390, 390], page)
                 self.assertEqual(browser.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(20, 24, 31)")
             self.assertEqual(browser.complaints, [])
 
