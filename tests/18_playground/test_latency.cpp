@@ -2,6 +2,7 @@
 // figures go to a study (docs/study_format.md), whose error is the share of pixels that are not those of the scene that
 // was saved and loaded again.
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "18_playground/playground.h"
 #include "common/app/render.h"
