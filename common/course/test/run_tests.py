@@ -34,7 +34,7 @@ rejections, all knobs), and only one chart of each chapter and one page of each 
 tests that ran."""
 PASSES_OPTIONS = True
 SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
-CI = ["-LE", "study", "-E", r"^teeth\.[0-9]+\.|\.(knobs|need|stretch)$"]  # a CI starts from nothing on each commit, and has minutes
+CI = ["-LE", "study", "-E", r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch)$"]  # a CI starts from nothing on each commit, and has minutes
 
 
 def add_arguments(parser):
