@@ -3,8 +3,8 @@
 namespace lightwalk {
 
 // [record]
-void DeferredLights::record(Frame& frame, const Scene& scene, const View& view, Canvas& canvas, const GBuffer& gbuffer,
-                            const Lights& lights, const std::vector<With>& with) {
+void DeferredLights::record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
+                            const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with) {
     const bool tiled = gbuffer.method.is("tiled"), volumes = gbuffer.volumes && !tiled;
     if (volumes) volumes_.update(frame, lights);
     if (tiled)
@@ -16,7 +16,7 @@ void DeferredLights::record(Frame& frame, const Scene& scene, const View& view, 
     frame.compute(tiled ? "tiles" : "full_screen", {.reads = {canvas.depth(frame)}, .writes = {color}, .with = with},
                   [&](Compute& pass) {
                       pass.use(tiled ? tiled_ : full_screen_).set("hdr", color);
-                      pass.set("ambient", scene.ambient()).set("background", glm::vec3(canvas.background()));
+                      pass.set("ambient", ambient).set("background", glm::vec3(canvas.background()));
                       if (tiled) pass.set("lights_grid", tiles_.view);
                       if (volumes) pass.set("without_volume", volumes_.without);
                       pass.dispatch_threads(view.size);

@@ -10,8 +10,8 @@ class DeferredLights {
   public:
     /// From the G-buffer and the canvas's depth into its colour, every pixel where there is a surface. `with` are
     /// modules that lighting needs besides: the lights, the G-buffer, and what casts shadows.
-    void record(Frame& frame, const Scene& scene, const View& view, Canvas& canvas, const GBuffer& gbuffer,
-                const Lights& lights, const std::vector<With>& with);
+    void record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
+                const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with);
 
     /// gbuffer.show in place of the picture.
     void show(Frame& frame, Canvas& canvas, const GBuffer& gbuffer);

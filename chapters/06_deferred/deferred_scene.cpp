@@ -15,8 +15,9 @@ std::function<void(Raster&)> DeferredScene::often_by(const SurfacePipelines& bot
 
 // [draw]
 void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
-    if (!canvas.has_depth()) return draw_alone(frame, view, canvas);
-    // Earlier drawings have left depth but no G-buffer: this scene is drawn apart, then merged by depth.
+    const bool overwrites = !gbuffer.is_forward() && canvas.has_color();
+    if (!canvas.has_depth() && !overwrites) return draw_alone(frame, view, canvas);
+    // Earlier drawings have left depth or colour but no G-buffer: this scene is drawn apart, then merged by depth.
     const auto fit = [&](Image& image, const char* name, VkFormat format) {
         image.fit(frame.gpu.device, {.name = path() + name, .format = format, .size = view.size});
     };
@@ -41,12 +42,13 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
     if (depth_first || (forwards && lights.needs_depth()))
         frame.raster("depth", {.depth = canvas.depth_target(), .with = with({maps})}, often_by(depth_));
 
-    // 3. Either every surface, lit as it is drawn, or the G-buffer, then light on the visible surfaces, then emission.
+    // 3. Either every surface, lit as it is drawn, or the G-buffer, then light on the visible surfaces, then the rest.
     gbuffer.begin(frame, view, canvas.single_depth());
     if (forwards) return draw_forward(frame, view, canvas);
     write_gbuffer(frame, view, canvas);
-    deferred_lights_.record(frame, *scene_, view, canvas, gbuffer, lights, {lights, shadow, gbuffer});
-    add_glow(frame, canvas);
+    const glm::vec3 ambient = rest ? glm::vec3(0.0f) : scene_->ambient();
+    deferred_lights_.record(frame, *scene_, ambient, view, canvas, gbuffer, lights, {lights, shadow, gbuffer});
+    add_rest(frame, canvas);
     // Transparent surfaces are lit as they are drawn, by the lights of their own cells.
     if (scene_->transparent().size() > 0) lights.record(frame, *scene_, view, canvas.depth(frame));
     if (!gbuffer.show.is("picture")) deferred_lights_.show(frame, canvas, gbuffer);
@@ -66,17 +68,29 @@ void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas)
 void DeferredScene::write_gbuffer(Frame& frame, const View&, Canvas& canvas) {
     const SurfacePipelines* const pipelines[] = {&write_, &write_culled_, &write_all_, &write_left_out_};
     frame.raster("gbuffer", {.color = gbuffer.targets(), .depth = canvas.depth_target(), .with = with({maps, gbuffer})},
-                 often_by(*pipelines[static_cast<size_t>(cull)]));
+                 often_by(writing ? *writing : *pipelines[static_cast<size_t>(cull)]));
     gbuffer.written();
 }
 
-void DeferredScene::add_glow(Frame& frame, Canvas& canvas) {
-    const std::vector<Batch> glows = glowing(*scene_, opaque_batches());
-    if (glows.empty()) return;
-    frame.raster("glow", {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps})},
-                 [&](Raster& pass) { maps.draw(pass, *scene_, glows, glow_.loaded, glow_.displaced); });
+void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
+    const std::vector<Batch> batches = rest ? opaque_batches() : glowing(*scene_, opaque_batches());
+    if (batches.empty()) return;
+    const SurfacePipelines& both = rest ? *rest : glow_;
+    frame.raster(
+        "glow",
+        {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps, lights, shadow})},
+        [&](Raster& pass) { maps.draw(pass, *scene_, batches, both.loaded, both.displaced); });
 }
 // [/draw]
+
+// A little nearer: behind other outputs, or a geometry shader, a device may compute depth otherwise in the last bit.
+SurfacePipelines DeferredScene::added(const char* fragment, Macros macros) {
+    return SurfacePipelines({.fragment = fragment,
+                             .depth_write = false,
+                             .depth_bias = {.constant = 16},
+                             .blend = Blend::add,
+                             .macros = std::move(macros)});
+}
 
 std::vector<Batch> glowing(const Scene& scene, const std::vector<Batch>& batches) {
     std::vector<Batch> kept;

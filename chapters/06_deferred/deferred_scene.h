@@ -16,6 +16,13 @@ struct DeferredScene : LitScene {
 
     GBuffer gbuffer;
 
+    /// What `shading` makes of a surface beside the light of `lights` has no room in a G-buffer. So who gives one gives
+    /// these, too: `writing` puts into the G-buffer what lights need, and `rest` adds all else, emission and ambient light
+    /// included, once for each pixel in which something is seen.
+    const SurfacePipelines* writing = nullptr;
+    const SurfacePipelines* rest = nullptr;
+    static SurfacePipelines added(const char* fragment, Macros macros = {});
+
     int times = 1;             ///< how often every surface is drawn
     bool depth_first = false;  ///< depth alone before, so that each pixel is written once
     enum class Cull {
@@ -36,7 +43,7 @@ struct DeferredScene : LitScene {
     void draw_alone(Frame& frame, const View& view, Canvas& canvas);
     void draw_forward(Frame& frame, const View& view, Canvas& canvas);
     void write_gbuffer(Frame& frame, const View& view, Canvas& canvas);
-    void add_glow(Frame& frame, Canvas& canvas);
+    void add_rest(Frame& frame, Canvas& canvas);
     std::function<void(Raster&)> often_by(const SurfacePipelines& both) const;
     std::vector<With> with(std::vector<With> modules) const;
 
@@ -53,11 +60,7 @@ struct DeferredScene : LitScene {
                                       .fragment = "06_deferred/write.frag",
                                       .cull = VK_CULL_MODE_NONE,
                                       .macros = {{"LEFT_OUT", "1"}}}};
-    // A little nearer: behind other outputs, or a geometry shader, a device may compute depth otherwise in the last bit.
-    SurfacePipelines glow_{{.fragment = "06_deferred/glow.frag",
-                            .depth_write = false,
-                            .depth_bias = {.constant = 16},
-                            .blend = Blend::add}};
+    SurfacePipelines glow_ = added("06_deferred/glow.frag");
 };
 
 /// Those of the batches that have something in them that emits.

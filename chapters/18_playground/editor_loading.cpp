@@ -25,25 +25,25 @@ bool has_model(const Scene& scene, const fs::path& file) {
 
 }  // namespace
 
-void EditorWindow::frame(Frame& frame) {
-    gpu_ = &frame.gpu;
+void EditorWindow::bring_up_to_date(Gpu& gpu) {
+    gpu_ = &gpu;
     const double start = now_s();
     const bool loads = !wanted_.empty();
     if (loads && !pace_) pace_ = Pace{start, start};
-    carry_on_loading();
-    bring_up_to_date(frame.gpu);
+    carry_on_loading(gpu);
+    Playground::bring_up_to_date(gpu);
     if (pace_) note_pace(start, now_s() - start, !loads);
-    Playground::frame(frame);
 }
 
 void EditorWindow::note_pace(double start, double own_s, bool ended) {
     Pace& pace = *pace_;
-    ++pace.frames;
-    pace.longest_s = std::max(pace.longest_s, start - std::exchange(pace.last, start));
+    const double frame_s = start - std::exchange(pace.last, start);  // of the one before
     pace.own_longest_s = std::max(pace.own_longest_s, own_s);
-    if (!ended) return;
-    log_event(fmt::format("loading took {:.2f} s, {} frames, the longest {:.0f} ms, of which loading at most {:.0f} ms",
-                          start - pace.since, pace.frames, 1e3 * pace.longest_s, 1e3 * pace.own_longest_s));
+    if (!ended) return ++pace.frames, void(pace.longest_s = std::max(pace.longest_s, frame_s));
+    log_event(
+        fmt::format("loading took {:.2f} s: {} frames, the longest {:.0f} ms, then one of {:.0f} ms that shows "
+                    "all of it; loading had at most {:.0f} ms of a frame",
+                    start - pace.since, pace.frames, 1e3 * pace.longest_s, 1e3 * frame_s, 1e3 * pace.own_longest_s));
     pace_.reset();
 }
 
@@ -79,12 +79,12 @@ void EditorWindow::stop_loading(const std::string& why) {
 }
 
 // [carry_on]
-void EditorWindow::carry_on_loading() {
+void EditorWindow::carry_on_loading(Gpu& gpu) {
     if (wanted_.empty()) return;
     Wanted& now = wanted_.front();
     if (auto ended = loading_.poll()) {
         if (!ended->model) return stop_loading(ended->error);
-        now.arrived.push_back(std::make_unique<Arrival>(*gpu_, ended->file, std::move(*ended->model)));
+        now.arrived.push_back(std::make_unique<Arrival>(gpu, ended->file, std::move(*ended->model)));
         now.models.erase(now.models.begin());
     }
     if (loading_.busy() || (!now.arrived.empty() && !now.arrived.back()->step(upload_ms))) return;
@@ -92,6 +92,7 @@ void EditorWindow::carry_on_loading() {
     Wanted done = std::move(now);
     wanted_.pop_front();
     arrived = std::move(done.arrived);
+    changed_ = true;  // the panels of this frame were made before
     if (done.adds) {
         editor.add_model(*this, done.file);
         log_event("added " + done.file.filename().string());

@@ -10,7 +10,6 @@
 namespace lightwalk {
 
 struct EditorWindow : Playground, WindowTool {
-    void frame(Frame& frame) override;
     bool on_mouse(const Input& input, glm::vec2 cursor_px, bool over_picture) override;
     bool on_key(const KeyPress& key) override;
     void on_drop(const std::vector<std::filesystem::path>& files) override;
@@ -20,6 +19,9 @@ struct EditorWindow : Playground, WindowTool {
     bool wants_to_close() override { return closes_; }
     bool is_busy() override;
     std::string take_notice() override { return std::exchange(editor.notice, ""); }
+
+  protected:
+    void bring_up_to_date(Gpu& gpu) override;
 
   private:
     void draw_tree();
@@ -37,7 +39,7 @@ struct EditorWindow : Playground, WindowTool {
         if (!said.empty()) editor.notice = said;
     }
     void want(const std::filesystem::path& file, bool adds);
-    void carry_on_loading();
+    void carry_on_loading(Gpu& gpu);
     void stop_loading(const std::string& why);
     void draw_loading(float scale);
     void draw_facets();

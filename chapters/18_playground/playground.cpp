@@ -13,6 +13,7 @@ Playground::Playground() {
     objects.maps.method.change_default("normal");
     objects.shading = &surface_;
     objects.transparent_shading = &glass_;
+    objects.writing = &write_, objects.rest = &rest_;
     objects.shading_with = {light, substances, paint};
     objects.all_lights = [this](const Frame& frame) {
         std::vector<Light> all = scene.lights();

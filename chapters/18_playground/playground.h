@@ -55,16 +55,19 @@ struct Playground : ModelChapter {
     View view_now;  ///< of the frame that was drawn last
 
   protected:
-    void bring_up_to_date(Gpu& gpu);
+    /// First in each frame.
+    virtual void bring_up_to_date(Gpu& gpu);
 
   private:
     void draw_world(Frame& frame, const View& view);
     void draw_marks(Frame& frame, const View& view);
     void show_ids(Frame& frame);
     bool updates_ = false, maps_due_ = true;
+    const Macros all_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}};
     SurfacePipelines surface_{{.fragment = "14_environment/surface.frag"}};
-    SurfacePipelines glass_ =
-        LitScene::see_through("14_environment/surface.frag", {{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}});
+    SurfacePipelines glass_ = LitScene::see_through("14_environment/surface.frag", all_);
+    SurfacePipelines write_{{.fragment = "18_playground/write.frag"}};
+    SurfacePipelines rest_ = DeferredScene::added("18_playground/rest.frag", all_);
     Pipeline show_ids_ = compute({.shader = "18_playground/show_ids.comp"});
 };
 

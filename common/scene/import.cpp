@@ -20,6 +20,7 @@
 #include "common/base/text.h"
 #include "common/scene/asset_path.h"
 #include "common/scene/model_bytes.h"
+#include "common/scene/named_files.h"
 
 namespace lightwalk {
 namespace {
@@ -53,26 +54,6 @@ void check_counts(const fs::path& path, const std::string& extension, uintmax_t 
                                  i + 1);
         if (extension == ".off") return;
     }
-}
-
-int hex_digit(char c) {
-    const size_t at =
-        std::string_view("0123456789abcdef").find(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
-    return at == std::string_view::npos ? -1 : static_cast<int>(at);
-}
-
-// glTF and Collada name files by URIs, in which a space is %20 (RFC 3986, 2.1).
-std::string decode_uri(std::string_view text) {
-    std::string out;
-    for (size_t i = 0; i < text.size(); ++i) {
-        const int high = i + 2 < text.size() ? hex_digit(text[i + 1]) : -1;
-        const int low = high >= 0 ? hex_digit(text[i + 2]) : -1;
-        if (text[i] == '%' && low >= 0)
-            out += static_cast<char>(16 * high + low), i += 2;
-        else
-            out += text[i];
-    }
-    return out;
 }
 
 TextureMap texture(const aiMaterial& material, aiTextureType type, const aiScene& scene, const fs::path& path) {
@@ -269,8 +250,9 @@ Model import_model(const fs::path& path) {
     if (bytes == 0) throw InputError("{}: the file is empty", name);
     check_counts(path, extension, bytes);
     Model model;
-    read_bytes(run_guarded(name, "Assimp", limits_for(bytes), [&] { return to_bytes(import_here(path)); }), name,
-               model);
+    read_bytes(
+        run_guarded(name, "Assimp", limits_for(bytes_to_import(path)), [&] { return to_bytes(import_here(path)); }),
+        name, model);
     return model;
 }
 

@@ -1,35 +1,5 @@
 // Writes what a pixel's surface is, and lights nothing.
 #include "06_deferred/mapped_pixel.glsl"
-#include "06_deferred/gbuffer.glsl"
+#include "06_deferred/put_pixel.glsl"
 
-// [outputs]
-#if GBUFFER_IS_PACKED
-layout(location = 0) out uint normals;
-layout(location = 1) out uint diffuse;
-layout(location = 2) out uint specular;
-#else
-layout(location = 0) out vec4 normal;
-layout(location = 1) out vec4 diffuse;
-layout(location = 2) out vec4 specular;
-#if GBUFFER_METHOD == GBUFFER_METHOD_FAT
-layout(location = 3) out vec4 position;
-#endif
-#endif
-// [/outputs]
-
-// [main]
-void main() {
-    MappedSurface m = seen_surface();
-    Stored s = store(pixel_of(m));
-    diffuse = s.diffuse;
-    specular = s.specular;
-#if GBUFFER_IS_PACKED
-    normals = s.normals;
-#else
-    normal = s.normal;
-#if GBUFFER_METHOD == GBUFFER_METHOD_FAT
-    position = s.position;
-#endif
-#endif
-}
-// [/main]
+void main() { put_pixel(pixel_of(seen_surface())); }

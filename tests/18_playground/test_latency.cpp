@@ -1,4 +1,9 @@
-// How long an edit takes to the end of the frame that shows it, against the number of objects.
+// How long an edit takes to the end of the frame that shows it, against the number of objects. With LIGHTWALK_EDITS=FILE the
+// figures go to a study (docs/study_format.md), whose error is the share of pixels that are not those of the scene that
+// was saved and loaded again.
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
 #include "18_playground/playground.h"
 #include "common/app/render.h"
 #include "editor_fixture.h"
@@ -7,10 +12,8 @@ using namespace lightwalk;
 
 namespace {
 
-double median(std::vector<double> times) {
-    std::sort(times.begin(), times.end());
-    return times.at(times.size() / 2);
-}
+constexpr glm::uvec2 size{64, 36};
+constexpr int moved = 1000;
 
 /// A playground with cubes in a square, some pixels each: the picture costs little beside the edit.
 struct Field {
@@ -34,57 +37,94 @@ struct Field {
         picture();
     }
 
-    double picture() {
-        const double start = now_ms();
-        render(chapter, frame, {{64, 36}, 0, 0, {}});
-        return now_ms() - start;
+    void picture() { render(chapter, frame, {size, 0, 0, {}}); }
+
+    void move(size_t most, int i) {
+        document.begin("move");
+        for (size_t at = 0; at < std::min(most, ids.size()); ++at)
+            document.edit(ids[at * ids.size() / std::min(most, ids.size())]).object()->position.y = 0.1f * float(i + 1);
+        document.commit();
     }
 
-    /// Milliseconds by which a frame is longer that shows the edit: medians of several.
-    template <class Edit>
-    double latency(int times, const Edit& edit) {
-        std::vector<double> edited, still;
-        for (int i = 0; i < times; ++i) {
-            const double start = now_ms();
-            edit(i);
-            picture();
-            edited.push_back(now_ms() - start);
-            still.push_back(picture());
-        }
-        return median(edited) - median(still);
+    void color(int i) {
+        document.begin("colour");
+        document.edit(ids[0]).object()->material.diffuse = glm::vec3(0.02f * float(i + 1));
+        document.commit();
+    }
+
+    /// Share of the pixels that differ from those of the saved scene, loaded by another playground.
+    double wrong_pixels() {
+        const ImageRgb ours = render_linear(chapter, gpu, size);
+        const TestFolder folder;
+        write_file(folder.path / "saved.json", scene_text(exported(document).scene));
+        Playground again;
+        again.name = chapter.name;
+        load_scene(again, gpu, folder.path / "saved.json");
+        const ImageRgb theirs = render_linear(again, gpu, size);
+        int wrong = 0;
+        for (size_t i = 0; i < ours.pixels.size(); ++i) wrong += ours.pixels[i] != theirs.pixels[i];
+        return double(wrong) / double(ours.pixels.size());
     }
 };
 
+/// A point of the study: milliseconds from the edit to the end of the frame that shows it, quartiles of several.
+template <class Edit>
+nlohmann::json measured(Field& field, const char* method, int count, const Edit& edit) {
+    std::vector<double> times;
+    for (int i = 0; i < (count > 10000 ? 7 : 15); ++i) {
+        field.picture();  // what the edit before has left behind is done
+        const double start = now_ms();
+        edit(i);
+        field.picture();
+        times.push_back(now_ms() - start);
+    }
+    std::sort(times.begin(), times.end());
+    const auto quartile = [&](size_t q) { return times[(times.size() - 1) * q / 4]; };
+    const double wrong = field.wrong_pixels();
+    fmt::print("{:>8} {:20} {:>9.2f} ms ({:.2f} to {:.2f})\n", count, method, quartile(2), quartile(1), quartile(3));
+    CHECK(wrong == 0.0);
+    return {{"scene", "cubes"},
+            {"method", method},
+            {"knobs", {{"objects", count}}},
+            {"error", {{"wrong_pixels", wrong}}},
+            {"time_ms",
+             {{"median", quartile(2)},
+              {"q1", quartile(1)},
+              {"q3", quartile(3)},
+              {"rounds", times.size()},
+              {"per_pass", nlohmann::json::object()}}}};
+}
+
 }  // namespace
 
-TEST_CASE("milliseconds from an edit to its picture, beyond those of a frame without one", "[.latency]") {
-    fmt::print("{:>8} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "objects", "one moved", "1000 moved", "one colour",
-               "one more", "undo");
+TEST_CASE("milliseconds from an edit to its picture, and of a frame without one", "[.latency]") {
+    const DeviceInfo& device = check_device().device.info;
+    nlohmann::json study{
+        {"chapter", "18_playground"},
+        {"title", "From an edit to the end of the frame that shows it, against the number of objects"},
+        {"subject", "frame"},
+        {"device", device.name},
+        {"driver", device.driver},
+        {"stage", "processor"},
+        {"size", {size.x, size.y}},
+        {"command", "LIGHTWALK_EDITS=FILE build/tests/test_18_playground \"[.latency]\""},
+        {"error_metric", "wrong_pixels"},
+        {"metrics", {{"wrong_pixels", "share of wrong pixels"}}},
+        {"charts",
+         {{{"name", "main"}, {"x", "knob objects"}, {"y", "time"}, {"x_label", "objects"}, {"panel", "{scene}"}}}}};
     for (const int count : {100, 1000, 10000, 100000}) {
         Field field(count);
-        Document& document = field.document;
-        const int times = count > 10000 ? 5 : 15;
-        const auto move = [&](size_t most) {
-            return field.latency(times, [&](int i) {
-                document.begin("move");
-                for (size_t at = 0; at < std::min(most, field.ids.size()); ++at)
-                    document.edit(field.ids[at * field.ids.size() / std::min(most, field.ids.size())])
-                        .object()
-                        ->position.y = 0.1f * float(i + 1);
-                document.commit();
-            });
+        const auto add = [&](const char* method, const auto& edit) {
+            study["points"].push_back(measured(field, method, count, edit));
         };
-        const double one = move(1), thousand = move(1000);
-        const double color = field.latency(times, [&](int i) {
-            document.begin("colour");
-            document.edit(field.ids[0]).object()->material.diffuse = glm::vec3(0.02f * float(i + 1));
-            document.commit();
-        });
-        const double more = field.latency(
-            times, [&](int i) { add_object(document, named(fmt::format("new {}", i), "models/cube.obj")); });
-        const double undo = field.latency(times, [&](int) { document.undo(); });
-        fmt::print("{:>8} {:>10.2f} {:>10.2f} {:>10.2f} {:>10.2f} {:>10.2f}\n", count, one, thousand, color, more,
-                   undo);
+        add("no edit", [](int) {});
+        add("one object moved", [&](int i) { field.move(1, i); });
+        add("1,000 moved", [&](int i) { field.move(moved, i); });
+        add("one colour", [&](int i) { field.color(i); });
+        add("one object more",
+            [&](int i) { add_object(field.document, named(fmt::format("new {}", i), "models/cube.obj")); });
+        add("undo of one more", [&](int) { field.document.undo(); });
         CHECK(field.chapter.scene.items.size() == static_cast<size_t>(count));
     }
+    if (const char* file = std::getenv("LIGHTWALK_EDITS")) write_file(file, study.dump(1, '\t') + "\n");
 }

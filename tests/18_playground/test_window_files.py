@@ -15,7 +15,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 
 from window_session import BUILD, ROOT, Session, XServer  # noqa: E402
 
-SCENE = {"camera": {"position": [0, 0.8, 4], "target": [0, 0, 0], "fov_deg": 40},
+SCENE = {"camera": {"position": [0, 0.8, 4], "target": [0, 0, 0], "fov_deg": 40}, "ambient": [0.25, 0.25, 0.3],
+         "lights": [{"type": "directional", "direction": [-0.4, -0.8, -0.5], "intensity": 1.5}],
          "objects": [{"name": "cube", "model": "models/cube.obj"}]}
 
 
@@ -36,6 +37,7 @@ class Files(unittest.TestCase):
         cls.scene.write_text(json.dumps(SCENE))
         (cls.folder / "bad.obj").write_text("v 0 0 0\nf 1 2 3\n")
         (cls.folder / "one more.obj").write_text(grid(40))  # a name that is escaped where it is dropped
+        (cls.folder / "slow.obj").write_text(grid(600))  # takes longer than a window goes on drawing after a key
         (cls.folder / "large.obj").write_text(grid(1000))  # takes long enough to be cancelled
         # What the editor wrote by itself before it was killed: newer, with an object more.
         cls.left = cls.folder / "built.json.unsaved"
@@ -133,7 +135,15 @@ class Files(unittest.TestCase):
         self.wait_for(r"added one more\.obj", since)
         self.assertEqual(self.names(), ["cube", "ghost", "plane", "sphere", "one more"])
 
-    def test_7_it_ends_with_nothing_to_say(self):
+    def test_7_what_took_long_is_in_the_tree_though_nobody_moves_the_mouse(self):
+        since = self.session.said()
+        self.type_path(str(self.folder / "slow.obj"))
+        self.wait_for(r"added slow\.obj", since)
+        self.session.wait(lambda: "entry.slow" in self.session.areas, "its line in the tree")
+        self.wait_for(r"loading took [\d.]+ s: \d+ frames, .*", since)
+        self.assertEqual(self.names()[-1], "slow")
+
+    def test_8_it_ends_with_nothing_to_say(self):
         self.session.key("Escape")
         self.session.key("Escape")
         self.assertEqual(self.session.end(), 0)

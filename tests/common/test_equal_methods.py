@@ -15,7 +15,7 @@ from picture_drawing import BUILT, CHAPTERS, EVERYTHING, HAS_SOLUTION, ROOT, Dra
 class Equal:
     """The knob's values draw one picture, but for steps of at most `codes` of 255. Where they are two approximations of
     one thing a `share` of the pixels may differ by more. `sets`: what makes the chapter use the knob. `frames`: drawn
-    before the picture that is compared, and it. `but`: not in these chapters."""
+    before the picture that is compared, and it."""
     knob: str
     values: tuple
     codes: int = 0
@@ -23,7 +23,6 @@ class Equal:
     sets: tuple = ()
     frames: int = 1
     scenes: tuple = ("default", "everything")
-    but: tuple = ()
 
 
 LIGHTS = ("every_light", "per_object", "tiled", "clustered")
@@ -37,9 +36,8 @@ EQUAL = [
     Equal("shadow.fetch", ("single", "gather"), codes=1, share=0.0001, sets=("shadow.method=pcf",)),
     Equal("shadow.blur_by", ("naive", "shared"), sets=("shadow.method=evsm", "shadow.resolution=256")),
     Equal("shadow.keep", ("on", "off"), frames=3),
-    # docs/06: fat holds all as floats; the others lose bits of normals. Volumes add lights in another order. Chapter 18
-    # lights surfaces with chapter 14's environment in its forward path alone.
-    Equal("gbuffer.method", ("forward", "fat"), codes=1, share=0.0005, sets=(MESH,), but=("18",)),
+    # docs/06: fat holds all as floats; the others lose bits of normals. Volumes add lights in another order.
+    Equal("gbuffer.method", ("forward", "fat"), codes=1, share=0.0005, sets=(MESH,)),
     Equal("gbuffer.method", ("fat", "depth", "packed", "tiled"), codes=4, share=0.01, sets=(MESH,)),
     Equal("gbuffer.method", ("packed", "tiled"), codes=1, sets=(MESH,)),
     Equal("gbuffer.volumes", ("on", "off"), codes=1),
@@ -139,7 +137,7 @@ class EqualMethods(unittest.TestCase):
             knobs = knobs_of(chapter)
             with Drawer(chapter, self.folder) as drawer:
                 for equal in EQUAL:
-                    if usable(equal, knobs) is None or chapter.startswith(equal.but):
+                    if usable(equal, knobs) is None:
                         continue
                     for scene in scenes_of(chapter, equal, equal.knob in known):
                         compared.add(equal)

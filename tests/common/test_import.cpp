@@ -6,6 +6,7 @@
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/scene/import.h"
+#include "common/scene/named_files.h"
 
 using namespace lightwalk;
 namespace fs = std::filesystem;
@@ -81,6 +82,29 @@ TEST_CASE("import: files on which Assimp 5.2.5 dies cost no more than an error")
             import_model(data(name));  // a later Assimp may read them
         } catch (const InputError& error) { CHECK(std::string(error.what()).starts_with(data(name).string())); }
     }
+}
+
+// What Assimp may take of the memory depends on how much there is to read: a glTF of 6 KB may name 335 MB.
+TEST_CASE("import: the size of a glTF file is that of all that it names") {
+    const size_t hole = size_t{3} << 30;  // a file with nothing in it takes no place on a disk
+    const TemporaryFile buffer("lightwalk named 1.bin", "");
+    fs::resize_file(buffer.path, hole);
+    const auto bytes = [&](const std::string& text) {
+        const TemporaryFile file("lightwalk_names.gltf", text);
+        return bytes_to_import(file.path) - text.size();
+    };
+    const std::string named = R"({"uri": "lightwalk%20named%201.bin"})";
+    CHECK(bytes(R"({"buffers": [)" + named + "]}") == hole);
+    CHECK(bytes(R"({"buffers": [)" + named + ", " + named + R"(], "images": [)" + named + "]}") == hole);
+    CHECK(
+        bytes(
+            R"({"buffers": [{"uri": "data:application/octet-stream;base64,AAAA"}, {"uri": 7}, {"uri": "none.bin"}]})") ==
+        0);
+    CHECK(bytes(R"({"buffers": [{"uri": "."}, {"uri": "/dev/zero"}], "name": "lightwalk named 1.bin"})") == 0);
+    CHECK(bytes(R"({"buffers": [)" + named + ", ") == 0);  // no JSON
+    CHECK(bytes("") == 0);
+    CHECK(bytes_to_import(data("nested.dae")) == fs::file_size(data("nested.dae")));
+    CHECK_THROWS_AS(bytes_to_import(fs::temp_directory_path() / "lightwalk_none.gltf"), InputError);
 }
 
 TEST_CASE("import: a buffer that is a pipe, a tree that is too deep, a position that is no number") {

@@ -1,0 +1,47 @@
+// What leaves a surface beside what it reflects of the scene's lights: light of its surroundings, and what it emits.
+// Whoever includes it says what stands in the way of light: unoccluded.glsl or occluded.glsl.
+#include "03_attenuation/lighting.glsl"
+#include "05_shadow_maps/shadow.glsl"
+#include "14_environment/coated.glsl"
+#include "14_environment/image_light.glsl"
+#include "14_environment/paint.glsl"
+
+// [paint_lights]
+// What the scene's lights leave of paint, by its table; each light's radiance is what a matt white surface shows.
+vec3 paint_lights(MappedSurface m, float n_dot_v) {
+    vec3 sum = vec3(0.0);
+    for (uint i = 0u; i < lights_data.length(); ++i) {
+        Arriving arriving = arriving_light(lights_data[i], m.position, lights.fade_k);
+        float n_dot_l = dot(m.surface.normal, arriving.to_light);
+        if (n_dot_l <= 0.0 || dot(m.facing, arriving.to_light) <= 0.0) continue;
+        vec3 visible = light_visibility(i, m.position, m.facing, arriving.to_light);
+        sum += pi * n_dot_l * visible * arriving.radiance * paint_brdf(n_dot_l, n_dot_v);
+    }
+    return sum;
+}
+// [/paint_lights]
+
+// [leaving]
+// Radiance towards the eye, of what lies below the coat and of the coat itself.
+struct Leaving {
+    vec3 body, coat;
+};
+
+Leaving leaving(CoatedSurface c) {
+    MappedSurface m = c.m;
+    vec3 normal = m.surface.normal, to_eye = m.surface.to_eye;
+    float n_dot_v = clamp(dot(normal, to_eye), 1e-3, 1.0);
+    FromAround reflected = reflected_from_around(LitFromAround(m.position, normal, to_eye, c.f0, c.alpha));
+#ifdef OCCLUDED
+    vec3 around = diffuse_of_samples(m.position, normal, uint(image_light.samples));
+#else
+    vec3 around = diffuse_light(m.position, normal);
+#endif
+    Leaving light = Leaving(c.albedo * reflected.diffuse_share * around * m.substance.occlusion,
+                            reflected.specular * m.substance.occlusion + m.glow);
+    if (c.is_paint)
+        light.body = paint_albedo(n_dot_v, 0) * around * m.substance.occlusion + paint_lights(m, n_dot_v) +
+                     paint_albedo(n_dot_v, 1) * flake_light(m.position, normal, to_eye);
+    return light;
+}
+// [/leaving]

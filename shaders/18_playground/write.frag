@@ -1,0 +1,10 @@
+// Writes what the scene's lights need of a surface under a coat; its surroundings light it later, from all its numbers.
+#include "06_deferred/pixel.glsl"
+#include "06_deferred/put_pixel.glsl"
+#include "14_environment/coated.glsl"
+
+void main() {
+    CoatedSurface c = coated_surface();
+    MixedMaterial mixed = MixedMaterial(c.albedo, c.f0, c.m.surface.shininess);
+    put_pixel(Pixel(c.m.surface.normal, c.m.facing, c.m.position, PixelMaterial(mixed, c.m.substance.occlusion, 0.0)));
+}
