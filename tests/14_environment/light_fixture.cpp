@@ -47,6 +47,16 @@ void OnLight::load(int width, int height, const std::function<glm::dvec3(glm::dv
     load(made.back().string());
 }
 
+void OnLight::draw_picture() {
+    const Pipeline to_cube = compute({.shader = "14_environment/equirect_to_cube.comp"});
+    const ImageView cube = light.drawn.radiance.as_array().mip(0);
+    frame.compute("cube", {.reads = {*scene.environment}, .writes = {cube}}, [&](Compute& pass) {
+        pass.use(to_cube).set("picture", *scene.environment).set("limit", 65504.0f).set("cube", cube);
+        pass.dispatch_threads(glm::uvec3(cube.size().x, cube.size().y, 6));
+    });
+    light.record_drawn(frame, {});
+}
+
 std::vector<Shown> OnLight::shown(const std::vector<LookedAt>& surfaces) {
     light.record(frame, scene);
     return shown_now(surfaces);

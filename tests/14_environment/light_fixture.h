@@ -37,6 +37,9 @@ struct OnLight : OnDevice {
     /// Of a picture that is given by its radiance along each direction.
     void load(int width, int height, const std::function<glm::dvec3(glm::dvec3)>& radiance);
 
+    /// The picture into the cube of `light.drawn`, and what is made of it: as if its radiance had been drawn.
+    void draw_picture();
+
     std::vector<Shown> shown(const std::vector<LookedAt>& surfaces);
     /// The same without record(): in the light that is chosen. Ends the frame and begins another.
     std::vector<Shown> shown_now(const std::vector<LookedAt>& surfaces);

@@ -211,16 +211,10 @@ TEST_CASE_METHOD(OnLight,
         const double one = 1 + 0.5 * d.x + 0.4 * d.y - 0.3 * d.z;
         return glm::dvec3(one * one + 0.6 * d.x * d.y - 0.2 * d.z * d.x);
     });
-    const Pipeline to_cube = compute({.shader = "14_environment/equirect_to_cube.comp"});
     const auto coefficients = [&](const char* window) {
         light.sh_window.set(window);
         light.record(frame, scene);
-        const ImageView cube = light.drawn.radiance.as_array().mip(0);
-        frame.compute("cube", {.reads = {*scene.environment}, .writes = {cube}}, [&](Compute& pass) {
-            pass.use(to_cube).set("picture", *scene.environment).set("limit", 65504.0f).set("cube", cube);
-            pass.dispatch_threads(glm::uvec3(cube.size().x, cube.size().y, 6));
-        });
-        light.record_drawn(frame, {});
+        draw_picture();
         frame.end();
         const std::array both{read<glm::vec4>(light.sky.sh), read<glm::vec4>(light.drawn.sh)};
         frame.begin({4, 4}, 0);

@@ -66,14 +66,7 @@ TEST_CASE_METHOD(OnLight, "irradiance of photographed places: the cube within 4%
 
 TEST_CASE_METHOD(OnLight, "coefficients that the device sums are those of 14.sh_project") {
     load("environments/courtyard_1k.hdr");
-    // The same radiance as if it had been drawn.
-    const Pipeline to_cube = compute({.shader = "14_environment/equirect_to_cube.comp"});
-    const ImageView cube = light.drawn.radiance.as_array().mip(0);
-    frame.compute("cube", {.reads = {*scene.environment}, .writes = {cube}}, [&](Compute& pass) {
-        pass.use(to_cube).set("picture", *scene.environment).set("limit", 65504.0f).set("cube", cube);
-        pass.dispatch_threads(glm::uvec3(cube.size().x, cube.size().y, 6));
-    });
-    light.record_drawn(frame, {});
+    draw_picture();
     frame.end();
     const auto of_picture = read<glm::vec4>(light.sky.sh);
     const auto of_cube = read<glm::vec4>(light.drawn.sh);

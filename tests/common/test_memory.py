@@ -7,10 +7,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
-CHAPTERS = sorted(path.name for path in (ROOT / "chapters").glob("[0-9][0-9]_*"))
-BUILT = (BUILD / "compare").exists() or "LIGHTWALK_BUILD" in os.environ
+from picture_drawing import BUILD, BUILT, CHAPTERS, ROOT
+
 FEW, MANY = 8, 40
 BOUND_MB = 0.8  # a frame
 # The conditions of chapter 10's air that the eye's height alone decides: Mesa 22.3's lavapipe compiles four of its shaders anew
