@@ -37,8 +37,7 @@ struct OnCells : OnLand {
         const Pipeline pipeline = compute_pipeline("numbers of the ground",
                                                    "layout(local_size_x = 64) in;\n"
                                                    "layout(scalar) readonly buffer RowsBlock { float rows[]; };\n"
-                                                   "layout(scalar) writeonly buffer ResultBlock { float result[]; };\n"
-                                                   "bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }\n" +
+                                                   "layout(scalar) writeonly buffer ResultBlock { float result[]; };\n" +
                                                        text);
         const Buffer in = gpu.upload("rows", rows);
         const size_t count = rows.size() / row_floats;
@@ -152,7 +151,6 @@ TEST_CASE_METHOD(
 #define gl_VertexIndex 0
 #define gl_InstanceIndex 0
 #define gl_Position unused_position
-#define is_drawn unused_is_drawn
 #define main unused_main
 vec4 unused_position;
 #include "15_terrain_water/land_chunks.vert"
