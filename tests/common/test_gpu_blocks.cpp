@@ -22,6 +22,7 @@ void main() {
     for (int i = 0; i < way.most && by.stride > 0 && strides <= way.most; i += by.stride) ++strides;
     counts[0] = by.stride > way.most ? -1 : turns;
     counts[1] = way.end < by.size && by.stride == 1 ? -1 : strides;
+    counts[2] = counts[3] = 0;
 }
 )";
 
