@@ -134,3 +134,22 @@ TEST_CASE_METHOD(OnWater, "from below: the sky straight above, and past the crit
                 CHECK(glm::length(glm::dvec3(seen.at(int(x), int(y))) - glm::mix(sky, water_light, share)) < 0.01);
         }
 }
+
+TEST_CASE_METHOD(OnWater, "the surroundings' cube is asked for by the reflections that show it, and by no other") {
+    camera.position = {0, 5, 0};
+    for (const char* reflection : {"none", "cube", "screen_space", "planar", "rays"}) {
+        const auto in = [&](float ambient) {
+            scene.file.ambient = glm::vec3(ambient);
+            owner.prepare_all(gpu, scene);
+            return picture("gerstner", reflection);
+        };
+        const bool differs = in(0.1f).pixels != in(2.0f).pixels;
+        INFO(reflection);
+        CHECK(water.sees_surroundings(view_of(camera, size)) == differs);
+    }
+    // Where no mirror image is drawn, the cube stands in for it.
+    water.reflection.set("planar"), camera.position = {0, -1, 0};
+    CHECK(water.sees_surroundings(view_of(camera, size)));
+    water.method.set("none");
+    CHECK(!water.sees_surroundings(view_of(camera, size)));
+}
