@@ -129,33 +129,17 @@ CHECK_EXERCISE("14.box_project",
                "for each axis the wall that the ray goes towards; the nearest of the three; from the center to there") {
     // A ray that meets a wall at once has no direction of its own; the lengths of results are free.
     const auto unit = [](glm::dvec3 v) { return v / glm::length(v); };
-    Probe probe{
-        .include = "14_environment/box_project.glsl",
-        .signature = "vec3 box_project(vec3 position, vec3 direction, vec3 lower, vec3 upper, vec3 center)",
-        .truth =
-            [unit](auto in) {
-                const glm::dvec3 p = three(in), d = three(in.subspan(3)), lower = three(in.subspan(6)),
-                                 upper = three(in.subspan(9)), center = three(in.subspan(12));
-                double t = 1e300;
-                for (int a = 0; a < 3; ++a)
-                    if (d[a] != 0) t = std::min(t, ((d[a] > 0 ? upper[a] : lower[a]) - p[a]) / d[a]);
-                const glm::dvec3 hit = p + std::max(t, 0.0) * d - center;
-                return row_of(unit(hit == glm::dvec3(0) ? d : hit));
-            },
-        .hint = [](auto in, auto) -> std::string {
-            bool inside = true, along_axis = false, away = false;
-            for (size_t a = 0; a < 3; ++a) {
-                inside = inside && in[a] >= in[6 + a] && in[a] <= in[9 + a];
-                along_axis = along_axis || in[3 + a] == 0;
-                away = away || (in[3 + a] > 0 && in[a] > in[9 + a]) || (in[3 + a] < 0 && in[a] < in[6 + a]);
-            }
-            if (!inside && away) return "outside the box, on a ray that leads away from it: the point is `position`";
-            if (in[0] == in[12] && in[1] == in[13] && in[2] == in[14])
-                return "from the cube's own center: the point may be the center, which gives no direction";
-            return along_axis
-                       ? "a component of `direction` is 0: a ray along a wall never meets it; leave that axis out"
-                       : "";
-        }};
+    Probe probe{.include = "14_environment/box_project.glsl",
+                .signature = "vec3 box_project(vec3 position, vec3 direction, vec3 lower, vec3 upper, vec3 center)",
+                .truth = [unit](auto in) {
+                    const glm::dvec3 p = three(in), d = three(in.subspan(3)), lower = three(in.subspan(6)),
+                                     upper = three(in.subspan(9)), center = three(in.subspan(12));
+                    double t = 1e300;
+                    for (int a = 0; a < 3; ++a)
+                        if (d[a] != 0) t = std::min(t, ((d[a] > 0 ? upper[a] : lower[a]) - p[a]) / d[a]);
+                    const glm::dvec3 hit = p + std::max(t, 0.0) * d - center;
+                    return row_of(unit(hit == glm::dvec3(0) ? d : hit));
+                }};
     const auto add = [&](glm::dvec3 p, glm::dvec3 d, glm::dvec3 lower, glm::dvec3 upper, glm::dvec3 center) {
         Row row;
         for (const glm::dvec3 v : {p, d, lower, upper, center}) append(row, v);
@@ -192,11 +176,22 @@ CHECK_EXERCISE("14.box_project",
         const double length = glm::length(g);
         const bool right = std::isfinite(length) && length > 0 && glm::length(g / length - want) < 1e-4;
         const glm::dvec3 d = three(std::span(probe.inputs[i]).subspan(3));
-        const std::string hint = !std::isfinite(length) ? "a component of the direction is 0"
-                                 : glm::length(unit(d) - unit(g)) < 1e-5
-                                     ? "the ray begins at position, the cube's at center"
-                                 : glm::length(unit(g) + want) < 1e-3 ? "the wall behind the ray is nearer"
-                                                                      : "";
+        const Row& in = probe.inputs[i];
+        bool along_axis = false, away = false;
+        for (size_t a = 0; a < 3; ++a) {
+            along_axis = along_axis || in[3 + a] == 0;
+            away = away || (in[3 + a] > 0 && in[a] > in[9 + a]) || (in[3 + a] < 0 && in[a] < in[6 + a]);
+        }
+        const std::string hint =
+            !std::isfinite(length)                  ? "a component of the direction is 0"
+            : away                                  ? "outside the box, and the ray leads away: the point is position"
+            : glm::length(unit(d) - unit(g)) < 1e-5 ? "the ray begins at position, the cube's at center"
+            : glm::length(unit(g) + want) < 1e-3    ? "the wall behind the ray is nearer"
+            : three(in) == three(std::span(in).subspan(12))
+                ? "the point is center itself, which is no direction: return the ray's"
+            : along_axis
+                ? "a component of the direction is 0: the ray meets neither wall across that axis, leave it out"
+                : "";
         check.expect(right, wrong_text(probe, i, got[i]) + " or another length", hint);
         if (!right) return;
     }
