@@ -1,4 +1,4 @@
-// What stands before what: bodies before the sky and behind walls; stars and the Milky Way where the sky has them.
+// What stands before what: bodies before the sky and behind walls, stars on the edges of a picture.
 #include <fmt/core.h>
 
 #include "planets_fixture.h"
