@@ -131,6 +131,7 @@ USED_WITH = {
     "terrain.shadow_steps": ["world=terrain", "terrain.shadow=marched"],
     "skin.wrap": ["world=head", "skin.method=wrapped"], "12 level": ["show=level"], "half_plane.": ["world=half_plane"],
     # The walls of chapter 06's own scene reach below its floor, where random lights begin; none of its lights has cascades.
+    "objects.shaded": ["gbuffer.method=forward"],
     "06 lights": ["scene=scenes/field.json"], "06 shadow.snap": ["scene=mapped"],
     "lamp": ["visibility=rays"], "rays.": ["visibility=rays"], "environment.turn_deg": ["world=julia"],
 }
@@ -154,7 +155,6 @@ SILENT = {
                      "prepass", "mips.bilinear", "remake", "atmosphere.refresh", "mlaa.reads"),
                     "they draw equal pictures (test_equal_methods.py)"),
     "mips.reduction": "two ways to one mean, which differ in time alone",
-    "06 objects.shaded": "a G-buffer is shaded in compute as it is, and what is drawn forward beside it by fragment shaders",
     "07 maps.coverage": "the levels of its textures are its own, and keep coverage",
     "lights.slices": "says how many lights a pixel computes, not what they shed",
     "post.automatic.adapt_s": "the first frame has nothing to adapt from",
