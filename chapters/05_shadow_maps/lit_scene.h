@@ -23,7 +23,8 @@ struct LitScene : SurfaceScene {
         "shaded",
         std::vector<std::string>{"raster", "visibility"},
         "raster",
-        "Shading of opaque surfaces without a G-buffer: as they are drawn, by fragment shaders (raster), or in compute, "
+        "Shading of opaque surfaces without a G-buffer: as they are drawn, by fragment shaders (raster), or in "
+        "compute, "
         "once for each pixel of a visibility buffer; raster for displaced meshes and for several samples per pixel"};
     // [/lit_scene]
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/image/image.h"
+#include "common/image/luminance.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {
@@ -81,7 +82,7 @@ class Rock {
   public:
     glm::vec4 at(int x, int y, glm::vec2 uv) const {
         const glm::vec3 photo = photo_.at(y * photo_.width / side, x * photo_.height / side);
-        const float light = glm::dot(photo, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+        const float light = luminance(photo);
         const float stains = sum_of_octaves(uv, 3, 4, 0.6f, 7);
         const glm::vec3 color = glm::mix(glm::vec3(light), photo, 0.45f) * (0.55f + 0.6f * stains);
         return {color, glm::clamp(light * 2.2f, 0.0f, 1.0f)};
