@@ -22,7 +22,7 @@ struct Head : Drawing {
     }
 
     Skin skin;
-    Rays rays;
+    SceneRays rays;
     Knob<float> backdrop;
     Skin::Shown shown = Skin::Shown::all;
 

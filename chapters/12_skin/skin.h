@@ -53,7 +53,7 @@ struct Skin : Module {
     /// What lights it: modules that give 03's lights, 05's shadows and rays, and what surrounds it.
     struct Lit {
         const Maps& maps;
-        const Rays& rays;
+        const SceneRays& rays;
         std::vector<With> with;
     };
     void record(Frame& frame, const Scene& scene, const View& view, const Lit& lit);

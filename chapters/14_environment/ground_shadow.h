@@ -18,7 +18,7 @@ struct GroundShadow : Module {
                          {1, 1024},
                          "Directions that stand for the environment, each for an equal share of light"};
     Knob<int> resolution{*this, "resolution", 128, {8, 1024}, "Width and height of the map", "texels"};
-    Rays rays{*this, "rays"};
+    SceneRays rays{*this, "rays"};
     Target arriving{*this, {.name = "arriving", .size = {128, 128}, .kept = true}};
     // [/ground_shadow]
 
