@@ -47,6 +47,9 @@ OWN = {"mapped": MAPPED, "everything": EVERYTHING, "glass": GLASS}
 SCENES = {"planet.l": "scenes/earth.json", "planet.turn_deg": "scenes/earth.json", "planet.clouds": "scenes/earth.json",
           "planet.night": "scenes/earth.json", "terrain.": "scenes/terrain_noon.json", "maps.": "mapped", "lights.": "mapped", "rays.": "mapped", "shadow.near_m": "mapped",
           "lamp": "mapped", "shadow.transparent": "glass",
+          "planets.clouds": "scenes/earth_portrait.json", "planets.waves": "scenes/earth_portrait.json",
+          "planets.air": "scenes/earth_portrait.json", "planets.night": "scenes/earth_night.json",
+          "planets.relief": "scenes/moon.json", "planets.sun": "scenes/sun.json", "planets.flow": "scenes/jupiter.json",
           "sphere_shadow.": "scenes/ringed_planet.json", "screens.": "scenes/control_room.json"}
 
 
@@ -69,6 +72,8 @@ def settings_of(knob, borrowed: bool) -> list[str]:
         return knob["options"]
     if knob["name"] in ("samples", "dof.views"):
         return ["2", "7"]  # the end is 4,096 or 65,536 pictures
+    if knob["name"] == "select":
+        return ["-1", "0"]  # numbers of objects
     if knob["range"] == [-360, 360]:
         return ["-360", "90", "360"]  # whole turns change nothing
     count = len(knob["default"]) if isinstance(knob["default"], list) else 1
@@ -140,9 +145,7 @@ USED_WITH = {
     "probe.lower": ["probe.update=moved", "probe.box=on"], "probe.upper": ["probe.update=moved", "probe.box=on"],
     "volume.truth_samples": ["volume.method=exact"], "volume.shine": ["volume.shading=gradient"],
     "volume.wave_speed": ["volume.wave=0.1", "time=1.234"], "volume.shell_speed": ["time=1.234"],
-    "planets.night": ["planets.at=earth"], "planets.waves": ["planets.at=earth"], "planets.clouds": ["planets.at=earth"],
-    "planets.air": ["planets.at=earth"], "planets.relief": ["planets.at=moon"],
-    "planets.flow": ["planets.at=jupiter", "planets.flow_days=1"], "planets.days_per_s": ["time=1.5"],
+    "planets.flow": ["planets.flow_days=1"], "planets.days_per_s": ["time=1.5"],
     "flight.": ["flight.on=on", "time=5.5"], "flight.on": ["time=5.5"],
     "marks.": ["select=0"], "picker.": ["show=ids"],
     "objects.shaded": ["gbuffer.method=forward"], "reference": ["post.tone=reinhard"],
@@ -181,6 +184,9 @@ SILENT = {
     "post.automatic.adapt_s": "the first frame has nothing to adapt from",
     "terrain.stitch": "a crack is far narrower than a pixel of so small a picture",
     "mlaa.count": "counts pixels, and changes none",
+    "planets.maps": "says when maps are loaded, not how they look",
+    "picker.reach": "acts where somebody clicks",
+    "environment.levels.bilinear": "as mips.bilinear", "environment.levels.reduction": "as mips.reduction",
 }
 
 
