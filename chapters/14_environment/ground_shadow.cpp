@@ -61,7 +61,10 @@ void GroundShadow::prepare(Gpu& gpu, Scene& scene) {
 }
 
 void GroundShadow::record(Frame& frame, const Scene& scene, const EnvironmentScale& turn, float ground_y) {
-    arriving.wanted.size = glm::uvec2(uint32_t(resolution.value));
+    arriving.fit(frame.gpu.device, {.name = path() + ".arriving",
+                                    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                                    .size = glm::uvec2(uint32_t(resolution.value)),
+                                    .kept = true});
     const std::string now = fmt::format("{} {} {} {} {} {}", scene.placed, turn.cosine, turn.sine, ground_y,
                                         directions.value, arriving.desc.size.x);
     if (now == made_ || scene.items.empty()) return;
