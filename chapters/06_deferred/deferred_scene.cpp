@@ -39,7 +39,8 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
 
     // 2. Depth alone, if requested.
     const bool forwards = gbuffer.is_forward() || gbuffer.shows_loss();
-    if (depth_first || (forwards && lights.needs_depth()))
+    const bool in_compute = !gbuffer.shows_loss() && shades_seen(canvas);  // a visibility buffer has depth itself
+    if (depth_first || (forwards && !in_compute && lights.needs_depth()))
         frame.raster("depth", {.depth = canvas.depth_target(), .with = with({maps})}, often_by(depth_));
 
     // 3. Either every surface, lit as it is drawn, or the G-buffer, then light on the visible surfaces, then the rest.
@@ -55,8 +56,10 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
 }
 
 void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas) {
-    lights.record(frame, *scene_, view, canvas.single_depth());
+    const auto sort_lights = [&] { lights.record(frame, *scene_, view, canvas.single_depth()); };
     const bool loss = gbuffer.shows_loss();
+    if (!loss && shades_seen(canvas)) return draw_seen(frame, canvas, sort_lights, times);
+    sort_lights();
     const Attachment target = loss ? clear(canvas.color_overwritten(), glm::vec4(-1.0f)) : canvas.color_target();
     frame.raster("forward",
                  {.color = {target}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow, gbuffer})},

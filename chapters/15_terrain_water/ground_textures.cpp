@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/image/image.h"
+#include "common/image/luminance.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {
@@ -139,7 +140,7 @@ struct Rock {
     glm::vec4 at(glm::vec2 uv) const {
         const glm::ivec2 texel(uv * static_cast<float>(side));
         const glm::vec3 photo = bark.at(texel.y * bark.width / side, texel.x * bark.height / side);
-        const float light = glm::dot(photo, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+        const float light = luminance(photo);
         const glm::vec3 color = glm::mix(glm::vec3(light), photo, 0.45f) * (0.55f + 0.6f * stains.at(uv.x));
         return {color, glm::clamp(light * 2.2f, 0.0f, 1.0f)};
     }

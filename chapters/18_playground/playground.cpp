@@ -12,6 +12,7 @@ Playground::Playground() {
     objects.gbuffer.method.change_default("forward");
     objects.maps.method.change_default("normal");
     objects.shading = &surface_;
+    objects.shaded.reset();
     objects.transparent_shading = &glass_;
     objects.writing = &write_, objects.rest = &rest_;
     objects.shading_with = {light, substances, paint};

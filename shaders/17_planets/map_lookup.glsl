@@ -1,9 +1,5 @@
-// Maps of bodies: equirectangular, north up, the prime meridian in the middle, no seam and no pinch.
-
-// Longitude and latitude of a direction of unit length, as texture coordinates.
-vec2 map_uv(vec3 direction) {
-    return vec2(0.5 + atan(direction.x, direction.z) / 6.2831853, 0.5 - asin(clamp(direction.y, -1.0, 1.0)) / 3.14159265);
-}
+// Maps of bodies, as map_uv() has them, with no seam and no pinch.
+#include "10_atmosphere/map_uv.glsl"
 
 // [map_texel]
 // The level comes from `footprint_rad`, the angle at the body's centre that a pixel covers: across the date line neighbours'
