@@ -6,6 +6,7 @@
 #include "04_surface_maps/tangents.h"
 #include "18_playground/arrival.h"
 #include "18_playground/preview.h"
+#include "common/base/guarded.h"
 #include "editor_fixture.h"
 
 using namespace lightwalk;
@@ -95,6 +96,26 @@ TEST_CASE("what is cancelled ends early and is never delivered; progress is a sh
         CHECK_FALSE(other.poll());
     }  // waits for the thread
     CHECK(now_ms() - start < 0.7 * whole);
+}
+
+TEST_CASE("what another process reads is given up at once when it is cancelled, and that process ends") {
+    Progress progress_here;
+    lightwalk::progress() = &progress_here;
+    std::thread cancels([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        progress_here.cancelled = true;
+    });
+    const double start = now_ms();
+    CHECK_THROWS_AS(run_guarded("slow.gltf", "a reader", {},
+                                [] {
+                                    std::this_thread::sleep_for(std::chrono::seconds(20));
+                                    return std::string("read");
+                                }),
+                    Cancelled);
+    CHECK(now_ms() - start < 10000);
+    cancels.join();
+    lightwalk::progress() = nullptr;
+    CHECK(run_guarded("fast.gltf", "a reader", {}, [] { return std::string("read"); }) == "read");
 }
 
 TEST_CASE("what comes to the device in slices is drawn as what is loaded at once, and nothing of it is loaded again") {
