@@ -174,6 +174,20 @@ TEST_CASE("what comes to the device in slices is drawn as what is loaded at once
     }
 }
 
+TEST_CASE("what is previewed after another file is the picture that it is alone") {
+    Gpu& gpu = check_device();
+    Preview preview;
+    std::vector<Image8> pictures;
+    for (const char* file : {"models/cube.obj", "models/sphere.obj", "models/cube.obj"}) {
+        const auto path = find_asset(file);
+        const SceneFile scene = scene_of_model(path, model_bounds(load_model(path)));
+        pictures.push_back(preview.draw(gpu, scene, Thumbnails::size));
+        CHECK(pictures.back().pixels == Preview().draw(gpu, scene, Thumbnails::size).pixels);
+    }
+    CHECK(pictures[0].pixels == pictures[2].pixels);
+    CHECK(pictures[0].pixels != pictures[1].pixels);
+}
+
 TEST_CASE("a thumbnail's file depends on the path, the size and the time of its file") {
     const TestFolder folder;
     write_file(folder.path / "a.obj", grid_text(1));
