@@ -198,6 +198,30 @@ TEST_CASE("other surroundings and other ambient light show at once, as where the
     }
 }
 
+TEST_CASE("lights are picked where they are seen, the nearest one; what is hidden or locked never is") {
+    Driven driven;
+    Editor& editor = driven.window.editor;
+    const EntryId first = add_light(driven.document(), {.kind = Light::Kind::point}),
+                  second = add_light(driven.document(), {.kind = Light::Kind::point, .position = {0.05f, 0, 0}});
+    const View view = driven.window.view_now;
+    const glm::vec2 at = *on_screen(view, glm::vec3(0.0f));
+    CHECK(editor.light_at(view, at) == first);
+    CHECK(editor.light_at(view, *on_screen(view, {0.05f, 0, 0})) == second);
+    editor.selection.set({first});
+    CHECK(editor.selected_bounds(driven.window.scene).lower == glm::vec3(-0.5f));
+    set_hidden(driven.document(), {first}, true);
+    CHECK(editor.light_at(view, at) == second);
+    set_locked(driven.document(), {second, driven.named("left")}, true);
+    CHECK_FALSE(editor.light_at(view, at).has_value());
+    driven.draw();
+    editor.select_item(driven.window.scene, 0, false);
+    CHECK(editor.selection.ids.empty());
+    editor.select_item(driven.window.scene, 1, false);
+    CHECK(editor.selection.active() == driven.named("right"));
+    const EntryId plane = editor.add_model(driven.window, "models/plane.obj");  // as any clone of the course finds it
+    CHECK(driven.document().at(plane).object()->model == "models/plane.obj");
+}
+
 TEST_CASE("methods and exercises that are switched while it runs draw what they draw from a cold start") {
     struct State {
         const char* method;

@@ -166,9 +166,16 @@ TEST_CASE("the tree's rows: in order, below what is unfolded, with a model's nod
     CHECK(shown().back() == "0cup");
     reparent(document, {ids[2]}, root_entry, 0);
     CHECK(shown()[0] == "0cup");
+    document.undo();
+    CHECK(shown()[0] == "0Red Lamp");
+    document.redo();
     tree.search("RED lamp");
     CHECK(shown() == Names{"0Red Lamp"});
     tree.search("red");
+    CHECK(shown() == Names{"0Red Lamp", "0red cup"});
+    rename(document, child, "blue cup");
+    CHECK(shown() == Names{"0Red Lamp"});
+    document.undo();
     CHECK(shown() == Names{"0Red Lamp", "0red cup"});
 }
 
