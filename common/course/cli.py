@@ -14,7 +14,7 @@ import signal
 import sys
 
 from build.build import alone
-from tree import BUILD, Failure, UsageError, warn
+from tree import BUILD, Failure, UsageError, nearest, warn
 
 # command: its module. The help of all of them is in the shell script, which must print it without Python.
 COMMANDS = {
@@ -49,7 +49,7 @@ class Parser(argparse.ArgumentParser):
 def main(words: list[str]) -> int:
     command = words[0] if words else ""
     if command not in COMMANDS:
-        raise UsageError(f"there is no command '{command}'; there are {', '.join(COMMANDS)}")
+        raise UsageError(f"there is no command '{command}'; {nearest(command, COMMANDS)}; ./course --help lists all")
     module = importlib.import_module(COMMANDS[command])
     if hasattr(module, "run_words"):
         return module.run_words(words[1:])

@@ -42,7 +42,7 @@ vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {
     vec3 up = normalize(vec3(round_up.x, round_up.y / (1.0 - body.flattening), round_up.z));
     vec3 at = vec3(round_at.x, round_at.y * (1.0 - body.flattening), round_at.z);
     float facing = max(dot(up, to_eye), 0.0), cosine = dot(up, to_sun);
-    float footprint_rad = pixel_m / (body.radius * sqrt(max(facing, 0.04)));
+    float footprint_rad = footprint_of(pixel_m, body.radius, facing);
     vec2 uv = map_uv(round_up);
 #ifdef BODY_FLOW
     vec4 texel = flowed(body_map, uv, footprint_rad, body.flow_days, body.flow_period);

@@ -15,3 +15,7 @@ vec4 map_texel(sampler2D map, vec2 uv, float footprint_rad) {
     return textureLod(map, vec2(uv.x, clamp(uv.y, edge, 1.0 - edge)), lod);
 }
 // [/map_texel]
+
+// Angle at the body's centre of a pixel's share of its surface, seen at a cosine `mu`: `pixel_m` wide across the ray, as much
+// longer along it as the surface slants. Between the two lies the root of their product; at the limb it has an end.
+float footprint_of(float pixel_m, float radius_m, float mu) { return pixel_m / (radius_m * sqrt(max(mu, 0.04))); }
