@@ -76,11 +76,11 @@ void DeferredScene::write_gbuffer(Frame& frame, const View&, Canvas& canvas) {
 }
 
 void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
-    const std::vector<Batch> batches = rest ? opaque_batches() : glowing(*scene_, opaque_batches());
+    const std::vector<Batch> batches = rest ? opaque_batches() : emitting(*scene_, opaque_batches());
     if (batches.empty()) return;
-    const SurfacePipelines& both = rest ? *rest : glow_;
+    const SurfacePipelines& both = rest ? *rest : emission_;
     frame.raster(
-        "glow",
+        rest ? "ambient and emission" : "emission",
         {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps, lights, shadow})},
         [&](Raster& pass) { maps.draw(pass, *scene_, batches, both.loaded, both.displaced); });
 }
@@ -95,7 +95,7 @@ SurfacePipelines DeferredScene::added(const char* fragment, Macros macros) {
                              .macros = std::move(macros)});
 }
 
-std::vector<Batch> glowing(const Scene& scene, const std::vector<Batch>& batches) {
+std::vector<Batch> emitting(const Scene& scene, const std::vector<Batch>& batches) {
     std::vector<Batch> kept;
     for (const Batch& batch : batches) {
         bool any = false;

@@ -44,7 +44,9 @@ void Playground::bring_up_to_date(Gpu& gpu) {
         } catch (const InputError& e) { editor.notice = e.what(); }
     give(scene);
     arrived.clear();
-    if (editor.update(*this, gpu) != LiveScene::Done::replaced) return;
+    const LiveScene::Done done = editor.update(*this, gpu);
+    light.prepare(gpu, scene);  // it keeps what it has where surroundings and ambient light are as they were
+    if (done != LiveScene::Done::replaced) return;
     const bool updates = std::exchange(updates_, false);
     maps_due_ = editor.loads;
     substances.prepare(gpu, scene);
