@@ -96,6 +96,7 @@ void Rays::build(Gpu& gpu, const Scene& scene, float cutoff) {
 
 void Rays::record(Frame& frame, const Scene& scene, float cutoff) {
     if (!built_) build(frame.gpu, scene, cutoff);
+    state_.cutoff = cutoff;
     state_.first_sample = static_cast<uint32_t>(frame.samples.index) * static_cast<uint32_t>(truth_samples);
     if (scene.placed == placed_) return;
     bvh_.refit(ray_triangles(scene));

@@ -60,8 +60,9 @@ void GroundShadow::prepare(Gpu& gpu, Scene& scene) {
 
 void GroundShadow::record(Frame& frame, const Scene& scene, const EnvironmentScale& turn, float ground_y) {
     arriving.wanted.size = glm::uvec2(uint32_t(resolution.value));
-    const std::string now = fmt::format("{} {} {} {} {} {}", scene.placed, turn.cosine, turn.sine, ground_y,
-                                        directions.value, arriving.desc.size.x);
+    arriving.begin_frame(frame.gpu, frame.size);  // now: the frame has begun with the size before
+    const std::string now = fmt::format("{} {} {} {} {} {} {}", scene.placed, turn.cosine, turn.sine, ground_y,
+                                        directions.value, arriving.desc.size.x, rays.cutouts.value);
     if (now == made_ || scene.items.empty()) return;
     rays.record(frame, scene);
     std::vector<GroundLight> lights = ground_lights(picture_, turn, directions);
