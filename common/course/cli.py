@@ -14,7 +14,7 @@ import signal
 import sys
 
 from build.build import alone
-from tree import BUILD, Failure, UsageError, warn
+from tree import BUILD, Failure, UsageError, nearest, warn
 
 # command: its module. The help of all of them is in the shell script, which must print it without Python.
 COMMANDS = {
@@ -49,7 +49,7 @@ class Parser(argparse.ArgumentParser):
 def main(words: list[str]) -> int:
     command = words[0] if words else ""
     if command not in COMMANDS:
-        raise UsageError(f"there is no command '{command}'; there are {', '.join(COMMANDS)}")
+        raise UsageError(f"there is no command '{command}'; {nearest(command, COMMANDS)}; ./course --help lists all")
     if "" in words:  # as of a variable that is not set; without the word, a command may mean all there is
         raise UsageError(f"an argument is empty; see ./course {command} --help")
     module = importlib.import_module(COMMANDS[command])

@@ -1,10 +1,12 @@
 """The course's tree: where things lie, which chapters and shots there are, and how a command says that it cannot."""
 
+import difflib
 import json
 import os
 import subprocess
 import sys
 import threading
+from collections.abc import Iterable
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -23,6 +25,15 @@ class Failure(Exception):
 def chapters() -> list[str]:
     """The chapters' names, "01_obj" and so on, in order."""
     return sorted(path.name for path in (ROOT / "chapters").glob("[0-9][0-9]_*") if path.is_dir())
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """The two names that are most like a word, which may be a path or a file's name alone, as an error says them."""
+    def likeness(name: str) -> float:
+        other = name if "/" in word else Path(name).name
+        return difflib.SequenceMatcher(None, word.lower(), other.lower()).ratio()
+    found = sorted(known, key=lambda name: (-likeness(name), name))[:2]
+    return f"the nearest {'is' if len(found) == 1 else 'are'} {' and '.join(found)}" if found else "there are none"
 
 
 def find_chapter(word: str) -> str:
@@ -58,8 +69,8 @@ def find_shots(word: str) -> list[tuple[str, dict]]:
     found = [(chapter, shot) for chapter in named for shot in shots(chapter)
              if not shot_word or shot["name"] == shot_word]
     if not found:
-        names = ", ".join(f"{chapter[:2]}.{shot['name']}" for chapter in named for shot in shots(chapter))
-        raise UsageError(f"there is no shot '{word}'; there are {names or 'none'}")
+        names = [f"{chapter[:2]}.{shot['name']}" for chapter in named for shot in shots(chapter)]
+        raise UsageError(f"there is no shot '{word}'; {nearest(word, names)}; ./course run NN --list shots lists those of a chapter")
     return found
 
 

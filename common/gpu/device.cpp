@@ -189,6 +189,7 @@ Device::Device(const DeviceOptions& options) : Device() {
                                          .pQueuePriorities = &priority};
     DeviceFeatures features(physical);
     has = features.core.features;
+    hides_blocks = limits.driver == VK_DRIVER_ID_MESA_LLVMPIPE && has.shaderUniformBufferArrayDynamicIndexing;
     std::vector<const char*> extensions;
     if (limits.push_descriptors > 0) extensions.push_back(VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
     if (!options.surface_extensions.empty()) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);

@@ -68,6 +68,7 @@ class Device {
     DeviceInfo info;
     PFN_vkCmdPushDescriptorSetKHR push_descriptors = nullptr;
     uint32_t max_push_descriptors = 0;  ///< 0: the device has none
+    bool hides_blocks = false;          ///< uniform blocks are elements of arrays (hidden_blocks.h)
 
     bool software() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
 

@@ -82,10 +82,13 @@ Limits::Limits(VkPhysicalDevice physical) {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PUSH_DESCRIPTOR_PROPERTIES_KHR};
     VkPhysicalDeviceSubgroupProperties subgroup{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES,
                                                 .pNext = pushes ? &push : nullptr};
-    core13.pNext = &subgroup;
+    VkPhysicalDeviceDriverProperties made_by{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES,
+                                             .pNext = &subgroup};
+    core13.pNext = &made_by;
     VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &core13};
     vkGetPhysicalDeviceProperties2(physical, &properties);
     core13.pNext = nullptr;
+    driver = made_by.driverID;
     push_descriptors = push.maxPushDescriptors;
     if ((subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) &&
         (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT))

@@ -29,6 +29,7 @@ struct DeviceFeatures {
 struct Limits {
     explicit Limits(VkPhysicalDevice physical);
     VkPhysicalDeviceVulkan13Properties core13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES};
+    VkDriverId driver{};
     uint32_t push_descriptors = 0;  ///< 0: it cannot push them
     uint32_t shuffling_lanes = 1;  ///< invocations of the smallest subgroup that compute shaders may run in and shuffle
 };

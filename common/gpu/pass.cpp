@@ -5,6 +5,7 @@
 
 #include "common/base/error.h"
 #include "common/gpu/frame.h"
+#include "common/gpu/hidden_blocks.h"
 
 namespace lightwalk {
 namespace {
@@ -111,6 +112,10 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     point_ = point;
     if (!pipeline) return;
     vkCmdBindPipeline(commands, point, pipeline->handle);
+    if (frame.gpu.device.hides_blocks) {
+        const uint32_t index = 0;
+        vkCmdPushConstants(commands, pipeline->layout, hidden_index.stageFlags, 0, hidden_index.size, &index);
+    }
     bound_.assign(pipeline->bindings.size(), {});
     missing_ = static_cast<size_t>(std::ranges::count(pipeline->bindings, true, &Binding::used));
     dirty_.clear();

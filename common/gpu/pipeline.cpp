@@ -4,6 +4,7 @@
 
 #include "common/base/edited.h"
 #include "common/base/exercise.h"
+#include "common/gpu/hidden_blocks.h"
 
 namespace lightwalk {
 namespace {
@@ -223,12 +224,16 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
         .bindingCount = static_cast<uint32_t>(entries.size()),
         .pBindings = entries.data()};
     check(vkCreateDescriptorSetLayout(device_.handle, &set_info, nullptr, &built->set_layout), "set layout");
-    const VkPipelineLayoutCreateInfo layout_info{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = 1, .pSetLayouts = &built->set_layout};
+    const VkPipelineLayoutCreateInfo layout_info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                                 .setLayoutCount = 1,
+                                                 .pSetLayouts = &built->set_layout,
+                                                 .pushConstantRangeCount = device_.hides_blocks ? 1u : 0u,
+                                                 .pPushConstantRanges = &hidden_index};
     check(vkCreatePipelineLayout(device_.handle, &layout_info, nullptr, &built->layout), "pipeline layout");
 
     std::vector<VkPipelineShaderStageCreateInfo> stage_infos;
     for (size_t i = 0; i < stages.stages.size(); ++i) {
+        if (device_.hides_blocks) hide_blocks(stages.spirv[i]);
         const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                             .codeSize = stages.spirv[i].size() * 4,
                                             .pCode = stages.spirv[i].data()};

@@ -232,14 +232,14 @@ class PlanReader {
     void read_charts(const JsonNode& charts) {
         std::set<std::string> names;
         for (const JsonNode& chart : charts.items()) {
-            chart.expect_keys({"name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale", "x_label", "panel",
-                               "enough", "says", "over", "passes"});
+            chart.expect_keys({"name", "title", "x", "y", "scenes", "methods", "knobs", "x_scale", "x_label", "y_label",
+                               "panel", "enough", "says", "over", "passes"});
             const std::string name = chart["name"].text();
             if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != name.npos)
                 chart["name"].refuse("is '" + name +
                                      "', expected small letters, digits and _: it is part of a file's name");
             if (!names.insert(name).second) chart["name"].refuse(": two charts are called '" + name + "'");
-            for (const char* words : {"title", "x_label", "panel", "says", "over"})
+            for (const char* words : {"title", "x_label", "y_label", "panel", "says", "over"})
                 if (chart.has(words)) chart[words].text();
             if (chart.has("enough")) read_enough(chart["enough"]);
             for (const char* axis : {"x", "y"})

@@ -15,9 +15,9 @@ layout(location = 0) out vec4 color;
 layout(std430, binding = 0) readonly buffer Lights { Light lights[]; };
 layout(push_constant) uniform Material { vec4 albedo; };
 
-// Light spreads over spheres of growing area: 1 / d². Two ends have to be tied up. Nothing is brighter than at 1 cm,
-// else the division has no limit; and a window brings light and its slope to 0 at the range, so that no edge shows
-// where a light is cut off. Per square metre.
+// Light spreads over spheres of growing area: 1 / d². Two changes keep this usable. Below 1 cm the light no longer
+// grows, because it would have no limit; and a window brings light and its slope to 0 at the range, so that the end of
+// the light leaves no edge. Per square metre.
 float distance_falloff(float distance_m, float range_m) {
     float inside = max(1.0 - (distance_m * distance_m) / (range_m * range_m), 0.0);
     return inside * inside / max(distance_m * distance_m, 1e-4);

@@ -10,7 +10,7 @@ const vec3 rayleigh = vec3(5.802e-3, 13.558e-3, 33.1e-3);  // scattered by molec
 const float dust = 3.996e-3, dust_lost = 4.44e-3;           // scattered by dust, and scattered or absorbed
 const vec3 ozone = vec3(0.65e-3, 1.881e-3, 0.085e-3);       // absorbed by ozone, around a height of 25 km
 
-// How much of each there is at a height, as a share of its most.
+// The density of each of the three at a height, relative to its greatest one.
 vec3 amounts(float height) {
     return vec3(exp(-height / 8.0), exp(-height / 1.2), max(1.0 - abs(height - 25.0) / 15.0, 0.0));
 }
@@ -42,8 +42,8 @@ vec3 sunlight(vec3 place, vec3 sun) {
 vec3 sky(float eye_height, vec3 direction, vec3 sun, int steps) {
     vec3 eye = vec3(0.0, earth_km + eye_height, 0.0), light = vec3(0.0), depth = vec3(0.0);
     float c = dot(direction, sun), way = way_to_end(eye, direction), g = 0.8;
-    float by_molecules = 0.0596831 * (1.0 + c * c);  // 3 / 16 pi: nearly the same to all sides
-    float by_dust = 0.0795775 * (1.0 - g * g) / pow(1.0 + g * g - 2.0 * g * c, 1.5);  // 1 / 4 pi: most of all forwards
+    float by_molecules = 0.0596831 * (1.0 + c * c);  // 3 / 16 pi: nearly the same in all directions
+    float by_dust = 0.0795775 * (1.0 - g * g) / pow(1.0 + g * g - 2.0 * g * c, 1.5);  // 1 / 4 pi: mostly forwards
     for (int i = 0; i < steps; ++i) {
         vec2 ends = way * pow(vec2(i, i + 1) / float(steps), vec2(2.0));  // short where the air is dense
         float part = ends.y - ends.x;

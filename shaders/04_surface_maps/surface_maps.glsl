@@ -277,9 +277,7 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
 #endif
 #if HAS_PARALLAX
     at.uv -= round(at.uv);  // textures repeat, and numbers near 0 are finer
-    // Always maps.steps, which no compiler knows: Mesa 22.3 crashes on some loops that a uniform ends (common/opaque.glsl).
-    int steps = to_eye.z < 2.0 ? maps.steps : 1;
-    Hit hit = find_hit(at.uv, to_eye, deepest(), steps);
+    Hit hit = find_hit(at.uv, to_eye, deepest(), maps.steps);
     m.position -= m.surface.to_eye * (maps.height_m * hit.depth / max(eye_in_frame.z, lowest_eye));
     at.uv = hit.uv;
 #endif

@@ -3,7 +3,6 @@
 #include "11_fractals/julia_data.h"
 #include "11_fractals/julia_distance.glsl"
 #include "11_fractals/march.glsl"
-#include "common/opaque.glsl"
 
 layout(scalar) uniform JuliaBlock {
     float slice, escape, step_m, epsilon_m, relaxation, footprint, trust, difference_m;
@@ -14,25 +13,23 @@ layout(scalar) uniform JuliaNowBlock { JuliaNow julia_now; };
 // The fp64 truth's own settings are finer (truth.h); this is what a float can hold.
 const float exact_epsilon = 2e-5, exact_share = 0.3;
 
-bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }
-
 vec4 julia_point(vec3 position) { return vec4(position, julia.slice); }
 
 float julia_at(vec3 position) {
-    return julia_distance(julia_point(position), opaque(julia_now.constant), julia.iterations, julia.escape);
+    return julia_distance(julia_point(position), julia_now.constant, julia.iterations, julia.escape);
 }
 
 float distance_at(float t) { return julia.trust * julia_at(march_from + t * march_along); }
 
 vec3 pixel_direction(ivec2 pixel) {
-    return opaque(normalize(ray_through(julia_now.rays, vec2(pixel) + 0.5)));
+    return normalize(ray_through(julia_now.rays, vec2(pixel) + 0.5));
 }
 
 // Where the ray is within the ball that holds the set; an end before its start: nowhere.
 vec2 within_bound(vec3 from, vec3 along) {
     float middle = -dot(from, along);
     vec3 beside = from + middle * along;  // not |from|² - middle²: from afar those cancel
-    float bound = opaque(julia_now.bound), half_square = bound * bound - dot(beside, beside);
+    float bound = julia_now.bound, half_square = bound * bound - dot(beside, beside);
     if (half_square <= 0.0) return vec2(0.0, -1.0);
     float half_chord = sqrt(half_square);
     return vec2(max(middle - half_chord, 0.0), middle + half_chord);

@@ -12,8 +12,8 @@ void main() {
     vec3 axis = ray_through(rays, (vec2(tile) + 0.5) * float(julia_now.tile));
     // To the tile's corners: no ray of it is farther from the axis than this at 1 m.
     float spread = 0.5 * float(julia_now.tile) * length(rays.right + rays.down) / length(axis);
-    march_from = opaque(rays.eye);
-    march_along = opaque(normalize(axis));
+    march_from = rays.eye;
+    march_along = normalize(axis);
 
     float t = max(length(rays.eye) - julia_now.bound, 0.0);
     float end = length(rays.eye) + julia_now.bound;

@@ -11,7 +11,7 @@ layout(rgba32f) writeonly uniform image2D found;
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(found)))) return;
-    march_from = opaque(julia_now.rays.eye);
+    march_from = julia_now.rays.eye;
     march_along = pixel_direction(pixel);
     vec2 range = within_bound(march_from, march_along);
     float shared_steps = 0.0;

@@ -17,7 +17,7 @@ vec3 julia_gradient(vec3 position) {
         by_x = scale * square_change(z, by_x);
         by_y = scale * square_change(z, by_y);
         by_z = scale * square_change(z, by_z);
-        z = quaternion_square(z) + opaque(julia_now.constant);
+        z = quaternion_square(z) + julia_now.constant;
     }
     return vec3(dot(z, by_x), dot(z, by_y), dot(z, by_z));
 }

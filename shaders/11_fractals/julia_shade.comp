@@ -21,7 +21,7 @@ float orbit_trap(vec3 position) {
     float nearest = 1e9;
     for (int i = 0; i < 12 && dot(z, z) < 16.0; ++i) {
         nearest = min(nearest, dot(z.zw, z.zw) + 0.25 * dot(z.xy, z.xy));
-        z = quaternion_square(z) + opaque(julia_now.constant);
+        z = quaternion_square(z) + julia_now.constant;
     }
     return sqrt(nearest);
 }
@@ -41,7 +41,7 @@ float openness(vec3 position, vec3 normal) {
 float sunlit(vec3 position, vec3 normal) {
 #if JULIA_SHADOW
     march_from = position + 0.003 * normal;
-    march_along = opaque(julia_now.to_light);
+    march_along = julia_now.to_light;
     vec2 range = within_bound(march_from, march_along);
     March way = march(range.x, range.y, 5e-4, 2e-3, 1.0, 96);
     return float(way.ended == MARCH_MISS);
@@ -77,7 +77,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
     vec4 march = texelFetch(found, pixel, 0);
-    vec3 along = pixel_direction(pixel), position = opaque(julia_now.rays.eye) + march.x * along, shown;
+    vec3 along = pixel_direction(pixel), position = julia_now.rays.eye + march.x * along, shown;
     bool missed = int(march.z) == MARCH_MISS;
 #if JULIA_SHOW == JULIA_SHOW_STEPS
     // 0 blue, half of the steps green, all of them red; what was stopped on its way is white.

@@ -4,8 +4,6 @@
 layout(location = 0) in vec3 position;
 layout(location = 0) out vec4 color;
 
-bool is_drawn() { return gl_FragCoord.x >= 0.0; }
-
 vec4 look_up(sampler2D map, vec2 uv, vec2 across, vec2 down) { return texture(map, uv); }
 
 void main() { color = vec4(terrain_color(position, vec3(0.0), vec3(0.0)), 1.0); }

@@ -3,7 +3,6 @@
 #include "11_fractals/eroded_fbm.glsl"
 #include "11_fractals/integrate_octaves.glsl"
 #include "11_fractals/terrain_data.h"
-#include "common/opaque.glsl"
 
 layout(scalar) uniform TerrainBlock {
     float wave_m, height_m, erosion, gain, most_octaves, difference_m, shortest_px, snow_line_m, ambient, ambient_power;
@@ -13,8 +12,8 @@ layout(scalar) uniform TerrainNowBlock { TerrainNow terrain_now; };
 
 // Height in metres, and its slopes along x and z.
 vec3 terrain_at(vec2 place, float octaves) {
-    vec2 offset = opaque(terrain_now.offset + place / terrain.wave_m);
-    vec3 ground = eroded_fbm(terrain_now.cell, offset, octaves, opaque(terrain.erosion), opaque(terrain.gain));
+    vec2 offset = terrain_now.offset + place / terrain.wave_m;
+    vec3 ground = eroded_fbm(terrain_now.cell, offset, octaves, terrain.erosion, terrain.gain);
     return terrain.height_m * vec3(ground.x, ground.yz / terrain.wave_m);
 }
 
@@ -26,7 +25,7 @@ float octaves_for(float footprint_m) {
 #if TERRAIN_OCTAVES == TERRAIN_OCTAVES_FIXED
     return terrain.most_octaves;
 #else
-    return integrate_octaves(opaque(terrain.wave_m), lacunarity, opaque(footprint_m), opaque(terrain.most_octaves));
+    return integrate_octaves(terrain.wave_m, lacunarity, footprint_m, terrain.most_octaves);
 #endif
 }
 

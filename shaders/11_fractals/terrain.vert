@@ -6,8 +6,6 @@ layout(scalar) uniform ViewBlock { CameraView view; };
 
 layout(location = 0) out vec3 position;
 
-bool is_drawn() { return gl_VertexIndex >= 0; }
-
 void main() {
     position = grid_vertex(gl_VertexIndex, gl_InstanceIndex);
     gl_Position = view.view_projection * vec4(position, 1.0);

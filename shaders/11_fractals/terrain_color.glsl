@@ -57,7 +57,7 @@ float sun_visible(vec3 from) {
 // Waves from 90 m down, which break the snow's edge up; without derivatives, for nobody asks for them.
 float edge_noise(vec2 place, float octaves) {
     ivec2 cell = terrain_now.cell;
-    vec2 offset = opaque(terrain_now.offset + place / terrain.wave_m);
+    vec2 offset = terrain_now.offset + place / terrain.wave_m;
     float sum = 0.0, amplitude = 1.0;
     for (int k = 0; k < 9 && float(k) < octaves; ++k) {
         settle(cell, offset);
@@ -78,7 +78,7 @@ vec3 terrain_color(vec3 position, vec3 across, vec3 down) {
     return vec3(octaves / terrain.most_octaves);
 #endif
     float rough = clamp(edge_noise(position.xz, octaves) + (position.y - terrain.snow_line_m) / (0.5 * terrain.height_m), -1.0, 1.0);
-    vec2 begins = opaque(terrain_mix_look.snow_begins), ends = opaque(terrain_mix_look.snow_ends);
+    vec2 begins = terrain_mix_look.snow_begins, ends = terrain_mix_look.snow_ends;
     float snow = terrain_mix(normal.y, rough, begins, ends, 1.0);
 
     // [shade]

@@ -5,8 +5,6 @@ layout(local_size_x = 64) in;
 
 layout(scalar) writeonly buffer GroundBuffer { vec3 ground_vertices[]; };  // ring by ring
 
-bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }
-
 void main() {
     int number = int(gl_GlobalInvocationID.x), ring = int(gl_GlobalInvocationID.y);
     int vertices = (terrain_now.cells + 1) * (terrain_now.cells + 1);

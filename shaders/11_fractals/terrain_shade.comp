@@ -10,8 +10,6 @@ layout(scalar) readonly buffer IndexBuffer { uint indices[]; };
 layout(scalar) uniform GridBlock { int hollow; } grid;  // where the indices of all rings but the first begin
 layout(rgba16f) writeonly uniform image2D result;
 
-bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }
-
 // As texture() has it, from the same differences.
 vec4 look_up(sampler2D map, vec2 uv, vec2 across, vec2 down) { return textureGrad(map, uv, across, down); }
 

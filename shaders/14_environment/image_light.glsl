@@ -21,11 +21,9 @@ struct LitFromAround {
     float alpha;    // GGX; the square of roughness
 };
 
-// Into the cube's own space. Around a probe it depends on where the ray begins. Where a block alone decides, Mesa 22.3's lavapipe
-// compiles the shader anew for each draw and keeps every one (lvp_inline_uniforms.c): the choice hides the block from it.
+// Into the cube's own space. Around a probe it depends on where the ray begins.
 vec3 cube_space(vec3 position, vec3 direction) {
-    uint has_box = dot(direction, direction) > 0.0 ? image_light_state.has_box : 0u;
-    if (has_box == 1u)
+    if (image_light_state.has_box == 1u)
         direction = box_project(position, direction, image_light_state.box_lower, image_light_state.box_upper,
                                 image_light_state.box_center);
     return environment_space(direction);

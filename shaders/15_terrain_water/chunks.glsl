@@ -16,7 +16,7 @@ vec3 chunk_point(ivec2 at) {
 }
 
 float chunk_error_at(ivec2 chunk, int level) {
-    ivec2 last = ivec2((1 << (opaque(land_map.top) - level)) - 1);
+    ivec2 last = ivec2((1 << (land_map.top - level)) - 1);
     return texelFetch(land_errors, clamp(chunk, ivec2(0), last), level).r;
 }
 
@@ -30,16 +30,16 @@ void chunk_box(Chunk chunk, out vec3 low, out vec3 high) {
 
 // [given]
 // The level of the one chunk that covers the map.
-int top_level() { return opaque(land_map.top); }
+int top_level() { return land_map.top; }
 
 // The error that is allowed, for each metre of distance.
-float chunk_limit() { return opaque(chunk_view.metres_per_m); }
+float chunk_limit() { return chunk_view.metres_per_m; }
 
 // Metres from the eye to the nearest place of the chunk's box; 0 inside of it.
 float chunk_distance(Chunk chunk) {
     vec3 low, high;
     chunk_box(chunk, low, high);
-    return length(max(max(low - opaque(chunk_view.from), opaque(chunk_view.from) - high), 0.0));
+    return length(max(max(low - chunk_view.from, chunk_view.from - high), 0.0));
 }
 
 // The error of the chunk, metres. Never less than that of a chunk within.

@@ -14,8 +14,6 @@ layout(location = 4) out float thinned;  // share of its light that a lamp's sur
 
 layout(scalar) uniform CityLightBlock { vec2 city_light; };  // radiance of a lit window, a pixel's angle
 
-bool is_drawn() { return gl_VertexIndex >= 0; }
-
 void main() {
     CityBox box = city_boxes[gl_InstanceIndex];
     // Faces: four walls, then the roof. Along u and v, whose cross product points outwards.

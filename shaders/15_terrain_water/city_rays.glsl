@@ -42,11 +42,11 @@ void meet_box(uint index, vec3 from, vec3 along, inout CityHit hit) {
 CityHit city_hit(vec3 origin, vec3 direction, float most) {
     CityHit hit = CityHit(-1.0, 0u, vec3(0.0), vec3(0.0));
     // In the axes of the blocks, whose middles lie at multiples of the pitch.
-    float c = cos(opaque(city_grid.yaw)), s = sin(opaque(city_grid.yaw));
+    float c = cos(city_grid.yaw), s = sin(city_grid.yaw);
     vec2 away = origin.xz - city_grid.middle;
     vec3 from = vec3(c * away.x - s * away.y, origin.y, s * away.x + c * away.y);
     vec3 along = vec3(c * direction.x - s * direction.z, direction.y, s * direction.x + c * direction.z);
-    vec2 pitch = opaque(city_grid.pitch), half_size = (vec2(city_grid.most) + 0.5) * pitch;
+    vec2 pitch = city_grid.pitch, half_size = (vec2(city_grid.most) + 0.5) * pitch;
     vec2 x = slab(from.x, along.x, half_size.x), z = slab(from.z, along.z, half_size.y);
     float t = max(max(x.x, z.x), 0.0), end = min(min(x.y, z.y), most);
     if (along.y > 0.0) end = min(end, (land_map.highest_m + city_grid.highest - from.y) / along.y);

@@ -3,8 +3,6 @@
 
 layout(local_size_x = 64) in;
 
-bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }
-
 void main() {
     int left = int(gl_GlobalInvocationID.x);
     for (int level = 0; level <= top_level(); ++level) {

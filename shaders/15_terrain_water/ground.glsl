@@ -1,6 +1,5 @@
 // The ground's heights and slopes at a place of the world. The module Ground gives a pass what this file names.
 #include "15_terrain_water/land_data.h"
-#include "common/opaque.glsl"
 
 layout(scalar) uniform LandMapBlock { LandMap land_map; };
 uniform sampler2D land_heights;
@@ -8,14 +7,14 @@ uniform sampler2D land_slopes;
 uniform sampler2D land_bounds;
 
 // In samples, from the map's corner.
-vec2 land_place(vec2 world) { return (world - opaque(land_map.corner)) / opaque(land_map.spacing_m); }
+vec2 land_place(vec2 world) { return (world - land_map.corner) / land_map.spacing_m; }
 
-float land_sample(ivec2 at) { return texelFetch(land_heights, clamp(at, ivec2(0), ivec2(opaque(land_map.samples) - 1)), 0).r; }
+float land_sample(ivec2 at) { return texelFetch(land_heights, clamp(at, ivec2(0), ivec2(land_map.samples - 1)), 0).r; }
 
 // Metres; between samples on the two triangles of a cell. Beyond the map its border goes on.
 float land_height(vec2 world) {
-    vec2 place = clamp(land_place(world), vec2(0.0), vec2(opaque(land_map.samples) - 1));
-    ivec2 cell = min(ivec2(place), ivec2(opaque(land_map.samples) - 2));
+    vec2 place = clamp(land_place(world), vec2(0.0), vec2(land_map.samples - 1));
+    ivec2 cell = min(ivec2(place), ivec2(land_map.samples - 2));
     vec2 t = place - vec2(cell);
     float b = land_sample(cell + ivec2(1, 0)), c = land_sample(cell + ivec2(0, 1));
     if (t.x + t.y <= 1.0) {

@@ -6,8 +6,6 @@
 layout(scalar) uniform ViewBlock { CameraView view; };
 layout(scalar) readonly buffer ChunkListBlock { Chunk chunk_list[]; };
 
-bool is_drawn() { return gl_VertexIndex >= 0; }
-
 // [morph]
 // How far a vertex has moved to its place in level + 1: 0 to 1. A function of its place alone, so that two chunks that
 // share a vertex agree. 1 from where any chunk of level + 1 that touches it may be drawn: that with the least error.
@@ -16,13 +14,13 @@ float morphed(ivec2 at, vec3 point, int level) {
     ivec2 upper = at / side, lower = (at - 1) / side;
     float error = min(min(chunk_error_at(lower, level + 1), chunk_error_at(upper, level + 1)),
                       min(chunk_error_at(ivec2(lower.x, upper.y), level + 1), chunk_error_at(ivec2(upper.x, lower.y), level + 1)));
-    float reached = length(point - opaque(chunk_view.from)) * chunk_limit();  // the error that is allowed here
+    float reached = length(point - chunk_view.from) * chunk_limit();  // the error that is allowed here
     return error <= 0.0 ? 1.0 : clamp((reached / error - 0.7) / 0.299, 0.0, 1.0);
 }
 
 vec3 placed(ivec2 at, int level) {
     vec3 point = chunk_point(at);
-    if (opaque(chunk_view.fixed_level) >= 0) return point;
+    if (chunk_view.fixed_level >= 0) return point;
     for (; level < top_level(); ++level) {
         float share = morphed(at, point, level);
         ivec2 next = at & ~ivec2((2 << level) - 1);
@@ -36,7 +34,7 @@ vec3 placed(ivec2 at, int level) {
 
 void main() {
     Chunk chunk;
-    if (opaque(chunk_view.fixed_level) >= 0) {
+    if (chunk_view.fixed_level >= 0) {
         int side = 1 << (top_level() - chunk_view.fixed_level);
         chunk = Chunk(gl_InstanceIndex % side, gl_InstanceIndex / side, chunk_view.fixed_level);
     } else {

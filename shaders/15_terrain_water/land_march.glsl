@@ -32,15 +32,15 @@ float meet_cell(ivec2 cell, vec3 at, vec3 step_t, vec2 t) {
 
 // [march]
 float march(vec3 eye, vec3 ray) {
-    vec3 at = vec3(land_place(eye.xz), eye.y).xzy, step_t = vec3(ray.xz / opaque(land_map.spacing_m), ray.y).xzy;
-    float side = float(opaque(land_map.samples) - 1);
+    vec3 at = vec3(land_place(eye.xz), eye.y).xzy, step_t = vec3(ray.xz / land_map.spacing_m, ray.y).xzy;
+    float side = float(land_map.samples - 1);
     step_t.xz = mix(step_t.xz, vec2(1e-12), lessThan(abs(step_t.xz), vec2(1e-12)));
     vec2 first = -at.xz / step_t.xz, second = (side - at.xz) / step_t.xz;
     vec2 enters = min(first, second), leaves = max(first, second);
     vec2 t = vec2(max(max(enters.x, enters.y), 0.0), min(leaves.x, leaves.y));
     if (t.x >= t.y) return -1.0;
-    ivec2 last = ivec2(opaque(land_map.samples) - 2), cell = clamp(ivec2(floor(at.xz + t.x * step_t.xz)), ivec2(0), last);
-    int top = opaque(land_map.top) + CHUNK_LEVELS, level = top;
+    ivec2 last = ivec2(land_map.samples - 2), cell = clamp(ivec2(floor(at.xz + t.x * step_t.xz)), ivec2(0), last);
+    int top = land_map.top + CHUNK_LEVELS, level = top;
     ivec2 forward = ivec2(greaterThan(step_t.xz, vec2(0.0)));
     for (int i = 0; i < 2048; ++i) {
         ivec2 block = cell >> level;

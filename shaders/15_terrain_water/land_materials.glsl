@@ -56,12 +56,12 @@ Texel rock_texel(vec3 position, vec3 normal, float footprint_m, out vec3 tilt) {
 
 // How much of each material is expected, by height, slope and a noise of hundreds of metres.
 vec4 weights_of(vec3 position, vec3 normal, float patches) {
-    float rock = smoothstep(opaque(land.rock_deg) - 6.0, opaque(land.rock_deg) + 6.0, degrees(acos(clamp(normal.y, -1.0, 1.0))) + 10.0 * (patches - 0.5));
+    float rock = smoothstep(land.rock_deg - 6.0, land.rock_deg + 6.0, degrees(acos(clamp(normal.y, -1.0, 1.0))) + 10.0 * (patches - 0.5));
     float level = position.y + 160.0 * (patches - 0.5);
-    float snow = smoothstep(opaque(land.snow_m) - 60.0, opaque(land.snow_m) + 120.0, level) * smoothstep(0.55, 0.75, normal.y);
+    float snow = smoothstep(land.snow_m - 60.0, land.snow_m + 120.0, level) * smoothstep(0.55, 0.75, normal.y);
     float slope = 1.0 - normal.y;
-    float woods = smoothstep(0.0, 0.3, opaque(land.forest) * 1.3 - patches + 2.0 * slope);
-    woods *= smoothstep(6.0, 30.0, position.y) * smoothstep(opaque(land.snow_m) - 20.0, opaque(land.snow_m) - 200.0, level);
+    float woods = smoothstep(0.0, 0.3, land.forest * 1.3 - patches + 2.0 * slope);
+    woods *= smoothstep(6.0, 30.0, position.y) * smoothstep(land.snow_m - 20.0, land.snow_m - 200.0, level);
     vec4 weights = vec4(1.0 - woods, woods, 0.0, 0.0) * (1.0 - rock);
     weights.z = rock;
     weights *= 1.0 - snow;
@@ -89,7 +89,7 @@ LandSurface land_surface(vec3 position, vec3 normal, float footprint_m) {
         heights[i] = texels[i].height;
     }
 #if LAND_BLEND == LAND_BLEND_HEIGHT_AWARE
-    weights = height_blend(weights, heights, opaque(land.softness));
+    weights = height_blend(weights, heights, land.softness);
 #endif
     LandSurface surface = LandSurface(vec3(0.0), vec3(0.0), 0.0);
     vec3 tilt = vec3(0.0);

@@ -7,11 +7,9 @@ layout(scalar) uniform RaysBlock { ViewRays rays; };
 layout(scalar) uniform ViewBlock { CameraView view; };
 layout(location = 0) out float found;
 
-bool is_drawn() { return gl_FragCoord.x >= 0.0; }
-
 void main() {
-    vec3 ray = opaque(ray_through(rays, gl_FragCoord.xy));
-    float t = march(opaque(rays.eye), ray);
+    vec3 ray = ray_through(rays, gl_FragCoord.xy);
+    float t = march(rays.eye, ray);
     if (t <= 0.0) discard;
     vec4 clip = view.view_projection * vec4(rays.eye + t * ray, 1.0);
     if (clip.z > clip.w) discard;  // before the near plane

@@ -9,13 +9,11 @@ layout(scalar) uniform LandRingsBlock {
     int cells, rings;
 } land_rings;
 
-bool is_drawn() { return gl_VertexIndex >= 0; }
-
 void main() {
-    int cells = opaque(land_rings.cells), side = cells + 1;
+    int cells = land_rings.cells, side = cells + 1;
     ivec2 vertex = ivec2(gl_VertexIndex % side, gl_VertexIndex / side);
-    ivec2 at = land_rings.middle + ring_place(vertex, gl_InstanceIndex, cells, opaque(land_rings.rings), true);
-    at = clamp(at, ivec2(0), ivec2(opaque(land_map.samples) - 1));
+    ivec2 at = land_rings.middle + ring_place(vertex, gl_InstanceIndex, cells, land_rings.rings, true);
+    at = clamp(at, ivec2(0), ivec2(land_map.samples - 1));
     vec2 place = land_map.corner + land_map.spacing_m * vec2(at);
     gl_Position = view.view_projection * vec4(place.x, land_sample(at), place.y, 1.0);
 }

@@ -10,8 +10,6 @@ layout(rgba16f) uniform image2D result;
 layout(scalar) uniform RaysBlock { ViewRays rays; };
 layout(scalar) uniform ToSunBlock { vec3 to_sun; };
 
-bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }
-
 #if LAND_SHOW == LAND_SHOW_LEVELS
 vec3 level_color(vec3 position) {
     ivec2 at = ivec2(land_place(position.xz)) / CHUNK_CELLS;
@@ -29,7 +27,7 @@ void main() {
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
     float along = texelFetch(found, pixel, 0).r;
     if (along <= 0.0) return;
-    vec3 ray = ray_through(rays, vec2(pixel) + 0.5), position = opaque(rays.eye + along * ray), sun_at = opaque(to_sun);
+    vec3 ray = ray_through(rays, vec2(pixel) + 0.5), position = rays.eye + along * ray, sun_at = to_sun;
     float footprint = along * length(rays.right);
     vec3 normal;
     LandSurface surface = land_seen(position, normalize(ray), footprint, normal);

@@ -13,8 +13,8 @@ float sun_visible(vec3 from, vec3 to_sun) {
 #if LAND_SHADOW == LAND_SHADOW_NONE
     return 1.0;
 #else
-    float spacing = opaque(land_map.spacing_m), highest = opaque(land_map.highest_m), t = 1.2 * spacing, free = 1.0;
-    for (int i = 0; i < opaque(land.shadow_steps) && free > 0.0; ++i) {
+    float spacing = land_map.spacing_m, highest = land_map.highest_m, t = 1.2 * spacing, free = 1.0;
+    for (int i = 0; i < land.shadow_steps && free > 0.0; ++i) {
         vec3 at = from + t * to_sun;
         if (at.y > highest) break;
         vec2 uv = (land_place(at.xz) + 0.5) / float(land_map.samples);

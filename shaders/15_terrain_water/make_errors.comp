@@ -1,7 +1,6 @@
 // How far the ground's samples lie from the triangles of a coarser level, in metres: for each chunk of that level, its
 // border with it, the greatest distance of it and of all finer levels. A workgroup for each chunk.
 #include "15_terrain_water/land_data.h"
-#include "common/opaque.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D heights;
@@ -12,8 +11,6 @@ layout(scalar) uniform ErrorLevelBlock {
 } error_level;
 layout(r32f) writeonly uniform image2D result;
 shared float greatest[64];
-
-bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }
 
 float height_at(ivec2 at) { return texelFetch(heights, at, 0).r; }
 
@@ -27,14 +24,14 @@ float distance_from_cell(ivec2 at, ivec2 corner, int cell) {
     bool first = t.x + t.y <= 1.0;
     vec2 rise = first ? vec2(b - a, c - a) : vec2(d - c, d - b);
     float above = height_at(at) - (first ? a + dot(t, rise) : d - dot(1.0 - t, rise));
-    vec2 slope = rise / (float(cell) * opaque(error_level.spacing_m));
+    vec2 slope = rise / (float(cell) * error_level.spacing_m);
     return abs(above) * inversesqrt(1.0 + dot(slope, slope));
 }
 // [/error]
 
 void main() {
     ivec2 chunk = ivec2(gl_WorkGroupID.xy);
-    int level = opaque(error_level.level), cell = 1 << level, side = CHUNK_CELLS * cell;
+    int level = error_level.level, cell = 1 << level, side = CHUNK_CELLS * cell;
     float error = 0.0;
     ivec2 thread = ivec2(gl_LocalInvocationID.xy);
     for (int y = thread.y; y <= side; y += 8)

@@ -1,14 +1,11 @@
 // Heights of the ground: the source between its samples, and what it is too coarse to show.
 #include "15_terrain_water/land_data.h"
 #include "11_fractals/eroded_fbm.glsl"
-#include "common/opaque.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(scalar) uniform LandSourceBlock { LandSource land_source; };
 uniform sampler2D source;
 layout(r32f) writeonly uniform image2D result;
-
-bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }
 
 // [catmull_rom]
 // Catmull and Rom's weights of four samples in a row, and their derivative: through every sample, without an edge there.
@@ -49,7 +46,7 @@ float terraced(float height, float band) {
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(at, ivec2(opaque(land_source.samples))))) return;
+    if (any(greaterThanEqual(at, ivec2(land_source.samples)))) return;
     vec2 place = land_source.place_m + land_source.spacing_m * vec2(at);
     vec3 from = source_at(land_source.first + land_source.step * vec2(at));
     float height = land_source.height_scale * (from.x - land_source.datum_m);
@@ -58,22 +55,22 @@ void main() {
     // [detail]
     // Slopes erode to gullies and ribs, level ground does not: it is what they have filled.
     float steep = smoothstep(0.03, 0.4, slope);
-    if (opaque(land_source.detail_m) > 0.0) {
-        float octaves = clamp(log2(900.0 / (2.0 * opaque(land_source.spacing_m))) / 1.161, 1.0, 8.0);
+    if (land_source.detail_m > 0.0) {
+        float octaves = clamp(log2(900.0 / (2.0 * land_source.spacing_m)) / 1.161, 1.0, 8.0);
         float ribs = noise_at(place, 900.0, octaves, 1.2).x;
         height += land_source.detail_m * (0.12 + steep) * ribs;
     }
-    if (opaque(land_source.cliffs) > 0.0) {
+    if (land_source.cliffs > 0.0) {
         float bend = 0.35 * land_source.cliff_m * noise_at(place + 7000.0, 1700.0, 4.0, 0.0).x;
         height = mix(height, terraced(height + bend, land_source.cliff_m) - bend, land_source.cliffs * smoothstep(0.1, 0.35, slope));
     }
     // [/detail]
 
-    if (opaque(land_source.plain.z) > 0.0) {
+    if (land_source.plain.z > 0.0) {
         float away = length(place - land_source.plain.xy) + 0.12 * land_source.plain.z * noise_at(place, 1300.0, 3.0, 0.0).x;
         height = mix(land_source.plain.w + 0.004 * height, height, smoothstep(0.75, 1.15, away / land_source.plain.z));
     }
-    if (opaque(land_source.edge_m) > 0.0) {
+    if (land_source.edge_m > 0.0) {
         vec2 inward = vec2(min(at, land_source.samples - 1 - at)) * land_source.spacing_m;
         float edge = min(inward.x, inward.y) / land_source.edge_m;
         height = mix(-60.0, height, smoothstep(0.0, 1.0, edge));

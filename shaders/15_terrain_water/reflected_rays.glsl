@@ -16,8 +16,6 @@ layout(scalar) uniform WaterRaysBlock { ViewRays water_rays; };
 layout(scalar) uniform ToSunBlock { vec3 to_sun; };
 layout(scalar) uniform RaysMeetBlock { uvec3 rays_meet; };  // 1: ground, houses, objects
 
-bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }
-
 // Of what is left after `t` metres of air at a height: as if the air were as dense all the way.
 vec3 left_by_air(float height, float t) { return exp(-t * extinction(density_at(max(height, 0.0)))); }
 
@@ -48,21 +46,21 @@ void main() {
     if (any(greaterThanEqual(pixel, imageSize(met)))) return;
     vec4 ray = texelFetch(reflected, pixel, 0);
     vec3 direction = ray.xyz;
-    vec3 begins = opaque(water_rays.eye) + ray.w * opaque(ray_through(water_rays, vec2(pixel) + 0.5));
+    vec3 begins = water_rays.eye + ray.w * ray_through(water_rays, vec2(pixel) + 0.5);
     // A little away from the water, so far that rounding does not put the ray below the shore.
     vec3 origin = begins + 1e-4 * length(begins - water_rays.eye) * direction;
     float nearest = 1e30;
     vec4 light = vec4(0.0);
     if (ray.w > 0.0) {
         // 1. The nearest of what it meets.
-        float ground = opaque(int(rays_meet.x)) == 1 ? march(origin, direction) : -1.0;
+        float ground = rays_meet.x == 1u ? march(origin, direction) : -1.0;
         if (ground > 0.0) nearest = ground;
         CityHit house = CityHit(-1.0, 0u, vec3(0.0), vec3(0.0));
-        if (opaque(int(rays_meet.y)) == 1) house = city_hit(origin, direction, nearest);
+        if (rays_meet.y == 1u) house = city_hit(origin, direction, nearest);
         if (house.t > 0.0) nearest = house.t;
         RayHit object;
         bool is_object = false;
-        if (opaque(int(rays_meet.z)) == 1) is_object = closest_hit(Ray(origin, 1e-3, direction, nearest), object);
+        if (rays_meet.z == 1u) is_object = closest_hit(Ray(origin, 1e-3, direction, nearest), object);
         if (is_object) nearest = object.t;
 
         // 2. Its light, and what of it the air lets through.

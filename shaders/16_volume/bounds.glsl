@@ -9,6 +9,6 @@ vec2 ray_box(vec3 origin, vec3 direction, vec3 half_m) {
 }
 
 vec2 volume_range(vec3 origin, vec3 direction) {
-    if (opaque(volume_now.radius_m) > 0.0) return ray_shell(origin, direction, volume_now.radius_m);
+    if (volume_now.radius_m > 0.0) return ray_shell(origin, direction, volume_now.radius_m);
     return ray_box(volume_now.to_volume * origin, volume_now.to_volume * direction, volume_now.half_m);
 }

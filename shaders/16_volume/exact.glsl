@@ -37,7 +37,7 @@ vec4 march_exact(vec3 from, vec3 along, vec2 range, float step_m, int samples) {
             }
         }
         sum = vec4(sum.rgb + sum.a * light, sum.a * exp(-depth));
-        if (sum.a * opaque(volume_now.brightest) < 1e-5) break;
+        if (sum.a * volume_now.brightest < 1e-5) break;
     }
     return sum;
 }

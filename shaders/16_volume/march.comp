@@ -93,7 +93,7 @@ vec4 march(vec3 from, vec3 along, vec2 range, ivec2 pixel, float step_m) {
         float opacity = correct_opacity(looks.a, length_m / REFERENCE_M);
 #endif
         sum = composite_front_to_back(sum, radiance_at(position, along, looks.rgb), opacity);
-        if (is_finished(sum.a, opaque(volume_now.brightest), volume.threshold)) break;
+        if (is_finished(sum.a, volume_now.brightest, volume.threshold)) break;
     }
     return sum;
 }
@@ -103,7 +103,7 @@ vec4 march(vec3 from, vec3 along, vec2 range, ivec2 pixel, float step_m) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
-    vec3 ray = ray_through(volume_now.rays, vec2(pixel) + 0.5), from = opaque(volume_now.rays.eye);
+    vec3 ray = ray_through(volume_now.rays, vec2(pixel) + 0.5), from = volume_now.rays.eye;
     float stretch = length(ray), stored = texelFetch(depth, pixel, 0).r;
     vec3 along = ray / stretch;
     vec2 range = volume_range(from, along);
@@ -111,9 +111,9 @@ void main() {
     if (stored > 0.0) range.y = min(range.y, stretch * distance_along_view(volume_now.rays, stored));
     vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
 #if VOLUME_METHOD == VOLUME_METHOD_EXACT
-    if (range.y > range.x) sum = march_exact(from, along, range, opaque(volume_now.step_m), volume.truth_samples);
+    if (range.y > range.x) sum = march_exact(from, along, range, volume_now.step_m, volume.truth_samples);
 #else
-    if (range.y > range.x) sum = march(from, along, range, pixel, opaque(volume_now.step_m));
+    if (range.y > range.x) sum = march(from, along, range, pixel, volume_now.step_m);
 #endif
 #if VOLUME_METHOD == VOLUME_METHOD_JITTERED
     if (volume_now.history > 0.0) sum = mix(imageLoad(marched, pixel), sum, 1.0 / (volume_now.history + 1.0));
@@ -129,7 +129,7 @@ void main() {
     vec4 behind = imageLoad(result, pixel);
     vec3 light = sum.rgb + sum.a * behind.rgb;
 #if VOLUME_SHELL
-    if (enters && range.y > range.x && opaque(volume_now.radius_m) > 0.0) light = shell_over(light, from + range.x * along, along);
+    if (enters && range.y > range.x && volume_now.radius_m > 0.0) light = shell_over(light, from + range.x * along, along);
 #endif
 #if VOLUME_SHOW == VOLUME_SHOW_BLOCKS
     if (range.y > range.x) light = 0.5 * light + block_edges(from, along, range);

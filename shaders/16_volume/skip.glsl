@@ -4,7 +4,7 @@ uniform sampler3D volume_blocks;
 
 // Along the volume's axes, of a step of 1 m along the ray; never 0.
 vec3 voxels_a_metre(vec3 along) {
-    vec3 speed = 0.5 * volume_now.size / volume_now.half_m * opaque(volume_now.to_volume * along);
+    vec3 speed = 0.5 * volume_now.size / volume_now.half_m * (volume_now.to_volume * along);
     return mix(speed, vec3(1e-12), lessThan(abs(speed), vec3(1e-12)));
 }
 

@@ -1,18 +1,15 @@
 // A volume as its passes read it: densities from 0 to 1, and the colour and opacity that the transfer function gives them.
 #include "16_volume/volume_data.h"
-#include "common/opaque.glsl"
 
 layout(scalar) uniform VolumeNowBlock { VolumeNow volume_now; };
 uniform sampler3D volume_field;
 uniform sampler2D volume_transfer;
 
-bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }
-
 // A density that is no number counts as 0: else one bad voxel darkens all rays that pass it, and filters spread it.
 float density_of(float stored) { return stored > 0.0 ? min(stored, 1.0) : 0.0; }
 
 // From metres in the world to 0 to 1 in the volume.
-vec3 to_texture(vec3 position) { return 0.5 + 0.5 * (opaque(volume_now.to_volume * position) / volume_now.half_m); }
+vec3 to_texture(vec3 position) { return 0.5 + 0.5 * (volume_now.to_volume * position / volume_now.half_m); }
 
 float stored_density(vec3 at) { return density_of(textureLod(volume_field, at, 0.0).r); }
 
@@ -20,7 +17,7 @@ float stored_density(vec3 at) { return density_of(textureLod(volume_field, at, 0
 // Three sums of sines displace the places that are sampled, 0 to 1 in the volume. The phases come from the processor,
 // which keeps time in double precision and hands over what is left of it within a turn.
 vec3 waved(vec3 at) {
-    if (opaque(volume_now.wave) == 0.0) return at;
+    if (volume_now.wave == 0.0) return at;
     vec3 turn = 6.2831853 * at;
     return at + volume_now.wave * vec3(sin(2.0 * turn.y + volume_now.wave_phase.x) + 0.5 * sin(5.0 * turn.z - volume_now.wave_phase.y),
                                        sin(2.0 * turn.z + volume_now.wave_phase.y) + 0.5 * sin(5.0 * turn.x - volume_now.wave_phase.z),

@@ -176,11 +176,22 @@ CHECK_EXERCISE("14.box_project",
         const double length = glm::length(g);
         const bool right = std::isfinite(length) && length > 0 && glm::length(g / length - want) < 1e-4;
         const glm::dvec3 d = three(std::span(probe.inputs[i]).subspan(3));
-        const std::string hint = !std::isfinite(length) ? "a component of the direction is 0"
-                                 : glm::length(unit(d) - unit(g)) < 1e-5
-                                     ? "the ray begins at position, the cube's at center"
-                                 : glm::length(unit(g) + want) < 1e-3 ? "the wall behind the ray is nearer"
-                                                                      : "";
+        const Row& in = probe.inputs[i];
+        bool along_axis = false, away = false;
+        for (size_t a = 0; a < 3; ++a) {
+            along_axis = along_axis || in[3 + a] == 0;
+            away = away || (in[3 + a] > 0 && in[a] > in[9 + a]) || (in[3 + a] < 0 && in[a] < in[6 + a]);
+        }
+        const std::string hint =
+            !std::isfinite(length)                  ? "a component of the direction is 0"
+            : away                                  ? "outside the box, and the ray leads away: the point is position"
+            : glm::length(unit(d) - unit(g)) < 1e-5 ? "the ray begins at position, the cube's at center"
+            : glm::length(unit(g) + want) < 1e-3    ? "the wall behind the ray is nearer"
+            : three(in) == three(std::span(in).subspan(12))
+                ? "the point is center itself, which is no direction: return the ray's"
+            : along_axis
+                ? "a component of the direction is 0: the ray meets neither wall across that axis, leave it out"
+                : "";
         check.expect(right, wrong_text(probe, i, got[i]) + " or another length", hint);
         if (!right) return;
     }

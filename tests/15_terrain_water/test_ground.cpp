@@ -34,12 +34,12 @@ struct OnCells : OnLand {
     std::vector<float> run(
         const std::string& text, const std::vector<float>& rows, size_t outputs, size_t row_floats,
         const std::function<void(Compute&)>& set = [](Compute&) {}) {
-        const Pipeline pipeline = compute_pipeline("numbers of the ground",
-                                                   "layout(local_size_x = 64) in;\n"
-                                                   "layout(scalar) readonly buffer RowsBlock { float rows[]; };\n"
-                                                   "layout(scalar) writeonly buffer ResultBlock { float result[]; };\n"
-                                                   "bool is_drawn() { return int(gl_GlobalInvocationID.x) >= 0; }\n" +
-                                                       text);
+        const Pipeline pipeline =
+            compute_pipeline("numbers of the ground",
+                             "layout(local_size_x = 64) in;\n"
+                             "layout(scalar) readonly buffer RowsBlock { float rows[]; };\n"
+                             "layout(scalar) writeonly buffer ResultBlock { float result[]; };\n" +
+                                 text);
         const Buffer in = gpu.upload("rows", rows);
         const size_t count = rows.size() / row_floats;
         const Buffer out(gpu.device, {.name = "result", .bytes = 4 * outputs * count});
@@ -152,7 +152,6 @@ TEST_CASE_METHOD(
 #define gl_VertexIndex 0
 #define gl_InstanceIndex 0
 #define gl_Position unused_position
-#define is_drawn unused_is_drawn
 #define main unused_main
 vec4 unused_position;
 #include "15_terrain_water/land_chunks.vert"

@@ -86,9 +86,11 @@ void try_blocks(Check& check, const std::string& what, const Voxels& voxels, int
             fmt::format("{}, a border of {}: block ({}, {}, {}) has the range {:.4f} to {:.4f}, expected {:.4f} "
                         "to {:.4f}",
                         what, border, block.x, block.y, block.z, got.x, got.y, right.x, right.y),
-            got == bare ? "that is the block without the voxels beyond its faces, which samples in it mix with"
-                        : "each voxel by some thread, all ranges into thread_ranges, barrier(), then half as many "
-                          "threads at a time");
+            what.find("no number") != what.npos
+                ? "a density that is NaN counts as 0; min() and max() may keep it, or leave it out"
+            : got == bare ? "that is the block without the voxels beyond its faces, which samples in it mix with"
+                          : "each voxel by some thread, all ranges into thread_ranges, barrier(), then half as many "
+                            "threads at a time");
         if (check.failed) return;
     }
     const auto raw = gpu.read_back(passed);

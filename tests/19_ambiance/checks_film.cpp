@@ -10,7 +10,7 @@
 using namespace lightwalk;
 
 CHECK_EXERCISE("19.fade_linear_light",
-               "light times a power of what is left of it; codes, or a clamp at 1, take the sun's colour") {
+               "fade linear light, not codes, and clamp nothing at 1: a sun would lose its colour") {
     Random random(2);
     Probe probe{.include = "19_ambiance/fade_linear_light.glsl",
                 .signature = "vec3 fade_linear_light(vec3 light, float black, float white)",
@@ -25,6 +25,12 @@ CHECK_EXERCISE("19.fade_linear_light",
     probe.truth = [](std::span<const double> in) {
         const glm::dvec3 faded = truth::fade_linear_light({in[0], in[1], in[2]}, in[3], in[4]);
         return Row{faded.x, faded.y, faded.z};
+    };
+    probe.hint = [](auto in, auto) -> std::string {
+        if (in[3] > 0 && in[4] <= 0) return "to black: one factor for all channels, (1 - black) to the power of 2.2";
+        return in[3] <= 0
+                   ? "to white: a channel below 16 goes towards 16, one above it stays"
+                   : "first to black, then to white from there; a channel that is above 16 after the first stays";
     };
     const Table results = check.probe(probe);
     check.property(probe, results, "but black 1 is exactly 0 where there is no white", [](auto in, auto out) {

@@ -70,7 +70,8 @@ class Drawing(unittest.TestCase):
         figure = self.figure(over_lights(), 1)
         texts = self.texts(figure)
         for text in ("Time against lights", "NVIDIA H200 · 570 · fragment · 960 × 540", "lights", "GPU time, ms  (↓ faster)",
-                     "uncut", "culled, 0.01", "culled, 0.1", "Points: median, bars: quartiles."):
+                     "uncut", "culled, 0.01", "culled, 0.1",
+                     "Points: median, bars: quartiles.  Behind a method's name: threshold."):
             self.assertIn(text, texts)
         for text in ("Pareto front", "one 8-bit step", "error"):
             self.assertFalse([found for found in texts if text in found], text)
@@ -175,6 +176,29 @@ class Drawing(unittest.TestCase):
         self.assertIn("2 ms\nno error", texts)
         self.assertIn("1 ms\noff by 3 ULP", texts)
         self.assertEqual(charts_of(s)[0].enough_of(s.points).method, "exact")
+
+    def test_rows_over_an_error(self):
+        points = [point("s", "one", error, 2, {"tone": tone, "size": 3}) for tone, error in (("a", 0.3), ("b", 0.04), ("c", 0.02))]
+        s = study(points=points, charts=[{"name": "a", "x": "flip_mean", "y": "method"}], truth={"method": "", "knobs": {"views": 64}})
+        figure = self.figure(s)
+        axis, = figure.axes
+        self.assertEqual([label.get_text() for label in axis.get_yticklabels()], ["a", "b", "c"])  # not the one method
+        self.assertEqual(len({label.get_color() for label in axis.get_yticklabels()}), 3)
+        texts = self.texts(figure)
+        for text in ("0.04\n2 ms", "one 8-bit step at mid grey", "error: FLIP, mean  (← less is better)", "Least error: c."):
+            self.assertIn(text, texts)
+        self.assertTrue([text for text in texts if "Truth: views 64." in text])
+        self.assertEqual([line.get_xdata()[0] for line in axis.lines if line.get_linestyle() == "--"], [0.0299])
+        with self.assertRaisesRegex(StudyError, "needs \"x\": \"time\" or a metric"):
+            charts_of(study(points=points, charts=[{"name": "a", "x": "knob size", "y": "method"}]))
+
+    def test_names_of_rows_leave_room_for_themselves(self):
+        name = "a_method_with_a_long_name"
+        s = study(points=[point("s", name, 0.1, 1), point("s", "b", 0.2, 1)], charts=[{"name": "a", "x": "flip_mean", "y": "method"}])
+        self.check_words(self.figure(s), charts_of(s)[0])
+        figure = self.figure(s)
+        label = figure.axes[0].get_yticklabels()[0].get_window_extent(figure.canvas.get_renderer())
+        self.assertGreaterEqual(label.x0, 0)
 
     def test_what_is_enough(self):
         s = over_lights()

@@ -8,7 +8,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
 
 from charts import chart  # noqa: E402
-from charts import chart_panel  # noqa: E402
+from charts import chart_limits  # noqa: E402
 from chart_fixture import STUDY, over_lights, point, study  # noqa: E402
 from charts.study_charts import charts_of  # noqa: E402
 from charts.study_file import Study, StudyError, markdown_table  # noqa: E402
@@ -139,8 +139,8 @@ class Choosing(unittest.TestCase):
         self.assertEqual(study().doubling_change("bunny", "flip_mean"), 0.0005)
         self.assertIsNone(study().doubling_change("bunny", "rmse"))
         rule = charts_of(s)[5]
-        self.assertEqual(chart_panel.lines_of(rule, rule.panels[0]), (0.0301, 0.01, True))
-        self.assertEqual(chart_panel.lines_of(charts_of(s)[1], ["1 lights"]), (None, None, False))
+        self.assertEqual(chart_limits.lines_of(rule, rule.panels[0], rule.y), (0.0301, 0.01, True))
+        self.assertEqual(chart_limits.lines_of(charts_of(s)[1], ["1 lights"], charts_of(s)[1].y), (None, None, False))
 
     def test_refused(self):
         for entry, why in (({"x": "knob shadows"}, "no point sets the knob"), ({"y": "beauty"}, "no point has the error"),

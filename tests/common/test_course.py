@@ -30,9 +30,9 @@ class Commands(Course):
             self.assertTrue(self.course(command, "--help").strip())
 
     def test_bad_words_are_one_line_and_2(self):
-        for words, expected in (("rum", "no command 'rum'; there are run"), ("run 03", "there are 01_obj, 02_lambert"),
-                                ("run --size 1x1", "./course run 01 --size"), ("check 01.two", "chapter 01 has 01.one"),
-                                ("accept 01.cat", "there are 01.bunny, 01.car"), ("fuzz 0", "0 seconds is too short"),
+        for words, expected in (("rum", "no command 'rum'; the nearest are run and"), ("run 03", "there are 01_obj, 02_lambert"),
+                                ("run --size 1x1", "./course run 01 --size"), ("check 01.two", "the nearest is 01.one; ./course run 01 --list exercises"),
+                                ("accept 01.cat", "the nearest are 01.car and 01.bunny; ./course run NN --list shots"), ("fuzz 0", "0 seconds is too short"),
                                 ("clean all", "unrecognised argument"), ("test (", "not a regular expression"),
                                 ("handout /", "name a folder"), ("grade nobody", "no such file")):
             printed = self.course(*words.split(), code=2)

@@ -83,7 +83,7 @@ class Names(unittest.TestCase):
         for word, expected in (("05_shadow_maps/surfac.frag", "05_shadow_maps/surface.frag"), ("schadow.glsl", "shadow.glsl")):
             done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "shader", word], capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1))
-            self.assertRegex(done.stderr, rf"no shader '{re.escape(word)}'; the nearest names are .*{re.escape(expected)}.* and ")
+            self.assertRegex(done.stderr, rf"no shader '{re.escape(word)}'; the nearest are .*{re.escape(expected)}.* and ")
         done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "shader", "05_shadow_maps/shadow.glsl", "--chapter", "03"],
                               capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)

@@ -10,8 +10,7 @@ namespace lightwalk::exercise {
 // light always reaches the box. Any other light of radius 0 never does. A point light
 // reaches the box if the box's nearest point lies within the radius. A spot light must in
 // addition have a cone, of half angle outer_rad (0 to pi), that meets the bounding sphere
-// of the box. A margin of a thousandth of the radius on the safe side is allowed
-// everywhere.
+// of the box. The test may keep lights that miss by up to a thousandth of the radius.
 // [/light_reaches_box]
 bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     // The box's point nearest to a point p is p clamped to the box (glm::clamp takes vectors).

@@ -8,16 +8,22 @@
 namespace lightwalk::exercise {
 
 // [preintegrate]
-// A step along which the density changes evenly from `front` (at its near end) to `back`, both 0 to 1. `transfer` has at
-// least 2 entries: entry i of n belongs to the density i / (n - 1), and between two of them colour and opacity are mixed
-// linearly. An entry is (r, g, b, a): a is the opacity of a layer of the reference length, which shines with `a` times the
-// colour. The step is `ratio` reference lengths long (0 to 100). Returns what the step adds to a picture with nothing
-// before it (r, g, b: near parts weaken far ones) and its whole opacity (a). Colours may be above 1.
+// Returns the light (rgb) and the opacity (a) of one step of a ray. Along the step the
+// density changes linearly from `front`, at the end nearer to the camera, to `back`; both
+// are 0 to 1. The light is what the step adds to a picture with nothing in front of it: the
+// near part of the step attenuates the far part.
 //
-// Right within 0.002 of the greatest colour for any transfer function, be it a single entry that is not 0: cut the step at
-// least once for each entry that the density passes, and where those cuts are still so opaque that the order within one
-// matters. Equal densities are one layer, of which one cut says everything. The table of all pairs (256 x 256) must take
-// less than a few seconds.
+// - `transfer` is the transfer function, n >= 2 entries. Entry i belongs to the density
+//   i / (n - 1); between two entries, colour and opacity are interpolated linearly.
+// - An entry is (r, g, b, a). A layer of the reference length absorbs the fraction a of the
+//   light from behind and emits a times the colour. Colours may be above 1.
+// - `ratio` is the length of the step in reference lengths, 0 to 100.
+//
+// The result must be right to 0.002 of the greatest colour for every transfer function, even
+// for one with a single entry that is not 0. Cut the step at every density that has an
+// entry. Cut these pieces further as long as one of them is so opaque that the order of
+// light and absorption within it matters. Where front and back are equal, one piece is
+// exact. A table of 256 x 256 pairs must take less than a few seconds.
 // [/preintegrate]
 glm::vec4 preintegrate(std::span<const glm::vec4> transfer, float front, float back, float ratio) {
     (void)back;

@@ -52,15 +52,16 @@ def build_figure(chart: Chart, made: list | None = None):
     panels = chart.panels
     columns = chart.columns
     rows = math.ceil(len(panels) / columns)
-    says = textwrap.wrap(said_by(chart), 100)
+    says = textwrap.wrap(said_by(chart), 112)
     d = chart.study.data
-    measured = textwrap.wrap(f'{d["device"]} · {d["driver"]} · {d["stage"]}{chart.study.size_text(" · ")}', 115)
-    notes = textwrap.wrap("  ".join(notes_of(chart)), 130)
-    height = (3.4 if chart.y.kind == "method" else 4.3) * rows + 1.9 + 0.2 * (len(notes) + len(says) + len(measured))
+    measured = textwrap.wrap(f'{d["device"]} · {d["driver"]} · {d["stage"]}{chart.study.size_text(" · ")}', 132)
+    notes = textwrap.wrap("  ".join(notes_of(chart)), 140)
+    height = (max(3.4, 0.45 * len(chart.names)) if chart.y.kind == "method" else 4.3) * rows + 1.9 + 0.2 * (len(notes) + len(says) + len(measured))
     figure = plt.figure(figsize=(WIDTH_IN, height))
     top, bottom = 1 - (0.87 + 0.24 * len(says) + 0.18 * len(measured)) / height, (1.0 + 0.2 * len(notes)) / height
-    grid = figure.add_gridspec(rows, columns, left=0.14 if chart.y.kind == "method" else 0.095,
-                               right=0.975, top=top, bottom=bottom, wspace=0.06, hspace=0.2)
+    left = max(0.14, 0.011 * max(len(name) for name in chart.names)) if chart.y.kind == "method" else 0.095
+    grid = figure.add_gridspec(rows, columns, left=left, right=0.975, top=top, bottom=bottom,
+                               wspace=0.06, hspace=0.2)
     limits = Limits(chart)
     for i, scenes in enumerate(panels):
         panel = Panel(figure, grid[i // columns, i % columns], chart, scenes, limits)
@@ -94,14 +95,19 @@ def notes_of(chart: Chart) -> list[str]:
         notes.append("Yellow: the Pareto front, which no other beats in both.")
     if any(chart.enough_of([p for p in chart.drawable if p.scene in scenes]) for scenes in chart.panels):
         notes.append(f"Ringed: enough, the fastest {below(chart)}.")
-    if len(chart.point_knobs) == 1 and chart.x.kind == "time" and chart.y.kind != "method":
-        notes.append(f"Small numbers: {chart.point_knobs[0]}.")
+    if len(chart.point_knobs) == 1 and not any(chart.point_knobs[0] in chart.label_of(p) for p in chart.drawable):
+        if not chart.apart:
+            notes.append(f"Small numbers: {chart.point_knobs[0]}.")
+        elif not chart.one_method:
+            notes.append(f"Behind a method's name: {chart.point_knobs[0]}.")
+    if (chart.x.kind, chart.y.kind) == ("error", "method"):
+        notes.append("Beside each point: its error and the median of its times.")
     notes += [f"All with {name} {values[0]}, where it applies." for name, values in chart.kept.items() if len(values) == 1]
     others = [scene for scene in chart.study.scenes if scene not in chart.scenes]
     if {"scenes", "over"} <= set(chart.entry) and others:
         notes.append(f"The other {len(others)} scenes are in the table.")
     if chart.entry.get("over"):
-        notes.append(f"0: as fast as {chart.entry['over']}.")
+        notes.append(f"0: as fast as {chart.entry['over']}, within its quartiles or 1%.")
     for why, methods in chart.missing().items():
         notes.append(f"Not drawn: {', '.join(methods)} ({why}).")
     return notes
@@ -118,7 +124,7 @@ def truth_note(chart: Chart) -> str:
     """What the errors are measured against, and how sure that is."""
     truth = chart.study.data["truth"]
     knobs = ", ".join(f"{name} {value}" for name, value in truth.get("knobs", {}).items())
-    named = f'Truth: {truth["method"]}{" (" + knobs + ")" if knobs else ""}'
+    named = f'Truth: {truth["method"]} ({knobs})' if truth["method"] and knobs else f'Truth: {truth["method"] or knobs}'
     change = truth.get("doubling_change")
     if truth.get("exact"):
         return f"{named}, by definition."

@@ -6,71 +6,12 @@ from matplotlib.patches import Rectangle
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from charts.chart_labels import Labels
+from charts.chart_limits import Limits, lines_of
 
 # Okabe and Ito's colours, which colour-blind people can tell apart, darkened to be read as text on white.
-COLOURS = ["#0072b2", "#c04a00", "#00805f", "#a8327f", "#5b4fc2", "#8a6a00", "#2b7a9e", "#9c2b2b"]
-MARKERS = "osD^vPX*"
+COLOURS = ["#0072b2", "#c04a00", "#00805f", "#a8327f", "#5b4fc2", "#8a6a00", "#2b7a9e", "#9c2b2b", "#4a4f57", "#5c7a00"]
+MARKERS = "osD^vPX*ph"
 INK, QUIET, FRONT = "#1d2129", "#66707d", "#f0b429"
-
-
-class Limits:
-    """The axes that all panels share: (low, high), or None where every value is 0 and stands in a strip."""
-
-    def __init__(self, chart):
-        drawable = chart.drawable
-        self.zero_x = any(chart.x.is_zero(p) for p in drawable)
-        self.zero_y = any(chart.y.is_zero(p) for p in drawable)
-        self.x = limits_of(chart.x, drawable, [], *room_beside(chart))
-        lines = [line for scenes in chart.panels for line in lines_of(chart, scenes)[:2]]
-        self.y = limits_of(chart.y, drawable, [line for line in lines if line], 0.10, 0.30 if chart.x.kind == "time" else 0.12)
-        if chart.y.kind == "method":
-            self.y = len(chart.methods) - 0.4, -0.6  # the first above
-
-
-def room_beside(chart):
-    """The room for labels left and right of the curves, as shares of what they span: over a knob all stand right."""
-    if chart.y.kind == "method":
-        return 0.08, 0.75
-    if chart.x.kind != "knob":
-        return 0.26, 0.22
-    longest = max(len(chart.curve_name(method, curve)) for method, curve in chart.curves(chart.drawable))
-    label = (24 + 7.6 * longest) / (600 / chart.columns)
-    return 0.05, label / (1 - min(label, 0.6))
-
-
-def limits_of(axis, points, lines, below, above):
-    """The range of all values, their quartiles, and of those lines that are less than a decade away: others would
-    squeeze the points. `below` and `above`: the room for labels at the ends, as a share of the whole."""
-    values = [value for p in points for value in axis.spread(p)
-              if math.isfinite(value) and (value > 0 or not axis.log) and not axis.is_zero(p)]
-    if not values:
-        return None
-    if not axis.log:
-        low, high = min(values), max(values)
-        room = (high - low) or abs(high) or 1
-        return low - 0.6 * below * room, high + above * room
-    low, high = min(values), max(values)
-    shown = values + [line for line in lines if low / 10 <= line <= high * 10]
-    return widened(min(shown), max(shown), below, above)
-
-
-def widened(low: float, high: float, below: float, above: float) -> tuple[float, float]:
-    """A log range with a share of its decades added on either side, and at least a decade wide."""
-    decades = max(math.log10(high / low), 0.6)
-    centre_gap = (decades - math.log10(high / low)) / 2
-    return low / 10 ** (below * decades + centre_gap), high * 10 ** (above * decades + centre_gap)
-
-
-def lines_of(chart, scenes):
-    """(what one 8-bit step makes, below what the truth is not sure, whether the step was measured) of a panel whose
-    upright axis is an error: over several scenes the least step and the largest doubt. None where there is none."""
-    if chart.y.kind != "error":
-        return None, None, False
-    steps = [(chart.enough["at"], True) if chart.enough else chart.study.one_step(scene, chart.y.name)
-             for scene in scenes]
-    step, measured = min(steps, key=lambda pair: pair[0] or math.inf)
-    doubts = [chart.study.doubling_change(scene, chart.y.name) or 0 for scene in scenes]
-    return step, max(doubts) or None, measured
 
 
 class Panel:
@@ -102,7 +43,8 @@ class Panel:
         self.draw_front(front)
         curves = []
         for method, curve in self.chart.curves(points):
-            colour, i = colour_of(self.chart, method), self.chart.study.colour_order.index(method)
+            i = self.chart.colour_number(curve[0])
+            colour = COLOURS[i % len(COLOURS)]
             self.draw_curve(curve, colour, MARKERS[i % len(MARKERS)])
             curves.append((method, curve, colour))
         enough = self.chart.enough_of(points)
@@ -111,6 +53,7 @@ class Panel:
                                          edgecolor=INK, linewidth=2, zorder=4.2)
         notes = self.draw_lines(points)
         if self.chart.y.kind == "method":
+            self.draw_row_line()
             self.label_rows(points)
         elif self.chart.x.kind == "knob":
             self.label_ends(curves)
@@ -189,7 +132,7 @@ class Panel:
             return []
         notes = []
         low, high = self.limits.y
-        step, doubling, measured = lines_of(self.chart, self.scenes)
+        step, doubling, measured = lines_of(self.chart, self.scenes, self.chart.y)
         right = 0 if self.chart.x.kind == "knob" else 1  # where curves are named at the right
         if step and low < step < high:
             self.main.axhline(step, color=QUIET, linewidth=1, dashes=(5, 3), zorder=1)
@@ -212,19 +155,33 @@ class Panel:
         return self.main.transData.transform((self.main.get_xlim()[0], error))[1]
 
     def note(self, text: str, places: tuple, size: float, points: list):
-        """Words about a line, at the first of the places (share of the width, value, and from there in points) where
-        they cover no point; where there is none, at the first."""
+        """Words about a line, at the first of those places (share of the width, value, and from there in points) where
+        they cover the fewest points and the least of the curves."""
         renderer = self.main.figure.canvas.get_renderer()
-        at = [self.main.transData.transform(self.at(p)) for p in points if self.axis_of(p) is self.main]
-        for i, (side, height, *offset) in enumerate((*places, places[0])):
+        at, between = self.pixels_of(points)
+        best = None
+        for side, height, *offset in places:
             note = self.main.annotate(text, (side, height), xycoords=("axes fraction", "data"), xytext=offset,
                                       textcoords="offset points", ha="right" if side else "left", fontsize=size,
-                                      color=QUIET)
-            box = note.get_window_extent(renderer).padded(5)
-            if i == len(places) or not any(box.contains(*pixel) for pixel in at):
-                note.set_gid("label")
-                return note
-            note.remove()
+                                      color=QUIET, gid="label")
+            box = note.get_window_extent(renderer)
+            covered = (sum(box.padded(11).contains(*pixel) for pixel in at), sum(box.contains(*pixel) for pixel in between))
+            if best is None or covered < best[0]:
+                if best:
+                    best[1].remove()
+                best = covered, note
+            else:
+                note.remove()
+        return best[1]
+
+    def pixels_of(self, points: list) -> tuple[list, list]:
+        """Where points lie, and places on the curves through them."""
+        at, between = [], []
+        for _, curve in self.chart.curves(points):
+            pixels = [self.main.transData.transform(self.at(p)) for p in curve if self.axis_of(p) is self.main]
+            at += pixels
+            between += [one + (two - one) * k / 50 for one, two in zip(pixels, pixels[1:]) for k in range(1, 50)]
+        return at, between
 
     def label(self, curves: list, front: list, notes: list, enough):
         """Methods at an end of their curve, knob values at the points where there is room, and what is enough."""
@@ -250,26 +207,34 @@ class Panel:
     def label_ends(self, curves: list):
         """Over a knob: what each curve is, right of its end."""
         Labels(list(self.cells.values())).column(
-            [(self.chart.curve_name(method, curve), self.anchor(curve[-1]), colour) for method, curve, colour in curves])
+            [(self.chart.name_of(curve[0]), self.anchor(curve[-1]), colour) for _, curve, colour in curves])
 
     def name_rows(self, axis, named: bool):
-        """A row for each method, by its name and in its colour."""
-        axis.set_yticks(range(len(self.chart.methods)), self.chart.methods if named else [""] * len(self.chart.methods))
+        """The names of all rows, in their colours."""
+        names = self.chart.names
+        axis.set_yticks(range(len(names)), names if named else [""] * len(names))
         axis.tick_params(axis="y", length=0)
         axis.grid(False, axis="y")
-        for method, tick in zip(self.chart.methods, axis.get_yticklabels()):
-            tick.set(color=colour_of(self.chart, method), fontsize=11.5, weight="bold")
+        numbers = {self.chart.name_of(p): self.chart.colour_number(p) for p in self.chart.points}
+        for name, tick in zip(names, axis.get_yticklabels()):
+            tick.set(color=COLOURS[numbers[name] % len(COLOURS)], fontsize=11.5, weight="bold")
+
+    def draw_row_line(self):
+        """The error that one 8-bit step makes, where rows stand over an error."""
+        step, _, measured = lines_of(self.chart, self.scenes, self.chart.x)
+        if self.main and step and self.limits.x[0] < step < self.limits.x[1]:
+            self.main.axvline(step, color=QUIET, linewidth=1, dashes=(5, 3), zorder=1)
+            words = self.chart.enough_words or ("one 8-bit step" if measured else "one 8-bit step at mid grey")
+            self.main.annotate(words, (step, 0), xycoords=("data", "axes fraction"), xytext=(4, 4), fontsize=9.5, color=QUIET,
+                               textcoords="offset points", gid="label")
 
     def label_rows(self, points: list):
         """What each row says, right of its point."""
         for p in points:
             right = self.chart.x.spread(p)[2]
             self.axis_of(p).annotate(self.chart.row_text(p), (right, self.chart.y.value(p)), xytext=(11, 0),
-                                     textcoords="offset points", va="center", fontsize=9.5, color=INK, gid="label")
-
-
-def colour_of(chart, method: str) -> str:
-    return COLOURS[chart.study.colour_order.index(method) % len(COLOURS)]
+                                     textcoords="offset points", va="center", fontsize=9.5, color=INK, gid="label",
+                                     bbox={"facecolor": "white", "edgecolor": "none", "pad": 1})
 
 
 def prepare_direction(axis, direction: str, limits, shown, few_decades: float):

@@ -1,14 +1,14 @@
 """What a chart says, in a sentence that stands over it: the study's own ("says"), or one that follows from its points."""
 from collections import Counter
 
-from charts.study_file import METRICS, figures
+from charts.study_file import METRICS
 
 
 def said_by(chart) -> str:
     """Empty where nothing short is true of all panels."""
     if "says" in chart.entry:
         return chart.entry["says"]
-    if chart.y.kind == "method":
+    if (chart.x.kind, chart.y.kind) == ("time", "method"):
         return rows_said(chart)
     if chart.x.kind == "knob":
         return knob_said(chart)
@@ -16,14 +16,14 @@ def said_by(chart) -> str:
 
 
 def front_said(chart) -> str:
-    """Which method has the least error, and which is enough."""
+    """Which method, or which row, has the least error, and which is enough."""
     panels = [[p for p in chart.drawable if p.scene in scenes] for scenes in chart.panels]
     error = chart.y if chart.y.kind == "error" else chart.x
     words = []
-    enough = [found.method for points in panels if (found := chart.enough_of(points))]
+    enough = [chart.name_of(found) for points in panels if (found := chart.enough_of(points))]
     if enough:
         words.append(f"Enough in the least time: {counted(enough, len(panels))}.")
-    best = [min(points, key=lambda p: (error.value(p), p.time[1])).method for points in panels if points]
+    best = [chart.name_of(min(points, key=lambda p: (error.value(p), p.time[1]))) for points in panels if points]
     words.append(f"Least error: {counted(best, len(panels))}.")
     return " ".join(words)
 
@@ -37,23 +37,41 @@ def counted(methods: list[str], panels: int) -> str:
 
 
 def knob_said(chart) -> str:
-    """By how much each curve grows or falls from the left end to the right one; of many, the least and the most. Over
-    several panels these are the least and the largest change of all their curves."""
+    """By how much the curves grow or fall from the left end to the right one: the least and the most of all panels."""
     changes = []
     for scenes in chart.panels:
-        for method, curve in chart.curves([p for p in chart.drawable if p.scene in scenes]):
+        for _, curve in chart.curves([p for p in chart.drawable if p.scene in scenes]):
             ends = curve[0], curve[-1]
             if len(curve) > 1 and not any(chart.y.is_zero(p) for p in ends):
-                name = chart.curve_name(method, curve)
+                name = chart.name_of(curve[0])
                 changes.append((chart.y.value(ends[1]) / chart.y.value(ends[0]),
                                 name if len(chart.panels) == 1 else f"{name}, {chart.panel_title(scenes)}"))
     if not changes:
         return ""
-    what = "times" if chart.y.kind == "time" else "errors" if chart.y.name in METRICS else "values"
+    what = "time" if chart.y.kind == "time" else "error" if chart.y.name in METRICS else "value"
     ends = [chart.x.value(p) for p in chart.drawable]
-    shown = [min(changes), max(changes)] if len(changes) > 1 else changes
-    return (f"From {chart.x.label()} {figures(min(ends))} to {figures(max(ends))} the {what} become "
-            + ", ".join(f"{figures(change)} times as large ({name})" for change, name in shown) + ".")
+    knob = chart.x.label().partition(":")[0]
+    return f"From {knob} {min(ends):,g} to {max(ends):,g} the {what} {between(min(changes), max(changes))}."
+
+
+def between(least: tuple[float, str], most: tuple[float, str]) -> str:
+    """What happens to a value that changes by factors, each with whose it is, from the least to the most."""
+    if (kind(least[0]), amount(least[0])) == (kind(most[0]), amount(most[0])):
+        return f"{kind(least[0])}{amount(least[0])}"
+    if kind(least[0]) == kind(most[0]):
+        return f"{kind(least[0])}{amount(least[0])} ({least[1]}) to {amount(most[0]).strip()} ({most[1]})"
+    return f"{kind(least[0])}{amount(least[0])} ({least[1]}) or {kind(most[0])}{amount(most[0])} ({most[1]})"
+
+
+def kind(factor: float) -> str:
+    return "falls to" if factor < 0.95 else "grows by a factor of" if factor > 1.05 else "hardly changes"
+
+
+def amount(factor: float) -> str:
+    """Two digits: a share where the value falls, the factor where it grows."""
+    if kind(factor) == "hardly changes":
+        return ""
+    return f" {float(f'{100 * factor:.2g}'):,g}%" if factor < 1 else f" {float(f'{factor:.2g}'):,g}"
 
 
 def rows_said(chart) -> str:
@@ -62,5 +80,5 @@ def rows_said(chart) -> str:
     fastest = min(chart.drawable, key=lambda p: sign * p.time[1])
     exact = min(chart.drawable, key=lambda p: (p.error, sign * p.time[1]))
     if fastest is exact:
-        return f"{fastest.method} is the fastest, and none has a smaller error."
-    return f"{fastest.method} is the fastest; {exact.method} is the fastest of those with the least error."
+        return f"{chart.name_of(fastest)} is the fastest, and none has a smaller error."
+    return f"{chart.name_of(fastest)} is the fastest; {chart.name_of(exact)} is the fastest of those with the least error."

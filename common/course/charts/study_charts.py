@@ -3,111 +3,13 @@
 docs/study_format.md has the keys of "charts". A study without them has one chart, its time against its error_metric.
 """
 import copy
-import math
 from functools import cached_property
 
-from charts.study_file import METRICS, StudyError, figures, number
+from charts.chart_axes import Axis, Rows
+from charts.study_file import StudyError, figures, number
 
-KEYS = ("name", "title", "says", "x", "y", "scenes", "methods", "knobs", "x_scale", "x_label", "panel", "enough", "over",
-        "passes")
-LOG_FROM = 10  # a knob's axis is logarithmic where its largest value is at least that many times the smallest above 0
-
-
-class Axis:
-    """What one axis shows: "time", a metric (`kind` "error") or "knob NAME"."""
-
-    def __init__(self, study, text, points, scale=None, words=None, added=""):
-        self.study, self.text, self.words, self.added = study, text, words, added
-        self.kind = "time" if text == "time" else "knob" if text.startswith("knob ") else "error"
-        self.name = text.removeprefix("knob ")
-        if self.kind == "knob":
-            self.check_knob(points)
-        elif self.kind == "error" and not any(text in p.data["error"] for p in points):
-            raise StudyError(f'no point has the error "{text}"; there are {", ".join(study.metrics)}')
-        self.log = scale == "log" if scale else self.kind != "knob" or self.spans_decades(points)
-
-    def check_knob(self, points):
-        values = [p.knobs[self.name] for p in points if self.name in p.knobs]
-        if not values:
-            raise StudyError(f'no point sets the knob "{self.name}"')
-        for value in values:
-            if isinstance(value, (bool, str)):
-                raise StudyError(f'the knob "{self.name}" has the value "{value}", which no axis can show')
-
-    def spans_decades(self, points):
-        values = [p.knobs[self.name] for p in points if self.name in p.knobs]
-        above = [value for value in values if value > 0]
-        return bool(above) and min(values) >= 0 and max(above) >= LOG_FROM * min(above)
-
-    def has(self, point):
-        """False where the point has no such thing at all."""
-        return {"time": True, "knob": self.name in point.knobs, "error": self.name in point.data["error"]}[self.kind]
-
-    def spread(self, point):
-        """(lower quartile, value, upper quartile); all the same where there is one value, NaN where there is none."""
-        if self.kind == "time":
-            return point.time
-        value = number((point.knobs if self.kind == "knob" else point.data["error"]).get(self.name))
-        return value, value, value
-
-    def value(self, point):
-        return self.spread(point)[1]
-
-    def can_show(self, point):
-        value = self.value(point)
-        return math.isfinite(value) and (value > 0 or not self.log or (value == 0 and (self.kind != "time" or bool(self.added))))
-
-    def is_zero(self, point):
-        """True where the value has no place on a log axis and stands in a strip of its own: 0, and an error of less than a
-        tenth of what the truth is not sure of, which is no more known to differ from 0."""
-        if not self.log or self.kind == "time" and not self.added:
-            return False
-        doubt = self.study.doubling_change(point.scene, self.name) or 0 if self.kind == "error" else 0
-        return self.value(point) == 0 or self.kind == "error" and self.value(point) < doubt / 10
-
-    @property
-    def zero_text(self):
-        """What stands at the strip."""
-        return "≈ 0" if any(self.is_zero(p) and self.value(p) for p in self.study.points if self.has(p)) else "0"
-
-    def label(self, upright=False):
-        better = ("↓", "↑") if upright else ("←", "→")
-        if self.words:
-            return self.words
-        if self.kind == "time":
-            words = f'{"CPU" if self.study.software else "GPU"} time {self.added}, ms' if self.added else self.study.time_label
-            return f"{words}  ({better[self.study.higher_is_faster]} faster)"
-        if self.kind == "knob":
-            return self.name.replace("_", " ")
-        words = f"error: {METRICS[self.name][0]}" if self.name in METRICS else self.study.metric_label(self.name)
-        return f"{words}  ({better[0]} less is better)"
-
-
-class Rows:
-    """The upright axis of a chart that has a row for each method in place of an error."""
-
-    kind, name, log, zero_text = "method", "method", False, "0"
-
-    def __init__(self, methods):
-        self.methods = methods
-
-    def has(self, _):
-        return True
-
-    def value(self, point):
-        return self.methods.index(point.method)
-
-    def spread(self, point):
-        return (self.value(point),) * 3
-
-    def can_show(self, _):
-        return True
-
-    def is_zero(self, _):
-        return False
-
-    def label(self, upright=False):
-        return ""
+KEYS = ("name", "title", "says", "x", "y", "scenes", "methods", "knobs", "x_scale", "x_label", "y_label", "panel", "enough",
+        "over", "passes")
 
 
 class Chart:
@@ -146,10 +48,10 @@ class Chart:
             raise StudyError(f'"y" is "{entry["y"]}", expected "time" or a metric')
         self.enough = entry.get("enough")
         self.x = Axis(study, entry.get("x", "time"), self.points, entry.get("x_scale"), entry.get("x_label"), self.added)
-        self.y = Rows(self.methods) if entry.get("y") == "method" else \
-            Axis(study, entry.get("y", study.metric), self.points, added=self.added)
-        if self.y.kind == "method" and self.x.kind != "time":
-            raise StudyError('"y" is "method", which needs "x": "time"')
+        self.y = Rows(self) if entry.get("y") == "method" else \
+            Axis(study, entry.get("y", study.metric), self.points, words=entry.get("y_label"), added=self.added)
+        if self.y.kind == "method" and self.x.kind == "knob":
+            raise StudyError(f'"y" is "method", which needs "x": "time" or a metric, not "{self.x.text}"')
         if self.enough is not None and (not isinstance(self.enough, dict) or set(self.enough) != {"at", "text"}):
             raise StudyError(f'"enough" is {self.enough}, expected {{"at": NUMBER, "text": WORDS}}')
 
@@ -178,7 +80,7 @@ class Chart:
                 if not others:
                     raise StudyError(f'"over" is "{self.entry["over"]}", which was not measured in scene "{p.scene}"')
                 p.time = tuple(time - min(others) for time in p.time)
-                if p.time[0] <= 0:  # not known to take longer
+                if p.time[0] <= 0 or p.time[1] < 0.01 * min(others):  # not known to take longer, or nothing to speak of
                     p.time = 0.0, 0.0, 0.0
         return changed
 
@@ -208,29 +110,56 @@ class Chart:
     @cached_property
     def point_knobs(self):
         """The knobs whose values tell points of one panel apart, without the one on the x axis."""
-        if self.over_scenes or self.kept:
-            names = dict.fromkeys(name for p in self.points for name in p.knobs
-                                  if self.over_scenes or name not in self.study.scene_knobs)
-            names = [name for name in names if len({str(p.knobs[name]) for p in self.points if name in p.knobs}) > 1]
-        else:
-            names = self.study.varied_knobs
+        panels = [[p.knobs for p in self.points if p.scene in scenes] for scenes in self.panels]
+        names = dict.fromkeys(name for p in self.points for name in p.knobs
+                              if self.over_scenes or name not in self.study.scene_knobs)
+        names = [name for name in names
+                 if any(len({str(knobs[name]) for knobs in panel if name in knobs}) > 1 for panel in panels)]
         return [name for name in names if (self.x.kind, self.x.name) != ("knob", name)]
 
     def label_of(self, point):
-        """The values that tell a point from its neighbours: "16", or "taps 16, radius 2.5" where two knobs vary. Over
-        a knob all points of a curve have the same."""
+        """The values that tell a point from its neighbours: "16", or "taps 16, radius 2.5" where two knobs vary, or
+        "volumes on". Over a knob all points of a curve have the same."""
         values = {name: value for name, value in point.knobs.items() if name in self.point_knobs}
         short = {name: f"{value:g}" if isinstance(value, float) else str(value) for name, value in values.items()}
-        return ", ".join(short.values() if len(self.point_knobs) == 1 else
-                         (f"{name} {value}" for name, value in short.items()))
+        return ", ".join(value if len(self.point_knobs) == 1 and value not in ("on", "off") else f"{name} {value}"
+                         for name, value in short.items())
+
+    def name_of(self, point):
+        """What tells a point's curve, or its row, from the others: its method, unless all have one and knobs tell them
+        apart, and the values of these knobs where each has a curve of its own."""
+        label = self.label_of(point) if self.apart else ""
+        return ", ".join(word for word in ("" if label and self.one_method else point.method, label) if word)
+
+    @cached_property
+    def one_method(self):
+        """True where what differs are values of knobs, which all points have."""
+        return len({p.method for p in self.points}) == 1 and all(self.label_of(p) for p in self.points)
+
+    @cached_property
+    def names(self):
+        """Those of all curves or rows, in order."""
+        ordered = sorted(self.points, key=lambda p: self.methods.index(p.method))
+        return list(dict.fromkeys(self.name_of(p) for p in ordered))
+
+    @property
+    def apart(self):
+        """True where points of a method that differ in other knobs are curves, or rows, of their own."""
+        return self.x.kind == "knob" or self.y.kind == "method"
+
+    def colour_number(self, point):
+        """A method has one colour in all studies of a chapter; where there is one, its curves differ."""
+        if self.apart and self.one_method:
+            return self.names.index(self.name_of(point))
+        return self.study.colour_order.index(point.method)
 
     def curves(self, points):
         """(method, its points in order). Over a knob a method has one for each value of its other knobs, from left to
         right."""
-        over_knob, found = self.x.kind == "knob", {}
+        found = {}
         for p in points:
-            found.setdefault((p.method, self.label_of(p) if over_knob else ""), []).append(p)
-        return [(method, sorted(curve, key=self.x.value) if over_knob else curve)
+            found.setdefault((p.method, self.label_of(p) if self.apart else ""), []).append(p)
+        return [(method, sorted(curve, key=self.x.value) if self.x.kind == "knob" else curve)
                 for (method, _), curve in sorted(found.items(), key=lambda item: self.methods.index(item[0][0]))]
 
     def front(self, points):
@@ -252,12 +181,10 @@ class Chart:
         knobs = next(p.knobs for p in self.points if p.scene == scenes[0])
         return self.entry.get("panel", "{scene}").format(scene=scenes[0], **knobs)
 
-    def curve_name(self, method, curve):
-        """Over a knob, what stands at a curve's end: a method has several for several values of other knobs."""
-        return ", ".join(word for word in (method, self.label_of(curve[0])) if word)
-
     def row_text(self, point):
-        """What a row says of its point: its time and its error."""
+        """What a row says of its point: its time and its error, what lies on the axis first."""
+        if self.x.kind == "error":
+            return f"{figures(self.x.value(point))}\n{figures(point.time[1])} {self.study.unit}"
         unit = "ULP" if self.study.metric == "ulp" else self.study.metric_label(self.study.metric)
         error = "no error" if point.error == 0 else f"off by {figures(point.error)} {unit}"
         return f"{figures(point.time[1])} {self.study.unit}\n{error}"
@@ -270,7 +197,7 @@ class Chart:
         """The fastest point whose error is at most the chart's own "enough", or without it below that of one 8-bit step: a
         mean FLIP hides what is wrong in few pixels, so its 99th percentile has to be, too. None where neither is known,
         or the axes are not time and error."""
-        if self.y.kind == "method":
+        if (self.x.kind, self.y.kind) == ("time", "method"):
             metrics = [self.study.metric]
         elif {self.x.kind, self.y.kind} == {"time", "error"}:
             name = self.x.name if self.x.kind == "error" else self.y.name

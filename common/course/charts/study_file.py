@@ -113,12 +113,6 @@ class Study:
     def scene_knobs(self):
         return list(dict.fromkeys(name for scene in self.scenes for name in self.set_by(scene)))
 
-    @cached_property
-    def varied_knobs(self):
-        """The knobs that take more than one value in a scene; the others need no mention at a point."""
-        names = dict.fromkeys(name for p in self.points for name in p.knobs if name not in self.scene_knobs)
-        return [name for name in names if len({str(p.knobs[name]) for p in self.points if name in p.knobs}) > 1]
-
     @property
     def time_label(self):
         if self.unit == "MB/s":

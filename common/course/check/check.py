@@ -38,8 +38,8 @@ from check.glsl_answer import Refused, plain
 from progress import Progress
 from shots.golden import compare, exceeded, golden_path, unfit
 from shots.rendering import Crashed, render_shot
-from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, relative, say,
-                  shots)
+from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, nearest, relative,
+                  say, shots)
 
 ALONE = True
 HELP = """Checks your exercises: lists the solved ones, and the first error of each of the others.
@@ -94,8 +94,8 @@ def select(what: str) -> list[tuple[str, str]]:
         selected = [(chapter, exercise) for exercise in known[chapter]
                     if not name or exercise == f"{chapter[:2]}.{name}"]
         if name and not selected:
-            raise UsageError(f"there is no exercise '{what}'; chapter {chapter[:2]} has "
-                             f"{', '.join(known[chapter]) or 'none'}")
+            raise UsageError(f"there is no exercise '{what}'; {nearest(what, known[chapter])}; "
+                             f"./course run {chapter[:2]} --list exercises lists all")
     if not selected:
         raise UsageError(f"there is no exercise in {what}")
     return selected

@@ -23,8 +23,8 @@ from grading.rules import Rules
 from grading.submission import cell, find, printable, read, time_of
 from many import shards, slurm
 from progress import Progress
-from tree import (BUILD, Failure, UsageError, chapters, cores, exercises, find_chapter, has_solutions, say, warn,
-                  write_atomically)
+from tree import (BUILD, Failure, UsageError, chapters, cores, exercises, find_chapter, has_solutions, nearest, say,
+                  warn, write_atomically)
 
 HELP = """Grades the exercises that students handed in, by the checks of this tree.
 
@@ -74,7 +74,7 @@ def run(arguments, _rest) -> int:
     named = [find_chapter(arguments.chapter)] if arguments.chapter else chapters()
     wanted = {exercise: chapter for chapter in named for exercise in exercises(chapter)}
     if strange := [name for name in arguments.regrade if name not in wanted]:
-        raise UsageError(f"there is no exercise '{strange[0]}' to regrade; there are {', '.join(wanted)}")
+        raise UsageError(f"there is no exercise '{strange[0]}' to regrade; {nearest(strange[0], wanted)}")
     Rules(arguments.rules, wanted)  # said before hours of grading, not behind them
     Roster(arguments.roster, [])
     if arguments.merge:

@@ -40,9 +40,9 @@ THEIRS, EXPECTED = "wrong.theirs.png", "wrong.expected.png"  # beside the source
 
 
 class DriverEnded(Exception):
-    """The driver crashed with every shot that shows the exercise; this names them. One that is right has done that to it:
-    Mesa 22.3 does not survive some loops in which one uniform decides twice where they end. One that is wrong can do so
-    on purpose, to be seen in no picture."""
+    """The driver crashed with every shot that shows the exercise; this names them. One that is right has done that to it
+    (Mesa 22.3, before its lavapipe got hidden blocks: common/gpu/hidden_blocks.h). One that is wrong can do so on
+    purpose, to be seen in no picture."""
 
 
 class Pictures:

@@ -1,13 +1,12 @@
 """A shader whole: with all that it includes, in the order in which it is compiled, each part under the file it comes from."""
 
-import difflib
 import json
 import re
 import subprocess
 from pathlib import Path
 
 from build.build import build
-from tree import ROOT, Failure, UsageError, chapter_program, find_chapter, say
+from tree import ROOT, Failure, UsageError, chapter_program, find_chapter, nearest, say
 
 HELP = """Prints a shader whole, as a chapter compiles it: each part under a comment with the file it comes from.
 
@@ -63,16 +62,7 @@ def find_shader(word: str, chapter: str | None = None) -> str:
         return meant[0]
     if meant:
         raise UsageError(f"{len(meant)} shaders are called {word}: {', '.join(meant)}")
-    one, two = nearest(word, known)
-    raise UsageError(f"there is no shader '{word}'; the nearest names are {one} and {two}; ./course shader --list names all")
-
-
-def nearest(word: str, known: list[str]) -> list[str]:
-    """The two names that are most like a word, which may be a path or a file's name alone."""
-    def likeness(name: str) -> float:
-        other = name if "/" in word else Path(name).name
-        return difflib.SequenceMatcher(None, word.lower(), other.lower()).ratio()
-    return sorted(known, key=lambda name: (-likeness(name), name))[:2]
+    raise UsageError(f"there is no shader '{word}'; {nearest(word, known)}; ./course shader --list names all")
 
 
 def whole(name: str, use: str = "solution", chapter: str | None = None) -> str:

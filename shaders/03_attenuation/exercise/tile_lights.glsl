@@ -14,12 +14,14 @@
 //
 //     void find_tile_lights(uint local, uint group)
 // Finds which of the lights 1024 * group to 1024 * group + 1023 reach the tile. Bit i of
-// tile_masks[m] becomes 1 if light_reaches_tile(1024 * group + 32 * m + i), and 0
-// otherwise. There are light_count() lights: the bits of numbers beyond them are 0, and
-// light_reaches_tile must not be called for them. The function is called for one group
-// after the other. When it returns to an invocation, this invocation may read all of
-// tile_masks; the masks must not change until every invocation has called the function
-// again.
+// tile_masks[m], with m and i from 0 to 31, becomes 1 if
+// light_reaches_tile(1024 * group + 32 * m + i), and 0 otherwise. There are light_count()
+// lights: the bits of numbers beyond them are 0, and light_reaches_tile must not be called
+// for them.
+//
+// The function is called for one group after the other. As soon as it returns to an
+// invocation, that invocation reads all of tile_masks, so they must be complete. They must
+// not change before every invocation has called the function for the next group.
 // [/tile_lights]
 shared uint farthest_bits, nearest_bits;  // atomicMin and atomicMax work on integers; see floatBitsToUint
 shared uint tile_masks[32];

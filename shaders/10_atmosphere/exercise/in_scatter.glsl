@@ -22,10 +22,10 @@
 //   the cosine of the angle between the path and the direction to the sun
 //
 // A metre of air scatters the fraction air.rayleigh * x of light at molecules and
-// air.mie * y at dust; the layer only absorbs. Of the scattered sunlight, the phase
-// function of each kind goes along the path. Of the light from all sides, as much goes
-// along the path as arrives from any one direction, so its phase function and its solid
-// angle cancel.
+// air.mie * y at dust; the layer only absorbs. Multiply the scattered sunlight of each kind
+// by its phase function, which gives the part that continues along the path. Multiply
+// scattered_before by the two fractions alone: it arrives from 4 pi steradians, and the
+// phase function of light from all sides is 1 / (4 pi), so the two cancel.
 //
 // The light of a part is attenuated by all parts before it and by half of its own
 // optical depth.

@@ -3,11 +3,14 @@
 #include "16_volume/lattice_4d.glsl"
 
 // [noise_4d]
-// Value noise: lattice_4d() gives a number to each of the 16 corners of the cell, cell + (0 or 1, 0 or 1, 0 or 1, 0 or 1),
-// and what lies between is mixed from them. `f` is the place in the cell, each component from 0 to 1; the weight of the
-// upper corner along an axis is s(t) = 6 t⁵ - 15 t⁴ + 10 t³ with t = the component of f, that of the lower one 1 - s(t).
-// The cell of whole numbers keeps the fourth axis, time, exact: after a week at a cell a second it is 604,800, and f is as
-// fine as in the first second.
+// Value noise in four dimensions. lattice_4d(corner) returns the random number of a corner
+// of the lattice. The cell has 16 corners, cell + (0 or 1, 0 or 1, 0 or 1, 0 or 1). `f` is
+// the position in the cell, 0 to 1 along each axis. Returns the mixture of the 16 numbers:
+// along each axis the upper corner has the weight s(t) = 6 t^5 - 15 t^4 + 10 t^3, with t the
+// component of f, and the lower corner has 1 - s(t).
+//
+// The fourth axis is time. Keep the cell in integers: after a week at one cell per second it
+// is 604,800, which an integer holds exactly, so that f is as fine as in the first second.
 // [/noise_4d]
 float noise_4d(ivec4 cell, vec4 f) {
     return lattice_4d(cell);

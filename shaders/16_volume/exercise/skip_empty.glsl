@@ -3,15 +3,23 @@
 #include "16_volume/block_voxels.glsl"
 
 // [skip_empty]
-// Writes to `ranges` at `block` the (least, greatest, 0, 0) of the densities that a trilinear sample within the block may
-// read. The block holds the voxels from block * BLOCK_VOXELS on, BLOCK_VOXELS along each edge; a sample at its face mixes
-// them with the voxels of the next block: with those up to `border` voxels (1 or more) beyond each face. Voxels outside of
-// the volume are those at its border, once more: clamp the coordinate to textureSize(voxels, 0) - 1. A voxel is
-// texelFetch(voxels, at, 0).r; one that is NaN counts as 0.
+// Finds the least and the greatest density that a trilinear sample within a block can read,
+// and stores (least, greatest, 0, 0) with imageStore(ranges, block, ...).
 //
-// All 64 threads call it. Each looks at its share of the voxels and puts its range into thread_ranges; then the 64 become
-// one, halving their number with a barrier() between: log2(64) = 6 rounds. Thread 0 writes. memoryBarrierShared() waits for
-// nobody, and no thread may miss a barrier.
+// - The block has BLOCK_VOXELS voxels along each edge and begins at the voxel
+//   block * BLOCK_VOXELS.
+// - A sample near the face of the block also reads voxels of the next block. Include the
+//   voxels up to `border` (1 or more) beyond each face, edges and corners too.
+// - texelFetch(voxels, at, 0).r is the density of a voxel. Outside the volume the outermost
+//   voxel is repeated: clamp `at` to the range 0 to textureSize(voxels, 0) - 1.
+// - A density that is NaN counts as 0.
+//
+// A workgroup of 64 threads calls the function for one block; gl_LocalInvocationIndex is 0
+// to 63. Each thread examines its share of the voxels and writes its (least, greatest) to
+// thread_ranges[gl_LocalInvocationIndex], a shared array of vec2. The 64 ranges are then
+// reduced to one by halving their number six times, with a barrier() before each halving,
+// and thread 0 stores the result. Every thread must reach every barrier().
+// memoryBarrierShared() does not wait for other threads.
 // [/skip_empty]
 void skip_empty(ivec3 block) {
     if (gl_LocalInvocationIndex == 0u) {

@@ -2,15 +2,19 @@
 // As it stands the film never fades: each scene ends at full brightness.
 
 // [fade_linear_light]
-// `light` is linear light of one pixel, 0 or more in each channel, before any tone curve: a lamp has 1, a sun 1,000.
-// `black` and `white` (0 to 1, clamped here) say how far the picture has faded. Returns the light of the faded picture.
+// Fades a pixel to black and to white. `light` is its linear light, 0 or more in each channel,
+// before any tone curve: a lamp may have 1, the sun 1,000. `black` and `white` say how far the
+// picture has faded; values outside 0 to 1 are clamped to this range.
 //
-// 1. To black: light times (1 - black) to the power of 2.2. Codes on a screen then fall about evenly with time, and since
-//    all channels have one factor, colours stay; what is far brighter than white stays so nearly to the end.
-// 2. To white, of what step 1 gives: the part white to the power of 2.2 of the way to 16 in each channel, which every tone
-//    curve of chapter 09 shows as white. Channels that are brighter than 16 stay as they are.
+// 1. To black: multiply the light by (1 - black) to the power of 2.2. The codes on a screen
+//    then fall about evenly with time. All channels have the same factor, so colours stay, and
+//    anything far brighter than white stays white nearly to the end.
+// 2. To white, from the result of step 1: each channel below 16 moves towards 16 by the
+//    fraction `white` to the power of 2.2 of the distance. Every tone curve of chapter 09 shows
+//    16 as white. Channels above 16 stay as they are.
 //
-// 0 and 0 change nothing, black 1 is exactly 0, white 1 at least 16. Right within 1e-5 of the value.
+// With black and white 0 nothing changes; black 1 gives exactly 0, white 1 at least 16 in each
+// channel. The result must be right within 1e-5 of its value.
 // [/fade_linear_light]
 vec3 fade_linear_light(vec3 light, float black, float white) {
     return light;
