@@ -41,7 +41,8 @@ TOGGLES = [("10", [], "10.density"), ("14", ["environment.method=prefiltered"], 
            ("15", ["ground.detail_m=60"], "11.eroded_fbm"),
            ("16", ["volume.light=volume"], "16.correct_opacity")]
 # (chapter, settings from the start, a shader, what an edit replaces there and by what).
-EDITS = [("14", ["environment.method=prefiltered"], "14_environment/solution/split_sum_table.glsl", "return ", "return 0.25 * "),
+EDITS = [("14", ["environment.method=prefiltered"], "14_environment/solution/split_sum_table.glsl", "return ",
+          "return 0.25 * "),
          ("16", ["volume.light=volume"], "16_volume/make_light.comp", "imageStore(result, at, vec4(",
           "imageStore(result, at, 0.25 * vec4(")]
 
