@@ -1,6 +1,25 @@
 #include "05_shadow_maps/lit_scene.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "common/base/files.h"
+
 namespace lightwalk {
+namespace {
+
+// Another number where textures cut other holes, or the same ones elsewhere because they move.
+uint64_t cut_by(const Maps& maps, const Scene& scene, float time_s) {
+    std::string now;
+    for (const KnobBase* knob : maps.all_knobs()) now += knob->text() + " ";
+    const auto is_cut = [&](const DrawItem& item) { return item.transparent || maps.has_holes(item); };
+    if (maps.animated() && std::any_of(scene.items.begin(), scene.items.end(), is_cut))
+        now += fmt::format("{}", time_s);
+    return hash_bytes(now);
+}
+
+}  // namespace
 
 std::vector<With> LitScene::given() const {
     std::vector<With> with = SurfaceScene::given();
@@ -47,7 +66,9 @@ void LitScene::record_shadows(Frame& frame, const View& view) {
             maps.draw(pass, *scene_, casters, both.loaded, both.displaced);
         };
     };
-    shadow.record(frame, *scene_, lights, view, {{maps}, draw, by(first_), by(passed_)});
+    Shadow::Casters casters{{maps}, draw, by(first_), by(passed_)};
+    casters.others_placed = cut_by(maps, *scene_, frame.time_s);
+    shadow.record(frame, *scene_, lights, view, casters);
 }
 // [/casters]
 

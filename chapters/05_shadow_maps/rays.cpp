@@ -96,6 +96,7 @@ void SceneRays::build(Gpu& gpu, const Scene& scene, float cutoff) {
 
 void SceneRays::record(Frame& frame, const Scene& scene, float cutoff) {
     if (!built_) build(frame.gpu, scene, cutoff);
+    state_.cutoff = cutoff;
     if (scene.placed == placed_) return;
     bvh_.refit(ray_triangles(scene));
     placed_ = scene.placed;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <span>
 
 #include "10_atmosphere/path_parts.h"
 #include "10_atmosphere/skylight.h"
@@ -111,6 +112,9 @@ void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
     const Air now = air();
     std::vector<std::byte> from = bytes_of(now);
     from.push_back(std::byte(often));
+    const unsigned toggles = Exercises::version();
+    const auto of_toggles = std::as_bytes(std::span(&toggles, 1));
+    from.insert(from.end(), of_toggles.begin(), of_toggles.end());
     if (refresh.is("always") || from != made_of_) {
         made_of_ = std::move(from);
         ++tables_made;

@@ -89,9 +89,10 @@ void Skin::record(Frame& frame, const Scene& scene, const View& view, const Lit&
     make_tables(frame);
 
     // 1. What the sky lights, once: from a small map, and rays from each of its texels.
-    if (coarse_.record(frame, scene, lit.maps, *skin, static_cast<uint32_t>(sky_size)))
+    const bool other_rays = std::exchange(sky_rays_, sky_rays.value) != sky_rays.value;
+    if (coarse_.record(frame, scene, lit.maps, *skin, static_cast<uint32_t>(sky_size)) || other_rays)
         coarse_.trace_sky(frame, lit.rays, static_cast<uint32_t>(sky_rays));
-    if (eye && eye_.record(frame, scene, lit.maps, *eye, static_cast<uint32_t>(sky_size) / 2))
+    if (eye && (eye_.record(frame, scene, lit.maps, *eye, static_cast<uint32_t>(sky_size) / 2) || other_rays))
         eye_.trace_sky(frame, lit.rays, static_cast<uint32_t>(sky_rays));
     if (!on_map()) return;
 

@@ -101,6 +101,7 @@ struct Skin : Module {
     int shown_ = -1;                          ///< what draw() shows in place of the picture, as skin.frag counts
     float tables_f0_ = -1;
     unsigned tables_toggles_ = 0;
+    int sky_rays_ = 0;
     const void* sky_of_ = nullptr;
     Pipeline facets_table_ = compute({.shader = "12_skin/facets.comp"});
     Pipeline reflected_table_ = compute({.shader = "12_skin/reflected.comp"});

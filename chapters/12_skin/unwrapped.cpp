@@ -56,7 +56,8 @@ void add_charts(Gpu& gpu, const Scene& scene) {
 }
 
 bool Unwrapped::record(Frame& frame, const Scene& scene, const Maps& maps, const DrawItem& item, uint32_t size) {
-    const MadeOf wanted{&item, scene.placed, size, Exercises::version()};
+    MadeOf wanted{&item, scene.placed, size, Exercises::version(), ""};
+    for (const KnobBase* knob : maps.all_knobs()) wanted.knobs += knob->text() + " ";
     if (wanted == made_of_) return false;
     const auto image = [&](Image& made, const char* name, VkFormat format) {
         made.fit(frame.gpu.device,

@@ -1,5 +1,7 @@
 // Surface unwrapped to its texture coordinates: positions, normals and stretch.
 #pragma once
+#include <string>
+
 #include "04_surface_maps/maps.h"
 #include "05_shadow_maps/rays.h"
 
@@ -30,6 +32,7 @@ class Unwrapped {
         uint64_t placed = 0;
         uint32_t size = 0;
         unsigned toggles = 0;
+        std::string knobs;  ///< of the maps
         bool operator==(const MadeOf&) const = default;
     } made_of_;
     Image raw_position_, raw_normal_, raw_albedo_, raw_stretch_, noisy_;

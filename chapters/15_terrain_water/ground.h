@@ -76,6 +76,7 @@ struct Ground : Module {
     Image texels_, heights_, slopes_, bounds_, errors_;
     LandMap map_{};
     LandSource made_of_{};
+    unsigned toggles_ = 0;  ///< what the heights were made with
     bool made_ = false, errors_made_ = false;
     Pipeline make_heights_ = compute({.shader = "15_terrain_water/make_heights.comp"});
     Pipeline make_slopes_ = compute({.shader = "15_terrain_water/make_slopes.comp"});

@@ -22,6 +22,8 @@ void ReflectedRays::prepare(Gpu& gpu, Scene& scene) {
     scene_ = &scene, has_colors_ = false;
     none_ = gpu.upload("no houses", std::vector<CityBox>(1));
     none_cells_ = gpu.upload("no blocks", std::vector<glm::uvec2>(1));
+    no_ground_ = Image(gpu.device, {.name = "no ground", .size = glm::uvec2(1), .layers = 2});
+    gpu.upload(no_ground_, std::vector<std::byte>(2 * sizeof(uint64_t)));
 }
 
 void ReflectedRays::record(Frame& frame, const View& view, const Image& rays, const Image& met) {
@@ -41,6 +43,11 @@ void ReflectedRays::record(Frame& frame, const View& view, const Image& rays, co
         pass.set("ray_colors", colors_).set("city_light", city_.light_of(view));
         pass.set("rays_meet", glm::uvec3(ground_.exists(), houses, !scene_->opaque().items().empty()));
         if (!houses) pass.set("city_boxes", none_).set("city_cells", none_cells_).set("city_grid", CityGrid{.yaw = 0});
+        if (!ground_.exists()) {  // never read, but a shader that may read it has it bound
+            for (const char* name : {"land_heights", "land_slopes", "land_bounds", "heights_between"})
+                pass.offer(name, no_ground_.layer(0), nearest_clamp);
+            for (const char* name : {"materials", "material_bumps"}) pass.offer(name, no_ground_.as_array());
+        }
         pass.dispatch_threads(met.desc.size);
     });
 }

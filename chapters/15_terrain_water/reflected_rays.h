@@ -34,6 +34,7 @@ struct ReflectedRays : Module, WaterRays {
     const Atmosphere& atmosphere_;
     const Scene* scene_ = nullptr;
     Buffer colors_, none_, none_cells_;
+    Image no_ground_;
     bool has_colors_ = false;
     Pipeline trace_ = compute({.shader = "15_terrain_water/reflected_rays.comp"});
     Pipeline trace_shadowed_ = compute({.shader = "15_terrain_water/reflected_rays_shadowed.comp"});

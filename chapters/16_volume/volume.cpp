@@ -102,7 +102,7 @@ void Volume::make_tables(Frame& frame) {
         });
     }
     if (!method.is("preintegrated")) return;
-    std::string wanted = fmt::format("{} {} {}", transfer_number_, now_.step_m, Exercises::state());
+    std::string wanted = fmt::format("{} {} {}", transfer_number_, now_.step_m, Exercises::version());
     if (wanted == preintegrated_made_) return;
     preintegrated_made_ = std::move(wanted);
     preintegrated_.fit(device, {.name = "preintegrated", .size = glm::uvec2(table_texels), .kept = true});
@@ -120,7 +120,7 @@ void Volume::make_light(Frame& frame) {
                                   .depth = size.z,
                                   .kept = true});
     ByteWriter wanted;
-    wanted(field.number(), transfer_number_, light_steps.value, now_.light_at, now_.is_near, Exercises::state());
+    wanted(field.number(), transfer_number_, light_steps.value, now_.light_at, now_.is_near, Exercises::version());
     if (wave > 0) wanted(now_.wave, now_.wave_phase);
     if (wanted.bytes == light_made_) return;
     light_made_ = std::move(wanted.bytes);
@@ -153,7 +153,7 @@ void Volume::draw(Frame& frame, const View& view, Canvas& canvas) {
         past.of.clear();
     // The history is that of this very picture: the same view, volume, knobs and objects.
     ByteWriter of;
-    of(now_, field.number(), transfer_number_, scene_->placed, Exercises::state());
+    of(now_, field.number(), transfer_number_, scene_->placed, Exercises::version());
     for (const KnobBase* knob : all_knobs()) of(knob->text());
     past.pictures = of.bytes == past.of ? past.pictures : 0;
     past.of = std::move(of.bytes);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 
+#include "common/base/edited.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/base/names.h"
@@ -20,8 +22,10 @@ struct Table {
     std::map<std::string, State, std::less<>> exercises;
     std::string state;  ///< rebuilt on the first question after a change
     bool scanned = false;
-    unsigned version = 0;
-    void changed() { state.clear(), ++version; }
+    std::map<std::string, unsigned> versions;  ///< of each state, since a shader was edited
+    unsigned known_versions = 0;
+    std::optional<unsigned> version;  ///< of the state
+    void changed() { state.clear(), version.reset(); }
 };
 
 // A function-local static, because toggles in other files declare themselves before main().
@@ -128,7 +132,18 @@ void Exercises::stand_in(std::string_view id) {
     state.told = true;
 }
 
-unsigned Exercises::version() { return table().version; }
+// One for each state: two pictures that are drawn in turn, with the student's version and with the reference, each find
+// what they have made.
+unsigned Exercises::version() {
+    Table& t = table();
+    if (t.version) return *t.version;
+    const auto [known, added] = t.versions.try_emplace(state(), t.known_versions);
+    if (added) ++t.known_versions;
+    t.version = known->second;
+    return known->second;
+}
+
+void shaders_were_edited() { table().versions.clear(), table().version.reset(); }
 
 const std::string& Exercises::state() {
     Table& t = scanned_table();

@@ -50,6 +50,8 @@ def main(words: list[str]) -> int:
     command = words[0] if words else ""
     if command not in COMMANDS:
         raise UsageError(f"there is no command '{command}'; {nearest(command, COMMANDS)}; ./course --help lists all")
+    if "" in words:  # as of a variable that is not set; without the word, a command may mean all there is
+        raise UsageError(f"an argument is empty; see ./course {command} --help")
     module = importlib.import_module(COMMANDS[command])
     if hasattr(module, "run_words"):
         return module.run_words(words[1:])
@@ -68,6 +70,11 @@ def main(words: list[str]) -> int:
     return module.run(arguments, rest)
 
 
+def on_one_line(message: str) -> str:
+    """What is no character of a line, in a name that was given, as an escape."""
+    return "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in message)
+
+
 class Ended(BaseException):
     """SIGTERM: what was started is ended on the way out, as after Ctrl+C."""
 
@@ -83,7 +90,7 @@ if __name__ == "__main__":
     try:
         sys.exit(main(sys.argv[1:]))
     except UsageError as error:
-        warn(f"course: {error}")
+        warn(f"course: {on_one_line(str(error))}")
         sys.exit(2)
     except Failure as error:
         if str(error):

@@ -62,7 +62,9 @@ def shots(chapter: str) -> list[dict]:
 
 def find_shots(word: str) -> list[tuple[str, dict]]:
     """(chapter, shot) for "", "02", "02.SHOT" or "02_lambert_phong.SHOT"."""
-    chapter_word, _, shot_word = word.partition(".")
+    chapter_word, dot, shot_word = word.partition(".")
+    if dot and not shot_word:
+        raise UsageError(f"'{word}' names no shot; {chapter_word or '02'} means all of a chapter")
     named = [find_chapter(chapter_word)] if chapter_word else chapters()
     found = [(chapter, shot) for chapter in named for shot in shots(chapter)
              if not shot_word or shot["name"] == shot_word]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/base/edited.h"
 #include "common/base/exercise.h"
 #include "common/gpu/hidden_blocks.h"
 
@@ -190,7 +191,7 @@ bool PipelineLibrary::forget_changed_files() {
         time = now;
         changed = true;
     }
-    if (changed) rebuild();
+    if (changed) rebuild(), shaders_were_edited();
     return changed;
 }
 

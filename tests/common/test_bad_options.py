@@ -42,7 +42,9 @@ class Options(BadInput):
         self.refuse(CHAPTERS["01"], "--loads", "0", "--screenshot", self.picture, says="loads")
 
     def test_a_chapter_that_there_is_not(self):
-        for words in (["run", "77"], ["run", "no_such"], ["nonsense"], ["check", "77"], ["accept", "02.none"]):
+        for words in (["run", "77"], ["run", "no_such"], ["nonsense"], ["check", "77"], ["accept", "02.none"],
+                      ["run\n"], ["check", "02.phong\n"], ["shader", "a\nb"], ["accept", ""], ["accept", "02."], ["accept", "."],
+                      ["study", ""], ["grade", ""], ["slides", ""]):
             with self.subTest(words=words):
                 done = self.run_program(ROOT / "course", *words)
                 self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)

@@ -54,6 +54,11 @@ class RandomScenes(unittest.TestCase):
         done = self.drawn("09_", "--set", "gbuffer.method=forward")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
+    def test_rays_from_water_where_there_is_no_ground(self):
+        """The reference of reflections is drawn for a scene of objects alone, too: a pool."""
+        done = self.drawn("15_", "--scene", "scenes/pool.json", "--set", "water.reflection=rays")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
     def test_a_refused_knob_is_one_line(self):
         done = self.drawn("08_", "--set", "bloom.method=window")
         self.assertEqual(done.returncode, 2)

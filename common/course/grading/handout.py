@@ -46,13 +46,13 @@ def run(arguments, _rest) -> int:
         raise UsageError(f"{arguments.folder} exists; name a folder that does not")
     if folder.resolve().is_relative_to(ROOT):
         raise UsageError(f"{arguments.folder} lies in the course itself; name a folder outside of it")
-    contents = what_is_handed_out(arguments.sources)
-    try:
+    try:  # before the checks are compiled, which takes minutes
         folder.parent.mkdir(parents=True, exist_ok=True)
         beside = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", dir=folder.parent))
     except OSError as error:
         raise UsageError(f"{arguments.folder} cannot be written: {error.strerror}") from None
     try:
+        contents = what_is_handed_out(arguments.sources)
         for name, source in contents.items():
             (beside / name).parent.mkdir(parents=True, exist_ok=True)
             if isinstance(source, bytes):
