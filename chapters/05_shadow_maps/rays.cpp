@@ -105,10 +105,10 @@ void SceneRays::record(Frame& frame, const Scene& scene, float cutoff) {
     frame.upload("ray triangles", triangles_, bvh_.triangles());
 }
 
-// What no triangle has is compiled out.
+// Holes that no triangle has are compiled out.
 Macros SceneRays::macros() const {
     Macros all = Module::macros();
-    all.set("RAYS_CUTOUTS", has_cutouts_ && through_holes ? "1" : "0");
+    if (!has_cutouts_ || !through_holes) all.set("RAYS_SOLID", "1");
     return all;
 }
 
@@ -119,7 +119,7 @@ void Rays::record(Frame& frame, const Scene& scene, float cutoff) {
 
 Macros Rays::macros() const {
     Macros all = SceneRays::macros();
-    if (!cutouts) all.set(cutouts.macro(), "0");
+    if (!cutouts) all.set("RAYS_SOLID", "1");
     return all;
 }
 

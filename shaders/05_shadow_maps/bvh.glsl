@@ -13,7 +13,7 @@ vec3 above(vec3 position, vec3 facing) { return position + rays_state.offset_m *
 
 // What is cut out of the triangles that rays meet: chapter 04's rule over textures kept as numbers, for a ray may meet
 // any of the scene's textures.
-#if RAYS_CUTOUTS
+#ifndef RAYS_SOLID
 layout(scalar) readonly buffer RayCutoutBuffer { RayCutout rays_cutouts[]; };
 layout(scalar) readonly buffer RayMaskBuffer { RayMask rays_masks[]; };
 layout(scalar) readonly buffer RayTexelBuffer { uint rays_texels[]; };
@@ -93,7 +93,7 @@ bool hit_triangle(RayTriangle triangle, Ray ray, Shear s, inout RayHit hit) {
     float t = s.shear.z * (u * a.z + v * b.z + w * c.z) / sum;
     if (!(t > ray.least && t < hit.t)) return false;
     vec3 weights = vec3(u, v, w) / sum;
-#if RAYS_CUTOUTS
+#ifndef RAYS_SOLID
     if (triangle.cutout != NO_CUTOUT && is_hole(rays_cutouts[triangle.cutout], weights, rays_state.cutoff)) return false;
 #endif
     hit.t = t;

@@ -82,10 +82,10 @@ void main() {
     results[i] = Result(hit.t, hit.triangle, hit.weights, uint(found), uint(any));
 }
 )";
-    static const Pipeline through = compute({.shader = "trace", .macros = {{"RAYS_CUTOUTS", "0"}}, .source = head + R"(
+    static const Pipeline through = compute({.shader = "trace", .macros = {{"RAYS_SOLID", "1"}}, .source = head + R"(
     found = closest_hit(ray, hit);
     bool any = any_hit(ray);)" + tail});
-    static const Pipeline all = compute({.shader = "trace all", .macros = {{"RAYS_CUTOUTS", "0"}}, .source = head + R"(
+    static const Pipeline all = compute({.shader = "trace all", .macros = {{"RAYS_SOLID", "1"}}, .source = head + R"(
     hit = RayHit(ray.most, 0u, vec3(0.0));
     Shear shear = shear_of(ray.direction);
     for (uint k = 0u; k < rays_triangles.length(); ++k)

@@ -22,7 +22,7 @@ constexpr float on_and_on = 1e13f;
 
 std::vector<float> visibilities(Gpu& gpu, const Bvh& bvh, const std::vector<LampQuery>& queries, int samples,
                                 uint32_t first_sample = 0) {
-    static const Pipeline pipeline = compute({.shader = "lamps", .macros = {{"RAYS_CUTOUTS", "0"}}, .source = R"(
+    static const Pipeline pipeline = compute({.shader = "lamps", .macros = {{"RAYS_SOLID", "1"}}, .source = R"(
 #include "05_shadow_maps/rays.glsl"
 layout(local_size_x = 64) in;
 struct Query { vec3 origin; uint seed; vec3 to_middle; float radius, most; };

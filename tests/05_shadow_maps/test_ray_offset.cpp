@@ -27,7 +27,7 @@ Seen look(glm::vec3 rotation_deg, glm::vec3 position, float height_m) {
     const Pipeline pipeline = graphics({.vertex = "03_attenuation/surface.vert",
                                         .fragment = "../tests/05_shadow_maps/data/self_hit.frag",
                                         .cull = VK_CULL_MODE_NONE,
-                                        .macros = {{"RAYS_CUTOUTS", "0"}}});
+                                        .macros = {{"RAYS_SOLID", "1"}}});
     const glm::mat3 turn(test.scene.items[0].transform);
     const glm::vec3 up = glm::normalize(turn[2]), along = glm::normalize(turn[0] + 0.3f * turn[1]);
     const glm::vec3 eye = position + height_m * up;
