@@ -10,12 +10,22 @@ std::vector<With> LitScene::given() const {
 
 // A shading that somebody else gave is a fragment shader.
 // [visibility]
+bool LitScene::shades_seen(const Canvas& canvas) const {
+    return shaded && shaded->is("visibility") && !shading && VisibilityBuffer::suits(maps, canvas);
+}
+
 void LitScene::draw(Frame& frame, const View& view, Canvas& canvas) {
-    if (!shaded.is("visibility") || shading || !VisibilityBuffer::suits(maps, canvas))
-        return SurfaceScene::draw(frame, view, canvas);
-    seen_.record(frame, *scene_, maps, opaque_batches(), canvas);
-    record_light(frame, view, canvas.single_depth());
-    seen_.shade(frame, *scene_, maps, opaque_batches(), canvas, shade_seen_, given());
+    if (!shades_seen(canvas)) return SurfaceScene::draw(frame, view, canvas);
+    draw_seen(frame, canvas, [&] { record_light(frame, view, canvas.single_depth()); });
+}
+
+void LitScene::draw_seen(Frame& frame, Canvas& canvas, const std::function<void()>& cells, int times) {
+    const std::vector<Batch> once = opaque_batches();
+    std::vector<Batch> drawn;
+    for (int i = 0; i < times; ++i) drawn.insert(drawn.end(), once.begin(), once.end());
+    seen_.record(frame, *scene_, maps, drawn, canvas);
+    cells();
+    seen_.shade(frame, *scene_, maps, once, canvas, shade_seen_, given());
 }
 // [/visibility]
 

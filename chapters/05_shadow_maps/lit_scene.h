@@ -1,5 +1,8 @@
 // Drawing of a scene's objects: chapter 04's surfaces with this chapter's shadows.
 #pragma once
+#include <functional>
+#include <optional>
+
 #include "04_surface_maps/surface_scene.h"
 #include "05_shadow_maps/shadow.h"
 #include "05_shadow_maps/visibility_buffer.h"
@@ -13,13 +16,16 @@ struct LitScene : SurfaceScene {
         : SurfaceScene(owner, std::move(name), "05_shadow_maps/surface.frag"), shadow(owner, "shadow") {}
 
     Shadow shadow;
-    Choice shaded{
+    /// Whoever gives a `shading` for good resets it: that is a fragment shader, and there is no choice.
+    std::optional<Choice> shaded{
+        std::in_place,
         *this,
         "shaded",
-        {"raster", "visibility"},
+        std::vector<std::string>{"raster", "visibility"},
         "raster",
-        "Shading of opaque surfaces: as they are drawn, by fragment shaders (raster), or in compute, once for "
-        "each pixel of a visibility buffer"};
+        "Shading of opaque surfaces without a G-buffer: as they are drawn, by fragment shaders (raster), or in "
+        "compute, "
+        "once for each pixel of a visibility buffer; raster for displaced meshes and for several samples per pixel"};
     // [/lit_scene]
 
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
@@ -31,9 +37,14 @@ struct LitScene : SurfaceScene {
   protected:
     std::vector<With> given() const override;
 
+    /// Whether surfaces are shaded in compute, over a visibility buffer, as draw_seen() does. `cells` sorts the lights, when
+    /// there is a depth; every surface is drawn so many times.
+    bool shades_seen(const Canvas& canvas) const;
+    void draw_seen(Frame& frame, Canvas& canvas, const std::function<void()>& cells, int times = 1);
+
   private:
     VisibilityBuffer seen_;
-    Pipeline shade_seen_ = seen_pipeline("05_shadow_maps/surface_seen.comp");
+    Pipeline shade_seen_ = compute({.shader = "05_shadow_maps/surface_seen.comp"});
     Pipeline caster_ = graphics({.vertex = "04_surface_maps/surface.vert",
                                  .fragment = "04_surface_maps/depth.frag",
                                  .cull = VK_CULL_MODE_NONE,

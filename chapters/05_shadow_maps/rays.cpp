@@ -64,7 +64,7 @@ std::vector<RayTriangle> ray_triangles(const Scene& scene) {
     return triangles;
 }
 
-void Rays::build(Gpu& gpu, const Scene& scene, float cutoff) {
+void SceneRays::build(Gpu& gpu, const Scene& scene, float cutoff) {
     built_ = true;
     std::vector<RayTriangle> triangles = ray_triangles(scene);
     Masks masks(gpu);
@@ -94,9 +94,8 @@ void Rays::build(Gpu& gpu, const Scene& scene, float cutoff) {
     texels_ = gpu.upload("ray mask texels", masks.texels);
 }
 
-void Rays::record(Frame& frame, const Scene& scene, float cutoff) {
+void SceneRays::record(Frame& frame, const Scene& scene, float cutoff) {
     if (!built_) build(frame.gpu, scene, cutoff);
-    state_.first_sample = static_cast<uint32_t>(frame.samples.index) * static_cast<uint32_t>(truth_samples);
     if (scene.placed == placed_) return;
     bvh_.refit(ray_triangles(scene));
     placed_ = scene.placed;
@@ -105,10 +104,21 @@ void Rays::record(Frame& frame, const Scene& scene, float cutoff) {
     frame.upload("ray triangles", triangles_, bvh_.triangles());
 }
 
-// What no triangle has is compiled out, whatever the knob says.
-Macros Rays::macros() const {
+// What no triangle has is compiled out.
+Macros SceneRays::macros() const {
     Macros all = Module::macros();
-    if (!has_cutouts_) all.set(cutouts.macro(), "0");
+    all.set("RAYS_CUTOUTS", has_cutouts_ && through_holes ? "1" : "0");
+    return all;
+}
+
+void Rays::record(Frame& frame, const Scene& scene, float cutoff) {
+    state_.first_sample = static_cast<uint32_t>(frame.samples.index) * static_cast<uint32_t>(truth_samples);
+    SceneRays::record(frame, scene, cutoff);
+}
+
+Macros Rays::macros() const {
+    Macros all = SceneRays::macros();
+    if (!cutouts) all.set(cutouts.macro(), "0");
     return all;
 }
 
@@ -119,7 +129,7 @@ std::string Rays::why_not_finite() const {
         path(), truth_samples.value, std::max(truth_samples / 4, 1), truth_samples >= 4 ? 4 : truth_samples.value);
 }
 
-void Rays::bind(Pass& pass) const {
+void SceneRays::bind(Pass& pass) const {
     pass.offer("rays_nodes", nodes_);
     pass.offer("rays_triangles", triangles_);
     pass.offer("rays_cutouts", cutouts_);
@@ -128,7 +138,7 @@ void Rays::bind(Pass& pass) const {
     pass.offer("rays_state", state_);
 }
 
-void Rays::set_offset() {
+void SceneRays::set_offset() {
     const BvhNode& all = bvh_.nodes().front();
     float farthest = 0;
     for (int axis = 0; axis < 3; ++axis)

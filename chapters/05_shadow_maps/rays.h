@@ -1,4 +1,4 @@
-// Ray tracing module: rays through a scene, for the reference of shadows and for any other query of visibility.
+// Ray tracing modules: rays through a scene for any query of visibility, and the reference of shadows.
 #pragma once
 #include "05_shadow_maps/bvh.h"
 #include "common/app/module.h"
@@ -7,19 +7,13 @@
 namespace lightwalk {
 
 // [rays]
-/// Gives shaders any_hit() and closest_hit() of 05_shadow_maps/bvh.glsl and lamp_visibility() of
-/// 05_shadow_maps/rays.glsl. record() in each frame that needs it, which builds the hierarchy where the scene is another
-/// one; then passes may state it in `.with`. Everything opaque stops a ray, from both sides, but for what is cut out of it.
-struct Rays : Module {
-    Rays(Module& owner, std::string name) : Module(owner, std::move(name), "rays") {}
+/// Gives shaders any_hit() and closest_hit() of 05_shadow_maps/bvh.glsl. record() in each frame that needs it, which builds
+/// the hierarchy where the scene is another one; then passes may state it in `.with`. Everything opaque stops a ray, from
+/// both sides, but for what is cut out of it.
+struct SceneRays : Module {
+    SceneRays(Module& owner, std::string name) : Module(owner, std::move(name), "rays") {}
 
-    Knob<int> truth_samples{*this,
-                            "truth_samples",
-                            16,
-                            {1, 64},
-                            "Rays from each pixel to each light with an area; --samples multiplies them"};
-
-    Knob<bool> cutouts{*this, "cutouts", true, "Alpha-tested holes let rays through; off: every triangle is solid"};
+    bool through_holes = true;  ///< alpha-tested holes let rays through; false: every triangle is solid
 
     /// Builds the hierarchy and uploads it. `cutoff`: what has less alpha is not there. Throws InputError where a
     /// vertex is no place.
@@ -34,8 +28,6 @@ struct Rays : Module {
     void bind(Pass& pass) const override;
 
     const Bvh& bvh() const { return bvh_; }
-    /// Of a picture whose visibility was found by rays: what a pixel that is no number means.
-    std::string why_not_finite() const;
     /// How far from a surface its rays begin, in metres: what lies closer casts no shadow on it.
     float offset_m() const { return state_.offset_m; }
     // [/rays]
@@ -44,13 +36,33 @@ struct Rays : Module {
     /// between vertices that may be as far: test_ray_offset.cpp measures what is needed, and this is four times that.
     static constexpr float offset_share = 0x1p-17f;
 
+  protected:
+    RayState state_{};
+
   private:
     void set_offset();
     Bvh bvh_;
-    RayState state_{};
     uint64_t placed_ = 0;
     bool has_cutouts_ = true, built_ = false;
     Buffer nodes_, triangles_, cutouts_, masks_, texels_;
+};
+
+/// Gives shaders lamp_visibility() of 05_shadow_maps/rays.glsl as well: the reference of shadows.
+struct Rays : SceneRays {
+    using SceneRays::SceneRays;
+
+    Knob<int> truth_samples{*this,
+                            "truth_samples",
+                            16,
+                            {1, 64},
+                            "Rays from each pixel to each light with an area; --samples multiplies them"};
+    Knob<bool> cutouts{*this, "cutouts", true, "Alpha-tested holes let rays through; off: every triangle is solid"};
+
+    void record(Frame& frame, const Scene& scene, float cutoff = 0.5f);
+    Macros macros() const override;
+
+    /// Of a picture whose visibility was found by rays: what a pixel that is no number means.
+    std::string why_not_finite() const;
 };
 
 /// The triangles of a scene's opaque items in world space, in the items' order, nothing cut out of them.

@@ -2,12 +2,6 @@
 
 namespace lightwalk {
 
-Pipeline seen_pipeline(const char* shader, Macros macros) {
-    for (const char* varyings : {"04_surface_maps/fragment_varyings.glsl", "04_surface_maps/vertex_varyings.glsl"})
-        macros.set(varyings, "05_shadow_maps/seen_varyings.glsl");
-    return compute({.shader = shader, .macros = std::move(macros)});
-}
-
 namespace {
 
 const Pipeline no_item = compute({.shader = "05_shadow_maps/nothing_seen.comp"});

@@ -16,8 +16,8 @@ class VisibilityBuffer {
     /// Draws the buffer, and depth into the canvas.
     void record(Frame& frame, const Scene& scene, const Maps& maps, const std::vector<Batch>& batches, Canvas& canvas);
 
-    /// Colour into the canvas, where one of these batches is seen: a dispatch for each, by a seen_pipeline() whose
-    /// shader includes 05_shadow_maps/shade_seen.glsl.
+    /// Colour into the canvas, where one of these batches is seen: a dispatch for each, by a pipeline whose shader
+    /// includes 05_shadow_maps/shade_seen.glsl.
     void shade(Frame& frame, const Scene& scene, const Maps& maps, const std::vector<Batch>& batches, Canvas& canvas,
                const Pipeline& pipeline, const std::vector<With>& with) const;
 
@@ -33,8 +33,5 @@ class VisibilityBuffer {
 /// A visibility buffer of the canvas's size with nothing in it, to be drawn into. The canvas has its background where
 /// nothing was drawn yet.
 Attachment nothing_seen(Frame& frame, Image& image, Canvas& canvas);
-
-/// A compute pipeline that shades what is seen, with the varyings of fragment shaders as its variables.
-Pipeline seen_pipeline(const char* shader, Macros macros = {});
 
 }  // namespace lightwalk

@@ -39,7 +39,8 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
 
     // 2. Depth alone, if requested.
     const bool forwards = gbuffer.is_forward() || gbuffer.shows_loss();
-    if (depth_first || (forwards && lights.needs_depth()))
+    const bool in_compute = !gbuffer.shows_loss() && shades_seen(canvas);  // a visibility buffer has depth itself
+    if (depth_first || (forwards && !in_compute && lights.needs_depth()))
         frame.raster("depth", {.depth = canvas.depth_target(), .with = with({maps})}, often_by(depth_));
 
     // 3. Either every surface, lit as it is drawn, or the G-buffer, then light on the visible surfaces, then the rest.
@@ -55,8 +56,10 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
 }
 
 void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas) {
-    lights.record(frame, *scene_, view, canvas.single_depth());
+    const auto sort_lights = [&] { lights.record(frame, *scene_, view, canvas.single_depth()); };
     const bool loss = gbuffer.shows_loss();
+    if (!loss && shades_seen(canvas)) return draw_seen(frame, canvas, sort_lights, times);
+    sort_lights();
     const Attachment target = loss ? clear(canvas.color_overwritten(), glm::vec4(-1.0f)) : canvas.color_target();
     frame.raster("forward",
                  {.color = {target}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow, gbuffer})},
@@ -73,11 +76,11 @@ void DeferredScene::write_gbuffer(Frame& frame, const View&, Canvas& canvas) {
 }
 
 void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
-    const std::vector<Batch> batches = rest ? opaque_batches() : glowing(*scene_, opaque_batches());
+    const std::vector<Batch> batches = rest ? opaque_batches() : emitting(*scene_, opaque_batches());
     if (batches.empty()) return;
-    const SurfacePipelines& both = rest ? *rest : glow_;
+    const SurfacePipelines& both = rest ? *rest : emission_;
     frame.raster(
-        "glow",
+        rest ? "ambient and emission" : "emission",
         {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps, lights, shadow})},
         [&](Raster& pass) { maps.draw(pass, *scene_, batches, both.loaded, both.displaced); });
 }
@@ -92,7 +95,7 @@ SurfacePipelines DeferredScene::added(const char* fragment, Macros macros) {
                              .macros = std::move(macros)});
 }
 
-std::vector<Batch> glowing(const Scene& scene, const std::vector<Batch>& batches) {
+std::vector<Batch> emitting(const Scene& scene, const std::vector<Batch>& batches) {
     std::vector<Batch> kept;
     for (const Batch& batch : batches) {
         bool any = false;

@@ -60,11 +60,11 @@ struct DeferredScene : LitScene {
                                       .fragment = "06_deferred/write.frag",
                                       .cull = VK_CULL_MODE_NONE,
                                       .macros = {{"LEFT_OUT", "1"}}}};
-    SurfacePipelines glow_ = added("06_deferred/glow.frag");
+    SurfacePipelines emission_ = added("06_deferred/emission.frag");
 };
 
 /// Those of the batches that have something in them that emits.
-std::vector<Batch> glowing(const Scene& scene, const std::vector<Batch>& batches);
+std::vector<Batch> emitting(const Scene& scene, const std::vector<Batch>& batches);
 
 /// Of a picture of what a G-buffer loses: degrees of normals, millimetres of positions, in the mean over what is drawn.
 glm::vec2 mean_loss(const ImageRgb& picture);

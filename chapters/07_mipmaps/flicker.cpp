@@ -5,6 +5,7 @@
 
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
+#include "common/image/luminance.h"
 
 namespace lightwalk {
 namespace {
@@ -19,10 +20,7 @@ std::vector<ImageRgb> walk(Chapter& chapter, Gpu& gpu, glm::uvec2 size) {
     return pictures;
 }
 
-// Rec. 709.
-double luminance(const glm::vec3& color) {
-    return glm::dot(glm::dvec3(glm::min(color, glm::vec3(1.0f))), glm::dvec3(0.2126, 0.7152, 0.0722));
-}
+double shown(const glm::vec3& color) { return luminance(glm::dvec3(glm::min(color, glm::vec3(1.0f)))); }
 
 }  // namespace
 
@@ -40,7 +38,7 @@ double Flicker::measure(Chapter& chapter, Gpu& gpu, glm::uvec2 size, const Knobs
     for (size_t p = 0; p < found[0].pixels.size(); ++p) {
         double mean = 0, square = 0;
         for (int i = 0; i < pictures; ++i) {
-            const double off = luminance(found[size_t(i)].pixels[p]) - luminance(truth[size_t(i)].pixels[p]);
+            const double off = shown(found[size_t(i)].pixels[p]) - shown(truth[size_t(i)].pixels[p]);
             mean += off / pictures, square += off * off / pictures;
         }
         sum += std::sqrt(std::max(square - mean * mean, 0.0));

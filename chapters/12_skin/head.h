@@ -17,10 +17,12 @@ struct Head : Drawing {
           backdrop(owner, "backdrop", 4.5f, {0.0f, 8.0f},
                    "which level of the environment is seen behind: more is blurrier"),
           objects_(objects),
-          environment_(environment) {}
+          environment_(environment) {
+        objects.shaded.reset();  // others shade them, if anybody
+    }
 
     Skin skin;
-    Rays rays;
+    SceneRays rays;
     Knob<float> backdrop;
     Skin::Shown shown = Skin::Shown::all;
 

@@ -53,7 +53,7 @@ struct Skin : Module {
     /// What lights it: modules that give 03's lights, 05's shadows and rays, and what surrounds it.
     struct Lit {
         const Maps& maps;
-        const Rays& rays;
+        const SceneRays& rays;
         std::vector<With> with;
     };
     void record(Frame& frame, const Scene& scene, const View& view, const Lit& lit);
@@ -118,7 +118,7 @@ struct Skin : Module {
     }
     Pipeline seen(const char* shader, Macros macros) const {
         macros.add(all_lights_);
-        return seen_pipeline(shader, std::move(macros));
+        return compute({.shader = shader, .macros = std::move(macros)});
     }
     static Pipeline skin_pass(const char* diffuse, const char* views) {
         return shading("12_skin/skin.frag", {{"DIFFUSE", diffuse}, {"VIEWS", views}});

@@ -96,7 +96,7 @@ bool Unwrapped::record(Frame& frame, const Scene& scene, const Maps& maps, const
     return true;
 }
 
-void Unwrapped::trace_sky(Frame& frame, const Rays& rays, uint32_t rays_per_texel) {
+void Unwrapped::trace_sky(Frame& frame, const SceneRays& rays, uint32_t rays_per_texel) {
     for (Image* image : {&noisy_, &occlusion})
         image->fit(frame.gpu.device, {.name = "skin occlusion", .size = position.desc.size, .kept = true});
     frame.compute("occlusion", {.reads = {position, normal}, .writes = {noisy_}, .with = {rays}}, [&](Compute& pass) {

@@ -20,7 +20,7 @@ class Unwrapped {
     bool record(Frame& frame, const Scene& scene, const Maps& maps, const DrawItem& item, uint32_t size);
 
     /// Ambient occlusion by rays from each texel; slow, and to be done once.
-    void trace_sky(Frame& frame, const Rays& rays, uint32_t rays_per_texel);
+    void trace_sky(Frame& frame, const SceneRays& rays, uint32_t rays_per_texel);
 
     void forget() { made_of_ = {}; }
 

@@ -12,7 +12,7 @@ void Backdrop::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (shaded) shadow.record(frame, *scene_, turn, ground_y);
     const ImageView behind = canvas.color_overwritten();
     const ImageView arriving = shaded ? ImageView(shadow.arriving) : ImageView(picture).mip(0);
-    frame.compute("backdrop", {.reads = {picture, shadow.arriving}, .writes = {behind}}, [&](Compute& pass) {
+    frame.compute("backdrop", {.reads = {picture, arriving}, .writes = {behind}}, [&](Compute& pass) {
         pass.use(fill_).set("picture", picture).set("rays", view_rays(view)).set("result", behind);
         pass.set("environment_scale", turn).set("arriving", arriving, linear_clamp);
         pass.set("now", BackdropNow{.ground_y = ground_y,

@@ -4,6 +4,8 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "common/image/luminance.h"
+
 namespace lightwalk {
 namespace {
 
@@ -31,7 +33,7 @@ std::vector<GroundLight> ground_lights(const ImageRgb& picture, const Environmen
             if (d.y <= 0) continue;
             // Rows are shorter near the zenith; only shares of the whole count.
             const glm::dvec3 light = std::hypot(d.x, d.z) * d.y * glm::dvec3(picture.at(column, row));
-            sum += glm::dot(light, {0.2126, 0.7152, 0.0722});
+            sum += luminance(light);
             texels.push_back({d, light, sum});
         }
     }
@@ -43,7 +45,7 @@ std::vector<GroundLight> ground_lights(const ImageRgb& picture, const Environmen
     for (int i = 0; i < count; ++i) {
         while (at + 1 < texels.size() && texels[at].until < (i + 0.5) / count * sum) ++at;
         const Texel& texel = texels[at];
-        const glm::dvec3 color = texel.light / std::max(glm::dot(texel.light, {0.2126, 0.7152, 0.0722}), 1e-30);
+        const glm::dvec3 color = texel.light / std::max(luminance(texel.light), 1e-30);
         const glm::dvec3& d = texel.direction;  // from the picture's space to the world's
         lights.push_back({{turn.cosine * d.x + turn.sine * d.z, d.y, turn.cosine * d.z - turn.sine * d.x}, {}});
         colors.push_back(color);
@@ -59,7 +61,10 @@ void GroundShadow::prepare(Gpu& gpu, Scene& scene) {
 }
 
 void GroundShadow::record(Frame& frame, const Scene& scene, const EnvironmentScale& turn, float ground_y) {
-    arriving.wanted.size = glm::uvec2(uint32_t(resolution.value));
+    arriving.fit(frame.gpu.device, {.name = path() + ".arriving",
+                                    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                                    .size = glm::uvec2(uint32_t(resolution.value)),
+                                    .kept = true});
     const std::string now = fmt::format("{} {} {} {} {} {}", scene.placed, turn.cosine, turn.sine, ground_y,
                                         directions.value, arriving.desc.size.x);
     if (now == made_ || scene.items.empty()) return;

@@ -18,8 +18,8 @@ struct GroundShadow : Module {
                          {1, 1024},
                          "Directions that stand for the environment, each for an equal share of light"};
     Knob<int> resolution{*this, "resolution", 128, {8, 1024}, "Width and height of the map", "texels"};
-    Rays rays{*this, "rays"};
-    Target arriving{*this, {.name = "arriving", .size = {128, 128}, .kept = true}};
+    SceneRays rays{*this, "rays"};
+    Image arriving;  ///< made by record()
     // [/ground_shadow]
 
     void prepare(Gpu& gpu, Scene& scene) override;

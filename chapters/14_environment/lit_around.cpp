@@ -9,6 +9,7 @@ LitAround::LitAround(Module& owner, std::string name, const ImageLight& light)
       rays(owner, "rays"),
       light_(light) {
     transparent_shading = &glass_;
+    shaded.reset();  // by fragment shaders alone
 }
 
 void LitAround::update(Frame& frame) {

@@ -22,7 +22,7 @@ struct LitAround : LitScene {
         "for the reflection 'sampled'"};
     Substances substances;
     CarPaint paint;
-    Rays rays;
+    SceneRays rays;
 
     void update(Frame& frame) override;
     // [/lit_around]

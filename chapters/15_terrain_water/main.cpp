@@ -68,13 +68,13 @@ struct TerrainWater : ModelChapter {
         const View view = set_view(frame);
         scene.set_sun(atmosphere.sun());
 
-        // 1. What houses leave of the sun; the sky in a cube and the mirror image, where there is water to show them.
+        // 1. What houses leave of the sun; the sky in a cube or the mirror image, where there is water to show it.
         ground.record(frame, false);
         sun_shadow.record(frame, view, scene, city);
         if (!water.method.is("none")) {
             Drawing& air = atmosphere.without_disc();  // the water has the sun's glitter itself
             light.record(frame, scene);
-            probe.record(frame, scene, light, {sky, air});
+            if (water.sees_surroundings(view)) probe.record(frame, scene, light, {sky, air});
             water.reflect(frame, view, {land, city, objects}, {sky, air, fog});
         }
 

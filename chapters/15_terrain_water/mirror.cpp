@@ -35,7 +35,8 @@ void Mirror::record(Frame& frame, const View& view, float level_m, const Drawing
     View clipped = plain;
     clipped.view_projection = mirror_view(view.view_projection, level_m);
 
-    // 2. What is opaque, clipped at the water.
+    // 2. What is opaque, clipped at the water. Its light comes through the air, which is drawn later.
+    for (Drawing& drawing : air) drawing.update_once(frame);
     Canvas below(color_, oblique_);
     draw_opaque(frame, clipped, below, solid);
     below.depth(frame);

@@ -21,7 +21,7 @@ struct ReflectedRays : Module, WaterRays {
           city_(city),
           atmosphere_(atmosphere) {}
 
-    Rays objects{*this, "objects"};
+    SceneRays objects{*this, "objects"};
 
     void prepare(Gpu& gpu, Scene& scene) override;
     void record(Frame& frame, const View& view, const Image& rays, const Image& met) override;

@@ -146,9 +146,17 @@ void Water::update(Frame& frame) {
     frame.raster("black", {.color = {clear(black_, glm::vec4(0))}, .layers = 3}, [](Raster&) {});
 }
 
+bool Water::is_mirrored(const View& view) const {
+    return !method.is("none") && reflection.is("planar") && view.eye.y > level_m;
+}
+
+bool Water::sees_surroundings(const View& view) const {
+    return !method.is("none") && !reflection.is("none") && !is_mirrored(view);
+}
+
 void Water::reflect(Frame& frame, const View& view, const Drawings& solid, const Drawings& air) {
     mirrored_ = ~0u;
-    if (method.is("none") || !reflection.is("planar") || view.eye.y <= level_m) return;
+    if (!is_mirrored(view)) return;
     const ViewScope scope(frame, view);
     mirror.record(frame, view, level_m, solid, air);
     mirrored_ = view.id;

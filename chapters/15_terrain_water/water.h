@@ -73,6 +73,8 @@ struct Water : Drawing {
 
     void prepare(Gpu&, Scene& loaded) override;
     bool animated() const override { return method.is("sines") || method.is("gerstner") || method.is("fft"); }
+    /// Whether its reflection looks into the surroundings' cube: a mirror image, and no reflection, do without.
+    bool sees_surroundings(const View& view) const;
     /// The mirror image, where that is the method and the eye is above the water.
     void reflect(Frame& frame, const View& view, const Drawings& solid, const Drawings& air);
     void update(Frame& frame) override;
@@ -85,6 +87,8 @@ struct Water : Drawing {
     float height_above(glm::vec2 place, double time_s) const;
 
   private:
+    /// Whether the view has a mirror image.
+    bool is_mirrored(const View& view) const;
     WaterNow now(const Frame& frame, const View& view) const;
     void follow_rays(Frame& frame, const View& view, Canvas& canvas);
     const ImageLight& light_;

@@ -32,7 +32,7 @@ struct Finish : Module {
     std::vector<std::byte> occlusion(Gpu& gpu, const std::filesystem::path& file, const LatheParts& parts,
                                      glm::uvec2 size);
     std::vector<std::byte> bake(Gpu& gpu, const std::filesystem::path& file, const LatheParts& parts, glm::uvec2 size);
-    Rays rays_{*this, "rays"};
+    SceneRays rays_{*this, "rays"};
     Pipeline bake_ = compute({.shader = "16_volume/bake.comp"});
 };
 

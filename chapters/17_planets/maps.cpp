@@ -7,6 +7,7 @@
 
 #include "17_planets/exercises.h"
 #include "common/image/image.h"
+#include "common/image/luminance.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {
@@ -27,7 +28,7 @@ std::shared_ptr<Image> slopes(Gpu& gpu, const ImageRgb& map, const BodyTraits& b
                 for (int i = 0; i < across; ++i) {
                     const glm::vec3 c =
                         map.at(std::min(x * across + i, map.width - 1), std::min(y * down + j, map.height - 1));
-                    sum += glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+                    sum += luminance(c);
                 }
             brightness.push_back(std::sqrt(std::max(sum, 0.0f) / static_cast<float>(across * down)));
         }

@@ -183,22 +183,19 @@ void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Sh
     const Rectangle around = pixels_of(view, glm::dvec3(now.center), static_cast<double>(now.reach));
     if (around.first.x >= around.end.x || around.first.y >= around.end.y) return;
     now.corner = around.first;
-    const bool small = around.diameter_px < small_px;
     const auto found = maps_.find(one.body);
     const bool mapped = found != maps_.end();
     const BodyMaps none, &of = mapped ? found->second : none;
     const BodyKind kind = traits(one.body).kind;
-    const bool star = kind == BodyKind::star;
-    const Pipeline& pipeline = small                               ? (star ? small_star_ : small_)
-                               : star                              ? star_
-                               : !mapped || kind == BodyKind::rock ? rock_
-                               : kind == BodyKind::earth           ? earth_
-                               : kind == BodyKind::flowing         ? flowing_
-                               : kind == BodyKind::ringed          ? ringed_
-                                                                   : clouded_;
-    if (small) now.reach = now.radius;
+    const Drawn& drawn = kind == BodyKind::star              ? star_
+                         : !mapped || kind == BodyKind::rock ? rock_
+                         : kind == BodyKind::earth           ? earth_
+                         : kind == BodyKind::flowing         ? flowing_
+                         : kind == BodyKind::ringed          ? ringed_
+                                                             : clouded_;
+    const Pipeline& pipeline = around.diameter_px < small_px ? drawn.small : drawn.large;
     const Air air_here = air_of(one.body, now.sunlight, now.sun_rad);
-    const bool sky = &pipeline == &earth_;
+    const bool sky = &drawn == &earth_;
     if (sky) {
         const auto bytes = std::as_bytes(std::span(&air_here, 1));
         std::vector<std::byte> made_of(bytes.begin(), bytes.end());

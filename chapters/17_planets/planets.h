@@ -136,14 +136,20 @@ struct Planets : Drawing {
     std::shared_ptr<Image> white_, flat_;
     Buffer skylight_;
     std::vector<std::byte> skylight_of_;
-    Pipeline rock_ = compute({.shader = "17_planets/body.comp"});
-    Pipeline clouded_ = compute({.shader = "17_planets/body.comp", .macros = {{"BODY_AIR", "1"}}});
-    Pipeline earth_ = compute({.shader = "17_planets/body.comp", .macros = {{"BODY_AIR", "1"}, {"BODY_EARTH", "1"}}});
-    Pipeline flowing_ = compute({.shader = "17_planets/body.comp", .macros = {{"BODY_FLOW", "1"}}});
-    Pipeline ringed_ = compute({.shader = "17_planets/body.comp", .macros = {{"BODY_RINGS", "1"}}});
-    Pipeline star_ = compute({.shader = "17_planets/body.comp", .macros = {{"BODY_STAR", "1"}}});
-    Pipeline small_ = compute({.shader = "17_planets/small_body.comp"});
-    Pipeline small_star_ = compute({.shader = "17_planets/small_body.comp", .macros = {{"BODY_STAR", "1"}}});
+    /// What a body has is the same whether it fills the picture or a pixel.
+    struct Drawn {
+        Pipeline large, small;
+    };
+    static Drawn drawn_with(const Macros& parts) {
+        return {compute({.shader = "17_planets/body.comp", .macros = parts}),
+                compute({.shader = "17_planets/small_body.comp", .macros = parts})};
+    }
+    Drawn rock_ = drawn_with({});
+    Drawn clouded_ = drawn_with({{"BODY_AIR", "1"}});
+    Drawn earth_ = drawn_with({{"BODY_AIR", "1"}, {"BODY_EARTH", "1"}});
+    Drawn flowing_ = drawn_with({{"BODY_FLOW", "1"}});
+    Drawn ringed_ = drawn_with({{"BODY_RINGS", "1"}});
+    Drawn star_ = drawn_with({{"BODY_STAR", "1"}});
 };
 
 }  // namespace lightwalk

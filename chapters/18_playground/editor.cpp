@@ -19,30 +19,36 @@ bool is_no_setting(const KnobBase& knob) {
 }  // namespace
 
 void Editor::loaded(Chapter& chapter) {
+    // Toggles of exercises and F5 load the window's first scene again: what is being edited may be another one.
     const std::filesystem::path file = chapter.scene.file.file;
-    const bool same = shown_ && store.path == file && !file.empty();
+    const bool again = shown_ && !file.empty() && (file == first_file_ || file == store.path);
+    const bool other = again && store.path != file;
+    if (shown_ || first_file_.empty()) first_file_ = file;  // else it is open() that loads
     shown_ = &chapter.scene;
-    if (same && store.has_unsaved(document)) {  // the toggles of exercises load scenes again
+    if (again && (store.has_unsaved(document) || (other && !store.changed_on_disk()))) {
         live = {};
         document.mark_all_changed();
         return;
     }
+    const std::filesystem::path own = other ? store.path : file;
     first_knobs_.clear();
     for (const KnobBase* knob : chapter.all_knobs())
         if (!is_no_setting(*knob)) first_knobs_[knob->path()] = knob->text();
     known_knobs_ = first_knobs_;
     Document opened;
     try {
-        opened = store.open(file);
+        opened = store.open(own);
     } catch (const InputError&) {  // a scene that is no file, as tests make them
         opened = Document(chapter.scene.file);
         store.open_empty();
     }
-    if (file.extension() != ".json") opened = Document(chapter.scene.file);
+    if (own.extension() != ".json") opened = Document(chapter.scene.file);
     document = std::move(opened);
     selection.clear();
     drag.reset();
-    live.begin(document, chapter.scene);
+    if (!other) return live.begin(document, chapter.scene);
+    live = {};
+    document.mark_all_changed();
 }
 
 void Editor::open(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file,
@@ -72,6 +78,7 @@ void Editor::open_document(Chapter& chapter, Document next) {
 }
 
 void Editor::take_knobs(const Chapter& chapter) {
+    if (drag) return;  // its step is open
     std::map<std::string, std::string> changed;
     for (const KnobBase* knob : chapter.all_knobs()) {
         if (is_no_setting(*knob)) continue;
@@ -79,7 +86,7 @@ void Editor::take_knobs(const Chapter& chapter) {
         std::string& known = known_knobs_[knob->path()];
         if (known != text) changed[knob->path()] = known = text;
     }
-    if (!changed.empty() && !drag) set_knobs(document, changed, gesture);
+    if (!changed.empty()) set_knobs(document, changed, gesture);
 }
 
 void Editor::give_knobs(Chapter& chapter) {

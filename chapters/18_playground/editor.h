@@ -21,8 +21,8 @@ class Editor {
     uint64_t gesture = 1;  ///< another one for each press of a button or key
     std::string notice;    ///< what the person should know; empty: nothing
 
-    /// A scene was loaded: a new document, or, where it is the same file with changes that are not saved, the one that is
-    /// there, which update() brings into the scene.
+    /// A scene was loaded: a new document. Where a scene was loaded again, and the document has changes that are not saved
+    /// or is that of another file, it stays, and update() brings it into the scene.
     void loaded(Chapter& chapter);
 
     /// Opens the document's scene in the chapter. Throws InputError, and nothing has changed.
@@ -42,6 +42,10 @@ class Editor {
 
     void begin_drag(const GizmoPlace& place, const Handle& handle, const View& view, glm::vec2 cursor_px);
     void end_drag(bool keep);
+    /// Another step, a key's for example, has closed the drag's own: it ends where it was then.
+    void drop_drag_of_closed_step() {
+        if (drag && !document.in_step()) drag.reset();
+    }
 
     /// An item of the scene, as picking found it. `add`: to what is selected, or away from it.
     void select_item(const Scene& scene, std::optional<uint32_t> item, bool add);
@@ -59,6 +63,7 @@ class Editor {
     void give_knobs(Chapter& chapter);
     std::map<std::string, std::string> first_knobs_, known_knobs_;
     const Scene* shown_ = nullptr;
+    std::filesystem::path first_file_;  ///< of the scene that whoever shows the chapter loads
 };
 
 }  // namespace lightwalk

@@ -89,6 +89,7 @@ void EditorWindow::carry_on_loading(Gpu& gpu) {
     }
     if (loading_.busy() || (!now.arrived.empty() && !now.arrived.back()->step(upload_ms))) return;
     if (!now.models.empty()) return loading_.start(now.models.front());
+    if (editor.drag) return;  // what is shown stays as it is under the mouse
     Wanted done = std::move(now);
     wanted_.pop_front();
     arrived = std::move(done.arrived);

@@ -105,8 +105,10 @@ void EditorWindow::draw_row(const TreeRow& row) {
         ImGui::TextColored(quiet_color, "  node %d", row.node);
     } else if (renaming_ == row.id) {
         ImGui::SetNextItemWidth(-1.0f);
-        if (text_field("##rename", renaming_text_))
-            say(rename(editor.document, row.id, renaming_text_)), renaming_ = no_entry;
+        if (std::exchange(renaming_begins_, false)) ImGui::SetKeyboardFocusHere();
+        const bool named = text_field("##rename", renaming_text_);
+        if (named || ImGui::IsItemDeactivated()) renaming_ = no_entry;
+        if (named) say(rename(editor.document, row.id, renaming_text_));
     } else {
         if (row.has_children && ImGui::SmallButton(editor.tree.is_unfolded(row.id) ? "-" : "+"))
             editor.tree.unfold(row.id, !editor.tree.is_unfolded(row.id));
@@ -123,7 +125,7 @@ void EditorWindow::draw_row(const TreeRow& row) {
             else
                 editor.selection.set({row.id});
             last_clicked_ = row.id;
-            if (ImGui::IsMouseDoubleClicked(0)) renaming_ = row.id, renaming_text_ = entry.name();
+            if (ImGui::IsMouseDoubleClicked(0)) begin_renaming(row.id);
         }
         if (entry.hidden) ImGui::PopStyleColor();
         log_place("entry." + shown_as);

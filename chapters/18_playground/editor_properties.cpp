@@ -7,6 +7,7 @@
 #include "18_playground/editor_window.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
+#include "common/base/files.h"
 
 namespace lightwalk {
 namespace {
@@ -14,15 +15,19 @@ namespace {
 // True where a number was changed; `begins` counts gestures up, so that a drag is one step.
 bool numbers(const char* label, glm::vec3& value, float speed) {
     ImGui::SetNextItemWidth(-70.0f);
+    const glm::vec3 before = value;
     const bool changed = ImGui::DragFloat3(label, &value.x, speed, 0.0f, 0.0f, "%.5g");
     log_place(std::string("numbers.") + label);
-    return changed;
+    if (std::isfinite(value.x + value.y + value.z)) return changed;
+    value = before;  // 1e39 was typed
+    return false;
 }
 
 bool number(const char* label, float& value, float speed, float lower, float upper) {
     ImGui::SetNextItemWidth(-110.0f);
     const bool changed = ImGui::DragFloat(label, &value, speed, lower, upper, "%.5g");
     log_place(std::string("number.") + label);
+    if (changed) value = std::clamp(value, lower, upper);  // what is typed has no range of its own
     return changed;
 }
 
@@ -70,8 +75,7 @@ void EditorWindow::draw_properties() {
         ImGui::SameLine();
         if (ImGui::Checkbox("locked", &locked)) set_locked(editor.document, editor.selection.ids, locked);
         ImGui::SameLine();
-        if (tool_button("rename", "Also by a double click in the tree"))
-            renaming_ = id, renaming_text_ = editor.document.at(id).name();
+        if (tool_button("rename", "Also by a double click in the tree")) begin_renaming(id);
         if (editor.document.at(id).object())
             draw_object(id);
         else
@@ -220,8 +224,10 @@ void EditorWindow::draw_facet_settings() {
     } else {
         std::string image = settings.environment.image.string();
         ImGui::SetNextItemWidth(-110.0f);
-        if (text_field("image", image) && image != settings.environment.image)
-            settings.environment.image = image, settings.environment.where = "environment", changed = true;
+        if (text_field("image", image) && image != settings.environment.image) try {
+                if (!image.empty()) find_asset(image);
+                settings.environment.image = image, settings.environment.where = "environment", changed = true;
+            } catch (const InputError& e) { editor.notice = e.what(); }
         changed |= number("brightness", settings.environment.intensity, 0.01f, 0.0f, 1e6f);
         changed |= number("turn", settings.environment.rotation_deg, 0.5f, -360.0f, 360.0f);
     }

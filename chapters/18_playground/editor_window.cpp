@@ -40,8 +40,12 @@ bool EditorWindow::on_mouse(const Input& input, glm::vec2 cursor_px, bool over_p
         if (!input.left || pressed)
             editor.hot = over_picture && place && marks.on ? handle_at(*place, view_now, cursor_px) : Handle{};
         changed_ |= editor.hot != before;
-        if (pressed && over_picture && editor.hot && place) editor.begin_drag(*place, editor.hot, view_now, cursor_px);
+        if (pressed && over_picture && editor.hot && place) {
+            editor.begin_drag(*place, editor.hot, view_now, cursor_px);
+            dragged_ = true;
+        }
     }
+    editor.drop_drag_of_closed_step();
     if (editor.drag) {
         if (input.left) editor.drag->move(view_now, cursor_px, input.shift);
         const bool clicked = released && moved_px_ < click_px;
@@ -53,9 +57,11 @@ bool EditorWindow::on_mouse(const Input& input, glm::vec2 cursor_px, bool over_p
             log_event("dragged " + editor.drag->words());
             editor.end_drag(true);
         }
+        dragged_ = input.left;
         changed_ = true;
         return true;
     }
+    if (std::exchange(dragged_, dragged_ && input.left)) return true;  // what ended the drag is no reason to orbit
     if (released && pressed_on_picture_ && over_picture && moved_px_ < click_px) {
         adds_ = input.shift;
         if (const auto light_id = editor.light_at(view_now, cursor_px)) {
@@ -138,6 +144,7 @@ void EditorWindow::frame_selected() {
 }
 
 bool EditorWindow::on_save() {
+    editor.end_drag(true);
     try {
         if (!overwrites_ && editor.store.changed_on_disk()) {
             question_ = Question::overwrite;
@@ -171,7 +178,7 @@ bool EditorWindow::may_close() {
 bool EditorWindow::is_busy() {
     check_recovery();
     const bool busy = changed_ || !wanted_.empty() || ball_scene_ || (browser_.shown && browser_.thumbnails.busy());
-    if (now_s() < next_autosave_) return busy;
+    if (now_s() < next_autosave_ || editor.drag) return busy;
     if (next_autosave_ != 0) try {
             if (editor.store.autosave(editor.document)) log_event("autosaved");
         } catch (const InputError& e) { editor.notice = "not saved by itself: " + std::string(e.what()); }

@@ -26,6 +26,9 @@ struct EditorWindow : Playground, WindowTool {
   private:
     void draw_tree();
     void draw_row(const TreeRow& row);
+    void begin_renaming(EntryId id) {
+        renaming_ = id, renaming_text_ = editor.document.at(id).name(), renaming_begins_ = true;
+    }
     void draw_properties();
     void draw_object(EntryId id);
     void draw_material(EntryId id);
@@ -80,8 +83,9 @@ struct EditorWindow : Playground, WindowTool {
     std::string facet_;                        ///< of the scene: its entry in the tree; empty: the scene itself
     std::string search_, renaming_text_, save_name_ = "scene.json";
     EntryId renaming_ = no_entry, last_clicked_ = no_entry;
-    bool closes_ = false, shows_keys_ = false, shows_steps_ = false, changed_ = false, overwrites_ = false;
-    bool was_down_ = false, pressed_on_picture_ = false, adds_ = false, checked_recovery_ = false;
+    bool renaming_begins_ = false, closes_ = false, shows_keys_ = false, shows_steps_ = false, changed_ = false,
+         overwrites_ = false;
+    bool was_down_ = false, pressed_on_picture_ = false, dragged_ = false, adds_ = false, checked_recovery_ = false;
     glm::vec2 press_px_{0.0f};
     float moved_px_ = 0;
     double next_autosave_ = 0;

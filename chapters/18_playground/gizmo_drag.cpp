@@ -130,7 +130,7 @@ void GizmoDrag::rotate(const glm::vec3& axis, double angle_rad) {
             const glm::dquat own = glm::inverse(start.parent_rotation) * glm::dquat(turned.orientation);
             object->rotation_deg = rotation_deg_of(own, object->rotation_deg);
         } else if (Light* light = entry.light()) {
-            const Pose turned = rotate_about_pivot({start.light_position, {}}, place_.pivot, axis, angle);
+            const Pose turned = rotate_about_pivot({start.light_position}, place_.pivot, axis, angle);
             light->position = angle == 0.0f ? start.light_position : turned.position;
             light->direction =
                 angle == 0.0f ? start.light_direction : glm::normalize(turned.orientation * start.light_direction);

@@ -23,7 +23,7 @@ void Picker::draw_ids(Frame& frame, const Scene& scene, const Maps& maps) {
 void Picker::trace(Frame& frame, const View& view, const Scene& scene, const Maps& maps) {
     const bool by_box = method.is("boxes");
     if (!by_box) {
-        rays.cutouts.value = method.is("rays_cut");
+        rays.through_holes = method.is("rays_cut");
         rays.record(frame, scene, maps.cutoff);
     }
     if (placed_ != scene.placed) {

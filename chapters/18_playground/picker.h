@@ -21,7 +21,7 @@ struct Picker : Module {
         "Picking: the nearest bounding box (boxes); the nearest triangle along a ray (rays), with holes cut by "
         "textures (rays_cut); or an image of item numbers that the scene is drawn into (ids)"};
     Knob<int> reach{*this, "reach", 4, {0, 16}, "Distance within which a click beside a thin thing picks it", "px"};
-    Rays rays{*this, "rays"};
+    SceneRays rays{*this, "rays"};
 
     /// Numbers of items, by the exercise 18.id_buffer's code; 0: nothing.
     Target ids{*this, {.name = "ids", .format = VK_FORMAT_R32_UINT}};

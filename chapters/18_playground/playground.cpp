@@ -12,6 +12,7 @@ Playground::Playground() {
     objects.gbuffer.method.change_default("forward");
     objects.maps.method.change_default("normal");
     objects.shading = &surface_;
+    objects.shaded.reset();
     objects.transparent_shading = &glass_;
     objects.writing = &write_, objects.rest = &rest_;
     objects.shading_with = {light, substances, paint};
@@ -43,7 +44,9 @@ void Playground::bring_up_to_date(Gpu& gpu) {
         } catch (const InputError& e) { editor.notice = e.what(); }
     give(scene);
     arrived.clear();
-    if (editor.update(*this, gpu) != LiveScene::Done::replaced) return;
+    const LiveScene::Done done = editor.update(*this, gpu);
+    light.prepare(gpu, scene);  // it keeps what it has where surroundings and ambient light are as they were
+    if (done != LiveScene::Done::replaced) return;
     const bool updates = std::exchange(updates_, false);
     maps_due_ = editor.loads;
     substances.prepare(gpu, scene);

@@ -78,7 +78,8 @@ void Knob<T>::set(const std::string& given) {
     using C = Components<T>;
     const double lower = C::get(range.lower, 0), upper_bound = C::get(range.upper, 0);
     const auto refuse = [&] {
-        throw InputError("{}={}: expected a {} from {} to {}{}", path(), given, kind<T>, format(lower),
+        const char* const article = C::count == 1 ? "a " : "";
+        throw InputError("{}={}: expected {}{} from {} to {}{}", path(), given, article, kind<T>, format(lower),
                          format(upper_bound), unit.empty() ? "" : " " + unit);
     };
     T parsed{};

@@ -17,6 +17,7 @@
 
 #include "common/base/bytes.h"
 #include "common/base/error.h"
+#include "common/base/progress.h"
 #include "common/base/sanitized.h"
 #include "common/base/text.h"
 
@@ -98,15 +99,18 @@ void confine(const GuardLimits& limits) {
 
 using Clock = std::chrono::steady_clock;
 
-// All that the copy says until it closes its end. False where it took too long, or says more than it may.
+constexpr int look_every_ms = 50;  // whether anybody still waits for the result
+
+bool is_cancelled() { return progress() && progress()->cancelled; }
+
+// All that the copy says until it closes its end. False where it took too long, says more than it may, or was cancelled.
 bool listen(int from, Clock::time_point until, size_t most, std::string& said) {
     size_t filled = 0;
     for (;;) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
+        if (left <= 0 || filled > most || is_cancelled()) return false;
         pollfd one{.fd = from, .events = POLLIN, .revents = 0};
-        const int ready = left > 0 ? poll(&one, 1, static_cast<int>(std::min<int64_t>(left, 1 << 30))) : 0;
-        if (ready == 0 || filled > most) return false;
-        if (ready < 0) continue;  // EINTR
+        if (poll(&one, 1, static_cast<int>(std::min<int64_t>(left, look_every_ms))) <= 0) continue;
         if (said.size() - filled < (1 << 16)) said.resize(2 * said.size() + (1 << 16));
         const ssize_t count = read(from, said.data() + filled, said.size() - filled);
         if (count > 0) filled += static_cast<size_t>(count);
@@ -150,6 +154,7 @@ std::string run_guarded(const std::string& file, const std::string& reader, cons
     if (!in_time) kill(copy, SIGKILL);
     int status = 0;
     while (waitpid(copy, &status, 0) < 0 && errno == EINTR) {}
+    if (!in_time && is_cancelled()) throw Cancelled();
     const bool out_of_time = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
     if (!in_time || out_of_time)
         throw InputError("{}: {} takes more than {:.0f} s for it", file, reader, limits.cpu_s * slower);

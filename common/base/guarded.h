@@ -17,7 +17,8 @@ GuardLimits limits_for(size_t file_bytes);
 /// Runs `work` in a copy of this process (fork) with those limits, without output and without files to write to, and
 /// returns the bytes that it returns. Warnings (text.h) and exceptions come back: InputError as it is, any other as
 /// Failure. Where the copy dies, or goes beyond a limit, throws InputError with one line: "FILE: READER crashed on it
-/// (Segmentation fault)". Within work(), and in the grader's sandbox, it just calls: guards do not nest.
+/// (Segmentation fault)". Where progress() of this thread is cancelled meanwhile, the copy is killed, and Cancelled thrown.
+/// Within work(), and in the grader's sandbox, it just calls: guards do not nest.
 std::string run_guarded(const std::string& file, const std::string& reader, const GuardLimits& limits,
                         const std::function<std::string()>& work);
 

@@ -7,6 +7,8 @@ A function of the picture's name clicks and types as a person would; then the sc
 import shutil
 import sys
 import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 from PIL import Image
@@ -14,8 +16,6 @@ from PIL import Image
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/common"))
 from window_session import BUILD, Session, XServer  # noqa: E402
-
-SIZE = (1060, 860)  # of the picture; the panel stands beside it
 
 
 def editor(session: Session):
@@ -31,20 +31,44 @@ def editor(session: Session):
     session.click("section.Exercises")  # folded, so that knobs and their times come up
 
 
-WINDOWS = {"18_editor": ("18_playground", "workbench", editor)}  # of a copy of the scene: an editor writes beside its file
+def timeline(session: Session):
+    """The film, stopped and set by its bar to a time after sunset."""
+    since = session.said()
+    session.click("strip.play")
+    session.wait_for_line("film stands", since)
+    left, top, right, bottom = session.areas["strip.bar"]
+    since = session.said()
+    session.drag((left + 2, bottom - 8), (round(left + 126 / 212 * (right - left)), bottom - 8))
+    session.wait_for_line(r"film at 12\d.* harbour", since)
+
+
+@dataclass
+class Window:
+    chapter: str
+    scene: str
+    size: tuple[int, int]  # of the picture; the panel stands beside it
+    has_panel: bool
+    act: Callable[[Session], None]
+
+
+WINDOWS = {"18_editor": Window("18_playground", "scenes/workbench.json", (1060, 860), True, editor),
+           "19_timeline": Window("19_ambiance", "films/ambiance.film", (960, 540), False, timeline)}
 
 
 def make(name: str):
-    chapter, scene, act = WINDOWS[name]
+    window = WINDOWS[name]
+    width, height = window.size
     with tempfile.TemporaryDirectory() as folder:
-        shutil.copy(ROOT / "assets/scenes" / f"{scene}.json", folder)
-        server = XServer(SIZE[0] + 400, SIZE[1] + 40)  # the mouse may leave the window
+        scene = window.scene
+        if scene.endswith(".json"):  # a copy: an editor writes beside its file
+            scene = shutil.copy(ROOT / "assets" / scene, folder)
+        server = XServer(width + 400, height + 40)  # the mouse may leave the window
         try:
-            session = Session(server, BUILD / "chapters" / chapter, ["--size", "{}x{}".format(*SIZE), "--scene", f"{scene}.json"], Path(folder),
-                              LIGHTWALK_ROOT=str(ROOT), XDG_CACHE_HOME=folder)
+            session = Session(server, BUILD / "chapters" / window.chapter, ["--size", f"{width}x{height}", "--scene", scene],
+                              Path(folder), LIGHTWALK_ROOT=str(ROOT), XDG_CACHE_HOME=folder)
             try:
-                act(session)
-                size = session.geometry()[2:]
+                window.act(session)
+                size = session.geometry()[2:] if window.has_panel else window.size
                 shown = session.settled(0, 0, *size)
             finally:
                 session.close()

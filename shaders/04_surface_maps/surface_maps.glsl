@@ -24,7 +24,24 @@ layout(scalar) uniform MapsBlock {
     float scroll;  // tiles per second
 } maps;
 
-#include "04_surface_maps/fragment_varyings.glsl"
+// What fragments get from the vertex shaders. A dispatch that shades what is seen has them already, as variables.
+#ifndef SEEN
+layout(location = 0) in vec3 world_position;
+layout(location = 1) in vec3 world_normal;
+layout(location = 2) in vec3 world_tangent;
+layout(location = 3) in float handedness;
+layout(location = 4) in vec2 metres_per_uv;
+layout(location = 5) in vec2 uv;
+layout(location = 6) flat in uint material_index;
+layout(location = 7) flat in uint item;
+layout(location = 8) in float cos_uv;
+
+// How they change from this pixel to the next ones; `moved` is where moving_uv() has uv.
+vec2 moved_across(vec2 moved, float time_s) { return dFdx(moved); }
+vec2 moved_down(vec2 moved, float time_s) { return dFdy(moved); }
+vec3 position_across() { return dFdx(world_position); }
+vec3 position_down() { return dFdy(world_position); }
+#endif
 
 // Tangent space in the world: columns along u, along v, along the normal.
 mat3 tangent_space() {

@@ -1,10 +1,15 @@
-// Rays through a bounding-volume hierarchy. What the module Rays gives to shaders.
+// Rays through a bounding-volume hierarchy. What the module SceneRays gives to shaders.
 #include "04_surface_maps/cutout.glsl"
 #include "05_shadow_maps/bvh_data.h"
 
 layout(scalar) readonly buffer RayNodeBuffer { BvhNode rays_nodes[]; };
 layout(scalar) readonly buffer RayTriangleBuffer { RayTriangle rays_triangles[]; };
 layout(scalar) uniform RayStateBlock { RayState rays_state; };
+
+const float on_and_on = 1e13;
+
+// Rays begin a little above the surface, so that it does not shadow itself. `facing` is the normal of the mesh.
+vec3 above(vec3 position, vec3 facing) { return position + rays_state.offset_m * facing; }
 
 // What is cut out of the triangles that rays meet: chapter 04's rule over textures kept as numbers, for a ray may meet
 // any of the scene's textures.

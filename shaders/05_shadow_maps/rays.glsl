@@ -15,11 +15,7 @@ struct Lamp {
     float radius;
     float most;  // how far rays go, in lengths of their way to the disc: 1, or on and on
 };
-const float on_and_on = 1e13;
 // [/lamp]
-
-// Rays begin a little above the surface, so that it does not shadow itself. `facing` is the normal of the mesh.
-vec3 above(vec3 position, vec3 facing) { return position + rays_state.offset_m * facing; }
 
 // Lavapipe ends all loops of an invocation once they have turned 65,535 times together, and each that begins afterwards turns
 // once. False: that has happened, and what loops have found may be wrong. Compilers must not see that it is two.

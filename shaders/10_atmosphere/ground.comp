@@ -1,4 +1,5 @@
 // The ground of a planet where nothing stands before it, and the stars beyond the air, as they would look without it.
+#include "10_atmosphere/map_uv.glsl"
 #include "common/structs.h"
 #include "10_atmosphere/sea.glsl"
 #include "10_atmosphere/view_path.glsl"
@@ -23,12 +24,7 @@ uniform sampler2D day_map;
 uniform sampler2D night_map, cloud_map, water_map;
 #endif
 
-// Longitude and latitude of a direction, as texture coordinates: north up, the prime meridian in the middle. The level of
-// detail comes from the pixel's size: across the date line neighbours' coordinates differ by 1.
-vec2 map_uv(vec3 direction) {
-    return vec2(0.5 + atan(direction.x, direction.z) / 6.2831853, 0.5 - asin(clamp(direction.y, -1.0, 1.0)) / 3.14159265);
-}
-
+// The level of detail comes from the pixel's size: across the date line neighbours' coordinates differ by 1.
 vec4 map_texel(sampler2D map, vec3 direction, float pixel_rad) {
     float lod = log2(max(pixel_rad / 3.14159265 * float(textureSize(map, 0).y), 1e-6));
     return textureLod(map, map_uv(direction), max(lod, 0.0));

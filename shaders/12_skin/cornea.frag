@@ -2,7 +2,7 @@
 #include "03_attenuation/lighting.glsl"
 #include "04_surface_maps/surface_maps.glsl"
 #include "05_shadow_maps/shadow.glsl"
-#include "05_shadow_maps/rays.glsl"
+#include "05_shadow_maps/bvh.glsl"
 #include "11_fractals/environment.glsl"
 #include "12_skin/kelemen_szirmay_kalos.glsl"
 

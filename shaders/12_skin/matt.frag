@@ -1,6 +1,29 @@
-// What is no skin, shaded as it is drawn.
-#include "12_skin/matt_shading.glsl"
+// Surfaces other than skin, shaded as they are drawn, or in compute by matt_seen.comp: an eyeball below its cornea, which is
+// dark below the lids, and cloth.
+#include "03_attenuation/lighting.glsl"
+#include "04_surface_maps/surface_maps.glsl"
+#include "05_shadow_maps/shadow.glsl"
+#include "11_fractals/environment.glsl"
 
+uniform sampler2D eye_occlusion;
+
+vec3 matt_radiance() {
+    MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
+    float occlusion = 1.0;
+#if EYE
+    occlusion = textureLod(eye_occlusion, image_uv(uv), 0.0).r;
+#endif
+    vec3 sum = occlusion * surroundings_light(m.facing);
+    for (uint i = 0u; i < lights_data.length(); ++i) {
+        VisibleLight light = visible_light(i, m.position, m.facing);
+        // Light goes through the white of the eye, too: its edge is soft.
+        sum += light.visible * max((dot(m.facing, light.to_light) + 0.2) / 1.44, 0.0) * sqrt(occlusion) * light.radiance;
+    }
+    return min(m.substance.mixed.diffuse * sum, LARGEST_HALF);
+}
+
+#ifndef SEEN
 layout(location = 0) out vec4 color;
 
 void main() { color = vec4(matt_radiance(), 1.0); }
+#endif

@@ -1,5 +1,7 @@
 // How much of the sky a point of the surface sees, by rays that are as dense as the cosine.
-#include "05_shadow_maps/rays.glsl"
+#include "05_shadow_maps/basis.glsl"
+#include "05_shadow_maps/bvh.glsl"
+#include "05_shadow_maps/sampling.glsl"
 #include "12_skin/charts.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,6 +1,6 @@
 // Skin, shaded where it is seen.
 #include "05_shadow_maps/shade_seen.glsl"
-#include "12_skin/skin_shading.glsl"
+#include "12_skin/skin.frag"
 
 vec3 seen_radiance(vec4 frag_coord) {
     vec4 color, light, after;

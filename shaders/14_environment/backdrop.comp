@@ -3,6 +3,7 @@
 #include "11_fractals/environment.glsl"
 #include "14_environment/backdrop_data.h"
 #include "14_environment/direction_to_equirect.glsl"
+#include "common/structs.h"
 #include "common/view_rays.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -33,6 +34,6 @@ void main() {
         vec2 at = (place.xz - now.map_corner) / now.map_extent, inside = smoothstep(0.0, 0.1, at) * smoothstep(0.0, 0.1, 1.0 - at);
         light *= mix(vec3(1.0), textureLod(arriving, at, 0.0).rgb, inside.x * inside.y);
     }
-    imageStore(result, pixel, vec4(min(environment_scale.intensity * light, 65504.0), 1.0));
+    imageStore(result, pixel, vec4(min(environment_scale.intensity * light, LARGEST_HALF), 1.0));
 }
 // [/backdrop]

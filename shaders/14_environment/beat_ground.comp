@@ -25,6 +25,6 @@ void main() {
     float d = length(to_sphere), r = min(beat_now.radius_m, to_sphere.y);
     float share = r * r * to_sphere.y / (d * d * d);
     vec4 before = imageLoad(picture, pixel);
-    imageStore(picture, pixel, vec4(min(before.rgb * (1.0 - share + share * ground.sphere_light), 65504.0), before.a));
+    imageStore(picture, pixel, vec4(min(before.rgb * (1.0 - share + share * ground.sphere_light), LARGEST_HALF), before.a));
 }
 // [/ground]

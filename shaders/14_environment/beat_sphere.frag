@@ -25,5 +25,5 @@ void main() {
     float alpha = beat_look.roughness * beat_look.roughness;
     FromAround around = reflected_from_around(LitFromAround(position, n, to_eye, f0, alpha));
     vec3 light = open * around.specular + moved * beat_now.glow * exp(-30.0 * share) * beat_look.glow;
-    color = vec4(min(light, 65504.0), 1.0);
+    color = vec4(min(light, LARGEST_HALF), 1.0);
 }

@@ -2,6 +2,7 @@
 #include "14_environment/beat_data.h"
 #include "14_environment/beat_waves.glsl"
 #include "14_environment/image_light.glsl"
+#include "common/light.glsl"
 
 layout(scalar) uniform BeatNowBlock { BeatNow beat_now; };
 
@@ -10,9 +11,8 @@ layout(scalar) uniform BeatNowBlock { BeatNow beat_now; };
 // 15,000 times the mean, and of a blurred level, for the sphere's triangles cannot follow single texels.
 float doublings(vec3 n) {
     vec3 light = textureLod(image_light_radiance, environment_space(n), beat_now.blur).rgb;
-    const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
-    float mean = 0.282095 * dot(image_light_sh[0].rgb, luminance);
-    return clamp(log2(max(dot(light, luminance), 1e-6) / max(mean, 1e-6)), -6.0, 6.0);
+    float mean = 0.282095 * luminance(image_light_sh[0].rgb);
+    return clamp(log2(max(luminance(light), 1e-6) / max(mean, 1e-6)), -6.0, 6.0);
 }
 // [/brightness]
 

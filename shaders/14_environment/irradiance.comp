@@ -2,6 +2,7 @@
 // shows. There are fewer normals than a GPU has lanes, so a workgroup shares the sum of one.
 #include "11_fractals/environment_map.glsl"
 #include "14_environment/cube_texel.glsl"
+#include "common/structs.h"
 
 const uint LANES = 64u;
 layout(local_size_x = 64) in;  // LANES
@@ -28,5 +29,5 @@ void main() {
         if (lane < half_way) sums[lane] += sums[lane + half_way];
     }
     // The weights of a few texels do not add up to pi; those of all texels do.
-    if (lane == 0u) imageStore(irradiance, ivec3(texel), vec4(min(sums[0].rgb / sums[0].w, 65504.0), 1.0));
+    if (lane == 0u) imageStore(irradiance, ivec3(texel), vec4(min(sums[0].rgb / sums[0].w, LARGEST_HALF), 1.0));
 }

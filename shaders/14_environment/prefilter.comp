@@ -2,6 +2,7 @@
 #include "11_fractals/environment_map.glsl"
 #include "14_environment/ggx.glsl"
 #include "14_environment/importance_sample_ggx.glsl"
+#include "common/structs.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -41,5 +42,5 @@ void main() {
     float alpha = face_now.roughness * face_now.roughness;
     vec3 light = alpha > 0.0 ? filtered(normal, alpha, uint(prefilter.samples), prefilter.bias)
                              : textureLod(radiance, normal, 0.0).rgb;
-    imageStore(face_level, texel, vec4(min(light, 65504.0), 1.0));
+    imageStore(face_level, texel, vec4(min(light, LARGEST_HALF), 1.0));
 }

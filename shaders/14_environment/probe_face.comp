@@ -1,5 +1,7 @@
 // A face of a cube from a picture that was drawn of it. Pictures show what lies to the right on the right; the faces of a
 // cube are seen from outside (Vulkan 1.3, 16.5.4), and so mirrored.
+#include "common/light.glsl"
+
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2D picture;
@@ -9,6 +11,5 @@ void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(face);
     if (any(greaterThanEqual(texel, size))) return;
     vec3 light = texelFetch(picture, ivec2(size.x - 1 - texel.x, texel.y), 0).rgb;
-    light = mix(light, vec3(0.0), isnan(light));
-    imageStore(face, texel, vec4(clamp(light, 0.0, 65504.0), 1.0));
+    imageStore(face, texel, vec4(finite_light(light), 1.0));
 }

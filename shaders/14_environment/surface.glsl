@@ -16,9 +16,9 @@ void main() {
     float n_dot_v = clamp(dot(c.m.surface.normal, c.m.surface.to_eye), 1e-3, 1.0);
     float covered = mix(max(c.f0.r, max(c.f0.g, c.f0.b)), 1.0, schlick_power(n_dot_v));
     float opacity = max(1.0 - (1.0 - c.m.alpha) * (1.0 - covered), 1e-3);
-    put_surface(min((c.m.alpha * light.body + light.coat) / opacity, 65504.0), opacity);
+    put_surface(min((c.m.alpha * light.body + light.coat) / opacity, LARGEST_HALF), opacity);
 #else
-    put_surface(min(light.body + light.coat, 65504.0), 1.0);
+    put_surface(min(light.body + light.coat, LARGEST_HALF), 1.0);
 #endif
 }
 // [/surface]

@@ -1,5 +1,6 @@
 // The volume before what was drawn already: a ray for each pixel, marched from where it enters to where it leaves, or to
 // what is solid.
+#include "common/structs.h"
 #include "16_volume/volume_inputs.glsl"
 #include "16_volume/bounds.glsl"
 #include "16_volume/correct_opacity.glsl"
@@ -136,6 +137,6 @@ void main() {
 #elif VOLUME_SHOW == VOLUME_SHOW_NOISE
     light = noise_phases(vec2(pixel), vec2(imageSize(result)));
 #endif
-    imageStore(result, pixel, vec4(min(light, 65504.0), behind.a));
+    imageStore(result, pixel, vec4(min(light, LARGEST_HALF), behind.a));
 }
 // [/main]

@@ -1,6 +1,7 @@
 // Air around a body: chapter 10's single scattering, from outside and from within.
 #include "10_atmosphere/in_scatter.glsl"
 #include "10_atmosphere/sun_closed.glsl"
+#include "common/light.glsl"
 
 // [air_before]
 // The air on a ray from `from` (from the body's centre, where the body is a sphere) along `direction` for at most `way`
@@ -22,7 +23,7 @@ Along air_before(vec3 from, vec3 direction, vec3 to_sun, float way, int samples)
 // Single scattering alone is red where the sun is low. What is scattered more often there is blue, from the sunlit air around,
 // and both together are nearly grey (chapter 10's method `tables` computes it): towards the terminator the colour fades.
 vec3 with_more_orders(vec3 light, float sun_cosine) {
-    float grey = dot(light, vec3(0.2126, 0.7152, 0.0722));
+    float grey = luminance(light);
     return mix(light, grey * vec3(0.95, 0.99, 1.15), 0.85 * (1.0 - smoothstep(-0.05, 0.3, sun_cosine)));
 }
 

@@ -5,6 +5,7 @@
 #include "17_planets/clouds.glsl"
 #include "17_planets/ellipsoid_shadow.glsl"
 #include "17_planets/ground.glsl"
+#include "17_planets/map_lookup.glsl"
 #include "17_planets/rings.glsl"
 #include "17_planets/sun_surface.glsl"
 
@@ -12,7 +13,7 @@
 vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {
     vec3 up = normalize(round_at);
     float mu = max(dot(up, to_eye), 0.0);
-    return body.sunlight * sun_surface(up, mu, body.moment, pixel_m / (body.radius * sqrt(max(mu, 0.04))));
+    return body.sunlight * sun_surface(up, mu, body.moment, footprint_of(pixel_m, body.radius, mu));
 }
 #endif
 

@@ -38,7 +38,7 @@ vec4 seen_clouds(vec3 eye, vec3 direction, float end, vec3 to_sun, float pixel_r
     if (t <= 0.0 || t >= end) return vec4(0.0);
     vec3 up = (eye + t * direction) / shell;
     float mu = abs(dot(up, direction)), cosine = dot(up, to_sun);
-    float footprint_rad = t * pixel_rad / (shell * sqrt(max(mu, 0.04)));
+    float footprint_rad = footprint_of(t * pixel_rad, shell, mu);
     vec2 uv = cloud_uv(up);
     float opacity = cloud_opacity(uv, footprint_rad);
     float alpha = limb_fade(opacity, mu, 0.12);

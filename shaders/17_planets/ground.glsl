@@ -9,6 +9,7 @@
 #include "17_planets/rings.glsl"
 #include "17_planets/surface_laws.glsl"
 #include "05_shadow_maps/sphere_visibility.glsl"
+#include "common/light.glsl"
 
 uniform sampler2D night_map, water_map;
 uniform sampler2D body_map, normal_map;
@@ -42,7 +43,7 @@ vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {
     vec3 up = normalize(vec3(round_up.x, round_up.y / (1.0 - body.flattening), round_up.z));
     vec3 at = vec3(round_at.x, round_at.y * (1.0 - body.flattening), round_at.z);
     float facing = max(dot(up, to_eye), 0.0), cosine = dot(up, to_sun);
-    float footprint_rad = pixel_m / (body.radius * sqrt(max(facing, 0.04)));
+    float footprint_rad = footprint_of(pixel_m, body.radius, facing);
     vec2 uv = map_uv(round_up);
 #ifdef BODY_FLOW
     vec4 texel = flowed(body_map, uv, footprint_rad, body.flow_days, body.flow_period);
@@ -76,7 +77,7 @@ vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {
         light = mix(light, albedo * (body.sunlight * through * max(cosine, 0.0) + sky) + gloss, water);
     }
     // The map's yellow is its makers'. Sodium and white lamps together are a warm white.
-    float lamps = dot(map_texel(night_map, uv, footprint_rad).rgb, vec3(0.2126, 0.7152, 0.0722));
+    float lamps = luminance(map_texel(night_map, uv, footprint_rad).rgb);
     vec3 city = planets.night * lamps * vec3(1.14, 0.98, 0.79);
     return light + night_lights(city, cosine, clouds_over(round_up, footprint_rad));
 #else

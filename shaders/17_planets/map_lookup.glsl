@@ -1,9 +1,5 @@
-// Maps of bodies: equirectangular, north up, the prime meridian in the middle, no seam and no pinch.
-
-// Longitude and latitude of a direction of unit length, as texture coordinates.
-vec2 map_uv(vec3 direction) {
-    return vec2(0.5 + atan(direction.x, direction.z) / 6.2831853, 0.5 - asin(clamp(direction.y, -1.0, 1.0)) / 3.14159265);
-}
+// Maps of bodies, as map_uv() has them, with no seam and no pinch.
+#include "10_atmosphere/map_uv.glsl"
 
 // [map_texel]
 // The level comes from `footprint_rad`, the angle at the body's centre that a pixel covers: across the date line neighbours'
@@ -15,3 +11,7 @@ vec4 map_texel(sampler2D map, vec2 uv, float footprint_rad) {
     return textureLod(map, vec2(uv.x, clamp(uv.y, edge, 1.0 - edge)), lod);
 }
 // [/map_texel]
+
+// Angle at the body's centre of a pixel's share of its surface, seen at a cosine `mu`: `pixel_m` wide across the ray, as much
+// longer along it as the surface slants. Between the two lies the root of their product; at the limb it has an end.
+float footprint_of(float pixel_m, float radius_m, float mu) { return pixel_m / (radius_m * sqrt(max(mu, 0.04))); }

@@ -62,6 +62,15 @@ class PicturesTest(ChapterPictures):
                     picture = self.draw(scene, "--method", method, "--volumes", "off")
                     self.assertLess(self.flip(truth, picture), most)
 
+    def test_forward_shading_in_compute_draws_the_same_picture(self):
+        """Over a visibility buffer, with what else the chapter does to surfaces; at edges the mip levels differ."""
+        for scene, options in (("hundred_lamps", ("--lights.method", "tiled")), ("control_room", ("--overdraw", "3")),
+                               ("field", ("--prepass", "on"))):
+            with self.subTest(scene=scene):
+                far, mean = self.shaded_otherwise("objects.shaded", scene, "--method", "forward", *options)
+                self.assertLess(far, 0.01)
+                self.assertLess(mean, 0.08)
+
     def test_one_pixel(self):
         """A size that an image has before it is made."""
         for method in ("forward", "fat", "depth", "packed", "tiled"):

@@ -16,7 +16,7 @@ struct OnHead : OnModules {
     Maps maps{owner, "maps"};
     Lights lights{owner, "lights"};
     Shadow shadow{owner, "shadow"};
-    Rays rays{owner, "rays"};
+    SceneRays rays{owner, "rays"};
     EnvironmentLight environment{owner, "environment"};
     Scene scene;
 

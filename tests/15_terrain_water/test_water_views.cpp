@@ -4,6 +4,7 @@
 #include <cmath>
 #include <list>
 
+#include "transparency_fixture.h"
 #include "water_fixture.h"
 
 using namespace lightwalk;
@@ -50,6 +51,35 @@ TEST_CASE_METHOD(OnWater, "in the picture a reflected ray is followed to the str
     fmt::print("{} of {} pixels reflect another stripe than they should\n", wrong, asked);
     CHECK(asked > 1000);
     CHECK(wrong < 0.12 * asked);
+}
+
+TEST_CASE_METHOD(OnWater, "in the picture a reflected ray is halved until it misses what it meets by centimetres") {
+    size = {24, 2048};
+    camera.position = {0, 4, 0}, camera.target = {0, 3, -20};
+    water.roughness.value = 0, water.refraction.value = 0;
+    // A wall 40 m away whose light grows with the height, in steps of 2.5 cm.
+    Quads wall(owner, "steps");
+    for (int i = 0; i < 480; ++i) {
+        const float from = 0.025f * float(i), to = from + 0.025f;
+        wall.quads.push_back(
+            {{{-9, from, -40}, {9, from, -40}, {9, to, -40}, {-9, to, -40}}, {1 + from + 0.0125f, 0, 0, 1}});
+    }
+    wall.solid = uint32_t(wall.quads.size());
+    const ImageRgb none = picture("flat", "none"), followed = picture("flat", "screen_space", 0, {wall});
+    const ViewRays rays = view_rays(view_of(camera, size));
+    int asked = 0;
+    double sum = 0;
+    for (int y = 0; y < int(size.y); ++y) {
+        const glm::dvec3 ray = glm::normalize(glm::dvec3(ray_through(rays, glm::vec2(12.5f, float(y) + 0.5f))));
+        const double to_water = -double(camera.position.y) / ray.y, high = -(40 + to_water * ray.z) / ray.z * -ray.y;
+        if (ray.y >= 0 || high < 0.2 || high > 8) continue;
+        const double share = truth::fresnel_water(-ray.y, 1, 1.333);
+        const double found = double(followed.at(12, y).r - none.at(12, y).r) / share - 1;
+        ++asked, sum += std::fabs(found - high);
+    }
+    fmt::print("{} rays end {:.1f} cm above or below what they should meet\n", asked, 100 * sum / asked);
+    CHECK(asked > 400);
+    CHECK(sum / asked < 0.012);
 }
 
 TEST_CASE_METHOD(OnWater,
@@ -103,4 +133,23 @@ TEST_CASE_METHOD(OnWater, "from below: the sky straight above, and past the crit
             if (ray.y > std::sqrt(1 - 1 / (1.333 * 1.333)) + 0.01 || ray.y < std::sqrt(1 - 1 / (1.333 * 1.333)) - 0.01)
                 CHECK(glm::length(glm::dvec3(seen.at(int(x), int(y))) - glm::mix(sky, water_light, share)) < 0.01);
         }
+}
+
+TEST_CASE_METHOD(OnWater, "the surroundings' cube is asked for by the reflections that show it, and by no other") {
+    camera.position = {0, 5, 0};
+    for (const char* reflection : {"none", "cube", "screen_space", "planar", "rays"}) {
+        const auto in = [&](float ambient) {
+            scene.file.ambient = glm::vec3(ambient);
+            owner.prepare_all(gpu, scene);
+            return picture("gerstner", reflection);
+        };
+        const bool differs = in(0.1f).pixels != in(2.0f).pixels;
+        INFO(reflection);
+        CHECK(water.sees_surroundings(view_of(camera, size)) == differs);
+    }
+    // Where no mirror image is drawn, the cube stands in for it.
+    water.reflection.set("planar"), camera.position = {0, -1, 0};
+    CHECK(water.sees_surroundings(view_of(camera, size)));
+    water.method.set("none");
+    CHECK(!water.sees_surroundings(view_of(camera, size)));
 }

@@ -24,6 +24,14 @@ std::string error_of(const std::filesystem::path& file) {
 const char* const plain_lathe =
     R"({"profile": [[1, 0], [1.1, 0], [1.1, 2], [1, 2]], "rows": [1, 1, 1, 1], "columns": 16})";
 
+/// The cache's entries of baked occlusion.
+std::set<std::filesystem::path> kept_occlusion() {
+    std::set<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::directory_iterator(cache_folder()))
+        if (entry.path().extension() == ".occlusion") found.insert(entry.path());
+    return found;
+}
+
 }  // namespace
 
 TEST_CASE("a volume that is whole is read; one that is cut, too long, or whose header lies is refused in one line") {
@@ -99,12 +107,6 @@ TEST_CASE_METHOD(OnDevice, "occlusion is baked once; a cut or changed entry of t
     frame.end();
     const Folder folder;
     const auto file = folder.write("test.lathe", plain_lathe);
-    const auto entries = [] {
-        std::set<std::filesystem::path> found;
-        for (const auto& entry : std::filesystem::directory_iterator(cache_folder()))
-            if (entry.path().extension() == ".occlusion") found.insert(entry.path());
-        return found;
-    };
     struct Owner : Module {
     } owner;
     Finish finish(owner, "finish");
@@ -116,9 +118,9 @@ TEST_CASE_METHOD(OnDevice, "occlusion is baked once; a cut or changed entry of t
         const Lathe lathe = read_lathe(path);
         return lathe_model(lathe, turn_lathe(lathe));
     });
-    const std::set<std::filesystem::path> before = entries();
+    const std::set<std::filesystem::path> before = kept_occlusion();
     finish.prepare(gpu, scene);
-    const std::set<std::filesystem::path> after = entries();
+    const std::set<std::filesystem::path> after = kept_occlusion();
     std::vector<std::filesystem::path> added;
     std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::back_inserter(added));
     // It may be there from a run before; then it is found.
@@ -147,4 +149,46 @@ TEST_CASE_METHOD(OnDevice, "occlusion is baked once; a cut or changed entry of t
     const double mean = sum / double(shown.size() / 4) / 255;
     CHECK(mean > 0.5);  // a tall ring hides some of the sky from its inner side
     CHECK(mean < 0.9);
+}
+
+TEST_CASE_METHOD(OnDevice, "a tube's occlusion: none outside, inside what the openings at its ends leave") {
+    frame.end();
+    const Folder folder;
+    const auto file = folder.write("tube.lathe",
+                                   R"({"profile": [[0.5, 0], [1, 0], [1, 1], [0.5, 1]], "rows": [1, 1, 1, 1],
+                                       "columns": 64, "relief_m": 0, "bevel_m": 0.001})");
+    struct Owner : Module {
+    } owner;
+    Finish finish(owner, "finish");
+    finish.width.value = 768, finish.bake_rays.value = 128, finish.bake_m.value = 10;
+    Scene scene;
+    SceneFile scene_file;
+    scene_file.objects.push_back({.name = "tube", .parent = "", .model = file});
+    scene.load(gpu, scene_file, [](const std::filesystem::path& path) {
+        const Lathe lathe = read_lathe(path);
+        return lathe_model(lathe, turn_lathe(lathe));
+    });
+    const std::set<std::filesystem::path> before = kept_occlusion();
+    finish.prepare(gpu, scene);
+    const glm::uvec2 size(384, 48);
+    const auto shown = gpu.read_back(scene.items[0].maps[MapSlot::occlusion]->mip(0));
+    // Rows from the texture's bottom: a sixth is the tube's lower end, a third its outside, a sixth the upper end.
+    int hidden = 0;
+    for (uint32_t row = 0; row < 48; ++row) {
+        double sum = 0;
+        for (uint32_t x = 0; x < size.x; ++x) {
+            const int open = std::to_integer<int>(shown[4 * ((47 - row) * size.x + x)]);
+            sum += open / 255.0;
+            hidden += row < 32 && open < 255;
+        }
+        if (row < 32) continue;
+        // What a place inside a cylinder sees of a disc at its end, `way` diameters away.
+        const auto opening = [](double way) { return (way * way + 0.5) / std::sqrt(way * way + 1) - way; };
+        const double high = (row - 32 + 0.5) / 16;
+        INFO("height " << high);
+        CHECK(sum / size.x == Approx(opening(high) + opening(1 - high)).margin(0.02));
+    }
+    CHECK(hidden == 0);
+    for (const auto& entry : kept_occlusion())
+        if (!before.contains(entry)) std::filesystem::remove(entry);
 }

@@ -24,7 +24,9 @@ struct OnPlanets {
     Gpu& gpu = validated_device();
     Frame frame{gpu};
     glm::uvec2 size{96, 64};
-    bool with_stars = false;
+    bool with_stars = false, with_planets = true;
+    Crop crop{};     ///< which part of a larger picture is drawn
+    float wall = 0;  ///< reversed depth of what stands before every body; 0: nothing does
 
     ~OnPlanets() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
@@ -43,12 +45,19 @@ struct OnPlanets {
         owner.begin_frame(gpu, size);
         frame.begin(size, time_s);
         Canvas canvas(frame.hdr, frame.depth);
-        View view = view_of(camera, size, {.whole = size, .origin = {0, 0}, .shift = shift});
+        Crop part = crop;
+        if (part.whole.x == 0) part.whole = size;
+        part.shift = shift;
+        View view = view_of(camera, size, part);
         view.exact_eye = exact_eye;
-        if (with_stars)
-            lightwalk::draw(frame, view, canvas, {stars, planets});
-        else
-            lightwalk::draw(frame, view, canvas, {planets});
+        if (wall > 0) {
+            canvas.depth_overwritten();
+            frame.raster("wall", {.depth = clear(frame.depth, wall)}, [](Raster&) {});
+        }
+        Drawings drawn;
+        if (with_stars) drawn.push_back(stars);
+        if (with_planets) drawn.push_back(planets);
+        lightwalk::draw(frame, view, canvas, drawn);
         if (!canvas.has_color()) canvas.color(frame);
         frame.end();
         return read_linear(gpu, frame.hdr);

@@ -1,5 +1,6 @@
 // How maps of bodies are read: no row beyond the poles, and levels by what a pixel covers.
 #include "planets_fixture.h"
+#include "with_air.h"
 
 using namespace lightwalk;
 
@@ -25,4 +26,46 @@ TEST_CASE_METHOD(DeviceTest, "a map is read no nearer to its poles than half a t
         for (const double footprint : {1e-4, 0.05, 0.15, 0.4, 3.0, 9.0})
             for (const double u : {-0.2, 0.5, 1.0}) probe.inputs.push_back({u, v, footprint});
     CHECK(worst_of(probe, run_probe(gpu, probe, 3)) == "");
+}
+
+namespace {
+
+// The square root of the area of a ball that a pixel covers, over its radius: the pixel's edges are followed to the ball.
+double covered_rad(double pixel, double mu) {
+    const double middle = std::sqrt(1 - mu * mu),
+                 along = std::asin(std::min(middle + 0.5 * pixel, 1.0)) - std::asin(middle - 0.5 * pixel);
+    return std::sqrt(along * 2 * std::asin(0.5 * pixel));
+}
+
+// `covered` is what a pixel of a share of the radius shows at a cosine.
+Probe slanting(const std::string& kind, const std::string& covered) {
+    Probe probe{.include = "common/srgb.glsl",
+                .before = std::string(with_known_air) + kind + "#include \"../tests/17_planets/known_body.glsl\"\n" +
+                          "#include \"17_planets/body.glsl\"\nfloat covered(float mu, float pixel) { " + covered +
+                          " }\n",
+                .signature = "float covered(float mu, float pixel)",
+                .inputs = {},
+                .truth = [](auto in) { return Row{covered_rad(in[1], in[0])}; },
+                .bound = {.relative = 0.01},
+                .macros = known_air(earth_air())};
+    for (const double mu : {1.0, 0.9, 0.6, 0.3, 0.1})
+        for (const double pixel : {1e-4, 5e-4, 2e-3}) probe.inputs.push_back({double(float(mu)), double(float(pixel))});
+    return probe;
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(DeviceTest, "near the limb a pixel covers more of a body: of its ground, of its clouds, of the Sun") {
+    const std::string ground = "known_body(1.0); return seen_surface(overhead, to_eye_at(mu), overhead, pixel).x;";
+    const Probe probes[] = {slanting("", ground), slanting("#define BODY_STAR\n", ground),
+                            slanting("",
+                                     "known_body(6.4e6); float shell = body.radius + cloud_m; return seen_clouds(shell "
+                                     "* overhead + 3e7 * to_eye_at(mu), -to_eye_at(mu), 1e30, overhead, pixel * shell "
+                                     "/ 3e7).a;")};
+    for (const Probe& probe : probes) CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
+    // Beyond a cosine of 0.04 no more: the limb would be the mean of the whole map.
+    Probe limb = slanting("", "return footprint_of(pixel, 2.0, mu);");
+    limb.truth = [](auto in) { return Row{in[1] / 2 / 0.2}; };
+    limb.inputs = {{double(0.04f), 0.5}, {double(0.02f), 0.5}, {0, 0.5}, {-0.5, 0.25}};
+    CHECK(worst_of(limb, run_probe(gpu, limb, 1)) == "");
 }

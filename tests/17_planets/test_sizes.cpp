@@ -18,6 +18,9 @@ TEST_CASE("penumbras in pixels: none in a portrait of Saturn, many where the Moo
         fmt::print("penumbra on Saturn's rings at {:.0f} km: {:.0f} km, {:.2f} pixels\n", ring / 1e3, wide / 1e3,
                    wide / pixel);
         CHECK(wide / pixel < 0.5);
+        // In texels of 15 km, as our strip has them, it is more than four.
+        const Rings rings = rings_of(BodyId::saturn);
+        CHECK(wide / (double(rings.outer - rings.inner) / 4096) > 4);
     }
     const double moon_away = 3.78e8, earth_sun = glm::radians(0.533);
     const double wide = earth_sun * moon_away, earth_pixel = pixel_m(6378137, 4.9);
@@ -33,6 +36,53 @@ TEST_CASE("parallax in pixels: none of the Earth's mountains in its portrait, do
                summit_m / low_m);
     CHECK(summit_m / portrait_m < 0.5);
     CHECK(summit_m / low_m > 10);
+}
+
+TEST_CASE("flattening and air in pixels: which portraits need them", "[figures]") {
+    // Portraits of 540 lines and 26 degrees, from 4.5 radii, of Saturn from 7.5. Flattening moves the poles.
+    const struct {
+        BodyId body;
+        double radii, flattening_px, air_m, air_px;  // the height in which air becomes e times thinner
+    } rows[] = {{BodyId::earth, 4.5, 0.87, 8000, 0.33},   {BodyId::mars, 4.5, 1.53, 11000, 0.84},
+                {BodyId::jupiter, 4.5, 16.9, 27000, 0.1}, {BodyId::saturn, 7.5, 15.3, 60000, 0.16},
+                {BodyId::uranus, 4.5, 5.95, 28000, 0.28}, {BodyId::neptune, 4.5, 4.44, 20000, 0.21}};
+    for (const auto& row : rows) {
+        const BodyTraits& of = traits(row.body);
+        const double pixel_m = of.radius_m * row.radii * 2 * std::tan(glm::radians(13.0)) / 540;
+        INFO(body_names()[size_t(row.body)]);
+        CHECK(of.flattening * of.radius_m / pixel_m == Approx(row.flattening_px).epsilon(0.02));
+        CHECK(row.air_m / pixel_m == Approx(row.air_px).epsilon(0.06));
+    }
+}
+
+TEST_CASE(
+    "radii and flattening are those of FACTS; so are Mercury's and Pluto's tilt and sun in the mean of an orbit") {
+    const struct {
+        BodyId body;
+        double radius_km, flattening;
+    } shapes[] = {{BodyId::mercury, 2440, 0},      {BodyId::venus, 6052, 0},         {BodyId::earth, 6378, 0.0034},
+                  {BodyId::mars, 3396, 0.0059},    {BodyId::jupiter, 71492, 0.0649}, {BodyId::saturn, 60268, 0.0980},
+                  {BodyId::uranus, 25559, 0.0229}, {BodyId::neptune, 24764, 0.0171}, {BodyId::pluto, 1188, 0}};
+    for (const auto& shape : shapes) {
+        INFO(body_names()[size_t(shape.body)]);
+        CHECK(traits(shape.body).radius_m / 1e3 == Approx(shape.radius_km).margin(0.8));
+        CHECK(traits(shape.body).flattening == Approx(shape.flattening).margin(1e-4));
+    }
+    for (const auto& [body, year, tilt, sun] :
+         {std::tuple(BodyId::mercury, 87.97, 0.0, 1.377), std::tuple(BodyId::pluto, 90560.0, 122.5, 0.014)}) {
+        glm::dvec3 orbit(0.0);
+        double away = 0;
+        for (int i = 0; i < 360; ++i) {
+            const glm::dvec3 a = place_body(body, year * i / 360).position,
+                             b = place_body(body, year * (i + 1) / 360).position;
+            orbit += glm::cross(a, b), away += glm::length(a) / 360;
+        }
+        const double angle = glm::degrees(std::acos(glm::dot(glm::normalize(orbit), place_body(body, 0).axes[1])));
+        fmt::print("{}: tilt {:.1f} degrees, sun {:.3f}\n", body_names()[size_t(body)], angle,
+                   glm::degrees(2 * sun_radius_m / away));
+        CHECK(angle == Approx(tilt).margin(4));
+        CHECK(glm::degrees(2 * sun_radius_m / away) == Approx(sun).epsilon(0.08));
+    }
 }
 
 TEST_CASE("Mercury's wide sun moves n.l by 0.0026 at most: it is no reason to wrap the light") {

@@ -103,6 +103,30 @@ TEST_CASE_METHOD(
     CHECK(small == Approx(resolved).epsilon(0.08));
 }
 
+TEST_CASE_METHOD(OnPlanets, "air, clouds, bands and rings shine in a body of a few pixels as in one of many") {
+    planets.relief.value = 0;
+    for (const char* body : {"earth", "mars", "venus", "jupiter", "saturn"}) {
+        look_at(body, 6, 30);
+        camera.fov_y_rad = 0.03f;
+        const glm::vec3 towards = glm::normalize(camera.position);
+        const auto light = [&](double diameter_px) {
+            const double pixel = 2 * std::tan(0.5 * double(camera.fov_y_rad)) / size.y;
+            camera.position =
+                towards * float(2 * traits(static_cast<BodyId>(planets.at.index)).radius_m / (diameter_px * pixel));
+            glm::dvec3 sum(0);
+            for (const glm::vec3& one : picture().pixels) sum += one;
+            return sum / (diameter_px * diameter_px);
+        };
+        const glm::dvec3 small = light(1.5), large = light(12), resolved = light(40);
+        fmt::print("{}: {:.4f} {:.4f} {:.4f} at 1.5 px, {:.4f} {:.4f} {:.4f} at 12, {:.4f} {:.4f} {:.4f} at 40\n", body,
+                   small.r, small.g, small.b, large.r, large.g, large.b, resolved.r, resolved.g, resolved.b);
+        for (int c = 0; c < 3; ++c) {
+            CHECK(small[c] == Approx(resolved[c]).epsilon(0.08));
+            CHECK(large[c] == Approx(resolved[c]).epsilon(0.08));
+        }
+    }
+}
+
 TEST_CASE_METHOD(OnPlanets, "stars: the same light at every resolution, wherever they lie between pixels") {
     planets.at.set("neptune");
     owner.prepare_all(gpu, scene);

@@ -6,6 +6,7 @@
 #include "04_surface_maps/tangents.h"
 #include "18_playground/arrival.h"
 #include "18_playground/preview.h"
+#include "common/base/guarded.h"
 #include "editor_fixture.h"
 
 using namespace lightwalk;
@@ -97,6 +98,26 @@ TEST_CASE("what is cancelled ends early and is never delivered; progress is a sh
     CHECK(now_ms() - start < 0.7 * whole);
 }
 
+TEST_CASE("what another process reads is given up at once when it is cancelled, and that process ends") {
+    Progress progress_here;
+    lightwalk::progress() = &progress_here;
+    std::thread cancels([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        progress_here.cancelled = true;
+    });
+    const double start = now_ms();
+    CHECK_THROWS_AS(run_guarded("slow.gltf", "a reader", {},
+                                [] {
+                                    std::this_thread::sleep_for(std::chrono::seconds(20));
+                                    return std::string("read");
+                                }),
+                    Cancelled);
+    CHECK(now_ms() - start < 10000);
+    cancels.join();
+    lightwalk::progress() = nullptr;
+    CHECK(run_guarded("fast.gltf", "a reader", {}, [] { return std::string("read"); }) == "read");
+}
+
 TEST_CASE("what comes to the device in slices is drawn as what is loaded at once, and nothing of it is loaded again") {
     const TestFolder folder;
     write_file(folder.path / "grid.obj", "mtllib grid.mtl\nusemtl wall\n" + grid_text(300));
@@ -151,6 +172,20 @@ TEST_CASE("what comes to the device in slices is drawn as what is loaded at once
         for (uint32_t m = 0; m < ours.maps[slot]->desc.mips; ++m)
             CHECK(gpu.read_back(one.mip(m)) == gpu.read_back(two.mip(m)));
     }
+}
+
+TEST_CASE("what is previewed after another file is the picture that it is alone") {
+    Gpu& gpu = check_device();
+    Preview preview;
+    std::vector<Image8> pictures;
+    for (const char* file : {"models/cube.obj", "models/sphere.obj", "models/cube.obj"}) {
+        const auto path = find_asset(file);
+        const SceneFile scene = scene_of_model(path, model_bounds(load_model(path)));
+        pictures.push_back(preview.draw(gpu, scene, Thumbnails::size));
+        CHECK(pictures.back().pixels == Preview().draw(gpu, scene, Thumbnails::size).pixels);
+    }
+    CHECK(pictures[0].pixels == pictures[2].pixels);
+    CHECK(pictures[0].pixels != pictures[1].pixels);
 }
 
 TEST_CASE("a thumbnail's file depends on the path, the size and the time of its file") {

@@ -47,6 +47,12 @@ OWN = {"mapped": MAPPED, "everything": EVERYTHING, "glass": GLASS}
 SCENES = {"planet.l": "scenes/earth.json", "planet.turn_deg": "scenes/earth.json", "planet.clouds": "scenes/earth.json",
           "planet.night": "scenes/earth.json", "terrain.": "scenes/terrain_noon.json", "maps.": "mapped", "lights.": "mapped", "rays.": "mapped", "shadow.near_m": "mapped",
           "lamp": "mapped", "shadow.transparent": "glass",
+          # Chapter 09's own scene has no light with cascades.
+          **dict.fromkeys((f"09 shadow.{name}" for name in ("cascades", "split", "distance_m", "snap")), "everything"),
+          "paint.": "scenes/paint_close.json", "music.": "scenes/beat.json", "sphere.": "scenes/beat.json",
+          "planets.clouds": "scenes/earth_portrait.json", "planets.waves": "scenes/earth_portrait.json",
+          "planets.air": "scenes/earth_portrait.json", "planets.night": "scenes/earth_night.json",
+          "planets.relief": "scenes/moon.json", "planets.sun": "scenes/sun.json", "planets.flow": "scenes/jupiter.json",
           "sphere_shadow.": "scenes/ringed_planet.json", "screens.": "scenes/control_room.json"}
 
 
@@ -69,6 +75,8 @@ def settings_of(knob, borrowed: bool) -> list[str]:
         return knob["options"]
     if knob["name"] in ("samples", "dof.views"):
         return ["2", "7"]  # the end is 4,096 or 65,536 pictures
+    if knob["name"] == "select":
+        return ["-1", "0"]  # numbers of objects
     if knob["range"] == [-360, 360]:
         return ["-360", "90", "360"]  # whole turns change nothing
     count = len(knob["default"]) if isinstance(knob["default"], list) else 1
@@ -99,7 +107,8 @@ USED_WITH = {
     "shadow.slope": ["shadow.receiver_plane=off"], "shadow.normal_offset": ["shadow.receiver_plane=off"],
     "lights.fade_k": ["lights.falloff=range_fade"],
     "lights.threshold": ["lights.falloff=inverse_square", "lights.method=clustered"],
-    "wrap": ["diffuse=wrapped"], "bloom.": ["bloom.cut=none"], "bloom.knee": [], "bloom.threshold": [],
+    "wrap": ["diffuse=wrapped"], "bloom.": ["bloom.method=pyramid", "bloom.cut=none"], "bloom.cut": ["bloom.method=pyramid"],
+    "bloom.knee": ["bloom.method=pyramid"], "bloom.threshold": ["bloom.method=pyramid"],
     "bloom.truncation": ["bloom.method=separable", "bloom.cut=none"],
     "bloom.border": ["bloom.method=separable", "bloom.cut=none"], "bloom.method": ["bloom.cut=none"],
     "dof.": ["dof.method=gather"], "dof.views": ["dof.method=lens"],
@@ -117,7 +126,7 @@ USED_WITH = {
     "sphere_shadow.": ["sphere_shadow.method=exact"], "sphere_shadow.width": ["sphere_shadow.method=power"],
     "sphere_shadow.power": ["sphere_shadow.method=power"], "maps.": ["maps.method=occlusion"],
     "maps.subdivide": ["maps.mesh=displaced", "maps.strength=0"],
-    "maps.scroll": ["time=0.3"], "walk_m_s": ["time=1.5"], "post.scan_speed": ["post.scanlines=on", "time=1.5"],
+    "maps.scroll": ["time=0.3"], "walk_m_s": ["time=1.5"], "post.scan_speed": ["post.scanlines=on", "time=1.234"],
     "terrain.speed_m_s": ["world=terrain", "time=1.5"], "maps.coverage": ["maps.method=normal"],
     "gbuffer.normal_bits": ["gbuffer.show=normal"], "post.codes": ["post.dither=bayer_4"], "post.match": ["post.tone=reinhard"],
     "post.store": ["post.method=pass_each", "post.contrast=on", "post.gamma=on"], "post.method": ["post.contrast=on"],
@@ -131,22 +140,43 @@ USED_WITH = {
     "terrain.shadow_steps": ["world=terrain", "terrain.shadow=marched"],
     "skin.wrap": ["world=head", "skin.method=wrapped"], "12 level": ["show=level"], "half_plane.": ["world=half_plane"],
     # The walls of chapter 06's own scene reach below its floor, where random lights begin; none of its lights has cascades.
+    "environment.sh_window": ["environment.diffuse=sh9"], "environment.sample": ["environment.method=sampled"],
+    "environment.levels.": ["environment.method=box_mips"],
+    "backdrop.ground_y": ["backdrop.ground=projected"], "backdrop.camera_m": ["backdrop.ground=projected"],
+    "backdrop.radius_m": ["backdrop.ground=projected"], "backdrop.shadow.": ["backdrop.ground=projected"],
+    "sphere.": ["sphere.shown=on", "time=1.5"], "music.": ["time=1.5"], "probe.": ["probe.update=moved"],
+    "probe.lower": ["probe.update=moved", "probe.box=on"], "probe.upper": ["probe.update=moved", "probe.box=on"],
+    "volume.truth_samples": ["volume.method=exact"], "volume.shine": ["volume.shading=gradient"],
+    "volume.wave_speed": ["volume.wave=0.1", "time=1.234"], "volume.shell_speed": ["time=1.234"],
+    "planets.flow": ["planets.flow_days=1"], "planets.flow_days": ["planets.flow_period_days=1.7"], "planets.days_per_s": ["time=1.5"],
+    "flight.": ["flight.on=on", "time=5.5"], "flight.on": ["time=5.5"],
+    "marks.": ["select=0"], "picker.": ["show=ids"],
+    "objects.shaded": ["gbuffer.method=forward"], "reference": ["post.tone=reinhard"],
+    "post.white_balance": ["post.white_k=4000"], "post.gamma": ["post.gamma_by=2"],
     "06 lights": ["scene=scenes/field.json"], "06 shadow.snap": ["scene=mapped"],
     "lamp": ["visibility=rays"], "rays.": ["visibility=rays"], "environment.turn_deg": ["world=julia"],
 }
 
 
-def used_with(chapter: str, name: str, knobs: dict) -> list[str]:
-    """What is set with a knob of a chapter: of the chapter's own entry "NN NAME", else of that with the longest beginning."""
+def own_or_longest(table: dict, chapter: str, name: str, otherwise):
+    """Of the entry "NN NAME" or "NN BEGINNING." of the chapter, else of that with the longest beginning."""
     own = f"{chapter[:2]} {name}"
-    begin = own if own in USED_WITH else max((begin for begin in USED_WITH if name.startswith(begin)), key=len, default="")
-    return [one for one in USED_WITH.get(begin, [])
+    begins = [begin for begin in table if begin == own or begin.endswith(".") and own.startswith(begin)] or \
+        [begin for begin in table if name.startswith(begin)]
+    return table[max(begins, key=len)] if begins else otherwise
+
+
+def used_with(chapter: str, name: str, knobs: dict) -> list[str]:
+    """What is set with a knob of a chapter."""
+    others = own_or_longest(USED_WITH, chapter, name, [])
+    return [one for one in others
             if one.startswith(("time=", "scene=")) or one.split("=")[0] in knobs and one.split("=")[0] != name]
 
 
-# Chapters whose knobs are all looked at, borrowed ones as well. In the others a knob is tried in the first chapter that has
-# it, and need only be accepted.
-LOOKED_AT = ("01", "02", "03", "04", "05", "06", "07", "08", "10", "11")
+# Every chapter's own knobs are looked at, but for landscapes and the film, whose knobs need only be accepted. In the first
+# eleven chapters borrowed ones are looked at as well; in the others a knob is tried in the first chapter that has it.
+LOOKED_AT = ("01", "02", "03", "04", "05", "06", "07", "08", "09", "10", "11")
+ACCEPTED = ("15", "19")
 # Those that by design change nothing in the chapter's own scene, and why; "NN NAME" for one chapter.
 SILENT = {
     "01 loader": "all read one file alike",
@@ -154,17 +184,20 @@ SILENT = {
                      "prepass", "mips.bilinear", "remake", "atmosphere.refresh", "mlaa.reads"),
                     "they draw equal pictures (test_equal_methods.py)"),
     "mips.reduction": "two ways to one mean, which differ in time alone",
-    "06 objects.shaded": "a G-buffer is shaded in compute as it is, and what is drawn forward beside it by fragment shaders",
     "07 maps.coverage": "the levels of its textures are its own, and keep coverage",
     "lights.slices": "says how many lights a pixel computes, not what they shed",
     "post.automatic.adapt_s": "the first frame has nothing to adapt from",
     "terrain.stitch": "a crack is far narrower than a pixel of so small a picture",
     "mlaa.count": "counts pixels, and changes none",
+    "planets.maps": "says when maps are loaded, not how they look",
+    "picker.reach": "acts where somebody clicks",
+    "environment.levels.bilinear": "as mips.bilinear", "environment.levels.reduction": "as mips.reduction",
 }
 
 
-def scene_of(name: str) -> list[str]:
-    return next(([f"scene={scene}"] for begin, scene in SCENES.items() if name.startswith(begin)), [])
+def scene_of(chapter: str, name: str) -> list[str]:
+    scene = own_or_longest(SCENES, chapter, name, "")
+    return [f"scene={scene}"] if scene else []
 
 
 def options_of(settings, folder: Path) -> list[str]:
@@ -179,17 +212,17 @@ def options_of(settings, folder: Path) -> list[str]:
 def silent_knobs(chapter: str, known: set, draw) -> list[str]:
     """The knobs that change no picture. One of the chapter's own is drawn at all its values; one in `known`, which an earlier
     chapter has, until a picture changes."""
-    knobs, silent, looked_at = knobs_of(chapter), [], chapter.startswith(LOOKED_AT)
+    knobs, silent = knobs_of(chapter), []
     for name, knob in knobs.items():
-        if name in known and not looked_at:
+        if name in known and not chapter.startswith(LOOKED_AT):
             continue
-        used, changes = scene_of(name) + used_with(chapter, name, knobs), False
+        used, changes = scene_of(chapter, name) + used_with(chapter, name, knobs), False
         for setting in (f"{name}={value}" for value in settings_of(knob, name in known)):
             if changes and name in known:
                 break
             others = others_of(setting)
             changes |= draw(*used, *others, setting) != draw(*used, *others)
-        if looked_at and not changes and not {name, f"{chapter[:2]} {name}"} & SILENT.keys():
+        if not changes and not chapter.startswith(ACCEPTED) and not {name, f"{chapter[:2]} {name}"} & SILENT.keys():
             silent.append(f"{chapter[:2]} {name}")
     return silent
 

@@ -46,9 +46,9 @@ class Whole(unittest.TestCase):
             self.assertIn(name.rsplit("/", 1)[1], files_of(whole(name))[0])
 
     def test_few_files_make_a_shader(self):
-        # Files of their own, since others replace or share them: the end of a surface, what a dispatch shades with in place of
-        # varyings, and the skin's shading.
-        for name, most in (("05_shadow_maps/surface.frag", 27), ("12_skin/skin.frag", 32)):
+        # Of the first, 17 are exercises; each of the others is a module's, a struct that C++ reads as well, or put_surface(), which
+        # others replace.
+        for name, most in (("05_shadow_maps/surface.frag", 26), ("12_skin/skin.frag", 30)):
             self.assertLessEqual(len(files_of(whole(name))), most, name)
 
     def test_macros_are_those_of_the_compiler(self):

@@ -1,0 +1,147 @@
+// What moves on a body: Jupiter's clouds by its winds, the Sun's granules.
+#include <fmt/core.h>
+
+#include "planets_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+// A map whose texels are its coordinates.
+const std::string flow_before =
+    "#define textureSize(map, level) ivec2(2048, 1024)\n"
+    "#define textureLod(map, at, level) vec4(at, level, 1.0)\n"
+    "#define sampler2D int\n"
+    "#define PLANETS_FLOW_FROZEN 0\n#define PLANETS_FLOW_SCROLLED 1\n#define PLANETS_FLOW_TWO_FRAMES 2\n"
+    "#define PLANETS_FLOW_ADVECTED 3\n";
+
+Probe flow_probe(int method, const std::string& function, const std::string& signature) {
+    return {.include = "common/srgb.glsl",
+            .before = flow_before + "#define PLANETS_FLOW " + std::to_string(method) + "\n" +
+                      "#include \"17_planets/flow.glsl\"\n" + function,
+            .signature = signature,
+            .inputs = {},
+            .truth = {},
+            .bound = {},
+            .macros = {}};
+}
+
+constexpr double around_m = 2 * 3.14159265358979 * 71.492e6;  // Jupiter's equator
+
+}  // namespace
+
+TEST_CASE_METHOD(DeviceTest, "winds in metres a second become shares of the map a day, more of it near the poles") {
+    Probe probe =
+        flow_probe(0, "vec4 winds(vec2 uv) { return vec4(wind(uv), flow_speed(uv)); }\n", "vec4 winds(vec2 uv)");
+    for (const double v : {0.02, 0.05, 0.11, 0.31, 0.4, 0.5, 0.6, 0.606, 0.63, 0.82, 0.93, 0.98})
+        for (const double u : {0.1, 0.35, 0.372, 0.39, 0.8})
+            probe.inputs.push_back({double(float(u)), double(float(v))});
+    const Table found = run_probe(gpu, probe, 4);
+    for (size_t i = 0; i < found.size(); ++i) {
+        const double cosine = std::max(std::cos(glm::pi<double>() * (0.5 - probe.inputs[i][1])), 0.05);
+        INFO(call_text(probe, probe.inputs[i]));
+        CHECK(found[i][2] == Approx(86400 * found[i][0] / (around_m * cosine)).epsilon(1e-4).margin(1e-7));
+        CHECK(found[i][3] == Approx(-86400 * found[i][1] / (0.5 * around_m)).epsilon(1e-4).margin(1e-7));
+    }
+    // Read in their sources: 140 m/s at 25 degrees north; and no wind at the poles.
+    Probe zonal = flow_probe(0, "vec2 wind_at(vec2 uv) { return wind(uv); }\n", "vec2 wind_at(vec2 uv)");
+    zonal.inputs = {{0.9, 0.5 - 25.0 / 180}, {0.9, 0.5 + 10.0 / 180}, {0.9, 0.5 - 7.5 / 180}, {0.9, 0}, {0.9, 1}};
+    zonal.truth = [](auto in) {
+        const double latitude = std::round(1800 * (0.5 - in[1])) / 10;
+        return Row{latitude == 25 ? 140.0 : latitude == -10 ? 130.0 : latitude == 7.5 ? 72.5 : 0.0, 0};
+    };
+    zonal.bound = {.absolute = 0.05};
+    CHECK(worst_of(zonal, run_probe(gpu, zonal, 2)) == "");
+}
+
+TEST_CASE_METHOD(DeviceTest, "the Great Red Spot turns anticlockwise, once in six days, on whichever turn of the map") {
+    Probe probe = flow_probe(0, "vec2 wind_at(vec2 uv) { return wind(uv); }\n", "vec2 wind_at(vec2 uv)");
+    // To the east, the north, the west and the south of its middle, by half its axes.
+    const glm::dvec2 middle(0.372, 0.606), half(9.5 / 360, 5.5 / 180);
+    for (const double turn : {0.0, 1.0, -1.0})
+        for (const glm::dvec2 side : {glm::dvec2(1, 0), {0, -1}, {-1, 0}, {0, 1}})
+            probe.inputs.push_back({double(float(middle.x + turn + 0.5 * side.x * half.x)),
+                                    double(float(middle.y + 0.5 * side.y * half.y))});
+    const Table found = run_probe(gpu, probe, 2);
+    for (size_t i = 0; i < found.size(); ++i) {
+        INFO(call_text(probe, probe.inputs[i]));
+        const glm::dvec2 wind(found[i][0], found[i][1]);
+        if (i % 2 == 0) CHECK((i % 4 == 0 ? 1 : -1) * wind.y > 20);  // north in the east, south in the west
+        if (i % 2 == 1) CHECK((i % 4 == 1 ? -1 : 1) * wind.x > 40);  // west in the north, east in the south
+        for (int c = 0; c < 2; ++c) CHECK(found[i][size_t(c)] == Approx(found[i % 4][size_t(c)]).margin(0.05));
+    }
+}
+
+TEST_CASE_METHOD(DeviceTest,
+                 "clouds scrolled by a mean wind of 30 m/s, or carried by each latitude's own, come from upwind") {
+    const std::string function = "vec2 from(vec2 uv, float days) { return flowed(0, uv, 0.001, days, 2.0).xy; }\n";
+    const char* const signature = "vec2 from(vec2 uv, float days)";
+    Probe scrolled = flow_probe(1, function, signature);
+    scrolled.truth = [](auto in) { return Row{in[0] - 30 * 86400 * in[2] / around_m, in[1]}; };
+    scrolled.bound = {.absolute = 1e-5};
+    // Far from the spot, where the wind of a latitude is the same all around.
+    Probe carried = flow_probe(3, function, signature);
+    carried.truth = [](auto in) {
+        return Row{in[0] - 140 * 86400 * in[2] / (around_m * std::cos(glm::radians(25.0))), in[1]};
+    };
+    carried.bound = {.absolute = 1e-4};
+    for (const double days : {0.0, 1.0, 3.0})
+        scrolled.inputs.push_back({double(float(0.8)), 0.25, days}),
+            carried.inputs.push_back({double(float(0.8)), double(float(0.5 - 25.0 / 180)), days});
+    CHECK(worst_of(scrolled, run_probe(gpu, scrolled, 2)) == "");
+    CHECK(worst_of(carried, run_probe(gpu, carried, 2)) == "");
+}
+
+TEST_CASE_METHOD(DeviceTest, "the Sun's network changes a tenth as fast as its granules, and neither jumps") {
+    Probe probe{.include = "17_planets/sun_surface.glsl",
+                .before = "",
+                .signature = "vec3 sun_surface(vec3 place, float mu, float moment, float footprint_rad)",
+                .inputs = {},
+                .truth = {},
+                .bound = {},
+                .macros = {}};
+    // Light of the same 300 places at a moment; what a pixel of that angle shows.
+    const auto light = [&](double moment, double footprint) {
+        probe.inputs.clear();
+        Random random(5);
+        for (int i = 0; i < 300; ++i) {
+            const glm::vec3 place = random.direction();
+            probe.inputs.push_back({double(place.x), double(place.y), double(place.z), 1, moment, footprint});
+        }
+        return run_probe(gpu, probe, 3);
+    };
+    const auto change = [&](double from, double to, double footprint) {
+        const Table a = light(from, footprint), b = light(to, footprint);
+        double sum = 0;
+        for (size_t i = 0; i < a.size(); ++i) sum += (a[i][1] - b[i][1]) * (a[i][1] - b[i][1]);
+        return std::sqrt(sum / double(a.size()));
+    };
+    // Half a cell of the granules' time, of the light that changes in fifty. A pixel of 6 thousandths of a radian shows the
+    // network alone, of 3 the larger granules too, of 0.5 all.
+    const auto share = [&](double footprint) {
+        return change(40.001, 40.501, footprint) / change(40.001, 90.001, footprint);
+    };
+    const double network = share(0.006), larger = share(0.003), all = share(0.0005);
+    fmt::print("in half a cell of time: the network {:.3f} of all change, larger granules {:.3f}, all {:.3f}\n",
+               network, larger, all);
+    CHECK(network < 0.05);
+    CHECK(larger > 2 * network);
+    CHECK(larger < 0.2);
+    CHECK(all > 0.2);
+    for (const double moment : {1.0, 2.0, 10.0, 20.0}) CHECK(change(moment - 0.002, moment + 0.002, 0.0005) < 0.002);
+}
+
+TEST_CASE_METHOD(DeviceTest, "the Sun's edge is darker and redder than its middle, and not black") {
+    Probe probe{.include = "17_planets/sun_surface.glsl",
+                .before = "",
+                .signature = "vec3 limb_darkening(float mu)",
+                .inputs = {{1}, {0.5}, {0.1}, {1e-3}, {1e-4}, {0}},
+                .truth =
+                    [](auto in) {
+                        const double mu = std::max(in[0], 1e-3);
+                        return Row{std::pow(mu, 0.42), std::pow(mu, 0.52), std::pow(mu, 0.70)};
+                    },
+                .bound = {.absolute = 1e-4, .relative = 1e-4},
+                .macros = {}};
+    CHECK(worst_of(probe, run_probe(gpu, probe, 3)) == "");
+}

@@ -1,0 +1,255 @@
+// What a person does while something else goes on: keys, files that arrive, saving and reloading in the middle of a drag.
+#include <GLFW/glfw3.h>
+
+#include <thread>
+
+#include "18_playground/editor_window.h"
+#include "common/app/render.h"
+#include "common/window/live_chapter.h"
+#include "editor_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+const char* const two_cubes = R"({"camera": {"position": [0, 0.5, 4], "target": [0, 0, 0]}, "ambient": [0.3, 0.3, 0.3],
+    "lights": [{"type": "directional", "direction": [-0.4, -0.8, -0.5]}],
+    "objects": [{"name": "left", "model": "models/cube.obj"}, {"name": "right", "model": "models/cube.obj", "position": [2, 0, 0]}]})";
+
+// The editor as its window drives it, one frame after each event.
+struct Driven {
+    TestFolder folder;
+    Gpu& gpu = check_device();
+    EditorWindow window;
+    LiveChapter live;
+    Frame frame{gpu};
+    glm::vec2 cursor{0.0f};
+    explicit Driven(const char* scene = two_cubes) : live(window, gpu, write(scene)) {
+        window.name = "18_playground";
+        live.load({});
+        draw();
+    }
+    std::filesystem::path write(const char* scene) {
+        write_file(folder.path / "scene.json", scene);
+        return folder.path / "scene.json";
+    }
+    void draw() {
+        live.draw(frame, {{160, 120}, 0, 0, {}});
+        REQUIRE(live.frame_error.empty());
+    }
+    std::vector<std::byte> picture() {
+        draw();
+        return gpu.read_back(frame.output);
+    }
+    bool mouse(glm::vec2 at, bool down) {
+        Input input;
+        cursor = input.cursor = at, input.left = down;
+        const bool taken = window.on_mouse(input, at, true);
+        draw();
+        return taken;
+    }
+    void key(int key, int mods = 0) {
+        window.on_key({key, mods});
+        draw();
+    }
+    EntryId named(const std::string& name) {
+        for (const EntryId id : with_children(document(), root_entry))
+            if (document().at(id).name() == name) return id;
+        return no_entry;
+    }
+    Document& document() { return window.editor.document; }
+    // By the arrow along x.
+    void begin_drag(const std::string& name) {
+        window.editor.selection.set({named(name)});
+        draw();
+        const auto place = gizmo_place(document(), window.editor.selection, window.view_now, Tool::move, false);
+        REQUIRE(place);
+        const glm::vec2 at = *on_screen(window.view_now, place->pivot + 0.6f * place->length_m * place->axes[0]);
+        mouse(at, false);
+        CHECK(mouse(at, true));
+        REQUIRE(window.editor.drag);
+        mouse(at + glm::vec2(9, 0), true);
+        CHECK(x_of(name) != first_x[name]);
+    }
+    float x_of(const std::string& name) { return document().at(named(name)).object()->position.x; }
+    std::map<std::string, float> first_x{{"left", 0.0f}, {"right", 2.0f}};
+};
+
+}  // namespace
+
+TEST_CASE("a key in the middle of a drag ends it where it is; the mouse that is still held moves nothing any more") {
+    for (const KeyPress key : {KeyPress{GLFW_KEY_DELETE, 0}, KeyPress{GLFW_KEY_D, GLFW_MOD_CONTROL},
+                               KeyPress{GLFW_KEY_G, GLFW_MOD_CONTROL}, KeyPress{GLFW_KEY_ESCAPE, 0}}) {
+        Driven editor;
+        const std::string before = state_of(editor.document());
+        editor.begin_drag("left");
+        editor.key(key.key, key.mods);
+        const std::string after = state_of(editor.document());
+        CHECK(editor.mouse(editor.cursor + glm::vec2(20, 3), true));  // nor does it orbit
+        CHECK(state_of(editor.document()) == after);
+        CHECK_FALSE(editor.window.editor.drag);
+        editor.mouse(editor.cursor, false);
+        CHECK_FALSE(editor.mouse(editor.cursor, false));
+        CHECK(editor.document().done() == (key.key == GLFW_KEY_ESCAPE ? 0 : 2));
+        while (editor.document().undo()) {}
+        CHECK(state_of(editor.document()) == before);
+    }
+}
+
+TEST_CASE("a file that arrives in the middle of a drag waits until the mouse is released") {
+    Driven editor;
+    editor.begin_drag("left");
+    editor.window.on_drop({find_asset("models/plane.obj")});
+    for (int i = 0; i < 150; ++i) {
+        editor.mouse(editor.cursor + glm::vec2(i % 2 ? 1 : -1, 0), true);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    CHECK(editor.window.editor.drag);
+    CHECK(editor.document().size() == 3);
+    editor.mouse(editor.cursor, false);
+    for (int i = 0; i < 2000 && editor.document().size() == 3; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        editor.draw();
+    }
+    CHECK(editor.document().size() == 4);
+    CHECK(editor.document().done() == 2);
+}
+
+TEST_CASE("what was cancelled is not waited for, and does not come with the next file") {
+    Driven editor;
+    std::string grid;
+    for (int i = 0; i < 400000; ++i) grid += fmt::format("v {} {} 1\nv {} 0 0\nv 0 1 0\nf -1 -2 -3\n", i, i % 7, i);
+    write_file(editor.folder.path / "large.obj", grid);
+    editor.window.on_drop({editor.folder.path / "large.obj"});
+    editor.draw();
+    editor.key(GLFW_KEY_ESCAPE);
+    editor.window.on_drop({find_asset("models/plane.obj")});
+    for (int i = 0; i < 5000 && editor.document().size() == 3; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        editor.draw();
+    }
+    CHECK(editor.named("plane") != no_entry);
+    CHECK(editor.named("large") == no_entry);
+    CHECK(editor.window.scene.models().size() == 2);
+}
+
+TEST_CASE("saved in the middle of a drag: the file has what the document has, whatever the mouse does then") {
+    Driven editor;
+    editor.begin_drag("right");
+    editor.window.on_save();
+    editor.mouse(editor.cursor + glm::vec2(15, 0), true);
+    editor.key(GLFW_KEY_ESCAPE);
+    editor.mouse(editor.cursor, false);
+    const SceneStore& store = editor.window.editor.store;
+    CHECK_FALSE(store.has_unsaved(editor.document()));
+    CHECK(read_scene(store.path).objects.at(1).position.x == editor.x_of("right"));
+    CHECK(editor.x_of("right") != 2);
+}
+
+TEST_CASE("knobs that are turned in the middle of a drag become a step after it") {
+    Driven editor;
+    editor.begin_drag("left");
+    editor.window.bloom.method.set("paired");
+    editor.mouse(editor.cursor + glm::vec2(5, 0), true);
+    CHECK(editor.window.editor.drag);
+    editor.mouse(editor.cursor, false);
+    CHECK(editor.document().settings().knobs.at("bloom.method") == "paired");
+    CHECK(editor.document().done() == 2);
+}
+
+TEST_CASE("loaded again by F5 or a toggle: what is being edited stays, saved or not, whichever file it is") {
+    Driven editor;
+    const std::filesystem::path other = editor.folder.path / "other.json";
+    write_file(other, R"({"camera": {"position": [0, 0.5, 4]}, "background": [0.1, 0.2, 0.3],
+        "objects": [{"name": "ball", "model": "models/sphere.obj"}]})");
+    editor.window.opens = other;
+    editor.draw();
+    REQUIRE(editor.named("ball") != no_entry);
+    const auto picture = editor.picture();
+    editor.live.reload();  // the window knows the file that it was started with
+    CHECK(editor.picture() == picture);
+    CHECK(editor.window.editor.store.path == other);
+    rename(editor.document(), editor.named("ball"), "not saved");
+    editor.live.reload();
+    CHECK(editor.picture() == picture);
+    REQUIRE(editor.named("not saved") != no_entry);
+    editor.document().undo();
+    CHECK(editor.named("ball") != no_entry);
+    // Somebody else has written it, and nothing is lost by reading it.
+    write_file(other, R"({"camera": {"position": [0, 0.5, 4]}, "objects": [{"name": "theirs"}]})");
+    editor.live.reload();
+    editor.draw();
+    CHECK(editor.named("theirs") != no_entry);
+    CHECK(editor.document().size() == 1);
+    CHECK(editor.window.scene.items.empty());
+}
+
+TEST_CASE("other surroundings and other ambient light show at once, as where the scene is opened with them") {
+    Driven editor;
+    for (const char* image : {"environments/interior.hdr", ""}) {
+        editor.document().begin("surroundings");
+        SceneSettings& settings = *editor.document().edit(root_entry).settings();
+        settings.environment.image = image, settings.environment.where = "environment";
+        settings.ambient = glm::vec3(0.6f, 0.1f, 0.2f);
+        editor.document().commit();
+        const auto picture = editor.picture();
+        Driven opened(editor.window.editor.store.text(editor.document()).c_str());
+        CHECK(picture == opened.picture());
+    }
+}
+
+TEST_CASE("lights are picked where they are seen, the nearest one; what is hidden or locked never is") {
+    Driven driven;
+    Editor& editor = driven.window.editor;
+    const EntryId first = add_light(driven.document(), {.kind = Light::Kind::point}),
+                  second = add_light(driven.document(), {.kind = Light::Kind::point, .position = {0.05f, 0, 0}});
+    const View view = driven.window.view_now;
+    const glm::vec2 at = *on_screen(view, glm::vec3(0.0f));
+    CHECK(editor.light_at(view, at) == first);
+    CHECK(editor.light_at(view, *on_screen(view, {0.05f, 0, 0})) == second);
+    editor.selection.set({first});
+    CHECK(editor.selected_bounds(driven.window.scene).lower == glm::vec3(-0.5f));
+    set_hidden(driven.document(), {first}, true);
+    CHECK(editor.light_at(view, at) == second);
+    set_locked(driven.document(), {second, driven.named("left")}, true);
+    CHECK_FALSE(editor.light_at(view, at).has_value());
+    driven.draw();
+    editor.select_item(driven.window.scene, 0, false);
+    CHECK(editor.selection.ids.empty());
+    editor.select_item(driven.window.scene, 1, false);
+    CHECK(editor.selection.active() == driven.named("right"));
+    const EntryId plane = editor.add_model(driven.window, "models/plane.obj");  // as any clone of the course finds it
+    CHECK(driven.document().at(plane).object()->model == "models/plane.obj");
+}
+
+TEST_CASE("methods and exercises that are switched while it runs draw what they draw from a cold start") {
+    struct State {
+        const char* method;
+        const char* bloom;
+        bool reference;
+    };
+    const auto set = [](EditorWindow& window, const State& state) {
+        window.objects.gbuffer.method.set(state.method);
+        window.bloom.method.set(state.bloom);
+    };
+    const State states[] = {{"forward", "none", true}, {"fat", "none", true},    {"fat", "paired", true},
+                            {"fat", "none", false},    {"packed", "none", true}, {"forward", "none", false},
+                            {"fat", "none", true},     {"forward", "none", true}};
+    Driven running;
+    std::vector<std::vector<std::byte>> pictures;
+    for (const State& state : states) {
+        const ToggleScope toggled(Exercises::ids(), state.reference);
+        set(running.window, state);
+        running.draw();  // the first frame may still show what a history holds
+        pictures.push_back(running.picture());
+        Driven cold;
+        set(cold.window, state);
+        cold.draw();
+        INFO(state.method << " " << state.bloom << " " << state.reference);
+        CHECK(pictures.back() == cold.picture());
+    }
+    CHECK(pictures[7] == pictures[0]);
+    CHECK(pictures[6] == pictures[1]);
+    CHECK(pictures[2] != pictures[1]);
+    CHECK(pictures[3] != pictures[1]);
+}
