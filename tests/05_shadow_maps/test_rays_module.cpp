@@ -31,6 +31,7 @@ double alpha_at(const Level& level, double u, double v) {
 struct RayScene : TestScene {
     NoChapter chapter;
     Rays rays{chapter, "rays"};
+    float cutoff = 0.5f;
     Pipeline pipeline = compute({.shader = "downwards", .source = R"(
 #include "05_shadow_maps/bvh.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -49,7 +50,7 @@ void main() {
     std::vector<bool> blocked_points() {
         Frame frame(gpu);
         frame.begin({4, 4}, 0);
-        rays.record(frame, scene);
+        rays.record(frame, scene, cutoff);
         const Buffer out(gpu.device, {.name = "blocked", .bytes = 4 * 256 * 256});
         frame.compute("look", {.writes = {out}, .with = {rays}}, [&](Compute& pass) {
             pass.use(pipeline).set("blocked", out).dispatch_threads({256, 256});
@@ -119,6 +120,6 @@ TEST_CASE("rays go through what a texture cuts out, and not where the knob says 
     test.rays.cutouts.set("off");
     CHECK(test.blocked() == 1);
     test.rays.cutouts.set("on");
-    test.rays.build(test.gpu, test.scene, 0.0f);  // nothing has less alpha than that
+    test.cutoff = 0;  // nothing has less alpha than that
     CHECK(test.blocked() == 1);
 }

@@ -144,7 +144,10 @@ class Session:
 
     def click(self, place: str, button: int = 1):
         self.wait(lambda: place in self.places, f"a widget '{place}'")
-        self.move(*self.places[place])
+        at = None
+        while at != self.places[place]:  # what has just opened comes to its place in its second frame
+            at = self.places[place]
+            self.move(*at)
         self.press(button)
         self.release(button)
         self.park()
