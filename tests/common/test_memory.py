@@ -10,6 +10,8 @@ from pathlib import Path
 from picture_drawing import BUILD, BUILT, CHAPTERS, ROOT
 
 FEW, MANY = 8, 40
+# On every commit those that have kept something at some time; all of them elsewhere.
+TRIED = [name for name in CHAPTERS if os.environ.get("CI") != "true" or name[:2] in ("10", "14", "15", "18")]
 BOUND_MB = 0.8  # a frame
 
 
@@ -28,7 +30,7 @@ def most_memory_mb(chapter: str, frames: int, picture: Path) -> float:
 class MemoryTest(unittest.TestCase):
     def test_frames_keep_nothing(self):
         with tempfile.TemporaryDirectory() as folder:
-            for chapter in CHAPTERS:
+            for chapter in TRIED:
                 few, many = (most_memory_mb(chapter, frames, Path(folder, "picture.png")) for frames in (FEW, MANY))
                 with self.subTest(chapter=chapter):
                     self.assertLess((many - few) / (MANY - FEW), BOUND_MB, "MB a frame")

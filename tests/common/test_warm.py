@@ -32,7 +32,6 @@ MOVES = [("05", "holes", ["maps.scroll=0.3"]), ("05", "holes", ["maps.wobble=0.1
 KNOBS = [("05", "holes", ["maps.coverage=averaged"], ["maps.cutoff=1"]),
          ("05", "holes", [], ["maps.opacity=off"]),
          ("05", "holes", ["visibility=rays", "maps.coverage=averaged"], ["maps.cutoff=1"]),
-         ("14", "holes", PROJECTED, ["backdrop.shadow.rays.cutouts=off"]),
          ("14", "holes", PROJECTED, ["backdrop.shadow.resolution=8"]),
          ("12", "", [], ["maps.normal=off"]),
          ("12", "", [], ["skin.sky_rays=16"])]
