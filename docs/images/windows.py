@@ -78,5 +78,9 @@ def make(name: str):
 
 
 if __name__ == "__main__":
+    unknown = [one for one in sys.argv[1:] if one not in WINDOWS]
+    if unknown:
+        print(f"no picture {unknown[0]}; there are: {', '.join(WINDOWS)}", file=sys.stderr)
+        sys.exit(2)
     for one in sys.argv[1:] or WINDOWS:
         make(one)
