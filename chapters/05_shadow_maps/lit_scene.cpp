@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/app/settings.h"
 #include "common/base/files.h"
 
 namespace lightwalk {
@@ -11,8 +12,7 @@ namespace {
 
 // Another number where textures cut other holes, or the same ones elsewhere because they move.
 uint64_t cut_by(const Maps& maps, const Scene& scene, float time_s) {
-    std::string now;
-    for (const KnobBase* knob : maps.all_knobs()) now += knob->text() + " ";
+    std::string now = settings_of(maps);
     const auto is_cut = [&](const DrawItem& item) { return item.transparent || maps.has_holes(item); };
     if (maps.animated() && std::any_of(scene.items.begin(), scene.items.end(), is_cut))
         now += fmt::format("{}", time_s);

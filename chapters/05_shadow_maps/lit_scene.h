@@ -24,8 +24,8 @@ struct LitScene : SurfaceScene {
         std::vector<std::string>{"raster", "visibility"},
         "raster",
         "Shading of opaque surfaces without a G-buffer: as they are drawn, by fragment shaders (raster), or in "
-        "compute, "
-        "once for each pixel of a visibility buffer; raster for displaced meshes and for several samples per pixel"};
+        "compute, once for each pixel of a visibility buffer; raster for displaced meshes and for several samples per "
+        "pixel"};
     // [/lit_scene]
 
     void draw(Frame& frame, const View& view, Canvas& canvas) override;

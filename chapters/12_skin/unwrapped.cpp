@@ -4,6 +4,7 @@
 #include <numeric>
 #include <set>
 
+#include "common/app/settings.h"
 #include "common/base/exercise.h"
 
 namespace lightwalk {
@@ -56,8 +57,7 @@ void add_charts(Gpu& gpu, const Scene& scene) {
 }
 
 bool Unwrapped::record(Frame& frame, const Scene& scene, const Maps& maps, const DrawItem& item, uint32_t size) {
-    MadeOf wanted{&item, scene.placed, size, Exercises::version(), ""};
-    for (const KnobBase* knob : maps.all_knobs()) wanted.knobs += knob->text() + " ";
+    const MadeOf wanted{&item, scene.placed, size, Exercises::version(), settings_of(maps)};
     if (wanted == made_of_) return false;
     const auto image = [&](Image& made, const char* name, VkFormat format) {
         made.fit(frame.gpu.device,

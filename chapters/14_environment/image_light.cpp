@@ -6,6 +6,8 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
+#include "common/app/settings.h"
+
 namespace lightwalk {
 namespace {
 
@@ -63,10 +65,8 @@ const Image& ImageLight::picture_of(Frame& frame, const Scene& scene) {
 }
 
 std::string ImageLight::made_from() const {
-    std::string from = fmt::format("{} {} {}", limit.value, sh_window.text(), Exercises::version());
-    for (const Module* made_by : std::initializer_list<const Module*>{&prefilter, &levels})
-        for (const KnobBase* knob : made_by->all_knobs()) from += " " + knob->text();
-    return from;
+    return fmt::format("{} {} {} {} {}", limit.value, sh_window.text(), Exercises::version(), settings_of(prefilter),
+                       settings_of(levels));
 }
 
 void ImageLight::record_table(Frame& frame) {

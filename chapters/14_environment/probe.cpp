@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "01_obj/camera_view.h"
+#include "common/app/settings.h"
 
 namespace lightwalk {
 
@@ -43,9 +44,8 @@ void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, con
     if (update.is("off")) return;
     // Any knob of the chapter may change what is drawn; and where something is animated besides the objects, time does. Where
     // the sky alone is drawn, objects may move.
-    std::string now = fmt::format("{} {} {}", distant ? 0 : scene.placed, Exercises::version(),
-                                  owner_.any_animated() ? frame.time_s : 0.0f);
-    for (const KnobBase* knob : owner_.all_knobs()) now += " " + knob->text();
+    const std::string now = fmt::format("{} {} {} {}", distant ? 0 : scene.placed, Exercises::version(),
+                                        owner_.any_animated() ? frame.time_s : 0.0f, settings_of(owner_));
     const bool first = made_.empty();
     if (update.is("moved") && now == made_) {
         light.use(light.drawn);

@@ -6,6 +6,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "16_volume/transfer.h"
+#include "common/app/settings.h"
 #include "common/base/bytes.h"
 #include "common/base/exercise.h"
 
@@ -153,8 +154,7 @@ void Volume::draw(Frame& frame, const View& view, Canvas& canvas) {
         past.of.clear();
     // The history is that of this very picture: the same view, volume, knobs and objects.
     ByteWriter of;
-    of(now_, field.number(), transfer_number_, scene_->placed, Exercises::version());
-    for (const KnobBase* knob : all_knobs()) of(knob->text());
+    of(now_, field.number(), transfer_number_, scene_->placed, Exercises::version(), settings_of(*this));
     past.pictures = of.bytes == past.of ? past.pictures : 0;
     past.of = std::move(of.bytes);
     now_.history = static_cast<float>(past.pictures);

@@ -46,8 +46,7 @@ void hide_blocks(Words& spirv) {
     if (declared.block_of.empty()) return;
     uint32_t& bound = spirv[bound_word];
     Words decorations, declarations;
-    const bool has_integer = declared.integer != 0;
-    if (!has_integer) add(declarations, SpvOpTypeInt, {declared.integer = bound++, 32, 0});
+    if (declared.integer == 0) add(declarations, SpvOpTypeInt, {declared.integer = bound++, 32, 0});
     const uint32_t one = bound++, none = bound++, pushed = bound++, to_pushed = bound++, to_index = bound++,
                    push = bound++;
     add(declarations, SpvOpConstant, {declared.integer, one, 1});
