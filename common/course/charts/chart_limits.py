@@ -21,7 +21,8 @@ class Limits:
 def room_beside(chart):
     """The room for labels left and right of the curves, as shares of what they span: over a knob all stand right."""
     if chart.y.kind == "method":
-        label = 90 / (600 / chart.columns)
+        longest = max(len(line) for p in chart.drawable for line in chart.row_text(p).split("\n"))
+        label = min((14 + 5.4 * longest) / (600 / chart.columns), 0.6)
         return 0.08, label / (1 - label)
     if chart.x.kind != "knob":
         return 0.26, 0.22
