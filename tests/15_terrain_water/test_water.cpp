@@ -58,7 +58,7 @@ TEST_CASE_METHOD(OnWater, "after 1e5 s each wave's phase is right; a float's wou
 }
 
 TEST_CASE(
-    "the shortcut for the normal is exact for one wave; of four it is up to 75 degrees off at the limit of loops") {
+    "the shortcut for the normal is exact for one wave; of four it is over 50 degrees off at the limit of loops") {
     Random random(15);
     for (const double steepness : {0.3, 0.6, 0.8, 1.0}) {
         double mean = 0, most = 0, single = 0;
@@ -92,7 +92,7 @@ TEST_CASE(
         CHECK(single < 0.01);
         CHECK(mean > 0.1);
         CHECK(most > 1);
-        if (steepness == 1.0) CHECK(most > 20);
+        if (steepness == 1.0) CHECK(most > 50);
     }
 }
 

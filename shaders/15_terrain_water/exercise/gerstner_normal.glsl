@@ -5,15 +5,16 @@
 // Two functions. The water that rests at (x, z) lies at P(x, z) = (x, 0, z) + the sum of gerstner() over all waves; see
 // 15.gerstner for its parameters.
 //
-// gerstner_slopes(): the derivatives of one wave's gerstner(), as a matrix: the first column by x, the third by z, the
-// second is 0.
+// gerstner_slopes(): the derivatives of one wave's gerstner(), without the (x, 0, z), as a matrix. The first column is
+// the derivative by x, the third that by z; the second is 0.
 //
-// gerstner_normal(): from the sum of all waves' slopes to the unit normal of the surface at that place. Level water, all
-// slopes 0, has (0, 1, 0). The published shortcut, (-sum of D k A cos, 1 - sum of Q k A sin), is exact for a single wave:
-// the tangents dP/dx and dP/dz of all waves have to be summed before they are crossed. Where the surface folds the normal
-// may point down. A cross product of length 0, at a cusp, gives (0, 1, 0).
+// gerstner_normal(): the unit normal of the surface at a place. `slopes` is the sum of gerstner_slopes() over all waves
+// there. Level water, all slopes 0, has the normal (0, 1, 0). The published shortcut, (-sum of D |k| A cos,
+// 1 - sum of Q |k| A sin), is exact for a single wave only: the tangents dP/dx and dP/dz have to be summed over all
+// waves before their cross product is taken. Where the surface folds the normal may point down. A cross product of
+// length 0, at a cusp, gives (0, 1, 0).
 //
-// Slopes within 1e-5 plus a ten-thousandth, normals within 1e-4.
+// Tolerance: 1e-5 plus 1e-4 of the value for slopes, 1e-4 for normals.
 // [/gerstner_normal]
 mat3 gerstner_slopes(vec2 at, vec2 k, float amplitude, float steepness, float phase) {
     return mat3(0.0);
