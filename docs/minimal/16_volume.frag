@@ -23,7 +23,7 @@ vec4 classified(float density) {
 float density_at(vec3 place) { return textureLod(densities, 0.5 + 0.5 * place, 0.0).r; }
 
 // Light and opacity of the volume along a ray. Of the light that a sample emits, exp(-depth) arrives, where the optical
-// depth is the sum of extinction times length in front of it. Samples lie in the middle of each step: the error is smallest.
+// depth is the sum of extinction times length in front of it. Each step is read in its middle: the error is smallest.
 vec4 march(vec3 origin, vec3 direction, int samples) {
     vec2 way = way_through(origin, direction);
     if (way.y <= way.x) return vec4(0.0);
