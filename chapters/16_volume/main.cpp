@@ -41,8 +41,8 @@ struct VolumeChapter : ModelChapter {
         const View view = set_view(frame);
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
 
-        // 1. What is solid, and what a lens leaves out of focus of it. The depth is theirs alone: so the volume comes
-        //    after it, sharp, and ends where they begin.
+        // 1. Solid objects, blurred by the lens. They alone write depth. So the volume is drawn after the lens: it stays
+        //    sharp, and its rays end at the objects.
         dof.record(frame, view, canvas, {objects});
         draw(frame, view, canvas, {volume});
 

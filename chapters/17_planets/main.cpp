@@ -24,7 +24,7 @@ struct PlanetsChapter : ModelChapter {
 
     // [frame]
     void frame(Frame& frame) override {
-        // 1. The camera: the scene's, or that of a flight, whose place a float cannot hold.
+        // 1. The camera: the scene's, or that of a flight, whose position floats cannot hold.
         planets.exposed_for_m.reset();
         View view;
         if (flight.on) {
@@ -36,7 +36,7 @@ struct PlanetsChapter : ModelChapter {
             view = set_view(frame);
         }
 
-        // 2. Stars, and before them the bodies, the farthest first.
+        // 2. Stars, then the bodies over them, the farthest first.
         Canvas canvas(frame.hdr, frame.depth);
         draw(frame, view, canvas, {stars, planets});
 

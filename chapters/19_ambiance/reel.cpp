@@ -73,8 +73,8 @@ void Reel::draw_unseen(Gpu& gpu, glm::uvec2 size, size_t place, double time_s) {
     unseen.end();
 }
 
-// Freeing a scene's memory is work as well. Hard cuts, at which the scene before was dropped, took 13 to 18 ms on a GPU; that
-// this was the cause is not measured. Nothing is dropped there now, but where there is no room for another scene.
+// Freeing a scene's memory is work as well. Hard cuts took 13 to 18 ms on a GPU while each of them dropped the scene before;
+// that this was the cause is not measured. Now a scene is dropped only if there is no room for another one.
 void Reel::drop_parts(const std::vector<int>& wanted, size_t room) {
     const auto is_wanted = [&](size_t place) {
         return std::find(wanted.begin(), wanted.end(), int(place)) != wanted.end();

@@ -29,8 +29,8 @@ namespace lightwalk {
 //                  evenly from one to the next, a track with "steps" as its first entry jumps, as words do
 //     camera       spline ("centripetal"; linear, catmull_rom), even_speed (false), keys: list of time_s (scene time,
 //                  rising), position, target, up ([0, 1, 0]), fov_deg (the scene file's)
-//   fades        list of from_s, to_s, from, to (0 to 1), color ("black" or "white"). Outside of it a fade that ends
-//                  above 0 lasts until the next one of its colour begins
+//   fades        list of from_s, to_s, from, to (0 to 1), color ("black" or "white"). After a fade its last value
+//                  holds until the next fade of its colour begins
 //   titles       list of from_s, to_s, text, size (0.05, of the picture's height), at ([0.06, 0.1], from the left and
 //                  from below, in heights), count ([from, to]: a number that runs in place of {} in the text)
 // [/timeline_format]

@@ -6,8 +6,8 @@ layout(location = 0) out vec4 color;  // what the volume adds, and how much it h
 layout(binding = 0) uniform sampler3D densities;  // 0 to 1
 layout(push_constant) uniform Frame { vec4 eye; int steps; };  // metres; the box reaches from -1 to 1 on each axis
 
-// Where the ray enters the box and where it leaves it, in metres; where it misses, it leaves before it enters. Two
-// opposite faces are a slab. A direction of 0 along an axis gives infinities of the right sign.
+// Where the ray enters the box and where it leaves it, in metres; if it misses the box, the second is less than the
+// first. Two opposite faces are a slab. A direction of 0 along an axis gives infinities of the right sign.
 vec2 way_through(vec3 origin, vec3 direction) {
     vec3 lower = (-1.0 - origin) / direction, upper = (1.0 - origin) / direction;
     vec3 enters = min(lower, upper), leaves = max(lower, upper);
@@ -22,8 +22,8 @@ vec4 classified(float density) {
 
 float density_at(vec3 place) { return textureLod(densities, 0.5 + 0.5 * place, 0.0).r; }
 
-// Light and opacity of the volume along a ray. Of what a sample sends, exp(-depth) arrives, where the optical depth is
-// the sum of extinction times length before it. Read in the middle of each step, where the error is smallest.
+// Light and opacity of the volume along a ray. Of the light that a sample emits, exp(-depth) arrives, where the optical
+// depth is the sum of extinction times length in front of it. Each step is read in its middle: the error is smallest.
 vec4 march(vec3 origin, vec3 direction, int samples) {
     vec2 way = way_through(origin, direction);
     if (way.y <= way.x) return vec4(0.0);
@@ -32,7 +32,7 @@ vec4 march(vec3 origin, vec3 direction, int samples) {
     for (int i = 0; i < samples; ++i) {
         vec4 matter = classified(density_at(origin + (way.x + (float(i) + 0.5) * part) * direction));
         float behind = depth + matter.a * part;
-        light += matter.rgb * (exp(-depth) - exp(-behind));  // what this step hides, it shines instead
+        light += matter.rgb * (exp(-depth) - exp(-behind));  // the share that this step hides of what is behind
         depth = behind;
         if (depth > 7.0) break;  // less than 1/1000 of what is behind can be seen
     }

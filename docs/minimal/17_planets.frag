@@ -9,8 +9,8 @@ const float flattening = 0.098, ring_inner = 1.24, ring_outer = 2.27;  // Saturn
 // Stretched along its axis the planet is a ball of radius 1, and lines stay lines.
 vec3 stretched(vec3 v) { return vec3(v.x, v.y / (1.0 - flattening), v.z); }
 
-// How far along the direction the planet is; below 0: nowhere ahead. The nearest point of the ray to the centre comes
-// first: the difference of two large squares would lose all digits far away.
+// Distance to the planet along the direction; below 0 if it is not ahead. The ray's nearest point to the centre comes
+// first, since far away the difference of two large squares would lose all digits.
 float planet_distance(vec3 from, vec3 direction) {
     vec3 o = stretched(from), d = stretched(direction);
     float nearest = -dot(o, d) / dot(d, d), apart = length(o + nearest * d);
@@ -18,14 +18,14 @@ float planet_distance(vec3 from, vec3 direction) {
     return nearest - sqrt((1.0 - apart) * (1.0 + apart) / dot(d, d));
 }
 
-// How much stands in the way along the rings' normal: C, B, Cassini's division, A.
+// Optical depth along the rings' normal: of C, B, Cassini's division and A.
 float optical_depth(float radius) {
     if (radius < ring_inner || radius > ring_outer) return 0.0;
     return radius < 1.53 ? 0.1 : radius < 1.95 ? 1.8 : radius < 2.03 ? 0.1 : 0.5;
 }
 
-// Of a layer of particles that scatter light once (S. Chandrasekhar, 1950): on the lit side and through it. `mu0` and
-// `mu` are the cosines of the sun's and the eye's angle to the normal.
+// Light of a layer whose particles scatter once (S. Chandrasekhar, 1950), seen from the lit side or from the other one.
+// `mu0` and `mu` are the cosines of the sun's and the eye's angle to the normal.
 float ring_light(float depth, float mu0, float mu, bool lit) {
     if (lit) return 0.25 * mu0 / (mu0 + mu) * (1.0 - exp(-depth / mu - depth / mu0));
     float a = depth / mu0, b = depth / mu, x = abs(a - b);

@@ -1,7 +1,8 @@
 // How much of the light gets through the volume to a place.
 
 // [through]
-// What of the light gets through the volume to a place: a second march, from there to the light.
+// The fraction of the light that gets through the volume to `position`: a second march, from there to the light. `turn` (0
+// to 1) is where in each step it samples.
 float light_through(vec3 position, float turn, int samples) {
     vec3 way = volume_now.is_near > 0.0 ? volume_now.light_at - position : volume_now.light_at;
     float far = length(way);

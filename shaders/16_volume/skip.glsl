@@ -9,8 +9,9 @@ vec3 voxels_a_metre(vec3 along) {
 }
 
 // [skip]
-// How far, in metres along the ray, the block reaches that decides about a place, `voxel` in voxels and `t` metres from the
-// ray's beginning: the largest block that is empty (`empty` is true), or, where none is, the smallest.
+// Returns where the ray leaves the block around a place, in metres from the ray's beginning. The place is `voxel`, in voxels,
+// and `t` metres from that beginning; `speed` is the ray's direction in voxels per metre. The block is the largest empty one
+// (`empty` is true) or, if none is empty, the smallest.
 float block_leaves(vec3 voxel, vec3 speed, float t, out bool empty) {
     ivec3 block = clamp(ivec3(floor(voxel / float(BLOCK_VOXELS))), ivec3(0), textureSize(volume_blocks, 0) - 1);
     int levels = int(255.0 * texelFetch(volume_blocks, block, 0).r + 0.5), level = max(levels - 1, 0);

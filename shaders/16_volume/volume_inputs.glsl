@@ -14,8 +14,8 @@ vec3 to_texture(vec3 position) { return 0.5 + 0.5 * (volume_now.to_volume * posi
 float stored_density(vec3 at) { return density_of(textureLod(volume_field, at, 0.0).r); }
 
 // [waves]
-// Three sums of sines displace the places that are sampled, 0 to 1 in the volume. The phases come from the processor,
-// which keeps time in double precision and hands over what is left of it within a turn.
+// Three sums of sines displace the place that is sampled, 0 to 1 in the volume. The CPU keeps time in double precision and
+// passes each phase as an angle from 0 to 2 pi.
 vec3 waved(vec3 at) {
     if (volume_now.wave == 0.0) return at;
     vec3 turn = 6.2831853 * at;

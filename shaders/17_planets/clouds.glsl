@@ -18,8 +18,8 @@ float cloud_opacity(vec2 uv, float footprint_rad) { return planets.clouds * map_
 float clouds_over(vec3 round_up, float footprint_rad) { return cloud_opacity(cloud_uv(round_up), footprint_rad); }
 
 // [cloud_shadow]
-// What clouds leave of the sunlight on the ground: those where the way to the sun meets the shell. Close to the terminator that
-// is far away, and the shell's curve matters: the ray meets a sphere, not a plane.
+// The share of sunlight that reaches a place on the ground through the clouds where the ray to the sun meets the shell. Close
+// to the terminator that is far away, and the shell's curve matters: the ray meets a sphere, not a plane.
 float cloud_shadow(vec3 round_up, vec3 to_sun, float footprint_rad) {
     float r = body.radius, mu0 = dot(round_up, to_sun);
     if (mu0 <= 0.0) return 1.0;

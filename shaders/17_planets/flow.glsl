@@ -41,7 +41,7 @@ vec4 flowed(sampler2D map, vec2 uv, float footprint_rad, float days, float perio
     vec4 places = flow_places(uv, period_days * flow_speed(uv), t);
     return mix(map_texel(map, places.xy, footprint_rad), map_texel(map, places.zw, footprint_rad), flow_weight(t));
 #else
-    // Where what is here now was when the map was photographed: against the wind, in 64 steps of the midpoint rule.
+    // Back to the place where these clouds were when the map was photographed: 64 steps of the midpoint rule against the wind.
     for (int i = 0; i < 64; ++i) uv -= days / 64.0 * flow_speed(uv - 0.5 * days / 64.0 * flow_speed(uv));
     return map_texel(map, uv, footprint_rad);
 #endif

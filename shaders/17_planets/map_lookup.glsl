@@ -2,9 +2,9 @@
 #include "10_atmosphere/map_uv.glsl"
 
 // [map_texel]
-// The level comes from `footprint_rad`, the angle at the body's centre that a pixel covers: across the date line neighbours'
-// coordinates differ by 1, at the poles by anything, and derivatives take the whole map for one pixel there. Rows repeat
-// around the body; columns end at the poles, where half a texel of its level is as far as one may go.
+// The level follows from `footprint_rad`, the angle at the body's centre that a pixel covers. Derivatives fail: neighbours'
+// coordinates differ by 1 across the date line and by anything at the poles, as if a pixel covered the whole map. Rows
+// repeat around the body. Columns end at the poles; no place is read nearer to them than half a texel of its level.
 vec4 map_texel(sampler2D map, vec2 uv, float footprint_rad) {
     float rows = float(textureSize(map, 0).y), lod = max(log2(max(footprint_rad * rows / 3.14159265, 1e-6)), 0.0);
     float edge = min(0.5 * exp2(ceil(lod)) / rows, 0.5);

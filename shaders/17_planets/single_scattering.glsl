@@ -11,7 +11,7 @@ float scattered_back(float depth, float mu0, float mu) {
     return 0.25 * depth / mu * mean_of_exp(way);
 }
 
-// On the other side: µ0 / (µ0 - µ) (e^(-τ/µ0) - e^(-τ/µ)), which is 0 / 0 where the two cosines are one. Written with the
+// On the other side: µ0 / (µ0 - µ) (e^(-τ/µ0) - e^(-τ/µ)), which is 0 / 0 where the two cosines are equal. Written with the
 // mean of an exponential it has no difference of two numbers that are nearly the same.
 float scattered_through(float depth, float mu0, float mu) {
     float a = depth / mu0, b = depth / mu;

@@ -19,7 +19,7 @@ void main() {
     forward *= sign(dot(forward, now.rays.corner));
     float along = dot(direction, forward), sigma = max(now.sigma_px, least_sigma_px);
     // [energy]
-    // The light of the whole image, over the picture's height squared, is that of a star whose image is sigma_px wide.
+    // Where the image is widened to `sigma`, its peak is lower: the light of the whole image stays that of sigma_px.
     float peak = now.brightness * one.light * (now.sigma_px * now.sigma_px) / (sigma * sigma);
     // [/energy]
     star = vec2(peak, sigma);

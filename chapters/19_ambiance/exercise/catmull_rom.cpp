@@ -16,8 +16,9 @@ namespace lightwalk::exercise {
 //     b1 = mix(a1, a2, t0, t2)    b2 = mix(a2, a3, t1, t3)
 //     curve = mix(b1, b2, t1, t2)
 //
-// Keys may stand at the same place, where a camera rests. Their knots are equal then, and what would be interpolated
-// between two equal knots is the key itself: no NaN comes out. Right within 1e-9 of the largest coordinate.
+// Neighbouring keys may stand at the same place, where a camera rests. Their knots are equal then. A mix that would divide
+// by the difference of their knots, 0, returns this place instead, so that no NaN comes out. Right within 1e-9 of the
+// largest coordinate.
 // [/catmull_rom]
 glm::dvec3 catmull_rom(const FourKeys& keys, double t) {
     const auto& [points, knots] = keys;

@@ -9,9 +9,9 @@ namespace lightwalk::exercise {
 // the unit vector `to`, by the shortest way: about the axis at right angles to both. Returns where that turn takes `up`,
 // as a unit vector at a right angle to `to`.
 //
-// So the picture never rolls about the line of sight, whatever that passes, the zenith too. A turn by 180 degrees has no
-// shortest way: where from and to are within 1e-6 of opposite, `up` stays as it is. No turn at all changes nothing. Right
-// within 1e-9 where they are at least 1e-3 from opposite.
+// So the picture never rolls about the line of sight, not even where that passes the zenith. A turn by 180 degrees has no
+// shortest way: if the length of from + to is below 1e-6, `up` stays as it is. Without a turn `up` stays as well. Right
+// within 1e-9 if the angle between the two views is at most 180 degrees less 1e-3 radians.
 // [/up_without_roll]
 glm::dvec3 up_without_roll(glm::dvec3 up, glm::dvec3 /*from*/, glm::dvec3 /*to*/) { return up; }
 

@@ -6,8 +6,8 @@ namespace lightwalk::exercise {
 
 // [warm]
 // A film holds its scenes in the device's memory while it needs them: their models, images, targets and pipelines. Making a
-// scene ready takes seconds, and there is room for `most` of them (1 or more). Returns which scenes, by their place in
-// `scenes`, are to be ready at the time now_s, in the order in which they have to be made ready if none is:
+// scene ready takes seconds, and there is room for `most` of them (1 or more). Returns the indices into `scenes` of those that
+// have to be ready at the time now_s, in the order in which to make them ready:
 //
 // 1. first those on the screen (from_s <= now_s < to_s), the one that began earlier first. There is no picture without
 //    them: all are returned, even where they are more than `most`;

@@ -16,8 +16,8 @@ vec4 composite_front_to_back(vec4 so_far, vec3 radiance, float opacity) {
 // Returns true if nothing behind can change any channel of the picture by more than
 // `threshold` (above 0), so that the ray may end here. `transmittance` is the fraction of
 // the light from behind that still arrives. `brightest` (linear radiance, 0 or more) is a
-// bound on that light: on the volume's own, and on a light source behind it, which may
-// have 50.
+// bound on that light: the volume's own, and that of a light source behind the volume,
+// whose radiance may be 50.
 // [/is_finished]
 bool is_finished(float transmittance, float brightest, float threshold) {
     return false;

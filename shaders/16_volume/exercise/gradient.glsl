@@ -13,7 +13,7 @@
 //
 // Both sizes may differ from axis to axis: a scanner's voxels are often longer along one
 // axis, and a volume may have more of them along one axis than along another. A gradient
-// that ignores either points in a wrong direction.
+// that ignores one of the two sizes points in a wrong direction.
 // [/gradient]
 vec3 gradient(vec3 at, vec3 voxel, vec3 voxel_m) {
     return vec3(0.0);

@@ -2,12 +2,13 @@
 // As it stands every ring is seen as from the sun.
 
 // [ring_phase]
-// Three tables say how bright a ring is at this radius: `back` with the sun behind the camera, `forward` against the sun,
-// both on the side that the sun lights, and `unlit` on the other side, by what comes through. `cos_phase` is the cosine of
-// the phase angle, between the directions from the ring to the sun and to the camera: 1 is `back`, -1 is `forward`, and
-// between them the share of `back` is (1 + cos_phase) / 2. (cos_phase itself as the share extrapolates: at -1 it gives
-// 2 forward - back, which may be negative.) `sun_side` and `eye_side` are the components of those two directions along
-// the ring's normal: the lit side is seen where both have one sign. A ring seen exactly from the edge, 0, is unlit.
+// Three tables give the radiance of a ring at this radius: `back` and `forward` on the side that the sun lights, with the sun
+// behind the camera and with the camera facing the sun; and `unlit` on the other side, where light comes through the ring.
+// Returns the radiance for two directions, from the ring to the sun and to the camera. `sun_side` and `eye_side` are the
+// components of these directions along the ring's normal. The camera sees the lit side if both have the same sign, and
+// the unlit side otherwise, also if either is 0. `cos_phase` is the cosine of the angle between the two directions: on the
+// lit side the result is `back` at 1, `forward` at -1, and between them `back` has the share (1 + cos_phase) / 2. (With
+// cos_phase itself as the share, -1 would give 2 forward - back, which may be negative.)
 // [/ring_phase]
 vec3 ring_phase(vec3 back, vec3 forward, vec3 unlit, float cos_phase, float sun_side, float eye_side) {
     return back;
