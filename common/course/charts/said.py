@@ -19,12 +19,20 @@ def front_said(chart) -> str:
     """Which method, or which row, has the least error, and which is enough."""
     panels = [[p for p in chart.drawable if p.scene in scenes] for scenes in chart.panels]
     error = chart.y if chart.y.kind == "error" else chart.x
+    panels = [points for points in panels if points]
+    fastest = [chart.enough_of(points) for points in panels]
+    best = [min(points, key=lambda p: (error.value(p), p.time[1])) for points in panels]
+    told_apart = any(a and a is not b and chart.name_of(a) == chart.name_of(b) for a, b in zip(fastest, best))
+
+    def name(point):
+        """The method, with its knobs where one method is enough and the best by different values of them."""
+        label = chart.label_of(point) if told_apart else ""
+        return f"{point.method} {label}" if label else chart.name_of(point)
+
     words = []
-    enough = [chart.name_of(found) for points in panels if (found := chart.enough_of(points))]
-    if enough:
-        words.append(f"Enough in the least time: {counted(enough, len(panels))}.")
-    best = [chart.name_of(min(points, key=lambda p: (error.value(p), p.time[1]))) for points in panels if points]
-    words.append(f"Least error: {counted(best, len(panels))}.")
+    if any(fastest):
+        words.append(f"Enough in the least time: {counted([name(p) for p in fastest if p], len(chart.panels))}.")
+    words.append(f"Least error: {counted([name(p) for p in best], len(chart.panels))}.")
     return " ".join(words)
 
 
