@@ -5,7 +5,8 @@
 // [tone_curve]
 // Maps radiance, 0 to 65504 in each channel, to display values, 0 to 1. S. Hill's fit
 // has three steps. The matrix hill_input converts the colour to a space with wider
-// primaries; hill_output converts it back. In between, each channel v becomes
+// primaries (hill_input * color); hill_output converts it back. In between, each
+// channel v becomes
 //
 //     (v (v + 0.0245786) - 0.000090537) / (v (0.983729 v + 0.4329510) + 0.238081)
 //
