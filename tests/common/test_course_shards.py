@@ -3,7 +3,9 @@
 import json
 import re
 import sys
+import unittest
 
+import slurm_cluster
 from small_course import Course
 
 # Measures what the study names: an error by scene, a time, on the device that the file "device" names.
@@ -58,22 +60,35 @@ class Shards(Course):
             self.course("test", "unit", "--shard", f"{number}/2", "--out", self.outside / "red", code=None)
         self.assertIn("1 tests failed", self.course("test", "--merge", self.outside / "red", code=1))
 
+    def gallery(self) -> dict[str, bytes]:
+        """The gallery's page and pictures, which are removed."""
+        folder = self.root / "build/gallery"
+        paths = [folder / "index.html", *folder.rglob("*.png")]
+        found = {str(path.relative_to(folder)): path.read_bytes() for path in paths}
+        for path in paths:
+            path.unlink()
+        return found
+
     def test_gallery(self):
         self.course("run", "--gallery")
-        folder = self.root / "build/gallery"
-        whole = {path.relative_to(folder): path.read_bytes() for path in folder.rglob("*.png")}
-        page = (folder / "index.html").read_bytes()
-        self.assertEqual(len(whole), 3)
-        for path in whole:
-            (folder / path).unlink()
+        whole = self.gallery()
+        self.assertEqual(len(whole), 1 + 3)
         for number in (1, 2):
             self.course("run", "--gallery", "--shard", f"{number}/2", "--out", self.outside / "gallery")
         self.course("run", "--gallery", "--merge", self.outside / "gallery")
-        self.assertEqual({path.relative_to(folder): path.read_bytes() for path in folder.rglob("*.png")}, whole)
-        self.assertEqual((folder / "index.html").read_bytes(), page)
+        self.assertEqual(self.gallery(), whole)
         for words, said in ((["--shard", "3/2"], "'3/2' is not a shard"), (["--merge"], "expected at least one argument"),
                             (["--out", "x"], "unrecognised argument '--out'"), (["--shrad"], "unrecognised argument '--shrad'")):
             self.assertRegex(self.course("run", "--gallery", *words, code=2), rf"\Acourse: [^\n]*{said}[^\n]*\n\Z")
+
+    @unittest.skipIf(slurm_cluster.why_not(), slurm_cluster.why_not())
+    def test_gallery_by_slurm(self):
+        self.course("run", "--gallery")
+        whole = self.gallery()
+        with slurm_cluster.Cluster():
+            self.course("run", "--gallery", "--slurm", "--shards", "3")
+        self.assertEqual(self.gallery(), whole)
+        self.assertEqual(len(list((self.root / "build/slurm/gallery").glob("gallery.*.zip"))), 3)
 
 
 class Study(Course):
