@@ -224,8 +224,11 @@ vec3 two = vec3(2.0);
      int deep = 1;
      ```
    </details>
+2. Another, without a line between.
+   <details><summary>Folded</summary>
 
-2. Another.
+   too
+   </details>
 
 ### 01.one (easy)
 
@@ -283,7 +286,7 @@ class SmallCourse(Course):
             count = "document.querySelectorAll('article %s').length"
             for what, expected in ((".katex", 4), (".katex-display", 1), ("details .katex", 2), ("details .highlight .kt", 3),
                                    ("details li", 2), ("details > summary code", 1),
-                                   ("ol", 1), ("ol > li", 2), ("ol details ul .highlight", 1), ("ol summary .katex", 1), ("span.filename", 1), (".grade.easy", 1),
+                                   ("ol", 1), ("ol > li", 2), ("ol details", 2), ("ol details ul .highlight", 1), ("ol summary .katex", 1), ("span.filename", 1), (".grade.easy", 1),
                                    ("figure.compare img", 2), (".highlight .n", 4)):
                 self.assertEqual(browser.evaluate(count % what), expected, what)
             self.assertEqual(browser.evaluate("document.querySelector('code').textContent"), "$code$")

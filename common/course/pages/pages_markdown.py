@@ -129,6 +129,8 @@ def folded(lines: list[str]) -> list[str]:
         fence = fence_after(fence, line)
         details = None if fence else DETAILS.match(line)
         if details:
+            if out and out[-1].strip():
+                out.append("")  # a block of its own, also right below the text of a list's item
             out.append(f"{' ' * 4 * inside}{details[1]}??? \"{(details[2] or '').replace(chr(34), '&quot;')}\"")
             inside += 1
         elif inside and not fence and (summary := SUMMARY.match(line)):
