@@ -22,11 +22,12 @@ namespace lightwalk {
 //     name         required, each once
 //     kind         required: what draws it (planets, landscape, water, volume, julia, head, surroundings, lights, street)
 //     scene        required: its scene file
-//     from_s, to_s required. A scene that begins where the one before ends is cut to; one that begins earlier is
-//                  cross-faded to, over the time that both are on. Never three at once; in a gap the screen is black.
+//     from_s, to_s required. If a scene begins where the one before ends, the film cuts to it; if it begins earlier, the
+//                  film cross-fades to it while both are on. Never three at once; in a gap the screen is black.
 //     clock_s      its own clock at from_s (0)
-//     knobs        {name: value}, those of its drawings; or a track, [[scene time, value], ...]: numbers and colours run
-//                  evenly from one to the next, a track with "steps" as its first entry jumps, as words do
+//     knobs        {name: value} for the knobs of its drawings. In place of a value there may be a track, [[scene time,
+//                  value], ...]. Numbers and colours are interpolated between its entries; values that are words jump, and
+//                  so do all values if the track's first entry is "steps"
 //     camera       spline ("centripetal"; linear, catmull_rom), even_speed (false), keys: list of time_s (scene time,
 //                  rising), position, target, up ([0, 1, 0]), fov_deg (the scene file's)
 //   fades        list of from_s, to_s, from, to (0 to 1), color ("black" or "white"). After a fade its last value

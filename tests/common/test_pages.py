@@ -26,7 +26,7 @@ LEFT_OVER = r"""(() => {
   const walker = document.createTreeWalker(document.querySelector("article"), NodeFilter.SHOW_TEXT), found = [];
   while (walker.nextNode()) {
     const node = walker.currentNode;
-    if (!node.parentElement.closest("code, .katex-mathml, script, style") && /\$|\\[a-zA-Z(\[]|```/.test(node.data))
+    if (!node.parentElement.closest("code, .katex-mathml, script, style") && /\$|\\[a-zA-Z(\[]|```|\?\?\? "/.test(node.data))
       found.push(node.data.trim());
   }
   return found;

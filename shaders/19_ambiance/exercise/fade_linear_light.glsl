@@ -9,9 +9,9 @@
 // 1. To black: multiply the light by (1 - black) to the power of 2.2. The codes on a screen
 //    then fall about evenly with time. All channels have the same factor, so colours stay, and
 //    anything far brighter than white stays white nearly to the end.
-// 2. To white, from the result of step 1: each channel below 16 moves towards 16 by the
-//    fraction `white` to the power of 2.2 of the distance. Every tone curve of chapter 09 shows
-//    16 as white. Channels above 16 stay as they are.
+// 2. To white, from the result of step 1: each channel c below 16 becomes c + f (16 - c), where
+//    f is `white` to the power of 2.2. Every tone curve of chapter 09 shows 16 as white.
+//    Channels above 16 stay as they are.
 //
 // With black and white 0 nothing changes; black 1 gives exactly 0, white 1 at least 16 in each
 // channel. The result must be right within 1e-5 of its value.
