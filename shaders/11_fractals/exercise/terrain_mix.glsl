@@ -3,8 +3,9 @@
 
 // [terrain_mix]
 // Returns the fraction of snow, 0 to 1, at a point. normal_y is the vertical component
-// of its normal: 1 on level ground, 0 at a wall. `roughness` is a noise from -1 to 1
-// that breaks up the edge of the snow.
+// of its normal: 1 on level ground, 0 at a wall. `roughness`, -1 to 1, is the height
+// above the snow line with noise added, which breaks up the edge of the snow; `strength`
+// scales it (1 in this chapter).
 //
 // Let begins = lower.x - lower.y * normal_y and ends = upper.x - upper.y * normal_y.
 // Both are low on level ground and high on steep ground. The fraction rises as a
