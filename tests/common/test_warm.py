@@ -45,10 +45,13 @@ KNOBS = [("05", "holes", ["maps.coverage=averaged"], ["maps.cutoff=1"]),
          ("14", "shade_alone", [*PROJECTED, "maps.coverage=averaged"], ["maps.cutoff=0"]),
          ("12", "", [], ["maps.normal=off"]),
          ("12", "", [], ["skin.sky_rays=16"])]
-# (chapter, settings from the start, an exercise that a table made once is made with).
-TOGGLES = [("10", [], "10.density"), ("14", ["environment.method=prefiltered"], "14.importance_sample_ggx"),
-           ("15", ["ground.detail_m=60"], "11.eroded_fbm"),
-           ("16", ["volume.light=volume"], "16.correct_opacity")]
+# (chapter, words from the start, an exercise that what is made once, or kept between frames, is made with).
+TOGGLES = [("10", [], "10.density"), ("14", sets("environment.method=prefiltered"), "14.importance_sample_ggx"),
+           ("15", sets("ground.detail_m=60"), "11.eroded_fbm"),
+           ("16", sets("volume.light=volume"), "16.correct_opacity"),
+           ("17", ["--shot", "mercury"], "17.overlay_normals"),
+           ("18", ["--shot", "ids"], "18.id_buffer"),
+           ("19", ["--shot", "statue"], "19.centripetal_knots"), ("19", ["--shot", "harbour"], "19.arc_length")]
 # (chapter, settings from the start, a shader, what an edit replaces there and by what).
 EDITS = [("14", ["environment.method=prefiltered"], "14_environment/solution/split_sum_table.glsl", "return ",
           "return 0.25 * "),
@@ -115,9 +118,9 @@ class Warm(unittest.TestCase):
                 self.assert_cold(*pictures, self.cold(chapter, *words, *sets(*change)))
 
     def test_a_toggle(self):
-        for chapter, settings, exercise in TOGGLES:
+        for chapter, given, exercise in TOGGLES:
             with self.subTest(chapter=chapter, exercise=exercise):
-                words, use = self.words(chapter, "", settings), f"{exercise}=exercise"
+                words, use = [*given, *cheap(chapter)], f"{exercise}=exercise"
                 pictures = self.live(chapter, words, [{}, {"use": use}])
                 self.assert_cold(*pictures, self.cold(chapter, *words, "--use", use))
 
