@@ -1,25 +1,10 @@
 #include "05_shadow_maps/lit_scene.h"
 
-#include <fmt/core.h>
+#include <functional>
 
-#include <algorithm>
-
-#include "common/app/settings.h"
-#include "common/base/files.h"
+#include "05_shadow_maps/holes.h"
 
 namespace lightwalk {
-namespace {
-
-// Another number where textures cut other holes, or the same ones elsewhere because they move.
-uint64_t cut_by(const Maps& maps, const Scene& scene, float time_s) {
-    std::string now = settings_of(maps);
-    const auto is_cut = [&](const DrawItem& item) { return item.transparent || maps.has_holes(item); };
-    if (maps.animated() && std::any_of(scene.items.begin(), scene.items.end(), is_cut))
-        now += fmt::format("{}", time_s);
-    return hash_bytes(now);
-}
-
-}  // namespace
 
 std::vector<With> LitScene::given() const {
     std::vector<With> with = SurfaceScene::given();
@@ -67,7 +52,7 @@ void LitScene::record_shadows(Frame& frame, const View& view) {
         };
     };
     Shadow::Casters casters{{maps}, draw, by(first_), by(passed_)};
-    casters.others_placed = cut_by(maps, *scene_, frame.time_s);
+    casters.others_placed = holes_cut(maps, *scene_, frame.time_s);
     shadow.record(frame, *scene_, lights, view, casters);
 }
 // [/casters]

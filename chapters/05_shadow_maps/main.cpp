@@ -59,7 +59,7 @@ struct ShadowMaps : ModelChapter {
         objects.shading_with.clear();
         if (sphere_shadow) objects.shading_with.push_back(sphere_shadow);
         if (plain) return;
-        rays.record(frame, scene, objects.maps.cutoff);
+        rays.record(frame, scene, &objects.maps);
         objects.shading_with.push_back(rays);
     }
 

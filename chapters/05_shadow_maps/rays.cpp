@@ -6,8 +6,6 @@
 #include <cmath>
 #include <map>
 
-#include "04_surface_maps/maps.h"
-
 namespace lightwalk {
 namespace {
 
@@ -64,7 +62,7 @@ std::vector<RayTriangle> ray_triangles(const Scene& scene) {
     return triangles;
 }
 
-void SceneRays::build(Gpu& gpu, const Scene& scene, float cutoff) {
+void SceneRays::build(Gpu& gpu, const Scene& scene) {
     built_ = true;
     std::vector<RayTriangle> triangles = ray_triangles(scene);
     Masks masks(gpu);
@@ -83,7 +81,6 @@ void SceneRays::build(Gpu& gpu, const Scene& scene, float cutoff) {
     }
     bvh_ = Bvh(std::move(triangles));
     placed_ = scene.placed;
-    state_.cutoff = cutoff;
     set_offset();
     nodes_ = gpu.upload("ray nodes", bvh_.nodes());
     triangles_ = gpu.upload("ray triangles", bvh_.triangles());
@@ -94,9 +91,12 @@ void SceneRays::build(Gpu& gpu, const Scene& scene, float cutoff) {
     texels_ = gpu.upload("ray mask texels", masks.texels);
 }
 
-void SceneRays::record(Frame& frame, const Scene& scene, float cutoff) {
-    if (!built_) build(frame.gpu, scene, cutoff);
-    state_.cutoff = cutoff;
+void SceneRays::record(Frame& frame, const Scene& scene, const Maps* maps) {
+    if (!built_) build(frame.gpu, scene);
+    if (maps) {
+        state_.cutoff = maps->cutoff, state_.wobble = maps->wobble, state_.scroll = maps->scroll;
+        state_.color_cuts = maps->diffuse, state_.opacity_cuts = maps->opacity, state_.time_s = frame.time_s;
+    }
     if (scene.placed == placed_) return;
     bvh_.refit(ray_triangles(scene));
     placed_ = scene.placed;
@@ -112,9 +112,9 @@ Macros SceneRays::macros() const {
     return all;
 }
 
-void Rays::record(Frame& frame, const Scene& scene, float cutoff) {
+void Rays::record(Frame& frame, const Scene& scene, const Maps* maps) {
     state_.first_sample = static_cast<uint32_t>(frame.samples.index) * static_cast<uint32_t>(truth_samples);
-    SceneRays::record(frame, scene, cutoff);
+    SceneRays::record(frame, scene, maps);
 }
 
 Macros Rays::macros() const {

@@ -1,5 +1,6 @@
 // Ray tracing modules: rays through a scene for any query of visibility, and the reference of shadows.
 #pragma once
+#include "04_surface_maps/maps.h"
 #include "05_shadow_maps/bvh.h"
 #include "common/app/module.h"
 #include "common/scene/scene.h"
@@ -15,13 +16,13 @@ struct SceneRays : Module {
 
     bool through_holes = true;  ///< alpha-tested holes let rays through; false: every triangle is solid
 
-    /// Builds the hierarchy and uploads it. `cutoff`: what has less alpha is not there. Throws InputError where a
-    /// vertex is no place.
-    void build(Gpu& gpu, const Scene& scene, float cutoff = 0.5f);
+    /// Builds the hierarchy and uploads it. Throws InputError where a vertex is no place.
+    void build(Gpu& gpu, const Scene& scene);
     void prepare(Gpu&, Scene&) override { built_ = false; }
 
-    /// Builds it where a scene was loaded; where the scene has moved since, the boxes follow.
-    void record(Frame& frame, const Scene& scene, float cutoff = 0.5f);
+    /// Builds it where a scene was loaded; where the scene has moved since, the boxes follow. `maps`: what holes are cut
+    /// by, and how they move; null: by an alpha below 0.5, at rest.
+    void record(Frame& frame, const Scene& scene, const Maps* maps = nullptr);
 
     Macros macros() const override;
     std::vector<Resource> reads() const override { return {nodes_, triangles_}; }
@@ -37,7 +38,7 @@ struct SceneRays : Module {
     static constexpr float offset_share = 0x1p-17f;
 
   protected:
-    RayState state_{};
+    RayState state_{.cutoff = 0.5f, .color_cuts = 1, .opacity_cuts = 1};
 
   private:
     void set_offset();
@@ -58,7 +59,7 @@ struct Rays : SceneRays {
                             "Rays from each pixel to each light with an area; --samples multiplies them"};
     Knob<bool> cutouts{*this, "cutouts", true, "Alpha-tested holes let rays through; off: every triangle is solid"};
 
-    void record(Frame& frame, const Scene& scene, float cutoff = 0.5f);
+    void record(Frame& frame, const Scene& scene, const Maps* maps = nullptr);
     Macros macros() const override;
 
     /// Of a picture whose visibility was found by rays: what a pixel that is no number means.

@@ -4,6 +4,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "05_shadow_maps/holes.h"
 #include "common/image/luminance.h"
 
 namespace lightwalk {
@@ -65,10 +66,11 @@ void GroundShadow::record(Frame& frame, const Scene& scene, const EnvironmentSca
                                     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
                                     .size = glm::uvec2(uint32_t(resolution.value)),
                                     .kept = true});
-    const std::string now = fmt::format("{} {} {} {} {} {}", scene.placed, turn.cosine, turn.sine, ground_y,
-                                        directions.value, arriving.desc.size.x);
+    const std::string now =
+        fmt::format("{} {} {} {} {} {} {}", scene.placed, turn.cosine, turn.sine, ground_y, directions.value,
+                    arriving.desc.size.x, maps ? holes_cut(*maps, scene, frame.time_s) : 0);
     if (now == made_ || scene.items.empty()) return;
-    rays.record(frame, scene);
+    rays.record(frame, scene, maps);
     std::vector<GroundLight> lights = ground_lights(picture_, turn, directions);
     const auto count = static_cast<int>(lights.size());
     if (lights.empty()) lights.emplace_back();

@@ -19,7 +19,8 @@ struct GroundShadow : Module {
                          "Directions that stand for the environment, each for an equal share of light"};
     Knob<int> resolution{*this, "resolution", 128, {8, 1024}, "Width and height of the map", "texels"};
     SceneRays rays{*this, "rays"};
-    Image arriving;  ///< made by record()
+    Image arriving;              ///< made by record()
+    const Maps* maps = nullptr;  ///< of what stands there: what holes are cut by; null: by an alpha below 0.5, at rest
     // [/ground_shadow]
 
     void prepare(Gpu& gpu, Scene& scene) override;

@@ -16,7 +16,7 @@ void LitAround::update(Frame& frame) {
     LitScene::update(frame);
     paint.record(frame);
     shading = occlusion.is("none") ? &surface_ : &occluded_;
-    if (!occlusion.is("none")) rays.record(frame, *scene_, maps.cutoff);
+    if (!occlusion.is("none")) rays.record(frame, *scene_, &maps);
 }
 
 std::vector<With> LitAround::given() const {

@@ -23,6 +23,7 @@ struct EnvironmentChapter : ModelChapter {
     EnvironmentChapter() {
         light.method.alone = true;  // --method is about reflections here
         objects.maps.method.change_default("normal");
+        backdrop.shadow.maps = &objects.maps;
         bloom.method.change_default("none");
     }
     std::string default_scene() const override { return "scenes/lacquered_statue.json"; }

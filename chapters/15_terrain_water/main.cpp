@@ -45,6 +45,7 @@ struct TerrainWater : ModelChapter {
         light.radiance_alone = true;  // water looks along single directions
         land.shadowed_by = city.shadowed_by = &sun_shadow;
         water.tracer = &reflected;
+        reflected.maps = &objects.maps;
         probe.update.change_default("moved");
         probe.distant = true;
         probe.in_use = light.in_use = [this] { return !water.method.is("none"); };

@@ -22,6 +22,7 @@ struct ReflectedRays : Module, WaterRays {
           atmosphere_(atmosphere) {}
 
     SceneRays objects{*this, "objects"};
+    const Maps* maps = nullptr;  ///< of the scene's objects: what holes are cut by; null: as SceneRays has it
 
     void prepare(Gpu& gpu, Scene& scene) override;
     void record(Frame& frame, const View& view, const Image& rays, const Image& met) override;

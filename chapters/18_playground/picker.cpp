@@ -24,7 +24,7 @@ void Picker::trace(Frame& frame, const View& view, const Scene& scene, const Map
     const bool by_box = method.is("boxes");
     if (!by_box) {
         rays.through_holes = method.is("rays_cut");
-        rays.record(frame, scene, maps.cutoff);
+        rays.record(frame, scene, &maps);
     }
     if (placed_ != scene.placed) {
         placed_ = scene.placed;

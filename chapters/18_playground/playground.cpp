@@ -22,6 +22,7 @@ Playground::Playground() {
         all.insert(all.end(), more.begin(), more.end());
         return all;
     };
+    backdrop.shadow.maps = &objects.maps;
     objects.maps.in_use = [this] { return maps_due_; };
     sky.map.change_default("plain");
     water.method.change_default("none");

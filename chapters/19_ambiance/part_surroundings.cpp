@@ -10,6 +10,7 @@ namespace {
 struct SurroundingsPart : FilmPart {
     SurroundingsPart(const FilmScene& scene, Music& music) : FilmPart(scene, music) {
         objects.maps.method.change_default("normal");
+        backdrop.shadow.maps = &objects.maps;
     }
     ImageLight light{*this, "environment"};
     Backdrop backdrop{*this, "backdrop", light};

@@ -51,7 +51,7 @@ struct WaterPart : FilmPart {
         ground.record(frame, false);
         sun_shadow.record(frame, view, scene_, city);
         light.record(frame, scene_);
-        probe.record(frame, scene_, light, {sky, air});
+        if (water.sees_surroundings(view)) probe.record(frame, scene_, light, {sky, air});
         water.reflect(frame, view, {land, city, objects}, {sky, air, fog});
         Canvas canvas(frame.hdr, frame.depth);
         canvas.mixed_by(&transparency);

@@ -13,8 +13,8 @@ void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given, 
     const bool anothers = !scene.knobs_of.empty() && scene.knobs_of != chapter.name;
     for (const auto& [name, value] : scene.knobs) try {
             if (KnobBase& knob = find_knob(knobs, name); !knob.pinned) knob.set(value);
-        } catch (const InputError&) {
-            if (!anothers) throw;
+        } catch (const InputError& e) {
+            if (!anothers) throw InputError("{}: key 'knobs': {}", file.string(), e.what());
         }
     chapter.scene.file = scene;
     if (loading.before) loading.before();

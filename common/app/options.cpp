@@ -154,6 +154,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     o.size_given = !size.empty();
     if (o.size_given) o.size = parse_size(size);
     if (o.time_given) o.time_s = *o.time_given;
+    Exercises::use("solution");  // what a list does not name; a process may read the options of many pictures
     Exercises::use(o.use);
     if (!o.shot.empty()) apply_shot(o, chapter);
     for (const std::string& item : o.set) {

@@ -128,10 +128,10 @@ json passes_json(const std::vector<PassTime>& times) {
 }
 
 json Stream::answer(const json& request, std::string& bytes) {
-    Exercises::use("solution");
-    Exercises::use(request.value("use", "solution"));
     const bool changed = gpu_.pipelines.forget_changed_files();
     Warm& warm = find(request.at("words").get<Words>());
+    Exercises::use("solution");  // after words were read, which name exercises too
+    Exercises::use(request.value("use", "solution"));
     turn(warm, request);
     const glm::uvec2 size = size_of(request, warm.options);
     const bool still = request.value("still", false);

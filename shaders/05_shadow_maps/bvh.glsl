@@ -1,6 +1,7 @@
 // Rays through a bounding-volume hierarchy. What the module SceneRays gives to shaders.
 #include "04_surface_maps/cutout.glsl"
 #include "05_shadow_maps/bvh_data.h"
+#include "common/structs.h"
 
 layout(scalar) readonly buffer RayNodeBuffer { BvhNode rays_nodes[]; };
 layout(scalar) readonly buffer RayTriangleBuffer { RayTriangle rays_triangles[]; };
@@ -36,10 +37,13 @@ float mask_at(RayMask mask, vec2 uv) {
 }
 // [/mask_at]
 
-bool is_hole(RayCutout cutout, vec3 weights, float cutoff) {
+// The first mask cuts nothing.
+bool is_hole(RayCutout cutout, vec3 weights, RayState now) {
     vec2 uv = weights.x * cutout.a + weights.y * cutout.b + weights.z * cutout.c;
-    float color_alpha = mask_at(rays_masks[cutout.color_mask], uv), opacity = mask_at(rays_masks[cutout.opacity_mask], uv);
-    return is_cut_out(surface_alpha(color_alpha, opacity, 1.0), cutoff);
+    uv = moving_uv(uv, now.wobble, now.scroll, now.time_s);
+    float color_alpha = mask_at(rays_masks[now.color_cuts * cutout.color_mask], uv);
+    float opacity = mask_at(rays_masks[now.opacity_cuts * cutout.opacity_mask], uv);
+    return is_cut_out(surface_alpha(color_alpha, opacity, 1.0), now.cutoff);
 }
 #endif
 
@@ -94,7 +98,7 @@ bool hit_triangle(RayTriangle triangle, Ray ray, Shear s, inout RayHit hit) {
     if (!(t > ray.least && t < hit.t)) return false;
     vec3 weights = vec3(u, v, w) / sum;
 #ifndef RAYS_SOLID
-    if (triangle.cutout != NO_CUTOUT && is_hole(rays_cutouts[triangle.cutout], weights, rays_state.cutoff)) return false;
+    if (triangle.cutout != NO_CUTOUT && is_hole(rays_cutouts[triangle.cutout], weights, rays_state)) return false;
 #endif
     hit.t = t;
     hit.weights = weights;

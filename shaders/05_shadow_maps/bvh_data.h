@@ -39,9 +39,11 @@ struct RayMask {
 
 // What rays go by in one frame.
 struct RayState {
-    float offset_m;     // along the normal, from a surface to where its rays begin
-    float cutoff;       // what has less alpha is not there
-    uint first_sample;  // of this frame in the sequence
+    float offset_m;                 // along the normal, from a surface to where its rays begin
+    float cutoff;                   // what has less alpha is not there
+    uint first_sample;              // of this frame in the sequence
+    uint color_cuts, opacity_cuts;  // 1: these masks cut holes; 0: they do not
+    float wobble, scroll, time_s;   // for moving_uv()
 };
 
 END_SHARED

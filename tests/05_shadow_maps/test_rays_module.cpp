@@ -1,5 +1,6 @@
 // The module Rays over scenes: it follows what moves, and rays go through holes.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "04_surface_maps/cutout_levels.h"
@@ -31,7 +32,8 @@ double alpha_at(const Level& level, double u, double v) {
 struct RayScene : TestScene {
     NoChapter chapter;
     Rays rays{chapter, "rays"};
-    float cutoff = 0.5f;
+    Maps maps{chapter, "maps"};
+    float time_s = 0;
     Pipeline pipeline = compute({.shader = "downwards", .source = R"(
 #include "05_shadow_maps/bvh.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -49,8 +51,8 @@ void main() {
     /// y = -1.
     std::vector<bool> blocked_points() {
         Frame frame(gpu);
-        frame.begin({4, 4}, 0);
-        rays.record(frame, scene, cutoff);
+        frame.begin({4, 4}, time_s);
+        rays.record(frame, scene, &maps);
         const Buffer out(gpu.device, {.name = "blocked", .bytes = 4 * 256 * 256});
         frame.compute("look", {.writes = {out}, .with = {rays}}, [&](Compute& pass) {
             pass.use(pipeline).set("blocked", out).dispatch_threads({256, 256});
@@ -105,21 +107,33 @@ TEST_CASE("rays go through what a texture cuts out, and not where the knob says 
     CHECK(share > 0.05);
     CHECK(share < 0.95);
     CHECK(test.blocked() == Approx(share).margin(0.01));
-    // Each point, where rounding does not decide. The quad's texture coordinates are its places.
-    const auto points = test.blocked_points();
-    size_t wrong = 0, sure = 0;
-    for (size_t i = 0; i < points.size(); ++i) {
-        const double u = (double(i % 256) + 0.5) / 128 - 1, v = (double(i / 256) + 0.5) / 128 - 1;
-        const double alpha = alpha_at(level, u - std::floor(u), v - std::floor(v));
-        if (std::fabs(alpha - 0.5) < 0.02) continue;
-        ++sure;
-        wrong += points[i] != (alpha > 0.5);
+    // Each point, where rounding does not decide. The quad's texture coordinates are its places; then these move.
+    for (const auto& [wobble, scroll, cutoff, time_s] : {std::array{0.0f, 0.0f, 0.5f, 0.0f},
+                                                         {0.0f, 0.3f, 0.5f, 2.0f},
+                                                         {0.1f, -0.2f, 0.5f, 1.5f},
+                                                         {0.0f, 0.0f, 0.2f, 3.0f}}) {
+        test.maps.wobble.value = wobble, test.maps.scroll.value = scroll, test.maps.cutoff.value = cutoff;
+        test.time_s = time_s;
+        const auto points = test.blocked_points();
+        size_t wrong = 0, sure = 0;
+        for (size_t i = 0; i < points.size(); ++i) {
+            const glm::vec2 place((double(i % 256) + 0.5) / 128 - 1, (double(i / 256) + 0.5) / 128 - 1);
+            const glm::vec2 uv = glm::fract(moving_uv(place, wobble, scroll, time_s));
+            const double alpha = alpha_at(level, double(uv.x), double(uv.y));
+            if (std::fabs(alpha - double(cutoff)) < 0.02) continue;
+            ++sure;
+            wrong += points[i] != (alpha > double(cutoff));
+        }
+        INFO(wobble << " " << scroll << " " << cutoff << " " << time_s);
+        CHECK(sure > 50000);
+        CHECK(wrong == 0);
     }
-    CHECK(sure > 50000);
-    CHECK(wrong == 0);
+    test.maps.cutoff.value = 0.5f, test.maps.diffuse.set("off");
+    CHECK(test.blocked() == 1);
+    test.maps.diffuse.set("on");
     test.rays.cutouts.set("off");
     CHECK(test.blocked() == 1);
     test.rays.cutouts.set("on");
-    test.cutoff = 0;  // nothing has less alpha than that
+    test.maps.cutoff.value = 0;  // nothing has less alpha than that
     CHECK(test.blocked() == 1);
 }

@@ -1,6 +1,8 @@
 // What stands before what: bodies before the sky and behind walls, stars on the edges of a picture.
 #include <fmt/core.h>
 
+#include "common/scene/image_pool.h"
+#include "common/scene/scene_file.h"
 #include "planets_fixture.h"
 
 using namespace lightwalk;
@@ -41,6 +43,49 @@ TEST_CASE_METHOD(OnSky, "a part of the sky's picture is that part, with the imag
         CHECK(worst < 1e-3);
     }
     CHECK(sum_of(whole) > 10);
+}
+
+namespace {
+
+// World space, of galactic coordinates by the definition of J2000: the north pole at 192.85948°, 27.12825°; the
+// celestial pole's longitude is 122.93192°.
+glm::dvec3 galactic_direction(double longitude, double latitude) {
+    const double pole = glm::radians(27.12825), from = glm::radians(122.93192) - longitude;
+    const double declination =
+        std::asin(std::sin(latitude) * std::sin(pole) + std::cos(latitude) * std::cos(pole) * std::cos(from));
+    const double past =
+        std::atan2(std::cos(latitude) * std::sin(from),
+                   std::sin(latitude) * std::cos(pole) - std::cos(latitude) * std::sin(pole) * std::cos(from));
+    return direction_of(192.85948 + glm::degrees(past), glm::degrees(declination));
+}
+
+}  // namespace
+
+// Half a texel off, in the map or in the picture's pixels, a pixel has the mean of two texels.
+TEST_CASE_METHOD(OnSky, "the middle of a pixel that looks at the middle of the Milky Way's texel has its colour") {
+    stars.brightness.value = 0, stars.milky_way.value = 1;
+    const DecodedTexture map = decode_texture(find_asset("planets_2k/stars.jpg"), TextureKind::color);
+    const uint32_t level = 5, columns = map.desc.size.x >> level, rows = map.desc.size.y >> level;
+    // A pixel as wide as a texel of that level.
+    size = {9, 9}, camera.fov_y_rad = float(2 * std::atan(0.5 * size.y * glm::pi<double>() / rows));
+    const auto code = [](std::byte value) { return double(srgb_to_linear(uint8_t(value))); };
+    const auto texel = [&](uint32_t column, uint32_t row) {
+        const std::byte* at = &map.levels.at(level)[4 * (row * columns + column % columns)];
+        return glm::dvec3(code(at[0]), code(at[1]), code(at[2]));
+    };
+    double off = 0, shifted = 0;
+    for (uint32_t row = 3; row < rows - 3; row += 5)
+        for (uint32_t column = 1; column < columns; column += 7) {
+            const double turn = glm::two_pi<double>();  // longitude grows to the left, from the middle
+            camera.target = glm::vec3(
+                galactic_direction(turn * (0.5 - (column + 0.5) / columns), 0.5 * turn * (0.5 - (row + 0.5) / rows)));
+            const glm::dvec3 seen(picture().at(4, 4)), right = texel(column, row);
+            off += glm::length(seen - right);
+            for (const glm::dvec3& next : {texel(column + 1, row), texel(column, row + 1)})
+                shifted += 0.5 * glm::length(0.5 * (next - right));
+        }
+    fmt::print("the Milky Way: {:.4f} off in all, {:.4f} if it lay half a texel elsewhere\n", off, shifted);
+    CHECK(off < 0.3 * shifted);
 }
 
 TEST_CASE_METHOD(OnPlanets,

@@ -24,6 +24,8 @@ class Many(ChapterPictures):
         shots = [shot["name"] for shot in json.loads((ROOT / "tests" / self.chapter / "shots.json").read_text())["shots"]]
         wanted = [[*SMALL, "--shot", shots[0]], [*SMALL, "--shot", shots[0], "--set", "maps.normal=off"],
                   [*SMALL, "--shot", shots[0], "--use", "exercise"], [*SMALL, "--shot", shots[1]],
+                  [*SMALL, "--shot", shots[0], "--use", "04.unpack_normal=exercise"],
+                  [*SMALL, "--shot", shots[0], "--use", "02.lambert=exercise"],
                   [*SMALL, "--scene", "models/suzanne_family.glb", "--time", "0.5"], [*SMALL, "--shot", shots[0]]]
         many = [self.folder / f"many{i}.png" for i in range(len(wanted))]
         self.assertEqual(render_many(self.chapter, list(zip(wanted, many))), [""] * len(wanted))

@@ -56,6 +56,12 @@ class Stream(unittest.TestCase):
             self.assertIsNotNone(ImageChops.difference(first, self.picture(**change)).getbbox(), change)
             self.assert_same(first, self.picture())
 
+    def test_the_first_request_with_words_names_exercises_too(self):
+        words = [*SHOT, "--seed", "7"]
+        first = self.picture(words=words, use="exercise")
+        self.assert_same(first, self.picture(words=words, use="exercise"))
+        self.assertIsNotNone(ImageChops.difference(first, self.picture(words=words)).getbbox())
+
     def test_what_moves_is_a_jpeg_and_tells_its_passes(self):
         answer, picture = self.ask()
         self.assertEqual((picture[:3], answer["format"], answer["size"]), (b"\xff\xd8\xff", "jpeg", [160, 90]))

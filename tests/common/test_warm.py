@@ -24,21 +24,34 @@ HOLES = {
         thing("plane", [0, 0.8, 0], name="holes", scale=1.6,
               material={"diffuse": [0.6, 0.3, 0.3], "maps": {"opacity": "textures/squares.png"}})],
     "lights": [{"type": "directional", "direction": [0.3, -1, -0.2], "intensity": 1, "shadow": True, "size_deg": 0.5}]}
+# The shadow of such a sheet, which is above the picture: on a floor, and on the ground of the surroundings' picture.
+SHADE = HOLES | {"camera": HOLES["camera"] | {"position": [0, 0.6, 2.2], "target": [0, 0, 0], "fov_deg": 20}}
+SHADE_ALONE = SHADE | {"objects": HOLES["objects"][1:]}
+TURNING = SHADE_ALONE | {"objects": [HOLES["objects"][1] | {"motion": {"spin_deg_per_s": 40}}]}
+SCENES = {"holes": HOLES, "shade": SHADE, "shade_alone": SHADE_ALONE, "turning": TURNING}
 PROJECTED = ["backdrop.ground=projected", "backdrop.ground_y=0", "shadow.method=none"]
 # (chapter, scene, settings from the start, what time moves): drawn at 2 s, and by the frames from 1.75 s on.
 MOVES = [("05", "holes", ["maps.scroll=0.3"]), ("05", "holes", ["maps.wobble=0.1"]),
-         ("14", "", ["backdrop.shadow.resolution=16"])]
+         ("05", "shade", ["visibility=rays", "maps.scroll=0.3"]), ("05", "shade", ["visibility=rays", "maps.wobble=0.1"]),
+         ("14", "shade_alone", [*PROJECTED, "backdrop.shadow.resolution=64", "maps.scroll=0.3"]),
+         ("14", "turning", [*PROJECTED, "backdrop.shadow.resolution=64"])]
 # (chapter, scene, settings from the start, settings while it runs).
 KNOBS = [("05", "holes", ["maps.coverage=averaged"], ["maps.cutoff=1"]),
          ("05", "holes", [], ["maps.opacity=off"]),
          ("05", "holes", ["visibility=rays", "maps.coverage=averaged"], ["maps.cutoff=1"]),
+         ("05", "shade", ["visibility=rays"], ["maps.opacity=off"]),
          ("14", "holes", PROJECTED, ["backdrop.shadow.resolution=8"]),
+         ("14", "shade_alone", [*PROJECTED, "backdrop.shadow.resolution=64"], ["maps.opacity=off"]),
+         ("14", "shade_alone", [*PROJECTED, "maps.coverage=averaged"], ["maps.cutoff=0"]),
          ("12", "", [], ["maps.normal=off"]),
          ("12", "", [], ["skin.sky_rays=16"])]
-# (chapter, settings from the start, an exercise that a table made once is made with).
-TOGGLES = [("10", [], "10.density"), ("14", ["environment.method=prefiltered"], "14.importance_sample_ggx"),
-           ("15", ["ground.detail_m=60"], "11.eroded_fbm"),
-           ("16", ["volume.light=volume"], "16.correct_opacity")]
+# (chapter, words from the start, an exercise that what is made once, or kept between frames, is made with).
+TOGGLES = [("10", [], "10.density"), ("14", sets("environment.method=prefiltered"), "14.importance_sample_ggx"),
+           ("15", sets("ground.detail_m=60"), "11.eroded_fbm"),
+           ("16", sets("volume.light=volume"), "16.correct_opacity"),
+           ("17", ["--shot", "mercury"], "17.overlay_normals"),
+           ("18", ["--shot", "ids"], "18.id_buffer"),
+           ("19", ["--shot", "statue"], "19.centripetal_knots"), ("19", ["--shot", "harbour"], "19.arc_length")]
 # (chapter, settings from the start, a shader, what an edit replaces there and by what).
 EDITS = [("14", ["environment.method=prefiltered"], "14_environment/solution/split_sum_table.glsl", "return ",
           "return 0.25 * "),
@@ -52,11 +65,11 @@ class Warm(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name)
-        self.holes = self.folder / "holes.json"
-        self.holes.write_text(json.dumps(HOLES))
+        for name, scene in SCENES.items():
+            (self.folder / f"{name}.json").write_text(json.dumps(scene))
 
     def words(self, chapter: str, scene: str, settings: list) -> list[str]:
-        return (["--scene", str(self.holes)] if scene == "holes" else []) + cheap(chapter) + sets(*settings)
+        return (["--scene", str(self.folder / f"{scene}.json")] if scene else []) + cheap(chapter) + sets(*settings)
 
     def cold(self, chapter: str, *options) -> Path:
         """The picture of a program that has drawn no other."""
@@ -95,6 +108,7 @@ class Warm(unittest.TestCase):
                 words = self.words(chapter, scene, settings)
                 at_once = self.cold(chapter, *words, "--time", "2")
                 self.assertEqual(steps(self.cold(chapter, *words, "--time", "1.75", "--frames", "16"), at_once), 0)
+                self.assertGreater(steps(self.cold(chapter, *words, "--time", "1.75"), at_once), 0, "nothing moves")
 
     def test_a_knob(self):
         for chapter, scene, settings, change in KNOBS:
@@ -104,9 +118,9 @@ class Warm(unittest.TestCase):
                 self.assert_cold(*pictures, self.cold(chapter, *words, *sets(*change)))
 
     def test_a_toggle(self):
-        for chapter, settings, exercise in TOGGLES:
+        for chapter, given, exercise in TOGGLES:
             with self.subTest(chapter=chapter, exercise=exercise):
-                words, use = self.words(chapter, "", settings), f"{exercise}=exercise"
+                words, use = [*given, *cheap(chapter)], f"{exercise}=exercise"
                 pictures = self.live(chapter, words, [{}, {"use": use}])
                 self.assert_cold(*pictures, self.cold(chapter, *words, "--use", use))
 
