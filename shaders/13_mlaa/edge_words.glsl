@@ -15,3 +15,9 @@ uint edge_word(int tile, int line, bool horizontal) {
 // Between the pixel and the one below it, or on its right.
 bool edge_below(ivec2 pixel) { return (edge_word(pixel.x >> 4, pixel.y, true) >> (pixel.x & 15) & 1u) != 0u; }
 bool edge_right(ivec2 pixel) { return (edge_word(pixel.x >> 4, pixel.y, true) >> (pixel.x & 15) + 16 & 1u) != 0u; }
+
+// Both in one read: below, right.
+bvec2 edges_of(ivec2 pixel) {
+    uint word = edge_word(pixel.x >> 4, pixel.y, true) >> (pixel.x & 15);
+    return bvec2((word & 1u) != 0u, (word & 0x10000u) != 0u);
+}

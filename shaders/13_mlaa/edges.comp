@@ -15,6 +15,7 @@ vec3 lab_at(ivec2 pixel) { return to_lab(light_at(pixel)); }
 void main() {
     ivec2 group = ivec2(gl_WorkGroupID.xy), place = ivec2(gl_LocalInvocationID.xy), corner = tile_side * group, pixel = corner + place;
     int thread = int(gl_LocalInvocationIndex);
+    begin_list();
     if (thread < tile_side) row_word[thread] = column_word[thread] = 0u;
     uint edges = lab_edges(corner, mlaa.threshold);
     barrier();

@@ -79,18 +79,22 @@ float fxaa_share(ivec2 place, out ivec2 side) {
 }
 // [/fxaa]
 
-// Few pixels have contrast. The workgroup's first threads take those, so that no thread waits while others search.
+// Few pixels have contrast. The workgroup's first threads take those, so that no thread waits while others search; a square
+// without any is done.
 void main() {
+    begin_list();
     if (gl_LocalInvocationIndex == 0u) strong_count = 0u;
     keep_luma();
     barrier();
     ivec2 corner = square * ivec2(gl_WorkGroupID.xy), own = ivec2(gl_LocalInvocationID.xy);
     if (all(lessThan(corner + own, textureSize(picture, 0))) && contrast(own) > 0.0) strong[atomicAdd(strong_count, 1u)] = gl_LocalInvocationIndex;
     barrier();
+    if (strong_count == 0u) return;
     ivec2 pixel = corner, side = ivec2(0);
     float share = 0.0;
-    for (uint i = gl_LocalInvocationIndex; i < strong_count; i += square * square) {  // once at most
-        ivec2 place = ivec2(strong[i] % square, strong[i] / square);
+    if (gl_LocalInvocationIndex < strong_count) {
+        uint slot = strong[gl_LocalInvocationIndex];
+        ivec2 place = ivec2(slot % square, slot / square);
         pixel += place;
         share = fxaa_share(place, side);
     }

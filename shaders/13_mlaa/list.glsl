@@ -5,15 +5,17 @@ layout(scalar) writeonly buffer ListBuffer { uint listed[]; };
 layout(scalar) writeonly buffer NextWorkBuffer { Work next_work; };  // of the next frame, which finds nothing listed
 shared uint listed_here, listed_from;
 
-// The whole workgroup calls it, once.
-void put_on_list(bool wanted, ivec2 pixel) {
+// The whole workgroup calls both, once: the first before one of its barriers, the second behind it.
+void begin_list() {
     if (gl_GlobalInvocationID.xy == uvec2(0u)) {
         next_work.groups[0] = 0u;
         next_work.listed_count = 0u;
         next_work.changed_count = 0u;
     }
     if (gl_LocalInvocationIndex == 0u) listed_here = 0u;
-    barrier();
+}
+
+void put_on_list(bool wanted, ivec2 pixel) {
     uint own = wanted ? atomicAdd(listed_here, 1u) : 0u;
     barrier();
     if (gl_LocalInvocationIndex == 0u && listed_here > 0u) {

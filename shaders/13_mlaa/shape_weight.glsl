@@ -1,4 +1,4 @@
-// As line_weight.glsl, with more shapes: ends with edges on both sides, corners, and single pixels.
+// As line_weight.glsl, with more shapes: ends with edges on both sides, and corners.
 #include "13_mlaa/areas.glsl"
 #include "13_mlaa/edge_source.glsl"
 #include "13_mlaa/lines.glsl"
@@ -26,24 +26,18 @@ float corner_share(ivec2 before, ivec2 across, int side, bool horizontal) {
 }
 // [/corner]
 
-// Of a pixel that juts out alone, on each side. The triangles that a line of one pixel leaves have together a quarter; in
-// noise more than a tenth is visible as blur, less leaves the squared error larger.
-const float lone_share = 0.1;
-
 float shape_weight(ivec2 near, bool horizontal, int side) {
     EdgeLine l = line_at(near, horizontal);
     if (l.back == 0) return 0.0;
     ivec2 before = first_of(l) - l.along, last = last_of(l), across = l.along.yx;
     int at_first = across_at(before, across, horizontal), at_last = across_at(last, across, horizontal);
     vec2 kept = vec2(corner_share(before, across, side, horizontal), corner_share(last, across, side, horizontal));
-    bool juts_out = (at_first & at_last & (side < 0 ? 1 : 2)) != 0;
 
     // Where the line goes on, it was not followed any farther, unless all four edges meet.
     if (at_first < 3 && edge_along(before, horizontal)) at_first = 0;
     if (at_last < 3 && edge_along(last + l.along, horizontal)) at_last = 0;
     ivec2 turns = ivec2(texelFetch(crossings, ivec2(at_first, at_last), 0).r, texelFetch(crossings, ivec2(at_last, at_first), 0).r);
     go_beyond_border(l, turns);
-    if (l.back + l.ahead == 2)  // a step of another line, unless edges stand at both its ends
-        return juts_out ? lone_share * min(kept.x, kept.y) : 0.0;
+    if (l.back + l.ahead == 2) return 0.0;  // a step of another line
     return (turns.x == side ? area_at(l.back, l.ahead) * kept.x : 0.0) + (turns.y == side ? area_at(l.ahead, l.back) * kept.y : 0.0);
 }

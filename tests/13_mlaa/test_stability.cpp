@@ -78,16 +78,33 @@ TEST_CASE_METHOD(OnMlaa, "at the border: pictures of one pixel, of a row, and li
         }
 }
 
-TEST_CASE_METHOD(OnMlaa, "smaa_like: a corner keeps a quarter of its weight, and a lone pixel gives four tenths") {
+TEST_CASE_METHOD(OnMlaa, "smaa_like: a corner keeps a quarter of its weight") {
     const auto box = [](int x, int y) { return x >= 20 && x < 60 && y >= 20 && y < 50 ? 1.0f : 0.0f; };
     const ImageRgb mlaa = filter("mlaa", {80, 70}, box), smaa = filter("smaa_like", {80, 70}, box);
     CHECK(1 - double(mlaa.at(22, 20).g) == Approx(truth::area(2, 40)).margin(1e-3));
     CHECK(1 - double(smaa.at(22, 20).g) == Approx(0.25 * truth::area(2, 40)).margin(1e-3));
     CHECK(1 - double(mlaa.at(20, 23).g) == Approx(truth::area(3, 30)).margin(1e-3));
     CHECK(1 - double(smaa.at(20, 23).g) == Approx(0.25 * truth::area(3, 30)).margin(1e-3));
+}
+
+TEST_CASE_METHOD(OnMlaa, "smaa_like: a detail of one pixel takes an eighth of each neighbour that it differs from") {
     const auto pixel = [](int x, int y) { return x == 15 && y == 15 ? 1.0f : 0.0f; };
-    CHECK(double(filter("smaa_like", {32, 32}, pixel).at(15, 15).g) == Approx(0.6).margin(1e-3));
+    CHECK(double(filter("smaa_like", {32, 32}, pixel).at(15, 15).g) == Approx(0.5).margin(1e-3));
     CHECK(double(filter("mlaa", {32, 32}, pixel).at(15, 15).g) == 1);
+    // On a plane, whichever side it stands on: three neighbours.
+    for (const glm::ivec2 out : {glm::ivec2{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        const ImageRgb found = filter("smaa_like", {32, 32}, [&](int x, int y) {
+            const glm::ivec2 from = glm::ivec2(x, y) - 15;
+            return from == glm::ivec2(0) || from.x * out.x + from.y * out.y < 0 ? 1.0f : 0.0f;
+        });
+        INFO(out.x << ", " << out.y);
+        CHECK(double(found.at(15, 15).g) == Approx(1 - 3.0 / 8).margin(1e-3));
+    }
+    // The last pixel of a step of a thin line has three such neighbours, too, and stays a part of the line.
+    const auto wire = [](int x, int y) { return y == (x < 6 ? 14 : x < 16 ? 15 : x < 26 ? 16 : 17) ? 1.0f : 0.0f; };
+    const ImageRgb mlaa = filter("mlaa", {32, 32}, wire), smaa = filter("smaa_like", {32, 32}, wire);
+    for (int x = 7; x < 25; ++x)
+        for (int y = 13; y < 19; ++y) CHECK(smaa.at(x, y) == mlaa.at(x, y));
 }
 
 TEST_CASE_METHOD(OnMlaa, "edges of 0.5 to 89 degrees against their exact coverage", "[figures]") {
