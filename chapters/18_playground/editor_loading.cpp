@@ -96,7 +96,7 @@ void EditorWindow::carry_on_loading(Gpu& gpu) {
     changed_ = true;  // the panels of this frame were made before
     if (done.adds) {
         editor.add_model(*this, done.file);
-        log_event("added " + done.file.filename().string());
+        log_event("added " + clean_name(done.file.filename().string()));
     } else {
         opens = done.file;
     }
@@ -106,7 +106,8 @@ void EditorWindow::carry_on_loading(Gpu& gpu) {
 
 void EditorWindow::draw_loading(float scale) {
     if (wanted_.empty()) return;
-    ImGui::SetNextWindowPos({284.0f * scale, 12.0f * scale});
+    const float left = covered_px(picture_, scale), bottom = static_cast<float>(picture_.y);
+    ImGui::SetNextWindowPos({left + 14.0f * scale, bottom - 12.0f * scale}, ImGuiCond_Always, {0.0f, 1.0f});
     ImGui::SetNextWindowBgAlpha(0.9f);
     ImGui::Begin("loading", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
