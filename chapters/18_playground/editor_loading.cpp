@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "18_playground/editor_window.h"
+#include "18_playground/utf8.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
@@ -16,6 +17,12 @@ namespace {
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 constexpr double upload_ms = 8.0;  // of each frame
+
+bool is_utf8(const std::string& text) {
+    for (size_t i = 0, length = 0; i < text.size(); i += length)
+        if (length = utf8_length(std::string_view(text).substr(i)); length == 0) return false;
+    return true;
+}
 
 bool has_model(const Scene& scene, const fs::path& file) {
     return std::any_of(scene.file.objects.begin(), scene.file.objects.end(), [&](const SceneObject& object) {
@@ -57,6 +64,9 @@ void EditorWindow::want(const fs::path& file, bool adds) {
         if (!adds && editor.store.has_unsaved(editor.document))
             throw InputError("save first (Ctrl+S), or undo: {} was not opened", file.filename().string());
         Wanted one{.file = find_asset(file), .adds = adds};
+        if (adds && !is_utf8(one.file.string()))
+            throw InputError("{}: the path is not UTF-8, and a scene file holds nothing else; rename the file",
+                             clean_name(one.file.filename().string()));
         if (one.file.extension() == ".json")
             for (const SceneObject& object : read_scene(one.file).objects) {
                 if (object.model.empty() || object.hidden) continue;

@@ -20,7 +20,7 @@ constexpr float label_px = 110.0f, short_label_px = 70.0f, color_label_px = 80.0
 bool EditorWindow::takes(const char* label, float* values, int count, const float* before, float lower, float upper) {
     for (int i = 0; i < count; ++i)
         if (!(values[i] >= lower && values[i] <= upper)) {
-            editor.notice = fmt::format("{}: {:g} is out of range, {:g} to {:g}", label, values[i], lower, upper);
+            refuse(fmt::format("{}: {:g} is out of range, {:g} to {:g}", label, values[i], lower, upper));
             return std::copy(before, before + count, values), false;
         }
     return true;
@@ -69,13 +69,13 @@ void EditorWindow::change(EntryId id, const char* what, const Change& set) {
     set(editor.document.edit(id));
     if (const Said said = cannot_be_saved(editor.document.at(id), editor.store.path); !said.empty()) {
         editor.document.cancel();
-        editor.notice = said;
-        return;
+        return refuse(said);
     }
     editor.document.commit();
 }
 
 void EditorWindow::draw_properties() {
+    if (!ImGui::IsAnyItemActive()) refused_.clear();
     ImGui::Separator();
     const EntryId id = editor.selection.active();
     if (id == no_entry || !editor.document.find(id)) {
@@ -118,7 +118,7 @@ void EditorWindow::draw_object(EntryId id) {
     bool moved = numbers("position", "Position in the parent's space, in metres", own.position, 0.001f * size);
     moved |= numbers("rotation", "Rotation about x, then y, then z, in degrees", own.rotation_deg, 0.5f);
     moved |= numbers("scale", "Scale along the object's own axes; negative: mirrored", own.scale, 0.01f);
-    if (moved) say(place(editor.document, id, own, editor.gesture));
+    if (moved) refuse(place(editor.document, id, own, editor.gesture));
     if (!editor.document.at(id).object()->model.empty()) draw_material(id);
 }
 

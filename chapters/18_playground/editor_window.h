@@ -55,6 +55,10 @@ struct EditorWindow : Playground, WindowTool {
     void say(const Said& said) {
         if (!said.empty()) editor.notice = said;
     }
+    /// As say(), but once while a field holds what is refused: it is asked in each frame.
+    void refuse(const Said& said) {
+        if (std::exchange(refused_, said) != said) say(said);
+    }
     void want(const std::filesystem::path& file, bool adds);
     void carry_on_loading(Gpu& gpu);
     void stop_loading(const std::string& why);
@@ -98,7 +102,7 @@ struct EditorWindow : Playground, WindowTool {
     Image8 ball_;
     static constexpr uint32_t ball_size = 88;  ///< pixels
     std::string facet_;                        ///< of the scene: its entry in the tree; empty: the scene itself
-    std::string search_, renaming_text_, save_name_ = "scene.json";
+    std::string refused_, search_, renaming_text_, save_name_ = "scene.json";
     EntryId renaming_ = no_entry, last_clicked_ = no_entry, followed_ = no_entry;  ///< whose line was scrolled to last
     bool types_ = false, searches_ = false;  ///< the next frame puts the keyboard into a field
     bool renaming_begins_ = false, closes_ = false, shows_keys_ = false, shows_steps_ = false, changed_ = false,

@@ -87,7 +87,7 @@ class Fields(unittest.TestCase):
         self.replace("environments/interior.hdr")
         self.assertEqual(self.saved()["environment"]["image"], "environments/interior.hdr")
         for path, why in (("environments/none.hdr", r"notice .*none\.hdr.*"),
-                          ("models/cube.obj", r"notice key 'environment'.*expected an \.hdr or \.pfm file"),
+                          ("models/cube.obj", r"notice key 'image' is .*expected an \.hdr or \.pfm file"),
                           ("planets_2k/earth.jpg", r"notice .*(no file|expected an \.hdr).*")):
             since = session.said()
             session.click("field.image")
@@ -127,9 +127,10 @@ class Fields(unittest.TestCase):
         self.assertEqual(self.saved(), before)
 
     def rename(self, entry: str, name: str):
-        """By Ctrl+R, or by a double click."""
-        self.session.click("entry." + entry)
-        if entry == "cube":
+        """By Ctrl+R, or by a button. Of no entry: of the one that is selected."""
+        if entry:
+            self.session.click("entry." + entry)
+        if entry != ODD:
             self.session.key("ctrl+r")
         else:
             self.session.click("tool.rename")
@@ -152,7 +153,7 @@ class Fields(unittest.TestCase):
         self.assertEqual(self.names(), ['a "b" \\ c 2', 'a "b" \\ c'])
         long = "long" * 101  # a field of 400 bytes would cut it
         self.rename('a "b" \\ c 2', long)
-        self.rename(long, "")
+        self.rename("", "")
         self.rename("cube.obj", "cube")
         self.assertEqual(self.names(), ["cube", 'a "b" \\ c'])
         self.rename("cube", "cube")  # what is called so already is no step
@@ -164,21 +165,21 @@ class Fields(unittest.TestCase):
         self.rest()
         self.assertEqual(self.saved(), before)
 
-    def test_4_a_file_whose_name_is_not_utf_8_is_added_with_a_name_that_is(self):
-        session = self.session
+    def test_4_a_file_whose_name_is_not_utf_8_is_refused_since_no_scene_could_be_saved_with_it(self):
+        session, before = self.session, self.saved()
         since = session.said()
         session.key("ctrl+o")
         session.click("tool.here")
         session.click("file.na\ufffdme.obj")
-        session.wait_for_line("added .*me.obj", since)
-        self.assertEqual(self.names(), ["cube", RAW, "na\ufffdme"])
+        session.wait_for_line("notice na\ufffdme.obj: the path is not UTF-8.*", since)
+        self.assertEqual(self.saved(), before)
 
     def test_5_messages_stand_beside_the_tools_and_are_read(self):
         session = self.session
         since = session.said()
-        session.key("Escape", "Escape")
+        session.click("entry.scene")
         session.key("Delete")
-        session.wait_for_line("notice nothing is selected", since)
+        session.wait_for_line("notice camera, environment, sky, water and fog belong to the scene.*", since)
         self.rest()
         left = session.areas["notice"][0]
         for place, (_, top, right, _) in session.areas.items():
