@@ -234,6 +234,7 @@ class Fields(unittest.TestCase):
         session.key("shift+h")
 
     def test_8_save_as_writes_another_file_which_is_edited_from_then_on_and_asks_before_it_overwrites(self):
+        self.saved()
         session, before = self.session, self.scene.read_text()
         (self.folder / "other.json").write_text("{}")
         session.click("entry.scene")
