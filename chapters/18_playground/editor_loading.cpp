@@ -116,8 +116,10 @@ void EditorWindow::carry_on_loading(Gpu& gpu) {
 
 void EditorWindow::draw_loading(float scale) {
     if (wanted_.empty()) return;
-    const float left = covered_px(picture_, scale), bottom = static_cast<float>(picture_.y);
-    ImGui::SetNextWindowPos({left + 14.0f * scale, bottom - 12.0f * scale}, ImGuiCond_Always, {0.0f, 1.0f});
+    // Of a known height, so that it stands where it belongs in its first frame too.
+    const float height = ImGui::GetFrameHeight() + 2.0f * ImGui::GetStyle().WindowPadding.y;
+    ImGui::SetNextWindowPos(
+        {covered_px(picture_, scale) + 14.0f * scale, static_cast<float>(picture_.y) - height - 12.0f * scale});
     ImGui::SetNextWindowBgAlpha(0.9f);
     ImGui::Begin("loading", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
