@@ -126,6 +126,10 @@ Said remove(Document& document, const std::vector<EntryId>& ids) {
     document.begin(chosen.size() == 1 ? "delete " + document.at(chosen[0]).name()
                                       : fmt::format("delete {} entries", chosen.size()));
     for (const EntryId id : chosen) document.remove(id);
+    for (const EntryId id : with_children(document, root_entry))  // a screen whose object is gone shows nothing
+        if (const SceneObject* screen = document.at(id).object();
+            screen && !screen->shows.empty() && !document.has_name(screen->shows))
+            document.edit(id).object()->shows.clear();
     document.commit();
     return "";
 }

@@ -56,10 +56,15 @@ void Editor::open(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file,
     Scene kept = std::exchange(chapter.scene, Scene());
     const Camera camera = chapter.camera;
     shown_ = nullptr;
+    // What the scene before has set is not this one's; what the command line has set holds for all.
+    std::vector<std::pair<KnobBase*, std::string>> knobs;
+    for (KnobBase* knob : chapter.all_knobs())
+        if (!is_no_setting(*knob) && !knob->pinned) knobs.emplace_back(knob, knob->text()), knob->reset();
     try {
         if (give) give(chapter.scene);
         load_scene(chapter, gpu, file);
     } catch (...) {
+        for (const auto& [knob, text] : knobs) knob->set(text);
         chapter.scene = std::move(kept);
         chapter.camera = camera;
         shown_ = &chapter.scene;
@@ -196,8 +201,8 @@ std::optional<EntryId> Editor::light_at(const View& view, glm::vec2 cursor_px) c
 
 std::vector<uint32_t> Editor::selected_items(const Scene& scene) const {
     std::vector<char> chosen(scene.file.objects.size(), 0);
-    for (const EntryId id : selection.ids)
-        if (document.find(id))
+    for (const EntryId id : selection.ids)  // of the scene as a whole, which is everything, nothing is marked
+        if (id != root_entry && document.find(id))
             for (const EntryId one : with_children(document, id))
                 if (const uint32_t object = live.object_of(one); object < chosen.size()) chosen[object] = 1;
     std::vector<uint32_t> flags;

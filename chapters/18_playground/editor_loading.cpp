@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "18_playground/editor_window.h"
+#include "18_playground/utf8.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
@@ -16,6 +17,12 @@ namespace {
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 constexpr double upload_ms = 8.0;  // of each frame
+
+bool is_utf8(const std::string& text) {
+    for (size_t i = 0, length = 0; i < text.size(); i += length)
+        if (length = utf8_length(std::string_view(text).substr(i)); length == 0) return false;
+    return true;
+}
 
 bool has_model(const Scene& scene, const fs::path& file) {
     return std::any_of(scene.file.objects.begin(), scene.file.objects.end(), [&](const SceneObject& object) {
@@ -57,6 +64,9 @@ void EditorWindow::want(const fs::path& file, bool adds) {
         if (!adds && editor.store.has_unsaved(editor.document))
             throw InputError("save first (Ctrl+S), or undo: {} was not opened", file.filename().string());
         Wanted one{.file = find_asset(file), .adds = adds};
+        if (adds && !is_utf8(one.file.string()))
+            throw InputError("{}: the path is not UTF-8, and a scene file holds nothing else; rename the file",
+                             clean_name(one.file.filename().string()));
         if (one.file.extension() == ".json")
             for (const SceneObject& object : read_scene(one.file).objects) {
                 if (object.model.empty() || object.hidden) continue;
@@ -96,7 +106,7 @@ void EditorWindow::carry_on_loading(Gpu& gpu) {
     changed_ = true;  // the panels of this frame were made before
     if (done.adds) {
         editor.add_model(*this, done.file);
-        log_event("added " + done.file.filename().string());
+        log_event("added " + clean_name(done.file.filename().string()));
     } else {
         opens = done.file;
     }
@@ -106,7 +116,10 @@ void EditorWindow::carry_on_loading(Gpu& gpu) {
 
 void EditorWindow::draw_loading(float scale) {
     if (wanted_.empty()) return;
-    ImGui::SetNextWindowPos({284.0f * scale, 12.0f * scale});
+    // Of a known height, so that it stands where it belongs in its first frame too.
+    const float height = ImGui::GetFrameHeight() + 2.0f * ImGui::GetStyle().WindowPadding.y;
+    ImGui::SetNextWindowPos(
+        {covered_px(picture_, scale) + 14.0f * scale, static_cast<float>(picture_.y) - height - 12.0f * scale});
     ImGui::SetNextWindowBgAlpha(0.9f);
     ImGui::Begin("loading", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |

@@ -1,32 +1,42 @@
 // The editor's panels: the tree on the left, and what is selected below it.
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "18_playground/editor_window.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 
 namespace lightwalk {
 
+// Not in a window in which it would cover most of the picture, as the panel on the right.
+float EditorWindow::covered_px(glm::uvec2 picture, float scale) const {
+    const float wanted = 270.0f * scale;
+    return wanted < 0.6f * static_cast<float>(picture.x) ? wanted : 0.0f;
+}
+
 bool EditorWindow::draw_panels(glm::uvec2 picture, float scale) {
     picture_ = picture;
     const bool changed = std::exchange(changed_, false);
     const uint64_t state = editor.document.state();
     const std::vector<EntryId> selected = editor.selection.ids;
-    ImGui::SetNextWindowPos({0.0f, 0.0f});
-    ImGui::SetNextWindowSize({270.0f * scale, static_cast<float>(picture.y)});
-    ImGui::SetNextWindowBgAlpha(0.88f);
-    ImGui::Begin("editor", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
-    draw_toolbar();
-    draw_tree();
-    draw_properties();
-    ImGui::End();
+    if (const float width = covered_px(picture, scale); width > 0.0f) {
+        ImGui::SetNextWindowPos({0.0f, 0.0f});
+        ImGui::SetNextWindowSize({width, static_cast<float>(picture.y)});
+        ImGui::SetNextWindowBgAlpha(0.88f);
+        ImGui::Begin("editor", nullptr,
+                     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_NoBringToFrontOnFocus);
+        draw_toolbar();
+        draw_tree();
+        draw_properties();
+        ImGui::End();
+    }
     browser_.draw(scale);
     draw_loading(scale);
-    draw_steps();
-    draw_keys();
+    draw_steps(scale);
+    draw_keys(scale);
     draw_question();
     carry_on_previews();
     return changed || state != editor.document.state() || selected != editor.selection.ids || editor.document.in_step();
@@ -53,21 +63,28 @@ void EditorWindow::draw_toolbar() {
         editor.local = !editor.local;
     const char* const kinds[] = {"sun", "lamp", "spot"};
     for (int i = 0; i < 3; ++i) {
+        if (i > 0) ImGui::SameLine();
         if (tool_button(kinds[i], "Add a light: directional, point, spot"))
             editor.add_light(*this, static_cast<Light::Kind>(i));
-        ImGui::SameLine();
     }
-    if (tool_button("scatter", "Point and spot lights over the scene, as many as the number says"))
-        editor.selection.set(scatter(editor.document, scene.bounds, scatter_count_, unsigned(editor.document.size())));
+    if (tool_button("scatter", "Point and spot lights over the scene, as many as the number says")) scatter_lights();
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0f);
-    ImGui::DragInt("##scatter", &scatter_count_, 10.0f, 1, 100000);
+    ImGui::DragInt("##scatter", &scatter_count_, 10.0f, 1, 100000, "%d lights");
+    scatter_count_ = std::clamp(scatter_count_, 1, 100000);
+    log_place("number.scatter");
+    help_on_hover("Number of lights that are scattered, up to 100,000");
+}
+
+void EditorWindow::scatter_lights() {
+    editor.selection.set(scatter(editor.document, scene.bounds, scatter_count_, unsigned(editor.document.size())));
 }
 
 // [tree]
 void EditorWindow::draw_tree() {
     ImGui::SetNextItemWidth(-1.0f);
-    if (text_field("##search", search_, true)) editor.tree.search(search_);
+    if (std::exchange(searches_, false)) ImGui::SetKeyboardFocusHere();
+    if (text_field("##search", search_, "search the tree", true)) editor.tree.search(search_);
     help_on_hover("Search: words that must be in the name");
     editor.tree.node_count = [this](EntryId id) -> size_t {
         const SceneObject* object = editor.document.at(id).object();
@@ -87,6 +104,14 @@ void EditorWindow::draw_tree() {
     }
     draw_facets();
     const std::vector<TreeRow> rows = editor.tree.rows(editor.document);
+    // What was picked in the picture, or by a key, comes into sight.
+    if (const EntryId active = editor.selection.active(); std::exchange(followed_, active) != active) {
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const TreeRow& one) { return one.id == active; });
+        const float height = ImGui::GetTextLineHeightWithSpacing();
+        const float top = ImGui::GetCursorPosY() + height * static_cast<float>(row - rows.begin());
+        const float above = ImGui::GetScrollY(), room = ImGui::GetWindowHeight() - height;
+        if (row != rows.end() && (top < above || top > above + room)) ImGui::SetScrollY(top - 0.5f * room);
+    }
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows.size()));
     while (clipper.Step())
@@ -129,6 +154,7 @@ void EditorWindow::draw_row(const TreeRow& row) {
         }
         if (entry.hidden) ImGui::PopStyleColor();
         log_place("entry." + shown_as);
+        draw_row_menu(row.id);
         if (ImGui::BeginDragDropSource()) {
             if (!editor.selection.has(row.id)) editor.selection.set({row.id});
             ImGui::SetDragDropPayload("entries", &row.id, sizeof row.id);
@@ -146,10 +172,33 @@ void EditorWindow::draw_row(const TreeRow& row) {
 }
 // [/tree]
 
-void EditorWindow::draw_steps() {
+// By the right button.
+void EditorWindow::draw_row_menu(EntryId id) {
+    if (!ImGui::BeginPopupContextItem("menu")) return;
+    if (!editor.selection.has(id)) editor.selection.set({id});
+    const bool hidden = editor.document.at(id).hidden, locked = editor.document.at(id).locked;
+    const auto item = [](const char* label, const char* key) {
+        const bool chosen = ImGui::MenuItem(label, key);
+        log_place(std::string("menu.") + label);
+        return chosen;
+    };
+    if (item("rename", "Ctrl+R")) begin_renaming(id);
+    if (item(hidden ? "show" : "hide", "Shift+H")) on_shift_key('H');
+    if (item(locked ? "unlock" : "lock", "Shift+L")) on_shift_key('L');
+    if (item("group", "Ctrl+G")) on_control_key({'G', 0});
+    if (item("duplicate", "Ctrl+D")) on_control_key({'D', 0});
+    if (item("frame", "F")) frame_selected();
+    if (item("delete", "Del")) {
+        say(remove(editor.document, editor.selection.ids));
+        editor.selection.drop_missing(editor.document);
+    }
+    ImGui::EndPopup();
+}
+
+void EditorWindow::draw_steps(float scale) {
     if (!shows_steps_) return;
-    ImGui::SetNextWindowPos({280.0f, 60.0f}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({260.0f, 320.0f}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowPos({280.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({260.0f * scale, 320.0f * scale}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("steps", &shows_steps_, ImGuiWindowFlags_NoSavedSettings)) {
         const std::vector<Document::Listed> steps = editor.document.steps();
         ImGuiListClipper clipper;
@@ -171,22 +220,31 @@ void EditorWindow::draw_steps() {
     ImGui::End();
 }
 
-void EditorWindow::draw_keys() {
+void EditorWindow::draw_keys(float scale) {
     if (!shows_keys_) return;
+    ImGui::SetNextWindowPos({280.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("keys", &shows_keys_, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize)) {
-        static constexpr const char* keys[][2] = {{"click, Shift and click", "select; add to the selection"},
-                                                  {"drag a handle", "move, rotate, scale; with Shift in steps"},
-                                                  {"1, 2, 3, L", "move, rotate, scale; world or local axes"},
-                                                  {"F", "frame what is selected"},
-                                                  {"Ctrl+Z, Ctrl+Y", "undo, redo"},
-                                                  {"Ctrl+D, Ctrl+G, Del", "duplicate, group, delete"},
-                                                  {"Ctrl+O, Ctrl+S, Ctrl+E", "files, save, export to glTF"},
-                                                  {"Ctrl+A, Esc", "select all; nothing"},
-                                                  {"F12, F1, H", "picture; these keys; the knobs"},
-                                                  {"drag, wheel, right button", "orbit, come closer, look and fly"}};
+        static constexpr const char* keys[][2] = {
+            {"click, Shift and click", "select; add to the selection"},
+            {"drag a handle", "move, rotate, scale; with Shift in steps"},
+            {"1, 2, 3, L", "move, rotate, scale; world or local axes"},
+            {"F", "frame what is selected"},
+            {"Up, Down, Left, Right", "the tree: select another entry; fold, unfold"},
+            {"Enter, Tab", "type numbers of what is selected; the next one"},
+            {"Ctrl+F, Ctrl+R", "search the tree; rename, as by a double click"},
+            {"Shift+H, Shift+L", "hide or show; lock or unlock"},
+            {"Shift+1, 2, 3, 4", "add a sun, a lamp, a spot; scatter lights"},
+            {"Ctrl+Z, Ctrl+Y", "undo, redo"},
+            {"Ctrl+D, Ctrl+G, Del", "duplicate, group, delete"},
+            {"Ctrl+O, Ctrl+S, Ctrl+E", "files, save (with Shift: as), export to glTF"},
+            {"Ctrl+A, Esc", "select all; nothing, then close"},
+            {"F12, F1, H", "picture; these keys; the knobs"},
+            {"F2, F3, F5", "switch all exercises, mine beside reference, reload"},
+            {"drag, wheel, right button", "orbit, come closer, look and fly"},
+            {"right button in the tree", "what can be done with an entry"}};
         for (const auto& [key, help] : keys) {
             ImGui::TextColored(reference_color, "%-28s", key);
-            ImGui::SameLine(220.0f);
+            ImGui::SameLine(220.0f * scale);
             ImGui::TextUnformatted(help);
         }
     }
@@ -199,9 +257,13 @@ void EditorWindow::draw_question() {
     if (!ImGui::BeginPopupModal("question", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar))
         return;
     const Question asked = question_;
-    const std::string file = editor.store.path.empty() ? save_name_ : editor.store.path.string();
-    const auto answer = [&](const char* label) {
-        const bool yes = ImGui::Button(label);
+    const bool by_key = !ImGui::IsWindowAppearing();  // not by the key that asked
+    const bool to_target = asked == Question::overwrite || editor.store.path.empty();
+    const std::string file = (to_target ? save_target() : editor.store.path).string();
+    // Enter is the first answer, Escape the one that leaves all as it is.
+    const auto answer = [&](const char* label, std::initializer_list<ImGuiKey> keys = {}) {
+        bool yes = ImGui::Button(label);
+        for (const ImGuiKey key : keys) yes |= by_key && key_pressed(key);
         log_place(std::string("answer.") + label);
         ImGui::SameLine();
         if (yes) question_ = Question::nothing;
@@ -209,20 +271,16 @@ void EditorWindow::draw_question() {
     };
     if (asked == Question::close) {
         ImGui::Text("The scene has changes that are not saved.");
-        if (answer("save")) on_save(), closes_ = !editor.store.has_unsaved(editor.document);
+        if (answer("save", {ImGuiKey_Enter})) on_save(), closes_ = !editor.store.has_unsaved(editor.document);
         if (answer("discard")) editor.store.forget_recovery(), closes_ = true;
-        answer("stay");
+        answer("stay", {ImGuiKey_Escape});
     } else if (asked == Question::overwrite) {
         ImGui::Text("%s is there already, or was written by somebody else.", file.c_str());
-        if (answer("overwrite")) {
-            question_ = Question::overwrite, overwrites_ = true;
-            on_save();
-            question_ = Question::nothing;
-        }
-        answer("cancel");
+        if (answer("overwrite", {ImGuiKey_Enter})) overwrites_ = true, on_save();
+        if (answer("cancel", {ImGuiKey_Escape})) saves_as_ = false;
     } else {
         ImGui::Text("%s was not saved when the program ended last.", file.c_str());
-        if (answer("restore")) try {
+        if (answer("restore", {ImGuiKey_Enter})) try {
                 editor.open_document(*this, editor.store.recover());
             } catch (const InputError& e) { editor.notice = e.what(); }
         if (answer("throw away")) editor.store.forget_recovery();

@@ -12,33 +12,52 @@
 namespace lightwalk {
 namespace {
 
-// True where a number was changed; `begins` counts gestures up, so that a drag is one step.
-bool numbers(const char* label, glm::vec3& value, float speed) {
-    ImGui::SetNextItemWidth(-70.0f);
+constexpr float label_px = 110.0f, short_label_px = 70.0f, color_label_px = 80.0f;
+
+}  // namespace
+
+// What is typed has no range of its own: 1e39 is infinite, and 0 times that is no number.
+bool EditorWindow::takes(const char* label, float* values, int count, const float* before, float lower, float upper) {
+    for (int i = 0; i < count; ++i)
+        if (!(values[i] >= lower && values[i] <= upper)) {
+            refuse(fmt::format("{}: {:g} is out of range, {:g} to {:g}", label, values[i], lower, upper));
+            return std::copy(before, before + count, values), false;
+        }
+    return true;
+}
+
+bool EditorWindow::numbers(const char* label, const char* help, glm::vec3& value, float speed) {
+    ImGui::SetNextItemWidth(-short_label_px);
     const glm::vec3 before = value;
     const bool changed = ImGui::DragFloat3(label, &value.x, speed, 0.0f, 0.0f, "%.5g");
     log_place(std::string("numbers.") + label);
-    if (std::isfinite(value.x + value.y + value.z)) return changed;
-    value = before;  // 1e39 was typed
-    return false;
+    help_on_hover(help);
+    return changed && takes(label, &value.x, 3, &before.x, -1e9f, 1e9f);
 }
 
-bool number(const char* label, float& value, float speed, float lower, float upper) {
-    ImGui::SetNextItemWidth(-110.0f);
+bool EditorWindow::number(const char* label, const char* help, float& value, float speed, float lower, float upper) {
+    ImGui::SetNextItemWidth(-label_px);
+    const float before = value;
     const bool changed = ImGui::DragFloat(label, &value, speed, lower, upper, "%.5g");
     log_place(std::string("number.") + label);
-    if (changed) value = std::clamp(value, lower, upper);  // what is typed has no range of its own
-    return changed;
+    help_on_hover(help);
+    return changed && takes(label, &value, 1, &before, lower, upper);
 }
 
-bool color(const char* label, glm::vec3& value) {
-    ImGui::SetNextItemWidth(-110.0f);
-    const bool changed = ImGui::ColorEdit3(label, &value.x, ImGuiColorEditFlags_Float);
+// Dear ImGui writes three decimals of each, which are cut here.
+bool EditorWindow::color(const char* label, const char* help, glm::vec3& value, float most) {
+    ImGui::PushID(label);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const glm::vec3 before = value;
+    ImGui::SetNextItemWidth(-color_label_px - ImGui::GetFrameHeight() - gap);
+    bool changed = ImGui::DragFloat3("##numbers", &value.x, 0.01f, 0.0f, most, "%.3g");
     log_place(std::string("color.") + label);
-    return changed;
+    help_on_hover(help);
+    ImGui::SameLine(0.0f, gap);
+    changed |= ImGui::ColorEdit3(label, &value.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+    ImGui::PopID();
+    return changed && takes(label, &value.x, 3, &before.x, 0.0f, most);
 }
-
-}  // namespace
 
 template <class Change>
 void EditorWindow::change(EntryId id, const char* what, const Change& set) {
@@ -48,19 +67,26 @@ void EditorWindow::change(EntryId id, const char* what, const Change& set) {
     }
     editor.document.begin(what, editor.gesture);
     set(editor.document.edit(id));
+    if (const Said said = cannot_be_saved(editor.document.at(id), editor.store.path); !said.empty()) {
+        editor.document.cancel();
+        return refuse(said);
+    }
     editor.document.commit();
 }
 
 void EditorWindow::draw_properties() {
+    if (!ImGui::IsAnyItemActive()) refused_.clear();
     ImGui::Separator();
     const EntryId id = editor.selection.active();
     if (id == no_entry || !editor.document.find(id)) {
+        types_ = false;
         ImGui::TextColored(quiet_color, "nothing is selected");
         return;
     }
     begin_padded_child("properties", {0.0f, 0.0f});
     ImGui::PushID(static_cast<int>(id));  // what is being typed belongs to this entry alone
     if (id == root_entry) {
+        types_ = false;
         draw_settings();
     } else {
         const Entry& entry = editor.document.at(id);
@@ -88,10 +114,11 @@ void EditorWindow::draw_properties() {
 void EditorWindow::draw_object(EntryId id) {
     Placement own = placement_of(*editor.document.at(id).object());
     const float size = std::max(glm::length(scene.bounds.empty() ? glm::vec3(1.0f) : scene.bounds.extent()), 1e-3f);
-    bool moved = numbers("position", own.position, 0.001f * size);
-    moved |= numbers("rotation", own.rotation_deg, 0.5f);
-    moved |= numbers("scale", own.scale, 0.01f);
-    if (moved) say(place(editor.document, id, own, editor.gesture));
+    if (std::exchange(types_, false)) ImGui::SetKeyboardFocusHere();
+    bool moved = numbers("position", "Position in the parent's space, in metres", own.position, 0.001f * size);
+    moved |= numbers("rotation", "Rotation about x, then y, then z, in degrees", own.rotation_deg, 0.5f);
+    moved |= numbers("scale", "Scale along the object's own axes; negative: mirrored", own.scale, 0.01f);
+    if (moved) refuse(place(editor.document, id, own, editor.gesture));
     if (!editor.document.at(id).object()->model.empty()) draw_material(id);
 }
 
@@ -111,19 +138,26 @@ void EditorWindow::draw_material(EntryId id) {
         }
     float roughness = material.roughness.value_or(0.5f), metalness = material.metalness.value_or(0.0f);
     bool changed = false;
-    if (color("diffuse", diffuse)) material.diffuse = glm::clamp(diffuse, 0.0f, 1.0f), changed = true;
-    if (color("specular", specular)) material.specular = glm::clamp(specular, 0.0f, 1.0f), changed = true;
-    if (color("emissive", emissive)) material.emissive = glm::max(emissive, 0.0f), changed = true;
-    if (number("shininess", shininess, 1.0f, 0.0f, 1e5f)) material.shininess = shininess, changed = true;
-    if (number("roughness", roughness, 0.01f, 0.0f, 1.0f)) material.roughness = roughness, changed = true;
-    if (number("metalness", metalness, 0.01f, 0.0f, 1.0f)) material.metalness = metalness, changed = true;
-    if (number("opacity", opacity, 0.01f, 0.0f, 1.0f)) material.opacity = opacity, changed = true;
+    if (color("diffuse", "Diffuse colour: the share of light that is scattered, linear", diffuse, 1.0f))
+        material.diffuse = diffuse, changed = true;
+    if (color("specular", "Specular colour: the share that is reflected, linear", specular, 1.0f))
+        material.specular = specular, changed = true;
+    if (color("emissive", "Emitted radiance, in the unit of the scene's light", emissive, 1e4f))
+        material.emissive = emissive, changed = true;
+    if (number("shininess", "Exponent of the highlight; a larger one is sharper", shininess, 1.0f, 0.0f, 1e5f))
+        material.shininess = shininess, changed = true;
+    if (number("roughness", "Roughness: 0 is a mirror, 1 is dull", roughness, 0.01f, 0.0f, 1.0f))
+        material.roughness = roughness, changed = true;
+    if (number("metalness", "Metalness: 0 is an insulator, 1 is a metal", metalness, 0.01f, 0.0f, 1.0f))
+        material.metalness = metalness, changed = true;
+    if (number("opacity", "Opacity: 0 is invisible, 1 is opaque", opacity, 0.01f, 0.0f, 1.0f))
+        material.opacity = opacity, changed = true;
     for (const MapSlotInfo& slot : map_slots()) {
         const std::string& key = slot.name;
         const auto given = material.maps.find(key);
         std::string file = given == material.maps.end() ? "" : given->second.string();
-        ImGui::SetNextItemWidth(-110.0f);
-        if (!text_field((key + " map").c_str(), file) ||
+        ImGui::SetNextItemWidth(-label_px);
+        if (!text_field((key + " map").c_str(), file, "none") ||
             (given == material.maps.end() ? file.empty() : file == given->second))
             continue;
         try {
@@ -142,29 +176,43 @@ void EditorWindow::draw_light(EntryId id) {
     Light own = *editor.document.at(id).light();
     bool changed = false;
     int kind = static_cast<int>(own.kind);
-    ImGui::SetNextItemWidth(-110.0f);
+    ImGui::SetNextItemWidth(-label_px);
     if (ImGui::Combo("type", &kind, "directional\0point\0spot\0"))
         own.kind = static_cast<Light::Kind>(kind), changed = true;
-    if (color("color", own.color)) own.color = glm::clamp(own.color, 0.0f, 1.0f), changed = true;
-    changed |= number("intensity", own.intensity, 0.02f * std::max(own.intensity, 0.1f), 0.0f, 1e6f);
+    changed |= color("color", "Colour of the light, linear", own.color, 1.0f);
+    changed |= number("intensity", "Intensity: the factor of the colour", own.intensity,
+                      0.02f * std::max(own.intensity, 0.1f), 0.0f, 1e6f);
     if (own.kind != Light::Kind::point) {
+        if (std::exchange(types_, false)) ImGui::SetKeyboardFocusHere();
         glm::vec3 direction = own.direction;
-        if (numbers("direction", direction, 0.01f) && glm::length(direction) > 1e-6f)
+        if (numbers("direction", "Direction in which the light travels", direction, 0.01f) &&
+            glm::length(direction) > 1e-6f)
             own.direction = glm::normalize(direction), changed = true;
     }
-    if (own.kind != Light::Kind::directional) {
-        changed |= numbers("position", own.position, 0.01f);
-        changed |= number("range", own.range_m, 0.05f, 0.0f, 1e6f);
-        changed |= number("lamp size", own.size_m, 0.005f, 0.0f, 1e3f);
+    if (own.kind == Light::Kind::directional) {
+        float size = glm::degrees(own.size_rad);
+        if (number("lamp size", "Angle that the lamp subtends, in degrees (the sun: 0.53); it softens shadows", size,
+                   0.01f, 0.0f, 90.0f))
+            own.size_rad = glm::radians(size), changed = true;
+    } else {
+        if (std::exchange(types_, false)) ImGui::SetKeyboardFocusHere();
+        changed |= numbers("position", "Position in the world, in metres", own.position, 0.01f);
+        changed |= number("range", "Distance at which the light ends, in metres", own.range_m, 0.05f, 0.0f, 1e6f);
+        changed |=
+            number("lamp size", "Diameter of the lamp, in metres; it softens shadows", own.size_m, 0.005f, 0.0f, 1e3f);
     }
     if (own.kind == Light::Kind::spot) {
         float inner = glm::degrees(own.inner_rad), outer = glm::degrees(own.outer_rad);
-        if (number("inner angle", inner, 0.2f, 0.0f, 180.0f)) own.inner_rad = glm::radians(inner), changed = true;
-        if (number("outer angle", outer, 0.2f, 0.0f, 180.0f)) own.outer_rad = glm::radians(outer), changed = true;
+        if (number("inner angle", "Half angle of the cone with the full intensity, in degrees", inner, 0.2f, 0.0f,
+                   180.0f))
+            own.inner_rad = glm::radians(inner), changed = true;
+        if (number("outer angle", "Half angle of the whole cone, in degrees", outer, 0.2f, 0.0f, 180.0f))
+            own.outer_rad = glm::radians(outer), changed = true;
         own.inner_rad = std::min(own.inner_rad, own.outer_rad);
-        changed |= number("softness", own.softness, 0.01f, 0.0f, 1.0f);
+        changed |= number("softness", "Softness of the cone's edge", own.softness, 0.01f, 0.0f, 1.0f);
     }
     changed |= ImGui::Checkbox("shadow", &own.shadow);
+    help_on_hover("Whether the light casts shadows");
     if (changed) change(id, "light", [&](Entry& entry) { *entry.light() = own; });
 }
 
@@ -197,10 +245,12 @@ void EditorWindow::draw_settings() {
     if (!facet_.empty()) return draw_facet();
     ImGui::TextUnformatted(editor.store.path.empty() ? "not saved yet" : editor.store.path.filename().c_str());
     SceneSettings settings = editor.document.settings();
-    bool changed = color("ambient", settings.ambient);
-    changed |= color("background", settings.background);
-    ImGui::SetNextItemWidth(-110.0f);
-    text_field("save as", save_name_);
+    bool changed = color("ambient", "Light from all sides where there is no environment", settings.ambient, 1e4f);
+    changed |= color("background", "Colour where nothing is drawn, linear", settings.background, 1e4f);
+    ImGui::SetNextItemWidth(-color_label_px);
+    text_field("##save as", save_name_, "scene.json");
+    ImGui::SameLine();
+    if (tool_button("save as", "Ctrl+Shift+S: saves to this file, which is edited from then on")) save_as();
     if (changed) change(root_entry, "scene", [&](Entry& entry) { *entry.settings() = settings; });
 }
 
@@ -214,22 +264,24 @@ void EditorWindow::draw_facet_settings() {
         ImGui::SameLine();
         if (tool_button("go there", "The view becomes the scene's own")) camera = settings.camera, changed_ = true;
         Camera& own = settings.camera;
-        changed |= numbers("position", own.position, 0.01f);
-        changed |= numbers("target", own.target, 0.01f);
+        changed |= numbers("position", "Position of the camera, in metres", own.position, 0.01f);
+        changed |= numbers("target", "Point in the middle of the picture, in metres", own.target, 0.01f);
         float degrees = glm::degrees(own.fov_y_rad);
-        if (number("field of view", degrees, 0.2f, 1.0f, 170.0f)) own.fov_y_rad = glm::radians(degrees), changed = true;
-        changed |= number("near", own.near_m, 0.001f, 1e-5f, 1e5f);
-        changed |= number("far", own.far_m, 1.0f, 1e-4f, 1e9f);
-        if (glm::length(own.target - own.position) < 1e-6f || own.far_m <= own.near_m) changed = false;
+        if (number("field of view", "Vertical field of view, in degrees", degrees, 0.2f, 1.0f, 170.0f))
+            own.fov_y_rad = glm::radians(degrees), changed = true;
+        changed |= number("near", "Distance of the near plane, in metres", own.near_m, 0.001f, 1e-5f, 1e5f);
+        changed |= number("far", "Distance of the far plane, in metres", own.far_m, 1.0f, 1e-4f, 1e9f);
     } else {
         std::string image = settings.environment.image.string();
-        ImGui::SetNextItemWidth(-110.0f);
-        if (text_field("image", image) && image != settings.environment.image) try {
+        ImGui::SetNextItemWidth(-short_label_px);
+        if (text_field("image", image, "none") && image != settings.environment.image) try {
                 if (!image.empty()) find_asset(image);
                 settings.environment.image = image, settings.environment.where = "environment", changed = true;
             } catch (const InputError& e) { editor.notice = e.what(); }
-        changed |= number("brightness", settings.environment.intensity, 0.01f, 0.0f, 1e6f);
-        changed |= number("turn", settings.environment.rotation_deg, 0.5f, -360.0f, 360.0f);
+        changed |=
+            number("brightness", "Factor of the image's light", settings.environment.intensity, 0.01f, 0.0f, 1e6f);
+        changed |= number("turn", "Rotation about the vertical, in degrees", settings.environment.rotation_deg, 0.5f,
+                          -360.0f, 360.0f);
     }
     if (changed) change(root_entry, facet_.c_str(), [&](Entry& entry) { *entry.settings() = settings; });
     draw_facet();

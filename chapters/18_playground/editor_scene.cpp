@@ -23,6 +23,12 @@ const std::vector<Facet>& facets() {
 
 }  // namespace
 
+std::vector<std::string> EditorWindow::facet_names() {
+    std::vector<std::string> names;
+    for (const Facet& facet : facets()) names.emplace_back(facet.name);
+    return names;
+}
+
 // Whether the picture has it now; what it has not is grey.
 bool EditorWindow::has_facet(const std::string& facet) const {
     if (facet == "environment") return bool(scene.file.environment);

@@ -78,33 +78,67 @@ bool EditorWindow::on_mouse(const Input& input, glm::vec2 cursor_px, bool over_p
 }
 // [/mouse]
 
+bool EditorWindow::on_control_key(const KeyPress& pressed) {
+    const int key = pressed.key;
+    const bool again = key == GLFW_KEY_Y || (key == GLFW_KEY_Z && (pressed.mods & GLFW_MOD_SHIFT));
+    if (again)
+        editor.redo(*this);
+    else if (key == GLFW_KEY_Z)
+        editor.undo(*this);
+    else if (key == GLFW_KEY_D)
+        editor.selection.set(duplicate(editor.document, editor.selection.ids));
+    else if (key == GLFW_KEY_G)
+        editor.selection.set({group(editor.document, editor.selection.ids, "group")});
+    else if (key == GLFW_KEY_O)
+        browser_.shown = !browser_.shown;
+    else if (key == GLFW_KEY_E)
+        try {
+            editor.export_to(scene, save_name_.substr(0, save_name_.rfind('.')) + ".gltf");
+        } catch (const InputError& e) { editor.notice = e.what(); }
+    else if (key == GLFW_KEY_A)
+        editor.selection.set(editor.document.at(root_entry).children);
+    else if (key == GLFW_KEY_S && (pressed.mods & GLFW_MOD_SHIFT))
+        save_as();
+    else if (key == GLFW_KEY_F)
+        searches_ = true;
+    else if (const EntryId active = editor.selection.active(); key == GLFW_KEY_R && active > root_entry)
+        begin_renaming(active);
+    else
+        return false;
+    editor.selection.drop_missing(editor.document);
+    return true;
+}
+
+bool EditorWindow::on_shift_key(int key) {
+    const EntryId active = editor.selection.active();
+    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_3)
+        return editor.add_light(*this, static_cast<Light::Kind>(key - GLFW_KEY_1)), true;
+    if (key == GLFW_KEY_4) return scatter_lights(), true;
+    if (!editor.document.find(active)) return false;
+    if (key == GLFW_KEY_H)
+        return set_hidden(editor.document, editor.selection.ids, !editor.document.at(active).hidden), true;
+    if (key == GLFW_KEY_L)
+        return set_locked(editor.document, editor.selection.ids, !editor.document.at(active).locked), true;
+    return false;
+}
+
 bool EditorWindow::on_key(const KeyPress& pressed) {
     const int key = pressed.key;
+    if (question_ != Question::nothing) return true;  // which is answered first
     ++editor.gesture;
-    if (pressed.mods & GLFW_MOD_CONTROL) {
-        const bool again = key == GLFW_KEY_Y || (key == GLFW_KEY_Z && (pressed.mods & GLFW_MOD_SHIFT));
-        if (again)
-            editor.redo(*this);
-        else if (key == GLFW_KEY_Z)
-            editor.undo(*this);
-        else if (key == GLFW_KEY_D)
-            editor.selection.set(duplicate(editor.document, editor.selection.ids));
-        else if (key == GLFW_KEY_G)
-            editor.selection.set({group(editor.document, editor.selection.ids, "group")});
-        else if (key == GLFW_KEY_O)
-            browser_.shown = !browser_.shown;
-        else if (key == GLFW_KEY_E)
-            try {
-                editor.export_to(scene, save_name_.substr(0, save_name_.rfind('.')) + ".gltf");
-            } catch (const InputError& e) { editor.notice = e.what(); }
-        else if (key == GLFW_KEY_A)
-            editor.selection.set(editor.document.at(root_entry).children);
-        else
-            return false;
-        editor.selection.drop_missing(editor.document);
-        return true;
-    }
+    if (pressed.mods & GLFW_MOD_CONTROL) return on_control_key(pressed);
+    if ((pressed.mods & GLFW_MOD_SHIFT) && on_shift_key(key)) return true;
+    const bool in_files = browser_.shown;  // which has arrows and Enter of its own
     switch (key) {
+        case GLFW_KEY_UP:
+        case GLFW_KEY_DOWN:
+            return !in_files && (walk_tree(key == GLFW_KEY_UP ? -1 : 1), true);
+        case GLFW_KEY_LEFT:
+        case GLFW_KEY_RIGHT:
+            return !in_files && (unfold_chosen(key == GLFW_KEY_RIGHT), true);
+        case GLFW_KEY_ENTER:
+        case GLFW_KEY_KP_ENTER:
+            return !in_files && (types_ = true);
         case GLFW_KEY_1:
             editor.tool = Tool::move;
             return true;
@@ -137,6 +171,27 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
     }
 }
 
+// What the scene has once stands in the tree too, before all others.
+void EditorWindow::walk_tree(int by) {
+    std::vector<EntryId> ids{root_entry};
+    std::vector<std::string> names{""};
+    for (const std::string& one : facet_names()) ids.push_back(root_entry), names.push_back(one);
+    for (const TreeRow& row : editor.tree.rows(editor.document))
+        if (row.node < 0) ids.push_back(row.id), names.emplace_back();
+    const EntryId active = editor.selection.active();
+    int now = by < 0 ? static_cast<int>(ids.size()) : -1;
+    for (size_t i = 0; i < ids.size(); ++i)
+        if (ids[i] == active && (active != root_entry || names[i] == facet_)) now = static_cast<int>(i);
+    const auto next = static_cast<size_t>(std::clamp(now + by, 0, static_cast<int>(ids.size()) - 1));
+    editor.selection.set({ids[next]});
+    facet_ = names[next];
+    last_clicked_ = ids[next];
+}
+
+void EditorWindow::unfold_chosen(bool open) {
+    if (const EntryId active = editor.selection.active(); active != no_entry) editor.tree.unfold(active, open);
+}
+
 void EditorWindow::frame_selected() {
     const Bounds box = editor.selected_bounds(scene);
     const glm::vec2 size(picture_);
@@ -145,26 +200,35 @@ void EditorWindow::frame_selected() {
 
 bool EditorWindow::on_save() {
     editor.end_drag(true);
+    const bool overwrites = std::exchange(overwrites_, false), own = saves_own();
     try {
-        if (!overwrites_ && editor.store.changed_on_disk()) {
+        if (!overwrites && (own ? editor.store.changed_on_disk() : file_exists(save_target()))) {
             question_ = Question::overwrite;
             changed_ = true;
             return true;
         }
-        overwrites_ = false;
-        const bool own = !editor.store.path.empty() && !lies_below(editor.store.path, course_root() / "assets");
-        if (!own && file_exists(save_name_) && question_ != Question::overwrite) {
-            question_ = Question::overwrite;
-            return true;
-        }
-        editor.save(*this, own ? std::filesystem::path() : std::filesystem::path(save_name_));
+        editor.save(*this, own ? std::filesystem::path() : save_target());
         remember_file(editor.store.path);
         log_event("saved " + std::filesystem::absolute(editor.store.path).string());
-    } catch (const InputError& e) {
+    } catch (const std::exception& e) {
         editor.notice = "not saved: " + std::string(e.what());
         log_event("not saved");
     }
+    saves_as_ = false;
     return true;
+}
+
+// The course's own scenes are not written over.
+bool EditorWindow::saves_own() const {
+    const std::filesystem::path& file = editor.store.path;
+    return !saves_as_ && !file.empty() && !lies_below(file, course_root() / "assets");
+}
+
+std::filesystem::path EditorWindow::save_target() const {
+    const std::filesystem::path named = save_name_;
+    return saves_own()                    ? editor.store.path
+           : named.extension() == ".json" ? named
+                                          : std::filesystem::path(named.string() + ".json");
 }
 
 bool EditorWindow::may_close() {

@@ -14,11 +14,13 @@ struct EditorWindow : Playground, WindowTool {
     bool on_key(const KeyPress& key) override;
     void on_drop(const std::vector<std::filesystem::path>& files) override;
     bool draw_panels(glm::uvec2 picture, float scale) override;
+    float covered_px(glm::uvec2 picture, float scale) const override;
     bool on_save() override;
+    void save_as() { saves_as_ = true, on_save(); }  ///< to the file that the field names
     bool may_close() override;
     bool wants_to_close() override { return closes_; }
     bool is_busy() override;
-    std::string take_notice() override { return std::exchange(editor.notice, ""); }
+    std::string take_notice() override { return clean_name(std::exchange(editor.notice, "")); }
 
   protected:
     void bring_up_to_date(Gpu& gpu) override;
@@ -28,18 +30,34 @@ struct EditorWindow : Playground, WindowTool {
     void draw_row(const TreeRow& row);
     void begin_renaming(EntryId id) {
         renaming_ = id, renaming_text_ = editor.document.at(id).name(), renaming_begins_ = true;
+        editor.tree.show(editor.document, id);
+        followed_ = no_entry;  // its line comes into sight
     }
     void draw_properties();
     void draw_object(EntryId id);
     void draw_material(EntryId id);
     void draw_light(EntryId id);
     void draw_settings();
-    void draw_steps();
+    void draw_row_menu(EntryId id);
+    void draw_steps(float scale);
     void draw_toolbar();
     void draw_question();
-    void draw_keys();
+    void draw_keys(float scale);
+    bool on_control_key(const KeyPress& key);
+    bool on_shift_key(int key);
+    void walk_tree(int by);
+    void unfold_chosen(bool open);
+    void scatter_lights();
+    bool takes(const char* label, float* values, int count, const float* before, float lower, float upper);
+    bool number(const char* label, const char* help, float& value, float speed, float lower, float upper);
+    bool numbers(const char* label, const char* help, glm::vec3& value, float speed);
+    bool color(const char* label, const char* help, glm::vec3& value, float most);
     void say(const Said& said) {
         if (!said.empty()) editor.notice = said;
+    }
+    /// As say(), but once while a field holds what is refused: it is asked in each frame.
+    void refuse(const Said& said) {
+        if (std::exchange(refused_, said) != said) say(said);
     }
     void want(const std::filesystem::path& file, bool adds);
     void carry_on_loading(Gpu& gpu);
@@ -49,12 +67,15 @@ struct EditorWindow : Playground, WindowTool {
     void draw_facet();
     void draw_facet_settings();
     bool has_facet(const std::string& name) const;
+    static std::vector<std::string> facet_names();
     void draw_ball(EntryId id, const DrawItem& item);
     void carry_on_previews();
     template <class Change>
     void change(EntryId id, const char* what, const Change& set);
     void frame_selected();
     void check_recovery();
+    bool saves_own() const;
+    std::filesystem::path save_target() const;
 
     enum class Question { nothing, close, overwrite, recover } question_ = Question::nothing;
     FileBrowser browser_{*this};
@@ -81,10 +102,11 @@ struct EditorWindow : Playground, WindowTool {
     Image8 ball_;
     static constexpr uint32_t ball_size = 88;  ///< pixels
     std::string facet_;                        ///< of the scene: its entry in the tree; empty: the scene itself
-    std::string search_, renaming_text_, save_name_ = "scene.json";
-    EntryId renaming_ = no_entry, last_clicked_ = no_entry;
+    std::string refused_, search_, renaming_text_, save_name_ = "scene.json";
+    EntryId renaming_ = no_entry, last_clicked_ = no_entry, followed_ = no_entry;  ///< whose line was scrolled to last
+    bool types_ = false, searches_ = false;  ///< the next frame puts the keyboard into a field
     bool renaming_begins_ = false, closes_ = false, shows_keys_ = false, shows_steps_ = false, changed_ = false,
-         overwrites_ = false;
+         overwrites_ = false, saves_as_ = false;
     bool was_down_ = false, pressed_on_picture_ = false, dragged_ = false, adds_ = false, checked_recovery_ = false;
     glm::vec2 press_px_{0.0f};
     float moved_px_ = 0;

@@ -115,7 +115,7 @@ void FileBrowser::draw(float scale) {
     }
     ImGui::SetNextItemWidth(-1.0f);
     std::optional<fs::path> take, enter;
-    if (text_field("##path", typed_)) {
+    if (text_field("##path", typed_, "path of a file or folder")) {
         const fs::path typed = typed_;
         if (std::error_code error; fs::is_directory(typed, error))
             enter = typed;
@@ -128,13 +128,16 @@ void FileBrowser::draw(float scale) {
     ImGui::SameLine();
     if (tool_button("scenes", "The course's scenes")) enter = course_root() / "assets" / "scenes";
     ImGui::SameLine();
-    if (tool_button("here", "The current folder")) enter = fs::current_path();
+    if (tool_button("here", "The current folder")) {
+        std::error_code gone;
+        enter = fs::current_path(gone);
+    }
     ImGui::SameLine();
     ImGui::Checkbox("add to the scene", &adds_);
     log_place("tool.adds");
     help_on_hover("On: a model is added to this scene. Off: the file is opened in its place.");
     ImGui::SetNextItemWidth(-1.0f);
-    if (text_field("##file filter", filter_, true)) go(listing_.folder);
+    if (text_field("##file filter", filter_, "filter by name", true)) go(listing_.folder);
     help_on_hover("Filter: words that must be in the name");
     if (!listing_.error.empty()) ImGui::TextColored(error_color, "%s", listing_.error.c_str());
     const int count = static_cast<int>(listing_.files.size());
@@ -174,11 +177,21 @@ void FileBrowser::draw(float scale) {
         }
     ImGui::EndChild();
     ImGui::TextColored(quiet_color, "opened last");
-    for (const fs::path& file : recent_)
-        if (ImGui::Selectable(clean_name(file.filename().string()).c_str(), false, 0, {150.0f * scale, 0.0f}))
-            take = file;
+    const float right = ImGui::GetWindowContentRegionMax().x, gap = ImGui::GetStyle().ItemSpacing.x;
+    float used = right;  // of this line
+    for (const fs::path& file : recent_) {
+        const std::string name = clean_name(file.filename().string()), whole = clean_name(file.string());
+        const float width = ImGui::CalcTextSize(name.c_str()).x;
+        if (used + gap + width < right)
+            ImGui::SameLine(0.0f, gap), used += gap + width;
         else
-            ImGui::SameLine();
+            used = ImGui::GetCursorPosX() + width;
+        ImGui::PushID(whole.c_str());
+        if (ImGui::Selectable(name.c_str(), false, 0, {width, 0.0f})) take = file;
+        ImGui::PopID();
+        log_place("recent." + name);
+        help_on_hover(whole.c_str());
+    }
     ImGui::End();
     if (enter) go(*enter);
     if (take) {

@@ -91,8 +91,10 @@ Said place(Document& document, EntryId id, const Placement& placement, uint64_t 
         if (!(std::fabs(placement.scale[i]) >= least_scale && std::fabs(placement.scale[i]) <= 1e6f))
             return fmt::format("a scale of {:g} is not possible: 1e-6 to 1e6, or negative to mirror",
                                placement.scale[i]);
-        if (!(std::fabs(placement.position[i]) <= 1e9f) || !(std::fabs(placement.rotation_deg[i]) <= 1e9f))
-            return fmt::format("{:g} is no place: at most 1e9", placement.position[i]);
+        if (!(std::fabs(placement.position[i]) <= 1e9f))
+            return fmt::format("a position of {:g} m is not possible: -1e9 to 1e9", placement.position[i]);
+        if (!(std::fabs(placement.rotation_deg[i]) <= 1e9f))
+            return fmt::format("a rotation of {:g}° is not possible: -1e9 to 1e9", placement.rotation_deg[i]);
     }
     if (placement_of(*object) == placement) return "";
     document.begin("place " + object->name, gesture);

@@ -16,13 +16,39 @@ Light light_of(const Entry& entry) {
     return light;
 }
 
-Exported exported(const Document& document) {
-    Exported result;
-    const SceneSettings& settings = document.settings();
-    SceneFile& scene = result.scene;
+namespace {
+
+void give(SceneFile& scene, const SceneSettings& settings) {
     scene.camera = settings.camera, scene.ambient = settings.ambient, scene.background = settings.background;
     scene.environment = settings.environment, scene.music = settings.music, scene.knobs = settings.knobs;
     if (!scene.knobs.empty()) scene.knobs_of = "18_playground";
+}
+
+}  // namespace
+
+Said cannot_be_saved(const Entry& entry, const fs::path& file) {
+    SceneFile alone;
+    if (const SceneSettings* settings = entry.settings()) give(alone, *settings);
+    if (entry.light()) alone.lights.push_back(light_of(entry));
+    if (const SceneObject* object = entry.object()) {
+        alone.objects.push_back(*object);
+        alone.objects[0].parent.clear(), alone.objects[0].shows.clear();  // entries that are not looked at here
+    }
+    const fs::path scene = file.empty() ? fs::path("scene.json") : file;
+    try {
+        parse_scene(scene_text(alone), scene);
+    } catch (const InputError& e) {  // file:line: what is wrong; nobody has written that line
+        const std::string said = e.what();
+        const size_t place = said.find(": ", std::min(said.size(), scene.string().size()));
+        return place == said.npos ? said : said.substr(place + 2);
+    }
+    return "";
+}
+
+Exported exported(const Document& document) {
+    Exported result;
+    SceneFile& scene = result.scene;
+    give(scene, document.settings());
     for (const EntryId id : with_children(document, root_entry)) {
         const Entry& entry = document.at(id);
         if (const SceneObject* object = entry.object()) {

@@ -13,6 +13,9 @@ struct Exported {
 Exported exported(const Document& document);
 Light light_of(const Entry& entry);  ///< an entry that is one, as in a scene file
 
+/// Why `file` could not be read back with this entry in it; empty where it could.
+Said cannot_be_saved(const Entry& entry, const std::filesystem::path& file);
+
 // [scene_store]
 /// A document's file. The text is the same for equal documents, to the byte.
 class SceneStore {
@@ -47,7 +50,6 @@ class SceneStore {
     // [/scene_store]
 
   private:
-    void note_read(const std::string& bytes);
     std::vector<std::string> includes_;
     std::string included_;  ///< text of what they hold
     uint64_t hash_ = 0, saved_state_ = 0, autosaved_state_ = 0;

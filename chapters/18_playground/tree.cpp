@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "18_playground/commands.h"
+
 namespace lightwalk {
 namespace {
 
@@ -14,7 +16,7 @@ std::string lower(std::string text) {
 }  // namespace
 
 std::string shown_name(const Entry& entry) {
-    if (!entry.name().empty()) return entry.name();
+    if (!entry.name().empty()) return clean_name(entry.name());  // a file's may have line breaks, and this is a line
     if (const SceneObject* object = entry.object())
         return object->model.empty() ? "group" : object->model.filename().string();
     static constexpr const char* kinds[] = {"directional light", "point light", "spot light"};

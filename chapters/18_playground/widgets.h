@@ -19,17 +19,24 @@ inline bool key_pressed(ImGuiKey key) {
 #endif
 }
 
-/// A field for a text of up to 400 bytes. True where it was changed and left, or Enter was pressed; Escape takes back what
-/// was typed. `text` may be another string in each frame: what is being typed is kept here.
-inline bool text_field(const char* label, std::string& text, bool at_once = false) {
+/// A field for a text. True where it was changed and left, or Enter was pressed; Escape takes back what was typed. `text`
+/// may be another string in each frame: what is being typed is kept here. `hint`: what an empty field is for.
+inline bool text_field(const char* label, std::string& text, const char* hint = "", bool at_once = false) {
     static std::map<ImGuiID, std::string> typed;  // where one field is left for another, both are there for a frame
-    char buffer[400];
-    const size_t length = std::min(text.size(), sizeof buffer - 1);
-    std::memcpy(buffer, text.data(), length);
-    buffer[length] = '\0';
+    std::string buffer = text;
+    const auto grow = [](ImGuiInputTextCallbackData* data) {
+        auto& string = *static_cast<std::string*>(data->UserData);
+        string.resize(static_cast<size_t>(data->BufTextLen));
+        data->Buf = string.data();
+        return 0;
+    };
+    const ImGuiInputTextFlags flags =
+        ImGuiInputTextFlags_CallbackResize | (at_once ? 0 : ImGuiInputTextFlags_EnterReturnsTrue);
     const bool enter =
-        ImGui::InputText(label, buffer, sizeof buffer, at_once ? 0 : ImGuiInputTextFlags_EnterReturnsTrue);
+        ImGui::InputTextWithHint(label, hint, buffer.data(), buffer.capacity() + 1, flags, grow, &buffer);
     log_place(std::string("field.") + (label[0] == '#' ? label + 2 : label));
+    if (!ImGui::IsItemActive() && ImGui::CalcTextSize(buffer.c_str()).x > ImGui::GetItemRectSize().x)
+        help_on_hover(buffer.c_str());
     if (at_once) {
         text = buffer;
         return enter;

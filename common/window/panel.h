@@ -51,8 +51,9 @@ class Panel {
 
     Requests draw(PanelState& state, float scale);
 
-    /// Over the picture: what failed, in red, and a message that goes away.
-    void draw_messages(const std::vector<std::string>& errors, const std::string& notice, glm::uvec2 picture);
+    /// Over the picture, `left` pixels from its left edge: what failed, in red, and a message that goes away.
+    void draw_messages(const std::vector<std::string>& errors, const std::string& notice, glm::uvec2 picture,
+                       float left);
 
     /// The divider to drag and the names of the two sides. True where it was moved.
     bool draw_divider(SplitView& split, glm::uvec2 picture);

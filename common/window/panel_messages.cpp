@@ -31,10 +31,11 @@ std::string shortened(const std::string& text) {
     return result.substr(0, std::max<size_t>(result.size(), 1) - 1);
 }
 
-void Panel::draw_messages(const std::vector<std::string>& errors, const std::string& notice, glm::uvec2 picture) {
-    const float width = static_cast<float>(picture.x), height = static_cast<float>(picture.y);
+void Panel::draw_messages(const std::vector<std::string>& errors, const std::string& notice, glm::uvec2 picture,
+                          float left) {
+    const float width = static_cast<float>(picture.x) - left, height = static_cast<float>(picture.y);
     if (!errors.empty()) {
-        ImGui::SetNextWindowPos({8.0f, height - 8.0f}, ImGuiCond_Always, {0.0f, 1.0f});
+        ImGui::SetNextWindowPos({left + 8.0f, height - 8.0f}, ImGuiCond_Always, {0.0f, 1.0f});
         ImGui::SetNextWindowSizeConstraints({width - 16.0f, 0.0f}, {width - 16.0f, 0.6f * height});
         ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.16f, 0.03f, 0.03f, 0.92f});
         ImGui::Begin("errors", nullptr,
@@ -51,11 +52,12 @@ void Panel::draw_messages(const std::vector<std::string>& errors, const std::str
         ImGui::End();
     }
     if (!notice.empty()) {
-        ImGui::SetNextWindowPos({8.0f, 8.0f});
+        ImGui::SetNextWindowPos({left + 8.0f, 8.0f});
         ImGui::SetNextWindowBgAlpha(0.85f);
         ImGui::Begin("notice", nullptr, over_picture | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
         ImGui::PushTextWrapPos(std::max(width - 40.0f, 100.0f));
         ImGui::TextUnformatted(notice.c_str());
+        log_place("notice");
         ImGui::PopTextWrapPos();
         ImGui::End();
     }

@@ -140,7 +140,8 @@ Requests Window::build_panel() {
                      .time_s = time_s_,
                      .picture = picture_size()};
     Requests requests = panel_.draw(state, display_.scale());
-    panel_.draw_messages(errors(), notice_, picture_size());
+    const float covered = tool_ ? tool_->covered_px(picture_size(), display_.scale()) : 0.0f;
+    panel_.draw_messages(errors(), notice_, picture_size(), covered);
     if (split_.on() && panel_.draw_divider(split_, picture_size())) requests.changed = true;
     if (tool_ && tool_->draw_panels(picture_size(), display_.scale())) requests.changed = true;
     overlay_.end();

@@ -27,6 +27,9 @@ class WindowTool {
     /// Dear ImGui's widgets over the picture. True: it has to be drawn again.
     virtual bool draw_panels(glm::uvec2 picture, float scale) = 0;
 
+    /// Pixels from the picture's left edge that its panels cover: messages stand beside them.
+    virtual float covered_px(glm::uvec2 /*picture*/, float /*scale*/) const { return 0.0f; }
+
     virtual bool on_save() = 0;             ///< Ctrl+S
     virtual bool may_close() = 0;           ///< false: it asks first, and closes itself when wants_to_close()
     virtual bool wants_to_close() = 0;      ///< the answer was yes

@@ -44,6 +44,12 @@ inline SceneObject named(const std::string& name, const std::string& model = "")
     return object;
 }
 
+inline std::vector<EntryId> add_all(Document& document, const std::vector<std::string>& names) {
+    std::vector<EntryId> ids;
+    for (const std::string& name : names) ids.push_back(add_object(document, named(name)));
+    return ids;
+}
+
 struct TestFolder {
     std::filesystem::path path;
     TestFolder() {

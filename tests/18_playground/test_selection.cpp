@@ -14,13 +14,6 @@ std::vector<std::string> names_of(const Document& document, const std::vector<En
 
 using Names = std::vector<std::string>;
 
-// Objects at the top.
-std::vector<EntryId> add_all(Document& document, const Names& names) {
-    std::vector<EntryId> ids;
-    for (const std::string& name : names) ids.push_back(add_object(document, named(name)));
-    return ids;
-}
-
 }  // namespace
 
 TEST_CASE("a selection has each entry once, in the order of clicks; what is gone leaves it") {

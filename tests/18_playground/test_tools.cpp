@@ -16,13 +16,6 @@ View view_from(glm::vec3 eye, glm::vec3 target = glm::vec3(0.0f)) {
     return view_of(camera, {960, 540});
 }
 
-// Objects at the top.
-std::vector<EntryId> add_all(Document& document, const std::vector<std::string>& names) {
-    std::vector<EntryId> ids;
-    for (const std::string& name : names) ids.push_back(add_object(document, named(name)));
-    return ids;
-}
-
 // One drag of a handle from where it is on the screen, by so many pixels.
 struct Dragged {
     Document& document;

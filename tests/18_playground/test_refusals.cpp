@@ -1,0 +1,204 @@
+// What the editor refuses, with a line that says why, and what follows an edit by itself: knobs, included files, screens.
+#include <GLFW/glfw3.h>
+
+#include <limits>
+
+#include "driven_editor.h"
+
+using namespace lightwalk;
+
+TEST_CASE("an entry that a scene file could not hold is refused, and the line says which key and why") {
+    const TestFolder folder;
+    write_file(folder.path / "wide.png", "");
+    const auto of_light = [&](const auto& set) {
+        Entry entry{.what = Light{.kind = Light::Kind::spot}};
+        set(*entry.light());
+        return cannot_be_saved(entry, folder.path / "scene.json");
+    };
+    const auto of_scene = [&](const auto& set) {
+        Entry entry{.what = SceneSettings{}};
+        set(*entry.settings());
+        return cannot_be_saved(entry, folder.path / "scene.json");
+    };
+    const float infinite = std::numeric_limits<float>::infinity(), none = std::numeric_limits<float>::quiet_NaN();
+    CHECK(of_light([](Light&) {}) == "");
+    CHECK(of_light([&](Light& light) { light.intensity = none; }).starts_with("key 'intensity'"));
+    CHECK(of_light([&](Light& light) { light.position.y = infinite; }).starts_with("key 'position'"));
+    CHECK(of_light([&](Light& light) { light.position.y = 1e30f; }).starts_with("key 'position'"));
+    CHECK(of_light([&](Light& light) { light.inner_rad = 2.0f * light.outer_rad; }).find("inner_deg") != Said::npos);
+    CHECK(of_scene([](SceneSettings&) {}) == "");
+    CHECK(of_scene([](SceneSettings& scene) { scene.ambient.x = -1.0f; }).starts_with("key 'ambient'"));
+    CHECK(of_scene([](SceneSettings& scene) {
+              scene.camera.position = {0, 5, 0}, scene.camera.target = {}, scene.camera.up = {0, 1, 0};
+          }).find("points along the view") != Said::npos);
+    CHECK(of_scene([](SceneSettings& scene) { scene.camera.far_m = scene.camera.near_m; }).find("near_m") !=
+          Said::npos);
+    CHECK(of_scene([](SceneSettings& scene) { scene.environment.image = "wide.png"; }).find(".hdr") != Said::npos);
+    // What other entries say is not its business: neither a parent's name nor what a screen shows.
+    Entry object{.what = named("a \"quoted\" name", "models/cube.obj")};
+    object.object()->parent = "above";
+    CHECK(cannot_be_saved(object, {}) == "");
+    object.object()->material.maps["diffuse"] = "textures/none.png";
+    CHECK(cannot_be_saved(object, {}).find("none.png") != Said::npos);
+}
+
+TEST_CASE("a place that is refused is said by what was typed: position, rotation or scale") {
+    Document document;
+    const EntryId id = add_object(document, named("a"));
+    const size_t steps = document.done();
+    const float infinite = std::numeric_limits<float>::infinity();
+    CHECK(place(document, id, {{0, 2e9f, 0}, {}, glm::vec3(1)}).find("position of 2e+09") != Said::npos);
+    CHECK(place(document, id, {{3, 0, 0}, {0, 0, infinite}, glm::vec3(1)}).find("rotation of inf") != Said::npos);
+    CHECK(place(document, id, {{}, {}, {1, 0, 1}}).find("scale of 0") != Said::npos);
+    CHECK(document.done() == steps);
+}
+
+TEST_CASE("a screen whose object is deleted shows nothing, and the scene can still be saved") {
+    Document document;
+    const EntryId camera = add_object(document, named("camera"));
+    SceneObject screen = named("screen", "models/plane.obj");
+    screen.shows = "camera";
+    const EntryId id = add_object(document, screen);
+    CHECK(remove(document, {camera}) == "");
+    CHECK(document.at(id).object()->shows.empty());
+    document.undo();
+    CHECK(document.at(id).object()->shows == "camera");
+}
+
+TEST_CASE("where something of an included file was changed, the file has all of it once, and includes nothing") {
+    const TestFolder folder;
+    write_file(folder.path / "part.json", R"({"objects": [{"name": "p"}]})");
+    write_file(folder.path / "whole.json", R"({"include": ["part.json"], "objects": [{"name": "own"}]})");
+    SceneStore store;
+    Document document = store.open(folder.path / "whole.json");
+    CHECK(store.text(document).find("part.json") != std::string::npos);
+    const EntryId included = document.at(root_entry).children.at(0);
+    REQUIRE(document.at(included).included);
+    CHECK(place(document, included, {{1, 2, 3}, {}, glm::vec3(1)}) == "");
+    Said said;
+    const std::string text = store.text(document, &said);
+    CHECK(text.find("part.json") == std::string::npos);
+    CHECK(said.find("stands in the file itself") != Said::npos);
+    CHECK(store.save(document) == said);
+    CHECK(read_scene(store.path).objects.size() == 2);
+    document.undo();
+    CHECK(store.text(document).find("part.json") == std::string::npos);  // the file that was saved includes nothing now
+}
+
+TEST_CASE("a step that cannot be shown is undone, is said, and leaves the picture as it was") {
+    Driven editor;
+    const auto picture = editor.picture();
+    SceneObject broken = named("broken", editor.folder.path / "bad.obj");
+    write_file(broken.model, "v 0 0 0\nf 1 2 3\n");
+    add_object(editor.document(), broken);
+    CHECK(editor.picture() == picture);
+    CHECK(editor.window.take_notice().find("bad.obj:2") != std::string::npos);
+    CHECK(editor.document().done() == 0);
+    CHECK(editor.named("broken") == no_entry);
+}
+
+TEST_CASE("undo and redo turn the knobs back and forth, and that is no step of its own") {
+    Driven editor;
+    Choice& bloom = editor.window.bloom.method;
+    bloom.set("paired");
+    editor.draw();
+    REQUIRE(editor.document().done() == 1);
+    editor.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    editor.draw();
+    CHECK(bloom.is("none"));
+    CHECK(editor.document().done() == 0);
+    editor.key(GLFW_KEY_Y, GLFW_MOD_CONTROL);
+    editor.draw();
+    CHECK(bloom.is("paired"));
+    CHECK(editor.document().done() == 1);
+}
+
+TEST_CASE("undo and redo in the middle of a drag take the drag back first") {
+    for (const int key : {GLFW_KEY_Z, GLFW_KEY_Y}) {
+        Driven editor;
+        const std::string before = state_of(editor.document());
+        editor.begin_drag("left");
+        editor.key(key, GLFW_MOD_CONTROL);
+        CHECK_FALSE(editor.window.editor.drag);
+        CHECK(state_of(editor.document()) == before);
+        CHECK(editor.mouse(editor.cursor + glm::vec2(20, 0), true));
+        CHECK(state_of(editor.document()) == before);
+    }
+}
+
+TEST_CASE(
+    "loaded again with changes that are not saved: document, knobs and steps stay, also where the file is another") {
+    Driven editor;
+    editor.window.bloom.method.set("paired");
+    editor.draw();
+    rename(editor.document(), editor.named("left"), "mine");
+    const auto picture = editor.picture();
+    const std::string before = state_of(editor.document());
+    editor.live.reload();
+    CHECK(editor.picture() == picture);
+    CHECK(state_of(editor.document()) == before);
+    CHECK(editor.document().done() == 2);
+    CHECK(editor.window.bloom.method.is("paired"));
+    write_file(editor.window.editor.store.path, R"({"objects": [{"name": "theirs"}]})");
+    editor.live.reload();
+    editor.draw();
+    CHECK(editor.named("mine") != no_entry);
+    CHECK(editor.named("theirs") == no_entry);
+    CHECK(editor.window.editor.store.changed_on_disk());  // saving will ask
+}
+
+TEST_CASE("a scene that is opened has its own knobs, and none of the scene before; one that fails changes none") {
+    Driven editor;
+    editor.window.bloom.method.set("paired");
+    editor.draw();
+    const std::filesystem::path other = editor.folder.path / "other.json", bad = editor.folder.path / "bad.json";
+    write_file(other, R"({"knobs": {"fog.method": "height"}})");
+    write_file(bad, R"({"objects": [{"model": "none.obj"}]})");
+    editor.window.opens = bad;
+    editor.draw();
+    CHECK(editor.window.take_notice().find("none.obj") != std::string::npos);
+    CHECK(editor.window.bloom.method.is("paired"));
+    CHECK(editor.named("left") != no_entry);
+    editor.window.opens = other;
+    editor.draw();
+    CHECK(editor.window.bloom.method.is("none"));
+    CHECK(editor.window.fog.method.is("height"));
+    CHECK(editor.document().done() == 0);
+}
+
+TEST_CASE("the tree by keys: what the scene has once, then entries; folded and unfolded; hidden, locked, lights") {
+    Driven editor;
+    const auto active = [&] { return editor.window.editor.selection.active(); };
+    editor.key(GLFW_KEY_UP);  // from nothing: the last one
+    CHECK(editor.document().at(active()).light());
+    editor.key(GLFW_KEY_UP);
+    CHECK(active() == editor.named("right"));
+    for (int i = 0; i < 7; ++i) editor.key(GLFW_KEY_UP);
+    CHECK(active() == root_entry);
+    CHECK(editor.window.editor.selected_items(editor.window.scene) == std::vector<uint32_t>{0, 0});  // not everything
+    editor.key(GLFW_KEY_UP);
+    CHECK(active() == root_entry);
+    for (int i = 0; i < 6; ++i) editor.key(GLFW_KEY_DOWN);  // scene, camera, environment, sky, water, fog, left
+    CHECK(active() == editor.named("left"));
+    editor.key(GLFW_KEY_H, GLFW_MOD_SHIFT);
+    CHECK(editor.document().at(active()).hidden);
+    editor.key(GLFW_KEY_H, GLFW_MOD_SHIFT);
+    CHECK_FALSE(editor.document().at(active()).hidden);
+    editor.key(GLFW_KEY_G, GLFW_MOD_CONTROL);
+    const EntryId group = active();
+    editor.key(GLFW_KEY_RIGHT);
+    editor.key(GLFW_KEY_DOWN);
+    CHECK(active() == editor.named("left"));
+    editor.key(GLFW_KEY_UP);
+    editor.key(GLFW_KEY_LEFT);
+    editor.key(GLFW_KEY_UP);
+    editor.key(GLFW_KEY_DOWN);
+    CHECK(active() == group);
+    editor.key(GLFW_KEY_L, GLFW_MOD_SHIFT);
+    editor.key(GLFW_KEY_DELETE);
+    CHECK(editor.window.take_notice().find("locked") != std::string::npos);
+    editor.key(GLFW_KEY_3, GLFW_MOD_SHIFT);
+    CHECK(editor.document().at(active()).light()->kind == Light::Kind::spot);
+    editor.key(GLFW_KEY_4, GLFW_MOD_SHIFT);
+    CHECK(editor.window.editor.selection.ids.size() == 100);
+}
