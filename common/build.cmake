@@ -182,8 +182,8 @@ function(lightwalk_judge name folder library)
 endfunction()
 
 # Variants of C++ exercises (common/course/check/variants.py), a check program each. Those listed as changes are written here as
-# files, again when their list or the solution changes. A variant comes before the student's file in the link and so takes
-# its place: both are weak.
+# files, again when their list or the solution changes. All but the variant is one shared library of the chapter, which
+# calls the variant: what a program defines goes before what its libraries do. Both are weak.
 function(lightwalk_variants name folder library)
   file(GLOB variants CONFIGURE_DEPENDS ${folder}/variants/*.cpp)
   file(GLOB lists CONFIGURE_DEPENDS ${folder}/variants/*.changes)
@@ -204,25 +204,36 @@ function(lightwalk_variants name folder library)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${script} ${sources})
   endif()
   string(SUBSTRING ${name} 0 2 number)
+  if(variants)
+    add_library(checked_${name} SHARED $<TARGET_OBJECTS:checks_${name}>)
+    lightwalk_add_trials(checked_${name} ${name})
+    set_target_properties(checked_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/variants)
+    target_link_options(checked_${name} PRIVATE -s) # nobody debugs them, and names are half of their size
+    target_link_libraries(checked_${name} PRIVATE ${library})
+  endif()
   foreach(variant ${variants})
     get_filename_component(answer ${variant} NAME_WLE)
     set(target variant.${number}.${answer})
-    add_executable(${target} ${variant} $<TARGET_OBJECTS:checks_${name}>)
-    lightwalk_add_trials(${target} ${name})
-    set_target_properties(${target} PROPERTIES OUTPUT_NAME ${number}.${answer}
+    add_executable(${target} ${variant})
+    set_target_properties(${target} PROPERTIES OUTPUT_NAME ${number}.${answer} ENABLE_EXPORTS ON
                           RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/variants)
     lightwalk_precompiled(${target})
     target_compile_options(${target} PRIVATE -Wno-error -w)
-    target_link_options(${target} PRIVATE -s) # nobody debugs them, and names are half of their size
-    target_link_libraries(${target} PRIVATE check_main ${library})
+    target_include_directories(${target} PRIVATE $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)
+    target_link_options(${target} PRIVATE -s -Wl,--no-as-needed) # the library registers its checks when it is loaded
+    target_link_libraries(${target} PRIVATE check_main checked_${name})
   endforeach()
 endfunction()
 
 # tests/common and tests/NN_name: one Catch2 program each, and from the chapter's checks_*.cpp the program that
 # ./course check runs.
 function(lightwalk_tests)
-  add_library(catch_main OBJECT ${PROJECT_SOURCE_DIR}/tests/catch_main.cpp)
-  target_compile_options(catch_main PRIVATE -O0)
+  if(Catch2_VERSION VERSION_LESS 3) # all of it is in this file: one copy for all programs
+    add_library(catch_main SHARED ${PROJECT_SOURCE_DIR}/tests/catch_main.cpp)
+  else()
+    add_library(catch_main OBJECT ${PROJECT_SOURCE_DIR}/tests/catch_main.cpp)
+  endif()
+  target_compile_options(catch_main PRIVATE -O0 -g0)
   add_library(serve_main OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/common/judge/serve_main.cpp)
   target_compile_options(serve_main PRIVATE -O0)
   target_link_libraries(serve_main PRIVATE lightwalk)
@@ -272,12 +283,7 @@ function(lightwalk_tests)
     list(FILTER sources EXCLUDE REGEX "/checks_")
     if(sources)
       add_executable(test_${name} ${sources})
-      if(name STREQUAL common)
-        target_precompile_headers(test_common PRIVATE ${PROJECT_SOURCE_DIR}/common/gpu/frame.h
-                                  ${PROJECT_SOURCE_DIR}/tests/catch.h)
-      else()
-        target_precompile_headers(test_${name} REUSE_FROM test_common)
-      endif()
+      lightwalk_precompiled(test_${name})
       lightwalk_compiled_fast(test_${name})
       lightwalk_compiled_together(test_${name})
       if(TARGET checks_${name})

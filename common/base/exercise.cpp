@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 
-#include "common/base/edited.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/base/names.h"
@@ -143,7 +142,7 @@ unsigned Exercises::version() {
     return known->second;
 }
 
-void shaders_were_edited() { table().versions.clear(), table().version.reset(); }
+void Exercises::shaders_were_edited() { table().versions.clear(), table().version.reset(); }
 
 const std::string& Exercises::state() {
     Table& t = scanned_table();

@@ -36,8 +36,12 @@ class Exercises {
     /// The state of every toggle as one word, so that what depends on toggles knows which variant it is.
     static const std::string& state();
 
-    /// Changes with every change of a toggle.
+    /// Changes with every change of a toggle, and with every edit of a shader.
     static unsigned version();
+
+    /// A file of GLSL has changed while the program runs: version() is another number from now on, so that what was made
+    /// once by a shader (a table, a filtered cube, a shadow map) is made again.
+    static void shaders_were_edited();
 };
 
 template <class Signature>

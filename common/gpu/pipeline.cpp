@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "common/base/edited.h"
 #include "common/base/exercise.h"
 #include "common/gpu/hidden_blocks.h"
 
@@ -191,7 +190,7 @@ bool PipelineLibrary::forget_changed_files() {
         time = now;
         changed = true;
     }
-    if (changed) rebuild(), shaders_were_edited();
+    if (changed) rebuild(), Exercises::shaders_were_edited();
     return changed;
 }
 

@@ -3,13 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "common/app/knob.h"
 #include "common/scene/json_lines.h"
+#include "common/study/knob_values.h"
 
 namespace lightwalk {
-
-/// Knobs by name, each with the text that KnobBase::set takes.
-using KnobValues = std::vector<std::pair<std::string, std::string>>;
 
 struct StudyScene {
     std::string file;   ///< as load_scene takes it
@@ -57,25 +54,5 @@ struct StudyPlan {
 /// Throws InputError with file, line and key: a key that is missing, unknown or of a wrong type, a file that is not
 /// there, a knob or value that the chapter does not have, a knob set twice, two scenes with one label.
 StudyPlan read_study(const JsonWithLines& source, const KnobList& knobs);
-
-void set_knobs(const KnobList& knobs, const KnobValues& values);
-
-/// Whether the knobs have these values, in whatever way they are written.
-bool have_values(const KnobList& knobs, const KnobValues& values);
-
-/// As JSON has them: a number where it is one.
-nlohmann::json as_json(const KnobValues& values);
-
-/// Puts every knob back to what it was when this was made.
-class KeptKnobs {
-  public:
-    explicit KeptKnobs(const KnobList& knobs);
-    ~KeptKnobs() { put_back(); }
-    KeptKnobs(const KeptKnobs&) = delete;
-    void put_back() const;
-
-  private:
-    std::vector<std::pair<KnobBase*, std::string>> kept_;
-};
 
 }  // namespace lightwalk

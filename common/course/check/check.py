@@ -222,16 +222,17 @@ def check_pictures(chapter: str, exercise: str, result: dict):
         result["passed"] += 1
 
 
-def wrong_picture(chapter: str, exercise: str, shot: dict, overlay: str = "", **environment) -> str:
+def wrong_picture(chapter: str, exercise: str, shot: dict, overlay: str = "", reference: Path | None = None,
+                  **environment) -> str:
     """What is wrong with the exercise's picture; empty where nothing is. `overlay` is the folder of another answer than the
-    student's. Raises Crashed."""
+    student's, `reference` the references' picture where that is drawn already. Raises Crashed."""
     picture = BUILD / "check" / chapter / f"{shot['name']}.{exercise}.png"
     heatmap = picture.with_suffix(".flip.png")
     try:
         use = f"solution,{exercise}=exercise" if has_solutions() else "exercise"
         instead = {"LIGHTWALK_OVERLAY": overlay} if overlay else {}
         render_shot(chapter, shot, picture, use, **environment, **instead)
-        metrics = compare(reference_picture(chapter, shot["name"], **environment), picture, heatmap)
+        metrics = compare(reference or reference_picture(chapter, shot["name"], **environment), picture, heatmap)
         return picture_words(shot["name"], metrics, picture, heatmap)
     except Crashed:
         raise

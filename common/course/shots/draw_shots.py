@@ -59,11 +59,16 @@ def drawn_path(chapter: str) -> Path:
     return BUILD / "shots" / chapter / "drawn.json"
 
 
-def render_unless_drawn(chapter: str, program: str, options: list, picture: Path):
-    """render() for a test of `chapter`, unless this run of ./course test has drawn that picture. Raises Failure as render() does."""
+def drawn_in_this_run(chapter: str) -> dict[str, str]:
+    """What went wrong ("" for nothing) with each picture that this run of ./course test has drawn, by its path from the root."""
     run, path = os.environ.get(RUN), drawn_path(chapter)
     drawn = json.loads(path.read_text()) if run and path.exists() else {"run": None}
-    pictures = drawn["pictures"] if run and drawn["run"] == run else {}
+    return drawn["pictures"] if run and drawn["run"] == run else {}
+
+
+def render_unless_drawn(chapter: str, program: str, options: list, picture: Path):
+    """render() for a test of `chapter`, unless this run of ./course test has drawn that picture. Raises Failure as render() does."""
+    pictures = drawn_in_this_run(chapter)
     if relative(picture) not in pictures:
         render(program, [*options, "--validate", "on"], picture)
     elif words := pictures[relative(picture)]:
