@@ -22,8 +22,8 @@ float noise(vec2 at) {
                mix(lattice(cell + ivec2(0, 1)), lattice(cell + ivec2(1, 1)), s.x), s.y);
 }
 
-// A fractal: each octave has half the height and half the width of the one before. It is turned
-// as well, by 37°, so that the cells of the octaves do not lie upon each other.
+// A fractal: each octave has half the height and half the width of the one before. It is turned as well, by 37°, so
+// that the cells of the octaves do not lie upon each other.
 float ground(vec2 at, int octaves) {
     float sum = 0.0, height = 0.5;
     for (int i = 0; i < octaves; ++i, height *= 0.5, at = mat2(1.6, 1.2, -1.2, 1.6) * at)

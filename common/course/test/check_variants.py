@@ -25,7 +25,7 @@ def drawn_wrong(chapter: str, exercise: str, overlay: str) -> str:
             try:
                 reference = picture_path(chapter, shot["name"])
                 if drawn_in_this_run(chapter).get(relative(reference)) != "":
-                    reference = None  # it is drawn
+                    reference = None  # wrong_picture() draws it
                 # What makes shaders of checks compile fast makes those of pictures slow.
                 why = wrong_picture(chapter, exercise, shot, overlay, reference, GALLIVM_PERF="")
             except Failure as failure:

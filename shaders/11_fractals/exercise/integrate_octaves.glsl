@@ -3,9 +3,10 @@
 
 // [integrate_octaves]
 // Returns the number of octaves to compute for a pixel, or a vertex. `footprint_m`, 0 or
-// more, is half the length of the shortest wave to be kept, in metres. Octave 0 has waves of `first_m` metres
-// (above 0). In each further octave the waves are shorter by the factor `lacunarity`
-// (above 1). Waves shorter than two footprints are left out, because they would flicker.
+// more, is half the length of the shortest wave to be kept, in metres. Octave 0 has waves
+// of `first_m` metres (above 0). In each further octave the waves are shorter by the factor
+// `lacunarity` (above 1). Waves shorter than two footprints are left out, because they would
+// flicker.
 //
 // The result has a fraction, so that no octave appears suddenly. It is n + 1 if the
 // waves of octave n are exactly two footprints long, and n may be fractional too:
