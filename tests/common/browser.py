@@ -10,11 +10,15 @@ import os
 import select
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
 
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common/course"))
+from pages.book import find_browser  # noqa: E402
+
+CHROMIUM = find_browser()
 TIMEOUT_S = 60
 
 

@@ -82,7 +82,8 @@ CHEAP = {
     "12": ("skin.sky_rays=1", "skin.sky_size=16"), "13": ("skin.sky_rays=1", "skin.sky_size=16"),
     "14": ("backdrop.shadow.directions=4", "backdrop.shadow.resolution=16", "environment.prefilter.samples=4"),
     "15": ("ground.levels=7", "land.shadow_steps=8", "atmosphere.table_scale=0.25", "environment.prefilter.samples=4"),
-    "16": ("volume.field.voxels=16", "volume.steps=32", "finish.width=64")}
+    "16": ("volume.field.voxels=16", "volume.steps=32", "finish.width=64"),
+    "18": ("environment.prefilter.samples=4",)}
 
 
 def cheap(chapter: str) -> list[str]:

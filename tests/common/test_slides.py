@@ -106,12 +106,12 @@ class Book(unittest.TestCase):
         self.assertTrue(chapters_there <= seen.names)
         self.assertRegex(page, r'<a href="#chapter-02">17</a>')
 
-    @unittest.skipUnless(shutil.which("chromium") and shutil.which("pdfinfo"), "there is no chromium or no pdfinfo (poppler-utils)")
+    @unittest.skipUnless(book.find_browser() and shutil.which("pdfinfo"), "there is no chromium or no pdfinfo (poppler-utils)")
     def test_pages_are_known_after_the_first_printing(self):
         with tempfile.TemporaryDirectory() as made:
             file, out = Path(made, "a.html"), Path(made, "a.pdf")
             file.write_text('<a href="#b">x</a><h1 id="b" style="break-before: page">B</h1>')
-            book.print_pdf("chromium", file, out)
+            book.print_pdf(book.find_browser(), file, out)
             self.assertEqual(book.pages_of(out), {"b": 2})
             self.assertEqual(book.page_count(out), 2)
             self.assertTrue(out.read_bytes().startswith(b"%PDF"))

@@ -18,7 +18,8 @@ HELP = """Makes one PDF of all lessons: build/book/lightwalk.pdf, with contents,
   ./course book                 all chapters
   ./course book 02 05           some of them
   ./course book --out FILE"""
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+# Debian's Chromium without windows (its command in /usr/bin is a script that outlives what it starts), or any with them.
+BROWSERS = ("/usr/lib/chromium/chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
 PRINTING_S = 1800
 MOST_PRINTINGS = 4  # two, unless the numbers themselves move a page
 MOST_SIDE, QUALITY = 1100, 80  # of pictures, in pixels and as JPEG: 9 cm at 300 dpi, and less than 40 MB in all
@@ -34,7 +35,7 @@ def run(arguments, _rest) -> int:
     out = (arguments.out or BUILD / "book" / "lightwalk.pdf").absolute()
     if out.suffix != ".pdf":
         raise UsageError(f"{arguments.out} is not called like a PDF: name a FILE.pdf")
-    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
+    browser = find_browser()
     if not browser:
         raise UsageError("there is no chromium to print with; the packages are in common/course/packages/book")
     try:
@@ -48,6 +49,11 @@ def run(arguments, _rest) -> int:
         printed.replace(out)
     say(f"{relative(out)}: {page_count(out)} pages, {out.stat().st_size / 1e6:.1f} MB")
     return 0
+
+
+def find_browser() -> str | None:
+    """The path of the first of BROWSERS that this machine has."""
+    return next(filter(None, map(shutil.which, BROWSERS)), None)
 
 
 def print_until_settled(browser: str, book: list[dict], file: Path, printed: Path):
