@@ -116,11 +116,11 @@ class EqualMethods(unittest.TestCase):
     def drawn(self, drawer: Drawer, equal: Equal, scene: str, value: str, knobs: dict) -> Path:
         """The picture of a value. One scene says nothing of knobs: a value that is the default draws what is drawn already."""
         options = [*SCENES[scene], *cheap(drawer.chapter), "--frames", str(equal.frames)]
-        if "shadow.resolution" in knobs:
-            options += sets("shadow.resolution=256")  # nine maps of 1,024 texels take longer than all else of the picture
         settings = [*equal.sets, f"{equal.knob}={value}"]
         if scene == "everything":
             options += ["--scene", str(self.scene)]
+            if "shadow.resolution" in knobs:  # nine maps of 1,024 texels take longer than all else of the picture
+                options += sets("shadow.resolution=256")
             settings = [one for one in settings if not is_default(one, knobs)]
         key = (drawer.chapter, *options, *sorted(settings))
         if key not in self.pictures:

@@ -51,7 +51,8 @@ TOGGLES = [("10", [], "10.density"), ("14", sets("environment.method=prefiltered
            ("16", sets("volume.light=volume"), "16.correct_opacity"),
            ("17", ["--shot", "mercury"], "17.overlay_normals"),
            ("18", ["--shot", "ids"], "18.id_buffer"),
-           ("19", ["--shot", "statue"], "19.centripetal_knots"), ("19", ["--shot", "harbour"], "19.arc_length")]
+           ("19", ["--scene", "films/path_uneven.film", "--time", "0.8"], "19.centripetal_knots"),
+           ("19", ["--scene", "films/path_uneven.film", "--time", "0.8", "--set", "method=arc_length"], "19.arc_length")]
 # (chapter, settings from the start, a shader, what an edit replaces there and by what).
 EDITS = [("14", ["environment.method=prefiltered"], "14_environment/solution/split_sum_table.glsl", "return ",
           "return 0.25 * "),
