@@ -69,6 +69,7 @@ def measure(chapter: str, needs: dict, crops: bool) -> dict:
 def run_study(chapter: str, out: Path, *options: str, **environment) -> dict:
     """A study from its beginning, with one round of timing, which filling unwritten memory would slow. Raises Failure."""
     out.with_name(out.name + ".partial").unlink(missing_ok=True)
+    environment = {"LP_NUM_THREADS": str(os.cpu_count() or 1)} | environment  # a time is that of the whole rasteriser
     done = run_program([chapter_program(chapter), "--study", out, *options], LIGHTWALK_STUDY_ROUNDS="1", MALLOC_PERTURB_="0",
                        **environment)
     if done.returncode:
