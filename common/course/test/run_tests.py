@@ -69,7 +69,7 @@ def run(arguments, rest) -> int:
     results.mkdir(parents=True, exist_ok=True)
     build()
     in_ci = os.environ.get("CI") == "true" and not selection
-    if not selection:  # there are more programs that draw than processors: threads of the rasteriser's own cost 15% and gain nothing
+    if not selection:  # as many programs as processors draw: threads of the rasteriser's own cost 3 to 18% of their time, and gain nothing
         os.environ.setdefault(RASTER_THREADS, "0")
     selection = CI if in_ci else selection
     runs = [run_ctest(BUILD, results / "tests.xml", selection + test_shards.words(BUILD, selection, arguments.shard))]
