@@ -104,6 +104,7 @@ struct EditorWindow : Playground, WindowTool {
     std::string facet_;                        ///< of the scene: its entry in the tree; empty: the scene itself
     std::string refused_, search_, renaming_text_, save_name_ = "scene.json";
     EntryId renaming_ = no_entry, last_clicked_ = no_entry, followed_ = no_entry;  ///< whose line was scrolled to last
+    size_t listed_ = SIZE_MAX;               ///< the step that the list was scrolled to last
     bool types_ = false, searches_ = false;  ///< the next frame puts the keyboard into a field
     bool renaming_begins_ = false, closes_ = false, shows_keys_ = false, shows_steps_ = false, changed_ = false,
          overwrites_ = false, saves_as_ = false;

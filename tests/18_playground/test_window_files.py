@@ -4,16 +4,10 @@ that fails or is cancelled. Under Xvfb, validated."""
 import json
 import os
 import re
-import shutil
-import sys
-import tempfile
 import time
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-
-from window_session import BUILD, ROOT, Session, XServer  # noqa: E402
+from editor_case import ROOT, EditorTest
 
 SCENE = {"camera": {"position": [0, 0.8, 4], "target": [0, 0, 0], "fov_deg": 40}, "ambient": [0.25, 0.25, 0.3],
          "lights": [{"type": "directional", "direction": [-0.4, -0.8, -0.5], "intensity": 1.5}],
@@ -28,13 +22,11 @@ def grid(side: int) -> str:
     return corners + "".join(f"f {a} {a + 1} {a + side + 2} {a + side + 1}\n" for a in first)
 
 
-class Files(unittest.TestCase):
+class Files(EditorTest):
+    built, size, has_own_cache = SCENE, (720, 700), True  # the browser's files stand beside the panel
+
     @classmethod
-    def setUpClass(cls):
-        cls.folder = Path(tempfile.mkdtemp(prefix="lightwalk_editor_"))
-        cls.addClassCleanup(shutil.rmtree, cls.folder)
-        cls.scene = cls.folder / "built.json"
-        cls.scene.write_text(json.dumps(SCENE))
+    def add_files(cls):
         (cls.folder / "bad.obj").write_text("v 0 0 0\nf 1 2 3\n")
         (cls.folder / "one more.obj").write_text(grid(40))  # a name that is escaped where it is dropped
         (cls.folder / "slow.obj").write_text(grid(600))  # takes longer than a window goes on drawing after a key
@@ -44,42 +36,30 @@ class Files(unittest.TestCase):
         ghost = {**SCENE, "objects": [*SCENE["objects"], {"name": "ghost", "model": "models/cube.obj", "position": [1, 0, 0]}]}
         cls.left.write_text(json.dumps(ghost))
         os.utime(cls.left, (time.time() + 5, time.time() + 5))
-        cls.server = XServer()
-        cls.addClassCleanup(cls.server.close)
-        cls.session = Session(cls.server, BUILD / "chapters" / "18_playground",
-                              ["--validate", "on", "--size", "720x700", "--scene", str(cls.scene)], cls.folder,
-                              LIGHTWALK_ROOT=str(ROOT), XDG_CACHE_HOME=str(cls.folder / "cache"))
-        cls.addClassCleanup(cls.session.close)
 
     def wait_for(self, pattern: str, since: int):
         return self.session.wait_for_line(pattern, since)
 
-    def saved(self) -> dict:
-        since = self.session.said()
-        self.session.key("ctrl+s")
-        self.wait_for(r"saved .*", since)
-        return json.loads(self.scene.read_text())
-
     def test_1_what_a_crash_has_left_is_offered_and_restored(self):
-        self.session.click("answer.restore")
+        self.session.tap("answer.restore")
         names = [one["name"] for one in self.saved()["objects"]]
         self.assertEqual(names, ["cube", "ghost"])
         self.assertFalse(self.left.exists())
 
     def test_2_files_have_thumbnails_which_are_kept(self):
         session = self.session
-        session.click("tool.open")
-        session.click("field.file filter")
+        session.tap("tool.open")
+        session.tap("field.file filter")
         session.xdotool("type", "cube.")
         session.wait(lambda: "thumbnail.cube.obj" in session.places, "a thumbnail")
         kept = list((self.folder / "cache" / "lightwalk" / "thumbnails").glob("*.png"))
         self.assertTrue(kept and all(re.fullmatch(r"[0-9a-f]{16}\.png", one.name) for one in kept), kept)
-        session.click("tool.open")
+        session.tap("tool.open")
 
     def type_path(self, path: str):
         """Into the browser, in place of what stands there, without waiting for a frame in between; ended with Return."""
-        self.session.click("tool.open")
-        self.session.click("field.path")
+        self.session.tap("tool.open")
+        self.session.tap("field.path")
         self.session.key("ctrl+a")
         self.session.xdotool("type", path)
         self.session.key("Return")
@@ -146,8 +126,7 @@ class Files(unittest.TestCase):
     def test_8_it_ends_with_nothing_to_say(self):
         self.session.key("Escape")
         self.session.key("Escape")
-        self.assertEqual(self.session.end(), 0)
-        self.assertEqual([line for line in self.session.errors if line], [])
+        self.assert_ended()
 
 
 if __name__ == "__main__":
