@@ -33,7 +33,8 @@ class Files(EditorTest):
         (cls.folder / "large.obj").write_text(grid(1000))  # takes long enough to be cancelled
         # What the editor wrote by itself before it was killed: newer, with an object more.
         cls.left = cls.folder / "built.json.unsaved"
-        ghost = {**SCENE, "objects": [*SCENE["objects"], {"name": "ghost", "model": "models/cube.obj", "position": [1, 0, 0]}]}
+        ghost = {**SCENE, "objects": [*SCENE["objects"], {"name": "ghost", "model": "models/cube.obj", "position": [1, 0, 0],
+                                                          "rotation_deg": [0, 30, 0], "scale": [0.5, 0.5, 0.5]}]}
         cls.left.write_text(json.dumps(ghost))
         os.utime(cls.left, (time.time() + 5, time.time() + 5))
 
@@ -115,7 +116,46 @@ class Files(EditorTest):
         self.wait_for(r"added one more\.obj", since)
         self.assertEqual(self.names(), ["cube", "ghost", "plane", "sphere", "one more"])
 
-    def test_7_what_took_long_is_in_the_tree_though_nobody_moves_the_mouse(self):
+    def parents(self) -> dict:
+        return {name: one.get("parent") for name, one in self.objects().items()}
+
+    def test_7_the_tree_by_the_mouse_dragged_onto_a_parent_ranges_toggles_and_groups(self):
+        session, before = self.session, self.parents()
+        session.tap("entry.sphere")
+        picture = self.picture()
+        session.drag(session.places["entry.sphere"], session.places["entry.ghost"])
+        self.assertEqual(self.parents(), {**before, "sphere": "ghost"})
+        self.assert_picture(picture)  # it has kept its place, below a parent that is turned and half as large
+        self.undo()
+        session.tap("entry.plane")
+        session.tap("entry.one more", held="shift")
+        session.tap("entry.cube", held="shift")  # from where no Shift was held
+        self.assert_grouped(["cube", "ghost", "plane"])
+        session.tap("entry.cube")
+        for name in ("ghost", "sphere", "ghost"):
+            session.tap("entry." + name, held="ctrl")
+        self.assert_grouped(["cube", "sphere"])
+        self.assertEqual(self.parents(), before)
+
+    def assert_grouped(self, chosen: list):
+        """These are selected; nothing has changed in the end."""
+        self.session.key("ctrl+g")
+        self.assertEqual([name for name, parent in self.parents().items() if parent == "group"], chosen)
+        self.undo()
+
+    def test_8_the_list_of_steps_goes_back_to_the_start_and_forward_again(self):
+        session, before = self.session, self.saved()
+        since = session.said()
+        session.key("F4")
+        session.tap("step.0")
+        session.wait_for_line("notice undone: [0-9]+ steps", since)
+        self.assertEqual(list(self.objects()), ["cube", "ghost"])
+        session.tap("step.3")
+        session.wait_for_line("notice done again: 3 steps", since)
+        self.assertEqual(self.saved(), before)
+        session.key("Escape")
+
+    def test_9_what_took_long_is_in_the_tree_though_nobody_moves_the_mouse(self):
         since = self.session.said()
         self.type_path(str(self.folder / "slow.obj"))
         self.wait_for(r"added slow\.obj", since)
@@ -123,7 +163,7 @@ class Files(EditorTest):
         self.wait_for(r"loading took [\d.]+ s: \d+ frames, .*", since)
         self.assertEqual(self.names()[-1], "slow")
 
-    def test_8_it_ends_with_nothing_to_say(self):
+    def test_x_it_ends_with_nothing_to_say(self):
         self.session.key("Escape")
         self.session.key("Escape")
         self.assert_ended()
