@@ -32,6 +32,8 @@ bool EditorWindow::draw_panels(glm::uvec2 picture, float scale) {
         draw_tree();
         draw_properties();
         ImGui::End();
+    } else {  // no field is there to wait for the keyboard
+        types_ = searches_ = renaming_begins_ = false, renaming_ = no_entry;
     }
     browser_.draw(scale);
     draw_loading(scale);

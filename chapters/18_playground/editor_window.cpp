@@ -255,7 +255,7 @@ bool EditorWindow::is_busy() {
 }
 
 void EditorWindow::check_recovery() {
-    if (std::exchange(checked_recovery_, true)) return;
+    if (std::exchange(checked_, editor.store.path) == editor.store.path) return;
     browser_.chosen = [this](const std::filesystem::path& file, bool adds) { want(file, adds); };
     if (editor.store.has_recovery()) question_ = Question::recover;
 }

@@ -108,7 +108,8 @@ struct EditorWindow : Playground, WindowTool {
     bool types_ = false, searches_ = false;  ///< the next frame puts the keyboard into a field
     bool renaming_begins_ = false, closes_ = false, shows_keys_ = false, shows_steps_ = false, changed_ = false,
          overwrites_ = false, saves_as_ = false;
-    bool was_down_ = false, pressed_on_picture_ = false, dragged_ = false, adds_ = false, checked_recovery_ = false;
+    bool was_down_ = false, pressed_on_picture_ = false, dragged_ = false, adds_ = false;
+    std::optional<std::filesystem::path> checked_;  ///< the scene of which a crash may have left something
     glm::vec2 press_px_{0.0f};
     float moved_px_ = 0;
     double next_autosave_ = 0;

@@ -155,6 +155,21 @@ class Files(EditorTest):
         self.assertEqual(self.saved(), before)
         session.key("Escape")
 
+    def test_90_what_a_crash_has_left_of_a_scene_that_is_opened_later_is_offered_too(self):
+        self.saved()
+        session, other = self.session, self.folder / "other.json"
+        other.write_text(json.dumps({**SCENE, "objects": [{"name": "second", "model": "models/cube.obj"}]}))
+        left = self.folder / "other.json.unsaved"
+        left.write_text(other.read_text().replace("second", "rescued"))
+        os.utime(left, (time.time() + 5, time.time() + 5))
+        self.type_path(str(other))
+        session.wait(lambda: "entry.second" in session.places, "the scene")
+        session.read_all()
+        session.key("Return")
+        session.read_all()
+        type(self).scene = other
+        self.assertEqual(list(self.objects()), ["rescued"])
+
     def test_9_what_took_long_is_in_the_tree_though_nobody_moves_the_mouse(self):
         since = self.session.said()
         self.type_path(str(self.folder / "slow.obj"))
