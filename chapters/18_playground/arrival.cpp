@@ -20,16 +20,25 @@ Arrival::Arrival(Gpu& gpu, std::filesystem::path file, LoadedModel read)
         slices_.add(model_->vertices[i], mesh.name + " vertices", std::as_bytes(std::span(mesh.vertices)));
         slices_.add(model_->indices[i], mesh.name + " indices", std::as_bytes(std::span(mesh.indices)));
         slices_.add(tangents[i], tangents_name(mesh), std::as_bytes(std::span(read_.frames[i])));
+        slices_.forget(read_.frames[i]);
     }
     const uint32_t most = gpu.device.properties.limits.maxImageDimension2D;
-    for (const LoadedTexture& texture : read_.textures) {
+    for (LoadedTexture& texture : read_.textures) {
         Texture& own = textures_.emplace_back();
         const Image::Desc& desc = texture.texels.desc;
         if (std::max(desc.size.x, desc.size.y) > most) continue;  // the pool refuses it, and says so
         slices_.add(*(own.image = std::make_shared<Image>(gpu.device, desc)), texture.texels.levels);
         if (!texture.normal_levels.empty())
             slices_.add(*(own.normals = std::make_shared<Image>(gpu.device, desc)), texture.normal_levels);
+        // Hundreds of megabytes given back in one frame would be seen.
+        for (auto* levels : {&texture.texels.levels, &texture.normal_levels})
+            for (std::vector<std::byte>& level : *levels) slices_.forget(level);
     }
+}
+
+void Arrival::rehearse(Gpu& gpu) {
+    Image image(gpu.device, {.name = "rehearsal", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = {2, 2}, .mips = 2});
+    gpu.upload(image, std::vector<std::byte>(16));
 }
 
 void Arrival::give(Scene& scene) const {

@@ -13,6 +13,9 @@ class Arrival {
     Arrival(Gpu& gpu, std::filesystem::path file, LoadedModel read);
     Arrival(const Arrival&) = delete;  // the slices know where everything is
 
+    /// Before the first one: a driver compiles what halves a texture when one is halved first, 50 ms that no frame has.
+    static void rehearse(Gpu& gpu);
+
     bool step(double budget_ms) { return slices_.step(gpu_, budget_ms); }  ///< true: all of it is there
     float share() const { return slices_.share(); }
     void give(Scene& scene) const;

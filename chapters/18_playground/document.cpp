@@ -222,7 +222,8 @@ std::vector<Document::Listed> Document::steps() const {
 
 uint64_t Document::bytes() const {
     uint64_t bytes = 0;
-    for (const Listed& step : steps()) bytes += step.bytes;
+    for (const Step& step : done_) bytes += step.size.bytes;
+    for (const Step& step : undone_) bytes += step.size.bytes;
     return bytes;
 }
 

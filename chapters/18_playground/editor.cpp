@@ -1,5 +1,7 @@
 #include "18_playground/editor.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "18_playground/gltf.h"
@@ -134,23 +136,36 @@ LiveScene::Done Editor::update(Chapter& chapter, Gpu& gpu) {
 
 bool Editor::undo(Chapter& chapter) {
     end_drag(false);
-    const std::vector<Document::Listed> steps = document.steps();
-    if (!document.undo()) return false;
-    for (size_t i = 0; i < steps.size(); ++i)
-        if (!steps[i].undone && (i + 1 == steps.size() || steps[i + 1].undone)) notice = "undone: " + steps[i].name;
-    selection.drop_missing(document);
-    give_knobs(chapter);
-    return true;
+    const std::string* const name = document.next_undo();
+    if (!name) return false;
+    std::string what = "undone: " + *name;
+    document.undo();
+    return follow_steps(chapter, std::move(what)), true;
 }
 
 bool Editor::redo(Chapter& chapter) {
     end_drag(false);
-    if (!document.redo()) return false;
-    const std::vector<Document::Listed> steps = document.steps();
-    notice = "done again: " + steps.at(document.done() - 1).name;
+    const std::string* const name = document.next_redo();
+    if (!name) return false;
+    std::string what = "done again: " + *name;
+    document.redo();
+    return follow_steps(chapter, std::move(what)), true;
+}
+
+void Editor::go_to(Chapter& chapter, size_t done) {
+    end_drag(false);
+    const size_t before = document.done();
+    while (document.done() > done && document.undo()) {}
+    while (document.done() < done && document.redo()) {}
+    const size_t now = document.done();
+    if (now < before) follow_steps(chapter, fmt::format("undone: {} steps", before - now));
+    if (now > before) follow_steps(chapter, fmt::format("done again: {} steps", now - before));
+}
+
+void Editor::follow_steps(Chapter& chapter, std::string what) {
+    notice = std::move(what);
     selection.drop_missing(document);
     give_knobs(chapter);
-    return true;
 }
 
 void Editor::save(const Chapter& chapter, const std::filesystem::path& as) {

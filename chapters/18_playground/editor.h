@@ -38,6 +38,8 @@ class Editor {
 
     bool undo(Chapter& chapter);
     bool redo(Chapter& chapter);
+    /// Undoes or does again until so many steps are done; the knobs and `notice` follow once.
+    void go_to(Chapter& chapter, size_t done);
     void save(const Chapter& chapter, const std::filesystem::path& as = {});
 
     void begin_drag(const GizmoPlace& place, const Handle& handle, const View& view, glm::vec2 cursor_px);
@@ -61,6 +63,7 @@ class Editor {
   private:
     void take_knobs(const Chapter& chapter);
     void give_knobs(Chapter& chapter);
+    void follow_steps(Chapter& chapter, std::string what);
     std::map<std::string, std::string> first_knobs_, known_knobs_;
     const Scene* shown_ = nullptr;
     std::filesystem::path first_file_;  ///< of the scene that whoever shows the chapter loads

@@ -33,7 +33,7 @@ bool has_model(const Scene& scene, const fs::path& file) {
 }  // namespace
 
 void EditorWindow::bring_up_to_date(Gpu& gpu) {
-    gpu_ = &gpu;
+    if (!std::exchange(gpu_, &gpu)) Arrival::rehearse(gpu);
     const double start = now_s();
     const bool loads = !wanted_.empty();
     if (loads && !pace_) pace_ = Pace{start, start};

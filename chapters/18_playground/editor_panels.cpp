@@ -32,6 +32,8 @@ bool EditorWindow::draw_panels(glm::uvec2 picture, float scale) {
         draw_tree();
         draw_properties();
         ImGui::End();
+    } else {  // no field is there to wait for the keyboard
+        types_ = searches_ = renaming_begins_ = false, renaming_ = no_entry;
     }
     browser_.draw(scale);
     draw_loading(scale);
@@ -49,7 +51,8 @@ void EditorWindow::draw_toolbar() {
     ImGui::SameLine();
     if (tool_button("redo", "Ctrl+Y")) editor.redo(*this);
     ImGui::SameLine();
-    if (tool_button("steps", "All steps by name", shows_steps_)) shows_steps_ = !shows_steps_;
+    if (tool_button("steps", "F4: all steps by name; a click goes back or forward to one", shows_steps_))
+        shows_steps_ = !shows_steps_;
     ImGui::SameLine();
     if (tool_button("?", "F1: all keys", shows_keys_)) shows_keys_ = !shows_keys_;
     if (tool_button("move", "1: move along axes and planes; with Shift in steps", editor.tool == Tool::move))
@@ -107,10 +110,7 @@ void EditorWindow::draw_tree() {
     // What was picked in the picture, or by a key, comes into sight.
     if (const EntryId active = editor.selection.active(); std::exchange(followed_, active) != active) {
         const auto row = std::find_if(rows.begin(), rows.end(), [&](const TreeRow& one) { return one.id == active; });
-        const float height = ImGui::GetTextLineHeightWithSpacing();
-        const float top = ImGui::GetCursorPosY() + height * static_cast<float>(row - rows.begin());
-        const float above = ImGui::GetScrollY(), room = ImGui::GetWindowHeight() - height;
-        if (row != rows.end() && (top < above || top > above + room)) ImGui::SetScrollY(top - 0.5f * room);
+        if (row != rows.end()) scroll_to_row(static_cast<size_t>(row - rows.begin()));
     }
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows.size()));
@@ -143,13 +143,16 @@ void EditorWindow::draw_row(const TreeRow& row) {
             shown_as + (entry.locked ? "  (locked)" : "") + (entry.included ? "  (included)" : "");
         if (ImGui::Selectable(label.c_str(), editor.selection.has(row.id), ImGuiSelectableFlags_AllowDoubleClick)) {
             const ImGuiIO& io = ImGui::GetIO();
-            if (io.KeyShift && last_clicked_ != no_entry)
+            // A range begins where no Shift was held, and stays there for the next one.
+            if (!editor.selection.has(last_clicked_)) last_clicked_ = editor.selection.active();
+            const bool range = io.KeyShift && last_clicked_ > root_entry;
+            if (range)
                 editor.selection.set(editor.tree.between(last_clicked_, row.id));
             else if (io.KeyCtrl)
                 editor.selection.toggle(row.id);
             else
                 editor.selection.set({row.id});
-            last_clicked_ = row.id;
+            if (!range) last_clicked_ = row.id;
             if (ImGui::IsMouseDoubleClicked(0)) begin_renaming(row.id);
         }
         if (entry.hidden) ImGui::PopStyleColor();
@@ -162,7 +165,10 @@ void EditorWindow::draw_row(const TreeRow& row) {
             ImGui::EndDragDropSource();
         }
         if (ImGui::BeginDragDropTarget()) {
-            if (ImGui::AcceptDragDropPayload("entries")) say(reparent(editor.document, editor.selection.ids, row.id));
+            if (ImGui::AcceptDragDropPayload("entries")) {
+                say(reparent(editor.document, editor.selection.ids, row.id));
+                editor.tree.unfold(row.id, true);  // it shows what has come
+            }
             ImGui::EndDragDropTarget();
         }
     }
@@ -195,31 +201,6 @@ void EditorWindow::draw_row_menu(EntryId id) {
     ImGui::EndPopup();
 }
 
-void EditorWindow::draw_steps(float scale) {
-    if (!shows_steps_) return;
-    ImGui::SetNextWindowPos({280.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({260.0f * scale, 320.0f * scale}, ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("steps", &shows_steps_, ImGuiWindowFlags_NoSavedSettings)) {
-        const std::vector<Document::Listed> steps = editor.document.steps();
-        ImGuiListClipper clipper;
-        clipper.Begin(static_cast<int>(steps.size()));
-        size_t go_to = editor.document.done();
-        while (clipper.Step())
-            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-                const Document::Listed& step = steps[static_cast<size_t>(i)];
-                ImGui::PushID(i);
-                if (step.undone) ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
-                if (ImGui::Selectable(step.name.c_str(), static_cast<size_t>(i) + 1 == editor.document.done()))
-                    go_to = static_cast<size_t>(i) + 1;
-                if (step.undone) ImGui::PopStyleColor();
-                ImGui::PopID();
-            }
-        while (editor.document.done() > go_to && editor.undo(*this)) {}
-        while (editor.document.done() < go_to && editor.redo(*this)) {}
-    }
-    ImGui::End();
-}
-
 void EditorWindow::draw_keys(float scale) {
     if (!shows_keys_) return;
     ImGui::SetNextWindowPos({280.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
@@ -234,7 +215,7 @@ void EditorWindow::draw_keys(float scale) {
             {"Ctrl+F, Ctrl+R", "search the tree; rename, as by a double click"},
             {"Shift+H, Shift+L", "hide or show; lock or unlock"},
             {"Shift+1, 2, 3, 4", "add a sun, a lamp, a spot; scatter lights"},
-            {"Ctrl+Z, Ctrl+Y", "undo, redo"},
+            {"Ctrl+Z, Ctrl+Y, F4", "undo, redo; the list of all steps"},
             {"Ctrl+D, Ctrl+G, Del", "duplicate, group, delete"},
             {"Ctrl+O, Ctrl+S, Ctrl+E", "files, save (with Shift: as), export to glTF"},
             {"Ctrl+A, Esc", "select all; nothing, then close"},

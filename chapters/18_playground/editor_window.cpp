@@ -154,6 +154,9 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
         case GLFW_KEY_F1:
             shows_keys_ = !shows_keys_;
             return true;
+        case GLFW_KEY_F4:
+            shows_steps_ = !shows_steps_;
+            return true;
         case GLFW_KEY_DELETE:
             say(remove(editor.document, editor.selection.ids));
             editor.selection.drop_missing(editor.document);
@@ -163,7 +166,8 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
         case GLFW_KEY_ESCAPE:
             if (editor.drag) return editor.end_drag(false), true;
             if (!wanted_.empty()) return stop_loading("cancelled: " + wanted_.front().file.filename().string()), true;
-            if (browser_.shown || shows_keys_) return browser_.shown = shows_keys_ = false, true;
+            if (browser_.shown || shows_keys_ || shows_steps_)
+                return browser_.shown = shows_keys_ = shows_steps_ = false, true;
             if (editor.selection.ids.empty()) return false;
             return editor.selection.clear(), true;
         default:
@@ -251,7 +255,7 @@ bool EditorWindow::is_busy() {
 }
 
 void EditorWindow::check_recovery() {
-    if (std::exchange(checked_recovery_, true)) return;
+    if (std::exchange(checked_, editor.store.path) == editor.store.path) return;
     browser_.chosen = [this](const std::filesystem::path& file, bool adds) { want(file, adds); };
     if (editor.store.has_recovery()) question_ = Question::recover;
 }

@@ -104,10 +104,12 @@ struct EditorWindow : Playground, WindowTool {
     std::string facet_;                        ///< of the scene: its entry in the tree; empty: the scene itself
     std::string refused_, search_, renaming_text_, save_name_ = "scene.json";
     EntryId renaming_ = no_entry, last_clicked_ = no_entry, followed_ = no_entry;  ///< whose line was scrolled to last
+    size_t listed_ = SIZE_MAX;               ///< the step that the list was scrolled to last
     bool types_ = false, searches_ = false;  ///< the next frame puts the keyboard into a field
     bool renaming_begins_ = false, closes_ = false, shows_keys_ = false, shows_steps_ = false, changed_ = false,
          overwrites_ = false, saves_as_ = false;
-    bool was_down_ = false, pressed_on_picture_ = false, dragged_ = false, adds_ = false, checked_recovery_ = false;
+    bool was_down_ = false, pressed_on_picture_ = false, dragged_ = false, adds_ = false;
+    std::optional<std::filesystem::path> checked_;  ///< the scene of which a crash may have left something
     glm::vec2 press_px_{0.0f};
     float moved_px_ = 0;
     double next_autosave_ = 0;

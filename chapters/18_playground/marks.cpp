@@ -12,6 +12,8 @@ void add_line(std::vector<MarkLine>& lines, const std::vector<glm::vec3>& points
     for (size_t i = 1; i < points.size(); ++i) lines.push_back({points[i - 1], width_px, points[i], alpha, color});
 }
 
+constexpr size_t most_shapes = 100;  // ranges and cones: more of them hide the scene, and take seconds to draw
+
 std::vector<glm::vec3> circle(glm::vec3 center, glm::vec3 u, glm::vec3 v, int points) {
     std::vector<glm::vec3> line;
     for (int i = 0; i <= points; ++i) {
@@ -68,7 +70,7 @@ void add_lights(std::vector<MarkLine>& lines, const Document& document, const Se
         const glm::vec3 color = chosen ? glm::vec3(1.0f, 0.36f, 0.03f) : glm::mix(light->color, glm::vec3(1.0f), 0.3f);
         add_line(lines, circle(light->position, radius * right, radius * up, all > 500 ? 6 : 16), color, 1.5f,
                  chosen ? 1.0f : 0.8f);
-        if (!chosen) continue;
+        if (!chosen || (selection.ids.size() > most_shapes && id != selection.active())) continue;
         if (light->kind == Light::Kind::point) {
             for (int i = 0; i < 3; ++i) {
                 glm::vec3 u(0.0f), v(0.0f);

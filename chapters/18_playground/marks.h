@@ -32,7 +32,8 @@ struct Marks : Module {
 
 /// The gizmo's lines; `hot` is drawn brighter.
 void add_gizmo(std::vector<MarkLine>& lines, const GizmoPlace& place, const View& view, const Handle& hot);
-/// A symbol of constant size for each light, and of those that are selected the cone or the range.
+/// A symbol of constant size for each light, and of those that are selected the cone or the range; of more than a hundred
+/// only that of the active one.
 void add_lights(std::vector<MarkLine>& lines, const Document& document, const Selection& selection, const View& view);
 
 }  // namespace lightwalk

@@ -80,13 +80,13 @@ std::vector<EntryId> Tree::between(EntryId first, EntryId last) const {
     const auto place = [&](EntryId id) {
         return std::find_if(rows_.begin(), rows_.end(), [&](const TreeRow& row) { return row.id == id; });
     };
-    auto from = place(first), to = place(last);
+    const auto from = place(first), to = place(last);
     if (from == rows_.end()) return {last};
     if (to == rows_.end()) return {first};
-    if (to < from) std::swap(from, to);
     std::vector<EntryId> ids;
-    for (auto row = from; row <= to; ++row)
+    for (auto row = std::min(from, to); row <= std::max(from, to); ++row)
         if (row->node < 0) ids.push_back(row->id);
+    if (to < from) std::reverse(ids.begin(), ids.end());
     return ids;
 }
 

@@ -30,7 +30,7 @@ class Tree {
     /// Rebuilt where the document, what is unfolded or the search has changed; else what was there.
     const std::vector<TreeRow>& rows(const Document& document);
 
-    /// Entries from one row to another, both included: what Shift and a click select.
+    /// Entries from one row to another, both included, in this order: what Shift and a click select.
     std::vector<EntryId> between(EntryId first, EntryId last) const;
 
   private:

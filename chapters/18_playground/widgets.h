@@ -49,6 +49,14 @@ inline bool text_field(const char* label, std::string& text, const char* hint = 
     return enter || left;
 }
 
+/// Of a list that begins here: brings a row into the middle of its window where it is not in sight.
+inline void scroll_to_row(size_t row) {
+    const float height = ImGui::GetTextLineHeightWithSpacing();
+    const float top = ImGui::GetCursorPosY() + height * static_cast<float>(row);
+    const float above = ImGui::GetScrollY(), room = ImGui::GetWindowHeight() - height;
+    if (top < above || top > above + room) ImGui::SetScrollY(top - 0.5f * room);
+}
+
 /// A small picture at a place of the screen, one rectangle for each run of equal pixels: early versions of Dear ImGui show
 /// no images of the renderer's.
 inline void draw_pixels(const Image8& picture, ImVec2 at, float pixel) {

@@ -61,6 +61,10 @@ void copy(VkCommandBuffer commands, const ImageView& from, VkBuffer to);
 /// Makes the levels from `first` (1 at least) on, each by halving the one before it, in layouts for transfers.
 void make_levels(VkCommandBuffer commands, Image& image, uint32_t first);
 
+/// As make_levels(), `rows` of one level from row `first` on. The same texels, where they are some of the rows, only if the
+/// level before has an even height.
+void make_rows(VkCommandBuffer commands, Image& image, uint32_t level, uint32_t first, uint32_t rows);
+
 /// Ends the process at once with a line on stderr and exit code 1: the device is still busy with a command that never
 /// ends, so that destroying anything would wait for ever.
 [[noreturn]] void abandon_device(const std::string& message);

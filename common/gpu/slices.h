@@ -20,6 +20,12 @@ class Slices {
     /// Gpu::upload(). What is given stays where it is, as above.
     void add(Image& to, const std::vector<std::vector<std::byte>>& levels);
 
+    /// In its turn, as a slice of its own: gives back memory that is not needed once those before it are done.
+    template <class T>
+    void forget(std::vector<T>& bytes) {
+        add([&bytes](Gpu&) { std::vector<T>().swap(bytes); });
+    }
+
     /// One slice at least, more until `budget_ms` have passed. True: nothing is left.
     bool step(Gpu& gpu, double budget_ms);
 

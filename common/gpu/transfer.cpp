@@ -36,19 +36,27 @@ void copy(VkCommandBuffer commands, const ImageView& from, VkBuffer to) {
     vkCmdCopyImageToBuffer(commands, from.image->handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, 1, &one);
 }
 
-void make_levels(VkCommandBuffer commands, Image& image, uint32_t first) {
-    const ImageView whole(image);
-    for (uint32_t m = first; m < image.desc.mips; ++m) {
-        const ImageView from = whole.mip(m - 1), to = whole.mip(m);
-        barrier(commands, from, transfer_read);
-        barrier(commands, to, transfer_write);
-        const VkImageBlit half{.srcSubresource = from.first_mip_layers(),
-                               .srcOffsets = {{}, corner(from)},
-                               .dstSubresource = to.first_mip_layers(),
-                               .dstOffsets = {{}, corner(to)}};
-        vkCmdBlitImage(commands, image.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image.handle,
-                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &half, VK_FILTER_LINEAR);
+void make_rows(VkCommandBuffer commands, Image& image, uint32_t level, uint32_t first, uint32_t rows) {
+    const ImageView from = ImageView(image).mip(level - 1), to = ImageView(image).mip(level);
+    barrier(commands, from, transfer_read);
+    barrier(commands, to, transfer_write);
+    VkImageBlit half{.srcSubresource = from.first_mip_layers(),
+                     .srcOffsets = {{}, corner(from)},
+                     .dstSubresource = to.first_mip_layers(),
+                     .dstOffsets = {{}, corner(to)}};
+    const uint32_t in = from.size().y, out = to.size().y;
+    for (int end = 0; end < 2; ++end) {
+        const uint32_t row = end == 0 ? first : first + rows;
+        half.srcOffsets[end].y = static_cast<int32_t>(row * in / out),
+        half.dstOffsets[end].y = static_cast<int32_t>(row);
     }
+    vkCmdBlitImage(commands, image.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image.handle,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &half, VK_FILTER_LINEAR);
+}
+
+void make_levels(VkCommandBuffer commands, Image& image, uint32_t first) {
+    for (uint32_t m = first; m < image.desc.mips; ++m)
+        make_rows(commands, image, m, 0, ImageView(image).mip(m).size().y);
 }
 
 // [upload]

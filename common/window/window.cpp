@@ -83,6 +83,7 @@ void Window::run() {
         if (tool_) ask_tool();
         // Nothing is drawn while nothing changes: a software rasteriser has better things to do.
         const bool idle = is_still();
+        if (std::exchange(rests_, idle) != idle && idle) log_event("rests");
         const Input input = display_.poll(idle || !swapchain_.ready() ? watch_every_s : 0.0);
         Requests requests;
         handle_keys(input, requests);
@@ -198,6 +199,7 @@ void Window::draw() {
         swapchain_.present();
         if (++drawn_ == 1) log_event("first picture");
     }
+    log_frame(overlay_.input_is_left());
     const double ended = now();
     const double milliseconds = 1e3 * (ended - started);
     frame_ms_ += (drawn_ < 3 ? 1.0 : 0.1) * (milliseconds - frame_ms_);

@@ -70,6 +70,7 @@ class Window {
     Frame frame_;     ///< the chapter's
     Frame screen_;    ///< what the window adds: its passes are not the chapter's
     bool clock_runs_, close_ = false, compared_ = false, dragging_ = false;
+    bool rests_ = false;  ///< until something happens
     float time_s_;
     int drawn_ = 0, frames_due_ = 0;
     double active_until_ = 0, next_watch_ = 0, next_compare_ = 0, notice_until_ = 0, last_draw_ = 0, frame_ms_ = 0;

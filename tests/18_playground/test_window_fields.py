@@ -2,18 +2,11 @@
 """What is typed into the editor's fields, its menus and keys, its messages, and windows that become small in the middle of
 something. Under Xvfb, validated."""
 import json
-import re
 import shutil
-import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
+from editor_case import ROOT, EditorTest
 
-from window_session import BUILD, ROOT, Session, XServer  # noqa: E402
-
-WIDTH, HEIGHT = 720, 700
 SCENE = {"camera": {"position": [0, 0.8, 4], "target": [0, 0, 0], "fov_deg": 40}, "ambient": [0.25, 0.25, 0.3],
          "lights": [{"type": "spot", "position": [0, 3, 0], "intensity": 2, "size_m": 0}],
          "objects": [{"name": "cube", "model": "models/cube.obj"},
@@ -21,81 +14,41 @@ SCENE = {"camera": {"position": [0, 0.8, 4], "target": [0, 0, 0], "fov_deg": 40}
 RAW, ODD = SCENE["objects"][1]["name"], 'two lines "quoted"'  # in the file, which keeps it, and as a line of the tree
 
 
-class Fields(unittest.TestCase):
+class Fields(EditorTest):
+    built = SCENE
+
     @classmethod
-    def setUpClass(cls):
-        cls.folder = Path(tempfile.mkdtemp(prefix="lightwalk_editor_"))
-        cls.addClassCleanup(shutil.rmtree, cls.folder)
-        cls.scene = cls.folder / "built.json"
-        cls.scene.write_text(json.dumps(SCENE))
+    def add_files(cls):
         shutil.copy(ROOT / "assets/models/plane.obj", bytes(cls.folder) + b"/na\xffme.obj")
-        cls.server = XServer()
-        cls.addClassCleanup(cls.server.close)
-        cls.session = Session(cls.server, BUILD / "chapters" / "18_playground",
-                              ["--validate", "on", "--size", f"{WIDTH}x{HEIGHT}", "--scene", str(cls.scene)], cls.folder,
-                              LIGHTWALK_ROOT=str(ROOT), XDG_CACHE_HOME=str(cls.folder / "cache"))
-        cls.addClassCleanup(cls.session.close)
 
-    def saved(self) -> dict:
-        since = self.session.said()
-        self.session.key("ctrl+s")
-        self.session.wait_for_line(r"saved .*", since)
-        return json.loads(self.scene.read_text())
-
-    def rest(self):
-        self.session.settled(0, 0, *self.session.geometry()[2:])
-
-    def replace(self, text: str):
-        """What stands in the field that has the keyboard, ended with Return."""
-        self.rest()
-        self.session.key("ctrl+a")
-        if text:
-            self.session.xdotool("type", "--", text)
-        else:
-            self.session.key("BackSpace")
-        self.rest()
-        self.session.key("Return")
-        self.rest()
-
-    def scroll_to(self, place: str):
-        for _ in range(8):
-            if self.session.areas[place][3] < HEIGHT - 10:
-                return
-            self.session.move(120, HEIGHT - 60)
-            self.session.turn(-3)
-            self.session.park()
-            self.rest()
-        self.fail(f"{place} does not come")
+    def type_into(self, field: str, text: str):
+        self.session.tap(field)
+        self.session.replace(text)
 
     def type_number(self, place: str, text: str):
         """Into the first number of a widget, by Ctrl and a click."""
         session = self.session
-        session.wait(lambda: place in session.places, place)
         self.scroll_to(place)
         session.move(session.areas[place][0] + 8, session.places[place][1])
-        session.xdotool("keydown", "ctrl")
-        session.press()
-        session.release()
-        session.xdotool("keyup", "ctrl")
+        with session.holding("ctrl"):
+            session.press()
+            session.release()
         session.park()
-        self.replace(text)
+        session.replace(text)
 
     def test_1_an_environment_is_typed_and_refused_where_it_is_none(self):
         session = self.session
-        session.click("entry.environment")
-        session.click("field.image")
-        self.replace("environments/interior.hdr")
+        session.tap("entry.environment")
+        self.type_into("field.image", "environments/interior.hdr")
         self.assertEqual(self.saved()["environment"]["image"], "environments/interior.hdr")
         for path, why in (("environments/none.hdr", r"notice .*none\.hdr.*"),
                           ("models/cube.obj", r"notice key 'image' is .*expected an \.hdr or \.pfm file"),
                           ("planets_2k/earth.jpg", r"notice .*(no file|expected an \.hdr).*")):
             since = session.said()
-            session.click("field.image")
-            self.replace(path)
+            self.type_into("field.image", path)
             session.wait_for_line(why, since)
             self.assertEqual(self.saved()["environment"]["image"], "environments/interior.hdr")
-        session.click("field.image")
-        self.replace("")
+        self.type_into("field.image", "")
         self.assertNotIn("environment", self.saved())
 
     def test_2_numbers_that_are_too_large_or_none_are_refused_with_a_line(self):
@@ -113,29 +66,28 @@ class Fields(unittest.TestCase):
                                   ("number.far", "0.0001", "notice key 'far_m' must be above near_m")],
                  "entry.scene": [("color.ambient", "1e39", "notice ambient: inf is out of range.*")]}
         for entry, typed in cases.items():
-            session.click(entry)
+            session.tap(entry)
             for place, text, why in typed:
                 with self.subTest(place=place, text=text):
                     since = session.said()
                     self.type_number(place, text)
                     session.wait_for_line(why, since)
         self.assertEqual(self.saved(), before)
-        session.click("entry.cube")
+        session.tap("entry.cube")
         self.type_number("numbers.position", "0.5")
         self.assertEqual(self.saved()["objects"][0]["position"], [0.5, 0, 0])
-        session.key("ctrl+z")
+        self.undo()
         self.assertEqual(self.saved(), before)
 
     def rename(self, entry: str, name: str):
         """By Ctrl+R, or by a button. Of no entry: of the one that is selected."""
         if entry:
-            self.session.click("entry." + entry)
+            self.session.tap("entry." + entry)
         if entry != ODD:
             self.session.key("ctrl+r")
         else:
-            self.session.click("tool.rename")
-        self.session.wait(lambda: "field.rename" in self.session.places, "a field for the name")
-        self.replace(name)
+            self.session.tap("tool.rename")
+        self.session.replace(name)
 
     def names(self) -> list:
         return [one.get("name", "") for one in self.saved()["objects"]]
@@ -158,29 +110,27 @@ class Fields(unittest.TestCase):
         self.assertEqual(self.names(), ["cube", 'a "b" \\ c'])
         self.rename("cube", "cube")  # what is called so already is no step
         for name in ("", long, 'a "b" \\ c 2', "cube"):
-            session.key("ctrl+z")
-            self.rest()
+            self.undo()
             self.assertEqual(self.names()[0], name)
-        session.key("ctrl+z")
-        self.rest()
+        self.undo()
         self.assertEqual(self.saved(), before)
 
     def test_4_a_file_whose_name_is_not_utf_8_is_refused_since_no_scene_could_be_saved_with_it(self):
         session, before = self.session, self.saved()
         since = session.said()
         session.key("ctrl+o")
-        session.click("tool.here")
-        session.click("file.na\ufffdme.obj")
+        session.tap("tool.here")
+        session.tap("file.na\ufffdme.obj")
         session.wait_for_line("notice na\ufffdme.obj: the path is not UTF-8.*", since)
         self.assertEqual(self.saved(), before)
 
     def test_5_messages_stand_beside_the_tools_and_are_read(self):
         session = self.session
         since = session.said()
-        session.click("entry.scene")
+        session.tap("entry.scene")
         session.key("Delete")
         session.wait_for_line("notice camera, environment, sky, water and fog belong to the scene.*", since)
-        self.rest()
+        session.read_all()
         left = session.areas["notice"][0]
         for place, (_, top, right, _) in session.areas.items():
             if place.startswith(("tool.", "field.search", "entry.")) and top < 60:
@@ -188,36 +138,31 @@ class Fields(unittest.TestCase):
 
     def test_6_the_menu_of_an_entry_and_the_keyboard_alone(self):
         session = self.session
-        session.click("entry.cube", button=3)
-        session.click("menu.hide")
+        session.tap("entry.cube", button=3)
+        session.tap("menu.hide")
         self.assertTrue(self.saved()["objects"][0]["hidden"])
         session.key("shift+h")
         self.assertNotIn("hidden", self.saved()["objects"][0])
-        session.click("entry.cube", button=3)
-        session.click("menu.lock")
+        session.tap("entry.cube", button=3)
+        session.tap("menu.lock")
         since = session.said()
         session.key("Delete")
         session.wait_for_line("notice what is selected is locked", since)
         session.key("shift+l")
         session.key("Return")  # its first number
-        self.replace("0.25")
+        session.replace("0.25")
         self.assertEqual(self.saved()["objects"][0]["position"], [0.25, 0, 0])
-        session.key("ctrl+z")
-        self.rest()
+        self.undo()
         session.key("ctrl+f")
-        self.rest()
+        session.wait(lambda: session.types, "the field")
         session.xdotool("type", "quoted")
         session.wait(lambda: session.areas["entry." + ODD][1] < session.areas["entry.fog"][3] + 8, "what was found")
-        session.key("ctrl+a")
-        session.key("BackSpace")
-        session.key("Return")
-        self.rest()
+        session.replace("")
 
     def test_7_a_question_is_answered_by_keys(self):
         session = self.session
-        session.click("entry.cube")
+        session.tap("entry.cube")
         session.key("shift+h")
-        self.rest()
         session.key("Escape", "Escape")
         session.wait(lambda: "answer.stay" in session.places, "the question")
         self.rest()
@@ -230,26 +175,24 @@ class Fields(unittest.TestCase):
         self.assertIsNone(session.process.poll())
         scene = self.saved()
         self.assertEqual((scene["objects"][0]["name"], scene["objects"][0]["hidden"]), ("cube", True))
-        session.click("entry.cube")
+        session.tap("entry.cube")
         session.key("shift+h")
 
     def test_8_save_as_writes_another_file_which_is_edited_from_then_on_and_asks_before_it_overwrites(self):
         self.saved()
         session, before = self.session, self.scene.read_text()
         (self.folder / "other.json").write_text("{}")
-        session.click("entry.scene")
-        session.click("field.save as")
-        self.replace("other")
+        session.tap("entry.scene")
+        self.type_into("field.save as", "other")
         since = session.said()
         session.key("ctrl+shift+s")
         session.wait(lambda: "answer.cancel" in session.places, "the question")
-        self.rest()
+        session.read_all()
         session.key("Escape")
-        self.rest()
+        session.read_all()
         self.assertEqual((self.folder / "other.json").read_text(), "{}")
-        session.click("tool.save as")
-        session.wait(lambda: "answer.overwrite" in session.places, "the question")
-        self.rest()
+        session.tap("tool.save as")
+        session.read_all()
         session.key("Return")
         session.wait_for_line(r"saved .*/other\.json", since)
         self.assertEqual(json.loads((self.folder / "other.json").read_text()), json.loads(before))
@@ -259,13 +202,13 @@ class Fields(unittest.TestCase):
 
     def resize(self, width: int, height: int):
         self.session.xdotool("windowsize", "--sync", self.session.window, str(width), str(height))
-        self.rest()
+        self.session.read_all()
 
     def test_9_the_window_becomes_small_while_something_is_dragged(self):
         session, before = self.session, self.saved()
         whole = session.geometry()[2:]
-        session.click("entry.cube")
-        x, y = WIDTH // 2, HEIGHT // 2
+        session.tap("entry.cube")
+        x, y = self.size[0] // 2, self.size[1] // 2
         tree = session.places["entry." + ODD]
         number = (session.areas["numbers.scale"][0] + 8, session.places["numbers.scale"][1])
         for what, start in (("gizmo", (x + 60, y)), ("tree", tree), ("number", number)):
@@ -283,17 +226,13 @@ class Fields(unittest.TestCase):
                 self.resize(*whole)
                 if what != "tree":  # there is nothing to drop it on
                     self.assertNotEqual(self.saved(), before)
-                    since = session.said()
-                    session.key("ctrl+z")
-                    session.wait_for_line("notice undone: .*", since)
+                    self.undo()
                 self.assertEqual(self.saved(), before)
 
     def test_x_it_ends_with_nothing_to_say(self):
-        self.session.key("ctrl+s")
-        self.rest()
+        self.saved()
         self.session.key("Escape", "Escape", "Escape")
-        self.assertEqual(self.session.end(), 0)
-        self.assertEqual([line for line in self.session.errors if line], [])
+        self.assert_ended()
 
 
 if __name__ == "__main__":

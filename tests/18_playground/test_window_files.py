@@ -4,16 +4,10 @@ that fails or is cancelled. Under Xvfb, validated."""
 import json
 import os
 import re
-import shutil
-import sys
-import tempfile
 import time
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-
-from window_session import BUILD, ROOT, Session, XServer  # noqa: E402
+from editor_case import ROOT, EditorTest
 
 SCENE = {"camera": {"position": [0, 0.8, 4], "target": [0, 0, 0], "fov_deg": 40}, "ambient": [0.25, 0.25, 0.3],
          "lights": [{"type": "directional", "direction": [-0.4, -0.8, -0.5], "intensity": 1.5}],
@@ -28,58 +22,45 @@ def grid(side: int) -> str:
     return corners + "".join(f"f {a} {a + 1} {a + side + 2} {a + side + 1}\n" for a in first)
 
 
-class Files(unittest.TestCase):
+class Files(EditorTest):
+    built, size, has_own_cache = SCENE, (720, 700), True  # the browser's files stand beside the panel
+
     @classmethod
-    def setUpClass(cls):
-        cls.folder = Path(tempfile.mkdtemp(prefix="lightwalk_editor_"))
-        cls.addClassCleanup(shutil.rmtree, cls.folder)
-        cls.scene = cls.folder / "built.json"
-        cls.scene.write_text(json.dumps(SCENE))
+    def add_files(cls):
         (cls.folder / "bad.obj").write_text("v 0 0 0\nf 1 2 3\n")
         (cls.folder / "one more.obj").write_text(grid(40))  # a name that is escaped where it is dropped
         (cls.folder / "slow.obj").write_text(grid(600))  # takes longer than a window goes on drawing after a key
         (cls.folder / "large.obj").write_text(grid(1000))  # takes long enough to be cancelled
         # What the editor wrote by itself before it was killed: newer, with an object more.
         cls.left = cls.folder / "built.json.unsaved"
-        ghost = {**SCENE, "objects": [*SCENE["objects"], {"name": "ghost", "model": "models/cube.obj", "position": [1, 0, 0]}]}
+        ghost = {**SCENE, "objects": [*SCENE["objects"], {"name": "ghost", "model": "models/cube.obj", "position": [1, 0, 0],
+                                                          "rotation_deg": [0, 30, 0], "scale": [0.5, 0.5, 0.5]}]}
         cls.left.write_text(json.dumps(ghost))
         os.utime(cls.left, (time.time() + 5, time.time() + 5))
-        cls.server = XServer()
-        cls.addClassCleanup(cls.server.close)
-        cls.session = Session(cls.server, BUILD / "chapters" / "18_playground",
-                              ["--validate", "on", "--size", "720x700", "--scene", str(cls.scene)], cls.folder,
-                              LIGHTWALK_ROOT=str(ROOT), XDG_CACHE_HOME=str(cls.folder / "cache"))
-        cls.addClassCleanup(cls.session.close)
 
     def wait_for(self, pattern: str, since: int):
         return self.session.wait_for_line(pattern, since)
 
-    def saved(self) -> dict:
-        since = self.session.said()
-        self.session.key("ctrl+s")
-        self.wait_for(r"saved .*", since)
-        return json.loads(self.scene.read_text())
-
     def test_1_what_a_crash_has_left_is_offered_and_restored(self):
-        self.session.click("answer.restore")
+        self.session.tap("answer.restore")
         names = [one["name"] for one in self.saved()["objects"]]
         self.assertEqual(names, ["cube", "ghost"])
         self.assertFalse(self.left.exists())
 
     def test_2_files_have_thumbnails_which_are_kept(self):
         session = self.session
-        session.click("tool.open")
-        session.click("field.file filter")
+        session.tap("tool.open")
+        session.tap("field.file filter")
         session.xdotool("type", "cube.")
         session.wait(lambda: "thumbnail.cube.obj" in session.places, "a thumbnail")
         kept = list((self.folder / "cache" / "lightwalk" / "thumbnails").glob("*.png"))
         self.assertTrue(kept and all(re.fullmatch(r"[0-9a-f]{16}\.png", one.name) for one in kept), kept)
-        session.click("tool.open")
+        session.tap("tool.open")
 
     def type_path(self, path: str):
         """Into the browser, in place of what stands there, without waiting for a frame in between; ended with Return."""
-        self.session.click("tool.open")
-        self.session.click("field.path")
+        self.session.tap("tool.open")
+        self.session.tap("field.path")
         self.session.key("ctrl+a")
         self.session.xdotool("type", path)
         self.session.key("Return")
@@ -135,7 +116,61 @@ class Files(unittest.TestCase):
         self.wait_for(r"added one more\.obj", since)
         self.assertEqual(self.names(), ["cube", "ghost", "plane", "sphere", "one more"])
 
-    def test_7_what_took_long_is_in_the_tree_though_nobody_moves_the_mouse(self):
+    def parents(self) -> dict:
+        return {name: one.get("parent") for name, one in self.objects().items()}
+
+    def test_7_the_tree_by_the_mouse_dragged_onto_a_parent_ranges_toggles_and_groups(self):
+        session, before = self.session, self.parents()
+        session.tap("entry.sphere")
+        picture = self.picture()
+        session.drag(session.places["entry.sphere"], session.places["entry.ghost"])
+        self.assertEqual(self.parents(), {**before, "sphere": "ghost"})
+        self.assert_picture(picture)  # it has kept its place, below a parent that is turned and half as large
+        self.undo()
+        session.tap("entry.plane")
+        session.tap("entry.one more", held="shift")
+        session.tap("entry.cube", held="shift")  # from where no Shift was held
+        self.assert_grouped(["cube", "ghost", "plane"])
+        session.tap("entry.cube")
+        for name in ("ghost", "sphere", "ghost"):
+            session.tap("entry." + name, held="ctrl")
+        self.assert_grouped(["cube", "sphere"])
+        self.assertEqual(self.parents(), before)
+
+    def assert_grouped(self, chosen: list):
+        """These are selected; nothing has changed in the end."""
+        self.session.key("ctrl+g")
+        self.assertEqual([name for name, parent in self.parents().items() if parent == "group"], chosen)
+        self.undo()
+
+    def test_8_the_list_of_steps_goes_back_to_the_start_and_forward_again(self):
+        session, before = self.session, self.saved()
+        since = session.said()
+        session.key("F4")
+        session.tap("step.0")
+        session.wait_for_line("notice undone: [0-9]+ steps", since)
+        self.assertEqual(list(self.objects()), ["cube", "ghost"])
+        session.tap("step.3")
+        session.wait_for_line("notice done again: 3 steps", since)
+        self.assertEqual(self.saved(), before)
+        session.key("Escape")
+
+    def test_90_what_a_crash_has_left_of_a_scene_that_is_opened_later_is_offered_too(self):
+        self.saved()
+        session, other = self.session, self.folder / "other.json"
+        other.write_text(json.dumps({**SCENE, "objects": [{"name": "second", "model": "models/cube.obj"}]}))
+        left = self.folder / "other.json.unsaved"
+        left.write_text(other.read_text().replace("second", "rescued"))
+        os.utime(left, (time.time() + 5, time.time() + 5))
+        self.type_path(str(other))
+        session.wait(lambda: "entry.second" in session.places, "the scene")
+        session.read_all()
+        session.key("Return")
+        session.read_all()
+        type(self).scene = other
+        self.assertEqual(list(self.objects()), ["rescued"])
+
+    def test_9_what_took_long_is_in_the_tree_though_nobody_moves_the_mouse(self):
         since = self.session.said()
         self.type_path(str(self.folder / "slow.obj"))
         self.wait_for(r"added slow\.obj", since)
@@ -143,11 +178,10 @@ class Files(unittest.TestCase):
         self.wait_for(r"loading took [\d.]+ s: \d+ frames, .*", since)
         self.assertEqual(self.names()[-1], "slow")
 
-    def test_8_it_ends_with_nothing_to_say(self):
+    def test_x_it_ends_with_nothing_to_say(self):
         self.session.key("Escape")
         self.session.key("Escape")
-        self.assertEqual(self.session.end(), 0)
-        self.assertEqual([line for line in self.session.errors if line], [])
+        self.assert_ended()
 
 
 if __name__ == "__main__":

@@ -1,8 +1,10 @@
 """A program in a window of a virtual X server: what it says, what is on the screen, the mouse and the keyboard."""
+import contextlib
 import ctypes
 import os
 import re
 import shutil
+import signal
 import struct
 import subprocess
 import tempfile
@@ -77,6 +79,10 @@ class Session:
         self.places: dict[str, tuple[float, float]] = {}
         self.areas: dict[str, tuple[int, int, int, int]] = {}  # left, top, right, bottom
         self.mouse = (0, 0, 0, 0)  # x, y, buttons and wheel, as the frame drawn last has read them
+        self.frames = 0  # that have been drawn
+        self.keys_wait = False  # for the next frame
+        self.types = False  # a field has the keyboard
+        self.rests = False  # nothing is drawn until something happens
         self.process = subprocess.Popen([str(program), *options], cwd=folder, env=self.environment, text=True,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.readers = [threading.Thread(target=self.read, args=(pipe, target), daemon=True)
@@ -105,6 +111,12 @@ class Session:
             place = re.fullmatch(r"place (.*) (-?\d+) (-?\d+) (-?\d+) (-?\d+)", line)
             if line.startswith("mouse "):
                 self.mouse = tuple(map(int, line.split()[1:]))
+            elif line.startswith("frame "):
+                words = line.split()
+                self.keys_wait, self.types, self.rests = "keys" in words, "text" in words, False
+                self.frames = int(words[1])
+            elif line == "rests":
+                self.rests = True
             elif place:
                 left, top, right, bottom = self.areas[place[1]] = tuple(map(int, place.groups()[1:]))
                 self.places[place[1]] = ((left + right) / 2, (top + bottom) / 2)
@@ -143,22 +155,39 @@ class Session:
         self.wait(lambda: self.mouse[3] == wheel, f"the wheel at {wheel}")
 
     def click(self, place: str, button: int = 1):
+        """And waits until the picture is at rest."""
+        self.tap(place, button)
+        self.settled(0, 0, *self.geometry()[2:])
+
+    def tap(self, place: str, button: int = 1, held: str = ""):
+        """`held`: a key that is held meanwhile."""
         self.wait(lambda: place in self.places, f"a widget '{place}'")
         at = None
         while at != self.places[place]:  # what has just opened comes to its place in its second frame
             at = self.places[place]
             self.move(*at)
-        self.press(button)
-        self.release(button)
+        with self.holding(held):
+            self.press(button)
+            self.release(button)
         self.park()
-        self.settled(0, 0, *self.geometry()[2:])
 
-    def drag(self, start: tuple[int, int], end: tuple[int, int], button: int = 1):
+    @contextlib.contextmanager
+    def holding(self, key: str):
+        if key:
+            self.xdotool("keydown", key)
+        try:
+            yield
+        finally:
+            if key:
+                self.xdotool("keyup", key)
+
+    def drag(self, start: tuple[int, int], end: tuple[int, int], button: int = 1, held: str = ""):
         self.move(*start)
         self.press(button)
-        for step in (0.25, 0.5, 0.75, 1.0):
-            self.move(*(a + (b - a) * step for a, b in zip(start, end)))
-        self.release(button)
+        with self.holding(held):
+            for step in (0.25, 0.5, 0.75, 1.0):
+                self.move(*(a + (b - a) * step for a, b in zip(start, end)))
+            self.release(button)
         self.park()
 
     def park(self):
@@ -191,6 +220,27 @@ class Session:
     def pixels(self, left: int, top: int, width: int, height: int) -> bytes:
         x, y = self.geometry()[:2]
         return self.server.screen(x + left, y + top, width, height)
+
+    def read_all(self):
+        """Until frames have read all keys and the mouse and moved the panels accordingly: the next frame may have begun
+        before, the one after it reads, and widgets come to their places in another one."""
+        since, began = self.frames, time.monotonic()
+        self.wait(lambda: (self.frames >= since + 3 and not self.keys_wait) or
+                  (self.rests and (self.frames >= since + 2 or time.monotonic() > began + 0.4)), "frames")
+
+    def replace(self, text: str):
+        """What stands in the field that has the keyboard, or is about to get it; ended with Return. One frame reads all of
+        the text: a number counts while it is typed, and 1e39 is 1 at first."""
+        self.wait(lambda: self.types, "a field")
+        self.process.send_signal(signal.SIGSTOP)
+        self.key("ctrl+a")
+        if text:
+            self.xdotool("type", "--", text)
+        else:
+            self.key("BackSpace")
+        self.key("Return")
+        self.process.send_signal(signal.SIGCONT)
+        self.wait(lambda: not self.types and not self.keys_wait, "the end of the text")
 
     def settled(self, *area: int) -> bytes:
         """The pixels of an area once they have stopped changing."""

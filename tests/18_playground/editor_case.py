@@ -1,0 +1,85 @@
+"""The editor in a window, validated, with a scene of its own: what its tests do with it."""
+import json
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
+
+from window_case import PictureTest  # noqa: E402
+from window_session import BUILD, ROOT, Session, XServer  # noqa: E402
+
+
+class EditorTest(PictureTest):
+    """One start, used by one test after the other."""
+
+    size = (500, 700)  # of the picture; frames of a larger one take longer
+    built: dict = {}  # the scene
+    has_own_cache = False  # of thumbnails, and of all that is compiled
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp(prefix="lightwalk_editor_"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.scene = cls.folder / "built.json"
+        cls.scene.write_text(json.dumps(cls.built))
+        cls.add_files()
+        cls.server = XServer()
+        cls.addClassCleanup(cls.server.close)
+        cls.session = cls.start(cls.scene)
+
+    @classmethod
+    def add_files(cls):
+        """Beside the scene, before the start."""
+
+    @classmethod
+    def start(cls, scene: Path) -> Session:
+        session = Session(cls.server, BUILD / "chapters" / "18_playground",
+                          ["--validate", "on", "--size", "{}x{}".format(*cls.size), "--scene", str(scene)], cls.folder,
+                          LIGHTWALK_ROOT=str(ROOT),
+                          **({"XDG_CACHE_HOME": str(cls.folder / "cache")} if cls.has_own_cache else {}))
+        cls.addClassCleanup(session.close)
+        return session
+
+    def saved(self) -> dict:
+        since = self.session.said()
+        self.session.key("ctrl+s")
+        self.session.wait_for_line(r"saved .*", since)
+        return json.loads(self.scene.read_text())
+
+    def objects(self) -> dict:
+        """By name, as they are saved."""
+        return {one.get("name", ""): one for one in self.saved()["objects"]}
+
+    def said_after(self, pattern: str, key: str):
+        """A line that a key leads to."""
+        since = self.session.said()
+        self.session.key(key)
+        return self.session.wait_for_line(pattern, since)
+
+    def undo(self, times: int = 1, key: str = "ctrl+z", words: str = "undone"):
+        for _ in range(times):
+            self.said_after(f"notice {words}: .*", key)
+
+    def rest(self):
+        """The picture, too."""
+        self.session.settled(0, 0, *self.session.geometry()[2:])
+
+    def scroll_to(self, place: str):
+        """Turns the wheel over the properties until a widget of theirs is on the screen."""
+        session = self.session
+        session.wait(lambda: place in session.areas, f"a widget '{place}'")
+        for _ in range(10):
+            if session.areas[place][3] < self.size[1] - 10:
+                return
+            session.move(120, self.size[1] - 60)
+            session.turn(-3)
+            session.park()
+            session.read_all()
+        self.fail(f"{place} does not come: {session.areas[place]}")
+
+    def assert_ended(self):
+        """With nothing to say."""
+        self.assertEqual(self.session.end(), 0)
+        self.assertEqual([line for line in self.session.errors if line], [])
