@@ -106,8 +106,8 @@ bool EditorWindow::choice(const char* label, std::initializer_list<const char*> 
     return changed;
 }
 
-// [edit_together]
-void EditorWindow::edit(const Property& property, const std::function<bool(glm::vec3& value, glm::bvec3 mixed)>& field) {
+void EditorWindow::edit(const Property& property,
+                        const std::function<bool(glm::vec3& value, glm::bvec3 mixed)>& field) {
     const SharedValue shared = shared_value(editor.document, together_, property);
     if (shared.ids.empty()) return;
     glm::vec3 value = shared.value;
@@ -119,7 +119,6 @@ void EditorWindow::edit(const Property& property, const std::function<bool(glm::
     refuse(set_property(editor.document, shared.ids, property, value, glm::notEqual(value, before), editor.gesture,
                         editor.store.path));
 }
-// [/edit_together]
 
 void EditorWindow::edit_number(const Property& property, const char* label, const char* help, float speed, float lower,
                                float upper) {

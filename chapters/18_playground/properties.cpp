@@ -77,7 +77,8 @@ const Property& light_property(const std::string& name) {
         direction.set = [](Entry& entry, const glm::vec3& value) {
             if (glm::length(value) > 1e-6f) entry.light()->direction = glm::normalize(value);
         };
-        Property type{"type", is_light, [](EntryId, const Entry& entry) { return glm::vec3(float(entry.light()->kind)); },
+        Property type{"type", is_light,
+                      [](EntryId, const Entry& entry) { return glm::vec3(float(entry.light()->kind)); },
                       [](Entry& entry, const glm::vec3& value) { entry.light()->kind = static_cast<Kind>(value.x); }};
         return std::vector<Property>{type,
                                      direction,
@@ -125,7 +126,6 @@ std::vector<EntryId> edited_together(const Document& document, const Selection& 
     return ids;
 }
 
-// [together]
 SharedValue shared_value(const Document& document, const std::vector<EntryId>& ids, const Property& property) {
     SharedValue shared;
     for (auto id = ids.rbegin(); id != ids.rend(); ++id) {
@@ -140,16 +140,19 @@ SharedValue shared_value(const Document& document, const std::vector<EntryId>& i
     return shared;
 }
 
+// [set_property]
 Said set_property(Document& document, const std::vector<EntryId>& ids, const Property& property, const glm::vec3& value,
                   glm::bvec3 which, uint64_t gesture, const std::filesystem::path& file) {
     const auto wanted = [&](EntryId id) { return glm::mix(property.get(id, document.at(id)), value, which); };
     std::vector<EntryId> others;
     for (const EntryId id : ids)
-        if (const Entry* entry = document.find(id); entry && property.has(*entry) && property.get(id, *entry) != wanted(id))
+        if (const Entry* entry = document.find(id);
+            entry && property.has(*entry) && property.get(id, *entry) != wanted(id))
             others.push_back(id);
     return edit_all(document, others, property.name, gesture, file,
                     [&](EntryId id, Entry& entry) { property.set(entry, wanted(id)); });
 }
+// [/set_property]
 
 Said edit_all(Document& document, const std::vector<EntryId>& ids, const std::string& what, uint64_t gesture,
               const std::filesystem::path& file, const std::function<void(EntryId, Entry&)>& edit) {
@@ -173,6 +176,5 @@ Said edit_all(Document& document, const std::vector<EntryId>& ids, const std::st
     refused.empty() ? void(document.commit()) : document.cancel();
     return !refused.empty() ? refused : locked ? stays : "";
 }
-// [/together]
 
 }  // namespace lightwalk

@@ -4,11 +4,10 @@
 
 namespace lightwalk {
 
-// [property]
 /// One number of an entry or three, in the units that a person reads: degrees, and 0 or 1 for a switch.
 struct Property {
-    std::string name;                        ///< as a step says it: "colour"
-    std::function<bool(const Entry&)> has;   ///< a point light has no cone
+    std::string name;                       ///< as a step says it: "colour"
+    std::function<bool(const Entry&)> has;  ///< a point light has no cone
     std::function<glm::vec3(EntryId, const Entry&)> get;
     std::function<void(Entry&, const glm::vec3&)> set;
 };
@@ -19,7 +18,6 @@ struct SharedValue {
     glm::vec3 value{0.0f};     ///< of the last of them, which is the active entry
     glm::bvec3 mixed{false};   ///< which numbers are not the same in all
 };
-// [/property]
 
 /// type (as Light::Kind), colour, intensity, direction, angular size, position, range, lamp size, inner angle, outer angle,
 /// softness or shadow.

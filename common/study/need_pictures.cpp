@@ -35,11 +35,15 @@ NeedPictures::NeedPictures(Chapter& chapter, Gpu& gpu, const StudyPlan& plan, co
       small_frame_(gpu),
       crop_frame_(gpu),
       whole_frame_(gpu) {
+    chapter_.tries_knobs = true;
     for (const StudyPoint& point : plan.candidates)
         if (allowed(point)) candidates.push_back(point);
-    if (candidates.empty())
-        throw InputError("no candidate of chapter " + chapter.name + " agrees with the knobs that are set");
+    if (!candidates.empty()) return;
+    chapter_.tries_knobs = false;
+    throw InputError("no candidate of chapter " + chapter.name + " agrees with the knobs that are set");
 }
+
+NeedPictures::~NeedPictures() { chapter_.tries_knobs = false; }
 
 bool NeedPictures::allowed(const StudyPoint& point) const {
     if (!have_values(knobs_, point.where)) return false;

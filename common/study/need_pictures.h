@@ -13,6 +13,7 @@ class NeedPictures {
     /// Of the plan's candidates those that agree with the chapter's pinned knobs and their own `where`. Throws
     /// InputError where none does.
     NeedPictures(Chapter& chapter, Gpu& gpu, const StudyPlan& plan, const Picture& picture, FrameClock clock);
+    ~NeedPictures();
 
     struct Measured {
         double error = 0;  ///< mean FLIP against the truth

