@@ -87,7 +87,8 @@ fs::path study_of(const Chapter& chapter, const KnobBase& knob) {
     return found == studies().end() ? fs::path() : found->second;
 }
 
-std::string choose_method(Chapter& chapter, Gpu& gpu, KnobBase& method, double budget, const Picture& picture) {
+std::string choose_method(Chapter& chapter, Gpu& gpu, KnobBase& method, double budget, const Picture& picture,
+                          const std::function<void()>& between) {
     const fs::path file = study_of(chapter, method);
     if (file.empty()) throw InputError("{}: no study compares its methods", method.path());
     if (chapter.subject && is_own_method(chapter, method))
@@ -99,7 +100,8 @@ std::string choose_method(Chapter& chapter, Gpu& gpu, KnobBase& method, double b
     const bool pinned = std::exchange(method.pinned, false);
     const auto pin_again = [&] { method.pinned = pinned; };
     try {
-        const json said = choose_candidates(chapter, gpu, plan, {.budgets = {budget}, .picture = picture})[0];
+        const json said =
+            choose_candidates(chapter, gpu, plan, {.budgets = {budget}, .picture = picture, .between = between})[0];
         pin_again();
         return line_of(said, method, picture.size);
     } catch (...) {

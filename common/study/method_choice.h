@@ -11,7 +11,8 @@ std::filesystem::path study_of(const Chapter& chapter, const KnobBase& knob);
 /// Sets the cheapest method whose mean FLIP in `picture` is at most `budget`, as --method auto does, and the knobs that go
 /// with it; what the command line has set stays, but for the method itself. Returns a line that says which and why. Throws
 /// InputError with a line that says why this cannot be measured here; all knobs are then as they were. The exercises that
-/// are to judge are in use before.
-std::string choose_method(Chapter& chapter, Gpu& gpu, KnobBase& method, double budget, const Picture& picture);
+/// are to judge are in use before. `between`: called before each picture that is drawn; what it throws ends all.
+std::string choose_method(Chapter& chapter, Gpu& gpu, KnobBase& method, double budget, const Picture& picture,
+                          const std::function<void()>& between = {});
 
 }  // namespace lightwalk

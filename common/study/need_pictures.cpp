@@ -60,6 +60,7 @@ bool NeedPictures::large(glm::uvec2 whole) {
 glm::uvec2 NeedPictures::small_size() const { return glm::max(picture_.size / reduction, 1u); }
 
 double NeedPictures::draw(const KnobValues& values, Frame& frame, glm::uvec2 size, const Crop& crop) {
+    if (between) between();
     kept_.put_back();
     set_knobs(knobs_, values);
     chapter_.forget_history();

@@ -20,6 +20,7 @@ class NeedPictures {
         double ms = 0;     ///< the clock's time of the candidate
     };
 
+    std::function<void()> between;  ///< before each picture, where there is one
     std::vector<StudyPoint> candidates;
     const std::vector<CropPlace> places;      ///< empty where the picture is not large
     double truth_crops_ms = 0, truth_ms = 0;  ///< GPU time of the truth's crops so far, and of its whole picture

@@ -154,7 +154,7 @@ Requests Window::build_panel() {
     if (tool_ && tool_->draw_panels(picture_size(), display_.scale())) requests.changed = true;
     if (automatic_.wanted != asked_before) {
         asked_auto_ = drawn_;
-        tell("measuring the methods of " + automatic_.wanted + " ...");
+        tell("measuring the methods of " + automatic_.wanted + " ... (Esc cancels)");
         requests.changed = true;
     }
     overlay_.end();

@@ -1,5 +1,6 @@
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <ctime>
 
 #include "common/app/read_picture.h"
@@ -201,8 +202,15 @@ void Window::choose_automatically() {
     try {
         const ToggleScope judges(Exercises::ids(), true);
         live_.follow_toggles();
+        const auto cancelled = [&] {
+            const Input input = display_.poll(0.0);
+            return display_.wants_to_close() || std::any_of(input.pressed.begin(), input.pressed.end(),
+                                                            [](auto& one) { return one.key == GLFW_KEY_ESCAPE; });
+        };
         line = choose_method(chapter_, gpu_, method, double(automatic_.budget),
-                             {picture_size(), time_s_, options_.seed, {}});
+                             {picture_size(), time_s_, options_.seed, {}}, [&] {
+                                 if (cancelled()) throw InputError(method.path() + ": not measured, cancelled by Esc");
+                             });
         automatic_.chosen[method.path()] = {method.text(), line};
     } catch (const std::exception& e) { line = e.what(); }
     tell(line);

@@ -89,6 +89,19 @@ TEST_CASE("method choice: the command line pins other knobs, not the method that
     CHECK(chapter.lights.method.pinned);
 }
 
+TEST_CASE("method choice: it can be ended between two pictures, and all knobs are as they were") {
+    Grey chapter;
+    int pictures = 0;
+    const auto end = [&] {
+        if (++pictures == 3) throw InputError("enough");
+    };
+    CHECK_THROWS_WITH(choose_method(chapter, check_device(), chapter.lights.method, 0.01, {{64, 36}, 0, 0, {}}, end),
+                      "enough");
+    CHECK(chapter.frames == 2);
+    CHECK(chapter.lights.method.is("tiled"));
+    CHECK_FALSE(chapter.tries_knobs);
+}
+
 TEST_CASE("method choice: where nothing can be measured a line says why, and all knobs stay") {
     Grey chapter;
     const auto says = [&](KnobBase& knob, const char* why) {
