@@ -48,7 +48,7 @@ void EditorWindow::draw_switches(EntryId id) {
         help_on_hover("What is edited here is edited in all of them; a dash stands for values that differ");
     }
     if (const size_t others = ids.size() - together_.size())
-        ImGui::TextColored(quiet_color, "%zu of another kind are not edited", others);
+        ImGui::TextColored(quiet_color, "not edited: %zu of another kind", others);
     const auto differs = [&](bool Entry::*which) {
         return std::any_of(ids.begin(), ids.end(), [&](EntryId one) {
             return one != root_entry && editor.document.at(one).*which != entry.*which;

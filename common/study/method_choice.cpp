@@ -72,8 +72,10 @@ std::string line_of(const json& said, const KnobBase& method, glm::uvec2 size) {
         return fmt::format("{}: none of {} is within {:g}; the most accurate is {} ({})", method.path(), all.size(),
                            budget, words, measured);
     const bool alike = std::all_of(all.begin(), all.end(), [](const json& c) { return c["error"] == 0.0; });
-    return fmt::format("{}: {} is the fastest of {} {} ({})", method.path(), words, all.size(),
-                       alike ? "that draw this picture alike" : fmt::format("within {:g}", budget), measured);
+    return alike ? fmt::format("{}: {} is the fastest; all {} draw this picture alike ({})", method.path(), words,
+                               all.size(), measured)
+                 : fmt::format("{}: {} is the fastest within {:g}; {} were measured ({})", method.path(), words, budget,
+                               all.size(), measured);
 }
 
 }  // namespace
