@@ -95,9 +95,9 @@ class Properties(unittest.TestCase):
         self.select("two")
         alone = x_field()
         self.select("one", "two")
-        self.assertNotEqual(x_field(), alone)
+        self.assertTrue(x_field() != alone, "no dash")
         self.type_first("numbers.position", "1")  # which "two" has already
-        self.assertEqual(x_field(), alone)
+        self.assertTrue(x_field() == alone, "not the number that was typed")
         self.assertEqual([one["position"] for one in self.saved()["objects"]], [[1, 0.25, 0], [1, 0.5, 0]])
         self.undo("position of one")
         self.assertEqual(self.saved(), self.before)
@@ -156,8 +156,6 @@ class Properties(unittest.TestCase):
         self.assertEqual(self.choose("picker.method"), "picker.method: its study measures wrong_picks, not the picture")
         self.rest()
         self.assertEqual(self.saved(), before)
-        self.session.click("knob.picker.method")
-        self.session.key("Escape")
 
     def test_7_it_ends_with_nothing_to_say(self):
         self.session.click("entry.scene")
