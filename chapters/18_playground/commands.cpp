@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "03_attenuation/scattered_lights.h"
+#include "18_playground/tree.h"
 #include "18_playground/utf8.h"
 
 namespace lightwalk {
@@ -260,9 +261,12 @@ Said rename(Document& document, EntryId id, const std::string& name) {
 namespace {
 
 void set_switch(Document& document, const std::vector<EntryId>& ids, const char* step, bool Entry::*which, bool on) {
-    document.begin(step);
+    std::vector<EntryId> others;
     for (const EntryId id : ids)
-        if (id != root_entry && document.find(id) && document.at(id).*which != on) document.edit(id).*which = on;
+        if (id != root_entry && document.find(id) && document.at(id).*which != on) others.push_back(id);
+    document.begin(others.size() == 1 ? fmt::format("{} {}", step, shown_name(document.at(others[0])))
+                                      : fmt::format("{} {} entries", step, others.size()));
+    for (const EntryId id : others) document.edit(id).*which = on;
     document.commit();
 }
 

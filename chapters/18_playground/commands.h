@@ -52,7 +52,9 @@ Said reparent(Document& document, const std::vector<EntryId>& ids, EntryId paren
 Said rename(Document& document, EntryId id, const std::string& name);
 void set_hidden(Document& document, const std::vector<EntryId>& ids, bool hidden);
 void set_locked(Document& document, const std::vector<EntryId>& ids, bool locked);
-/// Refuses what the scene file would: a scale of 0, what is not finite or too large.
+/// Why the scene file would refuse this place: a scale of 0, what is not finite or too large.
+Said cannot_be_placed(const Placement& placement);
+/// Refuses what cannot be placed there.
 Said place(Document& document, EntryId id, const Placement& placement, uint64_t gesture = 0);
 /// Knobs of the chapter that have another value than the document says.
 void set_knobs(Document& document, const std::map<std::string, std::string>& knobs, uint64_t gesture);

@@ -85,7 +85,7 @@ void Editor::open_document(Chapter& chapter, Document next) {
 }
 
 void Editor::take_knobs(const Chapter& chapter) {
-    if (drag) return;  // its step is open
+    if (drag || chapter.tries_knobs) return;  // a drag's step is open
     std::map<std::string, std::string> changed;
     for (const KnobBase* knob : chapter.all_knobs()) {
         if (is_no_setting(*knob)) continue;

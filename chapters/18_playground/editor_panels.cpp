@@ -212,6 +212,7 @@ void EditorWindow::draw_keys(float scale) {
             {"F", "frame what is selected"},
             {"Up, Down, Left, Right", "the tree: select another entry; fold, unfold"},
             {"Enter, Tab", "type numbers of what is selected; the next one"},
+            {"properties of several", "what is typed is set in all; a dash: they differ"},
             {"Ctrl+F, Ctrl+R", "search the tree; rename, as by a double click"},
             {"Shift+H, Shift+L", "hide or show; lock or unlock"},
             {"Shift+1, 2, 3, 4", "add a sun, a lamp, a spot; scatter lights"},

@@ -5,6 +5,7 @@
 #include "18_playground/background_load.h"
 #include "18_playground/file_browser.h"
 #include "18_playground/playground.h"
+#include "18_playground/properties.h"
 #include "common/window/window_tool.h"
 
 namespace lightwalk {
@@ -34,6 +35,7 @@ struct EditorWindow : Playground, WindowTool {
         followed_ = no_entry;  // its line comes into sight
     }
     void draw_properties();
+    void draw_switches(EntryId id);
     void draw_object(EntryId id);
     void draw_material(EntryId id);
     void draw_light(EntryId id);
@@ -49,9 +51,21 @@ struct EditorWindow : Playground, WindowTool {
     void unfold_chosen(bool open);
     void scatter_lights();
     bool takes(const char* label, float* values, int count, const float* before, float lower, float upper);
-    bool number(const char* label, const char* help, float& value, float speed, float lower, float upper);
-    bool numbers(const char* label, const char* help, glm::vec3& value, float speed);
-    bool color(const char* label, const char* help, glm::vec3& value, float most);
+    // Fields; `mixed`: a dash stands for what is not the same in several entries.
+    bool number(const char* label, const char* help, float& value, float speed, float lower, float upper,
+                bool mixed = false);
+    bool numbers(const char* label, const char* help, glm::vec3& value, float speed,
+                 glm::bvec3 mixed = glm::bvec3(false));
+    bool color(const char* label, const char* help, glm::vec3& value, float most, glm::bvec3 mixed = glm::bvec3(false));
+    bool check(const char* label, const char* help, bool& on, bool mixed);
+    bool choice(const char* label, std::initializer_list<const char*> names, float& index, bool mixed);
+    /// A field of a property of together_: what is edited there is set in all of them.
+    void edit(const Property& property, const std::function<bool(glm::vec3& value, glm::bvec3 mixed)>& field);
+    void edit_number(const Property& property, const char* label, const char* help, float speed, float lower,
+                     float upper);
+    void edit_numbers(const Property& property, const char* label, const char* help, float speed);
+    void edit_color(const Property& property, const char* label, const char* help, float most);
+    void edit_map(const std::string& slot);
     void say(const Said& said) {
         if (!said.empty()) editor.notice = said;
     }
@@ -70,8 +84,7 @@ struct EditorWindow : Playground, WindowTool {
     static std::vector<std::string> facet_names();
     void draw_ball(EntryId id, const DrawItem& item);
     void carry_on_previews();
-    template <class Change>
-    void change(EntryId id, const char* what, const Change& set);
+    void set_settings(const std::string& what, const SceneSettings& settings);
     void frame_selected();
     void check_recovery();
     bool saves_own() const;
@@ -103,6 +116,7 @@ struct EditorWindow : Playground, WindowTool {
     static constexpr uint32_t ball_size = 88;  ///< pixels
     std::string facet_;                        ///< of the scene: its entry in the tree; empty: the scene itself
     std::string refused_, search_, renaming_text_, save_name_ = "scene.json";
+    std::vector<EntryId> together_;  ///< whose properties are edited; the active entry is the last
     EntryId renaming_ = no_entry, last_clicked_ = no_entry, followed_ = no_entry;  ///< whose line was scrolled to last
     size_t listed_ = SIZE_MAX;               ///< the step that the list was scrolled to last
     bool types_ = false, searches_ = false;  ///< the next frame puts the keyboard into a field

@@ -83,10 +83,7 @@ glm::mat4 world_of(const Document& document, EntryId id) {
     return glm::mat4(world);
 }
 
-Said place(Document& document, EntryId id, const Placement& placement, uint64_t gesture) {
-    if (is_locked(document, id)) return "it is locked";
-    const SceneObject* object = document.at(id).object();
-    if (!object) return "only objects have a rotation and a scale";
+Said cannot_be_placed(const Placement& placement) {
     for (int i = 0; i < 3; ++i) {
         if (!(std::fabs(placement.scale[i]) >= least_scale && std::fabs(placement.scale[i]) <= 1e6f))
             return fmt::format("a scale of {:g} is not possible: 1e-6 to 1e6, or negative to mirror",
@@ -96,6 +93,14 @@ Said place(Document& document, EntryId id, const Placement& placement, uint64_t 
         if (!(std::fabs(placement.rotation_deg[i]) <= 1e9f))
             return fmt::format("a rotation of {:g}° is not possible: -1e9 to 1e9", placement.rotation_deg[i]);
     }
+    return "";
+}
+
+Said place(Document& document, EntryId id, const Placement& placement, uint64_t gesture) {
+    if (is_locked(document, id)) return "it is locked";
+    const SceneObject* object = document.at(id).object();
+    if (!object) return "only objects have a rotation and a scale";
+    if (const Said refused = cannot_be_placed(placement); !refused.empty()) return refused;
     if (placement_of(*object) == placement) return "";
     document.begin("place " + object->name, gesture);
     SceneObject& edited = *document.edit(id).object();

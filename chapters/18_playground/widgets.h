@@ -10,6 +10,9 @@
 
 namespace lightwalk {
 
+/// Widths of labels on the right of their fields.
+inline constexpr float label_px = 110.0f, short_label_px = 70.0f, color_label_px = 80.0f;
+
 /// Whether a key went down since the frame before.
 inline bool key_pressed(ImGuiKey key) {
 #if IMGUI_VERSION_NUM >= 18700

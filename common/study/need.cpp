@@ -197,6 +197,7 @@ std::vector<json> choose_candidates(Chapter& chapter, Gpu& gpu, const StudyPlan&
     KnobValues chosen;
     {
         NeedPictures pictures(chapter, gpu, plan, question.picture, question.clock);
+        pictures.between = question.between;
         for (const double budget : question.budgets) {
             const NeedRule rule(pictures, budget, question.crops);
             explanations.push_back(rule.explanation());

@@ -14,6 +14,7 @@ struct NeedQuestion {
     Picture picture;              ///< whose error and time count
     bool crops = false;           ///< draw crops also where whole pictures cost less, if the picture is large enough
     FrameClock clock = gpu_ms;
+    std::function<void()> between{};  ///< before each picture that is drawn; what it throws ends the measurement
 };
 
 /// For each budget the cheapest of the plan's candidates whose error is at most the budget, of those that agree with

@@ -35,11 +35,15 @@ NeedPictures::NeedPictures(Chapter& chapter, Gpu& gpu, const StudyPlan& plan, co
       small_frame_(gpu),
       crop_frame_(gpu),
       whole_frame_(gpu) {
+    chapter_.tries_knobs = true;
     for (const StudyPoint& point : plan.candidates)
         if (allowed(point)) candidates.push_back(point);
-    if (candidates.empty())
-        throw InputError("no candidate of chapter " + chapter.name + " agrees with the knobs that are set");
+    if (!candidates.empty()) return;
+    chapter_.tries_knobs = false;
+    throw InputError("no candidate of chapter " + chapter.name + " agrees with the knobs that are set");
 }
+
+NeedPictures::~NeedPictures() { chapter_.tries_knobs = false; }
 
 bool NeedPictures::allowed(const StudyPoint& point) const {
     if (!have_values(knobs_, point.where)) return false;
@@ -56,6 +60,7 @@ bool NeedPictures::large(glm::uvec2 whole) {
 glm::uvec2 NeedPictures::small_size() const { return glm::max(picture_.size / reduction, 1u); }
 
 double NeedPictures::draw(const KnobValues& values, Frame& frame, glm::uvec2 size, const Crop& crop) {
+    if (between) between();
     kept_.put_back();
     set_knobs(knobs_, values);
     chapter_.forget_history();

@@ -13,12 +13,14 @@ class NeedPictures {
     /// Of the plan's candidates those that agree with the chapter's pinned knobs and their own `where`. Throws
     /// InputError where none does.
     NeedPictures(Chapter& chapter, Gpu& gpu, const StudyPlan& plan, const Picture& picture, FrameClock clock);
+    ~NeedPictures();
 
     struct Measured {
         double error = 0;  ///< mean FLIP against the truth
         double ms = 0;     ///< the clock's time of the candidate
     };
 
+    std::function<void()> between;  ///< before each picture, where there is one
     std::vector<StudyPoint> candidates;
     const std::vector<CropPlace> places;      ///< empty where the picture is not large
     double truth_crops_ms = 0, truth_ms = 0;  ///< GPU time of the truth's crops so far, and of its whole picture

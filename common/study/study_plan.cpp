@@ -1,73 +1,41 @@
 #include "common/study/study_plan.h"
 
-#include <initializer_list>
 #include <set>
 
+#include "common/app/module.h"
 #include "common/base/error.h"
 #include "common/scene/scene_file.h"
+#include "common/study/json_node.h"
 
 namespace lightwalk {
 namespace {
 
 using nlohmann::json;
 
-// A value of the file, and where it stands.
-class JsonNode {
-  public:
-    JsonNode(const JsonWithLines& source, const json& of, std::string pointer)
-        : value(of), source_(source), pointer_(std::move(pointer)) {}
-
-    const json& value;
-
-    [[noreturn]] void refuse(const std::string& why) const {
-        throw InputError(source_.where(pointer_) + (why[0] == ':' ? "" : " ") + why);
-    }
-    void expect(bool right, const char* what) const {
-        if (!right) refuse(std::string("is ") + value.dump() + ", expected " + what);
-    }
-    void expect_keys(std::initializer_list<const char*> known) const {
-        expect(value.is_object(), "an object { }");
-        std::string names;
-        for (const char* name : known) names += (names.empty() ? "" : ", ") + std::string(name);
-        for (const auto& [key, ignored] : value.items())
-            if (std::find(known.begin(), known.end(), key) == known.end())
-                (*this)[key].refuse("is unknown here; known: " + names);
-    }
-    bool has(const std::string& key) const { return value.contains(key); }
-    JsonNode operator[](const std::string& key) const {
-        if (!has(key)) refuse("has no \"" + key + "\"");
-        return {source_, value.at(key), pointer_ + "/" + key};
-    }
-    std::vector<JsonNode> items() const {
-        expect(value.is_array() && !value.empty(), "a list [ ] with something in it");
-        std::vector<JsonNode> nodes;
-        for (size_t i = 0; i < value.size(); ++i)
-            nodes.emplace_back(source_, value[i], pointer_ + "/" + std::to_string(i));
-        return nodes;
-    }
-    std::string text() const {
-        expect(value.is_string() && !value.get_ref<const std::string&>().empty(), "a text in quotes");
-        return value.get<std::string>();
-    }
-    std::string one_of(std::initializer_list<const char*> words, const char* what) const {
-        expect(std::find(words.begin(), words.end(), text()) != words.end(), what);
-        return text();
-    }
-
-  private:
-    const JsonWithLines& source_;
-    std::string pointer_;
-};
-
 class PlanReader {
   public:
-    explicit PlanReader(const KnobList& knobs) : knobs_(knobs) {}
+    /// `method`: of another chapter than the study's, which has these knobs; null: it is the study's own.
+    explicit PlanReader(const KnobList& knobs, const KnobBase* method = nullptr) : knobs_(knobs), method_(method) {}
+
+    StudyPlan read_for_method(const JsonNode& study) {
+        plan_.error_metric = study["error_metric"].text();
+        read_truth(study["truth"]);
+        for (const JsonNode& curve : study[study.has("candidates") ? "candidates" : "curves"].items()) try {
+                read_curve(curve, plan_.candidates);
+            } catch (const InputError&) {}  // this chapter does not have it
+        for (StudyPoint& point : plan_.candidates)
+            if (!point.method.empty()) point.set.emplace_back(method_->path(), std::exchange(point.method, ""));
+        return plan_;
+    }
 
     StudyPlan read(const JsonNode& study) {
-        study.expect_keys({"title", "error_metric", "stage", "size", "rounds", "truth", "scenes", "curves", "charts",
-                           "better", "metrics", "generate", "test_size", "test_scenes", "candidates", "budgets",
-                           "crops"});
+        study.expect_keys({"title", "module", "error_metric", "stage", "size", "rounds", "truth", "scenes", "curves",
+                           "charts", "better", "metrics", "generate", "test_size", "test_scenes", "candidates",
+                           "budgets", "crops"});
         plan_.title = study["title"].text();
+        if (study.has("module"))
+            study["module"].expect(study["module"].text() == find(study["module"], "method").owner.kind(),
+                                   "the kind of the module that has the chapter's methods");
         plan_.error_metric = study["error_metric"].text();
         plan_.stage = study["stage"].text();
         if (study.has("size")) plan_.size = read_size(study["size"]);
@@ -113,6 +81,9 @@ class PlanReader {
 
   private:
     KnobBase& find(const JsonNode& at, const std::string& name) const {
+        if (method_)
+            for (KnobBase* knob : knobs_)
+                if (&knob->owner == &method_->owner && knob->name == name) return *knob;
         try {
             return find_knob(knobs_, name);
         } catch (const InputError& e) { at.refuse(std::string(": ") + e.what()); }
@@ -128,6 +99,10 @@ class PlanReader {
         return text;
     }
 
+    std::string named(const JsonNode& at, const std::string& name) const {
+        return method_ ? find(at, name).path() : name;
+    }
+
     static std::vector<JsonNode> values_of(const JsonNode& node) {
         return node.value.is_array() ? node.items() : std::vector<JsonNode>{node};
     }
@@ -135,7 +110,8 @@ class PlanReader {
     KnobValues read_set(const JsonNode& set) const {
         set.expect(set.value.is_object(), "an object { } of knobs");
         KnobValues values;
-        for (const auto& [name, ignored] : set.value.items()) values.emplace_back(name, checked(set[name], name));
+        for (const auto& [name, ignored] : set.value.items())
+            values.emplace_back(named(set[name], name), checked(set[name], name));
         return values;
     }
 
@@ -175,7 +151,7 @@ class PlanReader {
                 for (const StudyPoint& point : points)
                     for (const JsonNode& value : values_of(node)) {
                         next.push_back(point);
-                        next.back().set.emplace_back(name, checked(value, name));
+                        next.back().set.emplace_back(named(node, name), checked(value, name));
                     }
                 points = std::move(next);
             }
@@ -270,6 +246,7 @@ class PlanReader {
     }
 
     const KnobList& knobs_;
+    const KnobBase* const method_;
     StudyPlan plan_;
 };
 
@@ -278,6 +255,11 @@ class PlanReader {
 StudyPlan read_study(const JsonWithLines& source, const KnobList& knobs) {
     const KeptKnobs kept(knobs);  // reading tries every value
     return PlanReader(knobs).read(JsonNode(source, source.root, ""));
+}
+
+StudyPlan read_study_of(const KnobBase& method, const JsonWithLines& source, const KnobList& knobs) {
+    const KeptKnobs kept(knobs);
+    return PlanReader(knobs, &method).read_for_method(JsonNode(source, source.root, ""));
 }
 
 KnobValues StudyPoint::all() const {

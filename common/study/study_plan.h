@@ -24,7 +24,8 @@ struct StudyPoint {
 
 /// The sweep of one frame study.
 ///
-///     {"title": "...", "error_metric": "flip_mean", "stage": "fragment", "size": [960, 540], "rounds": 11,
+///     {"title": "...", "module": "shadow", "error_metric": "flip_mean", "stage": "fragment", "size": [960, 540],
+///      "rounds": 11,
 ///      "truth": {"set": {"samples": 8}, "doubled": {"samples": 16}, "most_change": 0.001},
 ///      "scenes": ["assets/scenes/teapot.json",
 ///                 {"scene": "assets/scenes/yard.json", "set": {"lights": 100}, "label": "100 lights"}],
@@ -54,5 +55,10 @@ struct StudyPlan {
 /// Throws InputError with file, line and key: a key that is missing, unknown or of a wrong type, a file that is not
 /// there, a knob or value that the chapter does not have, a knob set twice, two scenes with one label.
 StudyPlan read_study(const JsonWithLines& source, const KnobList& knobs);
+
+/// Of the study of another chapter what the need rule asks for, with the methods of `method`, a knob of this chapter: metric,
+/// truth and candidates. A knob is first looked for in the method's own module; all are named by their paths. Candidates
+/// with knobs or values that this chapter does not have are left out. Throws InputError where the truth has some.
+StudyPlan read_study_of(const KnobBase& method, const JsonWithLines& source, const KnobList& knobs);
 
 }  // namespace lightwalk

@@ -71,7 +71,8 @@ void KnobSections::remember(const std::string& path, bool open) {
     log_event(fmt::format("section {} {}", path.empty() ? "chapter" : path, open ? "open" : "closed"));
 }
 
-bool KnobSections::section(const std::string& path, const KnobList& knobs, const std::vector<PassTime>& times) {
+bool KnobSections::section(const std::string& path, const KnobList& knobs, const std::vector<PassTime>& times,
+                           AutoChoices& automatic) {
     const bool filtered = filter_[0] != 0;
     const std::string title = path.empty() ? "this chapter" : path;
     const auto stored = open_.find(path);
@@ -91,7 +92,7 @@ bool KnobSections::section(const std::string& path, const KnobList& knobs, const
     bool changed = false;
     const float label_width = label_column(knobs);
     for (KnobBase* knob : knobs)
-        if (knob_widget(*knob, label_width, cost_of_knob(*knob, times))) {
+        if (knob_widget(*knob, label_width, cost_of_knob(*knob, times), &automatic)) {
             changed = true;
             log_event("knob " + knob->path() + " " + knob->text());
         }
@@ -107,7 +108,7 @@ bool KnobSections::section(const std::string& path, const KnobList& knobs, const
     return changed;
 }
 
-bool KnobSections::draw(Chapter& chapter, const std::vector<PassTime>& times) {
+bool KnobSections::draw(Chapter& chapter, const std::vector<PassTime>& times, AutoChoices& automatic) {
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::InputTextWithHint("##filter", "filter by name or help", filter_, sizeof filter_);
     log_place("filter");
@@ -120,7 +121,7 @@ bool KnobSections::draw(Chapter& chapter, const std::vector<PassTime>& times) {
     }
     bool changed = false, any = false;
     for (const auto& [path, knobs] : sections)
-        if (!knobs.empty()) any = true, changed |= section(path, knobs, times);
+        if (!knobs.empty()) any = true, changed |= section(path, knobs, times, automatic);
     if (!any) ImGui::TextColored(quiet_color, "no knob matches");
     return changed;
 }

@@ -5,6 +5,7 @@
 
 #include "common/app/chapter.h"
 #include "common/gpu/frame.h"
+#include "common/window/auto_choices.h"
 
 namespace lightwalk {
 
@@ -15,10 +16,11 @@ class KnobSections {
     explicit KnobSections(std::string chapter);
 
     /// True where a knob has changed. `times`: of the passes, for the costs beside sections and knobs.
-    bool draw(Chapter& chapter, const std::vector<PassTime>& times);
+    bool draw(Chapter& chapter, const std::vector<PassTime>& times, AutoChoices& automatic);
 
   private:
-    bool section(const std::string& path, const KnobList& knobs, const std::vector<PassTime>& times);
+    bool section(const std::string& path, const KnobList& knobs, const std::vector<PassTime>& times,
+                 AutoChoices& automatic);
     void remember(const std::string& path, bool open);
     std::string chapter_;
     std::map<std::string, bool> open_;  ///< by the module's path

@@ -65,28 +65,46 @@ void wrapped_tooltip(const std::string& text, const std::string& facts = "") {
 
 bool widget(Knob<bool>& knob, const char* id) { return ImGui::Checkbox(id, &knob.value); }
 
-bool widget(Choice& knob, const char* id) {
+// The last entry of a menu of methods: asks for the need rule, which then chooses as --method auto does.
+void auto_entry(const std::string& path, AutoChoices& automatic) {
+    ImGui::Separator();
+    if (ImGui::Selectable("auto", false)) automatic.wanted = path;
+    log_place("option." + path + ".auto");
+    if (ImGui::IsItemHovered())
+        wrapped_tooltip(
+            "Measures all methods in this picture, once, and takes the fastest one whose error is within the budget.");
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::SliderFloat("##budget", &automatic.budget, 0.0f, 0.2f, "budget: FLIP %.3f", ImGuiSliderFlags_AlwaysClamp);
+    log_place("budget." + path);
+    if (ImGui::IsItemHovered()) wrapped_tooltip("Error budget of auto: greatest mean FLIP against the reference.");
+}
+
+bool widget(Choice& knob, const char* id, AutoChoices* automatic) {
     bool changed = false;
-    if (!ImGui::BeginCombo(id, knob.text().c_str())) return false;
+    const std::string path = knob.path();
+    const bool by_auto = automatic && automatic->holds(path, knob.text());
+    if (!ImGui::BeginCombo(id, (knob.text() + (by_auto ? " (auto)" : "")).c_str())) return false;
     for (size_t i = 0; i < knob.options.size(); ++i) {
         if (ImGui::Selectable(knob.options[i].c_str(), i == knob.index)) {
             changed = i != knob.index;
             knob.index = i;
+            if (automatic) automatic->chosen.erase(path);  // this was a person's choice
         }
         if (const std::string words = option_help(knob.help, knob.options[i]); !words.empty() && ImGui::IsItemHovered())
             wrapped_tooltip(words);
-        log_place("option." + knob.path() + "." + knob.options[i]);
+        log_place("option." + path + "." + knob.options[i]);
     }
+    if (automatic && automatic->offered.contains(path)) auto_entry(path, *automatic);
     ImGui::EndCombo();
     return changed;
 }
 
-bool widget(KnobBase& knob, const char* id) {
+bool widget(KnobBase& knob, const char* id, AutoChoices* automatic) {
     if (auto* number = dynamic_cast<Knob<float>*>(&knob)) return widget(*number, id);
     if (auto* whole = dynamic_cast<Knob<int>*>(&knob)) return widget(*whole, id);
     if (auto* vector = dynamic_cast<Knob<glm::vec3>*>(&knob)) return widget(*vector, id);
     if (auto* on_off = dynamic_cast<Knob<bool>*>(&knob)) return widget(*on_off, id);
-    if (auto* choice = dynamic_cast<Choice*>(&knob)) return widget(*choice, id);
+    if (auto* choice = dynamic_cast<Choice*>(&knob)) return widget(*choice, id, automatic);
     ImGui::TextUnformatted(knob.text().c_str());
     return false;
 }
@@ -159,7 +177,7 @@ float label_column(const KnobList& knobs) {
     return widest;
 }
 
-bool knob_widget(KnobBase& knob, float label_width, const std::string& beside) {
+bool knob_widget(KnobBase& knob, float label_width, const std::string& beside, AutoChoices* automatic) {
     ImGui::PushID(&knob);
     const float left = ImGui::GetCursorPosX(), gap = ImGui::GetStyle().ItemSpacing.x;
     const std::string label = label_of(knob);
@@ -174,7 +192,7 @@ bool knob_widget(KnobBase& knob, float label_width, const std::string& beside) {
     const float cost = beside.empty() ? 0.0f : ImGui::CalcTextSize(beside.c_str()).x + gap;
     const float reset = knob.changed() ? ImGui::GetFrameHeight() : 0.0f, right = cost + reset;
     ImGui::SetNextItemWidth(right == 0.0f ? -1.0f : -right);
-    bool changed = widget(knob, "##value");
+    bool changed = widget(knob, "##value", automatic);
     log_place("knob." + knob.path());
     hovered = hovered || ImGui::IsItemHovered();
     if (reset > 0.0f) {
@@ -185,7 +203,10 @@ bool knob_widget(KnobBase& knob, float label_width, const std::string& beside) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - cost + gap);
         ImGui::TextColored(quiet_color, "%s", beside.c_str());
     }
-    if (hovered && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) wrapped_tooltip(knob.help, knob.usage());
+    if (hovered && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        const bool by_auto = automatic && automatic->holds(knob.path(), knob.text());
+        wrapped_tooltip(knob.help, knob.usage() + (by_auto ? "\nauto: " + automatic->chosen[knob.path()].line : ""));
+    }
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
         const std::string before = knob.text();
         knob.reset();

@@ -1,6 +1,7 @@
 // A knob as a slider, a switch or a list, made from its declaration.
 #pragma once
 #include "common/app/knob.h"
+#include "common/window/auto_choices.h"
 
 namespace lightwalk {
 
@@ -9,8 +10,9 @@ namespace lightwalk {
 float label_column(const KnobList& knobs);
 
 /// True where the person has changed it. `beside` stands at the end of its row. Its help is the tooltip. A knob that is
-/// not at its default has a mark, and a button that sets the default again; so does a right click.
-bool knob_widget(KnobBase& knob, float label_width, const std::string& beside = "");
+/// not at its default has a mark, and a button that sets the default again; so does a right click. `automatic`: adds the
+/// entry "auto" to the methods that it offers it for.
+bool knob_widget(KnobBase& knob, float label_width, const std::string& beside = "", AutoChoices* automatic = nullptr);
 
 /// Of a choice's help, the part that speaks of one option: "a fixed kernel (pcf)" of "Shadow filter: one comparison
 /// (hard), a fixed kernel (pcf)". Empty where no part says more than the option's name.

@@ -46,7 +46,7 @@ void LiveChapter::reload() {
 }
 
 void LiveChapter::draw(Frame& frame, const Picture& picture) {
-    if (loaded_with_ != chapter.load_state()) reload();
+    follow_toggles();
     frame_error.clear();
     try {
         render(chapter, frame, picture);

@@ -18,6 +18,11 @@ class LiveChapter {
     /// The scene again, as the toggles say. Camera and knobs stay; where it fails, so does the old scene.
     void reload();
 
+    /// Loads the scene again where toggles or knobs have changed how it is loaded.
+    void follow_toggles() {
+        if (loaded_with_ != chapter.load_state()) reload();
+    }
+
     /// Records and submits a frame. Loads the scene anew first where toggles or knobs change how it is loaded.
     void draw(Frame& frame, const Picture& picture);
 

@@ -52,7 +52,7 @@ Requests Panel::draw(PanelState& state, float scale) {
     log_place("lesson");
     help_on_hover("The chapter's lesson as a page, in the browser");
     if (section("Exercises")) exercises(state, requests);
-    if (!state.chapter.all_knobs().empty() && section("Knobs") && knobs_.draw(state.chapter, smooth_))
+    if (!state.chapter.all_knobs().empty() && section("Knobs") && knobs_.draw(state.chapter, smooth_, state.automatic))
         requests.changed = true;
     if (section("Look at")) look(state, requests);
     if (section("GPU time")) times(state);

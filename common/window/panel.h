@@ -24,6 +24,7 @@ struct PanelState {
     SplitView& split;
     Look& look;
     const ExerciseChecks& checks;
+    AutoChoices& automatic;
     std::vector<std::string> outputs;  ///< what can be looked at
     std::vector<PassTime> times;       ///< of the last frame
     double frame_ms = 0;               ///< from one picture to the next, wall clock

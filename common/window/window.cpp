@@ -6,6 +6,7 @@
 
 #include "common/base/error.h"
 #include "common/base/exercise.h"
+#include "common/study/method_choice.h"
 #include "common/window/blit.h"
 #include "common/window/event_log.h"
 #include "common/window/titles.h"
@@ -59,6 +60,10 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
       clock_runs_(chapter_.any_animated()),
       time_s_(options.time_s) {
     look_.output = options.look;
+    if (options.budget) automatic_.budget = static_cast<float>(*options.budget);
+    for (const KnobBase* knob : chapter_.all_knobs())
+        if (dynamic_cast<const Choice*>(knob) && !study_of(chapter_, *knob).empty())
+            automatic_.offered.insert(knob->path());
     remember_scene();
 }
 
@@ -102,6 +107,7 @@ void Window::run() {
         const double since_last = std::min(now() - last_draw_, sound ? 1.0 : 0.1);
         move_camera(input, since_last);
         time_s_ = static_cast<float>(sound_.advance(sound, double(time_s_), clock_runs_, since_last));
+        if (!automatic_.wanted.empty() && drawn_ > asked_auto_ + 1) choose_automatically();  // the notice is to be seen
         if (is_still()) continue;
         draw();
     }
@@ -134,17 +140,24 @@ Requests Window::build_panel() {
                      .split = split_,
                      .look = look_,
                      .checks = checks_,
+                     .automatic = automatic_,
                      .outputs = Look::names(frame_),
                      .times = frame_.times,
                      .frame_ms = frame_ms_,
                      .clock_runs = clock_runs_,
                      .time_s = time_s_,
                      .picture = picture_size()};
+    const std::string asked_before = automatic_.wanted;
     Requests requests = panel_.draw(state, display_.scale());
     const float covered = tool_ ? tool_->covered_px(picture_size(), display_.scale()) : 0.0f;
     panel_.draw_messages(errors(), notice_, picture_size(), covered);
     if (split_.on() && panel_.draw_divider(split_, picture_size())) requests.changed = true;
     if (tool_ && tool_->draw_panels(picture_size(), display_.scale())) requests.changed = true;
+    if (automatic_.wanted != asked_before) {
+        asked_auto_ = drawn_;
+        tell("measuring the methods of " + automatic_.wanted + " ... (Esc cancels)");
+        requests.changed = true;
+    }
     overlay_.end();
     return requests;
 }

@@ -38,6 +38,7 @@ class Window {
     void save_scene();
     void remember_scene();
     void switch_split();
+    void choose_automatically();
     void tell(const std::string& text);
     void watch_files();
     void watch_programs();
@@ -63,6 +64,8 @@ class Window {
     SplitView split_;
     Look look_;
     ExerciseChecks checks_;
+    AutoChoices automatic_;
+    int asked_auto_ = 0;  ///< frames that were drawn when the need rule was asked for
     LessonPages lessons_;
     SoundPlayer sound_;
     Image viewed_;    ///< of what is looked at in frame_

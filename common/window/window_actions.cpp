@@ -1,11 +1,13 @@
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <ctime>
 
 #include "common/app/read_picture.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
 #include "common/base/files.h"
+#include "common/study/method_choice.h"
 #include "common/window/camera_control.h"
 #include "common/window/event_log.h"
 #include "common/window/window.h"
@@ -191,6 +193,29 @@ void Window::switch_split() {
         } catch (const std::exception& e) { tell(e.what()); }
     }
     log_event(split_.on() ? "split on" : "split off");
+}
+
+// The need rule measures what is drawn now, once: the method stays until another is chosen, whatever else changes.
+void Window::choose_automatically() {
+    KnobBase& method = find_knob(chapter_.all_knobs(), std::exchange(automatic_.wanted, ""));
+    std::string line;
+    try {
+        const ToggleScope judges(Exercises::ids(), true);
+        live_.follow_toggles();
+        const auto cancelled = [&] {
+            const Input input = display_.poll(0.0);
+            return display_.wants_to_close() || std::any_of(input.pressed.begin(), input.pressed.end(),
+                                                            [](auto& one) { return one.key == GLFW_KEY_ESCAPE; });
+        };
+        line = choose_method(chapter_, gpu_, method, double(automatic_.budget),
+                             {picture_size(), time_s_, options_.seed, {}}, [&] {
+                                 if (cancelled()) throw InputError(method.path() + ": not measured, cancelled by Esc");
+                             });
+        automatic_.chosen[method.path()] = {method.text(), line};
+    } catch (const std::exception& e) { line = e.what(); }
+    tell(line);
+    log_event("auto " + line);
+    active_until_ = std::max(active_until_, now() + notice_s);
 }
 
 void Window::write_capture(Capture& capture) {

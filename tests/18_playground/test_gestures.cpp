@@ -3,6 +3,7 @@
 
 #include <thread>
 
+#include "common/study/method_choice.h"
 #include "driven_editor.h"
 
 using namespace lightwalk;
@@ -182,4 +183,22 @@ TEST_CASE("methods and exercises that are switched while it runs draw what they 
     CHECK(pictures[6] == pictures[1]);
     CHECK(pictures[2] != pictures[1]);
     CHECK(pictures[3] != pictures[1]);
+}
+
+TEST_CASE("what auto tries while it measures is no step; what it chooses is one") {
+    Driven editor;
+    Choice& bloom = editor.window.bloom.method;
+    bloom.set("paired");
+    editor.draw();
+    REQUIRE(editor.document().done() == 1);
+    editor.key(GLFW_KEY_1);  // another gesture, as by the click on the menu
+    CHECK(choose_method(editor.window, editor.gpu, bloom, 0.9, {{64, 48}, 0, 0, {}})
+              .find("is the fastest within 0.9; 8 were measured") != std::string::npos);
+    CHECK(editor.document().done() == 1);
+    const std::string chosen = bloom.text();
+    CHECK(chosen != "exact");
+    editor.draw();
+    CHECK(editor.document().done() == (chosen == "paired" ? 1 : 2));
+    editor.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    CHECK(bloom.is(chosen == "paired" ? "none" : "paired"));
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The panel's knobs: sections that fold and are remembered, a filter, resets, labels that are never cut. Under Xvfb."""
 import json
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -78,6 +79,33 @@ class Panel(unittest.TestCase):
         session.click("reset.maps")
         session.wait_for_line("reset maps", since)
         session.key("Escape")  # leaves the field, not the program
+        self.end(session)
+
+    def choose(self, session: Session, knob: str) -> str:
+        """By the entry "auto" of its menu: what it says."""
+        since = session.said()
+        session.click("knob." + knob)
+        session.click(f"option.{knob}.auto")
+        said = session.wait_for_line(r"auto (.*)", since)[1]
+        session.settled(0, 0, *session.geometry()[2:])
+        return said
+
+    def test_auto_measures_the_picture_and_sets_a_method(self):
+        self.remember(lights=True)
+        session = self.start()
+        session.click("section.Exercises")
+        for knob, methods in (("shadow.method", "none|hard|pcf|pcss|vsm|evsm|msm"),  # the chapter's own, and a borrowed one
+                              ("lights.method", "every_light|per_object|tiled|clustered")):
+            said = self.choose(session, knob)
+            self.assertRegex(said, rf"{re.escape(knob)}: ({methods})\b.* is the fastest.*; .*\(FLIP .* ms at 300×700\)")
+        since = session.said()
+        session.click("filter")
+        session.xdotool("type", "--delay", "50", "sphere_shadow.method")
+        session.settled(0, 0, *session.geometry()[2:])
+        session.click("knob.sphere_shadow.method")  # which nobody has compared
+        session.wait(lambda: "option.sphere_shadow.method.none" in session.places, "its menu")
+        self.assertNotIn("option.sphere_shadow.method.auto", session.places)
+        self.assertFalse([line for line in session.lines[since:] if line.startswith("auto")])
         self.end(session)
 
     def test_no_label_is_cut_at_any_scale(self):

@@ -1,0 +1,138 @@
+// Fields of the properties: numbers, colours and switches of one entry, or of several at once.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "18_playground/editor_window.h"
+#include "18_playground/widgets.h"
+
+namespace lightwalk {
+namespace {
+
+constexpr const char* dash = "—";  // for a number that is not the same in all
+
+// Side by side, up to `right` pixels before the edge.
+bool three_numbers(glm::vec3& value, float right, float speed, float lower, float upper, const char* format,
+                   glm::bvec3 mixed) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = ImGui::GetContentRegionAvail().x - right;
+    const float each = std::max(std::floor((width - 2.0f * gap) / 3.0f), 1.0f);
+    bool changed = false;
+    for (int i = 0; i < 3; ++i) {
+        if (i) ImGui::SameLine(0.0f, gap);
+        ImGui::PushID(i);
+        ImGui::SetNextItemWidth(each);
+        changed |= ImGui::DragFloat("##number", &value[i], speed, lower, upper, mixed[i] ? dash : format);
+        ImGui::PopID();
+    }
+    return changed;
+}
+
+}  // namespace
+
+// What is typed has no range of its own: 1e39 is infinite, and 0 times that is no number.
+bool EditorWindow::takes(const char* label, float* values, int count, const float* before, float lower, float upper) {
+    for (int i = 0; i < count; ++i)
+        if (!(values[i] >= lower && values[i] <= upper)) {
+            refuse(fmt::format("{}: {:g} is out of range, {:g} to {:g}", label, values[i], lower, upper));
+            return std::copy(before, before + count, values), false;
+        }
+    return true;
+}
+
+bool EditorWindow::numbers(const char* label, const char* help, glm::vec3& value, float speed, glm::bvec3 mixed) {
+    const glm::vec3 before = value;
+    ImGui::BeginGroup();
+    ImGui::PushID(label);
+    const bool changed = three_numbers(value, short_label_px, speed, 0.0f, 0.0f, "%.5g", mixed);
+    ImGui::PopID();
+    ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::TextUnformatted(label);
+    ImGui::EndGroup();
+    log_place(std::string("numbers.") + label);
+    help_on_hover(help);
+    return changed && takes(label, &value.x, 3, &before.x, -1e9f, 1e9f);
+}
+
+bool EditorWindow::number(const char* label, const char* help, float& value, float speed, float lower, float upper,
+                          bool mixed) {
+    ImGui::SetNextItemWidth(-label_px);
+    const float before = value;
+    const bool changed = ImGui::DragFloat(label, &value, speed, lower, upper, mixed ? dash : "%.5g");
+    log_place(std::string("number.") + label);
+    help_on_hover(help);
+    return changed && takes(label, &value, 1, &before, lower, upper);
+}
+
+// Dear ImGui writes three decimals of each, which are cut here.
+bool EditorWindow::color(const char* label, const char* help, glm::vec3& value, float most, glm::bvec3 mixed) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const glm::vec3 before = value;
+    ImGui::PushID(label);
+    ImGui::BeginGroup();
+    bool changed =
+        three_numbers(value, color_label_px + ImGui::GetFrameHeight() + gap, 0.01f, 0.0f, most, "%.3g", mixed);
+    ImGui::EndGroup();
+    log_place(std::string("color.") + label);
+    help_on_hover(help);
+    ImGui::SameLine(0.0f, gap);
+    changed |= ImGui::ColorEdit3(label, &value.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+    ImGui::PopID();
+    return changed && takes(label, &value.x, 3, &before.x, 0.0f, most);
+}
+
+bool EditorWindow::check(const char* label, const char* help, bool& on, bool mixed) {
+    int bits = mixed ? 1 : on ? 3 : 0;  // of two: one of them alone is drawn as neither on nor off
+    const bool changed = ImGui::CheckboxFlags(label, &bits, 3);
+    log_place(std::string("check.") + label);
+    help_on_hover(help);
+    on = bits == 3;
+    return changed;
+}
+
+bool EditorWindow::choice(const char* label, std::initializer_list<const char*> names, float& index, bool mixed) {
+    ImGui::SetNextItemWidth(-label_px);
+    const bool open = ImGui::BeginCombo(label, mixed ? dash : names.begin()[static_cast<size_t>(index)]);
+    log_place(std::string("choice.") + label);
+    if (!open) return false;
+    bool changed = false;
+    float i = 0.0f;
+    for (const char* option : names) {
+        if (ImGui::Selectable(option, !mixed && i == index)) index = i, changed = true;
+        log_place(std::string("option.") + option);
+        ++i;
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+void EditorWindow::edit(const Property& property,
+                        const std::function<bool(glm::vec3& value, glm::bvec3 mixed)>& field) {
+    const SharedValue shared = shared_value(editor.document, together_, property);
+    if (shared.ids.empty()) return;
+    glm::vec3 value = shared.value;
+    // The active entry's own number may be typed over a dash: it has to differ from what stands there.
+    for (int i = 0; i < 3; ++i)
+        if (shared.mixed[i]) value[i] = std::nextafter(value[i], INFINITY);
+    const glm::vec3 before = value;
+    if (!field(value, shared.mixed)) return;
+    refuse(set_property(editor.document, shared.ids, property, value, glm::notEqual(value, before), editor.gesture,
+                        editor.store.path));
+}
+
+void EditorWindow::edit_number(const Property& property, const char* label, const char* help, float speed, float lower,
+                               float upper) {
+    edit(property, [&](glm::vec3& value, glm::bvec3 mixed) {
+        return number(label, help, value.x, speed, lower, upper, mixed.x);
+    });
+}
+
+void EditorWindow::edit_numbers(const Property& property, const char* label, const char* help, float speed) {
+    edit(property, [&](glm::vec3& value, glm::bvec3 mixed) { return numbers(label, help, value, speed, mixed); });
+}
+
+void EditorWindow::edit_color(const Property& property, const char* label, const char* help, float most) {
+    edit(property, [&](glm::vec3& value, glm::bvec3 mixed) { return color(label, help, value, most, mixed); });
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,180 @@
+#include "18_playground/properties.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "18_playground/saving.h"
+#include "18_playground/tree.h"
+#include "common/base/error.h"
+
+namespace lightwalk {
+namespace {
+
+using Kind = Light::Kind;
+
+bool is_light(const Entry& entry) { return entry.light(); }
+bool is_spot(const Entry& entry) { return entry.light() && entry.light()->kind == Kind::spot; }
+bool is_directional(const Entry& entry) { return entry.light() && entry.light()->kind == Kind::directional; }
+bool has_direction(const Entry& entry) { return entry.light() && entry.light()->kind != Kind::point; }
+bool has_place(const Entry& entry) { return entry.light() && entry.light()->kind != Kind::directional; }
+bool is_object(const Entry& entry) { return entry.object(); }
+bool has_model(const Entry& entry) { return entry.object() && !entry.object()->model.empty(); }
+
+template <class Value>
+Property of_light(const char* name, bool (*has)(const Entry&), Value Light::*field) {
+    return {name, has, [=](EntryId, const Entry& entry) { return glm::vec3(entry.light()->*field); },
+            [=](Entry& entry, const glm::vec3& value) {
+                if constexpr (std::is_same_v<Value, glm::vec3>)
+                    entry.light()->*field = value;
+                else
+                    entry.light()->*field = static_cast<Value>(value.x);
+            }};
+}
+
+Property angle_of_light(const char* name, bool (*has)(const Entry&), float Light::*field) {
+    return {name, has, [=](EntryId, const Entry& entry) { return glm::vec3(glm::degrees(entry.light()->*field)); },
+            [=](Entry& entry, const glm::vec3& value) {
+                Light& light = *entry.light();
+                light.*field = glm::radians(value.x);
+                light.inner_rad = std::min(light.inner_rad, light.outer_rad);
+            }};
+}
+
+Property of_object(const char* name, glm::vec3 SceneObject::*field) {
+    return {name, is_object, [=](EntryId, const Entry& entry) { return entry.object()->*field; },
+            [=](Entry& entry, const glm::vec3& value) { entry.object()->*field = value; }};
+}
+
+template <class Value>
+Property of_material(const std::string& name, std::optional<Value> MaterialOverride::*field, Value otherwise,
+                     const std::function<const Material*(EntryId)>& own = {}, Value Material::*own_field = nullptr) {
+    return {name, has_model,
+            [=](EntryId id, const Entry& entry) {
+                if (const auto& given = entry.object()->material.*field) return glm::vec3(*given);
+                const Material* material = own ? own(id) : nullptr;
+                return glm::vec3(material ? material->*own_field : otherwise);
+            },
+            [=](Entry& entry, const glm::vec3& value) {
+                if constexpr (std::is_same_v<Value, glm::vec3>)
+                    entry.object()->material.*field = value;
+                else
+                    entry.object()->material.*field = value.x;
+            }};
+}
+
+const Property& named(const std::vector<Property>& all, const std::string& name) {
+    for (const Property& one : all)
+        if (one.name == name) return one;
+    throw Failure("there is no property '{}'", name);
+}
+
+}  // namespace
+
+const Property& light_property(const std::string& name) {
+    static const std::vector<Property> all = [] {
+        Property direction = of_light("direction", has_direction, &Light::direction);
+        direction.set = [](Entry& entry, const glm::vec3& value) {
+            if (glm::length(value) > 1e-6f) entry.light()->direction = glm::normalize(value);
+        };
+        Property type{"type", is_light,
+                      [](EntryId, const Entry& entry) { return glm::vec3(float(entry.light()->kind)); },
+                      [](Entry& entry, const glm::vec3& value) { entry.light()->kind = static_cast<Kind>(value.x); }};
+        return std::vector<Property>{type,
+                                     direction,
+                                     of_light("colour", is_light, &Light::color),
+                                     of_light("intensity", is_light, &Light::intensity),
+                                     of_light("position", has_place, &Light::position),
+                                     of_light("range", has_place, &Light::range_m),
+                                     of_light("lamp size", has_place, &Light::size_m),
+                                     of_light("softness", is_spot, &Light::softness),
+                                     of_light("shadow", is_light, &Light::shadow),
+                                     angle_of_light("angular size", is_directional, &Light::size_rad),
+                                     angle_of_light("inner angle", is_spot, &Light::inner_rad),
+                                     angle_of_light("outer angle", is_spot, &Light::outer_rad)};
+    }();
+    return named(all, name);
+}
+
+const Property& object_property(const std::string& name) {
+    static const std::vector<Property> all{of_object("position", &SceneObject::position),
+                                           of_object("rotation", &SceneObject::rotation_deg),
+                                           of_object("scale", &SceneObject::scale)};
+    return named(all, name);
+}
+
+Property material_property(const std::string& name, std::function<const Material*(EntryId)> own) {
+    using Given = MaterialOverride;
+    const Material plain;
+    if (name == "diffuse") return of_material(name, &Given::diffuse, plain.diffuse, own, &Material::diffuse);
+    if (name == "specular") return of_material(name, &Given::specular, plain.specular, own, &Material::specular);
+    if (name == "emissive") return of_material(name, &Given::emissive, plain.emissive, own, &Material::emissive);
+    if (name == "shininess") return of_material(name, &Given::shininess, plain.shininess, own, &Material::shininess);
+    if (name == "opacity") return of_material(name, &Given::opacity, plain.opacity, own, &Material::opacity);
+    if (name == "roughness") return of_material(name, &Given::roughness, plain.roughness);
+    if (name == "metalness") return of_material(name, &Given::metalness, plain.metalness);
+    throw Failure("there is no property '{}'", name);
+}
+
+std::vector<EntryId> edited_together(const Document& document, const Selection& selection) {
+    const Entry* const active = document.find(selection.active());
+    std::vector<EntryId> ids;
+    if (!active) return ids;
+    for (const EntryId id : selection.ids)
+        if (const Entry* entry = document.find(id); entry && entry->what.index() == active->what.index())
+            ids.push_back(id);
+    return ids;
+}
+
+SharedValue shared_value(const Document& document, const std::vector<EntryId>& ids, const Property& property) {
+    SharedValue shared;
+    for (auto id = ids.rbegin(); id != ids.rend(); ++id) {
+        const Entry& entry = document.at(*id);
+        if (!property.has(entry)) continue;
+        const glm::vec3 value = property.get(*id, entry);
+        if (shared.ids.empty()) shared.value = value;
+        for (int i = 0; i < 3; ++i) shared.mixed[i] |= value[i] != shared.value[i];
+        shared.ids.push_back(*id);
+    }
+    std::reverse(shared.ids.begin(), shared.ids.end());
+    return shared;
+}
+
+// [set_property]
+Said set_property(Document& document, const std::vector<EntryId>& ids, const Property& property, const glm::vec3& value,
+                  glm::bvec3 which, uint64_t gesture, const std::filesystem::path& file) {
+    const auto wanted = [&](EntryId id) { return glm::mix(property.get(id, document.at(id)), value, which); };
+    std::vector<EntryId> others;
+    for (const EntryId id : ids)
+        if (const Entry* entry = document.find(id);
+            entry && property.has(*entry) && property.get(id, *entry) != wanted(id))
+            others.push_back(id);
+    return edit_all(document, others, property.name, gesture, file,
+                    [&](EntryId id, Entry& entry) { property.set(entry, wanted(id)); });
+}
+// [/set_property]
+
+Said edit_all(Document& document, const std::vector<EntryId>& ids, const std::string& what, uint64_t gesture,
+              const std::filesystem::path& file, const std::function<void(EntryId, Entry&)>& edit) {
+    std::vector<EntryId> open;
+    for (const EntryId id : ids)
+        if (!is_locked(document, id)) open.push_back(id);
+    const size_t locked = ids.size() - open.size();
+    const Said stays = ids.size() == 1 ? "it is locked" : fmt::format("{} of {} are locked", locked, ids.size());
+    if (open.empty()) return locked ? stays : "";
+    document.begin(open.size() == 1 ? what + " of " + shown_name(document.at(open[0]))
+                                    : fmt::format("{} of {} entries", what, open.size()),
+                   gesture);
+    Said refused;
+    for (size_t i = 0; i < open.size() && refused.empty(); ++i) {
+        Entry& entry = document.edit(open[i]);
+        edit(open[i], entry);
+        if (const SceneObject* object = entry.object()) refused = cannot_be_placed(placement_of(*object));
+        // All get the same, and all were right before: the file's own judgement, which takes a while, is asked for one.
+        if (refused.empty() && i + 1 == open.size()) refused = cannot_be_saved(entry, file);
+    }
+    refused.empty() ? void(document.commit()) : document.cancel();
+    return !refused.empty() ? refused : locked ? stays : "";
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,49 @@
+// Properties of the entries that are selected: what they have in common, and edits of all of them that are one step.
+#pragma once
+#include "18_playground/commands.h"
+
+namespace lightwalk {
+
+/// One number of an entry or three, in the units that a person reads: degrees, and 0 or 1 for a switch.
+struct Property {
+    std::string name;                       ///< as a step says it: "colour"
+    std::function<bool(const Entry&)> has;  ///< a point light has no cone
+    std::function<glm::vec3(EntryId, const Entry&)> get;
+    std::function<void(Entry&, const glm::vec3&)> set;
+};
+
+/// What several entries have in common.
+struct SharedValue {
+    std::vector<EntryId> ids;  ///< those that have the property
+    glm::vec3 value{0.0f};     ///< of the last of them, which is the active entry
+    glm::bvec3 mixed{false};   ///< which numbers are not the same in all
+};
+
+/// type (as Light::Kind), colour, intensity, direction, angular size, position, range, lamp size, inner angle, outer angle,
+/// softness or shadow.
+const Property& light_property(const std::string& name);
+
+/// position, rotation or scale.
+const Property& object_property(const std::string& name);
+
+/// diffuse, specular, emissive, shininess, roughness, metalness or opacity of an object with a model. `own`: the model's
+/// own material, which holds where the object overrides nothing; null: not known.
+Property material_property(const std::string& name, std::function<const Material*(EntryId)> own);
+
+/// Those that are edited together: what is selected and of the active entry's kind, objects or lights; the active one is
+/// the last.
+std::vector<EntryId> edited_together(const Document& document, const Selection& selection);
+
+SharedValue shared_value(const Document& document, const std::vector<EntryId>& ids, const Property& property);
+
+/// Sets the numbers that `which` names, of all that have the property: "colour of 12 entries". Each keeps its other numbers.
+/// What is locked stays as it is, and is said. Nothing has changed where one of them would be refused by the scene file, which
+/// lies at `file`.
+Said set_property(Document& document, const std::vector<EntryId>& ids, const Property& property, const glm::vec3& value,
+                  glm::bvec3 which = glm::bvec3(true), uint64_t gesture = 0, const std::filesystem::path& file = {});
+
+/// The same for any edit that sets the same in all.
+Said edit_all(Document& document, const std::vector<EntryId>& ids, const std::string& what, uint64_t gesture,
+              const std::filesystem::path& file, const std::function<void(EntryId, Entry&)>& edit);
+
+}  // namespace lightwalk
