@@ -85,9 +85,8 @@ class Document {
     void forget_steps();                ///< none can be undone any more
     std::vector<Listed> steps() const;  ///< the oldest first
     size_t done() const { return done_.size(); }
-    const std::string* next_undo() const {
-        return done_.empty() ? nullptr : &done_.back().name;
-    }  ///< null: there is none
+    /// The name of the step that undo() or redo() would take; null: there is none.
+    const std::string* next_undo() const { return done_.empty() ? nullptr : &done_.back().name; }
     const std::string* next_redo() const { return undone_.empty() ? nullptr : &undone_.back().name; }
     uint64_t bytes() const;  ///< that all steps hold
 
