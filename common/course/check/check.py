@@ -183,12 +183,13 @@ def still_open(chapter: str, exercise: str) -> list[str]:
 
 
 @functools.cache
-def reference_picture(chapter: str, name: str, **environment) -> Path:
+def reference_picture(chapter: str, name: str, size: str = "", **environment) -> Path:
     """The shot as the references draw it, here and now; in a handout the golden."""
     if not has_solutions():
         return golden_path(chapter, name)
-    picture = BUILD / "check" / chapter / f"{name}.png"
-    render_shot(chapter, next(shot for shot in shots(chapter) if shot["name"] == name), picture, **environment)
+    picture = checked_path(chapter, name, size)
+    shot = next(shot for shot in shots(chapter) if shot["name"] == name)
+    render_shot(chapter, shot, picture, size=size, **environment)
     return picture
 
 
@@ -222,17 +223,20 @@ def check_pictures(chapter: str, exercise: str, result: dict):
         result["passed"] += 1
 
 
-def wrong_picture(chapter: str, exercise: str, shot: dict, overlay: str = "", reference: Path | None = None,
-                  **environment) -> str:
+def checked_path(chapter: str, name: str, size: str) -> Path:
+    return BUILD / "check" / chapter / size / f"{name}.png"
+
+
+def wrong_picture(chapter: str, exercise: str, shot: dict, overlay: str = "", size: str = "", **environment) -> str:
     """What is wrong with the exercise's picture; empty where nothing is. `overlay` is the folder of another answer than the
-    student's, `reference` the references' picture where that is drawn already. Raises Crashed."""
-    picture = BUILD / "check" / chapter / f"{shot['name']}.{exercise}.png"
+    student's, `size` WxH in place of the shot's own. Raises Crashed."""
+    picture = checked_path(chapter, f"{shot['name']}.{exercise}", size)
     heatmap = picture.with_suffix(".flip.png")
     try:
         use = f"solution,{exercise}=exercise" if has_solutions() else "exercise"
         instead = {"LIGHTWALK_OVERLAY": overlay} if overlay else {}
-        render_shot(chapter, shot, picture, use, **environment, **instead)
-        metrics = compare(reference or reference_picture(chapter, shot["name"], **environment), picture, heatmap)
+        render_shot(chapter, shot, picture, use, size, **environment, **instead)
+        metrics = compare(reference_picture(chapter, shot["name"], size, **environment), picture, heatmap)
         return picture_words(shot["name"], metrics, picture, heatmap)
     except Crashed:
         raise

@@ -50,8 +50,10 @@ def render(chapter: str, options: list, picture: Path, **environment):
         raise (Crashed if crashed else Failure)(f"{chapter} ended with {done.returncode}: {last_words(done.stderr, done.stdout)}")
 
 
-def render_shot(chapter: str, shot: dict, picture: Path, use: str = "solution", **environment):
-    render(chapter, ["--shot", shot["name"], "--use", use, "--validate", "on"], picture, **environment)
+def render_shot(chapter: str, shot: dict, picture: Path, use: str = "solution", size: str = "", **environment):
+    """In its own size, or WxH."""
+    options = ["--shot", shot["name"], "--use", use, "--validate", "on", *(["--size", size] if size else [])]
+    render(chapter, options, picture, **environment)
 
 
 class Drawing:
