@@ -8,7 +8,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 
 from window_case import PictureTest  # noqa: E402
-from window_session import BUILD, ROOT, Session, XServer  # noqa: E402
+from window_session import BUILD, ROOT, Session, XServer, own_cache  # noqa: E402
 
 
 class EditorTest(PictureTest):
@@ -16,7 +16,7 @@ class EditorTest(PictureTest):
 
     size = (500, 700)  # of the picture; frames of a larger one take longer
     built: dict = {}  # the scene
-    has_own_cache = False  # of thumbnails, and of all that is compiled
+    has_own_cache = False  # of thumbnails
 
     @classmethod
     def setUpClass(cls):
@@ -37,8 +37,7 @@ class EditorTest(PictureTest):
     def start(cls, scene: Path) -> Session:
         session = Session(cls.server, BUILD / "chapters" / "18_playground",
                           ["--validate", "on", "--size", "{}x{}".format(*cls.size), "--scene", str(scene)], cls.folder,
-                          LIGHTWALK_ROOT=str(ROOT),
-                          **({"XDG_CACHE_HOME": str(cls.folder / "cache")} if cls.has_own_cache else {}))
+                          LIGHTWALK_ROOT=str(ROOT), **(own_cache(cls.folder) if cls.has_own_cache else {}))
         cls.addClassCleanup(session.close)
         return session
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 
-from window_session import BUILD, ROOT, Session, XServer  # noqa: E402
+from window_session import BUILD, ROOT, Session, XServer, own_cache  # noqa: E402
 
 WIDTH, HEIGHT = 720, 700
 SCENE = {"camera": {"position": [0, 0.8, 4], "target": [0, 0, 0], "fov_deg": 40}, "ambient": [0.25, 0.25, 0.3],
@@ -32,7 +32,7 @@ class Properties(unittest.TestCase):
         cls.addClassCleanup(cls.server.close)
         cls.session = Session(cls.server, BUILD / "chapters" / "18_playground",
                               ["--validate", "on", "--size", f"{WIDTH}x{HEIGHT}", "--scene", str(cls.scene)], cls.folder,
-                              LIGHTWALK_ROOT=str(ROOT), XDG_CACHE_HOME=str(cls.folder / "cache"))
+                              LIGHTWALK_ROOT=str(ROOT), **own_cache(cls.folder))
         cls.addClassCleanup(cls.session.close)
         cls.before = cls.saved()
 

@@ -16,6 +16,12 @@ BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 PATIENCE_S = float(os.environ.get("LIGHTWALK_PATIENCE_S", "60"))
 
 
+def own_cache(folder: Path) -> dict[str, str]:
+    """The environment of a program that finds no thumbnails and whatever else earlier ones have kept, but compiled shaders."""
+    cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    return {"XDG_CACHE_HOME": str(folder / "cache"), "MESA_SHADER_CACHE_DIR": os.environ.get("MESA_SHADER_CACHE_DIR", str(cache))}
+
+
 class Session:
     """One program, started with LIGHTWALK_LOG=1, and its window."""
 
