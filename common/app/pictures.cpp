@@ -1,6 +1,9 @@
 #include "common/app/pictures.h"
 
+#include <fmt/format.h>
+
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -13,10 +16,15 @@ namespace {
 using nlohmann::json;
 using Words = std::vector<std::string>;
 
-// What loading a scene depends on; empty where its files are not the course's own, and may be others by now.
+// What loading a scene depends on. Of a scene that is written anew between two pictures it is another; the models and
+// textures that one names stay as they are while a list is drawn.
 std::string load_key(const Options& options, const Chapter& chapter) {
-    if (options.shot.empty() && !options.scene.empty()) return "";
-    return options.scene + " " + chapter.load_state();
+    namespace fs = std::filesystem;
+    std::string key = options.scene + " " + chapter.load_state();
+    if (!options.shot.empty() || options.scene.empty()) return key;
+    std::error_code error;
+    const auto written = fs::last_write_time(options.scene, error).time_since_epoch().count();
+    return fmt::format("{} {} {}", key, written, fs::file_size(options.scene, error));
 }
 
 // The scene of the picture before, and what it was loaded with.
@@ -36,7 +44,7 @@ void draw_one(Words words, const std::string& name, const MakeChapter& make, std
     if (!options || options->screenshot.empty() || options->automatic)
         throw InputError("a picture of a list has a --screenshot, and no --method auto");
     std::string key = load_key(*options, *chapter);
-    if (!key.empty() && key == before.key) chapter->scene = std::move(before.scene);
+    if (key == before.key) chapter->scene = std::move(before.scene);
     before = {};
     run_headless(*options, *chapter, gpu, {});
     before = {std::move(key), std::move(chapter->scene)};
