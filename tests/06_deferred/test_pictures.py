@@ -171,7 +171,7 @@ class PicturesTest(ChapterPictures):
         scene = self.lamps(position=[2.5, 1.5, 1.5], target=[0, 0.9, -1])
         scene["objects"] = [FLOOR, *screen("a", -2, 0), *screen("b", 2, 180)]
         scene["lights"] += [{"type": "point", "position": [0, 2, 0], "range_m": 8, "intensity": 20}]
-        pictures = [self.draw(scene, "--frames", n, name=f"after {n}") for n in (1, 2, 40, 41)]
+        pictures = [self.draw(scene, "--frames", n, "--set", "screens.width=160", name=f"after {n}") for n in (1, 2, 40, 41)]
         self.assertGreater(self.steps(*pictures[:2])[1], 100)  # a frame later there is more to see
         self.assertLessEqual(self.steps(*pictures[2:])[0], 1)  # and in the end it stands still
 

@@ -211,6 +211,7 @@ TEST_CASE_METHOD(OnPlanets, "rings: a camera in their plane, at their edges, und
 
 TEST_CASE_METHOD(OnPlanets,
                  "the Earth from its ground, from within its clouds, from its air and from space: numbers everywhere") {
+    size = {48, 32};  // of 35 pictures, which march through air and clouds
     for (const double radii : {1.0000001, 1.0002, 1.0014, 1.0016, 1.01, 1.5, 6.0})
         for (const double phase : {0.0, 60.0, 89.5, 120.0, 180.0}) {
             look_at("earth", radii, phase, 10);

@@ -9,8 +9,10 @@ from pathlib import Path
 
 from graded_class import CHAPTERS, REAL, Class, right
 from hostile import ABSTRACT, ATTACKS, OUTSIDE
+from part_in_ci import part
 from tree import BUILD
 
+TRIED = dict(part(ATTACKS.items(), 3))
 HONEST = ("01.triangulate", "02.lambert", "02.record_mist", "03.light_reaches_box")
 
 
@@ -33,7 +35,7 @@ class Hostile(Class):
         for name in ("aa honest", "zz honest"):
             # Judged twice: a line more makes it another file.
             cls.student(name, {exercise: right(exercise) + f"// {name}\n" for exercise in HONEST})
-        for name, (answers, _) in ATTACKS.items():
+        for name, (answers, _) in TRIED.items():
             cls.student(name, {exercise: with_words(text, words) for exercise, text in answers.items()})
         cls.start_s = time.monotonic()
 
@@ -56,7 +58,7 @@ class Hostile(Class):
                 *[BUILD / "grade" / f"judge_{chapter}" for chapter in CHAPTERS if (BUILD / "grade" / f"judge_{chapter}").exists()]]
 
     def test_attacks_get_no_mark_and_are_told_why(self):
-        for name, (answers, words) in ATTACKS.items():
+        for name, (answers, words) in TRIED.items():
             for exercise in answers:
                 with self.subTest(name):
                     self.assertIsNone(self.grades[name]["error"])

@@ -7,20 +7,23 @@ from graded_class import OF, Class, right, why_not
 from build.build import build
 from hostile_grade import ATTACKS, TABLES
 from grading.judge import Judge, parts, targets
+from part_in_ci import part
 from tree import BUILD, chapters
+
+TRIED = dict(part(ATTACKS.items(), 2))
 
 
 class Later(Class):
-    wanted = sorted({exercise for exercise, _, _ in ATTACKS.values()})
+    wanted = sorted({exercise for exercise, _, _ in TRIED.values()})
 
     @classmethod
     def fill(cls):
-        for name, (exercise, text, _) in ATTACKS.items():
+        for name, (exercise, text, _) in TRIED.items():
             cls.student(name, {exercise: text})
         cls.student("honest", {exercise: right(exercise) for exercise in cls.wanted})
 
     def test_attacks_get_no_mark_and_are_told_why(self):
-        for name, (exercise, _, words) in ATTACKS.items():
+        for name, (exercise, _, words) in TRIED.items():
             with self.subTest(name):
                 result = self.result(name, exercise)
                 self.assertFalse(result["ok"], result)
@@ -35,7 +38,7 @@ class Tables(unittest.TestCase):
     def test_a_table_of_what_everybody_can_see_is_wrong(self):
         with Judge({exercise: OF[exercise] for exercise in TABLES}, 2, False) as judge:
             for exercise, text in TABLES.items():
-                for seed in (1, 2):
+                for seed in part((1, 2), 2):
                     with self.subTest(exercise):
                         found = judge.judge(exercise, text.encode(), seed)
                         self.assertFalse(found["ok"], found)

@@ -1,0 +1,13 @@
+"""Of many like cases a CI tries a part, another with each commit; without CI=true all of them."""
+import os
+import subprocess
+from pathlib import Path
+
+
+def part(cases, of: int) -> list:
+    """Every `of`th case of a sequence, from one that the commit decides; outside a repository from the first."""
+    if os.environ.get("CI") != "true":
+        return list(cases)
+    said = subprocess.run(["git", "rev-parse", "HEAD"], cwd=Path(__file__).parent, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True).stdout.strip()
+    return list(cases)[int(said or "0", 16) % of::of]
