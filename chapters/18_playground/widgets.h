@@ -10,8 +10,11 @@
 
 namespace lightwalk {
 
-/// Widths of labels on the right of their fields.
-inline constexpr float label_px = 110.0f, short_label_px = 70.0f, color_label_px = 80.0f;
+/// Widths of labels on the right of their fields, by the size of the text.
+inline float font_px(float of_15) { return of_15 * ImGui::GetFontSize() / 15.0f; }
+inline float label_px() { return font_px(110.0f); }
+inline float short_label_px() { return font_px(70.0f); }
+inline float color_label_px() { return font_px(80.0f); }
 
 /// Whether a key went down since the frame before.
 inline bool key_pressed(ImGuiKey key) {
@@ -24,7 +27,8 @@ inline bool key_pressed(ImGuiKey key) {
 
 /// A field for a text. True where it was changed and left, or Enter was pressed; Escape takes back what was typed. `text`
 /// may be another string in each frame: what is being typed is kept here. `hint`: what an empty field is for.
-inline bool text_field(const char* label, std::string& text, const char* hint = "", bool at_once = false) {
+inline bool text_field(const char* label, std::string& text, const char* hint = "", bool at_once = false,
+                       ImGuiInputTextFlags more = 0) {
     static std::map<ImGuiID, std::string> typed;  // where one field is left for another, both are there for a frame
     std::string buffer = text;
     const auto grow = [](ImGuiInputTextCallbackData* data) {
@@ -34,7 +38,7 @@ inline bool text_field(const char* label, std::string& text, const char* hint = 
         return 0;
     };
     const ImGuiInputTextFlags flags =
-        ImGuiInputTextFlags_CallbackResize | (at_once ? 0 : ImGuiInputTextFlags_EnterReturnsTrue);
+        ImGuiInputTextFlags_CallbackResize | more | (at_once ? 0 : ImGuiInputTextFlags_EnterReturnsTrue);
     const bool enter =
         ImGui::InputTextWithHint(label, hint, buffer.data(), buffer.capacity() + 1, flags, grow, &buffer);
     log_place(std::string("field.") + (label[0] == '#' ? label + 2 : label));
