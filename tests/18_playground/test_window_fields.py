@@ -25,17 +25,6 @@ class Fields(EditorTest):
         self.session.tap(field)
         self.session.replace(text)
 
-    def type_number(self, place: str, text: str):
-        """Into the first number of a widget, by Ctrl and a click."""
-        session = self.session
-        self.scroll_to(place)
-        session.move(session.areas[place][0] + 8, session.places[place][1])
-        with session.holding("ctrl"):
-            session.press()
-            session.release()
-        session.park()
-        session.replace(text)
-
     def test_1_an_environment_is_typed_and_refused_where_it_is_none(self):
         session = self.session
         session.tap("entry.environment")
