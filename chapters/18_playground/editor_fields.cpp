@@ -44,7 +44,7 @@ bool EditorWindow::numbers(const char* label, const char* help, glm::vec3& value
     const glm::vec3 before = value;
     ImGui::BeginGroup();
     ImGui::PushID(label);
-    const bool changed = three_numbers(value, short_label_px(), speed, 0.0f, 0.0f, "%.5g", mixed);
+    const bool changed = three_numbers(value, short_label_px, speed, 0.0f, 0.0f, "%.5g", mixed);
     ImGui::PopID();
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::TextUnformatted(label);
@@ -56,7 +56,7 @@ bool EditorWindow::numbers(const char* label, const char* help, glm::vec3& value
 
 bool EditorWindow::number(const char* label, const char* help, float& value, float speed, float lower, float upper,
                           bool mixed) {
-    ImGui::SetNextItemWidth(-label_px());
+    ImGui::SetNextItemWidth(-label_px);
     const float before = value;
     const bool changed = ImGui::DragFloat(label, &value, speed, lower, upper, mixed ? dash : "%.5g");
     log_place(std::string("number.") + label);
@@ -71,7 +71,7 @@ bool EditorWindow::color(const char* label, const char* help, glm::vec3& value, 
     ImGui::PushID(label);
     ImGui::BeginGroup();
     bool changed =
-        three_numbers(value, color_label_px() + ImGui::GetFrameHeight() + gap, 0.01f, 0.0f, most, "%.3g", mixed);
+        three_numbers(value, color_label_px + ImGui::GetFrameHeight() + gap, 0.01f, 0.0f, most, "%.3g", mixed);
     ImGui::EndGroup();
     log_place(std::string("color.") + label);
     help_on_hover(help);
@@ -91,7 +91,7 @@ bool EditorWindow::check(const char* label, const char* help, bool& on, bool mix
 }
 
 bool EditorWindow::choice(const char* label, std::initializer_list<const char*> names, float& index, bool mixed) {
-    ImGui::SetNextItemWidth(-label_px());
+    ImGui::SetNextItemWidth(-label_px);
     const bool open = ImGui::BeginCombo(label, mixed ? dash : names.begin()[static_cast<size_t>(index)]);
     log_place(std::string("choice.") + label);
     if (!open) return false;

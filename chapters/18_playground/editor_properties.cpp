@@ -111,7 +111,7 @@ void EditorWindow::edit_map(const std::string& slot) {
     const std::string before = map_of(ids.back());
     const bool mixed = std::any_of(ids.begin(), ids.end(), [&](EntryId one) { return map_of(one) != before; });
     std::string file = mixed ? "" : before;
-    ImGui::SetNextItemWidth(-label_px());
+    ImGui::SetNextItemWidth(-label_px);
     if (!text_field((slot + " map").c_str(), file, mixed ? "— (none clears)" : "none")) return;
     if (mixed ? file.empty() : file == before) return;
     if (file == "none") file.clear();

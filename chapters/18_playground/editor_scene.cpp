@@ -89,7 +89,7 @@ void EditorWindow::draw_settings() {
     SceneSettings settings = editor.document.settings();
     bool changed = color("ambient", "Light from all sides where there is no environment", settings.ambient, 1e4f);
     changed |= color("background", "Colour where nothing is drawn, linear", settings.background, 1e4f);
-    ImGui::SetNextItemWidth(-color_label_px());
+    ImGui::SetNextItemWidth(-color_label_px);
     text_field("##save as", save_name_, "scene.json");
     ImGui::SameLine();
     if (tool_button("save as", "Ctrl+Shift+S: saves to this file, which is edited from then on")) save_as();
@@ -115,7 +115,7 @@ void EditorWindow::draw_facet_settings() {
         changed |= number("far", "Distance of the far plane, in metres", own.far_m, 1.0f, 1e-4f, 1e9f);
     } else {
         std::string image = settings.environment.image.string();
-        ImGui::SetNextItemWidth(-short_label_px());
+        ImGui::SetNextItemWidth(-short_label_px);
         if (text_field("image", image, "none") && image != settings.environment.image) try {
                 if (!image.empty()) find_asset(image);
                 settings.environment.image = image, settings.environment.where = "environment", changed = true;

@@ -10,11 +10,14 @@
 
 namespace lightwalk {
 
-/// Widths of labels on the right of their fields, by the size of the text.
-inline float font_px(float of_15) { return of_15 * ImGui::GetFontSize() / 15.0f; }
-inline float label_px() { return font_px(110.0f); }
-inline float short_label_px() { return font_px(70.0f); }
-inline float color_label_px() { return font_px(80.0f); }
+/// A width in pixels beside text of 15 pixels; as many times more beside larger text.
+struct TextWidth {
+    float px_at_15;
+    operator float() const { return px_at_15 * ImGui::GetFontSize() / 15.0f; }
+};
+
+/// Widths of labels on the right of their fields.
+inline constexpr TextWidth label_px{110.0f}, short_label_px{70.0f}, color_label_px{80.0f};
 
 /// Whether a key went down since the frame before.
 inline bool key_pressed(ImGuiKey key) {
