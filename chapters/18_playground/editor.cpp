@@ -21,6 +21,7 @@ bool is_no_setting(const KnobBase& knob) {
 }  // namespace
 
 void Editor::loaded(Chapter& chapter) {
+    end_drag(true);  // what has been dragged so far is a change like others
     // Toggles of exercises and F5 load the window's first scene again: what is being edited may be another one.
     const std::filesystem::path file = chapter.scene.file.file;
     const bool again = shown_ && !file.empty() && (file == first_file_ || file == store.path);
@@ -84,6 +85,20 @@ void Editor::open_document(Chapter& chapter, Document next) {
     give_knobs(chapter);
 }
 
+void Editor::recover(Chapter& chapter) try {
+    std::pair before(document, store);
+    Said said;
+    open_document(chapter, store.recover(&said));
+    recovered_from_ = std::move(before);
+    notice = said;
+} catch (const InputError& e) { keep_recovery(e.what()); }
+
+// Else the next autosave would write over it.
+void Editor::keep_recovery(const std::string& why) {
+    const std::filesystem::path left = store.autosave_file(), kept = store.set_aside();
+    notice = why + (kept == left ? "" : "; kept as " + kept.filename().string());
+}
+
 void Editor::take_knobs(const Chapter& chapter) {
     if (drag || chapter.tries_knobs) return;  // a drag's step is open
     std::map<std::string, std::string> changed;
@@ -121,11 +136,18 @@ LiveScene::Done Editor::update(Chapter& chapter, Gpu& gpu) {
     try {
         const LiveScene::Done done = live.update(gpu, document, chapter.scene, loader);
         loads = live.loads;
+        recovered_from_.reset();
         return done;
     } catch (const InputError& e) {
         notice = e.what();
-        document.undo();
-        document.mark_all_changed();
+        if (auto before = std::exchange(recovered_from_, std::nullopt)) {
+            store = std::move(before->second);
+            open_document(chapter, std::move(before->first));
+            keep_recovery(e.what());
+        } else {
+            document.undo();
+            document.mark_all_changed();
+        }
         selection.drop_missing(document);
         const LiveScene::Done done = live.update(gpu, document, chapter.scene, loader);
         loads = live.loads;
@@ -232,11 +254,14 @@ Bounds Editor::selected_bounds(const Scene& scene) const {
     const std::vector<uint32_t> flags = selected_items(scene);
     for (size_t i = 0; i < flags.size(); ++i)
         if (flags[i]) box.add(scene.items[i].bounds);
-    for (const EntryId id : selection.ids)
-        if (const Entry* entry = document.find(id); entry && entry->light()) {
-            box.add(entry->light()->position - 0.5f);
-            box.add(entry->light()->position + 0.5f);
-        }
+    for (const EntryId id : selection.ids) {
+        const Entry* const entry = document.find(id);
+        const bool light = entry && entry->light(), hidden = entry && entry->object() && is_hidden(document, id);
+        if (!light && !hidden) continue;
+        const glm::vec3 place(world_of(document, id)[3]);
+        box.add(place - 0.5f);
+        box.add(place + 0.5f);
+    }
     return box;
 }
 

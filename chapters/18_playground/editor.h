@@ -30,6 +30,9 @@ class Editor {
     void open(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file,
               const std::function<void(Scene&)>& give = {});
     void open_document(Chapter& chapter, Document next);
+    /// What a crash has left of this scene. Where it cannot be shown, update() brings back what was there, and keeps the
+    /// file under another name.
+    void recover(Chapter& chapter);
 
     /// Between frames: knobs that were changed in the panel become steps, and the document's changes are shown. What cannot
     /// be shown is undone, and `notice` says why.
@@ -65,7 +68,9 @@ class Editor {
     void give_knobs(Chapter& chapter);
     void follow_steps(Chapter& chapter, std::string what);
     std::map<std::string, std::string> first_knobs_, known_knobs_;
+    void keep_recovery(const std::string& why);
     const Scene* shown_ = nullptr;
+    std::optional<std::pair<Document, SceneStore>> recovered_from_;  ///< until what came instead has been shown
     std::filesystem::path first_file_;  ///< of the scene that whoever shows the chapter loads
 };
 

@@ -39,6 +39,7 @@ void EditorWindow::bring_up_to_date(Gpu& gpu) {
     if (loads && !pace_) pace_ = Pace{start, start};
     carry_on_loading(gpu);
     Playground::bring_up_to_date(gpu);
+    if (std::exchange(exports_, false)) export_now();
     if (pace_) note_pace(start, now_s() - start, !loads);
 }
 

@@ -16,11 +16,11 @@ float EditorWindow::covered_px(glm::uvec2 picture, float scale) const {
 }
 
 bool EditorWindow::draw_panels(glm::uvec2 picture, float scale) {
-    picture_ = picture;
+    picture_ = picture, covered_px_ = covered_px(picture, scale);
     const bool changed = std::exchange(changed_, false);
     const uint64_t state = editor.document.state();
     const std::vector<EntryId> selected = editor.selection.ids;
-    if (const float width = covered_px(picture, scale); width > 0.0f) {
+    if (const float width = covered_px_; width > 0.0f) {
         ImGui::SetNextWindowPos({0.0f, 0.0f});
         ImGui::SetNextWindowSize({width, static_cast<float>(picture.y)});
         ImGui::SetNextWindowBgAlpha(0.88f);
@@ -35,7 +35,7 @@ bool EditorWindow::draw_panels(glm::uvec2 picture, float scale) {
     } else {  // no field is there to wait for the keyboard
         types_ = searches_ = renaming_begins_ = false, renaming_ = no_entry;
     }
-    browser_.draw(scale);
+    browser_.draw(scale, covered_px_);
     draw_loading(scale);
     draw_steps(scale);
     draw_keys(scale);
@@ -131,7 +131,7 @@ void EditorWindow::draw_row(const TreeRow& row) {
     } else if (renaming_ == row.id) {
         ImGui::SetNextItemWidth(-1.0f);
         if (std::exchange(renaming_begins_, false)) ImGui::SetKeyboardFocusHere();
-        const bool named = text_field("##rename", renaming_text_);
+        const bool named = text_field("##rename", renaming_text_, "", false, ImGuiInputTextFlags_AutoSelectAll);
         if (named || ImGui::IsItemDeactivated()) renaming_ = no_entry;
         if (named) say(rename(editor.document, row.id, renaming_text_));
     } else {
@@ -161,7 +161,8 @@ void EditorWindow::draw_row(const TreeRow& row) {
         if (ImGui::BeginDragDropSource()) {
             if (!editor.selection.has(row.id)) editor.selection.set({row.id});
             ImGui::SetDragDropPayload("entries", &row.id, sizeof row.id);
-            ImGui::Text("%zu entries", editor.selection.ids.size());
+            const size_t count = editor.selection.ids.size();
+            ImGui::TextUnformatted((count == 1 ? shown_as : fmt::format("{} entries", count)).c_str());
             ImGui::EndDragDropSource();
         }
         if (ImGui::BeginDragDropTarget()) {
@@ -177,6 +178,15 @@ void EditorWindow::draw_row(const TreeRow& row) {
     ImGui::PopID();
 }
 // [/tree]
+
+void EditorWindow::begin_renaming(EntryId id) {
+    renaming_ = id, renaming_text_ = editor.document.at(id).name(), renaming_begins_ = true;
+    editor.tree.show(editor.document, id);
+    followed_ = no_entry;  // its line comes into sight, whatever is being searched
+    const std::vector<TreeRow>& rows = editor.tree.rows(editor.document);
+    if (std::none_of(rows.begin(), rows.end(), [&](const TreeRow& row) { return row.id == id; }))
+        search_.clear(), editor.tree.search("");
+}
 
 // By the right button.
 void EditorWindow::draw_row_menu(EntryId id) {
@@ -203,7 +213,7 @@ void EditorWindow::draw_row_menu(EntryId id) {
 
 void EditorWindow::draw_keys(float scale) {
     if (!shows_keys_) return;
-    ImGui::SetNextWindowPos({280.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowPos({covered_px_ + 10.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("keys", &shows_keys_, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize)) {
         static constexpr const char* keys[][2] = {
             {"click, Shift and click", "select; add to the selection"},
@@ -231,45 +241,6 @@ void EditorWindow::draw_keys(float scale) {
         }
     }
     ImGui::End();
-}
-
-void EditorWindow::draw_question() {
-    if (question_ == Question::nothing) return;
-    if (!ImGui::IsPopupOpen("question")) ImGui::OpenPopup("question");
-    if (!ImGui::BeginPopupModal("question", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar))
-        return;
-    const Question asked = question_;
-    const bool by_key = !ImGui::IsWindowAppearing();  // not by the key that asked
-    const bool to_target = asked == Question::overwrite || editor.store.path.empty();
-    const std::string file = (to_target ? save_target() : editor.store.path).string();
-    // Enter is the first answer, Escape the one that leaves all as it is.
-    const auto answer = [&](const char* label, std::initializer_list<ImGuiKey> keys = {}) {
-        bool yes = ImGui::Button(label);
-        for (const ImGuiKey key : keys) yes |= by_key && key_pressed(key);
-        log_place(std::string("answer.") + label);
-        ImGui::SameLine();
-        if (yes) question_ = Question::nothing;
-        return yes;
-    };
-    if (asked == Question::close) {
-        ImGui::Text("The scene has changes that are not saved.");
-        if (answer("save", {ImGuiKey_Enter})) on_save(), closes_ = !editor.store.has_unsaved(editor.document);
-        if (answer("discard")) editor.store.forget_recovery(), closes_ = true;
-        answer("stay", {ImGuiKey_Escape});
-    } else if (asked == Question::overwrite) {
-        ImGui::Text("%s is there already, or was written by somebody else.", file.c_str());
-        if (answer("overwrite", {ImGuiKey_Enter})) overwrites_ = true, on_save();
-        if (answer("cancel", {ImGuiKey_Escape})) saves_as_ = false;
-    } else {
-        ImGui::Text("%s was not saved when the program ended last.", file.c_str());
-        if (answer("restore", {ImGuiKey_Enter})) try {
-                editor.open_document(*this, editor.store.recover());
-            } catch (const InputError& e) { editor.notice = e.what(); }
-        if (answer("throw away")) editor.store.forget_recovery();
-    }
-    changed_ = true;
-    if (question_ == Question::nothing) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
 }
 
 }  // namespace lightwalk

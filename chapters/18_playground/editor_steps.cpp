@@ -8,7 +8,7 @@ namespace lightwalk {
 
 void EditorWindow::draw_steps(float scale) {
     if (!shows_steps_) return void(listed_ = SIZE_MAX);
-    ImGui::SetNextWindowPos({280.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowPos({covered_px_ + 10.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({260.0f * scale, 320.0f * scale}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("steps", &shows_steps_, ImGuiWindowFlags_NoSavedSettings)) {
         const std::vector<Document::Listed> steps = editor.document.steps();

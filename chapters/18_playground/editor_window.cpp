@@ -51,8 +51,7 @@ bool EditorWindow::on_mouse(const Input& input, glm::vec2 cursor_px, bool over_p
         const bool clicked = released && moved_px_ < click_px;
         if (clicked) {  // nobody has dragged: what lies below the handle is meant
             editor.end_drag(false);
-            adds_ = input.shift;
-            click = glm::ivec2(cursor_px);
+            choose_at(cursor_px, input.shift);
         } else if (released) {
             log_event("dragged " + editor.drag->words());
             editor.end_drag(true);
@@ -62,21 +61,22 @@ bool EditorWindow::on_mouse(const Input& input, glm::vec2 cursor_px, bool over_p
         return true;
     }
     if (std::exchange(dragged_, dragged_ && input.left)) return true;  // what ended the drag is no reason to orbit
-    if (released && pressed_on_picture_ && over_picture && moved_px_ < click_px) {
-        adds_ = input.shift;
-        if (const auto light_id = editor.light_at(view_now, cursor_px)) {
-            if (adds_)
-                editor.selection.toggle(*light_id);
-            else
-                editor.selection.set({*light_id});
-        } else {
-            click = glm::ivec2(cursor_px);
-        }
-        changed_ = true;
-    }
+    if (released && pressed_on_picture_ && over_picture && moved_px_ < click_px) choose_at(cursor_px, input.shift);
     return false;
 }
 // [/mouse]
+
+// A light's circle, or what the next frame finds there.
+void EditorWindow::choose_at(glm::vec2 cursor_px, bool add) {
+    changed_ = true;
+    const auto light_id = editor.light_at(view_now, cursor_px);
+    if (!light_id)
+        adds_ = add, click = glm::ivec2(cursor_px);
+    else if (add)
+        editor.selection.toggle(*light_id);
+    else
+        editor.selection.set({*light_id});
+}
 
 bool EditorWindow::on_control_key(const KeyPress& pressed) {
     const int key = pressed.key;
@@ -92,9 +92,7 @@ bool EditorWindow::on_control_key(const KeyPress& pressed) {
     else if (key == GLFW_KEY_O)
         browser_.shown = !browser_.shown;
     else if (key == GLFW_KEY_E)
-        try {
-            editor.export_to(scene, save_name_.substr(0, save_name_.rfind('.')) + ".gltf");
-        } catch (const InputError& e) { editor.notice = e.what(); }
+        on_export();
     else if (key == GLFW_KEY_A)
         editor.selection.set(editor.document.at(root_entry).children);
     else if (key == GLFW_KEY_S && (pressed.mods & GLFW_MOD_SHIFT))
@@ -199,40 +197,9 @@ void EditorWindow::unfold_chosen(bool open) {
 void EditorWindow::frame_selected() {
     const Bounds box = editor.selected_bounds(scene);
     const glm::vec2 size(picture_);
-    CameraControl::frame(camera, box.empty() ? scene.bounds : box, size.x / size.y);
-}
-
-bool EditorWindow::on_save() {
-    editor.end_drag(true);
-    const bool overwrites = std::exchange(overwrites_, false), own = saves_own();
-    try {
-        if (!overwrites && (own ? editor.store.changed_on_disk() : file_exists(save_target()))) {
-            question_ = Question::overwrite;
-            changed_ = true;
-            return true;
-        }
-        editor.save(*this, own ? std::filesystem::path() : save_target());
-        remember_file(editor.store.path);
-        log_event("saved " + std::filesystem::absolute(editor.store.path).string());
-    } catch (const std::exception& e) {
-        editor.notice = "not saved: " + std::string(e.what());
-        log_event("not saved");
-    }
-    saves_as_ = false;
-    return true;
-}
-
-// The course's own scenes are not written over.
-bool EditorWindow::saves_own() const {
-    const std::filesystem::path& file = editor.store.path;
-    return !saves_as_ && !file.empty() && !lies_below(file, course_root() / "assets");
-}
-
-std::filesystem::path EditorWindow::save_target() const {
-    const std::filesystem::path named = save_name_;
-    return saves_own()                    ? editor.store.path
-           : named.extension() == ".json" ? named
-                                          : std::filesystem::path(named.string() + ".json");
+    // Its middle is the picture's, about which the camera turns: as much is free on the right as the panel leaves on the left.
+    const float free = std::max(size.x - 2.0f * covered_px_, 0.4f * size.x);
+    CameraControl::frame(camera, box.empty() ? scene.bounds : box, free / size.y);
 }
 
 bool EditorWindow::may_close() {
@@ -252,12 +219,6 @@ bool EditorWindow::is_busy() {
         } catch (const InputError& e) { editor.notice = "not saved by itself: " + std::string(e.what()); }
     next_autosave_ = now_s() + autosave_every_s;
     return busy;
-}
-
-void EditorWindow::check_recovery() {
-    if (std::exchange(checked_, editor.store.path) == editor.store.path) return;
-    browser_.chosen = [this](const std::filesystem::path& file, bool adds) { want(file, adds); };
-    if (editor.store.has_recovery()) question_ = Question::recover;
 }
 
 }  // namespace lightwalk

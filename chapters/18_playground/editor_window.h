@@ -29,11 +29,7 @@ struct EditorWindow : Playground, WindowTool {
   private:
     void draw_tree();
     void draw_row(const TreeRow& row);
-    void begin_renaming(EntryId id) {
-        renaming_ = id, renaming_text_ = editor.document.at(id).name(), renaming_begins_ = true;
-        editor.tree.show(editor.document, id);
-        followed_ = no_entry;  // its line comes into sight
-    }
+    void begin_renaming(EntryId id);
     void draw_properties();
     void draw_switches(EntryId id);
     void draw_object(EntryId id);
@@ -47,6 +43,7 @@ struct EditorWindow : Playground, WindowTool {
     void draw_keys(float scale);
     bool on_control_key(const KeyPress& key);
     bool on_shift_key(int key);
+    void choose_at(glm::vec2 cursor_px, bool add);
     void walk_tree(int by);
     void unfold_chosen(bool open);
     void scatter_lights();
@@ -89,8 +86,11 @@ struct EditorWindow : Playground, WindowTool {
     void check_recovery();
     bool saves_own() const;
     std::filesystem::path save_target() const;
+    std::filesystem::path export_target() const;
+    void on_export();
+    void export_now();
 
-    enum class Question { nothing, close, overwrite, recover } question_ = Question::nothing;
+    enum class Question { nothing, close, overwrite, recover, export_over } question_ = Question::nothing;
     FileBrowser browser_{*this};
     /// A file that was asked for, and the models that it still needs.
     struct Wanted {
@@ -121,7 +121,8 @@ struct EditorWindow : Playground, WindowTool {
     size_t listed_ = SIZE_MAX;               ///< the step that the list was scrolled to last
     bool types_ = false, searches_ = false;  ///< the next frame puts the keyboard into a field
     bool renaming_begins_ = false, closes_ = false, shows_keys_ = false, shows_steps_ = false, changed_ = false,
-         overwrites_ = false, saves_as_ = false;
+         overwrites_ = false, saves_as_ = false, exports_ = false;
+    std::filesystem::path exported_;  ///< what was written last, and may be written over
     bool was_down_ = false, pressed_on_picture_ = false, dragged_ = false, adds_ = false;
     std::optional<std::filesystem::path> checked_;  ///< the scene of which a crash may have left something
     glm::vec2 press_px_{0.0f};
@@ -129,6 +130,7 @@ struct EditorWindow : Playground, WindowTool {
     double next_autosave_ = 0;
     int scatter_count_ = 100;
     glm::uvec2 picture_{960, 540};
+    float covered_px_ = 0;  ///< of it, by the panel on the left
 };
 
 }  // namespace lightwalk

@@ -96,7 +96,7 @@ void FileBrowser::go(const fs::path& folder) {
     marked_ = 0;
 }
 
-void FileBrowser::draw(float scale) {
+void FileBrowser::draw(float scale, float left_px) {
     if (!shown) {
         fresh_ = false;
         return;
@@ -108,7 +108,7 @@ void FileBrowser::draw(float scale) {
         recent_ = recent_files();
     }
     ImGui::SetNextWindowSize({520.0f * scale, 460.0f * scale}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowPos({290.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowPos({left_px + 20.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
     if (!ImGui::Begin("files", &shown, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
         ImGui::End();
         return;

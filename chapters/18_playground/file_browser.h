@@ -39,7 +39,7 @@ class FileBrowser {
     bool shown = false;
     /// Of what was chosen; the flag says whether it is to be added to the scene.
     std::function<void(const std::filesystem::path&, bool)> chosen;
-    void draw(float scale);
+    void draw(float scale, float left_px);
     Thumbnails thumbnails;
 
   private:

@@ -69,20 +69,25 @@ class GizmoDrag {
         glm::dmat4 parent;  ///< to the world
         Placement placement;
         glm::dquat parent_rotation;
+        bool mirrored = false;  ///< by the parent
         glm::vec3 light_position{0.0f}, light_direction{0.0f};
     };
     void translate(const glm::dvec3& by);
     void rotate(const glm::vec3& axis, double angle_rad);
     void scale(const glm::dvec3& by);
+    void follow(const View& view);
+    float place_on_axis(const View& view, glm::vec2 cursor_px) const;
     glm::vec3 place_on(const View& view, glm::vec2 cursor_px) const;
+    std::optional<float> angle_on(const View& view, glm::vec2 cursor_px) const;
     Document& document_;
     std::vector<Start> starts_;
     GizmoPlace place_;
     Handle handle_;
     glm::vec3 normal_{0.0f};  ///< of the plane that a plane handle, a ring or the whole is dragged in
-    float start_on_axis_ = 0, start_angle_ = 0, angle_ = 0, last_angle_ = 0;
+    float start_on_axis_ = 0, angle_ = 0, last_angle_ = 0;
     glm::vec3 start_place_{0.0f};
-    glm::vec2 start_px_{0.0f};
+    glm::vec2 start_px_{0.0f}, last_px_{0.0f};
+    View view_;  ///< of the last move
     std::string words_;
 };
 

@@ -17,11 +17,16 @@ double snap_step(float length_m) { return std::pow(10.0, std::floor(std::log10(d
 
 double snapped(double value, double step) { return step * std::round(value / step); }
 
+// Across a mirror in x, in which a turn about x goes on and all others go backwards.
+glm::dquat seen(const glm::dquat& turn, bool mirrored) {
+    return mirrored ? glm::dquat(turn.w, turn.x, -turn.y, -turn.z) : turn;
+}
+
 }  // namespace
 
 GizmoDrag::GizmoDrag(Document& document, const std::vector<EntryId>& ids, const GizmoPlace& place, const Handle& handle,
                      const View& view, glm::vec2 cursor_px)
-    : document_(document), place_(place), handle_(handle), start_px_(cursor_px) {
+    : document_(document), place_(place), handle_(handle), start_px_(cursor_px), last_px_(cursor_px), view_(view) {
     for (const EntryId id : movable(document, ids)) {
         const Entry& entry = document.at(id);
         Start start{id, glm::dmat4(world_of(document, entry.parent)), {}, glm::dquat(1, 0, 0, 0)};
@@ -30,6 +35,7 @@ GizmoDrag::GizmoDrag(Document& document, const std::vector<EntryId>& ids, const 
             start.light_position = light->position, start.light_direction = light->direction;
         const Placement parent = placement_of(glm::mat4(start.parent), glm::vec3(0.0f));
         start.parent_rotation = rotation_of(parent.rotation_deg);
+        start.mirrored = parent.scale.x < 0.0f;
         starts_.push_back(start);
     }
     normal_ = handle.kind == Handle::Kind::whole ? glm::normalize(place.pivot - view.eye) : place.axes[handle.axis];
@@ -37,11 +43,27 @@ GizmoDrag::GizmoDrag(Document& document, const std::vector<EntryId>& ids, const 
     document.begin(fmt::format(
         "{} {}", verbs[static_cast<int>(place.tool)],
         starts_.size() == 1 ? document.at(starts_[0].id).name() : fmt::format("{} entries", starts_.size())));
-    start_on_axis_ = drag_on_axis(ray_through(view, cursor_px), place.pivot, place.axes[handle.axis]);
+    start_on_axis_ = place_on_axis(view, cursor_px);
     start_place_ = place_on(view, cursor_px);
-    const auto center = on_screen(view, place.pivot);
-    const glm::vec2 arm = center ? cursor_px - *center : glm::vec2(1.0f, 0.0f);
-    start_angle_ = last_angle_ = std::atan2(arm.y, arm.x);
+    last_angle_ = angle_on(view, cursor_px).value_or(0.0f);
+}
+
+// The window has another size, or shows another view: what is being dragged stays where it is, under a mouse that rests.
+void GizmoDrag::follow(const View& view) {
+    start_on_axis_ += place_on_axis(view, last_px_) - place_on_axis(view_, last_px_);
+    start_place_ += place_on(view, last_px_) - place_on(view_, last_px_);
+    last_angle_ = angle_on(view, last_px_).value_or(last_angle_);
+}
+
+float GizmoDrag::place_on_axis(const View& view, glm::vec2 cursor_px) const {
+    return drag_on_axis(ray_through(view, cursor_px), place_.pivot, place_.axes[handle_.axis]);
+}
+
+// About the pivot, on the screen; none too near to it.
+std::optional<float> GizmoDrag::angle_on(const View& view, glm::vec2 cursor_px) const {
+    const auto center = on_screen(view, place_.pivot);
+    if (!center || glm::length(cursor_px - *center) < 2.0f) return std::nullopt;
+    return std::atan2(cursor_px.y - center->y, cursor_px.x - center->x);
 }
 
 // Where the ray meets the plane of the handle; seen from its edge the plane is met no farther than a hundred arrows away.
@@ -58,15 +80,15 @@ glm::vec3 GizmoDrag::place_on(const View& view, glm::vec2 cursor_px) const {
 
 // [drag]
 void GizmoDrag::move(const View& view, glm::vec2 cursor_px, bool snap) {
-    const PickRay ray = ray_through(view, cursor_px);
+    if (view.view_projection != view_.view_projection || view.size != view_.size) follow(view);
+    view_ = view, last_px_ = cursor_px;
     const glm::dvec3 axis(place_.axes[handle_.axis]);
     const bool along_axis = handle_.kind == Handle::Kind::axis;
     if (place_.tool == Tool::rotate) {
-        const auto center = on_screen(view, place_.pivot);
-        if (!center || glm::length(cursor_px - *center) < 2.0f) return;
-        const float now = std::atan2(cursor_px.y - center->y, cursor_px.x - center->x);
-        angle_ += std::remainder(now - last_angle_, glm::two_pi<float>());  // more than one turn is possible
-        last_angle_ = now;
+        const auto now = angle_on(view, cursor_px);
+        if (!now) return;
+        angle_ += std::remainder(*now - last_angle_, glm::two_pi<float>());  // more than one turn is possible
+        last_angle_ = *now;
         // On the screen y points down; seen against the axis the ring turns the other way.
         const float side = glm::dot(place_.pivot - view.eye, normal_) > 0.0f ? 1.0f : -1.0f;
         double angle = double(side * angle_);
@@ -74,7 +96,7 @@ void GizmoDrag::move(const View& view, glm::vec2 cursor_px, bool snap) {
         rotate(normal_, angle);
         words_ = fmt::format("{:.1f}°", glm::degrees(angle));
     } else if (along_axis) {
-        double by = double(drag_on_axis(ray, place_.pivot, place_.axes[handle_.axis]) - start_on_axis_);
+        double by = double(place_on_axis(view, cursor_px) - start_on_axis_);
         if (place_.tool == Tool::move) {
             if (snap) by = snapped(by, snap_step(place_.length_m));
             translate(by * axis);
@@ -124,11 +146,12 @@ void GizmoDrag::rotate(const glm::vec3& axis, double angle_rad) {
                 continue;
             }
             const glm::dvec3 world(start.parent * glm::dvec4(start.placement.position, 1.0));
-            const glm::dquat before = start.parent_rotation * rotation_of(start.placement.rotation_deg);
+            const glm::dquat before =
+                start.parent_rotation * seen(rotation_of(start.placement.rotation_deg), start.mirrored);
             const Pose turned = rotate_about_pivot({glm::vec3(world), glm::quat(before)}, place_.pivot, axis, angle);
             object->position = glm::vec3(glm::inverse(start.parent) * glm::dvec4(turned.position, 1.0));
             const glm::dquat own = glm::inverse(start.parent_rotation) * glm::dquat(turned.orientation);
-            object->rotation_deg = rotation_deg_of(own, object->rotation_deg);
+            object->rotation_deg = rotation_deg_of(seen(own, start.mirrored), object->rotation_deg);
         } else if (Light* light = entry.light()) {
             const Pose turned = rotate_about_pivot({start.light_position}, place_.pivot, axis, angle);
             light->position = angle == 0.0f ? start.light_position : turned.position;

@@ -234,6 +234,10 @@ void export_gltf(const Document& document, const Scene& scene, const fs::path& f
     const fs::path target = file.extension() == ".gltf" ? file : fs::path(file.string() + ".gltf");
     fs::path buffer = target;
     buffer.replace_extension(".bin");
+    for (const SceneObject& object : scene.file.objects)
+        if (std::error_code error;
+            !object.model.empty() && !object.hidden && fs::equivalent(target, find_asset(object.model), error))
+            throw InputError("{}: the scene shows this file; save the scene under another name first", target.string());
     check_writable(target);
     Exporter exporter(document, scene, fs::absolute(target).parent_path());
     const std::string text = exporter.whole(clean_name(buffer.filename().string())).dump(1, '\t') + "\n";

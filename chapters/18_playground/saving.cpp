@@ -208,13 +208,61 @@ bool SceneStore::has_recovery() const {
     return fs::last_write_time(left, error) >= fs::last_write_time(path, error);
 }
 
-Document SceneStore::recover() {
+namespace {
+
+// Takes out of a scene what it names and nobody has any more, and names it: an object keeps its place and its children.
+std::string drop_gone_files(nlohmann::json& scene) {
+    std::string gone;
+    const auto drop = [&](nlohmann::json& from, const std::string& key) {
+        const auto found = from.find(key);
+        if (found == from.end() || !found->is_string()) return false;
+        const fs::path file = found->get<std::string>();
+        try {
+            find_asset(file);
+            return false;
+        } catch (const InputError&) {
+            gone += (gone.empty() ? "" : ", ") + file.filename().string();
+            return from.erase(found), true;
+        }
+    };
+    if (!scene.is_object()) return gone;
+    if (const auto objects = scene.find("objects"); objects != scene.end() && objects->is_array())
+        for (nlohmann::json& object : *objects) {
+            if (!object.is_object()) continue;
+            drop(object, "model");
+            for (const MapSlotInfo& slot : map_slots())
+                if (const nlohmann::json::json_pointer maps("/material/maps"); object.contains(maps))
+                    drop(object[maps], slot.name);
+        }
+    for (const char* key : {"environment", "music"})
+        if (!drop(scene, key))
+            if (const auto found = scene.find(key); found != scene.end() && drop(*found, "image")) scene.erase(found);
+    return gone;
+}
+
+}  // namespace
+
+Document SceneStore::recover(Said* said) {
     const fs::path copy = path.empty() ? fs::path("untitled.json") : path;
-    const std::string bytes = read_file(autosave_file());
+    std::string bytes = read_file(autosave_file());
+    nlohmann::json scene = nlohmann::json::parse(bytes, nullptr, false);
+    if (const std::string gone = drop_gone_files(scene); !gone.empty()) {
+        bytes = scene.dump();
+        if (said) *said = "restored without files that are gone: " + gone;
+    }
     Document document(parse_scene(bytes, copy));
     saved_state_ = 0;  // none of its states is in the file
     includes_.clear();
     return document;
+}
+
+fs::path SceneStore::set_aside() {
+    const fs::path left = autosave_file();
+    fs::path kept;
+    for (int i = 1; kept.empty() || file_exists(kept); ++i) kept = left.string() + "." + std::to_string(i);
+    std::error_code error;
+    fs::rename(left, kept, error);
+    return error ? left : kept;
 }
 
 void SceneStore::forget_recovery() {

@@ -43,7 +43,10 @@ class SceneStore {
     bool autosave(const Document& document);
     /// A file that a crash has left: it is newer than the scene file.
     bool has_recovery() const;
-    Document recover();
+    /// Throws InputError where it cannot be read. `said`: which files that it names are gone; the rest is there.
+    Document recover(Said* said = nullptr);
+    /// Gives what a crash has left a name that nothing is written to: its path.
+    std::filesystem::path set_aside();
     void forget_recovery();
 
     std::string text(const Document& document, Said* said = nullptr) const;

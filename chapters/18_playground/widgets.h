@@ -10,8 +10,14 @@
 
 namespace lightwalk {
 
+/// A width in pixels beside text of 15 pixels; as many times more beside larger text.
+struct TextWidth {
+    float px_at_15;
+    operator float() const { return px_at_15 * ImGui::GetFontSize() / 15.0f; }
+};
+
 /// Widths of labels on the right of their fields.
-inline constexpr float label_px = 110.0f, short_label_px = 70.0f, color_label_px = 80.0f;
+inline constexpr TextWidth label_px{110.0f}, short_label_px{70.0f}, color_label_px{80.0f};
 
 /// Whether a key went down since the frame before.
 inline bool key_pressed(ImGuiKey key) {
@@ -24,7 +30,8 @@ inline bool key_pressed(ImGuiKey key) {
 
 /// A field for a text. True where it was changed and left, or Enter was pressed; Escape takes back what was typed. `text`
 /// may be another string in each frame: what is being typed is kept here. `hint`: what an empty field is for.
-inline bool text_field(const char* label, std::string& text, const char* hint = "", bool at_once = false) {
+inline bool text_field(const char* label, std::string& text, const char* hint = "", bool at_once = false,
+                       ImGuiInputTextFlags more = 0) {
     static std::map<ImGuiID, std::string> typed;  // where one field is left for another, both are there for a frame
     std::string buffer = text;
     const auto grow = [](ImGuiInputTextCallbackData* data) {
@@ -34,7 +41,7 @@ inline bool text_field(const char* label, std::string& text, const char* hint = 
         return 0;
     };
     const ImGuiInputTextFlags flags =
-        ImGuiInputTextFlags_CallbackResize | (at_once ? 0 : ImGuiInputTextFlags_EnterReturnsTrue);
+        ImGuiInputTextFlags_CallbackResize | more | (at_once ? 0 : ImGuiInputTextFlags_EnterReturnsTrue);
     const bool enter =
         ImGui::InputTextWithHint(label, hint, buffer.data(), buffer.capacity() + 1, flags, grow, &buffer);
     log_place(std::string("field.") + (label[0] == '#' ? label + 2 : label));

@@ -78,6 +78,17 @@ class EditorTest(PictureTest):
             session.read_all()
         self.fail(f"{place} does not come: {session.areas[place]}")
 
+    def type_number(self, place: str, text: str):
+        """Into the first number of a widget, by Ctrl and a click."""
+        session = self.session
+        self.scroll_to(place)
+        session.move(session.areas[place][0] + 8, session.places[place][1])
+        with session.holding("ctrl"):
+            session.press()
+            session.release()
+        session.park()
+        session.replace(text)
+
     def assert_ended(self):
         """With nothing to say."""
         self.assertEqual(self.session.end(), 0)

@@ -85,11 +85,13 @@ TEST_CASE("a ring turns what is selected as the mouse goes round it, seen from e
 }
 
 TEST_CASE("below a turned parent: a move goes along the world's axis, a turn about it, and lights turn with the rest") {
+    const float mirror = GENERATE(1.0f, -1.0f);
     Document document;
     const EntryId parent = add_object(document, named("parent")), child = add_object(document, named("child"), parent);
     const EntryId light =
         add_light(document, {.kind = Light::Kind::spot, .position = {0, 0, 0}, .direction = {1, 0, 0}});
-    place(document, parent, {{0, 0, 0}, {20, 30, 40}, glm::vec3(2)});
+    place(document, parent, {{0, 0, 0}, {20, 30, 40}, {2, 2 * mirror, 2}});
+    place(document, child, {{0, 0, 0}, {50, 60, 70}, glm::vec3(1)});
     Dragged drag{document, {child}};
     const glm::mat4 before = world_of(document, child);
     drag.by(x_axis, center + glm::vec2(45, 0), {center + glm::vec2(95, 0)});

@@ -25,17 +25,6 @@ class Fields(EditorTest):
         self.session.tap(field)
         self.session.replace(text)
 
-    def type_number(self, place: str, text: str):
-        """Into the first number of a widget, by Ctrl and a click."""
-        session = self.session
-        self.scroll_to(place)
-        session.move(session.areas[place][0] + 8, session.places[place][1])
-        with session.holding("ctrl"):
-            session.press()
-            session.release()
-        session.park()
-        session.replace(text)
-
     def test_1_an_environment_is_typed_and_refused_where_it_is_none(self):
         session = self.session
         session.tap("entry.environment")
@@ -54,13 +43,9 @@ class Fields(EditorTest):
     def test_2_numbers_that_are_too_large_or_none_are_refused_with_a_line(self):
         session, before = self.session, self.saved()
         cases = {"entry.spot light": [("number.intensity", "1e39", r"notice intensity: inf is out of range, 0 to 1e\+06"),
-                                      ("number.intensity", "-1", "notice intensity: -1 is out of range.*"),
                                       ("number.lamp size", "*1e39", "notice lamp size: (-?nan|inf) is out of range.*"),
-                                      ("numbers.position", "1e39", "notice position: inf is out of range.*"),
-                                      ("numbers.position", "1e30", r"notice position: 1e\+30 is out of range.*"),
-                                      ("number.outer angle", "200", "notice outer angle: 200 is out of range.*")],
-                 "entry.cube": [("numbers.position", "1e39", "notice position: inf is out of range.*"),
-                                ("numbers.rotation", "1e30", r"notice rotation: 1e\+30 is out of range.*"),
+                                      ("numbers.position", "1e39", "notice position: inf is out of range.*")],
+                 "entry.cube": [("numbers.rotation", "1e30", r"notice rotation: 1e\+30 is out of range.*"),
                                 ("numbers.scale", "0", "notice a scale of 0 is not possible.*")],
                  "entry.camera": [("number.field of view", "180", "notice field of view: 180 is out of range.*"),
                                   ("number.far", "0.0001", "notice key 'far_m' must be above near_m")],
@@ -98,7 +83,6 @@ class Fields(EditorTest):
         top, bottom = session.areas["entry.cube"][1::2]
         self.assertEqual(session.areas["entry." + ODD][1::2], (bottom, 2 * bottom - top))  # a line like all others
         self.rename(ODD, 'a "b" \\ c')
-        self.assertEqual(self.names(), ["cube", 'a "b" \\ c'])
         since = session.said()
         self.rename("cube", 'a "b" \\ c')
         session.wait_for_line("notice another object has that name; this is .*", since)
@@ -109,10 +93,7 @@ class Fields(EditorTest):
         self.rename("cube.obj", "cube")
         self.assertEqual(self.names(), ["cube", 'a "b" \\ c'])
         self.rename("cube", "cube")  # what is called so already is no step
-        for name in ("", long, 'a "b" \\ c 2', "cube"):
-            self.undo()
-            self.assertEqual(self.names()[0], name)
-        self.undo()
+        self.undo(5)
         self.assertEqual(self.saved(), before)
 
     def test_4_a_file_whose_name_is_not_utf_8_is_refused_since_no_scene_could_be_saved_with_it(self):

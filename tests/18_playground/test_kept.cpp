@@ -1,0 +1,164 @@
+// What must not be lost: what a crash has left, files that an export would write over, a drag under a changed view, and
+// what was clicked a second time.
+#include <GLFW/glfw3.h>
+
+#include <nlohmann/json.hpp>
+
+#include "18_playground/gltf.h"
+#include "driven_editor.h"
+
+using namespace lightwalk;
+namespace fs = std::filesystem;
+
+namespace {
+
+// As after a crash: beside the scene, and newer.
+fs::path leave(const Driven& editor, const std::string& text) {
+    const fs::path left = editor.window.editor.store.autosave_file();
+    write_file(left, text);
+    fs::last_write_time(left, fs::file_time_type::clock::now() + std::chrono::seconds(5));
+    return left;
+}
+
+}  // namespace
+
+TEST_CASE("what a crash has left is restored without files that are gone: objects keep their places and children") {
+    Driven editor;
+    leave(editor, R"({"environment": "gone.hdr", "objects": [
+        {"name": "gone", "model": "gone.obj", "position": [3, 0, 0]},
+        {"name": "left", "parent": "gone", "model": "models/cube.obj", "material": {"maps": {"diffuse": "gone.png"}}}]})");
+    REQUIRE(editor.window.editor.store.has_recovery());
+    editor.window.editor.recover(editor.window);
+    editor.draw();
+    CHECK(editor.window.take_notice() == "restored without files that are gone: gone.obj, gone.png, gone.hdr");
+    CHECK(world_of(editor.document(), editor.named("left"))[3].x == 3.0f);
+    CHECK(editor.document().at(editor.named("gone")).object()->model.empty());
+    CHECK(editor.window.scene.items.size() == 1);
+    CHECK(editor.window.editor.store.has_unsaved(editor.document()));
+}
+
+TEST_CASE("what a crash has left and cannot be read or shown is kept, and the scene is as it was, saved") {
+    Driven editor;
+    const auto picture = editor.picture();
+    const std::string before = state_of(editor.document());
+    write_file(editor.folder.path / "bad.obj", "v 0 0 0\nf 1 2 3\n");
+    const std::string shows_bad = R"({"objects": [{"model": ")" + (editor.folder.path / "bad.obj").string() + R"("}]})";
+    int kept = 0;
+    for (const std::string& text : {std::string("{\"objects\": ["), std::string("[]"), shows_bad}) {
+        const fs::path left = leave(editor, text);
+        editor.window.editor.recover(editor.window);
+        CHECK(editor.picture() == picture);
+        CHECK(state_of(editor.document()) == before);
+        CHECK_FALSE(editor.window.editor.store.has_unsaved(editor.document()));
+        CHECK_FALSE(fs::exists(left));
+        const std::string name = left.filename().string() + "." + std::to_string(++kept);
+        CHECK(read_file(editor.folder.path / name) == text);
+        CHECK(editor.window.take_notice().find("kept as " + name) != std::string::npos);
+    }
+}
+
+TEST_CASE(
+    "exported: beside the scene, called like it, as it is after all keys of the frame; other files are asked for") {
+    Driven editor;
+    const fs::path file = editor.folder.path / "scene.gltf";
+    const auto names = [&] {
+        const auto json = nlohmann::json::parse(read_file(file));
+        std::map<std::string, size_t> vertices;  // by object
+        for (const auto& node : json["nodes"])
+            if (node.contains("children")) {
+                const auto& mesh = json["meshes"][json["nodes"][int(node["children"][0])]["mesh"].get<size_t>()];
+                const size_t positions = mesh["primitives"][0]["attributes"]["POSITION"];
+                vertices[node["name"]] = json["accessors"][positions]["count"];
+            }
+        return vertices;
+    };
+    editor.window.editor.add_model(editor.window, "models/plane.obj");
+    editor.draw();
+    editor.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
+    CHECK(editor.window.take_notice() == "exported " + file.string());
+    const auto first = names();
+    REQUIRE(first.size() == 3);
+    CHECK(first.at("plane") != first.at("left"));
+    editor.window.editor.selection.set({editor.named("left")});
+    editor.window.on_key({GLFW_KEY_DELETE, 0});  // both within a frame
+    editor.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
+    const auto second = names();
+    CHECK(second.size() == 2);
+    CHECK(second.at("plane") == first.at("plane"));
+
+    // Another start of the editor knows nothing of this file.
+    Driven later;
+    const fs::path theirs = later.folder.path / "scene.gltf";
+    write_file(theirs, "{}");
+    later.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
+    CHECK(read_file(theirs) == "{}");
+    CHECK(later.window.on_key({GLFW_KEY_F, 0}));  // a question is open
+    CHECK_THROWS_AS(export_gltf(later.document(), later.window.scene, later.folder.path / "no" / "x.gltf"), InputError);
+}
+
+TEST_CASE("nothing is exported over a model that the scene shows") {
+    Driven editor;
+    const fs::path file = editor.folder.path / "own.gltf";
+    export_gltf(editor.document(), editor.window.scene, file);
+    const std::string before = read_file(file);
+    editor.window.editor.add_model(editor.window, file);
+    editor.draw();
+    CHECK_THROWS_AS(export_gltf(editor.document(), editor.window.scene, file), InputError);
+    CHECK(read_file(file) == before);
+}
+
+TEST_CASE("a drag stays where it is when the window gets another size, and a reload keeps it as a step") {
+    Driven editor;
+    editor.begin_drag("left");
+    const float before = editor.x_of("left");
+    editor.live.draw(editor.frame, {{240, 90}, 0, 0, {}});
+    editor.window.on_mouse({.cursor = editor.cursor, .left = true}, editor.cursor, true);
+    CHECK(std::fabs(editor.x_of("left") - before) < 1e-5f);
+    editor.live.reload();
+    editor.draw();
+    CHECK(std::fabs(editor.x_of("left") - before) < 1e-5f);
+    CHECK_FALSE(editor.window.editor.drag);
+    CHECK(editor.document().done() == 1);
+}
+
+TEST_CASE("a click on a light that is selected keeps it; a Shift click takes it out; F shows what is hidden") {
+    Driven editor;
+    const EntryId light = add_light(editor.document(), {.kind = Light::Kind::point, .position = {0, 0.2f, 1}});
+    editor.draw();
+    const glm::vec2 at = *on_screen(editor.window.view_now, {0, 0.2f, 1});
+    const auto click = [&](bool shift) {
+        for (const bool down : {false, true, false})
+            editor.window.on_mouse({.cursor = at, .left = down, .shift = shift}, at, true), editor.draw();
+        editor.draw();  // in which what lies there would be found
+        editor.window.on_mouse({.cursor = at}, at, true);
+    };
+    for (int i = 0; i < 2; ++i) {
+        click(false);
+        CHECK(editor.window.editor.selection.ids == std::vector<EntryId>{light});
+    }
+    click(true);
+    CHECK(editor.window.editor.selection.ids.empty());
+
+    place(editor.document(), editor.named("right"), {{2, 5, 0}, {}, glm::vec3(1)});
+    set_hidden(editor.document(), {editor.named("right")}, true);
+    editor.window.editor.selection.set({editor.named("right")});
+    editor.draw();
+    editor.key(GLFW_KEY_F);
+    CHECK(glm::length(editor.window.camera.target - glm::vec3(2, 5, 0)) < 1e-4f);
+}
+
+TEST_CASE("what is renamed is in sight, whatever is searched for") {
+    Driven editor;
+    Editor& inner = editor.window.editor;
+    const auto shows = [&](const std::string& name) {
+        const auto& rows = inner.tree.rows(editor.document());
+        return std::any_of(rows.begin(), rows.end(), [&](const TreeRow& row) { return row.id == editor.named(name); });
+    };
+    inner.tree.search("left");
+    inner.selection.set({editor.named("left")});
+    editor.key(GLFW_KEY_R, GLFW_MOD_CONTROL);
+    CHECK_FALSE(shows("right"));
+    inner.selection.set({editor.named("right")});
+    editor.key(GLFW_KEY_R, GLFW_MOD_CONTROL);
+    CHECK(shows("right"));
+}
