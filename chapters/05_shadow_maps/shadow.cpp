@@ -236,6 +236,13 @@ void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& 
         frame, scene, directional, [](const Light&) { return 0.0f; }, view, casters);
 }
 
+Macros Shadow::macros() const {
+    Macros macros = Module::macros();
+    if (method.is("pcss")) macros.set("05_shadow_maps/filter_pcf.glsl", "05_shadow_maps/filter_pcss.glsl");
+    if (has_moments()) macros.set("05_shadow_maps/filter_pcf.glsl", "05_shadow_maps/filter_moments.glsl");
+    return macros;
+}
+
 std::vector<Resource> Shadow::reads() const {
     std::vector<Resource> reads{map_, now_->lights.buffer, now_->views.buffer};
     if (has_moments()) reads.push_back(moments_.moments);

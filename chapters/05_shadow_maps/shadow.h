@@ -132,6 +132,8 @@ struct Shadow : Module {
     void record(Frame& frame, const Scene& scene, const std::vector<Light>& directional, const View& view,
                 const Casters& casters = {});
 
+    /// With the file that holds the method's filter.
+    Macros macros() const override;
     std::vector<Resource> reads() const override;
     void bind(Pass& pass) const override;
 
