@@ -127,6 +127,7 @@ std::vector<LightView> cascades(const Light& light, const Bounds& scene, const C
         const bool whole = ball.radius >= all.radius;
         if (whole) ball = all;
         views.push_back(parallel_view(glm::normalize(light.direction), ball, scene, options));
+        views.back().whole = whole;
         if (whole) break;
     }
     return views;
@@ -137,6 +138,20 @@ std::vector<LightView> cascades(const Light& light, const Bounds& scene, const C
 float farthest_corner(const Bounds& box, glm::vec3 from) {
     return glm::length(glm::max(glm::abs(from - box.lower), glm::abs(from - box.upper)));
 }
+
+// [holds_shadow_of]
+// Along a directional light a shadow is as wide as its caster. Points whose filter in the coarser map may reach it lie in the
+// part of this one that view_of() of 05_shadow_maps/shadow.glsl takes.
+bool holds_shadow_of(const LightView& cascade, const Bounds& box, float texel) {
+    if (box.empty() || cascade.data.perspective == 1) return false;
+    const glm::mat4& to_clip = cascade.data.to_clip;
+    const glm::vec2 middle(to_clip * glm::vec4(box.center(), 1.0f));
+    glm::vec2 half(0.0f);
+    for (int axis = 0; axis < 3; ++axis) half += glm::abs(glm::vec2(to_clip[axis])) * (0.5f * box.extent()[axis]);
+    const float reach = 2.0f * MAP_MARGIN * texel / cascade.data.texel;  // clip space is 2 wide
+    return glm::all(glm::lessThanEqual(glm::abs(middle) + half, glm::vec2(1.0f - 2.0f * MAP_MARGIN - reach)));
+}
+// [/holds_shadow_of]
 
 std::vector<LightView> light_views(const Light& light, float reach_m, const Bounds& scene, const Camera& camera,
                                    const LightViewOptions& options) {

@@ -13,6 +13,7 @@ struct LightView {
     View view;
     glm::mat4 casters;  ///< world to a clip space that holds whatever casts a shadow into the view
     ShadowView data;
+    bool whole = false;  ///< a cascade that holds the whole scene, wherever the camera is
 };
 
 /// What the views of a frame have in common.
@@ -27,6 +28,10 @@ struct LightViewOptions {
 
 /// How far the farthest corner of the box is from a point, in metres.
 float farthest_corner(const Bounds& box, glm::vec3 from);
+
+/// Whether all that the box (world space) casts a shadow on is asked for in this cascade or a finer one. Then a coarser one,
+/// which has texels of `texel` metres, does well without the box.
+bool holds_shadow_of(const LightView& cascade, const Bounds& box, float texel);
 
 /// A spot wider than this (half angle) is seen in six views, as a point light is.
 constexpr float widest_view_rad = 1.1f;

@@ -1,6 +1,7 @@
 #include "05_shadow_maps/moments.h"
 
 #include <cmath>
+#include <utility>
 
 namespace lightwalk {
 
@@ -20,17 +21,17 @@ Blur blur_of(int radius, float exponent, float exponent_negative) {
     return blur;
 }
 
-bool MomentMaps::reserve(Gpu& gpu, const Image& map, VkFormat format) {
+Image MomentMaps::reserve(Gpu& gpu, const Image& map, VkFormat format) {
     const Image::Desc wanted{.name = map.desc.name + " moments",
                              .format = format,
                              .size = map.desc.size,
                              .mips = full_mip_count(map.desc.size),
                              .layers = map.desc.layers,
                              .kept = true};
-    if (moments && moments.desc == wanted) return false;
-    moments = Image(gpu.device, wanted);
+    if (moments && moments.desc == wanted) return {};
+    Image before = std::exchange(moments, Image(gpu.device, wanted));
     between_ = Image(gpu.device, {.name = wanted.name + " between", .format = format, .size = wanted.size});
-    return true;
+    return before;
 }
 
 // [blur]

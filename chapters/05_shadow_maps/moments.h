@@ -12,8 +12,8 @@ Blur blur_of(int radius, float exponent, float exponent_negative);
 /// The layers of a map of depths as moments, blurred, with mips.
 class MomentMaps {
   public:
-    /// As many layers as `map` has, of its size. True where they had to be recreated and hold nothing.
-    bool reserve(Gpu& gpu, const Image& map, VkFormat format);
+    /// As many layers as `map` has, of its size. Returns what they replace: nothing where they were there.
+    Image reserve(Gpu& gpu, const Image& map, VkFormat format);
 
     /// Moments of one layer of the map, which view number `view` of `views` sees. `macros` are the module Shadow's:
     /// they say which moments, in which format, and how to blur.

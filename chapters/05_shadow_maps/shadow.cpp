@@ -12,30 +12,45 @@ namespace lightwalk {
 
 Shadow::Shadow(Module& owner, std::string name) : Module(owner, std::move(name), "shadow") {}
 
+DrawList Shadow::Wanted::among_moved(const Scene& scene, bool are) const {
+    std::vector<uint32_t> items;
+    for (const uint32_t i : casters.items())
+        if (std::ranges::binary_search(moved, i) == are) items.push_back(i);
+    return {scene, std::move(items)};
+}
+
 // [find_views]
 // The views of all lights, those without casters without a layer.
 std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
-                                               const Camera& camera, const Casters& casters) {
+                                               const Camera& camera, const Casters& casters,
+                                               std::vector<ShadowLight>& shadow_lights) {
     const LightViewOptions options{resolution, near_m, cascades, split, distance_m, snap};
     std::vector<Wanted> wanted;
     const auto has_shadow = [this](const DrawItem&) { return has_passed(); };
     Bounds bounds = scene.bounds;
     bounds.add(casters.others);
-    shadow_lights_.clear();
     for (const Light& light : lights) {
-        ShadowLight& shadow = shadow_lights_.emplace_back();
+        ShadowLight& shadow = shadow_lights.emplace_back();
         shadow = {.position = light.position, .first_view = static_cast<uint32_t>(wanted.size())};
         if (!light.shadow || method.is("none") || bounds.empty()) continue;
         bool any = false;
-        for (const LightView& view : light_views(light, reach(light), bounds, camera, options)) {
-            const auto inside = [&](const DrawList& list) { return list.inside(view.casters); };
-            Wanted one{view,
+        const std::vector<LightView> seen = light_views(light, reach(light), bounds, camera, options);
+        for (auto view = seen.begin(); view != seen.end(); ++view) {
+            // Not what only finer cascades are asked for; but the whole scene's map is the same from wherever it is seen.
+            const auto is_needed = [&](const DrawItem& item) {
+                return view->whole || std::none_of(seen.begin(), view, [&](const LightView& finer) {
+                           return holds_shadow_of(finer, item.bounds, view->data.texel);
+                       });
+            };
+            const auto inside = [&](const DrawList& list) { return list.inside(view->casters).where(is_needed); };
+            Wanted one{*view,
                        inside(scene.opaque()),
                        inside(scene.transparent()).where(has_shadow),
-                       {view.view.view_projection, {}, casters.others_placed},
+                       {view->view.view_projection, {}, casters.others_placed},
                        !casters.others.empty()};
             for (const DrawList* const list : {&one.casters, &one.passed})
-                for (const uint32_t i : list->items()) one.key.casters.emplace_back(i, scene.items[i].transform);
+                for (const uint32_t i : list->items()) one.content.casters.emplace_back(i, scene.items[i].transform);
+            std::ranges::sort(one.content.casters, {}, &std::pair<uint32_t, glm::mat4>::first);
             any |= one.is_needed();
             wanted.push_back(std::move(one));
         }
@@ -45,55 +60,71 @@ std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const std::ve
         shadow.kind = parallel ? LIGHT_DIRECTIONAL : shadow.views == 6 ? LIGHT_POINT : LIGHT_SPOT;
         shadow.size = parallel ? 2.0f * std::tan(0.5f * light.size_rad) : light.size_m;
     }
-    uint32_t layer = 0;
-    for (Wanted& w : wanted)
-        if (w.is_needed()) w.view.data.layer = layer++;
     return wanted;
 }
 // [/find_views]
 
-// Layers are made when they are first needed, all of them anew where the size has changed.
-void Shadow::reserve(Frame& frame, uint32_t layers) {
+// [choose_layers]
+void Shadow::choose_layers(Frame& frame, uint32_t id, std::vector<Wanted>& wanted) {
+    std::vector<const MapContent*> needed;
+    for (const Wanted& w : wanted)
+        if (w.is_needed()) needed.push_back(&w.content);
+    views = static_cast<int>(needed.size());
     const uint32_t most = frame.gpu.device.properties.limits.maxImageArrayLayers;
-    if (layers > most) throw InputError("the lights need {} shadow maps; this device has at most {}", layers, most);
-    const Image::Desc wanted{.name = path() + ".map",
-                             .format = VK_FORMAT_D32_SFLOAT,
-                             .size = glm::uvec2(static_cast<uint32_t>(resolution.value)),
-                             .layers = std::max({layers, now_->map ? now_->map.desc.layers : 0u, 1u}),
+    if (needed.size() > most)
+        throw InputError("the lights need {} shadow maps; this device has at most {}", needed.size(), most);
+    for (Wanted& w : wanted)
+        if (!w.still.casters.empty() && needed.size() < most) needed.push_back(&w.still);
+    const std::vector<uint32_t> chosen = layers_.choose(id, needed, most);
+    auto layer = chosen.begin();
+    for (Wanted& w : wanted)
+        if (w.is_needed()) w.view.data.layer = *layer++;
+    for (Wanted& w : wanted)
+        if (!w.still.casters.empty() && layer != chosen.end()) w.still_layer = *layer++;
+}
+// [/choose_layers]
+
+// [reserve]
+// Layers are added when they are first needed: what is drawn already is copied. All are made anew where the size changes.
+void Shadow::reserve(Frame& frame) {
+    const Image::Desc wanted{.size = glm::uvec2(static_cast<uint32_t>(resolution.value)),
+                             .layers = std::max(static_cast<uint32_t>(layers_.size()), 1u),
                              .kept = true};
-    if (!now_->map || now_->map.desc != wanted) {
-        now_->map = Image(frame.gpu.device, wanted);
-        now_->drawn.assign(wanted.layers, {});
-        frame.raster("clear_shadows", {.depth = clear(now_->map.as_array(), 0.0f), .layers = wanted.layers},
-                     [](Raster&) {});
-    }
+    if (!map_ || map_.desc.size != wanted.size) layers_.forget();
+    const auto copy_layers = [&](const Image& old, const Image& image) {
+        if (!old || old.desc.size != image.desc.size || old.desc.format != image.desc.format) return;
+        const uint32_t layers = std::min(old.desc.layers, image.desc.layers);
+        frame.copy_images("shadow_copies", {{old.layer_range(0, layers), image.layer_range(0, layers)}});
+    };
+    const auto fit = [&](Image& image, const char* name, VkFormat of) {
+        Image::Desc desc = wanted;
+        desc.name = path() + name, desc.format = of;
+        if (!image || image.desc != desc) copy_layers(std::exchange(image, Image(frame.gpu.device, desc)), image);
+    };
+    fit(map_, ".map", VK_FORMAT_D32_SFLOAT);
     if (has_passed()) {
         constexpr VkFormat color = VK_FORMAT_R8G8B8A8_UNORM;
-        const auto fit = [&](Image& image, const char* name, VkFormat of) {
-            Image::Desc desc = wanted;
-            desc.name = path() + name, desc.format = of;
-            image.fit(frame.gpu.device, desc);
-        };
-        fit(now_->first, ".first", color), fit(now_->first_depth, ".first_depth", VK_FORMAT_D32_SFLOAT);
-        fit(now_->passed, ".passed", color), fit(now_->last_depth, ".last_depth", VK_FORMAT_R32_SFLOAT);
+        fit(first_, ".first", color), fit(first_depth_, ".first_depth", VK_FORMAT_D32_SFLOAT);
+        fit(passed_, ".passed", color), fit(last_depth_, ".last_depth", VK_FORMAT_R32_SFLOAT);
     }
-    if (!has_moments()) return;
-    if (now_->moments.reserve(frame.gpu, now_->map,
-                              format.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT))
-        now_->drawn.assign(now_->drawn.size(), {});
+    if (has_moments())
+        copy_layers(moments_.reserve(frame.gpu, map_,
+                                     format.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT),
+                    moments_.moments);
 }
+// [/reserve]
 
 // [draw_view]
-void Shadow::draw_view(Frame& frame, const Wanted& wanted, const Casters& casters) {
+void Shadow::draw_view(Frame& frame, const Wanted& wanted, const DrawList& list, const Attachment& depth,
+                       const Casters& casters) {
     const ViewScope scope(frame, wanted.view.view);
-    frame.raster("shadow_map", {.depth = clear(now_->map.layer(wanted.view.data.layer), 0.0f), .with = casters.with},
-                 [&](Raster& pass) {
-                     if (wanted.casters.size() > 0 && casters.draw)
-                         casters.draw(pass, wanted.casters);
-                     else if (wanted.casters.size() > 0)
-                         pass.use(solid).draw(wanted.casters);
-                     if (wanted.others) casters.draw_others(pass, wanted.view.view);
-                 });
+    frame.raster("shadow_map", {.depth = depth, .with = casters.with}, [&](Raster& pass) {
+        if (list.size() > 0 && casters.draw)
+            casters.draw(pass, list);
+        else if (list.size() > 0)
+            pass.use(solid).draw(list);
+        if (wanted.others && depth.load == Attachment::Load::clear) casters.draw_others(pass, wanted.view.view);
+    });
 }
 // [/draw_view]
 
@@ -108,49 +139,43 @@ void Shadow::draw_passed(Frame& frame, const Wanted& wanted, const Casters& cast
             if (by && wanted.passed.size() > 0) by(pass, wanted.passed);
         });
     };
-    draw("shadow_first", {clear(now_->first.layer(layer), glm::vec4(1.0f))},
-         clear(now_->first_depth.layer(layer), 0.0f), casters.draw_first);
+    draw("shadow_first", {clear(first_.layer(layer), glm::vec4(1.0f))}, clear(first_depth_.layer(layer), 0.0f),
+         casters.draw_first);
     draw("shadow_passed",
-         {clear(now_->passed.layer(layer), glm::vec4(1.0f)), clear(now_->last_depth.layer(layer), glm::vec4(1.0f))},
-         read_only(now_->map.layer(layer)), casters.draw_passed);
+         {clear(passed_.layer(layer), glm::vec4(1.0f)), clear(last_depth_.layer(layer), glm::vec4(1.0f))},
+         read_only(map_.layer(layer)), casters.draw_passed);
 }
 // [/draw_passed]
 
-// [copy_views]
-// A map that another view has, drawn from the same casters in the same way, is copied from there.
-void Shadow::copy_views(Frame& frame, const std::vector<Wanted>& wanted) {
+// [still]
+// What moved twice will move on: then those that stand still have a layer of their own. Each frame copies it and draws
+// what moves, which gives the same depths. A copy takes as long as a few casters that fill the map.
+void Shadow::find_moving(std::vector<Wanted>& wanted) const {
+    constexpr size_t few = 4;
+    for (Wanted& w : wanted) {
+        const MapLayers::Layer* before = keep && w.is_needed() ? layers_.before(w.content) : nullptr;
+        if (!before) continue;
+        w.moved = moved_between(before->content, w.content);
+        MapContent still = without(w.content, w.moved);
+        if (w.moved == before->moved && still.casters.size() >= few) w.still = std::move(still);
+    }
+}
+
+void Shadow::copy_still(Frame& frame, const Scene& scene, const std::vector<Wanted>& wanted, const Casters& casters) {
     std::vector<std::pair<ImageView, ImageView>> copies;
-    const auto copy_layers = [&](const ViewMaps& other, uint32_t from, uint32_t into) {
-        const auto add = [&](const Image& a, const Image& b) {
-            copies.emplace_back(ImageView(a).layer(from), ImageView(b).layer(into));
-        };
-        add(other.map, now_->map);
-        if (has_passed()) {
-            add(other.first, now_->first), add(other.first_depth, now_->first_depth);
-            add(other.passed, now_->passed), add(other.last_depth, now_->last_depth);
-        }
-        if (has_moments()) add(other.moments.moments, now_->moments.moments);
-        now_->drawn[into] = other.drawn[from];
-        ++copied_views;
-    };
     for (const Wanted& w : wanted) {
-        const uint32_t layer = w.view.data.layer;
-        if (layer == NO_LAYER || now_->drawn[layer] == w.key) continue;
-        for (const auto& [id, other] : by_view_) {
-            if (&other == now_ || other.made != now_->made || other.map.desc.size != now_->map.desc.size) continue;
-            const auto found = std::find(other.drawn.begin(), other.drawn.end(), w.key);
-            if (found == other.drawn.end()) continue;
-            copy_layers(other, static_cast<uint32_t>(found - other.drawn.begin()), layer);
-            break;
+        if (w.still_layer == NO_LAYER) continue;
+        const ImageView from = map_.layer(w.still_layer);
+        if (layers_[w.still_layer].content != w.still) {
+            draw_view(frame, w, w.among_moved(scene, false), clear(from, 0.0f), casters);
+            layers_[w.still_layer] = {w.still, w.moved};
         }
+        copies.emplace_back(from, map_.layer(w.view.data.layer));
     }
     if (!copies.empty()) frame.copy_images("shadow_copies", copies);
+    copied_views = static_cast<int>(copies.size());
 }
-// [/copy_views]
-
-void Shadow::forget() {
-    for (auto& [id, maps] : by_view_) maps.drawn.assign(maps.drawn.size(), {});
-}
+// [/still]
 
 // What maps depend on beside the casters.
 std::string Shadow::map_key() const {
@@ -166,28 +191,35 @@ std::string Shadow::map_key() const {
 void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
                     const View& view, const Casters& casters) {
     const auto has_cascades = [](const Light& light) { return light.shadow && light.kind == Light::Kind::directional; };
-    now_ = &by_view_[std::any_of(lights.begin(), lights.end(), has_cascades) ? view.id : 0];
-    if (std::exchange(toggles_, Exercises::version()) != Exercises::version()) forget();
+    const uint32_t id = std::any_of(lights.begin(), lights.end(), has_cascades) ? view.id : 0;
+    now_ = &by_view_[id];
     now_->eye = {view.eye, view.pixel_rad()};
-    const std::vector<Wanted> wanted = find_views(scene, lights, reach, view.camera, casters);
+    const bool toggled = std::exchange(toggles_, Exercises::version()) != Exercises::version();
+    if (std::exchange(made_, map_key()) != map_key() || toggled) forget();
+    std::vector<ShadowLight> shadow_lights;
+    std::vector<Wanted> wanted = find_views(scene, lights, reach, view.camera, casters, shadow_lights);
+    find_moving(wanted);
+    choose_layers(frame, id, wanted);
+    reserve(frame);
     std::vector<ShadowView> data;
-    views = drawn_views = copied_views = 0;
-    for (const Wanted& w : wanted) data.push_back(w.view.data), views += w.view.data.layer != NO_LAYER;
-    reserve(frame, static_cast<uint32_t>(views));
-    frame.upload("shadow_lights", now_->lights, shadow_lights_);
-    frame.upload("shadow_views", now_->views, data);
-    if (std::exchange(now_->made, map_key()) != map_key()) now_->drawn.assign(now_->drawn.size(), {});
-    if (keep) copy_views(frame, wanted);
+    for (const Wanted& w : wanted) data.push_back(w.view.data);
+    now_->lights.upload(frame, "shadow_lights", shadow_lights);
+    now_->views.upload(frame, "shadow_views", data);
+    drawn_views = 0;
+    copy_still(frame, scene, wanted, casters);
     for (uint32_t i = 0; i < wanted.size(); ++i) {
         const Wanted& w = wanted[i];
         const uint32_t layer = w.view.data.layer;
-        if (layer == NO_LAYER || (keep && now_->drawn[layer] == w.key)) continue;
-        draw_view(frame, w, casters);
+        if (layer == NO_LAYER || (keep && layers_[layer].content == w.content)) continue;
+        const ImageView into = map_.layer(layer);
+        if (w.still_layer == NO_LAYER)
+            draw_view(frame, w, w.casters, clear(into, 0.0f), casters);
+        else
+            draw_view(frame, w, w.among_moved(scene, true), lightwalk::keep(into), casters);
         if (has_passed()) draw_passed(frame, w, casters);
         if (has_moments())
-            now_->moments.record(frame, now_->map.layer(layer), now_->views, i,
-                                 blur_of(blur, exponent, exponent_negative), macros());
-        now_->drawn[layer] = w.key;
+            moments_.record(frame, into, now_->views.buffer, i, blur_of(blur, exponent, exponent_negative), macros());
+        layers_[layer] = {w.content, w.moved};
         ++drawn_views;
     }
 }
@@ -204,27 +236,34 @@ void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& 
         frame, scene, directional, [](const Light&) { return 0.0f; }, view, casters);
 }
 
+Macros Shadow::macros() const {
+    Macros macros = Module::macros();
+    if (method.is("pcss")) macros.set("05_shadow_maps/filter_pcf.glsl", "05_shadow_maps/filter_pcss.glsl");
+    if (has_moments()) macros.set("05_shadow_maps/filter_pcf.glsl", "05_shadow_maps/filter_moments.glsl");
+    return macros;
+}
+
 std::vector<Resource> Shadow::reads() const {
-    std::vector<Resource> reads{now_->map, now_->lights, now_->views};
-    if (has_moments()) reads.push_back(now_->moments.moments);
-    if (has_passed()) reads.insert(reads.end(), {now_->first, now_->first_depth, now_->passed, now_->last_depth});
+    std::vector<Resource> reads{map_, now_->lights.buffer, now_->views.buffer};
+    if (has_moments()) reads.push_back(moments_.moments);
+    if (has_passed()) reads.insert(reads.end(), {first_, first_depth_, passed_, last_depth_});
     return reads;
 }
 
 void Shadow::bind(Pass& pass) const {
     constexpr Sampler of_depth{.filter = Filter::nearest, .mip_filter = Filter::nearest, .wrap = Wrap::border};
-    pass.offer("shadow_lights", now_->lights);
-    pass.offer("shadow_views", now_->views);
+    pass.offer("shadow_lights", now_->lights.buffer);
+    pass.offer("shadow_views", now_->views.buffer);
     pass.offer("shadow_eye", now_->eye);
-    pass.offer("shadow_map", now_->map.as_array(), of_depth);
+    pass.offer("shadow_map", map_.as_array(), of_depth);
     if (has_passed()) {
-        pass.offer("shadow_first", now_->first.as_array(), linear_clamp);
-        pass.offer("shadow_first_depth", now_->first_depth.as_array(), nearest_clamp);
-        pass.offer("shadow_passed", now_->passed.as_array(), linear_clamp);
-        pass.offer("shadow_last_depth", now_->last_depth.as_array(), nearest_clamp);
+        pass.offer("shadow_first", first_.as_array(), linear_clamp);
+        pass.offer("shadow_first_depth", first_depth_.as_array(), nearest_clamp);
+        pass.offer("shadow_passed", passed_.as_array(), linear_clamp);
+        pass.offer("shadow_last_depth", last_depth_.as_array(), nearest_clamp);
     }
     // A method without moments names them all the same, and reads none.
-    pass.offer("shadow_moments", has_moments() ? now_->moments.moments.as_array() : now_->map.as_array(), linear_clamp);
+    pass.offer("shadow_moments", has_moments() ? moments_.moments.as_array() : map_.as_array(), linear_clamp);
 }
 
 std::vector<std::string> Shadow::status() const {

@@ -1,9 +1,12 @@
 // Shadow module: a depth map from each light that casts shadows, and the filters that read it.
 #pragma once
+#include <algorithm>
 #include <map>
+#include <span>
 
 #include "03_attenuation/lights.h"
 #include "05_shadow_maps/light_view.h"
+#include "05_shadow_maps/map_layers.h"
 #include "05_shadow_maps/moments.h"
 #include "common/app/target.h"
 #include "common/scene/scene.h"
@@ -121,8 +124,7 @@ struct Shadow : Module {
         Bounds others;
         uint64_t others_placed;
     };
-    Pipeline solid =
-        graphics({.vertex = "03_attenuation/surface.vert", .cull = VK_CULL_MODE_NONE, .depth_clamp = true});
+    Pipeline solid = graphics({.vertex = "05_shadow_maps/caster.vert", .cull = VK_CULL_MODE_NONE, .depth_clamp = true});
 
     /// Depth from every light of `lights` that casts a shadow, where it is not in the map already.
     void record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters = {});
@@ -130,66 +132,83 @@ struct Shadow : Module {
     void record(Frame& frame, const Scene& scene, const std::vector<Light>& directional, const View& view,
                 const Casters& casters = {});
 
+    /// With the file that holds the method's filter.
+    Macros macros() const override;
     std::vector<Resource> reads() const override;
     void bind(Pass& pass) const override;
 
-    void prepare(Gpu&, Scene&) override { forget(); }
+    void prepare(Gpu&, Scene&) override { layers_.clear(); }
     std::vector<std::string> status() const override;
 
     /// What is not seen from the scene's placement has changed: another scene, textures that cut other holes.
-    void forget();
+    void forget() { layers_.forget(); }
 
-    const Image& moments() const { return now_->moments.moments; }
+    const Image& moments() const { return moments_.moments; }
 
-    /// Of the view recorded last: maps that exist, and those of them that were drawn or copied.
+    /// Of the view recorded last: its maps, those of them that were drawn for it, and those of these that began as a copy of
+    /// the casters that stand still.
     int views = 0, drawn_views = 0, copied_views = 0;
 
   private:
-    /// What a layer of the map was drawn from.
-    struct Drawn {
-        glm::mat4 view{0.0f};
-        std::vector<std::pair<uint32_t, glm::mat4>> casters;
-        uint64_t others = 0;
-        bool operator==(const Drawn&) const = default;
-    };
     struct Wanted {
         LightView view;
         DrawList casters, passed;  ///< opaque, and transparent ones where these have shadows
-        Drawn key;
+        MapContent content;
         bool others = false;
+        std::vector<uint32_t> moved;      ///< since this view was drawn before
+        MapContent still;                 ///< without them, if they move again; else nothing
+        uint32_t still_layer = NO_LAYER;  ///< which holds that
+        /// Those casters that have moved, or those that have not.
+        DrawList among_moved(const Scene& scene, bool are) const;
         bool is_needed() const { return others || casters.size() + passed.size() > 0; }
     };
     using Reach = std::function<float(const Light&)>;  ///< metres
     std::vector<Wanted> find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
-                                   const Camera& camera, const Casters& casters);
+                                   const Camera& camera, const Casters& casters,
+                                   std::vector<ShadowLight>& shadow_lights);
     void record(Frame& frame, const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
                 const View& view, const Casters& casters);
-    void copy_views(Frame& frame, const std::vector<Wanted>& wanted);
-    void draw_view(Frame& frame, const Wanted& wanted, const Casters& casters);
+    void choose_layers(Frame& frame, uint32_t id, std::vector<Wanted>& wanted);
+    void find_moving(std::vector<Wanted>& wanted) const;
+    void copy_still(Frame& frame, const Scene& scene, const std::vector<Wanted>& wanted, const Casters& casters);
+    void draw_view(Frame& frame, const Wanted& wanted, const DrawList& list, const Attachment& depth,
+                   const Casters& casters);
     void draw_passed(Frame& frame, const Wanted& wanted, const Casters& casters);
-    void reserve(Frame& frame, uint32_t layers);
+    void reserve(Frame& frame);
 
     bool has_passed() const { return transparent.is("colored") && !method.is("none"); }
     bool has_moments() const { return method.is("vsm") || method.is("evsm") || method.is("msm"); }
     std::string map_key() const;
 
-    /// Cascades follow the eye. So that two views of one frame do not draw each other's maps again and again, each
-    /// View::id has maps of its own where a light has cascades; else all views share those of id 0. What another view
-    /// has drawn already, the map of a lamp, is copied.
-    struct ViewMaps {
-        Image map;
-        /// What the first transparent caster lets through, and all of them; where the first and the last are.
-        Image first, first_depth, passed, last_depth;
-        MomentMaps moments;
-        std::string made;          ///< how
-        std::vector<Drawn> drawn;  ///< by layer
-        Buffer lights, views;
+    /// What a view's shaders read, uploaded where it has changed.
+    template <class T>
+    struct Uploaded {
+        Buffer buffer;
+        std::vector<std::byte> bytes;
+        void upload(Frame& frame, const char* name, const std::vector<T>& now) {
+            const auto given = std::as_bytes(std::span(now));
+            if (buffer && std::ranges::equal(bytes, given)) return;
+            bytes.assign(given.begin(), given.end());
+            frame.upload(name, buffer, now);
+        }
+    };
+    /// Cascades follow the eye: each View::id has views of its own where a light has cascades; else all share those of
+    /// id 0.
+    struct OfView {
+        Uploaded<ShadowLight> lights;
+        Uploaded<ShadowView> views;
         ShadowEye eye{};
     };
-    std::map<uint32_t, ViewMaps> by_view_;
-    ViewMaps* now_ = &by_view_[0];  ///< of the view recorded last
+    std::map<uint32_t, OfView> by_view_;
+    OfView* now_ = &by_view_[0];  ///< of the view recorded last
+
+    MapLayers layers_;
+    Image map_;
+    /// What the first transparent caster lets through, and all of them; where the first and the last are.
+    Image first_, first_depth_, passed_, last_depth_;
+    MomentMaps moments_;
+    std::string made_;  ///< how
     unsigned toggles_ = 0;
-    std::vector<ShadowLight> shadow_lights_;
 };
 
 }  // namespace lightwalk

@@ -1,6 +1,7 @@
 // One direction of a blur of moments. The first pass makes them from depths as it reads. BLUR_BY says whether every
 // invocation reads all that it needs, or a workgroup reads it once for all into shared memory.
 #include "05_shadow_maps/shadow.glsl"
+#include "05_shadow_maps/moments.glsl"
 #include "05_shadow_maps/blur.h"
 
 const int along = 64, lines = 4;

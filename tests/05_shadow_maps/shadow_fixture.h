@@ -71,6 +71,7 @@ void main() {
         Frame frame(gpu);
         chapter.begin_frame(gpu, {4, 4});
         frame.begin({4, 4}, 0);
+        scene.upload_moved(frame);
         lights.update(frame, scene, scene.file.lights);
         shadow.record(frame, scene, lights, {.eye = camera.position, .camera = camera, .crop = {.whole = {64, 64}}});
         const Buffer out(gpu.device, {.name = "visibilities", .bytes = 4 * points.size()});

@@ -170,12 +170,13 @@ TEST_CASE("two views of a light with cascades have maps of their own, and draw t
     CHECK(drawn(0, here) == 0);
     CHECK(drawn(1, there) == 0);
     CHECK(drawn(0, there) == 0);  // as the other view has them
-    CHECK(test.shadow.copied_views > 0);
-    CHECK(drawn(0, here) > 0);
-    CHECK(test.shadow.copied_views == 0);
+    CHECK(drawn(0, here) == 0);   // nobody has drawn over them
+    CHECK(drawn(2, -there) > 0);
+    CHECK(drawn(0, here) == 0);
+    CHECK(drawn(1, there) == 0);
 }
 
-TEST_CASE("a lamp's map is drawn for one view, and copied for another whose cascades are its own") {
+TEST_CASE("a lamp's map is drawn for one view, and read by another whose cascades are its own") {
     const Light sun{.kind = Light::Kind::directional, .direction = {0.3f, 0, -1}};
     const Light lamp{.kind = Light::Kind::spot, .position = {0, 0, 3}, .direction = {0, 0, -1}, .outer_rad = 0.6f};
     for (const char* method : {"pcf", "vsm"}) {
@@ -188,8 +189,8 @@ TEST_CASE("a lamp's map is drawn for one view, and copied for another whose casc
             test.set({{"method", method}, {"distance_m", "8"}});
             if (after_another) test.record_view(1, {9, 0, 0});
             const std::vector<float> found = test.visibility(square(500, 0.9f));
-            CHECK((test.shadow.copied_views > 0) == after_another);
-            CHECK(test.shadow.drawn_views + test.shadow.copied_views == test.shadow.views);
+            // The other view has drawn the lamp's map, and the cascade that holds the whole scene.
+            CHECK(test.shadow.drawn_views == test.shadow.views - (after_another ? 2 : 0));
             if (!after_another)
                 alone = found;
             else
@@ -200,6 +201,88 @@ TEST_CASE("a lamp's map is drawn for one view, and copied for another whose casc
         CHECK(*most > 0.9f);
     }
 }
+
+// [finer_cascades]
+TEST_CASE("a caster is left out of a cascade only where all that its shadow may reach asks a finer one") {
+    Random random;
+    const Bounds scene{.lower = glm::vec3(-50), .upper = glm::vec3(50)};
+    const Camera camera{.position = {0, 0, 5}, .target = {0, 0, 0}, .near_m = 0.1f, .far_m = 100};
+    size_t left_out = 0, of = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const Light sun{.kind = Light::Kind::directional, .direction = random.direction()};
+        const std::vector<LightView> seen = light_views(sun, 0, scene, camera, {.resolution = 64, .split = 0.9f});
+        REQUIRE(seen.size() == 3);
+        Bounds box;
+        const glm::vec3 middle = 12.0f * random.direction() * float(random.uniform(0, 1));
+        box.add(middle), box.add(middle + 3.0f * random.direction() * float(random.uniform(0, 1)));
+        for (size_t finer = 0; finer < 2; ++finer) {
+            const LightView& coarse = seen[finer + 1];
+            const bool holds = holds_shadow_of(seen[finer], box, coarse.data.texel);
+            left_out += holds, ++of;
+            if (!holds) continue;
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::vec3 pick(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
+                const glm::vec4 at(glm::mix(box.lower, box.upper, pick), 1.0f);
+                for (const glm::vec2 way : {glm::vec2(1, 0), glm::vec2(-1, 0), glm::vec2(0, 1), glm::vec2(0, -1)}) {
+                    // A filter as wide as the margin, in the coarse map, then asked of the finer one.
+                    glm::vec4 point = coarse.data.to_clip * at;
+                    point += glm::vec4(0.99f * 2.0f * MAP_MARGIN * way, 0, 0);
+                    point = seen[finer].data.to_clip * glm::inverse(coarse.data.to_clip) * point;
+                    CHECK(std::max(std::fabs(point.x), std::fabs(point.y)) <= 1.0f - 2.0f * MAP_MARGIN);
+                }
+            }
+        }
+    }
+    INFO(left_out << " of " << of);
+    CHECK(left_out > of / 20);
+    CHECK(left_out < of / 2);
+}
+
+TEST_CASE("what moves within the finest cascade draws that one again, and no other") {
+    SceneObject mover = object_at(ball_file, {0, 0, 4}, glm::vec3(0.05f));
+    mover.motion.path = {{.time_s = 0, .position = {0, 0, 4}, .scale = mover.scale},
+                         {.time_s = 1, .position = {0.2f, 0, 4}, .scale = mover.scale}};
+    ShadowScene test({object_at(quad_file, {0, 0, 0}, glm::vec3(40.0f)), mover}, {sun_at(10)});
+    test.visibility({{0, 0, 0}, {0, 0, 1}});
+    CHECK(test.shadow.drawn_views == 3);
+    animate(test.scene, 0.5f);
+    test.visibility({{0, 0, 0}, {0, 0, 1}});
+    CHECK(test.shadow.drawn_views == 1);
+}
+// [/finer_cascades]
+
+// [still_casters]
+TEST_CASE("where casters move on and on, those that stand still are drawn once, and the depths are the same") {
+    for (const char* method : {"pcf", "msm"}) {
+        INFO(method);
+        SceneObject mover = object_at(ball_file, {0, 0, 1}, glm::vec3(0.1f));
+        mover.motion.path = {{.time_s = 0, .position = {-0.8f, 0, 1}, .scale = mover.scale},
+                             {.time_s = 1, .position = {0.8f, 0, 1}, .scale = mover.scale}};
+        std::vector<SceneObject> objects{object_at(quad_file, {0, 0, 0}), mover};
+        for (int i = 0; i < 4; ++i)
+            objects.push_back(object_at(ball_file, {0.4f * static_cast<float>(i) - 0.6f, 0.5f, 1}, glm::vec3(0.1f)));
+        const Light over{.kind = Light::Kind::spot, .position = {0, 0, 3}, .direction = {0, 0, -1}, .outer_rad = 0.4f};
+        ShadowScene kept(objects, {over}), redrawn(objects, {over});
+        for (ShadowScene* const test : {&kept, &redrawn}) test->set({{"method", method}});
+        redrawn.shadow.keep.set("off");
+        std::vector<float> last;
+        const auto compare = [&](float time_s) {
+            animate(kept.scene, time_s), animate(redrawn.scene, time_s);
+            const std::vector<float> found = kept.visibility(square(2000, 0.9f));
+            CHECK(found == redrawn.visibility(square(2000, 0.9f)));
+            CHECK(std::exchange(last, found) != found);  // the mover's shadow is seen
+            CHECK(redrawn.shadow.copied_views == 0);
+            return kept.shadow.copied_views;
+        };
+        CHECK(compare(0) == 0);
+        CHECK(compare(0.1f) == 0);  // it may have moved once
+        for (const float time_s : {0.2f, 0.3f, 0.7f, 0.9f}) CHECK(compare(time_s) == 1);
+        kept.visibility(square(1, 0));
+        CHECK(kept.shadow.drawn_views == 0);
+        CHECK(compare(1) == 1);
+    }
+}
+// [/still_casters]
 
 TEST_CASE("a spot that is too wide for one view has six, and the same shadow") {
     Light spot{.kind = Light::Kind::spot, .position = {0, 0, 2}, .direction = {0, 0, -1}, .outer_rad = 1.0f};

@@ -1,0 +1,53 @@
+// Filters of a shadow map with a kernel of one size: a single comparison, or percentage-closer filtering.
+#include "05_shadow_maps/compare_depth.glsl"
+#include "05_shadow_maps/pcf.glsl"
+
+// [pcf_single]
+// The same result as pcf(), a texel at a time.
+float pcf_single(Receiver r, uint layer, int kernel) {
+    float texels = float(map_texels());
+    vec2 begin = r.place.xy * texels - 0.5 * float(kernel), first = floor(begin), part = begin - first;
+    float sum = 0.0;
+    for (int y = 0; y <= kernel; ++y) {
+        float row = y == 0 ? 1.0 - part.y : y == kernel ? part.y : 1.0;
+        for (int x = 0; x <= kernel; ++x) {
+            float column = x == 0 ? 1.0 - part.x : x == kernel ? part.x : 1.0;
+            vec2 middle = (first + vec2(x, y) + 0.5) / texels;
+            sum += row * column * float(plane_depth(r, middle) >= read_depth(middle, layer));
+        }
+    }
+    return sum / float(kernel * kernel);
+}
+// [/pcf_single]
+
+// [hard]
+float hard(Receiver r, uint layer) {
+    // The texel's depth is right in its middle: there the surface's own is compared.
+    vec2 middle = (floor(r.place.xy * float(map_texels())) + 0.5) / float(map_texels());
+    vec3 place = vec3(r.place.xy, plane_depth(r, middle));
+    return compare_depth(place, read_depth(r.place.xy, layer));
+}
+// [/hard]
+
+// [filter_reach]
+// How far in texels along u and along v the method asks the map: what the bias has to reckon with.
+float filter_reach(ShadowLight light, ShadowView view, vec3 position) {
+#if SHADOW_METHOD == SHADOW_METHOD_PCF
+    return 0.5 * float(shadow.kernel) + 0.5;
+#else
+    return 0.5;
+#endif
+}
+// [/filter_reach]
+
+// [filtered]
+float filtered(ShadowLight light, ShadowView view, Receiver r, float texel, float pixel) {
+#if SHADOW_METHOD == SHADOW_METHOD_HARD
+    return hard(r, view.layer);
+#elif SHADOW_FETCH == SHADOW_FETCH_SINGLE
+    return pcf_single(r, view.layer, shadow.kernel | 1);
+#else
+    return pcf(r, view.layer, shadow.kernel | 1);
+#endif
+}
+// [/filtered]

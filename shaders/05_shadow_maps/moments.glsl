@@ -1,0 +1,65 @@
+// What a texel of a moment map holds of a depth, and what is read from it. Depth: 0 at the near plane, 1 at the far one.
+#include "05_shadow_maps/chebyshev.glsl"
+
+// [warp]
+// Exponential variance shadows (A. Lauritzen and M. McCool, "Layered Variance Shadow Maps", GI 2008): e^cz pushes what is
+// in front of the receiver together, -e^-cz what is behind. The square of e^c must fit the format: ln(3.4e38) / 2 is
+// 44.3, ln(65504) / 2 is 5.54; sums of a blur take a little more.
+float exponent_cap() {
+#if SHADOW_FORMAT == SHADOW_FORMAT_FP16
+    return 5.54;
+#else
+    return 42.0;
+#endif
+}
+vec2 warp(float depth, float exponent, float exponent_negative) {
+    float z = 2.0 * depth - 1.0;
+    return vec2(exp(min(exponent, exponent_cap()) * z), -exp(-min(exponent_negative, exponent_cap()) * z));
+}
+// [/warp]
+
+// [moments_of]
+vec4 moments_of(float depth, float exponent, float exponent_negative) {
+#if SHADOW_METHOD == SHADOW_METHOD_EVSM
+    vec2 w = warp(depth, exponent, exponent_negative);
+    return vec4(w, w * w);
+#else
+    float square = depth * depth;
+    return vec4(depth, square, square * depth, square * square);
+#endif
+}
+// [/moments_of]
+
+// [evsm]
+float evsm(vec4 moments, float depth, float exponent, float exponent_negative, float least) {
+    vec2 w = warp(depth, exponent, exponent_negative);
+    // The slope of the warp there: a variance of `least` in depth is as much in it.
+    vec2 scale = 2.0 * vec2(min(exponent, exponent_cap()), min(exponent_negative, exponent_cap())) * w;
+    vec2 smallest = max(least * scale * scale, 1e-30);
+    return min(chebyshev(moments.xz, w.x, smallest.x), chebyshev(moments.yw, w.y, smallest.y));
+}
+// [/evsm]
+
+// [msm]
+// C. Peters and R. Klein, "Moment Shadow Mapping", I3D 2015: of all distributions of depth with these four moments, that
+// which has the least of it in front of the receiver has it at three depths, the receiver's being one. The two others are
+// the roots of a quadratic whose coefficients c solve B c = (1, z, z²), B the moments' Hankel matrix.
+float msm(vec4 moments, float z, float bias) {
+    vec4 b = mix(moments, vec4(0.5), bias);  // so that B can be inverted in spite of rounding
+    // B = L D Lᵀ with ones on L's diagonal; its first column is (1, b.x, b.y).
+    float d2 = max(b.y - b.x * b.x, 1e-12), l32 = (b.z - b.x * b.y) / d2;
+    float d3 = max(b.w - b.y * b.y - l32 * l32 * d2, 1e-12);
+    float y2 = z - b.x, y3 = z * z - b.y - l32 * y2;
+    float c3 = y3 / d3, c2 = y2 / d2 - l32 * c3, c1 = 1.0 - b.x * c2 - b.y * c3;
+    float most = max(abs(c3), 1e-12) * (c3 < 0.0 ? -1.0 : 1.0);
+    float half_p = -0.5 * c2 / most, root = sqrt(max(half_p * half_p - c1 / most, 0.0));
+    float z1 = half_p - root, z2 = half_p + root;
+    if (z <= z1) return 1.0;
+    // The weights of what is in front: the other two depths and their moments say them.
+    float a = z <= z2 ? z : z1, in_front = z <= z2 ? 0.0 : 1.0, other = z <= z2 ? z1 : z;
+    float apart = (z2 - other) * (z - z1);
+    if (abs(apart) < 1e-20) return 1.0 - in_front;
+    float share = (a * z2 - b.x * (a + z2) + b.y) / apart;
+    return clamp(1.0 - (in_front + share), 0.0, 1.0);
+}
+// [/msm]
