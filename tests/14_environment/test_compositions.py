@@ -12,6 +12,8 @@ from window_session import Session, XServer  # noqa: E402
 
 SCENES = Path(__file__).resolve().parent / "compositions"
 PROGRAMS = ("everything", "everything_deferred")
+# What is made before the first frame, and has nothing to do with what is compared.
+CHEAP = ("shadow.resolution=256", "environment.prefilter.samples=4", "atmosphere.table_scale=0.25")
 # The set draws its surroundings only where it is the first drawing.
 NO_SURROUNDINGS = ("bloom.method=none", "around.intensity=0")
 
@@ -31,7 +33,7 @@ class Compositions(unittest.TestCase):
         key = (program, scene, *options)
         if key not in self.pictures:
             picture = Path(self.folder.name, f"{len(self.pictures)}.png")
-            words = ["--scene", SCENES / f"{scene}.json", "--size", "127x71", *options]
+            words = ["--scene", SCENES / f"{scene}.json", "--size", "127x71", *sets(*CHEAP), *options]
             code, wrong, said = self.drawings[program].draw(words, picture)
             said = [line for line in said.splitlines() if line.strip() and not line.startswith("drawing: ")]
             self.assertEqual((code, wrong, said), (0, "", []), key)
