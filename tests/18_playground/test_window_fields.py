@@ -149,7 +149,7 @@ class Fields(EditorTest):
         session.wait(lambda: "answer.stay" in session.places, "the question")
         self.rest()
         before = session.pixels(0, 0, *session.geometry()[2:])
-        session.key("Delete")  # no answer, and deletes nothing
+        session.key("ctrl+a", "Delete")  # no answers, and nothing is deleted
         self.rest()
         session.key("Escape")
         self.rest()
