@@ -14,7 +14,7 @@ from window_session import BUILD, ROOT, Session, XServer, own_cache  # noqa: E40
 class EditorTest(PictureTest):
     """One start, used by one test after the other."""
 
-    size = (500, 700)  # of the picture; frames of a larger one take longer
+    size = (460, 700)  # of the picture; frames of a larger one take longer
     built: dict = {}  # the scene
     has_own_cache = False  # of thumbnails
 
