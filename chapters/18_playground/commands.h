@@ -27,9 +27,14 @@ using Said = std::string;
 /// Text as UTF-8: every byte that is not part of it becomes U+FFFD; control characters, a space.
 std::string clean_name(const std::string& name);
 
+/// For each name without its number, the number to go on with: names of many copies are then found without trying all
+/// that are taken for each of them.
+using NextNumbers = std::unordered_map<std::string, int>;
+
 /// The name, or with a number behind it where another object has it.
 /// `own`: the name that it has now, which is no other's.
-std::string free_name(const Document& document, const std::string& name, const std::string& own = "");
+std::string free_name(const Document& document, const std::string& name, const std::string& own = "",
+                      NextNumbers* numbers = nullptr);
 
 /// Whether it, or an entry above it, is locked.
 bool is_locked(const Document& document, EntryId id);
