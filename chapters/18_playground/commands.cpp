@@ -32,8 +32,7 @@ void Selection::drop_missing(const Document& document) {
     set(std::move(left));
 }
 
-std::string free_name(const Document& document, const std::string& name, const std::string& own,
-                      NextNumbers* numbers) {
+std::string free_name(const Document& document, const std::string& name, const std::string& own, NextNumbers* numbers) {
     const auto taken = [&](const std::string& one) { return one != own && document.has_name(one); };
     if (name.empty() || !taken(name)) return name;
     std::string stem = name;
@@ -238,19 +237,34 @@ Said reparent(Document& document, const std::vector<EntryId>& ids, EntryId paren
 }
 // [/reparent]
 
-EntryId group(Document& document, const std::vector<EntryId>& ids, const std::string& name) {
+// [group]
+EntryId group(Document& document, const std::vector<EntryId>& ids, const std::string& name, const Bounds& around) {
     std::vector<EntryId> objects;
+    Bounds places;
     for (const EntryId id : movable(document, ids))
-        if (document.at(id).object()) objects.push_back(id);
+        if (document.at(id).object()) objects.push_back(id), places.add(glm::vec3(world_of(document, id)[3]));
     if (objects.empty()) return no_entry;
-    document.begin("group");
+    const EntryId first = document.at(objects[0]).parent;
+    const bool siblings =
+        std::all_of(objects.begin(), objects.end(), [&](EntryId id) { return document.at(id).parent == first; });
+    const EntryId parent = siblings ? first : root_entry;
     SceneObject own;
     own.name = free_name(document, clean_name(name));
-    const EntryId id = document.add(root_entry, {.what = own});
-    move_to(document, objects, id, SIZE_MAX);
+    const glm::dvec4 middle((around.empty() ? places : around).center(), 1.0);
+    own.position = glm::vec3(glm::inverse(glm::dmat4(world_of(document, parent))) * middle);
+    if (!cannot_be_placed(placement_of(own)).empty()) own.position = glm::vec3(0.0f);
+    document.begin("group");
+    const EntryId id = document.add(parent, {.what = own});
+    if (siblings) {  // turned and scaled as before, to the bit: the group only stands elsewhere
+        for (const EntryId one : objects) document.edit(one).object()->position -= own.position;
+        document.move_below(objects, id);
+    } else {
+        move_to(document, objects, id, SIZE_MAX);
+    }
     document.commit();
     return id;
 }
+// [/group]
 
 Said rename(Document& document, EntryId id, const std::string& name) {
     const Entry& entry = document.at(id);

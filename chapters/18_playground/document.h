@@ -72,8 +72,8 @@ class Document {
     /// Side by side, in this order. `place`: among the children that the parent has without them.
     void move_below(const std::vector<EntryId>& ids, EntryId parent, size_t place = SIZE_MAX);
     void order_children(EntryId parent, std::vector<EntryId> order);  ///< the same ones
-    bool commit();  ///< false where nothing has changed
-    void cancel();  ///< everything as it was at begin()
+    bool commit();                                                    ///< false where nothing has changed
+    void cancel();                                                    ///< everything as it was at begin()
     bool in_step() const { return open_.has_value(); }
     // [/document]
 

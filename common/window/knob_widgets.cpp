@@ -58,9 +58,9 @@ bool widget(Knob<glm::vec3>& knob, const char* id) {
     const glm::vec3 before = knob.value;
     const bool is_color = knob.unit.empty() && lower == 0.0f && upper == 1.0f;
     const std::string format = with_unit(number_format(upper - lower), knob.unit);
-    const bool changed = is_color ? ImGui::ColorEdit3(id, &knob.value.x, ImGuiColorEditFlags_Float)
-                                  : ImGui::SliderFloat3(id, &knob.value.x, lower, upper, format.c_str(),
-                                                        ImGuiSliderFlags_AlwaysClamp);
+    const bool changed =
+        is_color ? ImGui::ColorEdit3(id, &knob.value.x, ImGuiColorEditFlags_Float)
+                 : ImGui::SliderFloat3(id, &knob.value.x, lower, upper, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     for (int i = 0; i < 3; ++i) keep_in_range(knob.value[i], before[i], lower, upper);
     return changed;
 }
