@@ -37,8 +37,8 @@ class NeedPictures {
     /// The GPU time of a whole picture, anew.
     double time(size_t candidate);
 
-    /// Whether `crops` crops of the truth take less than half the time of its whole picture. Each has the whole scene's
-    /// vertices and a submission of its own: they can cost more.
+    /// Whether `crops` crops of the truth and of all candidates take less than half the time of their whole pictures. Each
+    /// has the whole scene's vertices and shadows and a submission of its own: they can cost more.
     bool crops_pay(size_t crops);
 
   private:
@@ -59,7 +59,7 @@ class NeedPictures {
     std::map<size_t, std::pair<Measured, std::vector<double>>> smalls_;
     std::map<std::pair<size_t, size_t>, Measured> crops_;
     std::map<size_t, Measured> wholes_;
-    std::optional<std::pair<double, double>> truth_takes_;  // milliseconds: a crop, and the whole picture about
+    std::optional<std::pair<double, double>> takes_;  // milliseconds of all: a crop, and the whole picture about
 };
 
 /// Crops below which nothing is known well enough.

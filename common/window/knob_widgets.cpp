@@ -94,7 +94,9 @@ bool widget(Choice& knob, const char* id, AutoChoices* automatic) {
     bool changed = false;
     const std::string path = knob.path();
     const bool by_auto = automatic && automatic->holds(path, knob.text());
-    if (!ImGui::BeginCombo(id, (knob.text() + (by_auto ? " (auto)" : "")).c_str())) return false;
+    // All of it in sight: of more than eight options, those behind and "auto" would have to be scrolled for.
+    if (!ImGui::BeginCombo(id, (knob.text() + (by_auto ? " (auto)" : "")).c_str(), ImGuiComboFlags_HeightLargest))
+        return false;
     for (size_t i = 0; i < knob.options.size(); ++i) {
         if (ImGui::Selectable(knob.options[i].c_str(), i == knob.index)) {
             changed = i != knob.index;
@@ -106,6 +108,11 @@ bool widget(Choice& knob, const char* id, AutoChoices* automatic) {
         log_place("option." + path + "." + knob.options[i]);
     }
     if (automatic && automatic->offered.contains(path)) auto_entry(path, *automatic);
+    if (automatic && automatic->without.contains(path)) {
+        ImGui::Separator();
+        ImGui::TextColored(quiet_color, "no auto: no study compares these");
+        log_place("no auto." + path);
+    }
     ImGui::EndCombo();
     return changed;
 }
