@@ -237,7 +237,6 @@ Said reparent(Document& document, const std::vector<EntryId>& ids, EntryId paren
 }
 // [/reparent]
 
-// [group]
 EntryId group(Document& document, const std::vector<EntryId>& ids, const std::string& name, const Bounds& around) {
     std::vector<EntryId> objects;
     Bounds places;
@@ -264,7 +263,6 @@ EntryId group(Document& document, const std::vector<EntryId>& ids, const std::st
     document.commit();
     return id;
 }
-// [/group]
 
 Said rename(Document& document, EntryId id, const std::string& name) {
     const Entry& entry = document.at(id);

@@ -136,8 +136,9 @@ bool NeedPictures::crops_pay(size_t crops) {
         const double growth = whole / second_time(fast, small_frame_, small_size(), {});
         const Crop middle{.whole = picture_.size, .origin = (picture_.size - crop_px) / 2u};
         const glm::uvec2 size(crop_px);
-        takes_ = {second_time(truth_, crop_frame_, size, middle) + others * second_time(fast, crop_frame_, size, middle),
-                  growth * second_time(truth_, small_frame_, small_size(), {}) + others * whole};
+        takes_ = {
+            second_time(truth_, crop_frame_, size, middle) + others * second_time(fast, crop_frame_, size, middle),
+            growth * second_time(truth_, small_frame_, small_size(), {}) + others * whole};
     }
     return double(crops) * takes_->first < 0.5 * takes_->second;
 }

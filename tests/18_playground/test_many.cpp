@@ -1,7 +1,6 @@
 // Thousands of lights and of steps.
 #include "18_playground/marks.h"
 #include "driven_editor.h"
-#include "common/study/method_choice.h"
 
 using namespace lightwalk;
 
@@ -102,23 +101,4 @@ TEST_CASE("the list of steps goes back over 5,000 of them and forward again at o
     CHECK_FALSE(editor.window.editor.undo(editor.window));
     editor.window.editor.go_to(editor.window, 9999);
     CHECK(editor.x_of("left") == 5000.0f);
-}
-
-TEST_CASE("tmp auto", "[.autotmp]") {
-    const char* file = std::getenv("SCENE");
-    Driven editor(read_file(file).c_str());
-    const glm::uvec2 size(atoi(std::getenv("W")), atoi(std::getenv("H")));
-    const char* wanted = std::getenv("KNOB");
-    KnobBase& knob = find_knob(editor.window.all_knobs(), wanted ? wanted : "bloom.method");
-    double last = now_ms(); const double start = last;
-    int n = 0;
-    try {
-    const std::string line = choose_method(editor.window, editor.gpu, knob, 0.01, {size, 0, 0, {}}, [&] {
-        const double now = now_ms();
-        fmt::print("{:4} {:8.0f} ms  before: {} reach..\n", n++, now - last, editor.window.bloom.method.text());
-        fflush(stdout);
-        last = now;
-    });
-    fmt::print("{}\n{:.0f} ms\n", line, now_ms() - start);
-    } catch (const std::exception& e) { fmt::print("{}\n{:.0f} ms\n", e.what(), now_ms() - start); }
 }

@@ -1,5 +1,7 @@
 // The need rule: crops stand for the whole picture, and the choice is the cheapest within the budget.
+#include <chrono>
 #include <random>
+#include <thread>
 
 #include "catch.h"
 #include "common/app/read_picture.h"
@@ -40,6 +42,7 @@ struct Patch : Chapter {
     glm::uvec2 lower{500, 300}, upper{600, 340};  // of a picture of 640 x 360
     bool codes = false;                           // the encoded picture is judged
     std::vector<glm::uvec2> sizes;
+    std::function<double(glm::uvec2)> takes_ms;  // of the wall clock; null: no time of its own
 
     Patch() { name = "99_patch"; }
     std::string default_scene() const override { return ""; }
@@ -47,6 +50,7 @@ struct Patch : Chapter {
     ImageView written(const Frame& frame) const override { return codes ? Chapter::written(frame) : frame.linear(); }
     void frame(Frame& frame) override {
         sizes.push_back(frame.size);
+        if (takes_ms) std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(takes_ms(frame.size)));
         const float light = 0.3f + (method.is("coarse") ? excess / float(detail.value) : 0.0f);
         const float scale = float(frame.crop.whole.x) / 640.0f;
         const glm::ivec2 low = glm::clamp(glm::ivec2(glm::vec2(lower) * scale) - glm::ivec2(frame.crop.origin),
@@ -162,6 +166,19 @@ TEST_CASE_METHOD(NeedTest, "need: the cheapest within the budget is taken, on cr
     question.crops = false;
     question.picture.size = {640, 360};
     CHECK(error(crops) == Approx(error(choose(0))).epsilon(0.4));
+}
+
+TEST_CASE_METHOD(NeedTest, "need: crops are drawn where they pay for all candidates, not for the truth alone") {
+    question.crops = false;
+    double slow_truth_ms = 20;
+    chapter.takes_ms = [&](glm::uvec2 size) {
+        const bool crop = size == glm::uvec2(crop_px), truth = chapter.method.is("exact");
+        return size == question.picture.size ? 30.0 : !truth ? 4.0 : crop ? 8.0 : slow_truth_ms;
+    };
+    plan.candidates.erase(plan.candidates.begin());  // the truth
+    CHECK(choose(0.002)["crops"] == 0);
+    slow_truth_ms = 300;
+    CHECK(choose(0.002)["crops"].get<int>() >= 16);
 }
 
 TEST_CASE_METHOD(NeedTest, "need: where none would do the most accurate one is taken, and it is said") {
