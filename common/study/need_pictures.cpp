@@ -131,16 +131,15 @@ bool NeedPictures::crops_pay(size_t crops) {
         // A truth that is slow is not drawn whole just to know that: its small picture's time grows as the fastest
         // candidate's does.
         const KnobValues fast = candidates[fastest].all();
-        const double others = static_cast<double>(candidates.size());
         const double whole = second_time(fast, whole_frame_, picture_.size, {});
         const double growth = whole / second_time(fast, small_frame_, small_size(), {});
         const Crop middle{.whole = picture_.size, .origin = (picture_.size - crop_px) / 2u};
         const glm::uvec2 size(crop_px);
-        takes_ = {
-            second_time(truth_, crop_frame_, size, middle) + others * second_time(fast, crop_frame_, size, middle),
-            growth * second_time(truth_, small_frame_, small_size(), {}) + others * whole};
+        takes_ = {{second_time(truth_, crop_frame_, size, middle),
+                   growth * second_time(truth_, small_frame_, small_size(), {})},
+                  {second_time(fast, crop_frame_, size, middle), whole}};
     }
-    return double(crops) * takes_->first < 0.5 * takes_->second;
+    return crops_are_cheaper(crops, takes_->first, takes_->second, candidates.size());
 }
 
 }  // namespace lightwalk
