@@ -32,7 +32,7 @@ void Selection::drop_missing(const Document& document) {
     set(std::move(left));
 }
 
-std::string free_name(const Document& document, const std::string& name, const std::string& own) {
+std::string free_name(const Document& document, const std::string& name, const std::string& own, NextNumbers* numbers) {
     const auto taken = [&](const std::string& one) { return one != own && document.has_name(one); };
     if (name.empty() || !taken(name)) return name;
     std::string stem = name;
@@ -43,8 +43,11 @@ std::string free_name(const Document& document, const std::string& name, const s
         number = std::stoi(stem.substr(space + 1)) + 1;
         stem.resize(space);
     }
+    int* const next = numbers ? &(*numbers)[stem] : nullptr;
+    if (next) number = std::max(number, *next);
     std::string free;
     for (; free.empty() || taken(free); ++number) free = fmt::format("{} {}", stem, number);
+    if (next) *next = number;
     return free;
 }
 
@@ -126,7 +129,7 @@ Said remove(Document& document, const std::vector<EntryId>& ids) {
     if (chosen.empty()) return ids.empty() ? "nothing is selected" : "what is selected is locked";
     document.begin(chosen.size() == 1 ? "delete " + document.at(chosen[0]).name()
                                       : fmt::format("delete {} entries", chosen.size()));
-    for (const EntryId id : chosen) document.remove(id);
+    document.remove(chosen);
     for (const EntryId id : with_children(document, root_entry))  // a screen whose object is gone shows nothing
         if (const SceneObject* screen = document.at(id).object();
             screen && !screen->shows.empty() && !document.has_name(screen->shows))
@@ -137,26 +140,39 @@ Said remove(Document& document, const std::vector<EntryId>& ids) {
 
 namespace {
 
-EntryId copy(Document& document, EntryId from, EntryId parent, size_t place) {
+EntryId copy(Document& document, EntryId from, EntryId parent, NextNumbers& numbers) {
     Entry entry = document.at(from);
     const std::vector<EntryId> children = std::exchange(entry.children, {});
-    if (SceneObject* object = entry.object()) object->name = free_name(document, object->name);
+    if (SceneObject* object = entry.object()) object->name = free_name(document, object->name, "", &numbers);
     entry.included = false;
-    const EntryId id = document.add(parent, std::move(entry), place);
-    for (const EntryId child : children) copy(document, child, id, SIZE_MAX);
+    const EntryId id = document.add(parent, std::move(entry));
+    for (const EntryId child : children) copy(document, child, id, numbers);
     return id;
 }
 
 }  // namespace
 
+// Copies are added at the end of their parents' lists, which are then written once in the right order: adding in the middle
+// would move all that stands behind, each time.
 std::vector<EntryId> duplicate(Document& document, const std::vector<EntryId>& ids) {
+    NextNumbers numbers;
     std::vector<EntryId> copies;
+    std::map<EntryId, std::unordered_map<EntryId, EntryId>> copy_of;  // by parent
     document.begin("duplicate");
     for (const EntryId id : movable(document, ids)) {
         const EntryId parent = document.at(id).parent;
-        const std::vector<EntryId>& siblings = document.at(parent).children;
-        const auto place = std::find(siblings.begin(), siblings.end(), id) - siblings.begin();
-        copies.push_back(copy(document, id, parent, static_cast<size_t>(place) + 1));
+        copies.push_back(copy_of[parent][id] = copy(document, id, parent, numbers));
+    }
+    for (const auto& [parent, made] : copy_of) {
+        std::vector<EntryId> order = document.at(parent).children;
+        order.resize(order.size() - made.size());
+        std::vector<EntryId> both;
+        both.reserve(order.size() + made.size());
+        for (const EntryId child : order) {
+            both.push_back(child);
+            if (const auto found = made.find(child); found != made.end()) both.push_back(found->second);
+        }
+        document.order_children(parent, std::move(both));
     }
     document.commit();
     return copies;
@@ -186,6 +202,7 @@ Said move_to(Document& document, const std::vector<EntryId>& ids, EntryId parent
     if (!moves) return "that would make a circle: an object cannot hang below itself";
     Said said;
     name_parent(document, parent);
+    std::vector<EntryId> moved;
     for (const TreeMove& move : *moves) {
         const EntryId id = entries.at(move.node);
         if (is_locked(document, id)) {
@@ -203,9 +220,9 @@ Said move_to(Document& document, const std::vector<EntryId>& ids, EntryId parent
             SceneObject& edited = *document.edit(id).object();
             edited.position = own.position, edited.rotation_deg = own.rotation_deg, edited.scale = own.scale;
         }
-        document.move_below(id, parent, place);
-        if (place != SIZE_MAX) ++place;
+        moved.push_back(id);
     }
+    if (!moved.empty()) document.move_below(moved, parent, place);
     return said;
 }
 
@@ -220,16 +237,29 @@ Said reparent(Document& document, const std::vector<EntryId>& ids, EntryId paren
 }
 // [/reparent]
 
-EntryId group(Document& document, const std::vector<EntryId>& ids, const std::string& name) {
+EntryId group(Document& document, const std::vector<EntryId>& ids, const std::string& name, const Bounds& around) {
     std::vector<EntryId> objects;
+    Bounds places;
     for (const EntryId id : movable(document, ids))
-        if (document.at(id).object()) objects.push_back(id);
+        if (document.at(id).object()) objects.push_back(id), places.add(glm::vec3(world_of(document, id)[3]));
     if (objects.empty()) return no_entry;
-    document.begin("group");
+    const EntryId first = document.at(objects[0]).parent;
+    const bool siblings =
+        std::all_of(objects.begin(), objects.end(), [&](EntryId id) { return document.at(id).parent == first; });
+    const EntryId parent = siblings ? first : root_entry;
     SceneObject own;
     own.name = free_name(document, clean_name(name));
-    const EntryId id = document.add(root_entry, {.what = own});
-    move_to(document, objects, id, SIZE_MAX);
+    const glm::dvec4 middle((around.empty() ? places : around).center(), 1.0);
+    own.position = glm::vec3(glm::inverse(glm::dmat4(world_of(document, parent))) * middle);
+    if (!cannot_be_placed(placement_of(own)).empty()) own.position = glm::vec3(0.0f);
+    document.begin("group");
+    const EntryId id = document.add(parent, {.what = own});
+    if (siblings) {  // turned and scaled as before, to the bit: the group only stands elsewhere
+        for (const EntryId one : objects) document.edit(one).object()->position -= own.position;
+        document.move_below(objects, id);
+    } else {
+        move_to(document, objects, id, SIZE_MAX);
+    }
     document.commit();
     return id;
 }

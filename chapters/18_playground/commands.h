@@ -27,9 +27,14 @@ using Said = std::string;
 /// Text as UTF-8: every byte that is not part of it becomes U+FFFD; control characters, a space.
 std::string clean_name(const std::string& name);
 
+/// For each name without its number, the number to go on with: names of many copies are then found without trying all
+/// that are taken for each of them.
+using NextNumbers = std::unordered_map<std::string, int>;
+
 /// The name, or with a number behind it where another object has it.
 /// `own`: the name that it has now, which is no other's.
-std::string free_name(const Document& document, const std::string& name, const std::string& own = "");
+std::string free_name(const Document& document, const std::string& name, const std::string& own = "",
+                      NextNumbers* numbers = nullptr);
 
 /// Whether it, or an entry above it, is locked.
 bool is_locked(const Document& document, EntryId id);
@@ -45,8 +50,10 @@ EntryId add_light(Document& document, const Light& light);
 std::vector<EntryId> scatter(Document& document, const Bounds& where, int count, unsigned seed);
 Said remove(Document& document, const std::vector<EntryId>& ids);
 std::vector<EntryId> duplicate(Document& document, const std::vector<EntryId>& ids);
-/// A new parent for them, at the origin of the world.
-EntryId group(Document& document, const std::vector<EntryId>& ids, const std::string& name);
+/// A new parent for those of them that are objects, below the parent that all of them have, or else below the scene. Its own
+/// place, about which it turns, is the middle of `around`, what they fill in the world; of nothing: of their places.
+/// no_entry: there is none among them.
+EntryId group(Document& document, const std::vector<EntryId>& ids, const std::string& name, const Bounds& around = {});
 /// Their places in the world stay. Refuses cycles, parents that are no object, and lights.
 Said reparent(Document& document, const std::vector<EntryId>& ids, EntryId parent, size_t place = SIZE_MAX);
 Said rename(Document& document, EntryId id, const std::string& name);

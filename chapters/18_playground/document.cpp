@@ -1,6 +1,8 @@
 #include "18_playground/document.h"
 
 #include <algorithm>
+#include <set>
+#include <unordered_set>
 #include <utility>
 
 #include "common/base/error.h"
@@ -247,24 +249,48 @@ EntryId Document::add(EntryId parent, Entry entry, size_t place) {
     touch(id);
     entry.parent = parent;
     put(id, std::make_shared<Entry>(std::move(entry)), ++versions_);
-    std::vector<EntryId>& siblings = edit(parent).children;
-    siblings.insert(siblings.begin() + static_cast<std::ptrdiff_t>(std::min(place, siblings.size())), id);
+    put_in({id}, parent, place);
     return id;
 }
 
-void Document::remove(EntryId id) {
-    std::erase(edit(at(id).parent).children, id);
-    for (const EntryId one : with_children(*this, id)) {
-        touch(one);
-        put(one, nullptr, 0);
+// Out of the lists of their parents, each of which is gone through once.
+void Document::take_out(const std::vector<EntryId>& ids) {
+    const std::unordered_set<EntryId> all(ids.begin(), ids.end());
+    std::set<EntryId> parents;
+    for (const EntryId id : ids) parents.insert(at(id).parent);
+    for (const EntryId parent : parents) {
+        std::vector<EntryId>& children = edit(parent).children;
+        children_passed_ += children.size();
+        std::erase_if(children, [&](EntryId child) { return all.contains(child); });
     }
 }
 
-void Document::move_below(EntryId id, EntryId parent, size_t place) {
-    std::erase(edit(at(id).parent).children, id);
-    edit(id).parent = parent;
-    std::vector<EntryId>& siblings = edit(parent).children;
-    siblings.insert(siblings.begin() + static_cast<std::ptrdiff_t>(std::min(place, siblings.size())), id);
+void Document::put_in(const std::vector<EntryId>& ids, EntryId parent, size_t place) {
+    std::vector<EntryId>& children = edit(parent).children;
+    place = std::min(place, children.size());
+    children_passed_ += ids.size() + children.size() - place;
+    children.insert(children.begin() + static_cast<std::ptrdiff_t>(place), ids.begin(), ids.end());
+}
+
+void Document::remove(const std::vector<EntryId>& ids) {
+    take_out(ids);
+    for (const EntryId id : ids)
+        for (const EntryId one : with_children(*this, id)) {
+            touch(one);
+            put(one, nullptr, 0);
+        }
+}
+
+void Document::move_below(const std::vector<EntryId>& ids, EntryId parent, size_t place) {
+    take_out(ids);
+    for (const EntryId id : ids) edit(id).parent = parent;
+    put_in(ids, parent, place);
+    note_structure();
+}
+
+void Document::order_children(EntryId parent, std::vector<EntryId> order) {
+    children_passed_ += order.size();
+    edit(parent).children = std::move(order);
     note_structure();
 }
 

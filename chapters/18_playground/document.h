@@ -68,10 +68,12 @@ class Document {
     void rename(EntryId id, const std::string& name);  ///< whatever others are called
     /// Returns the new entry's id. `place`: among the parent's children; beyond the last one: at the end.
     EntryId add(EntryId parent, Entry entry, size_t place = SIZE_MAX);
-    void remove(EntryId id);  ///< with its children
-    void move_below(EntryId id, EntryId parent, size_t place = SIZE_MAX);
-    bool commit();  ///< false where nothing has changed
-    void cancel();  ///< everything as it was at begin()
+    void remove(const std::vector<EntryId>& ids);  ///< with their children; none of them below another
+    /// Side by side, in this order. `place`: among the children that the parent has without them.
+    void move_below(const std::vector<EntryId>& ids, EntryId parent, size_t place = SIZE_MAX);
+    void order_children(EntryId parent, std::vector<EntryId> order);  ///< the same ones
+    bool commit();                                                    ///< false where nothing has changed
+    void cancel();                                                    ///< everything as it was at begin()
     bool in_step() const { return open_.has_value(); }
     // [/document]
 
@@ -98,6 +100,10 @@ class Document {
 
     /// Another number after each change, and the same one again where undo() and redo() come back to it.
     uint64_t state() const { return state_; }
+
+    /// Children that were passed or moved so far to change lists of them. Commands keep it in proportion to what they change:
+    /// taking 100,000 entries out of one list one by one would pass 5,000,000,000.
+    uint64_t children_passed() const { return children_passed_; }
 
     /// Entries that were touched since the last call, each once; whether some were added, removed or have another parent.
     struct Changes {
@@ -129,6 +135,8 @@ class Document {
     Slot& touch(EntryId id);
     void note(EntryId id);
     void count_name(const Entry& entry, int by);
+    void take_out(const std::vector<EntryId>& ids);
+    void put_in(const std::vector<EntryId>& ids, EntryId parent, size_t place);
     Step joined(Step first, Step then) const;
     std::vector<Slot> slots_;
     std::unordered_map<std::string, int> names_;
@@ -137,7 +145,7 @@ class Document {
     std::deque<Step> done_;
     std::vector<Step> undone_;  ///< the last one undone is the last
     uint32_t versions_ = 0;
-    uint64_t state_ = 1, states_ = 1, structure_ = 0;
+    uint64_t state_ = 1, states_ = 1, structure_ = 0, children_passed_ = 0;
     void note_structure();
     Changes changes_;
 };

@@ -236,9 +236,11 @@ std::optional<EntryId> Editor::light_at(const View& view, glm::vec2 cursor_px) c
     return nearest;
 }
 
-std::vector<uint32_t> Editor::selected_items(const Scene& scene) const {
+std::vector<uint32_t> Editor::selected_items(const Scene& scene) const { return items_of(scene, selection.ids); }
+
+std::vector<uint32_t> Editor::items_of(const Scene& scene, const std::vector<EntryId>& ids) const {
     std::vector<char> chosen(scene.file.objects.size(), 0);
-    for (const EntryId id : selection.ids)  // of the scene as a whole, which is everything, nothing is marked
+    for (const EntryId id : ids)  // of the scene as a whole, which is everything, nothing is marked
         if (id != root_entry && document.find(id))
             for (const EntryId one : with_children(document, id))
                 if (const uint32_t object = live.object_of(one); object < chosen.size()) chosen[object] = 1;
@@ -263,6 +265,17 @@ Bounds Editor::selected_bounds(const Scene& scene) const {
         box.add(place + 0.5f);
     }
     return box;
+}
+
+void Editor::group_selected(const Scene& scene) {
+    const std::vector<uint32_t> flags = items_of(scene, movable(document, selection.ids));
+    Bounds around;
+    for (size_t i = 0; i < flags.size(); ++i)
+        if (flags[i]) around.add(scene.items[i].bounds);
+    if (const EntryId made = group(document, selection.ids, "group", around); made != no_entry)
+        selection.set({made});
+    else
+        notice = "no object is selected that could be grouped";
 }
 
 EntryId Editor::add_model(const Chapter& chapter, const std::filesystem::path& given) {

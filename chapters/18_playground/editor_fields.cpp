@@ -12,23 +12,52 @@ namespace {
 
 constexpr const char* dash = "—";  // for a number that is not the same in all
 
+}  // namespace
+
+// Dear ImGui changes a number with each digit that is typed. Here what is typed counts once, when its field is left by
+// Enter, Tab or a click, and Escape takes it back: what is refused then was never there. Dragging counts at once.
+// `has_list`: whether fields of a list that the widget has opened are its own, too.
+bool EditorWindow::once_left(uint32_t field, float* values, int count, const std::function<bool()>& widget,
+                             const std::function<bool()>& has_list) {
+    const auto copy = [&](const float* from, float* to) { std::copy(from, from + count, to); };
+    glm::vec3 before(0.0f);
+    copy(values, &before.x);
+    const auto typed = typed_.find(field);
+    const int frame = ImGui::GetFrameCount();
+    const bool was_typed = typed != typed_.end() && typed->second.frame >= frame - 1;
+    if (was_typed) copy(&typed->second.values.x, values);
+    const bool changed = widget();
+    const uint32_t into = number_typed_into(), item = into == field || has_list() ? into : 0;
+    if (item && (!was_typed || item == typed->second.item)) {
+        if (changed || was_typed) copy(values, &(typed_[field] = {item, frame}).values.x);
+        copy(&before.x, values);
+        return false;
+    }
+    if (typed != typed_.end()) typed_.erase(typed);
+    if (!was_typed) return changed;
+    if (key_pressed(ImGuiKey_Escape)) copy(&before.x, values);
+    ++editor.gesture;
+    refused_.clear();
+    return !std::equal(values, values + count, &before.x);
+}
+
 // Side by side, up to `right` pixels before the edge.
-bool three_numbers(glm::vec3& value, float right, float speed, float lower, float upper, const char* format,
-                   glm::bvec3 mixed) {
+bool EditorWindow::three_numbers(glm::vec3& value, float right, float speed, float lower, float upper,
+                                 const char* format, glm::bvec3 mixed) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = ImGui::GetContentRegionAvail().x - right;
     const float each = std::max(std::floor((width - 2.0f * gap) / 3.0f), 1.0f);
     bool changed = false;
     for (int i = 0; i < 3; ++i) {
         if (i) ImGui::SameLine(0.0f, gap);
         ImGui::PushID(i);
-        ImGui::SetNextItemWidth(each);
-        changed |= ImGui::DragFloat("##number", &value[i], speed, lower, upper, mixed[i] ? dash : format);
+        changed |= once_left(ImGui::GetID("##number"), &value[i], 1, [&] {
+            ImGui::SetNextItemWidth(each);
+            return ImGui::DragFloat("##number", &value[i], speed, lower, upper, mixed[i] ? dash : format);
+        });
         ImGui::PopID();
     }
     return changed;
 }
-
-}  // namespace
 
 // What is typed has no range of its own: 1e39 is infinite, and 0 times that is no number.
 bool EditorWindow::takes(const char* label, float* values, int count, const float* before, float lower, float upper) {
@@ -56,9 +85,11 @@ bool EditorWindow::numbers(const char* label, const char* help, glm::vec3& value
 
 bool EditorWindow::number(const char* label, const char* help, float& value, float speed, float lower, float upper,
                           bool mixed) {
-    ImGui::SetNextItemWidth(-label_px);
     const float before = value;
-    const bool changed = ImGui::DragFloat(label, &value, speed, lower, upper, mixed ? dash : "%.5g");
+    const bool changed = once_left(ImGui::GetID(label), &value, 1, [&] {
+        ImGui::SetNextItemWidth(-label_px);
+        return ImGui::DragFloat(label, &value, speed, lower, upper, mixed ? dash : "%.5g");
+    });
     log_place(std::string("number.") + label);
     help_on_hover(help);
     return changed && takes(label, &value, 1, &before, lower, upper);
@@ -76,7 +107,15 @@ bool EditorWindow::color(const char* label, const char* help, glm::vec3& value, 
     log_place(std::string("color.") + label);
     help_on_hover(help);
     ImGui::SameLine(0.0f, gap);
-    changed |= ImGui::ColorEdit3(label, &value.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+    changed |= once_left(
+        ImGui::GetID(label), &value.x, 3,
+        [&] { return ImGui::ColorEdit3(label, &value.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs); },
+        [&] {
+            ImGui::PushID(label);
+            const bool open = ImGui::IsPopupOpen("picker");
+            ImGui::PopID();
+            return open;
+        });
     ImGui::PopID();
     return changed && takes(label, &value.x, 3, &before.x, 0.0f, most);
 }

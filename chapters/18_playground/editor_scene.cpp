@@ -66,7 +66,7 @@ void EditorWindow::draw_facet() {
                 if (path == module || path.starts_with(module + ".")) knobs.push_back(knob);
         }
         const float width = label_column(knobs);
-        for (KnobBase* knob : knobs) changed_ |= knob_widget(*knob, width, "");
+        for (KnobBase* knob : knobs) changed_ |= knob_widget(*knob, width, "", automatic);
     }
 }
 // [/facets]

@@ -88,7 +88,7 @@ bool EditorWindow::on_control_key(const KeyPress& pressed) {
     else if (key == GLFW_KEY_D)
         editor.selection.set(duplicate(editor.document, editor.selection.ids));
     else if (key == GLFW_KEY_G)
-        editor.selection.set({group(editor.document, editor.selection.ids, "group")});
+        editor.group_selected(scene);
     else if (key == GLFW_KEY_O)
         browser_.shown = !browser_.shown;
     else if (key == GLFW_KEY_E)

@@ -47,6 +47,11 @@ struct EditorWindow : Playground, WindowTool {
     void walk_tree(int by);
     void unfold_chosen(bool open);
     void scatter_lights();
+    bool once_left(
+        uint32_t field, float* values, int count, const std::function<bool()>& widget,
+        const std::function<bool()>& has_list = [] { return false; });
+    bool three_numbers(glm::vec3& value, float right, float speed, float lower, float upper, const char* format,
+                       glm::bvec3 mixed);
     bool takes(const char* label, float* values, int count, const float* before, float lower, float upper);
     // Fields; `mixed`: a dash stands for what is not the same in several entries.
     bool number(const char* label, const char* help, float& value, float speed, float lower, float upper,
@@ -66,7 +71,7 @@ struct EditorWindow : Playground, WindowTool {
     void say(const Said& said) {
         if (!said.empty()) editor.notice = said;
     }
-    /// As say(), but once while a field holds what is refused: it is asked in each frame.
+    /// As say(), but once while a number is dragged over what is refused: it is asked in each frame.
     void refuse(const Said& said) {
         if (std::exchange(refused_, said) != said) say(said);
     }
@@ -116,7 +121,14 @@ struct EditorWindow : Playground, WindowTool {
     static constexpr uint32_t ball_size = 88;  ///< pixels
     std::string facet_;                        ///< of the scene: its entry in the tree; empty: the scene itself
     std::string refused_, search_, renaming_text_, save_name_ = "scene.json";
-    std::vector<EntryId> together_;  ///< whose properties are edited; the active entry is the last
+    /// Numbers that somebody types.
+    struct Typed {
+        uint32_t item = 0;  ///< within the field
+        int frame = -1;     ///< that has drawn it last
+        glm::vec3 values{0.0f};
+    };
+    std::map<uint32_t, Typed> typed_;  ///< by field: where one is left for another, both are there for a frame
+    std::vector<EntryId> together_;    ///< whose properties are edited; the active entry is the last
     EntryId renaming_ = no_entry, last_clicked_ = no_entry, followed_ = no_entry;  ///< whose line was scrolled to last
     size_t listed_ = SIZE_MAX;               ///< the step that the list was scrolled to last
     bool types_ = false, searches_ = false;  ///< the next frame puts the keyboard into a field

@@ -120,7 +120,7 @@ double NeedPictures::time(size_t candidate) {
 }
 
 bool NeedPictures::crops_pay(size_t crops) {
-    if (!truth_takes_) {
+    if (!takes_) {
         const auto second_time = [&](const KnobValues& values, Frame& frame, glm::uvec2 size, const Crop& crop) {
             draw(values, frame, size, crop);
             return wall_ms([&] { draw(values, frame, size, crop); });
@@ -131,13 +131,15 @@ bool NeedPictures::crops_pay(size_t crops) {
         // A truth that is slow is not drawn whole just to know that: its small picture's time grows as the fastest
         // candidate's does.
         const KnobValues fast = candidates[fastest].all();
-        const double growth =
-            second_time(fast, whole_frame_, picture_.size, {}) / second_time(fast, small_frame_, small_size(), {});
+        const double whole = second_time(fast, whole_frame_, picture_.size, {});
+        const double growth = whole / second_time(fast, small_frame_, small_size(), {});
         const Crop middle{.whole = picture_.size, .origin = (picture_.size - crop_px) / 2u};
-        truth_takes_ = {second_time(truth_, crop_frame_, glm::uvec2(crop_px), middle),
-                        growth * wall_ms([&] { draw(truth_, small_frame_, small_size(), {}); })};
+        const glm::uvec2 size(crop_px);
+        takes_ = {{second_time(truth_, crop_frame_, size, middle),
+                   growth * second_time(truth_, small_frame_, small_size(), {})},
+                  {second_time(fast, crop_frame_, size, middle), whole}};
     }
-    return double(crops) * truth_takes_->first < 0.5 * truth_takes_->second;
+    return crops_are_cheaper(crops, takes_->first, takes_->second, candidates.size());
 }
 
 }  // namespace lightwalk

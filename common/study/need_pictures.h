@@ -7,6 +7,18 @@
 
 namespace lightwalk {
 
+/// Milliseconds that a crop and the whole picture take.
+struct DrawTimes {
+    double crop_ms, whole_ms;
+};
+
+/// Whether `crops` crops of the truth and of `count` candidates take less than half the time of their whole pictures.
+inline bool crops_are_cheaper(size_t crops, DrawTimes truth, DrawTimes candidate, size_t count) {
+    const double others = static_cast<double>(count);
+    return static_cast<double>(crops) * (truth.crop_ms + others * candidate.crop_ms) <
+           0.5 * (truth.whole_ms + others * candidate.whole_ms);
+}
+
 /// Draws each thing once, however often it is asked for, apart from times. Afterwards all knobs are put back.
 class NeedPictures {
   public:
@@ -37,8 +49,8 @@ class NeedPictures {
     /// The GPU time of a whole picture, anew.
     double time(size_t candidate);
 
-    /// Whether `crops` crops of the truth take less than half the time of its whole picture. Each has the whole scene's
-    /// vertices and a submission of its own: they can cost more.
+    /// Whether `crops` crops of the truth and of all candidates take less than half the time of their whole pictures. Each
+    /// has the whole scene's vertices and shadows and a submission of its own: they can cost more.
     bool crops_pay(size_t crops);
 
   private:
@@ -59,7 +71,7 @@ class NeedPictures {
     std::map<size_t, std::pair<Measured, std::vector<double>>> smalls_;
     std::map<std::pair<size_t, size_t>, Measured> crops_;
     std::map<size_t, Measured> wholes_;
-    std::optional<std::pair<double, double>> truth_takes_;  // milliseconds: a crop, and the whole picture about
+    std::optional<std::pair<DrawTimes, DrawTimes>> takes_;  // the truth, whose whole picture is estimated; a candidate
 };
 
 /// Crops below which nothing is known well enough.

@@ -13,6 +13,7 @@ struct AutoChoices {
         std::string line;    ///< which and why, or why not
     };
     std::set<std::string> offered;  ///< those that a study compares the methods of
+    std::set<std::string> without;  ///< methods that none compares
     std::map<std::string, Chosen> chosen;
     float budget = 0.01f;  ///< greatest mean FLIP allowed
     std::string wanted;    ///< asked for by a click and not measured yet; empty: none

@@ -75,7 +75,7 @@ void choose_platform() {
 
 }  // namespace
 
-Display::Display(const std::string& title, glm::ivec2 wanted, const std::string& without) {
+Display::Display(const std::string& title, glm::ivec2 wanted, const std::string& without) : title_(title) {
     choose_platform();
     if (!glfwInit()) {
         const char* why = nullptr;
@@ -158,6 +158,10 @@ Input Display::poll(double wait_s) {
 std::vector<std::filesystem::path> Display::take_dropped() { return std::exchange(events_->input.dropped, {}); }
 
 void Display::stay_open() { glfwSetWindowShouldClose(window, GLFW_FALSE); }
+void Display::say(const std::string& words) {
+    glfwSetWindowTitle(window, (words.empty() ? title_ : title_ + " · " + words).c_str());
+}
+
 bool Display::wants_to_close() const { return glfwWindowShouldClose(window); }
 bool Display::is_minimised() const { return glfwGetWindowAttrib(window, GLFW_ICONIFIED); }
 bool Display::is_held(int key) const { return glfwGetKey(window, key) == GLFW_PRESS; }

@@ -52,9 +52,11 @@ class Display {
     glm::uvec2 framebuffer_size() const;  ///< pixels; 0 while minimised on some systems
     glm::ivec2 size() const;              ///< in the window's own coordinates
     float scale() const;                  ///< of text, as the desktop asks for
+    void say(const std::string& words);   ///< behind the window's title; empty: nothing
 
   private:
     struct Events;
+    const std::string title_;
     std::unique_ptr<Events> events_;
 };
 

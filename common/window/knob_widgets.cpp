@@ -30,12 +30,20 @@ const char* number_format(float span) {
     return span >= 1000.0f ? "%.0f" : span >= 100.0f ? "%.1f" : span >= 10.0f ? "%.2f" : "%.3f";
 }
 
+// Not every widget keeps what is typed within its range, and none keeps out what is no number: 0 times 1e39.
+void keep_in_range(float& value, float before, float lower, float upper) {
+    if (value != before) value = std::isnan(value) ? before : std::clamp(value, lower, upper);
+}
+
 bool widget(Knob<float>& knob, const char* id) {
     const auto [lower, upper] = knob.range;
+    const float before = knob.value;
     const bool tiny = lower > 0.0f && lower < 1e-3f;
     const char* const format = tiny ? "%.6f" : number_format(upper - lower);
-    return ImGui::SliderFloat(id, &knob.value, lower, upper, with_unit(format, knob.unit).c_str(),
-                              slider_flags(lower, upper));
+    const bool changed = ImGui::SliderFloat(id, &knob.value, lower, upper, with_unit(format, knob.unit).c_str(),
+                                            slider_flags(lower, upper));
+    keep_in_range(knob.value, before, lower, upper);
+    return changed;
 }
 
 bool widget(Knob<int>& knob, const char* id) {
@@ -47,11 +55,14 @@ bool widget(Knob<int>& knob, const char* id) {
 // Three numbers from 0 to 1 without a unit are a colour.
 bool widget(Knob<glm::vec3>& knob, const char* id) {
     const float lower = knob.range.lower.x, upper = knob.range.upper.x;
-    if (knob.unit.empty() && lower == 0.0f && upper == 1.0f)
-        return ImGui::ColorEdit3(id, &knob.value.x, ImGuiColorEditFlags_Float);
-    return ImGui::SliderFloat3(id, &knob.value.x, lower, upper,
-                               with_unit(number_format(upper - lower), knob.unit).c_str(),
-                               ImGuiSliderFlags_AlwaysClamp);
+    const glm::vec3 before = knob.value;
+    const bool is_color = knob.unit.empty() && lower == 0.0f && upper == 1.0f;
+    const std::string format = with_unit(number_format(upper - lower), knob.unit);
+    const bool changed =
+        is_color ? ImGui::ColorEdit3(id, &knob.value.x, ImGuiColorEditFlags_Float)
+                 : ImGui::SliderFloat3(id, &knob.value.x, lower, upper, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+    for (int i = 0; i < 3; ++i) keep_in_range(knob.value[i], before[i], lower, upper);
+    return changed;
 }
 
 void wrapped_tooltip(const std::string& text, const std::string& facts = "") {
@@ -83,7 +94,9 @@ bool widget(Choice& knob, const char* id, AutoChoices* automatic) {
     bool changed = false;
     const std::string path = knob.path();
     const bool by_auto = automatic && automatic->holds(path, knob.text());
-    if (!ImGui::BeginCombo(id, (knob.text() + (by_auto ? " (auto)" : "")).c_str())) return false;
+    // All of it in sight: of more than eight options, those behind and "auto" would have to be scrolled for.
+    if (!ImGui::BeginCombo(id, (knob.text() + (by_auto ? " (auto)" : "")).c_str(), ImGuiComboFlags_HeightLargest))
+        return false;
     for (size_t i = 0; i < knob.options.size(); ++i) {
         if (ImGui::Selectable(knob.options[i].c_str(), i == knob.index)) {
             changed = i != knob.index;
@@ -95,6 +108,11 @@ bool widget(Choice& knob, const char* id, AutoChoices* automatic) {
         log_place("option." + path + "." + knob.options[i]);
     }
     if (automatic && automatic->offered.contains(path)) auto_entry(path, *automatic);
+    if (automatic && automatic->without.contains(path)) {
+        ImGui::Separator();
+        ImGui::TextColored(quiet_color, "no auto: no study compares these");
+        log_place("no auto." + path);
+    }
     ImGui::EndCombo();
     return changed;
 }

@@ -4,7 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
-#include <imgui_internal.h>  // its queue of input
+#include <imgui_internal.h>  // its queue of input, and which field is typed into
 
 #include <filesystem>
 #include <iterator>
@@ -202,6 +202,11 @@ void Overlay::make_framebuffers() {
                                            .layers = 1};
         check(vkCreateFramebuffer(gpu_.device.handle, &info, nullptr, &framebuffers_.emplace_back()), "framebuffer");
     }
+}
+
+ImGuiID number_typed_into() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    return context.ActiveId == context.TempInputId ? context.ActiveId : 0;
 }
 
 bool Overlay::input_is_left() const {

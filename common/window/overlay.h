@@ -36,6 +36,9 @@ class Overlay {
     int generation_ = 0;
 };
 
+/// The field of a number that is typed into, not dragged, among all that are on the screen; 0: none.
+ImGuiID number_typed_into();
+
 /// A child window without a border, with padding: Dear ImGui spells that anew since 1.90.
 inline void begin_padded_child(const char* id, ImVec2 size) {
 #if IMGUI_VERSION_NUM >= 19000

@@ -64,6 +64,9 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
     for (const KnobBase* knob : chapter_.all_knobs())
         if (dynamic_cast<const Choice*>(knob) && !study_of(chapter_, *knob).empty())
             automatic_.offered.insert(knob->path());
+        else if (dynamic_cast<const Choice*>(knob) && knob->name == "method")
+            automatic_.without.insert(knob->path());
+    if (tool_) tool_->automatic = &automatic_;
     remember_scene();
 }
 

@@ -202,6 +202,8 @@ void Window::choose_automatically() {
     try {
         const ToggleScope judges(Exercises::ids(), true);
         live_.follow_toggles();
+        int pictures = 0;
+        const double start = now();
         const auto cancelled = [&] {
             const Input input = display_.poll(0.0);
             return display_.wants_to_close() || std::any_of(input.pressed.begin(), input.pressed.end(),
@@ -209,10 +211,14 @@ void Window::choose_automatically() {
         };
         line = choose_method(chapter_, gpu_, method, double(automatic_.budget),
                              {picture_size(), time_s_, options_.seed, {}}, [&] {
+                                 // The window draws nothing meanwhile, but its title can be read.
+                                 display_.say(fmt::format("measuring {}: {} pictures, {:.0f} s (Esc cancels)",
+                                                          method.path(), pictures++, now() - start));
                                  if (cancelled()) throw InputError(method.path() + ": not measured, cancelled by Esc");
                              });
         automatic_.chosen[method.path()] = {method.text(), line};
     } catch (const std::exception& e) { line = e.what(); }
+    display_.say("");
     tell(line);
     log_event("auto " + line);
     active_until_ = std::max(active_until_, now() + notice_s);

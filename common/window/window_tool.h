@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/window/auto_choices.h"
 #include "common/window/display.h"
 
 namespace lightwalk {
@@ -18,6 +19,7 @@ struct WindowClock {
 class WindowTool {
   public:
     virtual ~WindowTool() = default;
+    AutoChoices* automatic = nullptr;  ///< the window's, for knobs in panels of the chapter's own; null: no window
 
     /// The mouse over the picture or held since it was there; `cursor_px` in pixels of the picture.
     virtual bool on_mouse(const Input& input, glm::vec2 cursor_px, bool over_picture) = 0;

@@ -129,6 +129,29 @@ TEST_CASE("other surroundings and other ambient light show at once, as where the
     }
 }
 
+TEST_CASE("Ctrl+G groups about the middle of what is drawn, and the picture stays; of lights alone there is no group") {
+    Driven driven;
+    Editor& editor = driven.window.editor;
+    const EntryId left = driven.named("left"), right = driven.named("right");
+    place(driven.document(), right, {{2, 0, 0}, {}, glm::vec3(3)});  // from 0.5 to 3.5
+    editor.selection.clear();
+    const auto before = driven.picture();
+    editor.selection.set({left, right});
+    driven.key(GLFW_KEY_G, GLFW_MOD_CONTROL);
+    const EntryId made = editor.selection.active();
+    CHECK(driven.document().at(left).parent == made);
+    const auto gizmo = gizmo_place(driven.document(), editor.selection, driven.window.view_now, Tool::rotate, false);
+    REQUIRE(gizmo);
+    CHECK(gizmo->pivot == glm::vec3(1.5f, 0, 0));
+    editor.selection.clear();
+    CHECK((driven.picture() == before));
+    const EntryId light = add_light(driven.document(), {.kind = Light::Kind::point});
+    editor.selection.set({light});
+    driven.key(GLFW_KEY_G, GLFW_MOD_CONTROL);
+    CHECK(editor.selection.active() == light);
+    CHECK(driven.window.take_notice() == "no object is selected that could be grouped");
+}
+
 TEST_CASE("lights are picked where they are seen, the nearest one; what is hidden or locked never is") {
     Driven driven;
     Editor& editor = driven.window.editor;

@@ -58,6 +58,62 @@ TEST_CASE("whatever was clicked first, siblings keep their order: grouped, moved
     CHECK(rename(document, unnamed, "") == "what has children has a name");
 }
 
+namespace {
+
+float furthest(const glm::mat4& a, const glm::mat4& b) {
+    float most = 0;
+    for (int i = 0; i < 4; ++i) most = std::max(most, glm::length(a[i] - b[i]));
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a group stands in the middle of what is grouped, below the parent of all; what is in it stays where it was") {
+    Document document;
+    const std::vector<EntryId> ids = add_all(document, {"turned", "a", "b", "c", "far"});
+    place(document, ids[0], {{5, -2, 3}, {20, 130, -40}, {2, 2, 2}});
+    place(document, ids[1], {{1, 0, 0}, {10, 20, 30}, {1, 2, 3}});
+    place(document, ids[2], {{3, 4, 0}, {721, 0, 0}, {-1, 1, 1}});
+    place(document, ids[3], {{0.1f, 0.7f, -9}, {0, 45, 0}, {0.3f, 0.3f, 0.3f}});
+    place(document, ids[4], {{-30, 8, 2}, {}, glm::vec3(1)});
+    const auto middle = [&](EntryId id) { return glm::vec3(world_of(document, id)[3]); };
+    const auto grouped = [&](const std::vector<EntryId>& some, const Bounds& around = {}) {
+        const std::string before = state_of(document);
+        std::vector<glm::mat4> worlds;
+        for (const EntryId id : ids) worlds.push_back(world_of(document, id));
+        const EntryId made = group(document, some, "group", around);
+        for (size_t i = 0; i < ids.size(); ++i) CHECK(furthest(world_of(document, ids[i]), worlds[i]) < 2e-5f);
+        const std::string after = state_of(document);
+        document.undo();
+        CHECK((state_of(document) == before));
+        document.redo();
+        CHECK((state_of(document) == after));
+        return made;
+    };
+    // Below the scene: the middle of their places, or of what is drawn of them; nothing is turned or scaled again.
+    const EntryId pair = grouped({ids[1], ids[2]});
+    CHECK(middle(pair) == glm::vec3(2, 2, 0));
+    CHECK(document.at(ids[1]).object()->rotation_deg == glm::vec3(10, 20, 30));
+    CHECK(document.at(ids[2]).object()->rotation_deg == glm::vec3(721, 0, 0));
+    const EntryId drawn = grouped({ids[4]}, {{-40, 7, 0}, {-20, 10, 3}});
+    CHECK(middle(drawn) == glm::vec3(-30, 8.5f, 1.5f));
+    // Below a parent that is turned and scaled, a group in a group among them.
+    reparent(document, {pair, ids[3]}, ids[0]);
+    const EntryId inner = grouped({pair, ids[3]});
+    CHECK(document.at(inner).parent == ids[0]);
+    CHECK(glm::length(middle(inner) - 0.5f * (middle(pair) + middle(ids[3]))) < 1e-5f);
+    const EntryId deeper = grouped({ids[2]});
+    CHECK(document.at(deeper).parent == pair);
+    CHECK(glm::length(middle(deeper) - middle(ids[2])) < 1e-5f);
+    // From several parents: below the scene.
+    const EntryId all = grouped({ids[3], ids[4]});
+    CHECK(document.at(all).parent == root_entry);
+    CHECK(glm::length(middle(all) - 0.5f * (middle(ids[3]) + middle(ids[4]))) < 1e-5f);
+    CHECK(names_of(document, {pair, drawn, inner, deeper, all}) ==
+          Names{"group", "group 2", "group 3", "group 4", "group 5"});
+}
+
 TEST_CASE("what changes nothing is no step; what is locked takes no children; groups hold objects alone") {
     Document document;
     const std::vector<EntryId> ids = add_all(document, {"a", "b"});

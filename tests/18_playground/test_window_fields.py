@@ -65,6 +65,83 @@ class Fields(EditorTest):
         self.undo()
         self.assertEqual(self.saved(), before)
 
+    def type_slowly(self, place: str, text: str, *keys: str):
+        """As type_number(), but each digit is in a frame of its own, as where a person types."""
+        session = self.session
+        self.scroll_to(place)
+        session.move(session.areas[place][0] + 8, session.places[place][1])
+        with session.holding("ctrl"):
+            session.press()
+            session.release()
+        session.park()
+        session.wait(lambda: session.types, "a field")
+        session.key("ctrl+a")
+        for letter in text:
+            session.xdotool("type", "--", letter)
+            session.read_all()
+        session.key(*keys)
+        session.read_all()
+
+    def test_2a_what_is_typed_counts_once_and_what_is_refused_was_never_there(self):
+        session, before = self.session, self.saved()
+        session.tap("entry.cube")
+        session.key("shift+h")
+        self.undo()  # and it can be done again after all of them
+        cases = {"entry.spot light": [("number.intensity", "*1e39", "notice intensity: inf is out of range.*"),
+                                      ("color.color", "0.9e9", "notice color: 9e\\+08 is out of range.*")],
+                 "entry.cube": [("numbers.scale", "1e-9", "notice a scale of 1e-09 is not possible.*")],
+                 "entry.camera": [("numbers.target", "1e12", r"notice target: 1e\+12 is out of range.*")]}
+        for entry, typed in cases.items():
+            session.tap(entry)
+            for place, text, why in typed:
+                with self.subTest(place=place, text=text):
+                    since = session.said()
+                    self.type_slowly(place, text, "Return")
+                    session.wait_for_line(why, since)
+                    self.assertEqual(self.saved(), before)
+        session.tap("entry.cube")
+        self.type_slowly("numbers.position", "12", "Escape")
+        self.assertEqual(self.saved(), before)
+        self.undo(key="ctrl+y", words="done again")  # what was hidden
+        self.undo()
+        for key in ("Return", "Tab"):
+            with self.subTest(key=key):
+                self.type_slowly("numbers.position", "1.25", key)
+                if key == "Tab":
+                    session.key("Escape")  # from the field that it has led to
+                    session.read_all()
+                self.assertEqual(self.saved()["objects"][0]["position"], [1.25, 0, 0])
+                self.undo()  # one step
+                self.assertEqual(self.saved(), before)
+
+    def test_2b_a_camera_that_would_look_along_its_up_keeps_the_place_it_had(self):
+        session, before = self.session, self.saved()
+        session.tap("entry.camera")
+        session.wait(lambda: "numbers.position" in session.areas, "a position")
+        left, top, right, bottom = session.areas["numbers.position"]
+        z = left + (right - left - 70) * 5 // 6  # the third of its numbers; the label takes 70 pixels
+        since = session.said()
+        session.move(z, (top + bottom) // 2)
+        with session.holding("ctrl"):
+            session.press()
+            session.release()
+        session.park()
+        session.wait(lambda: session.types, "a field")
+        session.key("ctrl+a")
+        for letter in "1e-99":
+            session.xdotool("type", "--", letter)
+            session.read_all()
+        session.key("Return")
+        session.wait_for_line("notice .*up.*", since)
+        self.assertEqual(self.saved(), before)
+
+    def test_2c_a_knob_never_leaves_its_range(self):
+        session = self.session
+        session.tap("entry.fog")
+        self.type_number("knob.fog.density", "*1e39")
+        density = float(self.saved().get("knobs", {}).get("fog.density", 0))
+        self.assertTrue(0 <= density < 1e9, density)
+
     def rename(self, entry: str, name: str):
         """By Ctrl+R, or by a button. Of no entry: of the one that is selected."""
         if entry:

@@ -108,7 +108,48 @@ class Properties(EditorTest):
         self.assertEqual(self.choose("picker.method"), "picker.method: its study measures wrong_picks, not the picture")
         self.assertEqual(self.saved(), before)
 
-    def test_7_it_ends_with_nothing_to_say(self):
+    def facet_menu(self, facet: str, knob: str):
+        """Of a knob in the properties, which the panel on the right has, too: there it is filtered away."""
+        session = self.session
+        session.click("filter")
+        session.key("ctrl+a")
+        session.xdotool("type", "no such knob")
+        session.read_all()
+        session.places.pop("knob." + knob, None)
+        session.click("entry." + facet)
+        session.wait(lambda: "knob." + knob in session.places, knob)
+        session.click("knob." + knob)
+
+    def test_7_what_the_scene_has_once_offers_auto_in_its_own_fields_or_says_that_there_is_none(self):
+        session = self.session
+        self.facet_menu("fog", "fog.method")
+        session.wait(lambda: "no auto.fog.method" in session.places, "why there is none")
+        self.assertNotIn("option.fog.method.auto", session.places)
+        session.key("Escape")
+        self.facet_menu("sky", "atmosphere.method")
+        since = session.said()
+        session.click("option.atmosphere.method.auto")
+        self.assertRegex(session.wait_for_line(r"auto (.*)", since)[1], r"atmosphere\.method: .*")
+
+    def title(self) -> str:
+        return self.session.xdotool("getwindowname", self.session.window).strip()
+
+    def test_8_the_title_counts_what_is_measured_and_escape_ends_it(self):
+        session, before = self.session, self.title()
+        session.click("filter")
+        session.key("ctrl+a")
+        session.xdotool("type", "bloom.method")
+        session.wait(lambda: "knob.bloom.method" in session.places, "bloom")
+        session.read_all()
+        since = session.said()
+        session.click("knob.bloom.method")
+        session.tap("option.bloom.method.auto")
+        session.wait(lambda: re.search(r"measuring bloom\.method: [1-9]\d* pictures", self.title()), "a count")
+        session.key("Escape")
+        session.wait_for_line(r"auto bloom\.method: not measured, cancelled by Esc", since)
+        self.assertEqual(self.title(), before)
+
+    def test_9_it_ends_with_nothing_to_say(self):
         self.saved()
         self.session.key("Escape", "Escape", "Escape")
         self.assert_ended()

@@ -10,6 +10,7 @@
 #include "common/check/check.h"
 #include "common/study/crops.h"
 #include "common/study/need.h"
+#include "common/study/need_pictures.h"
 #include "common/study/study.h"
 
 using namespace lightwalk;
@@ -162,6 +163,13 @@ TEST_CASE_METHOD(NeedTest, "need: the cheapest within the budget is taken, on cr
     question.crops = false;
     question.picture.size = {640, 360};
     CHECK(error(crops) == Approx(error(choose(0))).epsilon(0.4));
+}
+
+TEST_CASE("need: crops are drawn where they pay for all candidates, not for the truth alone") {
+    // Bloom over the workbench at 940 x 720, as measured: each crop draws the scene's vertices and shadows again.
+    CHECK_FALSE(crops_are_cheaper(16, {82, 3270}, {141, 1957}, 8));
+    CHECK(crops_are_cheaper(16, {8, 3000}, {2, 30}, 8));  // a truth that is slow
+    CHECK_FALSE(crops_are_cheaper(64, {8, 3000}, {20, 30}, 8));
 }
 
 TEST_CASE_METHOD(NeedTest, "need: where none would do the most accurate one is taken, and it is said") {

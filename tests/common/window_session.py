@@ -186,7 +186,7 @@ class Session:
 
     def replace(self, text: str):
         """What stands in the field that has the keyboard, or is about to get it; ended with Return. One frame reads all of
-        the text: a number counts while it is typed, and 1e39 is 1 at first."""
+        the text: a knob counts while it is typed, and 1e39 is 1 at first."""
         self.wait(lambda: self.types, "a field")
         self.process.send_signal(signal.SIGSTOP)
         self.key("ctrl+a")
