@@ -108,7 +108,7 @@ class Fields(EditorTest):
             with self.subTest(key=key):
                 self.type_slowly("numbers.position", "1.25", key)
                 if key == "Tab":
-                    session.key("Escape")  # from the field that it has led to
+                    session.key("Return")  # in the field that it has led to, or still in this one
                     session.read_all()
                 self.assertEqual(self.saved()["objects"][0]["position"], [1.25, 0, 0])
                 self.undo()  # one step
