@@ -203,7 +203,7 @@ void EditorWindow::frame_selected() {
 }
 
 bool EditorWindow::may_close() {
-    if (closes_ || !editor.store.has_unsaved(editor.document)) return true;
+    if (closes_ || !editor.store.has_unsaved(editor.document)) return editor.store.forget_autosave(), true;
     question_ = Question::close;
     changed_ = true;
     return false;
@@ -215,7 +215,9 @@ bool EditorWindow::is_busy() {
     const bool busy = changed_ || !wanted_.empty() || ball_scene_ || (browser_.shown && browser_.thumbnails.busy());
     if (now_s() < next_autosave_ || editor.drag) return busy;
     if (next_autosave_ != 0) try {
-            if (editor.store.autosave(editor.document)) log_event("autosaved");
+            Said said;
+            if (editor.store.autosave(editor.document, &said)) log_event("autosaved");
+            say(said);
         } catch (const InputError& e) { editor.notice = "not saved by itself: " + std::string(e.what()); }
     next_autosave_ = now_s() + autosave_every_s;
     return busy;
