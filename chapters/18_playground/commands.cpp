@@ -114,7 +114,7 @@ EntryId add_light(Document& document, const Light& light) {
 }
 
 std::vector<EntryId> scatter(Document& document, const Bounds& where, int count, unsigned seed) {
-    document.begin(fmt::format("scatter {} lights", count));
+    document.begin(fmt::format("scatter {} {}", count, count == 1 ? "light" : "lights"));
     std::vector<EntryId> ids;
     for (const Light& light : scatter_lights(where, count, seed))
         ids.push_back(document.add(root_entry, {.what = light}));

@@ -209,6 +209,12 @@ bool Document::redo() {
 }
 // [/undo]
 
+bool Document::take_back(uint64_t group) {
+    if (done_.empty() || done_.back().size.group != group || !undo()) return false;
+    undone_.pop_back();
+    return true;
+}
+
 void Document::forget_steps() {
     done_.clear();
     undone_.clear();

@@ -79,6 +79,8 @@ class Document {
 
     bool undo();
     bool redo();
+    /// Undoes the last step where it is one of this gesture, and forgets it.
+    bool take_back(uint64_t group);
     struct Listed {
         std::string name;
         uint64_t bytes;

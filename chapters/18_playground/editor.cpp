@@ -95,8 +95,8 @@ void Editor::recover(Chapter& chapter) try {
 
 // Else the next autosave would write over it.
 void Editor::keep_recovery(const std::string& why) {
-    const std::filesystem::path left = store.autosave_file(), kept = store.set_aside();
-    notice = why + (kept == left ? "" : "; kept as " + kept.filename().string());
+    const std::filesystem::path kept = store.set_aside();
+    notice = why + (kept.empty() ? "" : "; kept as " + kept.filename().string());
 }
 
 void Editor::take_knobs(const Chapter& chapter) {

@@ -12,6 +12,17 @@ namespace {
 
 constexpr const char* dash = "—";  // for a number that is not the same in all
 
+// Over the field that was drawn last, whose own text has all digits: it is what somebody types over, and to that Dear ImGui
+// would round what it drags.
+void draw_short(float value) {
+    const ImVec2 lower = ImGui::GetItemRectMin(), upper = ImGui::GetItemRectMax();
+    const float room = upper.x - lower.x - 4.0f, digit = ImGui::CalcTextSize("0").x;
+    const std::string text = short_number(value, static_cast<size_t>(std::max(room / digit, 1.0f)));
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 at{0.5f * (lower.x + upper.x - size.x), 0.5f * (lower.y + upper.y - size.y)};
+    ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+}
+
 }  // namespace
 
 // Dear ImGui changes a number with each digit that is typed. Here what is typed counts once, when its field is left by
@@ -27,6 +38,14 @@ bool EditorWindow::once_left(uint32_t field, float* values, int count, const std
     const bool was_typed = typed != typed_.end() && typed->second.frame >= frame - 1;
     if (was_typed) copy(&typed->second.values.x, values);
     const bool changed = widget();
+    if (ImGui::IsItemActive() && number_typed_into() == 0) {
+        if (std::exchange(stops_drag_, false)) {
+            stop_dragging();
+            copy(&before.x, values);
+            return false;
+        }
+        drags_number_ = true;
+    }
     const uint32_t into = number_typed_into(), item = into == field || has_list() ? into : 0;
     if (item && (!was_typed || item == typed->second.item)) {
         if (changed || was_typed) copy(values, &(typed_[field] = {item, frame}).values.x);
@@ -43,16 +62,24 @@ bool EditorWindow::once_left(uint32_t field, float* values, int count, const std
 
 // Side by side, up to `right` pixels before the edge.
 bool EditorWindow::three_numbers(glm::vec3& value, float right, float speed, float lower, float upper,
-                                 const char* format, glm::bvec3 mixed) {
+                                 glm::bvec3 mixed) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = ImGui::GetContentRegionAvail().x - right;
     const float each = std::max(std::floor((width - 2.0f * gap) / 3.0f), 1.0f);
     bool changed = false;
     for (int i = 0; i < 3; ++i) {
         if (i) ImGui::SameLine(0.0f, gap);
         ImGui::PushID(i);
-        changed |= once_left(ImGui::GetID("##number"), &value[i], 1, [&] {
+        const ImGuiID field = ImGui::GetID("##number");
+        changed |= once_left(field, &value[i], 1, [&] {
             ImGui::SetNextItemWidth(each);
-            return ImGui::DragFloat("##number", &value[i], speed, lower, upper, mixed[i] ? dash : format);
+            const bool is_short = !mixed[i] && number_typed_into() != field;
+            if (is_short) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{});
+            const std::string all = exact_format(value[i]);
+            const bool edited = ImGui::DragFloat("##number", &value[i], speed, lower, upper,
+                                                 mixed[i] ? dash : all.c_str(), ImGuiSliderFlags_NoRoundToFormat);
+            if (is_short) ImGui::PopStyleColor();
+            if (is_short && number_typed_into() != field) draw_short(value[i]);
+            return edited;
         });
         ImGui::PopID();
     }
@@ -73,7 +100,7 @@ bool EditorWindow::numbers(const char* label, const char* help, glm::vec3& value
     const glm::vec3 before = value;
     ImGui::BeginGroup();
     ImGui::PushID(label);
-    const bool changed = three_numbers(value, short_label_px, speed, 0.0f, 0.0f, "%.5g", mixed);
+    const bool changed = three_numbers(value, short_label_px, speed, 0.0f, 0.0f, mixed);
     ImGui::PopID();
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::TextUnformatted(label);
@@ -101,8 +128,7 @@ bool EditorWindow::color(const char* label, const char* help, glm::vec3& value, 
     const glm::vec3 before = value;
     ImGui::PushID(label);
     ImGui::BeginGroup();
-    bool changed =
-        three_numbers(value, color_label_px + ImGui::GetFrameHeight() + gap, 0.01f, 0.0f, most, "%.3g", mixed);
+    bool changed = three_numbers(value, color_label_px + ImGui::GetFrameHeight() + gap, 0.01f, 0.0f, most, mixed);
     ImGui::EndGroup();
     log_place(std::string("color.") + label);
     help_on_hover(help);

@@ -10,6 +10,7 @@ namespace lightwalk {
 namespace fs = std::filesystem;
 
 bool EditorWindow::on_save() {
+    if (question_ != Question::nothing) return true;  // which is answered first
     editor.end_drag(true);
     const bool overwrites = std::exchange(overwrites_, false), own = saves_own();
     try {
@@ -65,7 +66,9 @@ void EditorWindow::export_now() {
 void EditorWindow::check_recovery() {
     if (std::exchange(checked_, editor.store.path) == editor.store.path) return;
     browser_.chosen = [this](const fs::path& file, bool adds) { want(file, adds); };
-    if (editor.store.has_recovery()) question_ = Question::recover;
+    Said said;
+    if (editor.store.has_recovery(&said)) question_ = Question::recover;
+    say(said);
 }
 
 void EditorWindow::draw_question() {
@@ -92,7 +95,7 @@ void EditorWindow::draw_question() {
     if (asked == Question::close) {
         ImGui::Text("The scene has changes that are not saved.");
         if (answer("save", {ImGuiKey_Enter})) on_save(), closes_ = !editor.store.has_unsaved(editor.document);
-        if (answer("discard")) editor.store.forget_recovery(), closes_ = true;
+        if (answer("discard")) editor.store.forget_autosave(), closes_ = true;
         answer("stay", {ImGuiKey_Escape});
     } else if (asked == Question::overwrite) {
         ImGui::Text("%s is there already, or was written by somebody else.", file.c_str());

@@ -12,7 +12,8 @@
 namespace lightwalk {
 
 void EditorWindow::draw_properties() {
-    if (!ImGui::IsAnyItemActive()) refused_.clear();
+    if (!ImGui::IsAnyItemActive()) refused_.clear(), stops_drag_ = false;
+    drags_number_ = false;
     ImGui::Separator();
     const EntryId id = editor.selection.active();
     if (id == no_entry || !editor.document.find(id)) {

@@ -123,6 +123,7 @@ bool EditorWindow::on_shift_key(int key) {
 bool EditorWindow::on_key(const KeyPress& pressed) {
     const int key = pressed.key;
     if (question_ != Question::nothing) return true;  // which is answered first
+    if (key == GLFW_KEY_ESCAPE && drags_number_) return take_number_back(), true;
     ++editor.gesture;
     if (pressed.mods & GLFW_MOD_CONTROL) return on_control_key(pressed);
     if ((pressed.mods & GLFW_MOD_SHIFT) && on_shift_key(key)) return true;
@@ -136,6 +137,7 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
             return !in_files && (unfold_chosen(key == GLFW_KEY_RIGHT), true);
         case GLFW_KEY_ENTER:
         case GLFW_KEY_KP_ENTER:
+            editor.end_drag(true);  // else it would go on below what is typed
             return !in_files && (types_ = true);
         case GLFW_KEY_1:
             editor.tool = Tool::move;
@@ -173,6 +175,12 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
     }
 }
 
+// All that a drag over a number has changed. The mouse may still be held: it drags no more.
+void EditorWindow::take_number_back() {
+    editor.document.take_back(editor.gesture);
+    stops_drag_ = true, drags_number_ = false;
+}
+
 // What the scene has once stands in the tree too, before all others.
 void EditorWindow::walk_tree(int by) {
     std::vector<EntryId> ids{root_entry};
@@ -203,7 +211,7 @@ void EditorWindow::frame_selected() {
 }
 
 bool EditorWindow::may_close() {
-    if (closes_ || !editor.store.has_unsaved(editor.document)) return true;
+    if (closes_ || !editor.store.has_unsaved(editor.document)) return editor.store.forget_autosave(), true;
     question_ = Question::close;
     changed_ = true;
     return false;
@@ -215,7 +223,9 @@ bool EditorWindow::is_busy() {
     const bool busy = changed_ || !wanted_.empty() || ball_scene_ || (browser_.shown && browser_.thumbnails.busy());
     if (now_s() < next_autosave_ || editor.drag) return busy;
     if (next_autosave_ != 0) try {
-            if (editor.store.autosave(editor.document)) log_event("autosaved");
+            Said said;
+            if (editor.store.autosave(editor.document, &said)) log_event("autosaved");
+            say(said);
         } catch (const InputError& e) { editor.notice = "not saved by itself: " + std::string(e.what()); }
     next_autosave_ = now_s() + autosave_every_s;
     return busy;

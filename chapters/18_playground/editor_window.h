@@ -50,8 +50,7 @@ struct EditorWindow : Playground, WindowTool {
     bool once_left(
         uint32_t field, float* values, int count, const std::function<bool()>& widget,
         const std::function<bool()>& has_list = [] { return false; });
-    bool three_numbers(glm::vec3& value, float right, float speed, float lower, float upper, const char* format,
-                       glm::bvec3 mixed);
+    bool three_numbers(glm::vec3& value, float right, float speed, float lower, float upper, glm::bvec3 mixed);
     bool takes(const char* label, float* values, int count, const float* before, float lower, float upper);
     // Fields; `mixed`: a dash stands for what is not the same in several entries.
     bool number(const char* label, const char* help, float& value, float speed, float lower, float upper,
@@ -88,6 +87,7 @@ struct EditorWindow : Playground, WindowTool {
     void carry_on_previews();
     void set_settings(const std::string& what, const SceneSettings& settings);
     void frame_selected();
+    void take_number_back();
     void check_recovery();
     bool saves_own() const;
     std::filesystem::path save_target() const;
@@ -130,8 +130,9 @@ struct EditorWindow : Playground, WindowTool {
     std::map<uint32_t, Typed> typed_;  ///< by field: where one is left for another, both are there for a frame
     std::vector<EntryId> together_;    ///< whose properties are edited; the active entry is the last
     EntryId renaming_ = no_entry, last_clicked_ = no_entry, followed_ = no_entry;  ///< whose line was scrolled to last
-    size_t listed_ = SIZE_MAX;               ///< the step that the list was scrolled to last
-    bool types_ = false, searches_ = false;  ///< the next frame puts the keyboard into a field
+    bool drags_number_ = false, stops_drag_ = false;  ///< with the mouse, in the frame drawn last; the next one ends it
+    size_t listed_ = SIZE_MAX;                        ///< the step that the list was scrolled to last
+    bool types_ = false, searches_ = false;           ///< the next frame puts the keyboard into a field
     bool renaming_begins_ = false, closes_ = false, shows_keys_ = false, shows_steps_ = false, changed_ = false,
          overwrites_ = false, saves_as_ = false, exports_ = false;
     std::filesystem::path exported_;  ///< what was written last, and may be written over

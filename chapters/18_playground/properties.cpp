@@ -116,6 +116,19 @@ Property material_property(const std::string& name, std::function<const Material
     throw Failure("there is no property '{}'", name);
 }
 
+std::string short_number(float value, size_t most) {
+    std::string text;
+    for (int digits = 5; digits > 0 && (text.empty() || text.size() > most); --digits)
+        text = fmt::format("{:.{}g}", value, digits);
+    return text;
+}
+
+std::string exact_format(float value) {
+    int digits = 6;
+    while (digits < 9 && std::strtof(fmt::format("{:.{}g}", value, digits).c_str(), nullptr) != value) ++digits;
+    return fmt::format("%.{}g", digits);
+}
+
 std::vector<EntryId> edited_together(const Document& document, const Selection& selection) {
     const Entry* const active = document.find(selection.active());
     std::vector<EntryId> ids;

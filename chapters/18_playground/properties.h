@@ -30,6 +30,12 @@ const Property& object_property(const std::string& name);
 /// own material, which holds where the object overrides nothing; null: not known.
 Property material_property(const std::string& name, std::function<const Material*(EntryId)> own);
 
+/// A number where there is little room: at most five digits, and fewer where the text would be longer than `most` characters.
+std::string short_number(float value, size_t most);
+
+/// A format of printf() with the fewest digits, six or more, that are read back as the same float.
+std::string exact_format(float value);
+
 /// Those that are edited together: what is selected and of the active entry's kind, objects or lights; the active one is
 /// the last.
 std::vector<EntryId> edited_together(const Document& document, const Selection& selection);

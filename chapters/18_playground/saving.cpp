@@ -103,6 +103,7 @@ Document SceneStore::open(const fs::path& given) {
         Document document(scene_of_model(file, {}));
         path.clear(), includes_.clear(), included_.clear();
         saved_state_ = document.state(), hash_ = 0;
+        own_.reset(), left_.reset();
         return document;
     }
     const std::string text = read_file(file);
@@ -134,6 +135,7 @@ Document SceneStore::open(const fs::path& given) {
     path = file, includes_ = std::move(includes);
     included_ = includes_.empty() ? "" : content(part_of(document, true));
     saved_state_ = autosaved_state_ = document.state();
+    own_.reset(), left_.reset();
     hash_ = hash_bytes(text);
     return document;
 }
@@ -143,6 +145,7 @@ Document SceneStore::open_empty() {
     Document document;
     path.clear(), includes_.clear(), included_.clear();
     saved_state_ = autosaved_state_ = document.state(), hash_ = 0;
+    own_.reset(), left_.reset();
     return document;
 }
 
@@ -170,7 +173,7 @@ Said SceneStore::save(const Document& document) {
     hash_ = hash_bytes(bytes);
     saved_state_ = document.state();
     if (!said.empty()) includes_.clear();
-    forget_recovery();
+    forget_autosave();
     return said;
 }
 // [/save]
@@ -187,88 +190,6 @@ Said SceneStore::save_as(const Document& document, const fs::path& file) {
         path = before, includes_ = includes;
         throw;
     }
-}
-
-fs::path SceneStore::autosave_file() const {
-    return path.empty() ? fs::path("untitled.json.unsaved") : fs::path(path.string() + ".unsaved");
-}
-
-bool SceneStore::autosave(const Document& document) {
-    if (!has_unsaved(document) || document.state() == autosaved_state_) return false;
-    write_file(autosave_file(), text(document));
-    autosaved_state_ = document.state();
-    return true;
-}
-
-bool SceneStore::has_recovery() const {
-    std::error_code error;
-    const fs::path left = autosave_file();
-    if (!fs::is_regular_file(left, error)) return false;
-    if (path.empty() || !fs::exists(path, error)) return true;
-    return fs::last_write_time(left, error) >= fs::last_write_time(path, error);
-}
-
-namespace {
-
-// Takes out of a scene what it names and nobody has any more, and names it: an object keeps its place and its children.
-std::string drop_gone_files(nlohmann::json& scene) {
-    std::string gone;
-    const auto drop = [&](nlohmann::json& from, const std::string& key) {
-        const auto found = from.find(key);
-        if (found == from.end() || !found->is_string()) return false;
-        const fs::path file = found->get<std::string>();
-        try {
-            find_asset(file);
-            return false;
-        } catch (const InputError&) {
-            gone += (gone.empty() ? "" : ", ") + file.filename().string();
-            return from.erase(found), true;
-        }
-    };
-    if (!scene.is_object()) return gone;
-    if (const auto objects = scene.find("objects"); objects != scene.end() && objects->is_array())
-        for (nlohmann::json& object : *objects) {
-            if (!object.is_object()) continue;
-            drop(object, "model");
-            for (const MapSlotInfo& slot : map_slots())
-                if (const nlohmann::json::json_pointer maps("/material/maps"); object.contains(maps))
-                    drop(object[maps], slot.name);
-        }
-    for (const char* key : {"environment", "music"})
-        if (!drop(scene, key))
-            if (const auto found = scene.find(key); found != scene.end() && drop(*found, "image")) scene.erase(found);
-    return gone;
-}
-
-}  // namespace
-
-Document SceneStore::recover(Said* said) {
-    const fs::path copy = path.empty() ? fs::path("untitled.json") : path;
-    std::string bytes = read_file(autosave_file());
-    nlohmann::json scene = nlohmann::json::parse(bytes, nullptr, false);
-    if (const std::string gone = drop_gone_files(scene); !gone.empty()) {
-        bytes = scene.dump();
-        if (said) *said = "restored without files that are gone: " + gone;
-    }
-    Document document(parse_scene(bytes, copy));
-    saved_state_ = 0;  // none of its states is in the file
-    includes_.clear();
-    return document;
-}
-
-fs::path SceneStore::set_aside() {
-    const fs::path left = autosave_file();
-    fs::path kept;
-    for (int i = 1; kept.empty() || file_exists(kept); ++i) kept = left.string() + "." + std::to_string(i);
-    std::error_code error;
-    fs::rename(left, kept, error);
-    return error ? left : kept;
-}
-
-void SceneStore::forget_recovery() {
-    std::error_code error;
-    fs::remove(autosave_file(), error);
-    autosaved_state_ = 0;
 }
 
 }  // namespace lightwalk

@@ -37,15 +37,19 @@ class SceneStore {
 
     bool has_unsaved(const Document& document) const { return document.state() != saved_state_; }
 
-    // Beside the file: what was not saved yet. It goes when the document is saved.
+    // Beside the file: what was not saved yet. It is locked while its editor lives, so that no other one offers it, writes
+    // it or takes it away; each has its own. It goes when the document is saved.
     std::filesystem::path autosave_file() const;
-    /// Writes it where something has changed since the last time; false where nothing had to be written. Throws.
-    bool autosave(const Document& document);
-    /// A file that a crash has left: it is newer than the scene file.
-    bool has_recovery() const;
+    /// Writes it where something has changed since the last time; false where nothing had to be written. Throws. What lies
+    /// there keeps another name. `said`: that, or that another editor has the scene open.
+    bool autosave(const Document& document, Said* said = nullptr);
+    void forget_autosave();
+    /// A file that a crash has left: no editor holds it, and it is newer than the scene file. It is this editor's then.
+    /// `said`: another editor has the scene open.
+    bool has_recovery(Said* said = nullptr);
     /// Throws InputError where it cannot be read. `said`: which files that it names are gone; the rest is there.
     Document recover(Said* said = nullptr);
-    /// Gives what a crash has left a name that nothing is written to: its path.
+    /// Gives what a crash has left a name that nothing is written to: its path; empty where nothing is left.
     std::filesystem::path set_aside();
     void forget_recovery();
 
@@ -53,6 +57,10 @@ class SceneStore {
     // [/scene_store]
 
   private:
+    struct HeldFile;
+    std::filesystem::path autosave_name(int number) const;
+    std::filesystem::path free_autosave_file(Said* said) const;
+    std::shared_ptr<HeldFile> own_, left_;  ///< what this editor writes; what a crash has left, until that is decided
     std::vector<std::string> includes_;
     std::string included_;  ///< text of what they hold
     uint64_t hash_ = 0, saved_state_ = 0, autosaved_state_ = 0;

@@ -209,6 +209,8 @@ ImGuiID number_typed_into() {
     return context.ActiveId == context.TempInputId ? context.ActiveId : 0;
 }
 
+void stop_dragging() { ImGui::ClearActiveID(); }
+
 bool Overlay::input_is_left() const {
 #if IMGUI_VERSION_NUM >= 18700
     return !ImGui::GetCurrentContext()->InputEventsQueue.empty();

@@ -39,6 +39,9 @@ class Overlay {
 /// The field of a number that is typed into, not dragged, among all that are on the screen; 0: none.
 ImGuiID number_typed_into();
 
+/// The mouse drags no number any more, though it is still held.
+void stop_dragging();
+
 /// A child window without a border, with padding: Dear ImGui spells that anew since 1.90.
 inline void begin_padded_child(const char* id, ImVec2 size) {
 #if IMGUI_VERSION_NUM >= 19000

@@ -225,3 +225,15 @@ TEST_CASE("what auto tries while it measures is no step; what it chooses is one"
     editor.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
     CHECK(bloom.is(chosen == "paired" ? "none" : "paired"));
 }
+
+TEST_CASE("Enter in the middle of a drag ends it where it is: what is typed then is not dragged away, nor rounded") {
+    Driven editor;
+    editor.begin_drag("left");
+    const float before = editor.x_of("left");
+    editor.key(GLFW_KEY_ENTER);
+    CHECK_FALSE(editor.window.editor.drag);
+    editor.mouse(editor.cursor + glm::vec2(20, 3), true);
+    editor.mouse(editor.cursor, false);
+    CHECK(editor.x_of("left") == before);
+    CHECK(editor.document().done() == 1);
+}

@@ -213,3 +213,44 @@ TEST_CASE("an edit of 1,000 entries and its undo take less than 5 ms each") {
     CHECK(editing < 5.0);
     CHECK(undoing < 5.0);
 }
+
+TEST_CASE("numbers: as many digits as have room are shown; what is typed over has all that the float needs") {
+    CHECK(short_number(-0.39036f, 6) == "-0.39");
+    CHECK(short_number(-0.39036f, 8) == "-0.39036");
+    CHECK(short_number(12345.0f, 5) == "12345");
+    CHECK(short_number(0.0f, 1) == "0");
+    CHECK(short_number(-1.2345e-20f, 6) == "-1e-20");
+    CHECK(exact_format(0.1f) == "%.6g");
+    Random random(5);
+    for (int i = 0; i < 10000; ++i) {
+        const float value = float(random.uniform(-1, 1)) * std::pow(10.0f, float(random.uniform(-38, 38)));
+        char text[64];
+        std::snprintf(text, sizeof text, exact_format(value).c_str(), double(value));
+        REQUIRE(std::strtof(text, nullptr) == value);
+    }
+}
+
+TEST_CASE("a gesture is taken back as a whole and cannot be done again; the step before it stays") {
+    Document document;
+    const EntryId id = add_all(document, {"a"}).at(0);
+    const std::string before = state_of(document);
+    const auto drag = [&](float x) {
+        set_property(document, {id}, object_property("position"), {x, 0, 0}, glm::bvec3(true), 7);
+    };
+    drag(1), drag(2);
+    CHECK(document.done() == 2);
+    CHECK_FALSE(document.take_back(8));
+    CHECK(document.take_back(7));
+    CHECK(state_of(document) == before);
+    CHECK(document.done() == 1);
+    CHECK_FALSE(document.redo());
+    CHECK_FALSE(document.take_back(7));
+}
+
+TEST_CASE("a step that scatters one light is called like it") {
+    Document document;
+    scatter(document, {{-1, 0, -1}, {1, 1, 1}}, 1, 3);
+    CHECK(*document.next_undo() == "scatter 1 light");
+    scatter(document, {{-1, 0, -1}, {1, 1, 1}}, 2, 3);
+    CHECK(*document.next_undo() == "scatter 2 lights");
+}

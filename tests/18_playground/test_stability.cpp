@@ -219,7 +219,8 @@ TEST_CASE("saves by itself beside the file, offers that after a crash, and takes
     CHECK(store.autosave(document));
     CHECK_FALSE(store.autosave(document));
     CHECK(read_scene(file).objects.size() == 2);
-    SceneStore next;  // after a crash
+    store = {};  // a crash
+    SceneStore next;
     Document opened = next.open(file);
     REQUIRE(next.has_recovery());
     opened = next.recover();

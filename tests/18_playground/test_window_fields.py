@@ -142,6 +142,31 @@ class Fields(EditorTest):
         density = float(self.saved().get("knobs", {}).get("fog.density", 0))
         self.assertTrue(0 <= density < 1e9, density)
 
+    def test_2d_escape_takes_back_what_the_mouse_drags_over_a_number_and_what_is_shown_short_is_whole(self):
+        session = self.session
+        session.tap("entry.cube")
+        self.type_number("numbers.position", "-0.39036214")
+        before = self.saved()
+        self.assertEqual(before["objects"][0]["position"][0], -0.39036214)
+        session.tap("entry.cube")
+        session.key("Return", "Return")  # typed over and left as it is
+        session.read_all()
+        self.assertEqual(self.saved(), before)
+        left, top, _, bottom = session.areas["numbers.position"]
+        session.move(left + 8, (top + bottom) // 2)
+        session.press()
+        for x in (30, 60):
+            session.move(left + x, (top + bottom) // 2)
+        session.read_all()
+        session.key("Escape")
+        session.read_all()
+        session.move(left + 90, (top + bottom) // 2)
+        session.release()
+        session.park()
+        self.assertEqual(self.saved(), before)
+        self.undo()  # what was typed; the entry is still selected
+        self.assertEqual(self.saved()["objects"][0].get("position", [0, 0, 0]), [0, 0, 0])
+
     def rename(self, entry: str, name: str):
         """By Ctrl+R, or by a button. Of no entry: of the one that is selected."""
         if entry:
