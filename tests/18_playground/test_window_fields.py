@@ -44,7 +44,7 @@ class Fields(EditorTest):
     def test_2_numbers_that_are_too_large_or_none_are_refused_with_a_line(self):
         session, before = self.session, self.saved()
         cases = {"entry.spot light": [("number.intensity", "1e39", r"notice intensity: inf is out of range, 0 to 1e\+06"),
-                                      ("number.lamp size", "*1e39", "notice lamp size: (-?nan|inf) is out of range.*"),
+                                      ("number.lamp size", "1e39", "notice lamp size: inf is out of range.*"),
                                       ("numbers.position", "1e39", "notice position: inf is out of range.*")],
                  "entry.cube": [("numbers.rotation", "1e30", r"notice rotation: 1e\+30 is out of range.*"),
                                 ("numbers.scale", "0", "notice a scale of 0 is not possible.*")],
@@ -87,7 +87,7 @@ class Fields(EditorTest):
         session.tap("entry.cube")
         session.key("shift+h")
         self.undo()  # and it can be done again after all of them
-        cases = {"entry.spot light": [("number.intensity", "*1e39", "notice intensity: inf is out of range.*"),
+        cases = {"entry.spot light": [("number.intensity", "1e39", "notice intensity: inf is out of range.*"),
                                       ("color.color", "0.9e9", "notice color: 9e\\+08 is out of range.*")],
                  "entry.cube": [("numbers.scale", "1e-9", "notice a scale of 1e-09 is not possible.*")],
                  "entry.camera": [("numbers.target", "1e12", r"notice target: 1e\+12 is out of range.*")]}
@@ -138,7 +138,7 @@ class Fields(EditorTest):
     def test_2c_a_knob_never_leaves_its_range(self):
         session = self.session
         session.tap("entry.fog")
-        self.type_number("knob.fog.density", "*1e39")
+        self.type_number("knob.fog.density", "*1e39")  # 0 times infinity is no number; Dear ImGui 1.90 multiplies no more
         density = float(self.saved().get("knobs", {}).get("fog.density", 0))
         self.assertTrue(0 <= density < 1e9, density)
 
