@@ -85,7 +85,7 @@ void Shadow::choose_layers(Frame& frame, uint32_t id, std::vector<Wanted>& wante
 // [/choose_layers]
 
 // [reserve]
-// Layers are added when they are first needed: what is drawn already is copied. All are made anew where the size changes.
+// Layers are added when they are first needed: what is drawn already is copied. All are recreated where the size changes.
 void Shadow::reserve(Frame& frame) {
     const Image::Desc wanted{.size = glm::uvec2(static_cast<uint32_t>(resolution.value)),
                              .layers = std::max(static_cast<uint32_t>(layers_.size()), 1u),
