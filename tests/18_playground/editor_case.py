@@ -79,15 +79,20 @@ class EditorTest(PictureTest):
         self.fail(f"{place} does not come: {session.areas[place]}")
 
     def type_number(self, place: str, text: str):
-        """Into the first number of a widget, by Ctrl and a click."""
-        session = self.session
+        """Into the first number of a widget."""
         self.scroll_to(place)
-        session.move(session.areas[place][0] + 8, session.places[place][1])
+        self.open_number(self.session.areas[place][0] + 8, self.session.places[place][1])
+        self.session.replace(text)
+
+    def open_number(self, x: float, y: float):
+        """For typing, by Ctrl and a click."""
+        session = self.session
+        session.move(x, y)
         with session.holding("ctrl"):
             session.press()
             session.release()
         session.park()
-        session.replace(text)
+        session.wait(lambda: session.types, "a field")
 
     def assert_ended(self):
         """With nothing to say."""

@@ -67,14 +67,12 @@ class Fields(EditorTest):
 
     def type_slowly(self, place: str, text: str, *keys: str):
         """As type_number(), but each digit is in a frame of its own, as where a person types."""
-        session = self.session
         self.scroll_to(place)
-        session.move(session.areas[place][0] + 8, session.places[place][1])
-        with session.holding("ctrl"):
-            session.press()
-            session.release()
-        session.park()
-        session.wait(lambda: session.types, "a field")
+        self.open_number(self.session.areas[place][0] + 8, self.session.places[place][1])
+        self.type_letters(text, *keys)
+
+    def type_letters(self, text: str, *keys: str):
+        session = self.session
         session.key("ctrl+a")
         for letter in text:
             session.xdotool("type", "--", letter)
@@ -121,17 +119,8 @@ class Fields(EditorTest):
         left, top, right, bottom = session.areas["numbers.position"]
         z = left + (right - left - 70) * 5 // 6  # the third of its numbers; the label takes 70 pixels
         since = session.said()
-        session.move(z, (top + bottom) // 2)
-        with session.holding("ctrl"):
-            session.press()
-            session.release()
-        session.park()
-        session.wait(lambda: session.types, "a field")
-        session.key("ctrl+a")
-        for letter in "1e-99":
-            session.xdotool("type", "--", letter)
-            session.read_all()
-        session.key("Return")
+        self.open_number(z, (top + bottom) // 2)
+        self.type_letters("1e-99", "Return")
         session.wait_for_line("notice .*up.*", since)
         self.assertEqual(self.saved(), before)
 
