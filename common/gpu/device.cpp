@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 
 #include "common/base/error.h"
 #include "common/gpu/capture.h"
 #include "common/gpu/device_features.h"
+#include "common/gpu/device_wait.h"
 
 namespace lightwalk {
 
@@ -258,6 +260,19 @@ uint64_t Device::timeout_ns() const {
         throw InputError("LIGHTWALK_TIMEOUT_S is '{}'; it takes a number of seconds above 0", text);
     // Thirty years are as good as more, and their nanoseconds still fit into 64 bits, with today's date added.
     return static_cast<uint64_t>(std::min(seconds, 1e9) * 1e9);
+}
+
+VkResult wait_for(const Device& device, const std::function<VkResult(uint64_t most_ns)>& wait) {
+    const auto used_ns = [] {
+        timespec used{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+        return 1'000'000'000 * static_cast<uint64_t>(used.tv_sec) + static_cast<uint64_t>(used.tv_nsec);
+    };
+    const uint64_t most = device.timeout_ns(), before = used_ns();
+    VkResult answer = wait(most);
+    for (int again = 1; again < 10 && answer == VK_TIMEOUT && device.software() && used_ns() - before < most; ++again)
+        answer = wait(most);
+    return answer;
 }
 
 }  // namespace lightwalk

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "common/gpu/device_wait.h"
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -55,7 +56,8 @@ void Frame::wait_for_passes() {
                                             .semaphoreCount = 1,
                                             .pSemaphores = timeline_.address(),
                                             .pValues = &target};
-        const VkResult waited = vkWaitSemaphores(gpu.device.handle, &wait_info, gpu.device.timeout_ns());
+        const VkResult waited = wait_for(
+            gpu.device, [&](uint64_t most_ns) { return vkWaitSemaphores(gpu.device.handle, &wait_info, most_ns); });
         if (waited == VK_TIMEOUT)
             abandon_device(
                 fmt::format("pass '{}' did not end within {:.4} s; look for a loop without an end in its shaders",

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "common/gpu/device_wait.h"
+
 namespace lightwalk {
 
 std::function<void(const std::string&)>& on_abandoned_device() {
@@ -54,7 +56,9 @@ void Gpu::submit_now(const std::function<void(VkCommandBuffer)>& record) {
                                    .commandBufferInfoCount = 1,
                                    .pCommandBufferInfos = &command_info};
         check(vkQueueSubmit2(device.queue, 1, &submit, fence_), "vkQueueSubmit2");
-        const VkResult waited = vkWaitForFences(device.handle, 1, fence_.address(), VK_TRUE, device.timeout_ns());
+        const VkResult waited = wait_for(device, [&](uint64_t most_ns) {
+            return vkWaitForFences(device.handle, 1, fence_.address(), VK_TRUE, most_ns);
+        });
         if (waited == VK_TIMEOUT)
             abandon_device(fmt::format("a transfer did not finish within {:.4g} s",
                                        static_cast<double>(device.timeout_ns()) / 1e9));

@@ -1,7 +1,10 @@
 // Over a frame's life: uploads, read-backs, what is destroyed meanwhile, passes that take long, failures half way.
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
+#include <thread>
 
+#include "common/gpu/device_wait.h"
 #include "tests/common/gpu_fixture.h"
 
 using namespace lightwalk;
@@ -234,6 +237,30 @@ TEST_CASE_METHOD(OnDevice, "the clock is for one pass, not for a frame") {
     unsetenv("LIGHTWALK_TIMEOUT_S");
     on_abandoned_device() = nullptr;
     vkDeviceWaitIdle(gpu.device.handle);
+}
+
+TEST_CASE_METHOD(OnDevice, "a software device is waited for while this process is given no time; ten times at most") {
+    if (!gpu.device.software()) return;
+    setenv("LIGHTWALK_TIMEOUT_S", "0.02", 1);
+    int waits = 0;
+    const auto starved = [&](int done_after) {
+        waits = 0;
+        return wait_for(gpu.device, [&](uint64_t most_ns) {
+            std::this_thread::sleep_for(std::chrono::nanoseconds(most_ns));
+            return ++waits < done_after ? VK_TIMEOUT : VK_SUCCESS;
+        });
+    };
+    CHECK((starved(4) == VK_SUCCESS && waits == 4));
+    CHECK((starved(100) == VK_TIMEOUT && waits == 10));
+    waits = 0;
+    const VkResult busy = wait_for(gpu.device, [&](uint64_t most_ns) {
+        const std::clock_t end = std::clock() + static_cast<std::clock_t>(most_ns * CLOCKS_PER_SEC / 1'000'000'000);
+        while (std::clock() <= end) {}
+        ++waits;
+        return VK_TIMEOUT;
+    });
+    CHECK((busy == VK_TIMEOUT && waits == 1));
+    unsetenv("LIGHTWALK_TIMEOUT_S");
 }
 
 TEST_CASE("a constructor that throws half way leaves nothing behind") {
