@@ -181,13 +181,16 @@ void PipelineLibrary::watch(const std::vector<FlatShader>& flat) {
         }
 }
 
-bool PipelineLibrary::forget_changed_files() {
+bool PipelineLibrary::forget_changed_files(std::chrono::milliseconds rest) {
     bool changed = false;
     for (auto& [file, time] : files_) {
         std::error_code error;
-        const auto now = std::filesystem::last_write_time(file, error);
-        if (error || now == time) continue;
-        time = now;
+        const auto written = std::filesystem::last_write_time(file, error);
+        if (error || written == time) continue;
+        const auto age = std::filesystem::file_time_type::clock::now() - written;
+        const bool is_empty = rest.count() > 0 && std::filesystem::file_size(file, error) == 0;
+        if (std::chrono::abs(age) < (is_empty ? std::chrono::seconds(2) : rest)) continue;
+        time = written;
         changed = true;
     }
     if (changed) rebuild(), Exercises::shaders_were_edited();

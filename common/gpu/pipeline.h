@@ -1,5 +1,6 @@
 // Pipelines as a chapter states them, and the library that builds each variant when it is first used.
 #pragma once
+#include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
@@ -105,8 +106,10 @@ class PipelineLibrary {
     const BuiltPipeline* get(const Pipeline& pipeline, const TargetFormats& formats,
                              std::span<const Macros* const> macros);
 
-    /// Looks whether a file that was read has changed, and forgets what was built from it. True where one had.
-    bool forget_changed_files();
+    /// Looks whether a file that was read has changed, and forgets what was built from it. True where one had. A file
+    /// that was written less than `rest` ago may still be written: it is left for a later call; an empty one, which
+    /// most editors make before they write, for two seconds.
+    bool forget_changed_files(std::chrono::milliseconds rest = {});
 
     /// Builds everything anew when it is next used, and keeps the last good one where that fails.
     void rebuild();

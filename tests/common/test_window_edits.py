@@ -43,6 +43,18 @@ class Edits(WindowTest):
         self.edit("color = vec4(0.0, 0.3, 0.0, 0.0) + ", "color = ")
         self.assert_as_at_the_start()
 
+    def test_a_file_that_is_still_written_is_not_read(self):
+        """Many editors empty a file before they write it, and this machine may stop them between the two."""
+        text = (self.course / FRAGMENT).read_text().replace("color = ", "color = vec4(0.0, 0.3, 0.0, 0.0) + ")
+        since = self.session.said()
+        with open(self.course / FRAGMENT, "w") as file:
+            time.sleep(0.3)
+            file.write(text)
+        self.addCleanup((self.course / FRAGMENT).write_text, (ROOT / FRAGMENT).read_text())
+        self.session.wait_for_line("reloaded shaders", since)
+        self.session.wait(lambda: self.session.pixels(0, 0, WIDTH, HEIGHT) != self.start, "the edit to show")
+        self.assertEqual([line for line in self.session.errors if "Missing entry point" in line], [])
+
     def test_binding_that_is_gone_is_reported(self):
         since = self.session.said()
         self.edit("hdr", "radiance", "shaders/common/encode_srgb.comp")
