@@ -51,6 +51,16 @@ class Refusals(Course):
         self.refuse("there is no bwrap .*: apt-get install bubblewrap", "trixie", PATH=self.only(debootstrap=""))
 
     @unittest.skipIf(os.geteuid(), "as root")
+    def test_what_is_missing_is_installed_and_nothing_else(self):
+        path = self.only(**{"dpkg-query": "", "apt-get": "exit 1"}) + ":/usr/bin:/bin"
+        wanted = " ".join(name for group in ("base", "on") for name in
+                          (REAL / "common/course/packages" / group).read_text().split())
+        for words in (["--on", "trixie"], ["--on=trixie"], ["unit", "--on", "trixie"]):
+            shutil.rmtree(self.root / "build/packages", ignore_errors=True)
+            printed = self.run_program([self.root / "course", "test", *words], 1, PATH=path)
+            self.assertEqual(printed.splitlines()[0], f"course: installing {wanted}")
+
+    @unittest.skipIf(os.geteuid(), "as root")
     def test_no_network(self):
         path = self.only(bwrap="", debootstrap="echo I: Retrieving; echo E: Failed getting release file; exit 1")
         command = [sys.executable, self.root / "common/course/cli.py", "test", "--on", "trixie"]
