@@ -4,9 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "18_playground/commands.h"
+#include "18_playground/gltf_textures.h"
 #include "18_playground/saving.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/write_files.h"
+#include "common/image/encode.h"
 
 namespace lightwalk {
 namespace fs = std::filesystem;
@@ -20,8 +23,8 @@ constexpr int float_component = 5126, index_component = 5125, vertex_target = 34
 
 class Exporter {
   public:
-    Exporter(const Document& document, const Scene& scene, fs::path folder)
-        : document_(document), scene_(scene), folder_(std::move(folder)) {
+    Exporter(const Document& document, const Scene& scene, const fs::path& target)
+        : document_(document), scene_(scene), folder_(fs::absolute(target).parent_path()), target_(target) {
         for (uint32_t i = 0; i < scene.items.size(); ++i) items_[scene.items[i].object].push_back(i);
         const Exported all = exported(document);
         for (uint32_t i = 0; i < all.objects.size(); ++i) places_[all.objects[i]] = i;
@@ -47,7 +50,8 @@ class Exporter {
         }
         return out_;
     }
-    std::string bytes;  ///< of the buffer
+    std::string bytes;                      ///< of the buffer
+    std::map<fs::path, std::string> files;  ///< textures that are made here, beside the target
 
   private:
     int push(const char* key, json value) {
@@ -78,6 +82,22 @@ class Exporter {
         return textures_[key] = push("textures", {{"source", image}});
     }
 
+    // The colours of `color` with the alpha of `opacity`, in a file of its own.
+    fs::path with_opacity(const fs::path& color, const fs::path& opacity) {
+        fs::path& file = cutouts_[{color, opacity}];
+        if (!file.empty()) return file;
+        file = target_;
+        file.replace_filename(fmt::format("{}.cutout{}.png", target_.stem().string(), cutouts_.size()));
+        files[file] = encode_png(color_with_opacity(color, opacity));
+        return file;
+    }
+
+    // Whether textures cut holes into it: an opacity map, or the alpha of its colours.
+    bool is_cut_out(const DrawItem& item) const {
+        const auto& color = item.loaded_maps[MapSlot::diffuse];
+        return item.maps[MapSlot::opacity] || (color && scene_.images()->has_alpha(*color));
+    }
+
     // A URI: what is no letter, digit or -._~/ as %NN.
     static std::string escaped(const std::string& text) {
         std::string uri;
@@ -104,14 +124,21 @@ class Exporter {
         const auto set = [&](json& into, const char* key, const char* slot, const fs::path& model_file) {
             if (const fs::path file = file_of(slot, model_file); !file.empty()) into[key] = {{"index", texture(file)}};
         };
-        set(pbr, "baseColorTexture", "diffuse", m.diffuse_map.file);
+        const fs::path color = file_of("diffuse", m.diffuse_map.file);
+        if (item.maps[MapSlot::opacity])
+            pbr["baseColorTexture"] = {{"index", texture(with_opacity(color, file_of("opacity", m.opacity_map.file)))}};
+        else if (!color.empty())
+            pbr["baseColorTexture"] = {{"index", texture(color)}};
         set(pbr, "metallicRoughnessTexture", "orm", item.maps[MapSlot::orm] ? m.roughness_map.file : "");
         set(own, "normalTexture", "normal", m.normal_map.file);
         set(own, "occlusionTexture", "occlusion", "");
         set(own, "emissiveTexture", "emissive", m.emissive_map.file);
         own["emissiveFactor"] = list(glm::min(
             own.contains("emissiveTexture") ? glm::max(m.emissive, glm::vec3(1.0f)) : m.emissive, glm::vec3(1.0f)));
-        own["alphaMode"] = item.transparent ? "BLEND" : item.maps[MapSlot::opacity] ? "MASK" : "OPAQUE";
+        own["alphaMode"] = item.transparent ? "BLEND" : is_cut_out(item) ? "MASK" : "OPAQUE";
+        const auto& knobs = document_.settings().knobs;
+        if (const auto cutoff = knobs.find("maps.cutoff"); cutoff != knobs.end() && own["alphaMode"] == "MASK")
+            own["alphaCutoff"] = std::stof(cutoff->second);
         const std::string key = own.dump();
         if (const auto known = materials_.find(key); known != materials_.end()) return known->second;
         return materials_[key] = push("materials", own);
@@ -219,11 +246,12 @@ class Exporter {
 
     const Document& document_;
     const Scene& scene_;
-    const fs::path folder_;
+    const fs::path folder_, target_;
     json out_, lights_ = json::array();
     std::map<uint32_t, std::vector<uint32_t>> items_;
     std::unordered_map<EntryId, uint32_t> places_;
     std::map<std::string, int> textures_, materials_;
+    std::map<std::pair<fs::path, fs::path>, fs::path> cutouts_;
     std::map<const Mesh*, json> vertices_;
     std::map<const Part*, int> indices_;
 };
@@ -239,10 +267,10 @@ void export_gltf(const Document& document, const Scene& scene, const fs::path& f
             !object.model.empty() && !object.hidden && fs::equivalent(target, find_asset(object.model), error))
             throw InputError("{}: the scene shows this file; save the scene under another name first", target.string());
     check_writable(target);
-    Exporter exporter(document, scene, fs::absolute(target).parent_path());
-    const std::string text = exporter.whole(clean_name(buffer.filename().string())).dump(1, '\t') + "\n";
-    if (!exporter.bytes.empty()) write_file(buffer, exporter.bytes);
-    write_file(target, text);
+    Exporter exporter(document, scene, target);
+    exporter.files[target] = exporter.whole(clean_name(buffer.filename().string())).dump(1, '\t') + "\n";
+    if (!exporter.bytes.empty()) exporter.files[buffer] = std::move(exporter.bytes);
+    write_files(exporter.files);
 }
 
 }  // namespace lightwalk

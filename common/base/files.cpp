@@ -8,8 +8,11 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
+#include <vector>
 
 #include "common/base/error.h"
+#include "common/base/write_files.h"
 
 namespace lightwalk {
 namespace fs = std::filesystem;
@@ -190,6 +193,16 @@ void write_file(const fs::path& path, std::string_view bytes) {
     Part part(path, place);
     part.write_all(bytes);
     part.rename_to(place.path);
+}
+
+void write_files(const std::map<fs::path, std::string>& files) {
+    std::vector<std::pair<std::unique_ptr<Part>, fs::path>> parts;
+    for (const auto& [path, bytes] : files) {
+        const Place place = place_of(path);
+        parts.emplace_back(std::make_unique<Part>(path, place), place.path);
+        parts.back().first->write_all(bytes);
+    }
+    for (const auto& [part, target] : parts) part->rename_to(target);
 }
 
 void write_file_to_disk(const fs::path& path, std::string_view bytes) {
