@@ -2,6 +2,7 @@
 #pragma once
 #include <cstring>
 #include <map>
+#include <utility>
 
 #include "common/image/image.h"
 #include "common/window/event_log.h"
@@ -26,6 +27,14 @@ inline bool key_pressed(ImGuiKey key) {
 #else
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
 #endif
+}
+
+/// The next widget gets the keyboard where it is wanted. Its window first: Dear ImGui 1.90.1 looks for the widget in the
+/// one that has the keyboard now.
+inline void focus_next(bool& wanted) {
+    if (!std::exchange(wanted, false)) return;
+    ImGui::SetWindowFocus();
+    ImGui::SetKeyboardFocusHere();
 }
 
 /// A field for a text. True where it was changed and left, or Enter was pressed; Escape takes back what was typed. `text`

@@ -26,7 +26,7 @@ namespace {
 template <class F>
 void note(GLFWwindow* window, const F& change) {
     auto* events = static_cast<Input*>(glfwGetWindowUserPointer(window));
-    events->happened = true;
+    events->happened = events->acted = true;
     change(*events);
 }
 
@@ -40,8 +40,11 @@ void on_scroll(GLFWwindow* window, double, double notches) {
     note(window, [&](Input& input) { input.wheel += static_cast<float>(notches); });
 }
 
+void note_mouse(GLFWwindow* window) { static_cast<Input*>(glfwGetWindowUserPointer(window))->happened = true; }
+
 void on_cursor(GLFWwindow* window, double x, double y) {
-    note(window, [&](Input& input) { input.cursor = {x, y}; });
+    note_mouse(window);
+    static_cast<Input*>(glfwGetWindowUserPointer(window))->cursor = {x, y};
 }
 
 void on_drop(GLFWwindow* window, int count, const char** files) {
@@ -110,7 +113,7 @@ Display::Display(const std::string& title, glm::ivec2 wanted, const std::string&
     glfwSetDropCallback(window, on_drop);
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { note(w, [](Input&) {}); });
     // A mouse that comes back to the pixel where it left has not moved.
-    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { note(w, [](Input&) {}); });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { note_mouse(w); });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { note(w, [](Input&) {}); });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { note(w, [](Input&) {}); });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { note(w, [](Input&) {}); });
@@ -148,10 +151,11 @@ Input Display::poll(double wait_s) {
     now.moved = events_->cursor_known ? now.cursor - events_->last_cursor : glm::vec2(0.0f);
     events_->last_cursor = now.cursor;
     events_->cursor_known = events_->cursor_known || now.cursor != glm::vec2(0.0f);
+    now.acted = now.acted || (now.happened && (now.left || now.right || now.middle));
     Input result = now;
     now.pressed.clear();
     now.wheel = 0.0f;
-    now.happened = false;
+    now.happened = now.acted = false;
     return result;
 }
 

@@ -24,7 +24,8 @@ struct Input {
     float wheel = 0.0f;                                               ///< notches, away from the person is positive
     bool left = false, right = false, middle = false, shift = false;  ///< held now
     std::vector<KeyPress> pressed;
-    bool happened = false;  ///< anything at all: worth a new picture
+    bool happened = false;  ///< anything at all: worth a new panel
+    bool acted = false;     ///< more than that the mouse came along: worth a new picture
 };
 
 class Display {

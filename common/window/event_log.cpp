@@ -55,11 +55,11 @@ void log_mouse() {
     log_event(before = mouse);
 }
 
-void log_frame(bool keys_wait) {
+void log_frame(bool keys_wait, bool picture_is_new) {
     if (!wanted()) return;
     static uint64_t count = 0;
     log_event("frame " + std::to_string(++count) + (keys_wait ? " keys" : "") +
-              (ImGui::GetIO().WantTextInput ? " text" : ""));
+              (ImGui::GetIO().WantTextInput ? " text" : "") + (picture_is_new ? " picture" : ""));
 }
 
 }  // namespace lightwalk

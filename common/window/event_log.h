@@ -13,7 +13,8 @@ void log_place(const std::string& name);
 /// window coordinates, a bit for each button that is down, and the notches turned since the start.
 void log_mouse();
 
-/// Logs that a frame was drawn: "frame NUMBER", " keys" where some wait for the next one, " text" where a field has them.
-void log_frame(bool keys_wait);
+/// Logs that a frame was drawn: "frame NUMBER", " keys" where some wait for the next one, " text" where a field has them,
+/// " picture" where the picture, too, was drawn.
+void log_frame(bool keys_wait, bool picture_is_new);
 
 }  // namespace lightwalk

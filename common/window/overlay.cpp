@@ -58,7 +58,7 @@ void set_style(float scale) {
     set({ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_Header}, raised);
     set({ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered}, {0.20f, 0.225f, 0.27f, 1.0f});
     set({ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_HeaderActive}, accent);
-    set({ImGuiCol_SliderGrab}, accent);
+    set({ImGuiCol_SliderGrab, ImGuiCol_PlotHistogram}, accent);
     set({ImGuiCol_SliderGrabActive, ImGuiCol_CheckMark}, bright);
     set({ImGuiCol_Text}, {0.90f, 0.92f, 0.95f, 1.0f});
     set({ImGuiCol_TextDisabled}, quiet_color);
@@ -211,13 +211,7 @@ ImGuiID number_typed_into() {
 
 void stop_dragging() { ImGui::ClearActiveID(); }
 
-bool Overlay::input_is_left() const {
-#if IMGUI_VERSION_NUM >= 18700
-    return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
-#else
-    return short_keys_wait();
-#endif
-}
+bool Overlay::input_is_left() const { return short_keys_wait(); }
 
 void Overlay::begin() {
     ImGui_ImplVulkan_NewFrame();

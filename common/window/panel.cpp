@@ -93,10 +93,10 @@ void Panel::look(PanelState& state, Requests& requests) {
 void Panel::times(PanelState& state) {
     const bool same = std::equal(smooth_.begin(), smooth_.end(), state.times.begin(), state.times.end(),
                                  [](const PassTime& a, const PassTime& b) { return a.name == b.name; });
-    averaged_ = same ? averaged_ + 1 : 0;
+    averaged_ = same ? averaged_ + state.picture_is_new : 0;
     if (!same) smooth_ = state.times;
     // The average over about ten frames: a figure that can be read while it changes. The first frame only warms up.
-    const double weight = std::max(0.1, 1.0 / std::max(averaged_, 1));
+    const double weight = state.picture_is_new ? std::max(0.1, 1.0 / std::max(averaged_, 1)) : 0.0;
     double total = 0;
     ImGui::BeginTable("times", 3, ImGuiTableFlags_SizingFixedFit);
     ImGui::TableSetupColumn("pass", ImGuiTableColumnFlags_WidthStretch);

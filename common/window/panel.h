@@ -26,7 +26,8 @@ struct PanelState {
     const ExerciseChecks& checks;
     AutoChoices& automatic;
     std::vector<std::string> outputs;  ///< what can be looked at
-    std::vector<PassTime> times;       ///< of the last frame
+    std::vector<PassTime> times;       ///< of the last picture
+    bool picture_is_new = true;        ///< false: only the panel is drawn again
     double frame_ms = 0;               ///< from one picture to the next, wall clock
     bool clock_runs = false;
     float time_s = 0;

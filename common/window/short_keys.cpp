@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <deque>
@@ -11,10 +12,44 @@
 namespace lightwalk {
 
 #if IMGUI_VERSION_NUM >= 18700
+// Of its queue a frame takes what it may, but a modifier's change together with the keys before it.
+namespace {
+
+ImVector<ImGuiInputEvent> later;  // what comes after a modifier's change that has to wait
+
+bool changes_modifier(const ImGuiInputEvent& event) {
+    if (event.Type != ImGuiInputEventType_Key) return false;
+    const int key = event.Key.Key;
+    return key == ImGuiMod_Ctrl || key == ImGuiMod_Alt || key == ImGuiMod_Super ||
+           (key >= ImGuiKey_LeftCtrl && key <= ImGuiKey_RightSuper && key != ImGuiKey_LeftShift &&
+            key != ImGuiKey_RightShift);
+}
+
+}  // namespace
+
 void hold_short_keys(GLFWwindow*) {}
-void pass_short_keys() {}
-void note_keys_were_read() {}
-bool short_keys_wait() { return false; }
+
+void pass_short_keys() {
+    ImVector<ImGuiInputEvent>& queue = ImGui::GetCurrentContext()->InputEventsQueue;
+    bool pressed = false;
+    for (int i = 0; i < queue.Size; ++i) {
+        if (pressed && changes_modifier(queue[i])) {
+            for (int k = i; k < queue.Size; ++k) later.push_back(queue[k]);
+            queue.resize(i);
+            return;
+        }
+        pressed =
+            pressed || (queue[i].Type == ImGuiInputEventType_Key && queue[i].Key.Down && !changes_modifier(queue[i]));
+    }
+}
+
+void note_keys_were_read() {
+    ImVector<ImGuiInputEvent>& queue = ImGui::GetCurrentContext()->InputEventsQueue;
+    for (const ImGuiInputEvent& event : later) queue.push_back(event);
+    later.clear();
+}
+
+bool short_keys_wait() { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
 #else
 namespace {
 

@@ -14,9 +14,12 @@
 namespace lightwalk {
 namespace {
 
-constexpr double watch_every_s = 0.2;    // how often shader files are looked at
-constexpr double settle_s = 0.5;         // drawn for so long after something happened, for the panel to come to rest
-constexpr int settle_frames = 3;         // and at least so many, however long each takes
+// An editor that opens a file to write it has written it after this.
+constexpr std::chrono::milliseconds writing{50};
+
+constexpr double watch_every_s = 0.2;  // how often shader files are looked at
+constexpr double settle_s = 0.2;       // drawn for so long after something happened, for the panel to come to rest
+constexpr int settle_frames = 6;       // and at least so many: a field that is asked for has the keyboard in the fifth
 constexpr double compare_every_s = 1.0;  // while the picture moves
 constexpr glm::ivec2 default_size{1480, 660};
 
@@ -80,13 +83,13 @@ glm::uvec2 Window::picture_size() const {
 }
 
 void Window::run() {
-    active_until_ = now() + settle_s;
+    stay_active(settle_s);
     for (;;) {
         if (display_.wants_to_close() || close_) {
             if (!tool_ || tool_->may_close()) break;
             display_.stay_open();
             close_ = false;
-            active_until_ = now() + settle_s;
+            stay_active(settle_s);
         }
         if (tool_) ask_tool();
         // Nothing is drawn while nothing changes: a software rasteriser has better things to do.
@@ -96,7 +99,7 @@ void Window::run() {
         Requests requests;
         handle_keys(input, requests);
         obey(requests);
-        if (input.happened) active_until_ = now() + settle_s, frames_due_ = settle_frames;
+        note_acts(input);
         watch_files();
         watch_programs();
         if (!swapchain_.ready()) continue;
@@ -116,27 +119,48 @@ void Window::run() {
     }
 }
 
-bool Window::is_still() const {
-    return !clock_runs_ && now() > active_until_ && frames_due_ == 0 && !overlay_.input_is_left();
+// A picture takes a software rasteriser much longer than the panel. The mouse on its way changes none; what is done to the
+// panel does where the panel says so, and one more is drawn when all is done.
+void Window::note_acts(const Input& input) {
+    if (!input.happened) return;
+    active_until_ = std::max(active_until_, now() + settle_s), frames_due_ = settle_frames;
+    if (!input.acted) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    last_picture_due_ = true;
+    if (!io.WantCaptureMouse && !io.WantTextInput) picture_due_ = true;
 }
+
+void Window::stay_active(double seconds) {
+    active_until_ = std::max(active_until_, now() + seconds);
+    picture_due_ = last_picture_due_ = true;
+}
+
+bool Window::has_settled() const { return now() > active_until_ && frames_due_ == 0 && !overlay_.input_is_left(); }
+
+bool Window::picture_is_due() const {
+    return clock_runs_ || picture_due_ || (last_picture_due_ && has_settled()) || capture_next_ || !shown_ ||
+           drawn_size_ != picture_size();
+}
+
+bool Window::is_still() const { return !clock_runs_ && !last_picture_due_ && has_settled(); }
 
 void Window::watch_files() {
     if (now() < next_watch_) return;
     next_watch_ = now() + watch_every_s;
-    if (!gpu_.pipelines.forget_changed_files()) return;
+    if (!gpu_.pipelines.forget_changed_files(writing)) return;
     log_event("reloaded shaders");
-    active_until_ = now() + settle_s;
+    stay_active(settle_s);
 }
 
 void Window::watch_programs() {
-    if (checks_.poll()) active_until_ = std::max(active_until_, now() + settle_s);
+    if (checks_.poll()) stay_active(settle_s);
     if (const std::string wrong = lessons_.poll(); !wrong.empty()) {
         tell(wrong);
-        active_until_ = std::max(active_until_, now() + settle_s);
+        stay_active(settle_s);
     }
 }
 
-Requests Window::build_panel() {
+Requests Window::build_panel(bool picture_is_new) {
     overlay_.begin();
     PanelState state{.chapter = chapter_,
                      .device = gpu_.device,
@@ -146,6 +170,7 @@ Requests Window::build_panel() {
                      .automatic = automatic_,
                      .outputs = Look::names(frame_),
                      .times = frame_.times,
+                     .picture_is_new = picture_is_new,
                      .frame_ms = frame_ms_,
                      .clock_runs = clock_runs_,
                      .time_s = time_s_,
@@ -180,11 +205,12 @@ std::vector<std::string> Window::errors() {
     return all;
 }
 
-void Window::draw() {
-    frames_due_ = std::max(frames_due_ - 1, 0);
-    const glm::uvec2 size = picture_size();
-    const double started = now();
+void Window::draw_picture(glm::uvec2 size) {
+    picture_due_ = false;
+    if (has_settled()) last_picture_due_ = false;
+    drawn_size_ = size;
     shown_ = nullptr;
+    compared_ = false;
     gpu_.pipelines.errors.clear();
     look_.attach(frame_, viewed_, chapter_.camera, chapter_.scene.bounds);
     {
@@ -198,7 +224,15 @@ void Window::draw() {
         if (capture) write_capture(*capture);
     }
     if (split_.on()) split_.draw(chapter_, look_, {size, time_s_, options_.seed, {}});
-    const Requests requests = build_panel();
+}
+
+void Window::draw() {
+    frames_due_ = std::max(frames_due_ - 1, 0);
+    const glm::uvec2 size = picture_size();
+    const double started = now();
+    const bool anew = picture_is_due();
+    if (anew) draw_picture(size);
+    const Requests requests = build_panel(anew);
 
     const Image* target = swapchain_.acquire();
     if (target) {
@@ -215,12 +249,11 @@ void Window::draw() {
         swapchain_.present();
         if (++drawn_ == 1) log_event("first picture");
     }
-    log_frame(overlay_.input_is_left());
+    log_frame(overlay_.input_is_left(), anew);
     const double ended = now();
     const double milliseconds = 1e3 * (ended - started);
-    frame_ms_ += (drawn_ < 3 ? 1.0 : 0.1) * (milliseconds - frame_ms_);
+    if (anew) frame_ms_ += (drawn_ < 3 ? 1.0 : 0.1) * (milliseconds - frame_ms_);
     last_draw_ = started;
-    compared_ = false;
     obey(requests);
 }
 

@@ -25,6 +25,7 @@ class Window {
     void run();
 
   private:
+    void note_acts(const Input& input);
     void handle_keys(const Input& input, Requests& requests);
     void move_camera(const Input& input, double seconds);
     void follow_mouse(glm::vec2 place);
@@ -43,8 +44,12 @@ class Window {
     void watch_files();
     void watch_programs();
     void draw();
-    bool is_still() const;  ///< nothing is drawn: neither time nor input changes the picture
-    Requests build_panel();
+    void draw_picture(glm::uvec2 size);
+    void stay_active(double seconds);  ///< and the picture, too, is drawn again: something has changed it
+    bool has_settled() const;          ///< the panel has
+    bool picture_is_due() const;       ///< false: the panel is drawn beside the picture that is there
+    bool is_still() const;             ///< nothing is drawn: neither time nor input changes the picture
+    Requests build_panel(bool picture_is_new);
     std::vector<std::string> errors();
     const Image& compose(glm::uvec2 size, const Image& mine, const Image& reference);
     void compare_when_still();
@@ -76,6 +81,8 @@ class Window {
     bool rests_ = false;  ///< until something happens
     float time_s_;
     int drawn_ = 0, frames_due_ = 0;
+    bool picture_due_ = true, last_picture_due_ = true;  ///< now; once the panel has settled
+    glm::uvec2 drawn_size_{0};                           ///< of the picture drawn last
     double active_until_ = 0, next_watch_ = 0, next_compare_ = 0, notice_until_ = 0, last_draw_ = 0, frame_ms_ = 0;
     std::string notice_, logged_errors_;
     uint64_t scene_hash_ = 0;       ///< of the scene file as it was read or saved

@@ -81,16 +81,16 @@ void Window::obey(const Requests& requests) {
                      requests.earlier_toggles || requests.reload || requests.screenshot || requests.capture ||
                      requests.save || requests.split || requests.clock || requests.panel || requests.home ||
                      requests.frame_scene || requests.changed;
-    if (any) active_until_ = std::max(active_until_, now() + 0.3);
+    if (any) stay_active(0.3);
 }
 
 void Window::move_camera(const Input& input, double seconds) {
     Camera& camera = chapter_.camera;
     const ImGuiIO& io = ImGui::GetIO();
-    if (tool_ && tool_has_mouse(input)) return;
     const bool held = input.left || input.right || input.middle;
     // What began over the panel stays with it, what began over the picture with the camera.
     if (!held) dragging_ = false;
+    if (tool_ && tool_has_mouse(input)) return;
     const float pixels_per_unit = static_cast<float>(display_.framebuffer_size().x) / float(display_.size().x);
     const bool over_picture = input.cursor.x * pixels_per_unit < static_cast<float>(picture_size().x);
     const bool was_dragging = dragging_;
@@ -117,27 +117,30 @@ void Window::move_camera(const Input& input, double seconds) {
     if (direction == glm::vec3(0.0f)) return;
     const float speed = CameraControl::fly_speed(chapter_.scene.bounds) * (input.shift ? 5.0f : 1.0f);
     CameraControl::fly(camera, direction * (speed * static_cast<float>(seconds)));
-    active_until_ = std::max(active_until_, now() + 0.1);
+    stay_active(0.1);
 }
 
+// While the camera is dragged the tool has nothing below the mouse, but is told of it: what has moved is no click.
 bool Window::tool_has_mouse(const Input& input) {
     const float pixels_per_unit = static_cast<float>(display_.framebuffer_size().x) / float(display_.size().x);
     const glm::vec2 cursor = input.cursor * pixels_per_unit, size(picture_size());
     const bool over = cursor.x >= 0.0f && cursor.y >= 0.0f && cursor.x < size.x && cursor.y < size.y;
-    return !dragging_ && tool_->on_mouse(input, cursor, over && !ImGui::GetIO().WantCaptureMouse);
+    const bool taken = tool_->on_mouse(input, cursor, over && !dragging_ && !ImGui::GetIO().WantCaptureMouse);
+    return taken && !dragging_;
 }
 
 // What goes on beside the picture, and what it has to say.
 void Window::ask_tool() {
     if (const auto files = display_.take_dropped(); !files.empty()) {
         tool_->on_drop(files);
-        active_until_ = now() + notice_s;
+        stay_active(0.3);
     }
     WindowClock clock{time_s_, clock_runs_};
     tool_->steer(clock);
-    if (clock.time_s != time_s_ || clock.runs != clock_runs_) active_until_ = std::max(active_until_, now() + 0.3);
+    if (clock.time_s != time_s_ || clock.runs != clock_runs_) stay_active(0.3);
     time_s_ = clock.time_s, clock_runs_ = clock.runs;
-    if (tool_->is_busy()) active_until_ = std::max(active_until_, now() + 0.1);
+    if (tool_->is_busy())
+        active_until_ = std::max(active_until_, now() + 0.1);  // its panels say what changes the picture
     if (tool_->wants_to_close()) close_ = true;
     if (const std::string notice = tool_->take_notice(); !notice.empty()) {
         tell(notice);
@@ -151,8 +154,11 @@ void Window::ask_tool() {
 void Window::follow_mouse(glm::vec2 place) {
     for (KnobBase* knob : chapter_.all_knobs())
         if (auto* number = dynamic_cast<Knob<float>*>(knob);
-            number && (knob->name == "mouse_x" || knob->name == "mouse_y"))
+            number && (knob->name == "mouse_x" || knob->name == "mouse_y")) {
+            const float before = number->value;
             number->value = std::clamp(knob->name == "mouse_x" ? place.x : place.y, 0.0f, 1.0f);
+            if (number->value != before) stay_active(0.1);
+        }
 }
 
 void Window::toggle_all(bool earlier_too) {
@@ -221,7 +227,7 @@ void Window::choose_automatically() {
     display_.say("");
     tell(line);
     log_event("auto " + line);
-    active_until_ = std::max(active_until_, now() + notice_s);
+    stay_active(0.3);
 }
 
 void Window::write_capture(Capture& capture) {

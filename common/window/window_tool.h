@@ -32,10 +32,10 @@ class WindowTool {
     /// Pixels from the picture's left edge that its panels cover: messages stand beside them.
     virtual float covered_px(glm::uvec2 /*picture*/, float /*scale*/) const { return 0.0f; }
 
-    virtual bool on_save() = 0;             ///< Ctrl+S
-    virtual bool may_close() = 0;           ///< false: it asks first, and closes itself when wants_to_close()
-    virtual bool wants_to_close() = 0;      ///< the answer was yes
-    virtual bool is_busy() = 0;             ///< something goes on beside the picture
+    virtual bool on_save() = 0;         ///< Ctrl+S
+    virtual bool may_close() = 0;       ///< false: it asks first, and closes itself when wants_to_close()
+    virtual bool wants_to_close() = 0;  ///< the answer was yes
+    virtual bool is_busy() = 0;  ///< asked once per frame: something goes on beside the picture, the panels show it
     virtual std::string take_notice() = 0;  ///< what to tell, once; empty: nothing
 
     /// Before each frame: may set the clock, start and stop it.

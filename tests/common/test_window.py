@@ -54,6 +54,26 @@ class Window(WindowTest):
             self.session.wait_for_line("knob loader " + loader, since)
         self.assert_as_at_the_start()
 
+    def test_beside_a_picture_that_nothing_changes_the_panel_alone_is_drawn(self):
+        session = self.session
+
+        def drawn() -> tuple[int, int]:
+            session.wait(lambda: session.rests, "rest")
+            return session.frames, session.pictures
+
+        session.park()
+        frames, pictures = drawn()
+        for x in range(10, WIDTH + PANEL, 60):
+            session.move(x, 300)
+        session.park()
+        self.assertGreater(drawn()[0], frames + 10)
+        self.assertEqual(drawn()[1], pictures)
+        for _ in range(2):  # it folds, and unfolds
+            session.tap("section.Knobs")
+            self.assertIn(drawn()[1] - pictures, (1, 2), "pictures after a click on the panel: once it has come to rest")
+            pictures = drawn()[1]
+        self.assert_as_at_the_start()
+
     def test_resizes(self):
         for width, height in ((500, 300), (1300, 850), (341, 200), (WIDTH + PANEL, HEIGHT)):
             self.session.xdotool("windowsize", "--sync", self.session.window, str(width), str(height))

@@ -35,7 +35,7 @@ class Session:
         self.places: dict[str, tuple[float, float]] = {}
         self.areas: dict[str, tuple[int, int, int, int]] = {}  # left, top, right, bottom
         self.mouse = (0, 0, 0, 0)  # x, y, buttons and wheel, as the frame drawn last has read them
-        self.frames = 0  # that have been drawn
+        self.frames = self.pictures = 0  # frames that have been drawn, and those of them with a picture of their own
         self.keys_wait = False  # for the next frame
         self.types = False  # a field has the keyboard
         self.rests = False  # nothing is drawn until something happens
@@ -70,7 +70,7 @@ class Session:
             elif line.startswith("frame "):
                 words = line.split()
                 self.keys_wait, self.types, self.rests = "keys" in words, "text" in words, False
-                self.frames = int(words[1])
+                self.frames, self.pictures = int(words[1]), self.pictures + ("picture" in words)
             elif line == "rests":
                 self.rests = True
             elif place:
