@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "18_playground/gltf.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 
@@ -22,13 +21,16 @@ bool is_no_setting(const KnobBase& knob) {
 
 void Editor::loaded(Chapter& chapter) {
     end_drag(true);  // what has been dragged so far is a change like others
+    // Another scene could not be loaded, and what was shown before is back.
+    if (std::exchange(shown_instances_, chapter.scene.instances.handle) == chapter.scene.instances.handle)
+        return void(shown_ = &chapter.scene);
     // Toggles of exercises and F5 load the window's first scene again: what is being edited may be another one.
     const std::filesystem::path file = chapter.scene.file.file;
     const bool again = shown_ && !file.empty() && (file == first_file_ || file == store.path);
     const bool other = again && store.path != file;
     if (shown_ || first_file_.empty()) first_file_ = file;  // else it is open() that loads
     shown_ = &chapter.scene;
-    if (again && (store.has_unsaved(document) || (other && !store.changed_on_disk()))) {
+    if (again && (store.has_unsaved(document) || (!store.changed_on_disk() && !store.includes_changed_on_disk()))) {
         live = {};
         document.mark_all_changed();
         return;
@@ -135,26 +137,47 @@ LiveScene::Done Editor::update(Chapter& chapter, Gpu& gpu) {
     const auto loader = [&](const std::filesystem::path& file) { return chapter.load_model(file); };
     try {
         const LiveScene::Done done = live.update(gpu, document, chapter.scene, loader);
-        loads = live.loads;
+        loads = live.loads, shown_instances_ = chapter.scene.instances.handle;
         recovered_from_.reset();
+        if (done == LiveScene::Done::replaced) without_.clear();
         return done;
-    } catch (const InputError& e) {
-        notice = e.what();
-        if (auto before = std::exchange(recovered_from_, std::nullopt)) {
-            store = std::move(before->second);
-            open_document(chapter, std::move(before->first));
-            keep_recovery(e.what());
-        } else {
-            document.undo();
-            document.mark_all_changed();
-        }
-        selection.drop_missing(document);
-        const LiveScene::Done done = live.update(gpu, document, chapter.scene, loader);
-        loads = live.loads;
-        return done;
-    }
+    } catch (const InputError& e) { return show_without(chapter, gpu, e.what()); }
 }
 // [/update]
+
+// Without the last step, is everything readable that was not with it? Then that step is undone. Else the files have changed
+// since, and the picture is drawn without them.
+LiveScene::Done Editor::show_without(Chapter& chapter, Gpu& gpu, const std::string& why) {
+    const auto show = [&](std::vector<std::string>& without) {
+        without.clear();
+        document.mark_all_changed();
+        const LiveScene::Done done = live.update(
+            gpu, document, chapter.scene, [&](const auto& file) { return chapter.load_model(file); }, &without);
+        loads |= live.loads, shown_instances_ = chapter.scene.instances.handle;
+        return done;
+    };
+    std::vector<std::string> without, earlier;
+    if (auto before = std::exchange(recovered_from_, std::nullopt)) {
+        store = std::move(before->second);
+        open_document(chapter, std::move(before->first));
+        keep_recovery(why);
+        return show(without);
+    }
+    LiveScene::Done done = show(without);
+    const bool undone = document.undo();
+    if (undone) done = show(earlier);
+    const auto known = [&](const std::string& one) { return std::count(earlier.begin(), earlier.end(), one) > 0; };
+    const auto fault = std::find_if_not(without.begin(), without.end(), known);
+    if (undone && fault != without.end()) {
+        notice = *fault;
+    } else {
+        if (undone) document.redo(), done = show(without);
+        if (without_ != without && !without.empty()) notice = without.front() + "; drawn without it";
+        without_ = without;
+    }
+    selection.drop_missing(document);
+    return done;
+}
 
 bool Editor::undo(Chapter& chapter) {
     end_drag(false);
@@ -207,109 +230,6 @@ void Editor::end_drag(bool keep) {
     else
         drag->cancel();
     drag.reset();
-}
-
-void Editor::select_item(const Scene& scene, std::optional<uint32_t> item, bool add) {
-    EntryId id = no_entry;
-    if (item && *item < scene.items.size()) id = live.entry_of(scene.items[*item].object);
-    if (id != no_entry && is_locked(document, id)) id = no_entry;
-    if (id == no_entry) {
-        if (!add) selection.clear();
-    } else if (add) {
-        selection.toggle(id);
-    } else {
-        selection.set({id});
-    }
-    if (id != no_entry) tree.show(document, id);
-}
-
-std::optional<EntryId> Editor::light_at(const View& view, glm::vec2 cursor_px) const {
-    std::optional<EntryId> nearest;
-    float least = 9.0f;
-    for (const EntryId id : document.at(root_entry).children) {
-        const Entry& entry = document.at(id);
-        if (!entry.light() || entry.hidden || entry.locked || entry.light()->kind == Light::Kind::directional) continue;
-        const auto pixel = on_screen(view, entry.light()->position);
-        if (!pixel || glm::length(*pixel - cursor_px) >= least) continue;
-        least = glm::length(*pixel - cursor_px), nearest = id;
-    }
-    return nearest;
-}
-
-std::vector<uint32_t> Editor::selected_items(const Scene& scene) const { return items_of(scene, selection.ids); }
-
-std::vector<uint32_t> Editor::items_of(const Scene& scene, const std::vector<EntryId>& ids) const {
-    std::vector<char> chosen(scene.file.objects.size(), 0);
-    for (const EntryId id : ids)  // of the scene as a whole, which is everything, nothing is marked
-        if (id != root_entry && document.find(id))
-            for (const EntryId one : with_children(document, id))
-                if (const uint32_t object = live.object_of(one); object < chosen.size()) chosen[object] = 1;
-    std::vector<uint32_t> flags;
-    flags.reserve(scene.items.size());
-    for (const DrawItem& item : scene.items)
-        flags.push_back(item.object < chosen.size() ? uint32_t(chosen[item.object]) : 0u);
-    return flags;
-}
-
-Bounds Editor::selected_bounds(const Scene& scene) const {
-    Bounds box;
-    const std::vector<uint32_t> flags = selected_items(scene);
-    for (size_t i = 0; i < flags.size(); ++i)
-        if (flags[i]) box.add(scene.items[i].bounds);
-    for (const EntryId id : selection.ids) {
-        const Entry* const entry = document.find(id);
-        const bool light = entry && entry->light(), hidden = entry && entry->object() && is_hidden(document, id);
-        if (!light && !hidden) continue;
-        const glm::vec3 place(world_of(document, id)[3]);
-        box.add(place - 0.5f);
-        box.add(place + 0.5f);
-    }
-    return box;
-}
-
-void Editor::group_selected(const Scene& scene) {
-    const std::vector<uint32_t> flags = items_of(scene, movable(document, selection.ids));
-    Bounds around;
-    for (size_t i = 0; i < flags.size(); ++i)
-        if (flags[i]) around.add(scene.items[i].bounds);
-    if (const EntryId made = group(document, selection.ids, "group", around); made != no_entry)
-        selection.set({made});
-    else
-        notice = "no object is selected that could be grouped";
-}
-
-EntryId Editor::add_model(const Chapter& chapter, const std::filesystem::path& given) {
-    const std::filesystem::path file = find_asset(given), assets = course_root() / "assets";
-    SceneObject object;
-    object.model =
-        lies_below(file, assets)
-            ? std::filesystem::weakly_canonical(file).lexically_relative(std::filesystem::weakly_canonical(assets))
-            : std::filesystem::absolute(file);
-    object.name = file.stem().string();
-    object.position = chapter.camera.target;
-    const EntryId id = lightwalk::add_object(document, object);
-    selection.set({id});
-    return id;
-}
-
-EntryId Editor::add_light(const Chapter& chapter, Light::Kind kind) {
-    const Camera& camera = chapter.camera;
-    const float distance = glm::distance(camera.position, camera.target);
-    Light light{.kind = kind, .color = {1.0f, 0.85f, 0.65f}};
-    light.position = camera.target + glm::vec3(0.0f, 0.35f * distance, 0.0f);
-    light.range_m = distance;
-    light.intensity = kind == Light::Kind::directional ? 1.0f : std::max(0.1f * distance * distance, 0.01f);
-    light.direction =
-        kind == Light::Kind::directional ? glm::normalize(glm::vec3(-0.5f, -1.0f, -0.4f)) : glm::vec3(0, -1, 0);
-    light.shadow = true;
-    const EntryId id = lightwalk::add_light(document, light);
-    selection.set({id});
-    return id;
-}
-
-void Editor::export_to(const Scene& scene, const std::filesystem::path& file) {
-    export_gltf(document, scene, file);
-    notice = "exported " + file.string();
 }
 
 }  // namespace lightwalk

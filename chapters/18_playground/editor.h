@@ -35,7 +35,8 @@ class Editor {
     void recover(Chapter& chapter);
 
     /// Between frames: knobs that were changed in the panel become steps, and the document's changes are shown. What cannot
-    /// be shown is undone, and `notice` says why.
+    /// be shown is undone, and `notice` says why. Where a file that an earlier step needs can no longer be read, nothing is
+    /// undone: the picture is drawn without it.
     LiveScene::Done update(Chapter& chapter, Gpu& gpu);
     bool loads = false;  ///< of the last update(): modules have something to prepare
 
@@ -71,6 +72,9 @@ class Editor {
     void follow_steps(Chapter& chapter, std::string what);
     std::map<std::string, std::string> first_knobs_, known_knobs_;
     void keep_recovery(const std::string& why);
+    LiveScene::Done show_without(Chapter& chapter, Gpu& gpu, const std::string& why);
+    std::vector<std::string> without_;           ///< why the picture has not all of the document; said once
+    VkBuffer shown_instances_ = VK_NULL_HANDLE;  ///< of the scene that is shown: another one has others
     const Scene* shown_ = nullptr;
     std::optional<std::pair<Document, SceneStore>> recovered_from_;  ///< until what came instead has been shown
     std::filesystem::path first_file_;  ///< of the scene that whoever shows the chapter loads

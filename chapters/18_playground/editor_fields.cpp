@@ -16,8 +16,9 @@ constexpr const char* dash = "—";  // for a number that is not the same in all
 // would round what it drags.
 void draw_short(float value) {
     const ImVec2 lower = ImGui::GetItemRectMin(), upper = ImGui::GetItemRectMax();
-    const float room = upper.x - lower.x - 4.0f, digit = ImGui::CalcTextSize("0").x;
-    const std::string text = short_number(value, static_cast<size_t>(std::max(room / digit, 1.0f)));
+    const float room = upper.x - lower.x - 4.0f;  // a sign and a point are narrower than a digit
+    const auto fits = [&](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x <= room; };
+    const std::string text = short_number(value, fits);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 at{0.5f * (lower.x + upper.x - size.x), 0.5f * (lower.y + upper.y - size.y)};
     ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());

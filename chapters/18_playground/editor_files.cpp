@@ -1,4 +1,5 @@
 // Files that the editor writes: the scene, its export, and what a crash has left; and what is asked before.
+#include <GLFW/glfw3.h>
 #include <fmt/core.h>
 
 #include "18_playground/editor_window.h"
@@ -72,21 +73,21 @@ void EditorWindow::check_recovery() {
 }
 
 void EditorWindow::draw_question() {
+    const int pressed = std::exchange(answer_key_, 0);
     if (question_ == Question::nothing) return;
     if (!ImGui::IsPopupOpen("question")) ImGui::OpenPopup("question");
     if (!ImGui::BeginPopupModal("question", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar))
         return;
     const Question asked = question_;
-    const bool by_key = !ImGui::IsWindowAppearing();  // not by the key that asked
     const bool to_target = asked == Question::overwrite || editor.store.path.empty();
     const std::string file = (asked == Question::export_over ? export_target()
                               : to_target                    ? save_target()
                                                              : editor.store.path)
                                  .string();
     // Enter is the first answer, Escape the one that leaves all as it is.
-    const auto answer = [&](const char* label, std::initializer_list<ImGuiKey> keys = {}) {
-        bool yes = ImGui::Button(label);
-        for (const ImGuiKey key : keys) yes |= by_key && key_pressed(key);
+    const auto answer = [&](const char* label, int key = GLFW_KEY_UNKNOWN) {
+        const bool by_key = pressed == key || (pressed == GLFW_KEY_KP_ENTER && key == GLFW_KEY_ENTER);
+        const bool yes = ImGui::Button(label) || by_key;
         log_place(std::string("answer.") + label);
         ImGui::SameLine();
         if (yes) question_ = Question::nothing;
@@ -94,24 +95,25 @@ void EditorWindow::draw_question() {
     };
     if (asked == Question::close) {
         ImGui::Text("The scene has changes that are not saved.");
-        if (answer("save", {ImGuiKey_Enter})) on_save(), closes_ = !editor.store.has_unsaved(editor.document);
+        if (answer("save", GLFW_KEY_ENTER)) on_save(), closes_ = !editor.store.has_unsaved(editor.document);
         if (answer("discard")) editor.store.forget_autosave(), closes_ = true;
-        answer("stay", {ImGuiKey_Escape});
+        answer("stay", GLFW_KEY_ESCAPE);
     } else if (asked == Question::overwrite) {
         ImGui::Text("%s is there already, or was written by somebody else.", file.c_str());
-        if (answer("overwrite", {ImGuiKey_Enter})) overwrites_ = true, on_save();
-        if (answer("cancel", {ImGuiKey_Escape})) saves_as_ = false;
+        if (answer("overwrite", GLFW_KEY_ENTER)) overwrites_ = true, on_save();
+        if (answer("cancel", GLFW_KEY_ESCAPE)) saves_as_ = false;
     } else if (asked == Question::export_over) {
         ImGui::Text("%s is there already.", file.c_str());
-        if (answer("overwrite", {ImGuiKey_Enter})) exports_ = true;
-        answer("cancel", {ImGuiKey_Escape});
+        if (answer("overwrite", GLFW_KEY_ENTER)) exports_ = true;
+        answer("cancel", GLFW_KEY_ESCAPE);
     } else {
         ImGui::Text("%s was not saved when the program ended last.", file.c_str());
-        if (answer("restore", {ImGuiKey_Enter})) editor.recover(*this);
+        if (answer("restore", GLFW_KEY_ENTER)) editor.recover(*this);
         if (answer("throw away")) editor.store.forget_recovery();
     }
+    if (question_ == asked) return ImGui::EndPopup();
     changed_ = true;
-    if (question_ == Question::nothing) ImGui::CloseCurrentPopup();
+    ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

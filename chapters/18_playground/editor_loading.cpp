@@ -34,20 +34,25 @@ bool has_model(const Scene& scene, const fs::path& file) {
 
 void EditorWindow::bring_up_to_date(Gpu& gpu) {
     if (!std::exchange(gpu_, &gpu)) Arrival::rehearse(gpu);
-    const double start = now_s();
-    const bool loads = !wanted_.empty();
-    if (loads && !pace_) pace_ = Pace{start, start};
-    carry_on_loading(gpu);
     Playground::bring_up_to_date(gpu);
     if (std::exchange(exports_, false)) export_now();
-    if (pace_) note_pace(start, now_s() - start, !loads);
+    if (pace_ && wanted_.empty()) pace_->shown = true;
 }
 
-void EditorWindow::note_pace(double start, double own_s, bool ended) {
+// Once per frame, also of those in which the window draws its panels only.
+void EditorWindow::load_beside_the_picture() {
+    if (!gpu_ || (wanted_.empty() && !pace_)) return;
+    const double start = now_s();
+    if (!pace_) pace_ = Pace{start, start};
+    carry_on_loading(*gpu_);
+    note_pace(start, now_s() - start);
+}
+
+void EditorWindow::note_pace(double start, double own_s) {
     Pace& pace = *pace_;
     const double frame_s = start - std::exchange(pace.last, start);  // of the one before
     pace.own_longest_s = std::max(pace.own_longest_s, own_s);
-    if (!ended) return ++pace.frames, void(pace.longest_s = std::max(pace.longest_s, frame_s));
+    if (!pace.shown) return ++pace.frames, void(pace.longest_s = std::max(pace.longest_s, frame_s));
     log_event(
         fmt::format("loading took {:.2f} s: {} frames, the longest {:.0f} ms, then one of {:.0f} ms that shows "
                     "all of it; loading had at most {:.0f} ms of a frame",
@@ -119,17 +124,22 @@ void EditorWindow::draw_loading(float scale) {
     if (wanted_.empty()) return;
     // Of a known height, so that it stands where it belongs in its first frame too.
     const float height = ImGui::GetFrameHeight() + 2.0f * ImGui::GetStyle().WindowPadding.y;
-    ImGui::SetNextWindowPos(
-        {covered_px(picture_, scale) + 14.0f * scale, static_cast<float>(picture_.y) - height - 12.0f * scale});
+    const float left = covered_px(picture_, scale) + 14.0f * scale;
+    ImGui::SetNextWindowPos({left, static_cast<float>(picture_.y) - height - 12.0f * scale});
+    // The button has room in the smallest window, too.
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float beside = ImGui::CalcTextSize("cancel").x + 2.0f * (style.FramePadding.x + style.WindowPadding.x) +
+                         style.ItemSpacing.x + 14.0f * scale;
+    const float width = std::clamp(static_cast<float>(picture_.x) - left - beside, 60.0f * scale, 300.0f * scale);
     ImGui::SetNextWindowBgAlpha(0.9f);
     ImGui::Begin("loading", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
     const Wanted& now = wanted_.front();
     if (loading_.busy() || now.arrived.empty())
-        ImGui::ProgressBar(loading_.share(), {300.0f * scale, 0.0f}, loading_.words().c_str());
+        ImGui::ProgressBar(loading_.share(), {width, 0.0f}, loading_.words().c_str());
     else
-        ImGui::ProgressBar(now.arrived.back()->share(), {300.0f * scale, 0.0f},
+        ImGui::ProgressBar(now.arrived.back()->share(), {width, 0.0f},
                            (now.file.filename().string() + ": uploading").c_str());
     ImGui::SameLine();
     if (tool_button("cancel", "Esc: the scene stays as it is"))

@@ -20,6 +20,7 @@ bool EditorWindow::draw_panels(glm::uvec2 picture, float scale) {
     const bool changed = std::exchange(changed_, false);
     const uint64_t state = editor.document.state();
     const std::vector<EntryId> selected = editor.selection.ids;
+    const auto handles = std::pair(editor.tool, editor.local);
     if (const float width = covered_px_; width > 0.0f) {
         ImGui::SetNextWindowPos({0.0f, 0.0f});
         ImGui::SetNextWindowSize({width, static_cast<float>(picture.y)});
@@ -41,7 +42,8 @@ bool EditorWindow::draw_panels(glm::uvec2 picture, float scale) {
     draw_keys(scale);
     draw_question();
     carry_on_previews();
-    return changed || state != editor.document.state() || selected != editor.selection.ids || editor.document.in_step();
+    return changed || state != editor.document.state() || selected != editor.selection.ids ||
+           handles != std::pair(editor.tool, editor.local) || editor.document.in_step();
 }
 
 void EditorWindow::draw_toolbar() {
@@ -86,7 +88,7 @@ void EditorWindow::scatter_lights() {
 // [tree]
 void EditorWindow::draw_tree() {
     ImGui::SetNextItemWidth(-1.0f);
-    if (std::exchange(searches_, false)) ImGui::SetKeyboardFocusHere();
+    focus_next(searches_);
     if (text_field("##search", search_, "search the tree", true)) editor.tree.search(search_);
     help_on_hover("Search: words that must be in the name");
     editor.tree.node_count = [this](EntryId id) -> size_t {
@@ -130,7 +132,7 @@ void EditorWindow::draw_row(const TreeRow& row) {
         ImGui::TextColored(quiet_color, "  node %d", row.node);
     } else if (renaming_ == row.id) {
         ImGui::SetNextItemWidth(-1.0f);
-        if (std::exchange(renaming_begins_, false)) ImGui::SetKeyboardFocusHere();
+        focus_next(renaming_begins_);
         const bool named = text_field("##rename", renaming_text_, "", false, ImGuiInputTextFlags_AutoSelectAll);
         if (named || ImGui::IsItemDeactivated()) renaming_ = no_entry;
         if (named) say(rename(editor.document, row.id, renaming_text_));

@@ -67,7 +67,7 @@ void EditorWindow::draw_switches(EntryId id) {
 
 void EditorWindow::draw_object(EntryId id) {
     const float size = std::max(glm::length(scene.bounds.empty() ? glm::vec3(1.0f) : scene.bounds.extent()), 1e-3f);
-    if (std::exchange(types_, false)) ImGui::SetKeyboardFocusHere();
+    focus_next(types_);
     edit_numbers(object_property("position"), "position", "Position in the parent's space, in metres", 0.001f * size);
     edit_numbers(object_property("rotation"), "rotation", "Rotation about x, then y, then z, in degrees", 0.5f);
     edit_numbers(object_property("scale"), "scale", "Scale along the object's own axes; negative: mirrored", 0.01f);
@@ -139,7 +139,7 @@ void EditorWindow::draw_light(EntryId id) {
     edit_number(light_property("intensity"), "intensity", "Intensity: the factor of the colour",
                 0.02f * std::max(own.intensity, 0.1f), 0.0f, 1e6f);
     if (own.kind != Light::Kind::point) {
-        if (std::exchange(types_, false)) ImGui::SetKeyboardFocusHere();
+        focus_next(types_);
         edit(light_property("direction"), [&](glm::vec3& value, glm::bvec3 mixed) {
             return numbers("direction", "Direction in which the light travels", value, 0.01f, mixed) &&
                    glm::length(value) > 1e-6f;
@@ -149,7 +149,7 @@ void EditorWindow::draw_light(EntryId id) {
         edit_number(light_property("angular size"), "lamp size",
                     "Angle that the lamp subtends, in degrees (the sun: 0.53); it softens shadows", 0.01f, 0.0f, 90.0f);
     } else {
-        if (std::exchange(types_, false)) ImGui::SetKeyboardFocusHere();
+        focus_next(types_);
         edit_numbers(light_property("position"), "position", "Position in the world, in metres", 0.01f);
         edit_number(light_property("range"), "range", "Distance at which the light ends, in metres", 0.05f, 0.0f, 1e6f);
         edit_number(light_property("lamp size"), "lamp size", "Diameter of the lamp, in metres; it softens shadows",
@@ -173,6 +173,8 @@ void EditorWindow::draw_light(EntryId id) {
 // It is drawn when nobody drags: a new material means its textures' levels again.
 void EditorWindow::draw_ball(EntryId id, const DrawItem& item) {
     SceneFile shows = material_ball(*editor.document.at(id).object(), item);
+    if (std::exchange(ball_of_, scene.images()) != scene.images())  // its files were read again
+        preview_.forget(), ball_key_.clear();
     if (std::string key = scene_text(shows); key != ball_key_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left))
         ball_key_ = std::move(key), ball_scene_ = std::move(shows);
     const ImVec2 at = ImGui::GetCursorScreenPos();

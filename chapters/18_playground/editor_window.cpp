@@ -33,7 +33,7 @@ bool EditorWindow::on_mouse(const Input& input, glm::vec2 cursor_px, bool over_p
     const bool pressed = input.left && !was_down_, released = !input.left && was_down_;
     was_down_ = input.left;
     if (pressed) ++editor.gesture, press_px_ = cursor_px, moved_px_ = 0.0f, pressed_on_picture_ = over_picture;
-    if (input.left) moved_px_ = std::max(moved_px_, glm::length(cursor_px - press_px_));
+    if (input.left || released) moved_px_ = std::max(moved_px_, glm::length(cursor_px - press_px_));
     const auto place = gizmo_place(editor.document, editor.selection, view_now, editor.tool, editor.local);
     if (!editor.drag) {
         const Handle before = editor.hot;
@@ -122,7 +122,7 @@ bool EditorWindow::on_shift_key(int key) {
 
 bool EditorWindow::on_key(const KeyPress& pressed) {
     const int key = pressed.key;
-    if (question_ != Question::nothing) return true;  // which is answered first
+    if (question_ != Question::nothing) return answer_key_ = key, true;  // which is answered first
     if (key == GLFW_KEY_ESCAPE && drags_number_) return take_number_back(), true;
     ++editor.gesture;
     if (pressed.mods & GLFW_MOD_CONTROL) return on_control_key(pressed);
@@ -217,9 +217,10 @@ bool EditorWindow::may_close() {
     return false;
 }
 
-// Besides, time goes by here: every 30 s what is not saved is written beside the file.
+// Besides, time goes by here: files are loaded, and every 30 s what is not saved is written beside the file.
 bool EditorWindow::is_busy() {
     check_recovery();
+    load_beside_the_picture();
     const bool busy = changed_ || !wanted_.empty() || ball_scene_ || (browser_.shown && browser_.thumbnails.busy());
     if (now_s() < next_autosave_ || editor.drag) return busy;
     if (next_autosave_ != 0) try {

@@ -96,6 +96,7 @@ struct EditorWindow : Playground, WindowTool {
     void export_now();
 
     enum class Question { nothing, close, overwrite, recover, export_over } question_ = Question::nothing;
+    int answer_key_ = 0;  ///< GLFW_KEY_..., pressed since it was asked
     FileBrowser browser_{*this};
     /// A file that was asked for, and the models that it still needs.
     struct Wanted {
@@ -109,14 +110,17 @@ struct EditorWindow : Playground, WindowTool {
     struct Pace {
         double since = 0, last = 0, longest_s = 0, own_longest_s = 0;
         int frames = 0;
+        bool shown = false;  ///< the frame before has shown what was loaded
     };
     std::optional<Pace> pace_;
-    void note_pace(double start, double own_s, bool ended);
+    void note_pace(double start, double own_s);
+    void load_beside_the_picture();
     BackgroundLoad loading_;
     Gpu* gpu_ = nullptr;  ///< of the frames
     Preview preview_;
     std::optional<SceneFile> ball_scene_;  ///< that is still to be drawn
     std::string ball_key_;
+    const ImagePool* ball_of_ = nullptr;  ///< of the scene that it was drawn for
     Image8 ball_;
     static constexpr uint32_t ball_size = 88;  ///< pixels
     std::string facet_;                        ///< of the scene: its entry in the tree; empty: the scene itself

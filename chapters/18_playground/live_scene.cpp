@@ -1,5 +1,10 @@
 #include "18_playground/live_scene.h"
 
+#include <algorithm>
+
+#include "common/base/files.h"
+#include "common/scene/material_maps.h"
+
 namespace lightwalk {
 void LiveScene::number(const Exported& all) {
     objects_ = all.objects, lights_ = all.lights;
@@ -36,18 +41,46 @@ bool LiveScene::only_moved(const Document& document, const Scene& scene, const s
     return true;
 }
 
+// Takes models and textures that cannot be read from `objects`. An object that is shown already keeps its own, even if their
+// files are gone by now.
+void LiveScene::leave_out(Gpu& gpu, Scene& scene, std::vector<SceneObject>& objects, const std::vector<uint32_t>& from,
+                          const ModelLoader& loader, const std::function<void(const InputError&)>& note) const {
+    for (size_t i = 0; i < objects.size(); ++i) {
+        SceneObject& object = objects[i];
+        if (from[i] < scene.file.objects.size() && same_but_placed(object, scene.file.objects[from[i]])) continue;
+        if (object.model.empty() || object.hidden) continue;
+        try {
+            scene.models().load(gpu, find_asset(object.model), loader);
+        } catch (const InputError& e) { note(e), object.model.clear(); }
+        std::erase_if(object.material.maps, [&](const auto& map) {
+            std::set<std::string> warned;
+            try {
+                load_maps(scene.images(gpu), {}, {.maps = {map}}, warned);
+                return false;
+            } catch (const InputError& e) { return note(e), true; }
+        });
+    }
+}
+
 // [update]
-LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, const ModelLoader& loader) {
+LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, const ModelLoader& loader,
+                                  std::vector<std::string>* without) {
+    const auto note = [&](const InputError& e) {
+        if (!without) throw;
+        if (std::find(without->begin(), without->end(), e.what()) == without->end()) without->emplace_back(e.what());
+    };
     loads = false;
     const Document::Changes changes = document.take_changes();
     if (changes.entries.empty() && !changes.structure) return Done::nothing;
     const SceneSettings& settings = document.settings();
     scene.file.ambient = settings.ambient, scene.file.background = settings.background;
     const Environment& shown = scene.file.environment;
-    if (settings.environment.image != shown.image)
-        scene.replace_environment(settings.environment);
-    else
-        scene.file.environment = settings.environment;
+    try {
+        if (settings.environment.image != shown.image)
+            scene.replace_environment(settings.environment);
+        else
+            scene.file.environment = settings.environment;
+    } catch (const InputError& e) { note(e); }
 
     if (!changes.structure && only_moved(document, scene, changes.entries)) {
         std::vector<Scene::Move> moves;
@@ -69,6 +102,7 @@ LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, co
     std::vector<uint32_t> from;
     from.reserve(all.objects.size());
     for (const EntryId id : all.objects) from.push_back(object_of(id));
+    if (without) leave_out(gpu, scene, all.scene.objects, from, loader, note);
     loads = scene.replace_objects(gpu, std::move(all.scene.objects), from, loader);
     scene.file.lights = std::move(all.scene.lights), scene.file.hidden_lights = std::move(all.scene.hidden_lights);
     number(all);

@@ -1,6 +1,9 @@
 // The document's changes, carried over to the scene on the device.
 #pragma once
+#include <functional>
+
 #include "18_playground/saving.h"
+#include "common/base/error.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -15,7 +18,10 @@ class LiveScene {
 
     enum class Done { nothing, moved, replaced };
     /// Throws InputError where a model or a texture cannot be read: the scene is as it was then.
-    Done update(Gpu& gpu, Document& document, Scene& scene, const ModelLoader& loader);
+    /// With `without`, models, textures and an environment that cannot be read are left out of the picture, not out of
+    /// the document, and `without` says which and why.
+    Done update(Gpu& gpu, Document& document, Scene& scene, const ModelLoader& loader,
+                std::vector<std::string>* without = nullptr);
 
     bool loads = false;  ///< of the last update(): modules have something to prepare
 
@@ -26,6 +32,8 @@ class LiveScene {
 
   private:
     void number(const Exported& all);
+    void leave_out(Gpu& gpu, Scene& scene, std::vector<SceneObject>& objects, const std::vector<uint32_t>& from,
+                   const ModelLoader& loader, const std::function<void(const InputError&)>& note) const;
     bool only_moved(const Document& document, const Scene& scene, const std::vector<EntryId>& entries) const;
     std::vector<EntryId> objects_, lights_;
     std::unordered_map<EntryId, uint32_t> places_, light_places_;

@@ -116,9 +116,9 @@ Property material_property(const std::string& name, std::function<const Material
     throw Failure("there is no property '{}'", name);
 }
 
-std::string short_number(float value, size_t most) {
+std::string short_number(float value, const std::function<bool(const std::string&)>& fits) {
     std::string text;
-    for (int digits = 5; digits > 0 && (text.empty() || text.size() > most); --digits)
+    for (int digits = 5; digits > 0 && (text.empty() || !fits(text)); --digits)
         text = fmt::format("{:.{}g}", value, digits);
     return text;
 }

@@ -30,8 +30,8 @@ const Property& object_property(const std::string& name);
 /// own material, which holds where the object overrides nothing; null: not known.
 Property material_property(const std::string& name, std::function<const Material*(EntryId)> own);
 
-/// A number where there is little room: at most five digits, and fewer where the text would be longer than `most` characters.
-std::string short_number(float value, size_t most);
+/// A number where there is little room: at most five digits, as many as fit; one where none do.
+std::string short_number(float value, const std::function<bool(const std::string&)>& fits);
 
 /// A format of printf() with the fewest digits, six or more, that are read back as the same float.
 std::string exact_format(float value);

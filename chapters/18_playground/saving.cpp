@@ -155,6 +155,15 @@ bool SceneStore::changed_on_disk() const {
     return hash_ != hash_bytes(read_file(path));
 }
 
+bool SceneStore::includes_changed_on_disk() const {
+    if (includes_.empty()) return false;
+    SceneStore now;
+    try {
+        now.open(path);
+    } catch (const InputError&) { return true; }
+    return now.included_ != included_;
+}
+
 std::string SceneStore::text(const Document& document, Said* said) const {
     const bool keeps = !includes_.empty() && content(part_of(document, true)) == included_;
     SceneFile scene = keeps ? part_of(document, false) : exported(document).scene;

@@ -29,6 +29,8 @@ class SceneStore {
 
     /// Whether the file is another one than was read or saved last: somebody else has written it.
     bool changed_on_disk() const;
+    /// Whether one of the files that it includes holds something else than when the scene was read.
+    bool includes_changed_on_disk() const;
 
     /// Writes the document to `path`: beside it first, then on the disk, then renamed. Throws InputError where that is not
     /// possible; the file is then as it was. Says where included files could not be kept.

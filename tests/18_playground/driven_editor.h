@@ -30,6 +30,7 @@ struct Driven {
         return folder.path / "scene.json";
     }
     void draw() {
+        window.is_busy();  // as the window asks before each frame
         live.draw(frame, {{160, 120}, 0, 0, {}});
         REQUIRE(live.frame_error.empty());
     }

@@ -9,6 +9,7 @@
 #include "18_playground/saving.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/sanitized.h"
 #include "common/check/check.h"
 #include "tests/catch.h"
 

@@ -1,10 +1,9 @@
-// Edits shown on the device: the scene that was edited is the scene that would have been loaded; dragging; picking; export.
+// Edits shown on the device: the scene that was edited is the scene that would have been loaded; dragging; picking.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "01_obj/camera_view.h"
 #include "01_obj/obj.h"
 #include "18_playground/gizmo.h"
-#include "18_playground/gltf.h"
 #include "18_playground/live_scene.h"
 #include "18_playground/pick.h"
 #include "18_playground/playground.h"
@@ -143,8 +142,8 @@ TEST_CASE("a drag of 1,000 among 10,000 objects takes less than 4 ms of processo
         "10,000 objects: shown in {:.1f} ms; 1,000 dragged: {:.2f} ms a frame ({:.2f} without the upload); one more "
         "object: {:.1f} ms of processor time\n",
         first, times[7], updates[7], more[2]);
-    CHECK(times[1] < 4);
-    CHECK(more[0] < 60);
+    CHECK(times[1] < 4 * slower);
+    CHECK(more[0] < 60 * slower);
     CHECK(glm::vec3(shown.scene.items[0].transform[3]) != glm::vec3(0));
 }
 
@@ -258,36 +257,4 @@ TEST_CASE("rays and the id buffer agree on 10,000 pixels, but for silhouettes a 
     CHECK(inside == 0);
     CHECK(other < 20);
     CHECK(boxes > 1000);
-}
-
-TEST_CASE("what is exported to glTF is read back by Assimp: nodes, places, meshes, materials, lights") {
-    TestFolder folder;
-    Playground chapter;
-    chapter.name = "18_playground";
-    Gpu& gpu = check_device();
-    load_scene(chapter, gpu, "scenes/workbench.json");
-    const auto file = folder.path / "out file.gltf";
-    export_gltf(chapter.editor.document, chapter.scene, file);
-    const Model back = import_model(file);
-    std::set<std::string> names;
-    for (const Node& node : back.nodes) names.insert(node.name);
-    for (const char* name : {"table", "leg 1", "still life", "statue", "camera", "sun", "spot on the statue"})
-        CHECK(names.contains(name));
-    size_t triangles = 0;
-    const std::vector<glm::mat4> worlds = world_transforms(back);
-    Bounds box;
-    for (size_t i = 0; i < back.nodes.size(); ++i)
-        for (const uint32_t mesh : back.nodes[i].meshes) {
-            triangles += back.meshes[mesh].indices.size() / 3;
-            for (const Vertex& v : back.meshes[mesh].vertices) box.add(glm::vec3(worlds[i] * glm::vec4(v.position, 1)));
-        }
-    CHECK(triangles == chapter.scene.triangle_count());
-    Bounds exact;
-    for (const DrawItem& item : chapter.scene.items)
-        for (const Vertex& v : item.model->model.meshes[item.mesh].vertices)
-            exact.add(glm::vec3(item.transform * glm::vec4(v.position, 1)));
-    CHECK(glm::length(box.lower - exact.lower) < 1e-4f);
-    CHECK(glm::length(box.upper - exact.upper) < 1e-4f);
-    CHECK(read_file(file).find("KHR_lights_punctual") != std::string::npos);
-    CHECK_THROWS_AS(export_gltf(chapter.editor.document, chapter.scene, folder.path / "no" / "x.gltf"), InputError);
 }

@@ -115,6 +115,34 @@ TEST_CASE("loaded again by F5 or a toggle: what is being edited stays, saved or 
     CHECK(editor.window.scene.items.empty());
 }
 
+TEST_CASE("F5 keeps steps and selection where neither the file nor what it includes has changed") {
+    Driven editor;
+    EditorWindow& window = editor.window;
+    const std::filesystem::path part = editor.folder.path / "part.json";
+    write_file(part, R"({"objects": [{"name": "part"}]})");
+    editor.write(R"({"include": ["part.json"], "camera": {"position": [0, 0.5, 4]},
+        "objects": [{"name": "own", "model": "models/cube.obj"}]})");
+    editor.live.reload();
+    editor.draw();
+    REQUIRE(editor.named("part") != no_entry);
+    rename(editor.document(), editor.named("own"), "mine");
+    window.editor.store.save(editor.document());
+    window.editor.selection.set({editor.named("mine")});
+    const auto picture = editor.picture();
+    editor.live.reload();
+    CHECK(editor.picture() == picture);
+    CHECK(window.editor.selection.ids == std::vector{editor.named("mine")});
+    CHECK(editor.document().undo());
+    CHECK(editor.named("own") != no_entry);
+    CHECK(editor.document().redo());
+    write_file(part, R"({"objects": [{"name": "other part"}]})");
+    editor.live.reload();
+    editor.draw();
+    CHECK(editor.named("other part") != no_entry);
+    CHECK(editor.named("part") == no_entry);
+    CHECK(editor.named("mine") != no_entry);
+}
+
 TEST_CASE("other surroundings and other ambient light show at once, as where the scene is opened with them") {
     Driven editor;
     for (const char* image : {"environments/interior.hdr", ""}) {

@@ -97,6 +97,64 @@ TEST_CASE("a step that cannot be shown is undone, is said, and leaves the pictur
     CHECK(editor.named("broken") == no_entry);
 }
 
+TEST_CASE("a texture that is damaged or gone when all is loaded again undoes nothing, and comes back with its file") {
+    Driven editor;
+    const std::filesystem::path file = editor.folder.path / "own.png";
+    const auto keep = [&] { write_png(file, Image8(4, 4, {255, 0, 0, 255})); };
+    keep();
+    editor.document().begin("texture");
+    editor.document().edit(editor.named("left")).object()->material.maps["diffuse"] = file;
+    editor.document().commit();
+    const auto with = editor.picture();
+    for (const bool gone : {false, true}) {
+        gone ? void(std::filesystem::remove(file)) : write_file(file, "damaged");
+        rename(editor.document(), editor.named(gone ? "second" : "right"),
+               gone ? "third" : "second");  // a step that is not to blame
+        const std::string before = state_of(editor.document());
+        const size_t steps = editor.document().done();
+        editor.live.reload();
+        CHECK(editor.picture() != with);
+        CHECK(editor.window.take_notice().find("own.png") != std::string::npos);
+        for (int i = 0; i < 3; ++i) editor.draw();
+        duplicate(editor.document(), {editor.named("left")});
+        editor.draw();
+        CHECK(editor.window.take_notice().empty());  // it was said
+        CHECK(editor.document().done() == steps + 1);
+        editor.document().undo();
+        editor.draw();
+        CHECK(state_of(editor.document()) == before);
+        // A step that is to blame is undone still.
+        write_file(editor.folder.path / "bad.obj", "v 0 0 0\nf 1 2 3\n");
+        add_object(editor.document(), named("broken", editor.folder.path / "bad.obj"));
+        editor.draw();
+        CHECK(state_of(editor.document()) == before);
+        CHECK(editor.window.take_notice().find("bad.obj:2") != std::string::npos);
+        keep();
+        editor.live.reload();
+        CHECK(editor.picture() == with);
+    }
+}
+
+TEST_CASE("where another scene cannot be opened, or one's own not loaded again, all steps can still be undone") {
+    Driven editor;
+    rename(editor.document(), editor.named("left"), "other");
+    editor.draw();
+    editor.window.editor.save(editor.window);
+    const std::filesystem::path broken = editor.folder.path / "broken.json";
+    write_file(broken, R"({"objects": [{"model": "none.obj"}]})");
+    editor.window.opens = broken;
+    editor.draw();
+    CHECK(editor.window.take_notice().find("none.obj") != std::string::npos);
+    write_file(editor.folder.path / "scene.json", "{");
+    editor.live.reload();
+    editor.live.load_error.clear();
+    editor.draw();
+    REQUIRE(editor.document().done() == 1);
+    editor.window.editor.undo(editor.window);
+    editor.draw();
+    CHECK(editor.named("left") != no_entry);
+}
+
 TEST_CASE("undo and redo turn the knobs back and forth, and that is no step of its own") {
     Driven editor;
     Choice& bloom = editor.window.bloom.method;

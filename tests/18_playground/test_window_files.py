@@ -72,8 +72,8 @@ class Files(EditorTest):
         session, before = self.session, self.saved()
         picture = self.picture()
         since = session.said()
-        self.type_path(str(self.folder / "large.obj"))
         self.assertNotIn("tool.cancel", session.places)  # the first one that anybody sees
+        self.type_path(str(self.folder / "large.obj"))
         session.wait(lambda: "tool.cancel" in session.places, "the button that cancels")
         session.move(*session.places["tool.cancel"])
         session.press()

@@ -82,6 +82,16 @@ class Building(EditorTest):
         session.press()
         session.release()
         self.say("picked teapot", since)
+
+        # Who orbits has not clicked: the teapot stays selected.
+        session.move(WIDTH - 60, HEIGHT - 60)
+        session.press()
+        session.move(WIDTH - 20, HEIGHT - 90)
+        session.release()
+        session.read_all()
+        session.key("Home")
+        session.read_all()
+        self.assertEqual([line for line in session.lines[since:] if line.startswith("picked")], ["picked teapot"])
         since = session.said()
         session.move(WIDTH - 20, 20)
         session.press()

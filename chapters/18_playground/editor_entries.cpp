@@ -1,0 +1,111 @@
+// The editor's entries: which are selected, what is drawn of them, and new ones.
+#include "18_playground/editor.h"
+#include "18_playground/gltf.h"
+#include "common/base/files.h"
+
+namespace lightwalk {
+
+void Editor::select_item(const Scene& scene, std::optional<uint32_t> item, bool add) {
+    EntryId id = no_entry;
+    if (item && *item < scene.items.size()) id = live.entry_of(scene.items[*item].object);
+    if (id != no_entry && is_locked(document, id)) id = no_entry;
+    if (id == no_entry) {
+        if (!add) selection.clear();
+    } else if (add) {
+        selection.toggle(id);
+    } else {
+        selection.set({id});
+    }
+    if (id != no_entry) tree.show(document, id);
+}
+
+std::optional<EntryId> Editor::light_at(const View& view, glm::vec2 cursor_px) const {
+    std::optional<EntryId> nearest;
+    float least = 9.0f;
+    for (const EntryId id : document.at(root_entry).children) {
+        const Entry& entry = document.at(id);
+        if (!entry.light() || entry.hidden || entry.locked || entry.light()->kind == Light::Kind::directional) continue;
+        const auto pixel = on_screen(view, entry.light()->position);
+        if (!pixel || glm::length(*pixel - cursor_px) >= least) continue;
+        least = glm::length(*pixel - cursor_px), nearest = id;
+    }
+    return nearest;
+}
+
+std::vector<uint32_t> Editor::selected_items(const Scene& scene) const { return items_of(scene, selection.ids); }
+
+std::vector<uint32_t> Editor::items_of(const Scene& scene, const std::vector<EntryId>& ids) const {
+    std::vector<char> chosen(scene.file.objects.size(), 0);
+    for (const EntryId id : ids)  // of the scene as a whole, which is everything, nothing is marked
+        if (id != root_entry && document.find(id))
+            for (const EntryId one : with_children(document, id))
+                if (const uint32_t object = live.object_of(one); object < chosen.size()) chosen[object] = 1;
+    std::vector<uint32_t> flags;
+    flags.reserve(scene.items.size());
+    for (const DrawItem& item : scene.items)
+        flags.push_back(item.object < chosen.size() ? uint32_t(chosen[item.object]) : 0u);
+    return flags;
+}
+
+Bounds Editor::selected_bounds(const Scene& scene) const {
+    Bounds box;
+    const std::vector<uint32_t> flags = selected_items(scene);
+    for (size_t i = 0; i < flags.size(); ++i)
+        if (flags[i]) box.add(scene.items[i].bounds);
+    for (const EntryId id : selection.ids) {
+        const Entry* const entry = document.find(id);
+        const bool light = entry && entry->light(), hidden = entry && entry->object() && is_hidden(document, id);
+        if (!light && !hidden) continue;
+        const glm::vec3 place(world_of(document, id)[3]);
+        box.add(place - 0.5f);
+        box.add(place + 0.5f);
+    }
+    return box;
+}
+
+void Editor::group_selected(const Scene& scene) {
+    const std::vector<uint32_t> flags = items_of(scene, movable(document, selection.ids));
+    Bounds around;
+    for (size_t i = 0; i < flags.size(); ++i)
+        if (flags[i]) around.add(scene.items[i].bounds);
+    if (const EntryId made = group(document, selection.ids, "group", around); made != no_entry)
+        selection.set({made});
+    else
+        notice = "no object is selected that could be grouped";
+}
+
+EntryId Editor::add_model(const Chapter& chapter, const std::filesystem::path& given) {
+    const std::filesystem::path file = find_asset(given), assets = course_root() / "assets";
+    SceneObject object;
+    object.model =
+        lies_below(file, assets)
+            ? std::filesystem::weakly_canonical(file).lexically_relative(std::filesystem::weakly_canonical(assets))
+            : std::filesystem::absolute(file);
+    object.name = file.stem().string();
+    object.position = chapter.camera.target;
+    const EntryId id = lightwalk::add_object(document, object);
+    selection.set({id});
+    return id;
+}
+
+EntryId Editor::add_light(const Chapter& chapter, Light::Kind kind) {
+    const Camera& camera = chapter.camera;
+    const float distance = glm::distance(camera.position, camera.target);
+    Light light{.kind = kind, .color = {1.0f, 0.85f, 0.65f}};
+    light.position = camera.target + glm::vec3(0.0f, 0.35f * distance, 0.0f);
+    light.range_m = distance;
+    light.intensity = kind == Light::Kind::directional ? 1.0f : std::max(0.1f * distance * distance, 0.01f);
+    light.direction =
+        kind == Light::Kind::directional ? glm::normalize(glm::vec3(-0.5f, -1.0f, -0.4f)) : glm::vec3(0, -1, 0);
+    light.shadow = true;
+    const EntryId id = lightwalk::add_light(document, light);
+    selection.set({id});
+    return id;
+}
+
+void Editor::export_to(const Scene& scene, const std::filesystem::path& file) {
+    export_gltf(document, scene, file);
+    notice = "exported " + file.string();
+}
+
+}  // namespace lightwalk
