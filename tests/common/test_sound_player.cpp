@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <thread>
 
 #include "catch.h"
@@ -46,18 +47,26 @@ struct ToFile {
 
 using Clock = std::chrono::steady_clock;
 
-// Frames of 20 ms for so long, from a time of the chapter on. Returns the time of the last one.
-double run(SoundPlayer& player, const Sound* sound, double time_s, double seconds, bool clock_runs) {
+// Frames of 20 ms or, on a busy machine, more; from a time of the chapter on. Returns the time of the last one.
+double run(SoundPlayer& player, const Sound* sound, double time_s, int frames, bool clock_runs) {
     const auto start = Clock::now();
     double before = 0;
-    for (double passed = 0; passed < seconds; before = passed) {
-        passed = std::chrono::duration<double>(Clock::now() - start).count();
+    for (int frame = 0; frame < frames; ++frame) {
+        const double passed = std::chrono::duration<double>(Clock::now() - start).count();
         const double next = player.advance(sound, time_s, clock_runs, passed - before);
+        before = passed;
         CHECK(next >= time_s);
         time_s = next;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     return time_s;
+}
+
+// Whether it holds in one of a few trials: a clock waits where the machine stands still for a moment, which is not each time.
+bool holds_once(const std::function<bool()>& trial) {
+    for (int i = 0; i < 4; ++i)
+        if (trial()) return true;
+    return false;
 }
 
 double heard_s(float value) { return 5 * (double(value) + 1); }
@@ -82,10 +91,10 @@ TEST_CASE("the sample of the picture's time is heard; a clock that stands is sil
     const auto before = handlers();  // Catch2 has its own
     {
         SoundPlayer player;
-        stopped = run(player, &sound, 1.0, 0.6, true);
-        CHECK(run(player, &sound, stopped, 0.3, false) == stopped);
-        run(player, &sound, 7.0, 0.6, true);
-        run(player, nullptr, 0, 0.2, true);
+        stopped = run(player, &sound, 1.0, 30, true);
+        CHECK(run(player, &sound, stopped, 15, false) == stopped);
+        run(player, &sound, 7.0, 30, true);
+        run(player, nullptr, 0, 10, true);
         CHECK(handlers() == before);  // SDL would take those that end a program
     }
     const std::vector<float> played = device.samples();
@@ -104,27 +113,36 @@ TEST_CASE("the sample of the picture's time is heard; a clock that stands is sil
     CHECK(steepest < 0.006);       // no click: it fades over 240 samples
     CHECK(silent > 7200);          // while the clock stood
     CHECK(played.back() == 0.0f);  // and at the end
-    const size_t middle = (first + last_before) / 2;
-    CHECK(played[middle + 4800] - played[middle] == Approx(0.1 / 5).margin(1e-4));  // at the sound's own speed
-    CHECK(heard_s(played[after + 9600]) == Approx(7.2).margin(0.15));
+    // At the sound's own speed wherever it neither fades nor is silent, which it also is where the machine stands still.
+    int at_its_speed = 0;
+    for (size_t i = first + 480; i < last_before; ++i)  // 0.01 s of the 5 s from one whole number to the next
+        at_its_speed += std::abs(double(played[i]) - double(played[i - 480]) - 0.01 / 5) < 1e-5;
+    CHECK(at_its_speed > 4800);
+    REQUIRE(played.size() > after + 480);
+    CHECK(heard_s(played[after + 480]) == Approx(7.0).margin(0.3));  // faded in
 }
 
 TEST_CASE("the picture's clock is the count of the samples played, at the device's speed and not the processor's") {
-    const ToFile device;
     setenv("SDL_DISKAUDIODELAY", "32", 1);  // for 512 samples: a third of 48,000 a second
     const Sound sound = ruler();
-    double time_s = 0;
-    {
-        SoundPlayer player;
-        time_s = run(player, &sound, 2.0, 1.5, true);
-    }
+    double heard = 0, written_s = 0;
+    const bool held = holds_once([&] {
+        const ToFile device;
+        const auto start = Clock::now();
+        {
+            SoundPlayer player;
+            heard = run(player, &sound, 2.0, 75, true) - 2.0;
+        }
+        const double passed = std::chrono::duration<double>(Clock::now() - start).count();
+        const std::vector<float> played = device.samples();
+        size_t first = 0;
+        while (first < played.size() && played[first] == 0.0f) ++first;
+        written_s = double(played.size() - first) / 48000;
+        return heard < passed / 2 && std::abs(heard - written_s) < 0.06;
+    });
+    INFO(heard << " s heard, " << written_s << " s written");
+    CHECK(held);
     unsetenv("SDL_DISKAUDIODELAY");
-    const std::vector<float> played = device.samples();
-    size_t first = 0;
-    while (first < played.size() && played[first] == 0.0f) ++first;
-    const double written_s = double(played.size() - first) / 48000;
-    CHECK(time_s - 2.0 < 0.75);  // 1.5 s have passed
-    CHECK(time_s - 2.0 == Approx(written_s).margin(0.06));
 }
 
 TEST_CASE("a dummy device plays at its own speed; without a device the processor's clock counts") {
@@ -133,10 +151,11 @@ TEST_CASE("a dummy device plays at its own speed; without a device the processor
         INFO(driver);
         setenv("SDL_AUDIODRIVER", driver, 1);
         SoundPlayer player;
-        const auto start = Clock::now();
-        const double time_s = run(player, &sound, 3.0, 0.8, true);
-        const double passed = std::chrono::duration<double>(Clock::now() - start).count();
-        CHECK(time_s - 3.0 == Approx(passed).margin(0.15));
+        CHECK(holds_once([&] {
+            const auto start = Clock::now();
+            const double time_s = run(player, &sound, 3.0, 40, true);
+            return std::abs(time_s - 3.0 - std::chrono::duration<double>(Clock::now() - start).count()) < 0.15;
+        }));
         CHECK(player.advance(&sound, 8.0, true, 0.02) == Approx(8.0).margin(0.03));    // set: it goes on from there
         CHECK(player.advance(nullptr, 9.0, true, 0.02) == Approx(9.02).margin(1e-6));  // nothing to hear
         unsetenv("SDL_AUDIODRIVER");
