@@ -22,9 +22,9 @@ CHAPTER, EXERCISE = "02_lambert_phong", "02.lambert"
 FILE = f"shaders/{CHAPTER}/exercise/lambert.glsl"
 SHOWN = "Picture.all[0].answers[0]"
 IMAGES = "document.querySelectorAll('article img:is([src*=\"/golden/\"], [src*=\"images/\"][src$=\".png\"])')"
-# An image's colours, one after the other.
-PIXELS = ("(image => {{ const c = make('canvas', {{width: 320, height: 180}}).getContext('2d'); c.drawImage(image, 0, 0, 320, 180); "
-          "return [...c.getImageData(0, 0, 320, 180).data].filter((_, i) => i % 4 < 3); }})({})")
+# An image's colours, one after the other, once it is there: while one is read, an image draws nothing.
+PIXELS = ("(async image => {{ await image.decode(); const c = make('canvas', {{width: 320, height: 180}}).getContext('2d'); "
+          "c.drawImage(image, 0, 0, 320, 180); return [...c.getImageData(0, 0, 320, 180).data].filter((_, i) => i % 4 < 3); }})({})")
 EDITOR = "document.querySelector('.live-exercise').exercise"
 
 
@@ -139,11 +139,10 @@ class InBrowser(unittest.TestCase):
         cell = "Picture.all.find(p => p.cell?.set.method === 'relief')"
 
         def drawn(condition: str):
-            self.browser.wait(f"Boolean(!Live.asked.size && !{cell}.drawing_soon && {cell}.answers[0]?.format === 'png' && ({condition}))")
-            self.browser.wait(f"{cell}.sides[0].image.complete && {cell}.sides[0].image.naturalWidth === 320")
+            self.browser.wait(f"Boolean(!Live.asked.size && !{cell}.drawing_soon && {cell}.answers[0]?.format === 'png' && "
+                              f"{cell}.sides[0].shown === {cell}.answers[0] && ({condition}))")
             return self.browser.evaluate(PIXELS.format(f"{cell}.sides[0].image"))
         x, y, width = self.middle(f"{cell}.frame")
-        self.browser.wait(f"{cell}.sides[0].image.complete && {cell}.sides[0].image.naturalWidth > 0")
         shown = self.browser.evaluate(PIXELS.format(f"{cell}.sides[0].image"))
         self.browser.drag((x, y), (x, y))
         first = drawn("true")

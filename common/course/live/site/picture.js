@@ -7,7 +7,7 @@ class Picture {
   static all = [];
 
   // frame: the element that holds the images. sides: {image, shot, over}, where `over` replaces parts of the state; a cell
-  // of one of the lesson's pictures has {image, cell: [name, number], over}.
+  // of one of the lesson's pictures has {image, cell: [name, number], over}. `shown` is the answer whose picture is in `image`.
   constructor(frame, chapter, sides) {
     Object.assign(this, {frame, chapter, sides, place: `p${++Picture.count}`, state: Picture.fresh(), answers: []});
     this.listeners = [];
@@ -148,6 +148,7 @@ class Picture {
     side.url = url;
     side.image.onload = () => old && URL.revokeObjectURL(old);
     side.image.src = url;
+    side.shown = answer;
   }
 
   // A part of an image, [left, top, width, height], as a PNG.
