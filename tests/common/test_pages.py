@@ -14,6 +14,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from browser import CHROMIUM, Browser
+from part_in_ci import part
 from PIL import Image
 from small_course import REAL, Course
 
@@ -129,7 +130,7 @@ class InBrowser(TheCourse):
         with Browser() as browser:
             browser.call("Emulation.setDeviceMetricsOverride", **PHONE)
             formulas = 0
-            for page in self.lessons:
+            for page in part(self.lessons, 3):
                 self.look(browser, page)
                 self.assertEqual(browser.evaluate(WIDTHS), [390, 390])
                 formulas += browser.evaluate("document.querySelectorAll('.katex').length")

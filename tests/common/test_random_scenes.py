@@ -5,6 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from part_in_ci import part
 from random_scenes import CHAPTERS, FILLINGS, SIZE, draw, random_scene, run
 from shots.rendering import Drawing
 
@@ -18,7 +19,7 @@ class RandomScenes(unittest.TestCase):
         self.assertNotEqual(random_scene(7), random_scene(8))
 
     def test_no_chapter_has_anything_to_say(self):
-        for seed in range(FEW):
+        for seed in part(range(FEW), 3):
             program = CHAPTERS[seed * len(CHAPTERS) // FEW]
             with self.subTest(program=program.name, seed=seed), tempfile.TemporaryDirectory() as folder:
                 command, wrong = draw(program, seed, folder)
@@ -71,7 +72,7 @@ class RandomScenes(unittest.TestCase):
                  "13": ["picture", "edges"]}
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "scene.json").write_text('{"lights": [{"type": "directional", "shadow": true}]}')
-            for program in CHAPTERS:
+            for program in part(CHAPTERS, 3):
                 drawn = {}  # by the view, in memory filled with NaN and with small numbers: as run() does, many views in a process
                 for filling in FILLINGS:
                     with Drawing(program, MALLOC_PERTURB_=filling) as drawing:

@@ -30,8 +30,9 @@ HELP = """Builds everything, runs every test and writes build/report/index.html.
                                  bookworm is Debian 12. A pattern or options select tests. It requires root.
 
 With CI=true in the environment the tests that draw most are left out (studies, need rules, stretch tasks, the goldens'
-rejections, all knobs), only one chart of a chapter and one page of each kind are checked, and of attacks on grading, charts
-and equal methods a part, another with each commit. The last line counts all tests that ran."""
+rejections, all knobs), only one chart of a chapter and one page of each kind are checked, and of attacks on grading, charts,
+equal methods, random scenes, what is kept from frame to frame and lessons on a phone a part, another with each commit. The
+last line counts all tests that ran."""
 PASSES_OPTIONS = True
 RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
 SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times

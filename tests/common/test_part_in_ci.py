@@ -1,0 +1,38 @@
+"""Tests of what a CI tries of many cases: with each commit another part, in the end all of them, and never none."""
+
+import os
+import subprocess
+import unittest
+from unittest import mock
+
+from part_in_ci import part
+
+CASES = list("abcdefghij")
+
+
+def at(commit: str, of: int, cases=CASES) -> list:
+    with mock.patch.dict(os.environ, {"CI": "true"}), \
+            mock.patch.object(subprocess, "run", return_value=mock.Mock(stdout=commit + "\n")):
+        return part(cases, of)
+
+
+class Part(unittest.TestCase):
+    def test_commits_in_a_row_try_all_cases(self):
+        parts = [at(f"{0xc0ffee + i:040x}", 3) for i in range(3)]
+        self.assertEqual(sorted(sum(parts, [])), CASES)
+        self.assertEqual(sorted(map(len, parts)), [3, 3, 4])
+        self.assertEqual(parts[0], at(f"{0xc0ffee:040x}", 3), "the same commit tries the same")
+
+    def test_never_none(self):
+        for i in range(8):
+            self.assertEqual(len(at(f"{i:040x}", 8, "ab")), 1)
+        self.assertEqual(at("", 3), list("adgj"), "outside of a repository")
+        self.assertEqual(at("1", 3, []), [])
+
+    def test_without_ci_all(self):
+        with mock.patch.dict(os.environ, {"CI": ""}):
+            self.assertEqual(part(CASES, 3), CASES)
+
+
+if __name__ == "__main__":
+    unittest.main()
