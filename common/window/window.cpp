@@ -137,9 +137,10 @@ void Window::stay_active(double seconds) {
 
 bool Window::has_settled() const { return now() > active_until_ && frames_due_ == 0 && !overlay_.input_is_left(); }
 
+// What moves may show what was there a frame before (screens in screens): more pictures are drawn of it.
 bool Window::picture_is_due() const {
-    return clock_runs_ || picture_due_ || (last_picture_due_ && has_settled()) || capture_next_ || !shown_ ||
-           drawn_size_ != picture_size();
+    return clock_runs_ || picture_due_ || (last_picture_due_ && (has_settled() || chapter_.any_animated())) ||
+           capture_next_ || !shown_ || drawn_size_ != picture_size();
 }
 
 bool Window::is_still() const { return !clock_runs_ && !last_picture_due_ && has_settled(); }

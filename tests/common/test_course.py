@@ -74,7 +74,8 @@ class Commands(Course):
         self.put("compile", "sleep 20\n")
         self.put("chapters/01_obj/exercise/one.cpp", "changed")
         course = subprocess.Popen([self.root / "course", "check", "01"], stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, text=True, start_new_session=True)
+                                  stderr=subprocess.STDOUT, text=True, start_new_session=True,
+                                  preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))  # "&" ignores it
         time.sleep(1.5)
         os.killpg(course.pid, signal.SIGINT)
         printed, _ = course.communicate(timeout=10)
