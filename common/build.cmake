@@ -245,6 +245,8 @@ function(lightwalk_tests)
     target_link_libraries(catch_main PUBLIC Catch2::Catch2WithMain)
   endif()
   target_include_directories(catch_main PUBLIC ${PROJECT_SOURCE_DIR}/tests)
+  # A test names its file: not the checkout's folder, or ccache would know it in no other one.
+  target_compile_options(catch_main PUBLIC -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   foreach(name common ${LIGHTWALK_CHAPTERS})
     set(folder ${PROJECT_SOURCE_DIR}/tests/${name})
