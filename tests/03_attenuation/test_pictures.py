@@ -3,6 +3,7 @@ says.
 """
 import json
 import math
+import os
 import pathlib
 import shutil
 import sys
@@ -60,7 +61,7 @@ class PicturesTest(ChapterPictures):
             "curves": [{"method": method} for method in METHODS[1:]]}))
         out = self.folder / "study.json"
         self.run_program("--study", out, "--size", f"{size[0]}x{size[1]}", silent=False, LIGHTWALK_ROOT=str(root),
-                         LIGHTWALK_CACHE=str(ROOT / "build" / "shader_cache"))
+                         LIGHTWALK_CACHE=os.environ.get("LIGHTWALK_CACHE", str(ROOT / "build" / "shader_cache")))
         return {(p["scene"], p["method"]): p["error"] for p in json.loads(out.read_text())["points"]}
 
     def places(self):

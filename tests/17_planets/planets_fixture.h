@@ -33,7 +33,10 @@ struct OnPlanets {
     /// The body from that many of its radii away, at a phase angle, from `up_deg` above the plane of its orbit.
     void look_at(const char* body, double radii, double phase_deg = 30, double up_deg = 0) {
         planets.at.set(body);
-        owner.prepare_all(gpu, scene);
+        if (std::string state = owner.load_state(); state != loaded_) {  // maps take longer than a small picture
+            owner.prepare_all(gpu, scene);
+            loaded_ = std::move(state);
+        }
         const double r = traits(static_cast<BodyId>(planets.at.index)).radius_m;
         const double a = glm::radians(phase_deg), u = glm::radians(up_deg);
         camera.position =
@@ -62,6 +65,9 @@ struct OnPlanets {
         frame.end();
         return read_linear(gpu, frame.hdr);
     }
+
+  private:
+    std::string loaded_;  ///< the load state that was prepared last
 };
 
 inline double sum_of(const ImageRgb& picture) {

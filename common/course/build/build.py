@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 from progress import Progress
-from tree import ROOT, Failure, UsageError, relative, warn
+from tree import ROOT, SHADER_CACHE, Failure, UsageError, relative, warn
 
 
 class BuildFailure(Failure):
@@ -48,7 +48,7 @@ def build(targets: list[str] = (), preset: str = "default") -> Path:
         if not is_configured(folder):
             configure(preset, folder, lock)
         if run_ninja(folder, list(targets), lock):
-            trim(ROOT / "build" / "shader_cache")
+            trim(SHADER_CACHE)
     return folder
 
 

@@ -25,7 +25,7 @@ from grading import sandbox
 from grading.sandbox import Limits, Mounts
 from shots.golden import exceeded, unfit
 from shots.rendering import render
-from tree import BUILD, ROOT, Failure, chapter_program, shots, write_atomically
+from tree import BUILD, ROOT, SHADER_CACHE, Failure, chapter_program, shots, write_atomically
 
 SIZE = "480x270"
 GIB = 1 << 30
@@ -133,8 +133,8 @@ class Pictures:
         judge.mount_references(mounts, exercise)
         if source.suffix == ".glsl":
             mounts.read(source, judge.paths[exercise])
-        if (BUILD / "shader_cache").is_dir():
-            mounts.read(BUILD / "shader_cache")
+        if SHADER_CACHE.is_dir():
+            mounts.read(SHADER_CACHE, ROOT / "build" / "shader_cache")
         return mounts
 
     def link(self, exercise: str, folder: Path, judge) -> str:
