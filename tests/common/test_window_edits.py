@@ -54,6 +54,8 @@ class Edits(WindowTest):
         self.session.wait_for_line("reloaded shaders", since)
         self.session.wait(lambda: self.session.pixels(0, 0, WIDTH, HEIGHT) != self.start, "the edit to show")
         self.assertEqual([line for line in self.session.errors if "Missing entry point" in line], [])
+        (self.course / FRAGMENT).write_text((ROOT / FRAGMENT).read_text())
+        self.assert_as_at_the_start()
 
     def test_binding_that_is_gone_is_reported(self):
         since = self.session.said()
