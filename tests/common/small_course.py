@@ -8,6 +8,7 @@ whose manifest is the file "second"), "no_teeth" (a starter draws what the solut
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -159,6 +160,10 @@ def clean_environment() -> dict[str, str]:
     outer = ("DISPLAY", "WAYLAND_DISPLAY", "LIGHTWALK_BUILD", "CI", "LIGHTWALK_SECOND_DRIVER", "VK_DRIVER_FILES",
              "GALLIUM_OVERRIDE_CPU_CAPS")
     return {name: value for name, value in os.environ.items() if name not in outer}
+
+
+# For subprocess: a group of its own, which SIGINT ends, too, where the test runs behind "&": a shell has it ignored there.
+INTERRUPTIBLE = {"start_new_session": True, "preexec_fn": lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)}
 
 
 class Course(unittest.TestCase):

@@ -13,7 +13,7 @@ import time
 import unittest
 from pathlib import Path
 
-from small_course import LESSON, REAL, SHOTS_02, Course
+from small_course import INTERRUPTIBLE, LESSON, REAL, SHOTS_02, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
 import cli  # noqa: E402
@@ -74,8 +74,7 @@ class Commands(Course):
         self.put("compile", "sleep 20\n")
         self.put("chapters/01_obj/exercise/one.cpp", "changed")
         course = subprocess.Popen([self.root / "course", "check", "01"], stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, text=True, start_new_session=True,
-                                  preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))  # "&" ignores it
+                                  stderr=subprocess.STDOUT, text=True, **INTERRUPTIBLE)
         time.sleep(1.5)
         os.killpg(course.pid, signal.SIGINT)
         printed, _ = course.communicate(timeout=10)

@@ -10,7 +10,7 @@ import time
 import unittest
 from pathlib import Path
 
-from small_course import REAL, Course, clean_environment, make_tree
+from small_course import INTERRUPTIBLE, REAL, Course, clean_environment, make_tree
 
 sys.path.insert(0, str(REAL / "common/course"))
 from build.format_tree import formatter  # noqa: E402
@@ -111,7 +111,7 @@ class Trouble(Course):
         self.put("compile", f"echo start >>{log}; sleep 2; echo stop >>{log}\n")
         self.put("chapters/01_obj/exercise/one.cpp", f"changed {random.random()}")
         course = subprocess.Popen([self.root / "course", "check", "01"], env=clean_environment(), text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **INTERRUPTIBLE)
         self.addCleanup(course.stdout.close)
         while not log.exists():
             time.sleep(0.02)

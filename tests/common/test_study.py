@@ -8,7 +8,7 @@ import sys
 import time
 import unittest
 
-from small_course import REAL, Course
+from small_course import INTERRUPTIBLE, REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
 from test.need_test import median_row, row, set_options, sweep  # noqa: E402
@@ -95,7 +95,7 @@ class Study(Course):
         partial = self.root / "build/study/01_obj.json.partial"
         clean = {name: value for name, value in os.environ.items() if name != "LIGHTWALK_BUILD"}
         course = subprocess.Popen([self.root / "course", "study", "01"], stdout=subprocess.PIPE, text=True,
-                                  stderr=subprocess.STDOUT, start_new_session=True, env=clean)
+                                  stderr=subprocess.STDOUT, env=clean, **INTERRUPTIBLE)
         end = time.monotonic() + 30
         while not partial.exists() and time.monotonic() < end:
             time.sleep(0.05)
