@@ -15,7 +15,7 @@ std::array<float, 511> linear_of_half_codes() {
 }
 
 // For each step of linear light, the first code that a value in it can be nearest to: a search over all codes took most of
-// the time in which a texture is loaded. A step is less than two codes, for the darkest.
+// the time in which a texture is loaded. A step is less than a code wide, for the darkest, too.
 constexpr float steps = 4096.0f;
 std::vector<uint8_t> first_codes(const std::array<float, 511>& linear) {
     std::vector<uint8_t> first;
