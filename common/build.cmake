@@ -222,6 +222,7 @@ function(lightwalk_variants name folder library)
     target_include_directories(${target} PRIVATE $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)
     target_link_options(${target} PRIVATE -s -Wl,--no-as-needed) # the library registers its checks when it is loaded
     target_link_libraries(${target} PRIVATE check_main checked_${name})
+    set_property(GLOBAL APPEND PROPERTY LIGHTWALK_VARIANTS_${number} ${target})
   endforeach()
 endfunction()
 

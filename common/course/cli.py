@@ -28,6 +28,7 @@ COMMANDS = {
     "shader": "pages.shader",
     "film": "film",
     "quote": "pages.quotes",
+    "new": "new",
     "format": "build.format_tree",
     "fuzz": "build.fuzz",
     "handout": "grading.handout",

@@ -1,6 +1,7 @@
 """Drawings of many chapters in one frame (compositions/everything.cpp), at the first try: a cold start, an odd size,
 validation. Whatever is drawn first, twice, on a screen within the picture or into a cube, the picture is the same.
 """
+# Builds: 14_environment everything everything_deferred compare
 import sys
 import tempfile
 import unittest

@@ -26,3 +26,4 @@ set_target_properties(test_minimal PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT
 lightwalk_compiled_fast(test_minimal)
 add_test(NAME unit.minimal COMMAND test_minimal WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 set_tests_properties(unit.minimal PROPERTIES LABELS unit)
+lightwalk_test_needs(unit.minimal test_minimal)

@@ -2,7 +2,7 @@
 
 Files at its root change what they do: "crash", "flat" (a picture on which nothing is), "drift" (words added to each
 picture), "drift.sse4.1" (to those of a driver held to SSE4.1), "drift.second" (of the second driver,
-whose manifest is the file "second"), "no_teeth" (a starter draws what the solution does), "broken" (a unit test and a fuzz target fail).
+whose manifest is the file "second"), "no_teeth" (a starter draws what the solution does), "broken" (a unit test and a fuzz target fail), "no_rest" (the whole course does not build).
 """
 
 import json
@@ -33,6 +33,7 @@ foreach(name ${LIGHTWALK_CHAPTERS})
   add_custom_target(check_${name} DEPENDS check_${name}.built)
 endforeach()
 add_custom_target(compare)
+add_custom_target(rest ALL COMMAND sh -c "! test -e ${PROJECT_SOURCE_DIR}/no_rest" VERBATIM)
 add_custom_target(programs)
 add_custom_target(fuzz_obj)
 enable_testing()
@@ -143,7 +144,7 @@ FILES = {
 def make_tree(root: Path):
     shutil.copytree(REAL / "common/course", root / "common/course",
                     ignore=shutil.ignore_patterns("*.h", "*.cpp", "__pycache__"))
-    for name in ("course", "tests/build.cmake"):
+    for name in ("course", "tests/build.cmake", "tests/needs.cmake"):
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(REAL / name, root / name)
     for name, text in FILES.items():

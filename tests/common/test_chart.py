@@ -1,4 +1,5 @@
 """Charts of studies: what is drawn where, and that the same study gives the same file."""
+# Builds: nothing
 
 import contextlib
 import hashlib

@@ -1,4 +1,5 @@
 """Studies as charts read them: what is refused, what a table says, which points belong to which curve."""
+# Builds: nothing
 
 import sys
 import unittest

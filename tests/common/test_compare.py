@@ -2,6 +2,7 @@
 
 LIGHTWALK_BUILD names the build folder where it is not build/ in the tree.
 """
+# Builds: compare
 import json
 import os
 import pathlib

@@ -1,4 +1,5 @@
 """Tests of ./course: what a person types and reads."""
+# Builds: nothing
 
 import io
 import json
@@ -127,6 +128,14 @@ class Tests(Course):
         self.assertIn("out of 2", self.course("test", "shot.01").splitlines()[-1])
         self.assertIn("out of 4", self.course("test", "-L", "teeth").splitlines()[-1])
         self.assertIn("no test matches -R nothing", self.course("test", "nothing", code=2))
+
+    def test_few_tests_build_what_they_need(self):
+        """Without `rest`, which does not build here."""
+        self.accept()
+        self.put("no_rest")
+        self.assertIn("out of 1", self.course("test", "shot.02").splitlines()[-1])
+        self.assertIn("the build failed", self.course("test", "unit", code=1))
+        self.assertIn("the build failed", self.course("test", code=1))
 
     def test_sanitizers_are_counted_and_a_ci_runs_less(self):
         self.accept()

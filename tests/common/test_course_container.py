@@ -1,4 +1,5 @@
 """Tests of ./course test --on: where it cannot, one line says why; and what it would run."""
+# Builds: nothing
 
 import os
 import shutil

@@ -1,4 +1,5 @@
 """Tests of ./course where exercises are checked, handed out and graded."""
+# Builds: nothing
 
 import json
 import shutil

@@ -1,4 +1,5 @@
 """Tests of the shards of ./course test, run --gallery and study, on the small course."""
+# Builds: nothing
 
 import json
 import re

@@ -1,4 +1,5 @@
 """The course's language, as far as a program can check it: help texts of knobs, headings, and phrases that no page may use."""
+# Builds: nothing
 
 import json
 import pathlib

@@ -1,5 +1,6 @@
 """Tests of what the course says to other systems: the workflow of a public CI, the dev container, docs/elsewhere.md and the
 hours of docs/teaching.md."""
+# Builds: nothing
 
 import argparse
 import json

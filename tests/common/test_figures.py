@@ -1,4 +1,5 @@
 """The helper that draws the lessons' diagrams: what it draws can be read, and what cannot be read is refused."""
+# Builds: nothing
 import pathlib
 import sys
 import unittest

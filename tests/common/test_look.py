@@ -1,4 +1,5 @@
 """--look: what a pass wrote, without a window."""
+# Builds: 06_deferred
 import sys
 import unittest
 from pathlib import Path

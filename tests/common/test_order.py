@@ -1,4 +1,5 @@
 """Tests of the order of the tree's parts (common/course/test/order.py) and of README's variables, on small trees of files."""
+# Builds: nothing
 
 import sys
 import tempfile

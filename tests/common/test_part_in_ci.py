@@ -1,4 +1,5 @@
 """Tests of what a CI tries of many cases: with each commit another part, in the end all of them, and never none."""
+# Builds: nothing
 
 import os
 import subprocess

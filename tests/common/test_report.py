@@ -1,4 +1,5 @@
 """The report and the gallery: what they say, and how they work in a browser (where Chromium is installed)."""
+# Builds: nothing
 
 import json
 import sys

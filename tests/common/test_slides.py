@@ -1,4 +1,5 @@
 """Tests of slides and of the book: one file each that needs nothing else, with all that a lesson shows, answers behind questions."""
+# Builds: nothing
 
 import re
 import shutil

@@ -1,4 +1,5 @@
 """Tests of a chapter's --stream: a picture is the one that the command line draws, and what is wrong is said."""
+# Builds: 02_lambert_phong
 
 import io
 import json

@@ -1,4 +1,5 @@
 """Tests of ./course study: what it makes, measures, keeps and writes."""
+# Builds: nothing
 
 import json
 import os

@@ -1,4 +1,5 @@
 """Variants of exercises: applying a list of changes to a solution, and the errors for lists that do not fit."""
+# Builds: nothing
 
 import sys
 import tempfile

@@ -1,4 +1,4 @@
-"""Builds everything, runs every test, writes the report."""
+"""Builds what the tests need, runs them, writes the report."""
 
 import os
 import re
@@ -9,17 +9,17 @@ import time
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
-from build.build import build
 from many import shards
 from pages.report import write_report
 from shots.draw_shots import RUN
 from test import test_shards
 from test.container import test_on
+from test.needs import build_for
 from test.test_shards import closing_line
 from tree import BUILD, Failure, UsageError, relative, say
 
 ALONE = True
-HELP = """Builds everything, runs every test and writes build/report/index.html.
+HELP = """Builds what the tests need, runs them and writes build/report/index.html.
 
   ./course test                  all tests
   ./course test shot.02          the tests whose name matches this regular expression
@@ -68,17 +68,20 @@ def run(arguments, rest) -> int:
     if not selection or file:
         shutil.rmtree(results, ignore_errors=True)
     results.mkdir(parents=True, exist_ok=True)
-    build()
     in_ci = os.environ.get("CI") == "true" and not selection
     if not selection:  # as many programs as processors draw: threads of the rasteriser's own cost 3 to 18% of their time, and gain nothing
         os.environ.setdefault(RASTER_THREADS, "0")
     selection = CI if in_ci else selection
-    runs = [run_ctest(BUILD, results / "tests.xml", selection + test_shards.words(BUILD, selection, arguments.shard))]
+
+    def of_shard(folder, chosen):
+        return test_shards.words(folder, chosen, arguments.shard)
+
+    folder, options = build_for(selection, of_shard)
+    runs = [run_ctest(folder, results / "tests.xml", options)]
     if arguments.sanitize:
         say("\nunder the sanitizers:")
-        folder = build(preset="sanitizer")
-        selection = SANITIZED + ([] if in_ci else selection)
-        runs.append(run_ctest(folder, results / "sanitizer.xml", selection + test_shards.words(folder, selection, arguments.shard)))
+        folder, options = build_for(SANITIZED + ([] if in_ci else selection), of_shard, "sanitizer")
+        runs.append(run_ctest(folder, results / "sanitizer.xml", options))
     if file:
         return test_shards.write(file, arguments.shard, results, runs, rest)
     report = BUILD / "report" / "index.html"

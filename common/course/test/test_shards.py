@@ -5,14 +5,13 @@ process draws them; every other test is a piece of its own. What a shard keeps a
 import json
 import re
 import shutil
-import subprocess
 from pathlib import Path
 
 from many import shards
 from pages.report import write_report
-from tree import BUILD, ROOT, Failure, UsageError, relative, say, write_atomically
+from test import needs
+from tree import BUILD, ROOT, UsageError, relative, say, write_atomically
 
-TEST = re.compile(r"^ *Test +#(\d+): (\S+)", re.M)
 PICTURES = re.compile(r"(?:pictures|shot|teeth)\.(\d\d)(?:\.|$)")
 
 
@@ -26,11 +25,7 @@ def words(folder: Path, selection: list[str], shard: shards.Shard | None) -> lis
     """What ctest is given to run a shard's tests of a selection alone; nothing without a shard."""
     if not shard:
         return []
-    done = subprocess.run(["ctest", "--test-dir", str(folder), "-N", *selection], stdin=subprocess.DEVNULL, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    if done.returncode:
-        raise Failure(f"ctest cannot list the tests: {done.stdout.strip()[-300:]}")
-    listed = TEST.findall(done.stdout)
+    listed = needs.selected(folder, selection)
     if not listed:
         raise UsageError(f"no test matches {' '.join(selection)}; ctest --test-dir build -N lists them")
     mine = [number for number, name in listed if shard.takes(piece(name))]
