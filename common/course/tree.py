@@ -28,6 +28,30 @@ def chapters() -> list[str]:
     return sorted(path.name for path in (ROOT / "chapters").glob("[0-9][0-9]_*") if path.is_dir())
 
 
+def lesson_pages(chapter: str) -> list[Path]:
+    """The chapter's lesson, docs/15_terrain_water.md, and its further pages, docs/15a_terrain.md and so on."""
+    docs = ROOT / "docs"
+    pages = [docs / f"{chapter}.md", *sorted(docs.glob(f"{chapter[:2]}[a-z]_*.md"))]
+    return [path.relative_to(ROOT) for path in pages if path.exists()]
+
+
+def lessons() -> list[Path]:
+    """All pages of lessons in the order in which they are read. The first, docs/00_start.md, belongs to no chapter."""
+    start = Path("docs/00_start.md")
+    return [*[start] * (ROOT / start).exists(), *[page for chapter in chapters() for page in lesson_pages(chapter)]]
+
+
+def find_lesson(word: str) -> Path:
+    """The page that a person means by 00, 15a, 15a_terrain or a chapter's name."""
+    for page in lessons():
+        if word in (page.stem, page.stem.split("_")[0]):
+            return page
+    chapter = find_chapter(word)
+    if not lesson_pages(chapter):
+        raise UsageError(f"chapter {chapter} has no lesson")
+    return lesson_pages(chapter)[0]
+
+
 def nearest(word: str, known: Iterable[str]) -> str:
     """The two names that are most like a word, which may be a path or a file's name alone, as an error says them."""
     def likeness(name: str) -> float:

@@ -19,6 +19,16 @@ foreach(source ${minimal})
   set_target_properties(minimal_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/minimal
                                                    OUTPUT_NAME ${name})
 endforeach()
+# docs/vulkan.md's program, with the shaders that it reads beside it.
+foreach(stage vert frag)
+  add_custom_command(
+    OUTPUT ${PROJECT_BINARY_DIR}/minimal/00_vulkan.${stage}.spv
+    COMMAND glslangValidator --quiet -V --target-env vulkan1.3 -o ${PROJECT_BINARY_DIR}/minimal/00_vulkan.${stage}.spv
+            ${PROJECT_SOURCE_DIR}/docs/minimal/00_vulkan.${stage}
+    DEPENDS ${PROJECT_SOURCE_DIR}/docs/minimal/00_vulkan.${stage})
+  target_sources(minimal_00_vulkan PRIVATE ${PROJECT_BINARY_DIR}/minimal/00_vulkan.${stage}.spv)
+endforeach()
+target_link_libraries(minimal_00_vulkan PRIVATE Vulkan::Vulkan glfw)
 file(GLOB minimal CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/minimal/*.cpp)
 add_executable(test_minimal ${minimal})
 target_link_libraries(test_minimal PRIVATE catch_main lightwalk)

@@ -13,7 +13,7 @@ from pathlib import Path
 REAL = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REAL / "common/course"))
 from test import run_tests  # noqa: E402
-from tree import chapters  # noqa: E402
+from tree import chapters, lesson_pages  # noqa: E402
 
 try:
     import yaml
@@ -80,7 +80,7 @@ class Page(unittest.TestCase):
         self.assertGreater(len(rows), 15)
         for number, *counts, hours in rows:
             [name] = [chapter for chapter in chapters() if chapter.startswith(number)]
-            text = (REAL / "docs" / f"{name}.md").read_text()
+            text = "\n".join((REAL / page).read_text() for page in lesson_pages(name))
             graded = [len(re.findall(rf"^### \d\d\.\w+ \({grade}\)$", text, re.M)) for grade in ("easy", "medium", "hard")]
             self.assertEqual(list(map(int, counts)), graded, name)
             text = re.sub(r"^( *)```.*?^\1```|<details>.*?</details>|<!--.*?-->", "", text, flags=re.M | re.S)

@@ -38,7 +38,7 @@ from check.glsl_answer import Refused, plain
 from progress import Progress
 from shots.golden import compare, exceeded, golden_path, unfit
 from shots.rendering import Crashed, render_shot
-from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, nearest, relative,
+from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, lesson_pages, nearest, relative,
                   say, shots)
 
 ALONE = True
@@ -104,8 +104,7 @@ def select(what: str) -> list[tuple[str, str]]:
 @functools.cache
 def grades(chapter: str) -> dict[str, str]:
     """The exercises in the lesson's order, and how hard it calls each: "### 02.phong (medium)"."""
-    lesson = ROOT / "docs" / f"{chapter}.md"
-    text = lesson.read_text(encoding="utf-8") if lesson.exists() else ""
+    text = "\n".join((ROOT / page).read_text(encoding="utf-8") for page in lesson_pages(chapter))
     return dict(re.findall(r"^### (\d\d\.\w+) \((easy|medium|hard)\)$", text, re.M))
 
 

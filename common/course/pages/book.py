@@ -10,7 +10,7 @@ from pathlib import Path
 
 from pages.lesson_html import Lesson, blocks, code_css, embedded, inner, katex_css, katex_js, words
 from pages.page import TEMPLATES
-from tree import BUILD, ROOT, Failure, UsageError, chapters, find_chapter, relative, say, warn
+from tree import BUILD, Failure, UsageError, find_lesson, lesson_pages, lessons, relative, say, warn
 
 ALONE = True
 HELP = """Makes one PDF of all lessons: build/book/lightwalk.pdf, with contents, numbered figures and the answers at its end.
@@ -31,7 +31,7 @@ def add_arguments(parser):
 
 
 def run(arguments, _rest) -> int:
-    named = [find_chapter(word) for word in arguments.chapters] or chapters()
+    named = [page for word in arguments.chapters for page in pages_of_lesson(word)] or lessons()
     out = (arguments.out or BUILD / "book" / "lightwalk.pdf").absolute()
     if out.suffix != ".pdf":
         raise UsageError(f"{arguments.out} is not called like a PDF: name a FILE.pdf")
@@ -42,13 +42,19 @@ def run(arguments, _rest) -> int:
         out.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise UsageError(f"{out.parent} cannot be written: {error.strerror}") from None
-    book = [chapter_part(chapter) for chapter in named if (ROOT / "docs" / f"{chapter}.md").exists()]
+    book = [chapter_part(page.stem) for page in named]
     with tempfile.TemporaryDirectory(prefix=".book.", dir=out.parent) as made:
         file, printed = Path(made, "book.html"), Path(made, "book.pdf")
         print_until_settled(browser, book, file, printed)
         printed.replace(out)
     say(f"{relative(out)}: {page_count(out)} pages, {out.stat().st_size / 1e6:.1f} MB")
     return 0
+
+
+def pages_of_lesson(word: str) -> list[Path]:
+    """The page that is meant; of a chapter, all its pages."""
+    page = find_lesson(word)
+    return lesson_pages(page.stem) or [page]
 
 
 def find_browser() -> str | None:
@@ -110,7 +116,7 @@ def told(*command) -> str:
 
 def chapter_part(chapter: str) -> dict:
     """A chapter as the book has it: title, HTML, sections for the contents, answers for the end."""
-    number = chapter[:2]
+    number = chapter.split("_")[0]
     lesson = Lesson(Path("docs") / f"{chapter}.md", lambda path: embedded(path, MOST_SIDE, QUALITY, flat=False))
     text, answers = without_answers(lesson.html, number)
     text = own_names(with_figures(text, number), number)
@@ -120,8 +126,13 @@ def chapter_part(chapter: str) -> dict:
             title = words(block)
         elif tag == "h2" and (found := re.search(r'id="([^"]+)"', block)):
             sections.append({"id": found[1], "title": words(block)})
-    return {"name": chapter, "id": f"chapter-{number}", "title": title, "sections": sections, "answers": answers,
+    return {"name": chapter, "number": number, "short": short(number), "id": f"chapter-{number}", "title": title, "sections": sections, "answers": answers,
             "html": re.sub(r"<h1\b", f'<h1 data-id="chapter-{number}"', text, count=1)}
+
+
+def short(number: str) -> str:
+    """15a as it is, 02 as 2."""
+    return number.lstrip("0") or "0"
 
 
 def without_answers(text: str, number: str) -> tuple[str, list[str]]:
@@ -130,7 +141,7 @@ def without_answers(text: str, number: str) -> tuple[str, list[str]]:
 
     def answer(found):
         answers.append(found[1].strip())
-        return f'<p class="answer-at"><a href="#answer-{number}-{len(answers)}">Answer {int(number)}.{len(answers)}</a></p>'
+        return f'<p class="answer-at"><a href="#answer-{number}-{len(answers)}">Answer {short(number)}.{len(answers)}</a></p>'
     text = re.sub(r"<details>\s*<summary>Answer</summary>(.*?)</details>", answer, text, flags=re.S)
     text = re.sub(r"<details\b[^>]*>\s*<summary>(.*?)</summary>", r'<div class="aside"><p class="aside-title">\1</p>', text, flags=re.S)
     return text.replace("</details>", "</div>"), answers
@@ -142,7 +153,7 @@ def with_figures(text: str, number: str) -> str:
 
     def caption(words_of_it: str) -> str:
         count[0] += 1
-        return f"<figcaption><b>Figure {int(number)}.{count[0]}.</b> {words_of_it}</figcaption>"
+        return f"<figcaption><b>Figure {short(number)}.{count[0]}.</b> {words_of_it}</figcaption>"
 
     def figure(found):
         if found["pair"]:
@@ -161,5 +172,5 @@ def own_names(text: str, number: str) -> str:
     text = re.sub(r'href="#(?!answer-)([^"]+)"', rf'href="#c{number}-\1"', text)
     text = re.sub(r'<a class="headerlink".*?</a>', "", text)
     text = re.sub(r'<p><a class="whole".*?</a></p>', "", text, flags=re.S)
-    text = re.sub(r'href="(\d\d)_\w+\.(?:html|md)(?:#[^"]*)?"', r'href="#chapter-\1"', text)
+    text = re.sub(r'href="(\d\d[a-z]?)_\w+\.(?:html|md)(?:#[^"]*)?"', r'href="#chapter-\1"', text)
     return re.sub(r'<a href="(?!#|https?:)[^"]*"[^>]*>(.*?)</a>', r"\1", text, flags=re.S)

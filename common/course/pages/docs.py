@@ -14,7 +14,7 @@ from check.check import in_order
 from pages.page import TEMPLATES
 from pages.pages_markdown import Site, convert
 from pages.shader import whole
-from tree import BUILD, ROOT, Failure, chapters, relative, say, shots, write_atomically
+from tree import BUILD, ROOT, Failure, chapters, lesson_pages, lessons, relative, say, shots, write_atomically
 
 ALONE = True
 HELP = """Writes the lessons as pages: build/docs/index.html.
@@ -27,7 +27,7 @@ KATEX = Path("/usr/share/javascript/katex")
 LATO = Path("/usr/share/fonts/truetype/lato")
 LANGUAGES = {".frag": "glsl", ".comp": "glsl",
              ".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
-OTHERS = {"serve.md": "Live lessons", "teaching.md": "For instructors", "elsewhere.md": "Windows and macOS"}
+OTHERS = {"vulkan.md": "Vulkan without the framework", "serve.md": "Live lessons", "teaching.md": "For instructors", "elsewhere.md": "Windows and macOS"}
 OWN = Path(__file__).parent / "site"
 
 
@@ -69,8 +69,7 @@ def make(folder: Path) -> int:
 def write_sources(folder: Path):
     """What mkdocs reads: texts, the pictures they show, the sources they name."""
     site = Site()
-    lessons = [Path("docs") / f"{chapter}.md" for chapter in chapters()]
-    for text in [*lessons, Path("README.md"), Path("docs/study_format.md"), *[Path("docs") / name for name in OTHERS]]:
+    for text in [*lessons(), Path("README.md"), Path("docs/study_format.md"), *[Path("docs") / name for name in OTHERS]]:
         if (ROOT / text).exists():
             site.target(text)
     while site.waiting:
@@ -114,13 +113,11 @@ def whole_page(path: Path) -> str:
             f"```glsl\n{text.rstrip()}\n```\n")
 
 
-def title_and_teaser(chapter: str) -> tuple[str, str]:
+def title_and_teaser(lesson: Path) -> tuple[str, str]:
     """The lesson's first heading and its first paragraph, as plain text."""
-    lesson = ROOT / "docs" / f"{chapter}.md"
-    text = lesson.read_text(encoding="utf-8") if lesson.exists() else ""
-    found = re.match(r"# (.*)\n+((?:.+\n)*)", text)
-    title, teaser = found.groups() if found else (chapter, "")
-    return re.sub(r"^\d+ ", "", title), re.sub(r"\[([^\]]*)\]\([^)]*\)|[*`]", r"\1", teaser).replace("\n", " ").strip()
+    found = re.match(r"# (.*)\n+((?:.+\n)*)", (ROOT / lesson).read_text(encoding="utf-8"))
+    title, teaser = found.groups() if found else (lesson.stem, "")
+    return re.sub(r"^\d+[a-z]? ", "", title), re.sub(r"\[([^\]]*)\]\([^)]*\)|[*`]", r"\1", teaser).replace("\n", " ").strip()
 
 
 def home(site: Site) -> str:
@@ -130,20 +127,20 @@ def home(site: Site) -> str:
         lesson = Path("docs") / f"{chapter}.md"
         if not (ROOT / lesson).exists():
             continue
-        title, teaser = title_and_teaser(chapter)
+        title, teaser = title_and_teaser(lesson)
         goldens = [Path("tests") / chapter / "golden" / f"{shot['name']}.png" for shot in shots(chapter)]
         first = next((golden for golden in goldens if (ROOT / golden).exists()), None)
         cards.append({"number": chapter[:2], "page": site.target(lesson).with_suffix(".html"), "title": title,
                       "teaser": teaser, "exercises": len(in_order(chapter)),
                       "picture": site.target(first) if first else None})
     picture = next((card["picture"] for card in reversed(cards) if card["picture"]), None)
-    return TEMPLATES.get_template("docs_home.jinja").render(cards=cards, picture=picture)
+    begin = lessons()[0].with_suffix(".html").name if lessons() else None
+    return TEMPLATES.get_template("docs_home.jinja").render(cards=cards, picture=picture, begin=begin)
 
 
 def nav() -> list:
-    lessons = [{f"{chapter[:2]} {title_and_teaser(chapter)[0]}": f"{chapter}.md"} for chapter in chapters()
-               if (ROOT / "docs" / f"{chapter}.md").exists()]
-    return [{"Lightwalk": "index.md"}, {"Lessons": lessons},
+    pages = [{f"{page.stem.split('_')[0]} {title_and_teaser(page)[0]}": page.name} for page in lessons()]
+    return [{"Lightwalk": "index.md"}, {"Lessons": pages},
             {"Beside them": [{"How to use the course": "course.md"}, {"The study format": "study_format.md"},
                              *[{title: name} for name, title in OTHERS.items() if (ROOT / "docs" / name).exists()]]}]
 
@@ -189,9 +186,11 @@ def finish(made: Path):
     write_atomically(made / "search" / "search_index.js", f"window.__index = {script(index)};\n")
     write_atomically(made / "assets" / "search.js", SEARCH % script(worker))
     for chapter in chapters():
+        pages = {page.stem: (ROOT / page).read_text(encoding="utf-8") for page in lesson_pages(chapter)}
         for exercise in in_order(chapter):
+            page = next((name for name, text in pages.items() if f"\n### {exercise} (" in text), chapter)
             write_atomically(made / "open" / f"{exercise}.html", TEMPLATES.get_template("docs_open.html").render(
-                page=f"../{chapter}.html#{exercise}"))
+                page=f"../{page}.html#{exercise}"))
 
 
 def plain(text: str) -> str:

@@ -8,14 +8,14 @@ from pathlib import Path
 
 from pages.lesson_html import Lesson, blocks, code_css, embedded, inner, katex_css, katex_js, words
 from pages.page import TEMPLATES, chapter_title
-from tree import BUILD, ROOT, UsageError, chapters, find_chapter, relative, say, shots, write_atomically
+from tree import BUILD, ROOT, UsageError, find_lesson, lessons, relative, say, shots, write_atomically
 
 HELP = """Makes slides of a chapter's lesson: build/slides/NN_name.html, one file that needs no network.
 
   ./course slides 02               arrow keys, space or a click; F fills the screen; printed, a slide is a page
   ./course slides 02 --out FOLDER
 
-Without a chapter, it makes those of all chapters."""
+Without a chapter, it makes those of all lessons."""
 MOST_BULLETS = 5
 SHORT_LINES = 14  # of code below what is said about it
 LEFT_OUT = ("further reading",)
@@ -23,18 +23,14 @@ SENTENCE = re.compile(r"(?<=[.!?])[\"')*]*(?=\s+[^\s])")
 
 
 def add_arguments(parser):
-    parser.add_argument("chapter", nargs="?", metavar="NN", help="number or name of the chapter")
+    parser.add_argument("chapter", nargs="?", metavar="NN", help="number or name of the lesson")
     parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder for the files (build/slides)")
 
 
 def run(arguments, _rest) -> int:
-    named = [find_chapter(arguments.chapter)] if arguments.chapter else chapters()
+    named = [find_lesson(arguments.chapter)] if arguments.chapter else lessons()
     out = (arguments.out or BUILD / "slides").absolute()
-    for chapter in named:
-        lesson = ROOT / "docs" / f"{chapter}.md"
-        if not lesson.exists():
-            raise UsageError(f"chapter {chapter} has no lesson")
-    for chapter in named:
+    for chapter in [lesson.stem for lesson in named]:
         slides = make(chapter)
         try:
             write_atomically(out / f"{chapter}.html", page(chapter, slides))
@@ -66,7 +62,7 @@ def make(chapter: str) -> list[dict]:
     first = next((inner(text) for tag, _, text in found if tag == "p" and "<img" not in text and words(text)), "")
     goldens = [path for shot in shots(chapter) if (path := ROOT / "tests" / chapter / "golden" / f"{shot['name']}.png").exists()]
     slides = [{"kind": "title", "title": title, "text": sentence(first), "image": embedded(goldens[0]) if goldens else None,
-               "command": f"./course run {chapter[:2]}"}]
+               "command": f"./course run {chapter[:2]}" if goldens else "./course run"}]
     over, heading, part = "", "", []
     for block in [*found, ("h2", {}, "<h2></h2>")]:
         if block[0] not in ("h1", "h2", "h3"):

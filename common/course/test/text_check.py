@@ -16,7 +16,7 @@ from check.starters import check_starters
 from pages.quotes import FENCE, LINK, MARKER, check_quotes, lessons
 from shots.golden import measured_distances
 from test.order import check_order
-from tree import ROOT, chapters, exercises, files, relative, say, shots
+from tree import ROOT, chapters, exercises, files, lesson_pages, relative, say, shots
 
 # An environment variable where code reads it.
 VARIABLE = re.compile(r"[\"'](LIGHTWALK_[A-Z_]+)[\"']")
@@ -113,11 +113,10 @@ def check_private_paths(name: Path) -> list[str]:
 
 def check_lesson(chapter: str) -> list[str]:
     """A lesson names no chapter that is not there, and states its exercises in full."""
-    name = Path(f"docs/{chapter}.md")
-    if not (ROOT / name).exists():
+    pages, wrong = lesson_pages(chapter), []
+    if not pages:
         return []
-    lines = (ROOT / name).read_text().splitlines()
-    wrong = []
+    name, lines = pages[0], [line for page in pages for line in (ROOT / page).read_text().splitlines()]
     text = "\n".join(lines)
     if "## Exercises" in lines:
         graded = grades(chapter)
@@ -130,7 +129,7 @@ def check_lesson(chapter: str) -> list[str]:
                   for path in exercises(chapter).values() for marker in map(MARKER.match, path.read_text().splitlines())
                   if marker and not marker[1] and f"<!-- quote: {relative(path)}#{marker[2]} -->" not in text]
     there = {other[:2] for other in chapters()}
-    return wrong + [f"{name}:{number}: there is no chapter {other}" for number, line in prose(name)
+    return wrong + [f"{page}:{number}: there is no chapter {other}" for page in pages for number, line in prose(page)
                     for group in re.findall(r"[Cc]hapters? (\d\d(?:(?:, | and | to )\d\d)*)", line)
                     for other in re.findall(r"\d\d", group) if other not in there]
 

@@ -11,7 +11,8 @@ const Lesson = {
     Live.course = await Live.get("course");
     Lesson.show_progress(Live.course.progress);
     const page = decodeURIComponent(location.pathname.split("/").pop()).replace(/\.html$/, "");
-    Lesson.chapter = Live.course.chapters[page] ? page : null;
+    const chapters = Object.keys(Live.course.chapters), part = page.match(/^(\d\d)[a-z]_/)?.[1];  // 15a_terrain
+    Lesson.chapter = chapters.find(name => name === page || part && name.startsWith(`${part}_`)) ?? null;
     Live.connect();
     Live.on("chosen", picture => Lesson.choose(picture));
     Live.on("clicked", picture => Lesson.enlarge(picture));

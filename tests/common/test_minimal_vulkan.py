@@ -1,0 +1,104 @@
+"""The program of docs/vulkan.md: silent under validation, into a file and into a window; and the broken one, whose mistakes
+validation names as the page says."""
+
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from x_server import XServer
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build")) / "minimal"
+FOLDER = ROOT / "docs" / "minimal"
+PAGE = (ROOT / "docs" / "vulkan.md").read_text(encoding="utf-8")
+SIDE = 256
+CORNERS = {"red": (0, -0.8), "green": (-0.8, 0.6), "blue": (0.8, 0.6)}  # of the triangle, in clip space
+BACKGROUND = (0.02, 0.02, 0.03)
+
+
+def srgb(linear: float) -> float:
+    """IEC 61966-2-1, from 0 to 255."""
+    return 255 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055)
+
+
+def weights(x: float, y: float) -> list[float]:
+    """Barycentric coordinates of a point with respect to the three corners."""
+    (ax, ay), (bx, by), (cx, cy) = CORNERS.values()
+    whole = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay)
+    b = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / whole
+    c = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / whole
+    return [1 - b - c, b, c]
+
+
+def run(program: Path, *arguments, display: str = "") -> subprocess.CompletedProcess:
+    environment = os.environ | {"DISPLAY": display, "VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC": "true"}
+    return subprocess.run([program, BUILD, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          timeout=120, env=environment)
+
+
+def codes(said: str) -> list[str]:
+    """The names of the rules that messages of the validation layer begin with."""
+    return re.findall(r"\[ ?((?:VUID|SYNC|UNASSIGNED)[\w-]+) ?\]", said)
+
+
+class Vulkan(unittest.TestCase):
+    def test_each_file_is_short_and_its_parts_are_quoted(self):
+        for name, most in (("00_vulkan.cpp", 400), ("00_window.h", 150)):
+            text = (FOLDER / name).read_text()
+            self.assertLessEqual(len(text.splitlines()), most, name)
+            for part in re.findall(r"// \[(\w+)\]", text):
+                self.assertIn(f"<!-- quote: docs/minimal/{name}#{part} -->", PAGE)
+
+    def test_the_picture_is_the_triangle_and_validation_is_silent(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "triangle.ppm")
+            done = run(BUILD / "00_vulkan", file)
+            self.assertEqual((done.returncode, done.stdout), (0, ""))
+            pixels = file.read_bytes()[-3 * SIDE * SIDE:]
+        inside = 0
+        for y in range(SIDE):
+            for x in range(SIDE):
+                share = weights((x + 0.5) / SIDE * 2 - 1, (y + 0.5) / SIDE * 2 - 1)
+                if abs(min(share)) < 1e-3:
+                    continue  # on an edge
+                inside += min(share) > 0
+                for i, expected in enumerate(share if min(share) > 0 else BACKGROUND):
+                    self.assertAlmostEqual(pixels[3 * (SIDE * y + x) + i], srgb(expected), delta=1.5, msg=f"pixel {x}, {y}")
+        self.assertAlmostEqual(inside / SIDE ** 2, 0.28, delta=0.01)  # 1.6 · 1.4 / 2 of 4
+
+    def test_the_window_shows_it_and_validation_is_silent(self):
+        server = XServer()
+        try:
+            done = run(BUILD / "00_vulkan", "window", 20, display=server.display)
+        finally:
+            server.close()
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+
+    def test_a_missing_shader_or_file_is_one_line(self):
+        for arguments, words in (([], "usage"), (["/nowhere/x.ppm"], "/nowhere/x.ppm cannot be written")):
+            done = run(BUILD / "00_vulkan", *arguments)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stdout, f"^error: {words}[^\n]*\n$")
+
+    def test_validation_names_each_mistake_of_the_broken_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source, program = Path(folder, "00_broken.cpp"), Path(folder, "00_broken")
+            subprocess.run(["patch", "-s", "-o", source, FOLDER / "00_vulkan.cpp", FOLDER / "00_broken.patch"], check=True)
+            subprocess.run(["c++", "-std=c++20", "-I", FOLDER, source, "-o", program, "-lvulkan", "-lglfw"], check=True)
+            done = run(program, Path(folder, "broken.ppm"))
+            self.assertEqual(done.returncode, 1)
+            found = codes(done.stdout)
+            same = run(BUILD / "00_vulkan", Path(folder, "right.ppm"))
+            self.assertEqual(same.returncode, 0)
+        named = set(codes(PAGE))
+        self.assertGreaterEqual(len(named), 4)
+        if "SYNC-HAZARD-READ-AFTER-WRITE" in found:  # the names of some rules change from release to release
+            self.assertEqual(len(set(found) & named), len(set(found)), f"{set(found) - named} are not on the page")
+        self.assertGreaterEqual(len(found), 4, done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
