@@ -44,7 +44,7 @@ BANNED = {
     r"\bhow (soft|wide|deep|far|fast) \w+ (is|are|lies?|reach|reaches)\s*$": "width, depth, distance, speed",
     r"\bwhat (stands|lies|is) (behind|before|near|far) (is|are)\b": "a noun: background, foreground",
 }
-HEADINGS_THAT_STAY = {"What you will see", "What goes wrong"}
+HEADINGS_THAT_STAY = {"What you will be able to do", "What you will see", "What goes wrong", "When to use which"}
 
 
 def arguments(text: str, start: int) -> list[str]:

@@ -61,7 +61,10 @@ def make(chapter: str) -> list[dict]:
     title = next((words(text) for tag, _, text in found if tag == "h1"), chapter)
     first = next((inner(text) for tag, _, text in found if tag == "p" and "<img" not in text and words(text)), "")
     goldens = [path for shot in shots(chapter) if (path := ROOT / "tests" / chapter / "golden" / f"{shot['name']}.png").exists()]
-    slides = [{"kind": "title", "title": title, "text": sentence(first), "image": embedded(goldens[0]) if goldens else None,
+    head = lesson.html[:lesson.html.find("<h2")]
+    own = re.search(r'<img [^>]*src="(data:[^"]+)"', head)
+    image = own[1] if own else embedded(goldens[0]) if goldens else None
+    slides = [{"kind": "title", "title": title, "text": sentence(first), "image": image,
                "command": f"./course run {chapter[:2]}" if goldens else "./course run"}]
     over, heading, part = "", "", []
     for block in [*found, ("h2", {}, "<h2></h2>")]:

@@ -1,0 +1,29 @@
+"""How long a lesson's main thread takes to read: all that is neither folded nor an exercise, a deeper section, a question or a
+reference, with its code, at 120 words a minute."""
+
+import re
+from pathlib import Path
+
+from tree import ROOT
+
+WORDS_A_MINUTE = 120
+BESIDE = re.compile(r"(Exercises|Deeper|Questions|Further reading)\b")
+
+
+def sections(text: str) -> list[tuple[str, str]]:
+    """(heading, text) for each section of the second level; the head of the page has an empty heading."""
+    code = r"^( *)(```+|~~~+).*?^\1\2\s*$"
+    hidden = re.sub(code, lambda found: re.sub(r"^#", "\0", found[0], flags=re.M), text, flags=re.M | re.S)
+    parts = re.split(r"^## (.*)$", hidden, flags=re.M)
+    parts = [part.replace("\0", "#") for part in parts]
+    return [("", parts[0]), *zip(parts[1::2], parts[2::2])]
+
+
+def main_thread(text: str) -> str:
+    open_text = re.sub(r"<details>.*?</details>|<!--.*?-->", "", text, flags=re.S)
+    return "\n".join(part for heading, part in sections(open_text) if not BESIDE.match(heading))
+
+
+def minutes(page: Path) -> float:
+    """Of a page of the tree, docs/02_lambert_phong.md for one."""
+    return len(main_thread((ROOT / page).read_text(encoding="utf-8")).split()) / WORDS_A_MINUTE

@@ -1,0 +1,81 @@
+"""Every lesson has the same parts in the same order, each exercise says how to see and check it, and the main thread is short."""
+
+import re
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "common/course"))
+from pages.reading import minutes, sections  # noqa: E402
+from tree import chapters, lesson_pages, lessons  # noqa: E402
+
+PARTS = ["What you will be able to do", "The first ten minutes", "What you will see", "The smallest program", "The frame",
+         "Exercises", "What goes wrong", "Speed against accuracy", "When to use which", "Recap", "Questions", "Further reading"]
+EXERCISE = re.compile(r"^### (\d\d\.\w+) \((?:easy|medium|hard)\)\n(.*?)(?=^##|\Z)", re.M | re.S)
+MOST_MINUTES = 70
+
+
+def read(page: Path) -> str:
+    return (ROOT / page).read_text(encoding="utf-8")
+
+
+class Lessons(unittest.TestCase):
+    def each(self):
+        """(chapter, its own page by heading, the text of all its pages)."""
+        pages = {chapter: lesson_pages(chapter) for chapter in chapters()}
+        return [(chapter, dict(sections(read(found[0]))), "\n".join(map(read, found))) for chapter, found in pages.items()]
+
+    def test_the_parts_stand_in_one_order(self):
+        for chapter, parts, _ in self.each():
+            self.assertEqual([heading for heading in parts if heading in PARTS], PARTS, chapter)
+
+    def test_a_picture_comes_before_all_else(self):
+        for _, parts, _ in self.each():
+            self.assertRegex(parts[""], r"!\[[^\]]+\]\(\.\./tests/\w+/golden/\w+\.png\)")
+            self.assertIn("./course run", parts[""])
+
+    def test_goals_are_a_short_list_and_the_beginning_is_done_by_hand(self):
+        for _, parts, _ in self.each():
+            goals = re.findall(r"^- ", parts["What you will be able to do"], re.M)
+            self.assertTrue(3 <= len(goals) <= 6, goals)
+            steps = re.findall(r"^\d+\. .*", parts["The first ten minutes"], re.M)
+            self.assertTrue(3 <= len(steps) <= 6, steps)
+            self.assertIn("Run `./course run", steps[0])
+
+    def test_an_exercise_can_be_seen_and_checked_and_names_typical_mistakes(self):
+        for chapter, _, text in self.each():
+            found = EXERCISE.findall(text)
+            self.assertGreaterEqual(len(found), 5, chapter)
+            for name, body in found:
+                for part in ("See", "Check", "Typical mistakes"):
+                    self.assertRegex(body, rf"(?m)^- \*\*{part}:\*\*\s+\S", name)
+                self.assertIn(f"./course check {name}", body)
+
+    def test_three_to_six_questions_one_of_them_a_prediction(self):
+        for chapter, parts, _ in self.each():
+            asked = re.split(r"^\d+\. ", parts["Questions"], flags=re.M)[1:]
+            self.assertTrue(3 <= len(asked) <= 6, f"{chapter}: {len(asked)}")
+            for question in asked:
+                self.assertEqual(question.count("<details><summary>Answer</summary>"), 1, question)
+            self.assertTrue(any(re.search(r"\bpredict\b", question, re.I) for question in asked), chapter)
+
+    def test_the_chart_comes_before_any_table(self):
+        for chapter, parts, _ in self.each():
+            text = parts["Speed against accuracy"]
+            chart, table = text.find("](studies/"), text.find("\n|")
+            self.assertGreater(chart, 0, chapter)
+            self.assertTrue(table < 0 or chart < table, chapter)
+
+    def test_the_main_thread_is_short(self):
+        self.assertEqual([f"{page.stem}: {minutes(page):.0f}" for page in lessons() if minutes(page) > MOST_MINUTES], [])
+
+    def test_lesson_00_defines_each_word_once(self):
+        text = read(Path("docs/00_start.md"))
+        for word in ("graphics pipeline", "vertex shader", "fragment shader", "uniform", "texture", "sampler", "mip levels",
+                     "depth buffer", "compute shader", "dispatch", "workgroup", "invocation", "Shared memory", "barrier", "subgroup"):
+            self.assertEqual(text.count(f"**{word}**"), 1, word)
+
+
+if __name__ == "__main__":
+    unittest.main()
