@@ -132,9 +132,15 @@ LESSON = """# NN TITLE
 
 The picture, in one paragraph: what the reader wants to see, and why earlier chapters cannot draw it.
 
+![The colonnade](../tests/05_shadow_maps/golden/columns.png)
+
     ./course run NN
 
 This chapter builds on [chapter 05](05_shadow_maps.md) (shadows).
+
+## What you will be able to do
+
+- Three to six things, each one that a reader wants.
 
 ## The first ten minutes
 
@@ -144,6 +150,10 @@ This chapter builds on [chapter 05](05_shadow_maps.md) (shadows).
 ## What you will see
 
 Which picture each method draws, and where they differ.
+
+## The smallest program
+
+The method in at most 60 lines, docs/minimal/FOLDER.frag or .cpp, quoted whole.
 
 ## The frame
 
@@ -170,9 +180,17 @@ File `vignette.glsl`: how much light reaches a pixel off the axis of the lens.
 - **Check:** `./course check NN.vignette`
 - **Typical mistakes:** cos² in place of cos⁴.
 
-## What goes wrong?
+## What goes wrong
 
 Each failure with its picture and its figure.
+
+## Speed against accuracy
+
+The chart of `./course study NN` first, then what it shows.
+
+## When to use which
+
+The rule of thumb, and where a scene breaks it.
 
 ## Recap
 
@@ -180,7 +198,7 @@ What the reader can do now.
 
 ## Questions
 
-1. Which share of the light reaches the corner of a 16:9 picture at `strength` 1?
+1. Predict: which share of the light reaches the corner of a 16:9 picture at `strength` 1?
 
    <details><summary>Answer</summary>
 
