@@ -56,7 +56,10 @@ double tap_variance(const std::vector<glm::dvec2>& offsets_and_weights, double p
 /// The variance in square pixels of the 13-tap and tent pyramid of so many levels: 1.5 (4^levels - 1).
 double pyramid_variance(int levels);
 
-/// That of the dual Kawase filter with its taps spread by `offset`, about 0.6 to 1.75.
+/// That of the dual Kawase filter, whose taps on the way up are spread by `offset`, about 0.5 to 2.15.
 double kawase_variance(int levels, double offset);
+
+/// The offset of its taps on the way down: 1, or less where one level already blurs too much.
+float kawase_down_offset(int levels, float offset);
 
 }  // namespace lightwalk

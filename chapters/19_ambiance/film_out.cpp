@@ -28,14 +28,22 @@ std::vector<std::string> ffmpeg(const FilmOut& out, const Reel& reel, glm::uvec2
     if (const SceneMusic& music = reel.film().music)
         words.insert(words.end(),
                      {"-ss", fmt::format("{:.9f}", first / fps), "-t", fmt::format("{:.9f}", (end - first) / fps), "-i",
-                      find_asset(music.file).string(), "-c:a", "aac", "-b:a", "160k"});
+                      find_asset(music.file).string(), "-af", fmt::format("volume={:g}dB", reel.film().music_gain_db),
+                      "-c:a", "aac", "-b:a", "160k"});
     if (out.codec.is("h264"))
         words.insert(words.end(), {"-c:v", "libx264", "-preset", "medium", "-crf", "17"});
     else
         words.insert(words.end(), {"-c:v", "libsvtav1", "-preset", "8", "-crf", "26"});
-    // Both encode pairs of rows and columns.
-    words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-movflags", "+faststart",
-                               "-f", into.extension() == ".mkv" ? "matroska" : "mp4", into.string()});
+    // Both encode pairs of rows and columns. ITU-R BT.709 is what players assume above standard definition; without these
+    // words colours are converted by BT.601, and no file says so.
+    words.insert(
+        words.end(),
+        {"-vf",
+         "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,"
+         "format=yuv420p",
+         "-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"});
+    words.insert(words.end(),
+                 {"-movflags", "+faststart", "-f", into.extension() == ".mkv" ? "matroska" : "mp4", into.string()});
     return words;
 }
 // [/command]

@@ -15,6 +15,7 @@ namespace lightwalk {
 // A .film file is JSON. Times are seconds of the film unless they are a scene's own.
 //
 //   music        file of an Ogg Vorbis piece, from 0 s on
+//   music_gain_db  gain of the music in a film that is written (0): -14 LUFS is what players expect
 //   duration_s   required, 0.1 to 3600
 //   knobs        {name: value} of the whole film, as a scene has them; tracks run in the film's time. What is set on the
 //                command line stays as it is
@@ -76,6 +77,7 @@ struct Title {
 struct Timeline {
     std::filesystem::path file;
     SceneMusic music;
+    double music_gain_db = 0;
     double duration_s = 1;
     std::vector<Track> knobs;       ///< of the whole film
     std::vector<FilmScene> scenes;  ///< by from_s

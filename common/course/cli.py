@@ -24,6 +24,7 @@ COMMANDS = {
     "check": "check.check",
     "progress": "check.check",
     "study": "charts.study",
+    "figures": "test.figures",
     "stretch": "check.stretch",
     "shader": "pages.shader",
     "film": "film",

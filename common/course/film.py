@@ -68,7 +68,8 @@ def write_shard(out: Path, parts: Path, shard: Shard, options: list[str]) -> int
     """The shard's frames as a film of their own, in a shard's file. The exit code."""
     film = find_film(option(options, "scene", "films/ambiance.film"))
     frames = frame_count(options)
-    head = {"frames": frames, "ending": out.suffix, "music": json.loads(film.read_text()).get("music"), "options": options,
+    said = json.loads(film.read_text())
+    head = {"frames": frames, "ending": out.suffix, "music": said.get("music"), "gain_db": said.get("music_gain_db", 0), "options": options,
             "text": hashlib.sha256(film.read_bytes()).hexdigest()[:16], "course": shards.course_version()}
     file = shards.file_of(parts, KIND, shard)
     if file.exists():
@@ -131,7 +132,7 @@ def merge(out: Path, made: shards.Merged) -> int:
             for number in range(1, made.of + 1):
                 parts.append(Path(folder, f"{number:04}{out.suffix}"))
                 parts[-1].write_bytes(made.file(str(number), f"part{out.suffix}"))
-            join(parts, unfinished, made.head["music"])
+            join(parts, unfinished, made.head["music"], made.head.get("gain_db", 0))
         unfinished.replace(out)
     except OSError as error:
         raise Failure(f"{out} is not joined, its parts are whole: {error.strerror or error}") from None
@@ -140,7 +141,7 @@ def merge(out: Path, made: shards.Merged) -> int:
     return 0
 
 
-def join(parts: list[Path], into: Path, music: str | None):
+def join(parts: list[Path], into: Path, music: str | None, gain_db: float = 0):
     if into.suffix == ".raw":
         with open(into, "wb") as whole:
             for path in parts:
@@ -149,7 +150,7 @@ def join(parts: list[Path], into: Path, music: str | None):
         return
     listed = parts[0].with_name("list.txt")
     listed.write_text("".join(f"file '{path.name}'\n" for path in parts))
-    sound = ["-i", find_film(music), "-map", "0:v", "-map", "1:a", "-c:a", "aac", "-b:a", "160k", "-shortest"] if music else []
+    sound = ["-i", find_film(music), "-map", "0:v", "-map", "1:a", "-af", f"volume={gain_db:g}dB", "-c:a", "aac", "-b:a", "160k", "-shortest"] if music else []
     try:
         done = subprocess.run(["ffmpeg", "-v", "error", "-y", "-f", "concat", "-safe", "0", "-i", listed, *sound, "-c:v",
                                "copy", "-movflags", "+faststart", into], stderr=subprocess.PIPE, text=True)

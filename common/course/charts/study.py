@@ -19,6 +19,7 @@ from pathlib import Path
 
 from build.build import build
 from charts import study_shards
+from charts.measured import here
 from charts.study_charts import chart_paths
 from charts.study_file import SOFTWARE
 from many import shards, slurm
@@ -33,6 +34,7 @@ HELP = """Measures the time and the error of every method of a chapter, and draw
   ./course study 02                one chapter
   ./course study 02 --device H200 --out FOLDER
   ./course study 02 --size 480x270  pixels, in place of the study's own size
+  ./course study 02 --errors       errors alone, which are the same on a busy machine; times stay as they were
   ./course study --shard 3/16 --out F    the scenes of part 3 of 16, into the folder F; --merge F makes the charts of all
 
 The files are docs/studies/NN_name.DEVICE.json, .svg, .png and .md; a chart after the first has its name before .svg and
@@ -46,6 +48,7 @@ def add_arguments(parser):
     parser.add_argument("chapter", nargs="?", metavar="NN", help="number or name of the chapter")
     parser.add_argument("--device", help="part of a device's name: ./course run 01 --list devices")
     parser.add_argument("--size", metavar="WxH", help="size in pixels, such as 1920x1080, in place of the study's own")
+    parser.add_argument("--errors", action="store_true", help="measure errors alone, and keep the times that are there")
     parser.add_argument("--out", type=Path, metavar="FOLDER",
                         help="folder for the JSON, the charts and the table (docs/studies)")
     shards.add_arguments(parser)
@@ -76,8 +79,10 @@ def run(arguments, _rest) -> int:
     build(named)
     for chapter in named:
         generate(study_of(chapter).get("generate", {}))
+        if arguments.errors:
+            os.environ["LIGHTWALK_STUDY_ROUNDS"] = "1"
         measured = measure(chapter, arguments.device, arguments.size)
-        draw(chapter, measured, out)
+        draw(chapter, measured, out, arguments.errors)
     return 0
 
 
@@ -175,6 +180,19 @@ def measure(chapter: str, device: str | None = None, size: str | None = None, st
     return file
 
 
+def errors_into(file: Path, study: dict) -> dict:
+    """The study in `file` with the errors of another, and its own times. Points that it lacks have the other's times."""
+    try:
+        old = json.loads(file.read_text())
+    except OSError:
+        return study
+    def key(point: dict) -> str:
+        return json.dumps([point["scene"], point["method"], point["knobs"]], sort_keys=True)
+    times = {key(point): point["time_ms"] for point in old["points"]}
+    points = [point | {"time_ms": times.get(key(point), point["time_ms"])} for point in study["points"]]
+    return study | {"points": points, "device": old["device"], "driver": old["driver"], "command": old["command"]}
+
+
 def device_slug(study: dict) -> str:
     """The device in a file's name: lavapipe, h200, rtx4090; for a loader the number of threads: cpu2."""
     if study.get("subject") == "loader":
@@ -186,12 +204,11 @@ def device_slug(study: dict) -> str:
     return "".join(word for word in words if word not in NOISE) or "device"
 
 
-def draw(chapter: str, measured: Path, folder: Path):
+def draw(chapter: str, measured: Path, folder: Path, errors: bool = False):
     """Puts the result into the folder under the device's name, with the chart and the table beside it."""
-    text = measured.read_text()
-    study = json.loads(text)
+    study = json.loads(measured.read_text()) | {"measured": here(chapter)}
     file = folder / f"{chapter}.{device_slug(study)}.json"
-    write_atomically(file, text)
+    write_atomically(file, json.dumps(errors_into(file, study) if errors else study, indent=1, ensure_ascii=False) + "\n")
     if subprocess.run([sys.executable, ROOT / "common/course", "charts.chart", file]).returncode:
         raise Failure(f"the chart of {chapter} was not drawn")
     drawn = [path.with_name(path.name + ".svg") for path in chart_paths(study, file.with_suffix(""))]

@@ -20,7 +20,9 @@ import os
 import re
 from pathlib import Path
 
+from charts.measured import is_of_earlier
 from pages.quotes import FENCE, LINK, QUOTE
+from pages.tables import without_sources
 from tree import ROOT, Failure
 
 EXERCISE = re.compile(r"### (\d\d\.\w+) \((easy|medium|hard)\)$")
@@ -29,6 +31,8 @@ DETAILS = re.compile(r"( *)<details>(?:<summary>(.*)</summary>)?$")
 SUMMARY = re.compile(r" *<summary>(.*)</summary>$")
 COMPARE = re.compile(r"\s*<!-- compare -->\s*$")
 PICTURE = re.compile(r"!\[([^\]]*)\]\(([^)\s]+)\)$")
+STUDY = re.compile(r"(?<!!)\[([^\]]*)\]\((studies/[^)\s]+?)\.md\)")
+EARLIER = ' <span class="earlier" title="The chapter\'s code has changed since this study was measured.">(earlier version)</span>'
 PICTURES = (".png", ".svg", ".jpg", ".webp")
 
 
@@ -67,7 +71,7 @@ class Site:
 
 def convert(site: Site, text: Path) -> str:
     """The Markdown for mkdocs of one text of the tree. Raises Failure, with file and line."""
-    lines = folded(indented((ROOT / text).read_text(encoding="utf-8").splitlines()))
+    lines = folded(indented(without_sources((ROOT / text).read_text(encoding="utf-8")).splitlines()))
     out, fence, i, whole = [], None, 0, ""
     while i < len(lines):
         line, i = lines[i], i + 1
@@ -161,9 +165,18 @@ def convert_line(site: Site, text: Path, line: str) -> str:
         name, grade = exercise.groups()
         anchor = slug(f"{name} ({grade})")
         return f'<a id="{name}" class="exercise"></a>\n\n### {name} <span class="grade {grade}">{grade}</span> {{#{anchor}}}'
+    line = with_versions(text, line)
     parts = re.split(r"(`[^`]*`)", line)
     return "".join(part if part.startswith("`") else LINK.sub(lambda found: link(site, text, found), part)
                    for part in parts)
+
+
+def with_versions(text: Path, line: str) -> str:
+    """A line with a mark behind each table of a study that measured other sources than those of this tree."""
+    def marked(found: re.Match) -> str:
+        study = ROOT / text.parent / found[2]
+        return found[0] + EARLIER if is_of_earlier(study.with_name(study.name + ".json")) else found[0]
+    return STUDY.sub(marked, line)
 
 
 def link(site: Site, text: Path, found: re.Match) -> str:

@@ -15,10 +15,11 @@ import re
 from pathlib import Path
 
 from check.starters import check_starters
+from pages.tables import check_tables
 from tree import ROOT, Failure, files, say, write_atomically
 
-HELP = ("Fills the code that lessons quote (<!-- quote: FILE#MARKER --> before a block of code) from the source, and writes\n"
-        "tests/starters.txt, which says what is handed out as each exercise's starter.")
+HELP = ("Fills the code that lessons quote (<!-- quote: FILE#MARKER --> before a block of code) from the source, and the\n"
+        "tables of studies (<!-- table: FILE#... -->) from their JSON; writes tests/starters.txt, which says what is handed out as each exercise's starter.")
 
 QUOTE = re.compile(r"\s*<!-- quote: (\S+?)#(\S+) -->\s*$")
 FENCE = re.compile(r"\s*(```+|~~~+)")
@@ -92,6 +93,8 @@ def check_quotes(lesson: Path, write: bool = False) -> list[str]:
             wrong.append(f"{here}: the block is not what {match[1]} says at [{match[2]}]; ./course quote fills it")
         out += [lines[i], *source, lines[end]]
         i = end + 1
+    wrong_tables, out = check_tables(lesson, out, write)
+    wrong += wrong_tables
     if write and out != lines:
         write_atomically(ROOT / lesson, "\n".join(out) + "\n")
     return wrong

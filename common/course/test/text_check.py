@@ -12,8 +12,10 @@ from pathlib import Path
 
 from build.format_tree import unformatted
 from check.check import grades
+from check.lesson_tests import check_named, of_chapters
 from check.starters import check_starters
 from pages.quotes import FENCE, LINK, MARKER, check_quotes, lessons
+from pages import tables
 from shots.golden import measured_distances
 from test.order import check_order
 from tree import ROOT, chapters, exercises, files, lesson_pages, relative, say, shots
@@ -205,10 +207,11 @@ def check_all() -> list[str]:
     wrong = []
     for name in files():
         if name.suffix == ".md":
-            wrong += check_quotes(name) + check_links(name)
+            wrong += check_quotes(name) + check_links(name) + tables.check_figures(name)
         wrong += check_private_paths(name)
     wrong += [f"{name}: not as clang-format writes it; ./course format does" for name in unformatted()]
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
+    wrong += [problem for name in of_chapters(lessons()) for problem in check_named(name)]
     return wrong + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_figures()
 
 

@@ -1,0 +1,80 @@
+"""The version of the sources that a study measured, so that a page can say when it is an earlier one.
+
+A study's JSON keeps under "measured" a hash of what its methods are: the C++ and GLSL of its chapter, its study.json and
+its scenes. Modules that it borrows are those of other studies. Comments, blanks, help texts and exercises do not count.
+"""
+
+import hashlib
+import json
+import re
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+from tree import ROOT
+
+SOURCES = (".cpp", ".h", ".glsl", ".comp", ".frag", ".vert")
+# Comments, includes, and texts that a person reads: help and titles.
+UNREAD = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#include[^\n]*|\"[^\"\n]*[ ][^\"\n]*\"", re.S | re.M)
+Reader = Callable[[str], str]
+
+
+def sources(listed: list[str], chapter: str) -> list[str]:
+    """The files that decide what a chapter's methods do, of those listed."""
+    return sorted(name for name in listed if name.split("/")[:2] in (["chapters", chapter], ["shaders", chapter]) and
+                  Path(name).suffix in SOURCES and "/exercise/" not in name)
+
+
+def version_of(listed: list[str], read: Reader, chapter: str) -> str:
+    """The hash, of twelve digits."""
+    request = f"chapters/{chapter}/study.json"
+    names = sources(listed, chapter)
+    if request in listed:
+        names.append(request)
+        names += [name for name in listed if name in re.findall(r'"(assets/scenes/[^"]+)"', read(request))]
+    digest = hashlib.sha256()
+    for name in names:
+        text = read(name)
+        plain = UNREAD.sub("", text) if Path(name).suffix in SOURCES else re.sub(r'"(title|says|label|rounds)": *("[^"]*"|\d+)', "", text)
+        digest.update(f"{name}\0{''.join(plain.split())}\0".encode())
+    return digest.hexdigest()[:12]
+
+
+def here(chapter: str) -> str:
+    """Of the tree as it is."""
+    if chapter not in _here:
+        listed = [str(path.relative_to(ROOT)) for folder in ("chapters", "shaders", "assets/scenes")
+                  for path in sorted((ROOT / folder).rglob("*")) if path.is_file()]
+        _here[chapter] = version_of(listed, lambda name: (ROOT / name).read_text(), chapter)
+    return _here[chapter]
+
+
+_here: dict[str, str] = {}
+
+
+def at_commit(commit: str, chapter: str) -> str:
+    """Of a commit."""
+    def git(*words: str) -> str:
+        return subprocess.run(["git", "-C", ROOT, *words], stdout=subprocess.PIPE, check=True).stdout.decode()
+    listed = git("ls-tree", "-r", "--name-only", commit, "chapters", "shaders", "assets/scenes").splitlines()
+    texts: dict[str, str] = {}
+
+    def read(name: str) -> str:
+        if name not in texts:
+            texts[name] = git("show", f"{commit}:{name}")
+        return texts[name]
+    return version_of(listed, read, chapter)
+
+
+def is_of_earlier(study: Path) -> bool:
+    """True where a study's JSON measured other sources than those that are here. False where it does not say."""
+    try:
+        said = json.loads(study.read_text())
+        return "measured" in said and (ROOT / "chapters" / said["chapter"]).is_dir() and said["measured"] != here(said["chapter"])
+    except (OSError, ValueError, KeyError):
+        return False
+
+
+def earlier() -> list[Path]:
+    """The studies that measured earlier versions."""
+    return [path for path in sorted((ROOT / "docs/studies").glob("*.json")) if is_of_earlier(path)]

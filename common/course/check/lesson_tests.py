@@ -1,0 +1,79 @@
+"""The tests that lessons name: `build/tests/test_NN_name "NAME*"`, and `"NAME*"` alone for the chapter's own program.
+
+Names are matched as Catch2 does, against the sources: nothing has to be built. A comma separates names, and a test's
+own comma is written `\\,`; a short tag in brackets, such as [14.split_sum], has neither.
+"""
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from tree import ROOT, chapters
+
+CASE = re.compile(r'\bTEST_CASE(?:_METHOD)?\s*\(\s*(?:\w+\s*,\s*)?((?:"(?:[^"\\]|\\.)*"\s*)+)(?:,\s*((?:"(?:[^"\\]|\\.)*"\s*)+))?\)', re.S)
+STRING = re.compile(r'"((?:[^"\\]|\\.)*)"', re.S)
+COMMAND = re.compile(r'build/tests/(test_\w+)\s+"([^"]+)"')
+ALONE = re.compile(r'`"([^"`]+)"(?:\s+-s)?`|\btests? "([^"`]+)"')
+
+
+@dataclass(frozen=True)
+class Named:
+    """A place in a lesson that names tests."""
+    lesson: Path
+    line: int
+    program: str
+    spec: str
+
+
+def joined(text: str) -> str:
+    return "".join(STRING.findall(text)).replace('\\"', '"')
+
+
+@cache
+def cases(program: str) -> list[tuple[str, str]]:
+    """(name, tags) of a test program's cases, from the sources of its folder."""
+    folder = ROOT / "tests" / program.removeprefix("test_")
+    return [(joined(name), joined(tags or "").lower()) for path in sorted(folder.glob("*.cpp"))
+            for name, tags in CASE.findall(path.read_text())]
+
+
+def parts(spec: str) -> list[str]:
+    return [one.strip().replace("\\,", ",") for one in re.split(r"(?<!\\),", spec)]
+
+
+def matched(program: str, part: str) -> list[str]:
+    """The cases that one name, wildcard or tag matches."""
+    if part.startswith("["):
+        tags = re.findall(r"\[[^\]]*\]", part.lower())
+        return [name for name, has in cases(program) if all(tag in has for tag in tags)]
+    word = part.lower()
+    core = word.strip("*")
+    tests = {(False, False): lambda n: n == core, (True, False): lambda n: n.endswith(core),
+             (False, True): lambda n: n.startswith(core), (True, True): lambda n: core in n}
+    test = tests[word.startswith("*"), word.endswith("*")]
+    return [name for name, _ in cases(program) if test(name.lower())]
+
+
+def named_in(lesson: Path) -> list[Named]:
+    """What a lesson names, in its order."""
+    text = (ROOT / lesson).read_text()
+    own = next((f"test_{chapter}" for chapter in chapters() if chapter[:2] == lesson.stem[:2]), "")
+    found = [(match.start(), match[1], match[2]) for match in COMMAND.finditer(text)]
+    inside = {position for position, _, spec in found for position in (text.index(f'"{spec}"', position),)}
+    if own:
+        found += [(match.start(), own, match[1] or match[2]) for match in ALONE.finditer(text)
+                  if match.start() + 1 not in inside]
+    return [Named(lesson, text.count("\n", 0, at) + 1, program, " ".join(spec.split()))
+            for at, program, spec in sorted(found)]
+
+
+def of_chapters(names: list[Path]) -> list[Path]:
+    """The lessons among texts: docs/NN_name.md, and docs/NNa_name.md of lessons with several pages."""
+    return [name for name in names if re.fullmatch(r"docs/\d\d[a-z]?_\w+\.md", str(name))]
+
+
+def check_named(lesson: Path) -> list[str]:
+    """A line for each name that no test has."""
+    return [f"{one.lesson}:{one.line}: no test of {one.program} matches \"{part}\""
+            for one in named_in(lesson) for part in parts(one.spec) if not matched(one.program, part)]

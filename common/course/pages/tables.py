@@ -1,0 +1,265 @@
+"""Figures that lessons take from a study's JSON: rows of tables, and numbers in running text.
+
+A table's rows are written by ./course quote. A comment before the table has what all cells have in common, then a line
+with what each column has, then a line for each row; the first column stays as it is.
+
+    <!-- table: docs/studies/13_mlaa.lavapipe.json#value=edge_rmse; format=.3f
+    method=none | method=mlaa
+    scene=city, a street
+    scene=letters -->
+    | | none | `mlaa` |
+    |---|---:|---:|
+    | city | 0.104 | 0.071 |
+    | letters | 0.131 | 0.078 |
+
+A cell is the point that `scene`, `method` and knobs select. It shows `value`: an error's name; `ms`, the median time, or
+`ms.PASS` that of passes (joined by +); `VALUE over METHOD` its
+ratio to that method's in the same scene; a path that begins with / within the file, in place of a point. `format` is
+Python's, and `.3s` three significant digits, which is the rule where none is given. `cell` is a text with
+{VALUE:FORMAT}, for cells with more than a number (\\; is a semicolon). A knob or method with several values, as in steps=8,16, gives one after
+the other, or with `join=range` the smallest and the largest. `bold=least` marks the smallest of a column. A column or row
+that is `-` is left as it is, and `only=4` fills a row's first four columns. `all` is a row that selects no more than its
+columns.
+
+A number in running text is followed by its source, and is right where the source, rounded to as many digits, is it:
+
+    within 0.0034<!-- figure: docs/studies/19_ambiance.lavapipe.json#scene=even keys; method=arc_length; value=flip_mean -->
+
+`tolerance=5%` allows more. Sources that are commands are read by ./course figures (test/figures.py).
+"""
+
+import functools
+import json
+import re
+from decimal import Decimal
+from pathlib import Path
+
+from tree import ROOT, Failure
+
+TABLE = re.compile(r"\s*<!-- table: (\S+?\.json)#(.*)$")
+FIGURE = re.compile(r"(?P<number>[-−+]?[\d,]*\.?\d+(?:e[-+]?\d+)?)(?P<unit>[%*\w$\\° ./×]{0,24}?)<!-- figure: (?P<source>.*?) -->", re.S)
+PLACEHOLDER = re.compile(r"\{([^}:]+)(?::([^}]*))?\}")
+OWN = ("scene", "method", "value", "format", "cell", "join", "bold", "only", "tolerance", "scale")
+
+
+@functools.cache
+def load(name: str) -> dict:
+    try:
+        return json.loads((ROOT / name).read_text())
+    except (OSError, ValueError) as error:
+        raise Failure(f"{name} cannot be read: {error}") from None
+
+
+def selection(text: str) -> dict[str, str]:
+    """key=value, separated by semicolons; `all` selects nothing more."""
+    if text.strip() == "all":
+        return {}
+    found = {}
+    for part in filter(None, (one.strip() for one in re.split(r"(?<!\\);", text))):
+        key, equals, value = part.partition("=")
+        if not equals:
+            raise Failure(f"'{part}' selects nothing; expected KEY=VALUE")
+        found[key.strip()] = value.strip().replace("\\;", ";")
+    return found
+
+
+def same(value, wanted: str) -> bool:
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        try:
+            return float(wanted) == float(value)
+        except ValueError:
+            return False
+    return str(value) == wanted
+
+
+def points(study: dict, wanted: dict[str, str]) -> list[dict]:
+    """The points selected, a list of values in their order. Raises Failure unless each is one."""
+    lists = [key for key in wanted if "," in wanted[key] and key not in ("scene", "value", "format", "cell")]
+    if lists:
+        return [point for value in wanted[lists[0]].split(",")
+                for point in points(study, {**wanted, lists[0]: value.strip()})]
+    knobs = {key: value for key, value in wanted.items() if key not in OWN}
+    found = [point for point in study.get("points", study.get("rows", []))
+             if all(same(point.get(key), wanted[key]) for key in ("scene", "method") if key in wanted) and
+             all(same(point.get("knobs", {}).get(key, point.get(key)), value) for key, value in knobs.items())]
+    if len(found) != 1:
+        raise Failure(f"{len(found)} points are {'; '.join(f'{k}={v}' for k, v in wanted.items() if k in ('scene', 'method') or k in knobs)}")
+    return found
+
+
+def value_of(study: dict, point: dict, name: str) -> float:
+    """One number of a point, or of the whole file where its name begins with /."""
+    name, over, other = name.strip().partition(" over ")
+    if over:
+        same_place = [one for one in study["points"] if one["method"] == other and one["scene"] == point["scene"]]
+        return value_of(study, point, name) / value_of(study, same_place[0], name)
+    if name.startswith("/"):
+        at = study
+        for key in name[1:].split("/"):
+            try:
+                at = at[int(key)] if isinstance(at, list) else at[key]
+            except (KeyError, IndexError, ValueError, TypeError):
+                raise Failure(f"there is no {name}") from None
+        return at
+    if name == "ms":
+        return point["time_ms"]["median"]
+    if name.startswith("ms."):
+        return sum(point["time_ms"]["per_pass"][part] for part in name[3:].split("+"))
+    for place in (point.get("error", {}), point):
+        if name in place:
+            return place[name]["median"] if isinstance(place[name], dict) else place[name]
+    raise Failure(f"a point has no '{name}'; there are {', '.join(sorted(point.get('error', {})))} and ms")
+
+
+def shown(number: float, form: str = "") -> str:
+    """A number as a lesson prints it. `.3s` is so many significant digits, without an exponent."""
+    if match := re.fullmatch(r"\.(\d)s", form or ".3s"):
+        rounded = Decimal(f"{number:.{int(match[1]) - 1}e}")
+        return f"{rounded:f}"
+    return format(round(number) if form.endswith("d") else number, form)
+
+
+def cell(study: dict, wanted: dict[str, str]) -> tuple[str, float]:
+    """A cell's text, and its first number."""
+    text = wanted.get("cell") or "{" + wanted.get("value", "flip_mean") + ":" + wanted.get("format", "") + "}"
+    scale = float(wanted.get("scale", 1))
+    first = []
+
+    def fill(point: dict) -> str:
+        def one(match: re.Match) -> str:
+            number = scale * value_of(study, point, match[1])
+            first.append(number)
+            return shown(number, match[2] or "")
+        return PLACEHOLDER.sub(one, text)
+
+    selects = [key for key in wanted if key not in OWN] + [key for key in ("scene", "method") if key in wanted]
+    texts = [fill(point) for point in (points(study, wanted) if selects else [{}])]
+    if wanted.get("join") == "range":
+        texts = sorted(set(texts), key=lambda one: float(one.strip("%")))
+        return (texts[0] if len(texts) == 1 else f"{texts[0]} to {texts[-1]}"), first[0]
+    if len(set(texts)) == 1:
+        texts = texts[:1]
+    if len(texts) > 1 and all(one.endswith("%") for one in texts):
+        texts[:-1] = [one[:-1] for one in texts[:-1]]
+    return " / ".join(texts), first[0]
+
+
+def split_row(line: str) -> list[str]:
+    return [part.strip() for part in re.split(r"(?<!\\)\|", line.strip().strip("|"))]
+
+
+def table_rows(source: str, common: str, body: list[str], old: list[list[str]]) -> list[list[str]]:
+    """The rows of a table as its source has them; `old` as they stand."""
+    study, shared = load(source), selection(common)
+    columns, rows = split_row(body[0]) if body else [], body[1:]
+    if len(rows) != len(old):
+        raise Failure(f"{len(rows)} rows are selected, the table has {len(old)}")
+    new, numbers = [], {}
+    for i, (line, before) in enumerate(zip(rows, old)):
+        row = [before[0]]
+        if len(before) != len(columns) + 1:
+            raise Failure(f"{len(columns)} columns are selected, the row {before[0]} has {len(before) - 1}")
+        for k, (column, was) in enumerate(zip(columns, before[1:])):
+            wanted = {**shared, **(selection(column) if column != "-" else {}), **(selection(line) if line.strip() != "-" else {})}
+            if "-" in (column, line.strip()) or k >= int(wanted.get("only", k + 1)):
+                row.append(was)
+                continue
+            text, number = cell(study, wanted)
+            row.append(text)
+            numbers[i, k] = number
+        new.append(row)
+    if shared.get("bold") == "least":
+        for k in range(len(columns)):
+            least = min((number for (_, column), number in numbers.items() if column == k), default=None)
+            for i, row in enumerate(new):
+                if numbers.get((i, k)) == least is not None:
+                    head, space, rest = row[k + 1].partition(" ")
+                    row[k + 1] = f"**{head}**{space}{rest}"
+    return new
+
+
+def check_tables(lesson: Path, lines: list[str], write: bool = False) -> tuple[list[str], list[str]]:
+    """What is wrong with a lesson's tables, and its lines with them filled."""
+    wrong, out, i = [], [], 0
+    while i < len(lines):
+        match = TABLE.match(lines[i])
+        out.append(lines[i])
+        i += 1
+        if not match:
+            continue
+        here, first, body = f"{lesson}:{i}", match[2], []
+        while not (first if not body else body[-1]).rstrip().endswith("-->") and i < len(lines):
+            body.append(lines[i])
+            out.append(lines[i])
+            i += 1
+        body = [line.replace("-->", "").strip() for line in body]
+        first = first.replace("-->", "").strip()
+        while i < len(lines) and not lines[i].strip():
+            out.append(lines[i])
+            i += 1
+        begin = i
+        while i < len(lines) and lines[i].lstrip().startswith("|"):
+            i += 1
+        if i - begin < 3:
+            wrong.append(f"{here}: no table follows")
+            continue
+        indent = lines[begin][:len(lines[begin]) - len(lines[begin].lstrip())]
+        old = [split_row(line) for line in lines[begin + 2:i]]
+        try:
+            new = table_rows(match[1], first, [line for line in body if line], old)
+        except (Failure, KeyError, TypeError, ValueError) as error:
+            wrong.append(f"{here}: {match[1]}: {error}")
+            new = old
+        if new != old and not write:
+            wrong += [f"{here}: {match[1]} has {' | '.join(b)}, the table {' | '.join(a)}; ./course quote fills it"
+                      for a, b in zip(old, new) if a != b]
+        out += lines[begin:begin + 2]
+        out += [indent + "| " + " | ".join(row) + " |" if row != was else line
+                for row, was, line in zip(new, old, lines[begin + 2:i])]
+    return wrong, out
+
+
+def agrees(text: str, found: float, tolerance: str = "") -> bool:
+    """Whether a number as it is printed is `found`: to its digits, or within a tolerance of so many percent."""
+    number = text.replace(",", "").replace("−", "-")
+    said = float(number)
+    if tolerance:
+        return abs(said - found) <= float(tolerance.strip("% ")) / 100 * abs(found) + 1e-12
+    mantissa, _, exponent = number.lower().partition("e")
+    digits = len(mantissa.partition(".")[2])
+    return abs(said - found) <= 0.5001 * 10.0 ** (int(exponent or 0) - digits)
+
+
+def figures(text: str) -> list[tuple[int, str, str, str]]:
+    """(line, number, unit, source) of each number of a text that names its source."""
+    return [(text.count("\n", 0, match.start()) + 1, match["number"], match["unit"].strip("* "), " ".join(match["source"].split()))
+            for match in FIGURE.finditer(text)]
+
+
+def check_figures(lesson: Path) -> list[str]:
+    """Numbers in running text whose source is a JSON file."""
+    wrong = []
+    text = (ROOT / lesson).read_text()
+    for line, number, unit, source in figures(text):
+        file, hash_, rest = source.partition("#")
+        if not file.endswith(".json"):
+            continue
+        try:
+            wanted = selection(rest)
+            study = load(file)
+            point = points(study, wanted)[0] if not wanted.get("value", "").startswith("/") else {}
+            found = float(wanted.get("scale", 1)) * value_of(study, point, wanted.get("value", "flip_mean"))
+        except (Failure, KeyError, TypeError, ValueError) as error:
+            wrong.append(f"{lesson}:{line}: {source}: {error}")
+            continue
+        if not agrees(number, 100 * found if unit.startswith("%") else found, wanted.get("tolerance", "")):
+            wrong.append(f"{lesson}:{line}: the text says {number}{unit}, {file} {found:.6g}")
+    marked, begun = len(figures(text)), len(re.findall(r"<!-- figure: ", text))
+    if marked != begun:
+        wrong.append(f"{lesson}: {begun - marked} of {begun} comments '<!-- figure:' follow no number")
+    return wrong
+
+
+def without_sources(text: str) -> str:
+    """A lesson's text for a page: without these comments."""
+    return re.sub(r"^[ \t]*<!-- table: .*?-->[ \t]*\n|<!-- figure: .*?-->", "", text, flags=re.S | re.M)

@@ -1,0 +1,139 @@
+"""Runs what lessons name, and compares what it prints with what the lessons say.
+
+Three kinds of figures: tables and numbers whose source is a JSON file (pages/tables.py); tests that a lesson names
+(check/lesson_tests.py), whose output is printed beside the lesson's line; and numbers whose source is such a command,
+
+    0.0004<!-- figure: build/tests/test_08_bloom "[08.flicker]"#sigma 8 pingpong flicker: brightness {} -->
+
+where {} stands for the number in a line of the output, and blanks for any blanks. `; tolerance=5%` behind it allows more
+than the digits printed, and `scale=100` makes a share a percentage.
+"""
+
+import re
+import shlex
+import subprocess
+from pathlib import Path
+
+from build.build import build
+from charts.measured import earlier
+from check import lesson_tests
+from pages import tables
+from pages.quotes import lessons
+from tree import BUILD, ROOT, UsageError, chapters, find_chapter, say
+
+HELP = """Runs the tests that lessons name, and prints their output beside the lesson's lines: every figure can be measured again.
+
+  ./course figures              all lessons
+  ./course figures 08           one lesson
+  ./course figures 08 --list    what would be run; builds and runs nothing
+
+It builds what is needed. Tables of studies and numbers with a source are compared with it; a line that begins with WRONG
+says where a figure is not what was found, and the exit code is then 1. Studies that measured an earlier version of the
+chapter's code are listed at the end."""
+
+NUMBER = r"([-+]?[\d.]+(?:e[-+]?\d+)?)"
+INTERESTING = re.compile(r"^(Filters:|=+$|All tests passed|\s*$)")
+
+
+def add_arguments(parser):
+    parser.add_argument("chapter", nargs="?", metavar="NN", help="number or name of the chapter")
+    parser.add_argument("--list", action="store_true", help="list what would be run")
+
+
+def run(arguments, _rest) -> int:
+    chapter = find_chapter(arguments.chapter) if arguments.chapter else ""
+    chosen = [name for name in lesson_tests.of_chapters(lessons()) if name.stem.startswith(chapter[:2])]
+    if not chosen:
+        raise UsageError(f"chapter {chapter} has no lesson")
+    if not arguments.list:
+        programs = sorted({one.program for lesson in chosen for one in lesson_tests.named_in(lesson)} |
+                          {program_of(source) for lesson in chosen for *_, source in commands(lesson)})
+        build([*programs, *(one for one in chapters() if one.startswith(chapter[:2]))])
+    wrong = sum(check(lesson, arguments.list) for lesson in chosen)
+    old = [study for study in earlier() if study.name.startswith(chapter[:2])]
+    if old:
+        say("measured with an earlier version of the chapter's code: " + ", ".join(study.stem for study in old))
+    say(f"{wrong} wrong" if wrong else "no figure is wrong")
+    return 1 if wrong else 0
+
+
+def commands(lesson: Path) -> list[tuple[int, str, str, str]]:
+    return [figure for figure in tables.figures((ROOT / lesson).read_text()) if figure[3].startswith("build/")]
+
+
+def program_of(source: str) -> str:
+    return Path(source.split()[0]).name
+
+
+def check(lesson: Path, only_list: bool) -> int:
+    """Prints a lesson's figures beside their sources. How many are wrong."""
+    lines = (ROOT / lesson).read_text().splitlines()
+    problems = tables.check_tables(lesson, lines)[0] + tables.check_figures(lesson) + lesson_tests.check_named(lesson)
+    for problem in problems:
+        say(f"WRONG {problem}")
+    wrong, outputs = len(problems), {}
+    for one in lesson_tests.named_in(lesson):
+        again = f'build/tests/{one.program} "{one.spec}"'
+        say(f"{lesson}:{one.line}: {lines[one.line - 1].strip()}")
+        if only_list:
+            say(f"    {again}")
+        elif again not in outputs:
+            outputs[again] = output, code = ran(again)
+            for line in output.splitlines():
+                if not INTERESTING.match(line):
+                    say(f"    | {line}")
+            here, missing = compared(lines, one.line - 1, output)
+            if here or missing:
+                say(f"    in the lesson and printed: {', '.join(here) or 'none'}; in the lesson alone: {', '.join(missing) or 'none'}")
+            if code:
+                wrong += 1
+                say(f"WRONG {lesson}:{one.line}: {again} ended with {code}")
+    for line, number, unit, source in [] if only_list else commands(lesson):
+        command, _, pattern = source.rpartition("#")
+        pattern, _, options = pattern.partition(";")
+        if command not in outputs:
+            outputs[command] = ran(command)
+        output = outputs[command][0]
+        found, wanted = printed(output, pattern.strip()), tables.selection(options)
+        found = None if found is None else float(wanted.get("scale", 1)) * found
+        right = found is not None and tables.agrees(number, found, wanted.get("tolerance", ""))
+        say(f"{'' if right else 'WRONG '}{lesson}:{line}: the text says {number}{unit}, "
+            f"{'nothing printed' if found is None else f'found {found:g}'}: {command}")
+        wrong += not right
+    return wrong
+
+
+def compared(lines: list[str], at: int, output: str) -> tuple[list[str], list[str]]:
+    """The numbers of the paragraph at a line, and of a table that follows it: those that the output has, and the others."""
+    begin = end = at
+    while begin > 0 and lines[begin - 1].strip() and not lines[begin - 1].lstrip().startswith("|"):
+        begin -= 1
+    while end + 1 < len(lines) and lines[end + 1].strip():
+        end += 1
+    if lines[end].rstrip().endswith(":") and end + 2 < len(lines) and lines[end + 2].lstrip().startswith("|"):
+        end += 2
+        while end + 1 < len(lines) and lines[end + 1].strip():
+            end += 1
+    text = re.sub(r"`[^`]*`|\]\([^)]*\)|<!--.*?-->", " ", " ".join(lines[begin:end + 1]))
+    found = [float(number) for number in re.findall(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?", output)]
+    said = dict.fromkeys(re.findall(r"(?<![\w.,])\d+\.\d+(?![\w.])", text))
+    here = [number for number in said
+            if any(tables.agrees(number, value) or tables.agrees(number, 100 * value) for value in map(abs, found))]
+    return here, [number for number in said if number not in here]
+
+
+def ran(command: str) -> tuple[str, int]:
+    """What a command prints, and its exit code."""
+    words = shlex.split(command)
+    words[0] = str(BUILD / Path(words[0]).relative_to("build"))
+    done = subprocess.run(words, cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, errors="replace")
+    none = "No test" in done.stdout and "No tests ran" in done.stdout
+    return done.stdout, done.returncode or (4 if none else 0)
+
+
+def printed(output: str, pattern: str) -> float | None:
+    """The number that stands for {} in a line of the output; None where no line is like the pattern."""
+    parts = [r"\s+".join(map(re.escape, part.split())) for part in pattern.split("{}")]
+    match = re.search(rf"\s*{NUMBER}\s*".join(parts) if len(parts) == 2 else pattern, output)
+    return float(match[1]) if match else None

@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Tables and numbers that lessons take from studies, and the tests that they name."""
+
+import json
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common/course"))
+from charts import measured, study  # noqa: E402
+from check import lesson_tests  # noqa: E402
+from pages import tables  # noqa: E402
+from pages.quotes import lessons  # noqa: E402
+from test import figures  # noqa: E402
+from tree import ROOT, chapters  # noqa: E402
+
+STUDY = {"points": [{"scene": "a, b", "method": "slow", "knobs": {"steps": 8}, "error": {"flip_mean": 0.01234},
+                     "time_ms": {"median": 1807.6, "per_pass": {"one": 2, "two": 3}}},
+                    {"scene": "a, b", "method": "slow", "knobs": {"steps": 16}, "error": {"flip_mean": 0.00555},
+                     "time_ms": {"median": 40.04, "per_pass": {"one": 2, "two": 3}}},
+                    {"scene": "c", "method": "fast", "knobs": {}, "error": {"flip_mean": 0.2}, "time_ms": {"median": 1}}],
+         "truth": {"doubling": 0.0031}}
+LESSON = """<!-- table: studies.json#scene=a, b; method=slow
+value=ms | value=flip_mean; format=.1% | -
+steps=8
+steps=8,16 -->
+| | time | error | words |
+|---|---|---|---|
+| eight | 1 | 2 | kept |
+| both | 1 | 2 | kept |
+""".splitlines()
+
+
+class Tables(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="lightwalk_tables_")
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name)
+        (self.root / "studies.json").write_text(json.dumps(STUDY))
+        tables.load.cache_clear()
+        patch = mock.patch.object(tables, "ROOT", self.root)
+        patch.start()
+        self.addCleanup(patch.stop)
+        self.addCleanup(tables.load.cache_clear)
+
+    def wrong_of(self, text: str) -> list[str]:
+        (self.root / "lesson.md").write_text(text)
+        return tables.check_figures(Path("lesson.md"))
+
+    def test_rows_are_written_from_the_study_and_nothing_else_is(self):
+        wrong, filled = tables.check_tables(Path("lesson.md"), LESSON, write=True)
+        self.assertEqual(wrong, [])
+        self.assertEqual(filled[-2:], ["| eight | 1810 | 1.2% | kept |", "| both | 1810 / 40.0 | 1.2 / 0.6% | kept |"])
+        self.assertEqual(filled[:6], LESSON[:6])
+        self.assertEqual(tables.check_tables(Path("lesson.md"), filled), ([], filled))
+        typed = [line.replace("40.0", "41.0") for line in filled]
+        self.assertIn("lesson.md:1: studies.json has both", tables.check_tables(Path("lesson.md"), typed)[0][0])
+
+    def test_what_selects_no_point_or_several_is_said(self):
+        for cell, words in (("method=none", "0 points are"), ("scene=a, b", "2 points are"), ("value=no", "a point has no 'no'"),
+                            ("steps", "'steps' selects nothing")):
+            lines = ["<!-- table: studies.json#scene=a, b; method=slow", f"{cell}", "all -->", "| | x |", "|---|---|", "| a | 1 |"]
+            if cell == "value=no":
+                lines[2] = "steps=8 -->"
+            self.assertIn(words, "".join(tables.check_tables(Path("lesson.md"), lines)[0]), cell)
+        self.assertIn("no table follows", tables.check_tables(Path("lesson.md"), LESSON[:4])[0][0])
+        self.assertIn("2 rows are selected, the table has 1", tables.check_tables(Path("lesson.md"), LESSON[:-1])[0][0])
+
+    def test_numbers_are_rounded_by_a_rule(self):
+        for number, form, text in ((1807.6, "", "1810"), (0.012345, "", "0.0123"), (40.04, "", "40.0"), (0.5, "", "0.500"),
+                                   (9.999, ".2s", "10"), (524288, ",d", "524,288"), (0.0551, ".1%", "5.5%")):
+            self.assertEqual(tables.shown(number, form), text)
+
+    def test_a_number_in_running_text_is_its_source_s(self):
+        source = "<!-- figure: studies.json#scene=a, b; method=slow; steps=8; value=%s -->"
+        self.assertEqual(self.wrong_of(f"It is 0.012{source % 'flip_mean'} or **1.2%**{source % 'flip_mean'}."), [])
+        self.assertEqual(self.wrong_of(f"It is 1900 ms{source % 'ms; tolerance=6%'}."), [])
+        self.assertEqual(self.wrong_of("By 0.003<!-- figure: studies.json#value=/truth/doubling -->."), [])
+        self.assertIn("the text says 0.013", self.wrong_of(f"It is 0.013{source % 'flip_mean'}.")[0])
+        self.assertIn("follow no number", self.wrong_of(f"It is {source % 'flip_mean'}.")[0])
+
+    def test_a_page_shows_no_sources(self):
+        text = "\n".join(LESSON) + "\nBy 0.003<!-- figure: studies.json#value=/truth/doubling -->.\n"
+        self.assertNotIn("<!--", tables.without_sources(text))
+        self.assertTrue(tables.without_sources(text).startswith("| | time |"))
+
+
+class Lessons(unittest.TestCase):
+    def test_every_table_and_number_with_a_source_is_right(self):
+        for name in lessons():
+            lines = (ROOT / name).read_text().splitlines()
+            self.assertEqual(tables.check_tables(name, lines)[0] + tables.check_figures(name), [])
+
+    def test_no_name_of_a_test_matches_nothing(self):
+        texts = lesson_tests.of_chapters(lessons())
+        self.assertGreater(sum(len(lesson_tests.named_in(text)) for text in texts), 100)
+        self.assertEqual([line for text in texts for line in lesson_tests.check_named(text)], [])
+
+    def test_names_are_matched_as_catch2_does(self):
+        with mock.patch.object(lesson_tests, "cases", lambda _: [("one, two", "[a][b]"), ("Three of four", "")]):
+            for spec, found in (("one*", 1), ("*FOUR", 1), ("*of*", 1), ("three", 0), ("[a]", 1), ("[a][c]", 0), ("one, two", 0),
+                                ("one\\, two", 1)):
+                self.assertEqual(sum(len(lesson_tests.matched("", part)) for part in lesson_tests.parts(spec)), found, spec)
+
+    def test_a_printed_number_is_found_by_its_line(self):
+        output = "sigma 8 pingpong         flicker: brightness 0.0002, all pixels 0.0004\n"
+        self.assertEqual(figures.printed(output, "sigma 8 pingpong flicker: brightness {}"), 0.0002)
+        self.assertEqual(figures.printed(output, "all pixels {}"), 0.0004)
+        self.assertIsNone(figures.printed(output, "sigma 3 pingpong flicker: brightness {}"))
+
+
+class Measured(unittest.TestCase):
+    FILES = {"chapters/01_a/a.cpp": "int a = 1; // one\n", "shaders/01_a/b.glsl": "float b;\n", "chapters/02_c/c.cpp": "int c;",
+             "shaders/01_a/exercise/b.glsl": "0", "chapters/01_a/study.json": '{"title": "A b", "scenes": ["assets/scenes/s.json"]}',
+             "assets/scenes/s.json": "{}"}
+
+    def version(self) -> str:
+        return measured.version_of(sorted(self.FILES), self.FILES.__getitem__, "01_a")
+
+    def test_a_study_is_of_an_earlier_version_when_its_sources_have_changed(self):
+        same = [{"chapters/01_a/a.cpp": "int  a = 1;\n// another\n"}, {"chapters/02_c/c.cpp": "int d;"},
+                {"shaders/01_a/exercise/b.glsl": "1"}, {"chapters/01_a/study.json": '{"title": "C d", "scenes": ["assets/scenes/s.json"]}'}]
+        other = [{"chapters/01_a/a.cpp": "int a = 2;"}, {"shaders/01_a/b.glsl": "float c;"}, {"assets/scenes/s.json": "{ 1 }"}]
+        was = self.version()
+        for change in same + other:
+            files = self.FILES | change
+            now = measured.version_of(sorted(files), files.__getitem__, "01_a")
+            self.assertEqual(now == was, change in same, change)
+
+    def test_each_study_says_what_it_measured(self):
+        for path in (ROOT / "docs/studies").glob("*.json"):
+            self.assertRegex(json.loads(path.read_text()).get("measured", ""), r"^[0-9a-f]{12}$", path.name)
+
+    def test_errors_are_measured_again_without_the_times(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "a.json")
+            old = {"device": "d", "driver": "e", "command": "c",
+                   "points": [{"scene": "s", "method": "m", "knobs": {}, "error": {"x": 1}, "time_ms": {"median": 5}}]}
+            file.write_text(json.dumps(old))
+            new = {"device": "f", "driver": "g", "command": "h",
+                   "points": [{"scene": "s", "method": "m", "knobs": {}, "error": {"x": 2}, "time_ms": {"median": 9}}]}
+            both = study.errors_into(file, new)
+            self.assertEqual((both["points"][0]["error"], both["points"][0]["time_ms"], both["device"]), ({"x": 2}, {"median": 5}, "d"))
+
+
+if __name__ == "__main__":
+    unittest.main()
