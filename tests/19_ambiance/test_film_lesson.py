@@ -12,7 +12,7 @@ MEASURED = ROOT / "docs/studies/film"
 def rows() -> dict[str, list[str]]:
     """The table's cells by scene: llvmpipe's seconds, processor, cut; the GPU's ms, 99th percentile, anti-aliasing, cut."""
     text = (ROOT / "docs/19_ambiance.md").read_text()
-    table = text[text.index("### Cost of each scene"):text.index("*Cut: the longest")]
+    table = text[text.index("## Deeper: the cost of each scene"):text.index("*Cut: the longest")]
     lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in table.splitlines() if line.startswith("| ")]
     return {cells[0]: cells[1:] for cells in lines[1:]}
 

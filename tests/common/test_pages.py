@@ -35,6 +35,8 @@ LEFT_OVER = r"""(() => {
 BROKEN = "Promise.all([...document.images].map(i => i.decode().then(() => '', () => i.src))).then(all => all.filter(Boolean))"
 UNSET = "[...document.querySelectorAll('.arithmatex')].filter(f => !f.querySelector('.katex') || " \
         "f.querySelector('.katex-error')).map(f => f.textContent)"
+# Code that is cut at the side of its block.
+CUT = "[...document.querySelectorAll('pre > code')].filter(c => c.scrollWidth > c.clientWidth + 1).map(c => c.textContent.slice(0, 60))"
 PHONE = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True}
 WIDTHS = "[innerWidth, document.documentElement.scrollWidth]"
 ASK = """new Promise(done => {
@@ -142,6 +144,7 @@ class InBrowser(TheCourse):
             self.assertEqual(browser.evaluate(BROKEN), [])
             self.assertEqual(browser.evaluate(UNSET), [])
             self.assertEqual(browser.evaluate(LEFT_OVER), [])
+            self.assertEqual(browser.evaluate(CUT), [])
             self.assertFalse(browser.evaluate("document.documentElement.scrollWidth > innerWidth"))
             self.assertEqual(browser.complaints, [])
 

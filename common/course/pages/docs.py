@@ -13,6 +13,7 @@ from pathlib import Path
 from check.check import in_order
 from pages.page import TEMPLATES
 from pages.pages_markdown import Site, convert
+from pages.reading import minutes
 from pages.shader import whole
 from tree import BUILD, ROOT, Failure, chapters, lesson_pages, lessons, relative, say, shots, write_atomically
 
@@ -72,9 +73,13 @@ def write_sources(folder: Path):
     for text in [*lessons(), Path("README.md"), Path("docs/study_format.md"), *[Path("docs") / name for name in OTHERS]]:
         if (ROOT / text).exists():
             site.target(text)
+    order = lessons()
     while site.waiting:
         text = site.waiting.pop()
-        write_atomically(folder / site.texts[text], convert(site, text))
+        page = convert(site, text)
+        if text in order:
+            page = re.sub(r"\A# .*\n", lambda title: f"{title[0]}\n{about(order, text)}\n", page)
+        write_atomically(folder / site.texts[text], page)
     write_atomically(folder / "index.md", home(site))
     for path, target in site.pictures.items():
         (folder / target).parent.mkdir(parents=True, exist_ok=True)
@@ -92,6 +97,17 @@ def write_sources(folder: Path):
         shutil.copyfile(LATO / f"Lato-{face}.ttf", assets / "fonts" / f"Lato-{face}.ttf")
     for name in ("favicon.svg", "lesson.css", "lesson.js"):
         shutil.copyfile(OWN / name, assets / name)
+
+
+def about(order: list[Path], lesson: Path) -> str:
+    """The line below a lesson's title: how long it takes, how many exercises it has, where it is in the course, what is next."""
+    exercises = len(re.findall(r"^### \d\d\.\w+ \(", (ROOT / lesson).read_text(encoding="utf-8"), re.M))
+    at = order.index(lesson)
+    parts = [f"{minutes(lesson):.0f} minutes to read", *[f"{exercises} exercises"] * (exercises > 0), f"page {at + 1} of {len(order)}"]
+    if at + 1 < len(order):
+        following = order[at + 1]
+        parts.append(f"next: [{title_and_teaser(following)[0]}]({following.name})")
+    return " · ".join(parts) + "\n{.about}\n"
 
 
 def source_page(path: Path) -> str:

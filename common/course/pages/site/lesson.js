@@ -14,6 +14,18 @@ for (const slide of document.querySelectorAll(".slide")) {
   move();
 }
 
+// How far the reader is.
+const read = document.createElement("div");
+read.id = "read";
+document.body.append(read);
+const follow = () => {
+  const page = document.documentElement, far = page.scrollTop / Math.max(1, page.scrollHeight - innerHeight);
+  read.style.transform = `scaleX(${Math.min(1, far)})`;
+};
+addEventListener("scroll", follow, {passive: true});
+addEventListener("resize", follow);
+follow();
+
 // A click on a picture shows it as large as the window.
 const large = document.createElement("dialog");
 large.className = "large";
