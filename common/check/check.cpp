@@ -9,6 +9,7 @@
 #include "common/base/exercise.h"
 #include "common/check/guard.h"
 #include "common/check/lost.h"
+#include "common/check/tables.h"
 #include "common/check/undefined.h"
 
 namespace lightwalk {
@@ -73,6 +74,7 @@ Table Check::probe(const Probe& probe) {
     if (probe.inputs.empty()) throw Failure("a probe without inputs proves nothing: " + probe.signature);
     const size_t outputs = probe.truth(probe.inputs[0]).size();
     const Table results = run_probe(check_device(), probe, outputs);
+    if (tables) tables->add(probe, results);
     // An operation whose result is open is wrong where the function's result depends on it.
     std::map<size_t, const Undefined*> open;
     const std::optional<std::vector<Undefined>> looked_for = run_undefined(check_device(), probe, outputs);
@@ -105,8 +107,13 @@ Table Check::probe(const Probe& probe) {
 
 void Check::property(const Probe& probe, const Table& results, const std::string& otherwise,
                      const std::function<bool(std::span<const double>, std::span<const double>)>& holds) {
+    ++properties;
     for (size_t i = 0; i < results.size(); ++i)
-        if (!holds(probe.inputs[i], results[i])) {
+        if (!holds(probe.inputs[i], tables ? probe.truth(probe.inputs[i]) : results[i])) {
+            if (tables) {
+                tables->add_other();
+                break;
+            }
             expect(false,
                    call_text(probe, probe.inputs[i]) + " gave " + result_text(probe, results[i]) + ", " + otherwise);
             return;
@@ -114,8 +121,9 @@ void Check::property(const Probe& probe, const Table& results, const std::string
     expect(true, "");
 }
 
-Check run_check(const ExerciseCheck& exercise, bool solution) {
+Check run_check(const ExerciseCheck& exercise, bool solution, ProbeTables* tables) {
     Check check;
+    check.tables = tables;
     Exercises::use("solution");
     Exercises::set(exercise.id, solution);
     try {

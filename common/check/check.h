@@ -8,13 +8,17 @@
 
 namespace lightwalk {
 
+class ProbeTables;
+
 /// Collects what one exercise got right and wrong.
 class Check {
   public:
     int passed = 0, failed = 0;
-    std::string first_failure;  ///< empty where all is right
-    std::string hint;           ///< for that failure; empty: the exercise's
-    std::string note;           ///< what was not looked at; empty where all was
+    int properties = 0;             ///< of the two above
+    ProbeTables* tables = nullptr;  ///< that keep each probe
+    std::string first_failure;      ///< empty where all is right
+    std::string hint;               ///< for that failure; empty: the exercise's
+    std::string note;               ///< what was not looked at; empty where all was
 
     void expect(bool right, const std::string& otherwise, const std::string& hint_for_it = "");
     /// Runs `wrong`, which calls the student's C++ and returns what is wrong ("" for nothing). `what` names the call
@@ -38,8 +42,8 @@ struct ExerciseCheck {
 const std::vector<ExerciseCheck>& all_checks();
 
 /// Runs it on the student's version or the reference; the other exercises are references. A file that does not compile
-/// is a failure whose text is the compiler's.
-Check run_check(const ExerciseCheck& exercise, bool solution);
+/// is a failure whose text is the compiler's. `tables` keep the probes.
+Check run_check(const ExerciseCheck& exercise, bool solution, ProbeTables* tables = nullptr);
 
 /// The device that probes run on: $LIGHTWALK_DEVICE, else the best there is.
 Gpu& check_device();

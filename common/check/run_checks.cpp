@@ -10,6 +10,7 @@
 #include "common/base/text.h"
 #include "common/check/check.h"
 #include "common/check/guard.h"
+#include "common/check/tables.h"
 #include "common/gpu/gpu.h"
 
 namespace lightwalk {
@@ -31,9 +32,10 @@ void print_check(const ExerciseCheck& exercise, const Check& check) {
 
 int run(int argc, char** argv) {
     CLI::App app("Checks the exercises of a chapter; one JSON object a line");
-    std::string wanted, use = "exercise";
+    std::string wanted, use = "exercise", tables;
     app.add_option("--exercise", wanted, "NN.name; default: all of the chapter");
     app.add_option("--use", use, "whose version")->check(CLI::IsMember({"exercise", "solution"}));
+    app.add_option("--tables", tables, "write the probes of each check to this folder, for pages, and check nothing");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
@@ -46,6 +48,10 @@ int run(int argc, char** argv) {
     for (const ExerciseCheck& exercise : all_checks()) {
         if (!wanted.empty() && exercise.id != wanted) continue;
         found = true;
+        if (!tables.empty()) {
+            write_tables(exercise, tables);
+            continue;
+        }
         const auto report = [&exercise](const std::string& message) {
             Check check;
             check.expect(false, message, "try that one call on paper, line by line");
@@ -57,6 +63,7 @@ int run(int argc, char** argv) {
         print_check(exercise, check);
         ok = ok && check.failed == 0;
     }
+    if (!tables.empty()) write_undefined(tables);
     on_abandoned_device() = nullptr;
     release_check_device();
     if (!found) throw InputError("no check of an exercise '" + wanted + "' here");

@@ -108,8 +108,8 @@ std::string undefined_glsl() {
     for (const std::string integer : {"int", "uint"}) {
         for (const auto& [name, sign] : {std::pair("divide", "/"), std::pair("remainder", "%")}) {
             const std::string head = std::string("undefined_") + name + "(";
-            text += integer + " " + head + integer + " a, " + integer + " b) { return b == 0 ? " + integer + "(" +
-                    noted(integer_division) + "float(a), 0.0)) : a " + sign + " b; }\n";
+            text += integer + " " + head + integer + " a, " + integer + " b) { return b == " + integer + "(0) ? " +
+                    integer + "(" + noted(integer_division) + "float(a), 0.0)) : a " + sign + " b; }\n";
             for (const std::string size : {"2", "3", "4"}) {
                 const std::string vector = (integer == "int" ? "ivec" : "uvec") + size;
                 for (const bool scalar : {false, true}) {
@@ -122,7 +122,7 @@ std::string undefined_glsl() {
                 }
             }
         }
-        text += "int undefined_index(" + integer + " i, int count) { return i < 0 || i >= count ? int(" +
+        text += "int undefined_index(" + integer + " i, int count) { return int(i) < 0 || int(i) >= count ? int(" +
                 noted(outside) + "float(i), float(count))) * 0 : int(i); }\n";
         for (const std::string size : {"", "2", "3", "4"}) {
             const std::string vector = size.empty() ? integer : (integer == "int" ? "ivec" : "uvec") + size;
@@ -147,13 +147,16 @@ std::string undefined_glsl() {
 
 bool counts_always(int what) { return what == outside; }
 
-std::string undefined_words(int what, double a, double b) {
+std::string undefined_template(int what) {
     if (what == normalize_zero) return "normalizes a vector of length 0";
-    if (what == integer_division) return "divides the whole number " + number_text(a) + " by 0";
-    if (what == outside) return "takes element " + number_text(a) + " of " + number_text(b);
+    if (what == integer_division) return "divides the whole number A by 0";
+    if (what == outside) return "takes element A of B";
     if (what == atan_zero) return "takes atan(0, 0)";
-    const std::string words = operations[static_cast<size_t>(what)].words;
-    return replaced(replaced(words, "B", number_text(b)), "A", number_text(a));
+    return what < int(std::size(operations)) ? operations[static_cast<size_t>(what)].words : "";
+}
+
+std::string undefined_words(int what, double a, double b) {
+    return replaced(replaced(undefined_template(what), "B", number_text(b)), "A", number_text(a));
 }
 
 }  // namespace lightwalk

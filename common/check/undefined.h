@@ -22,6 +22,8 @@ std::string undefined_glsl();
 /// True where what was noted is wrong whatever becomes of the result.
 bool counts_always(int what);
 
+/// "divides A by 0", with A and B for the operands of what was noted; empty for a number that notes nothing.
+std::string undefined_template(int what);
 /// "divides 3 by 0", for what was noted.
 std::string undefined_words(int what, double a, double b);
 

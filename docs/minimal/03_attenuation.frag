@@ -42,7 +42,7 @@ vec3 irradiance(Light light, vec3 point, vec3 normal) {
 
 void main() {
     vec3 normal = normalize(corner_normal), sum = vec3(0.0);
-    for (uint i = 0u; i < lights.length(); ++i) sum += irradiance(lights[i], position, normal);
+    for (int i = 0; i < lights.length(); ++i) sum += irradiance(lights[i], position, normal);
     color = vec4(albedo.rgb / 3.14159265 * sum, 1.0);
 }
 // [/minimal]

@@ -25,8 +25,8 @@ TIMEOUT_S = 60
 class Browser:
     """One page. Use it as a context; `complaints` collects what the page's console would show as an error."""
 
-    def __init__(self, width: int = 1280, height: int = 900, dark: bool = False, server: str = ""):
-        """server: an address, "http://127.0.0.1:8100/", that pages may ask."""
+    def __init__(self, width: int = 1280, height: int = 900, dark: bool = False, server: str = "", webgl: bool = False):
+        """server: an address, "http://127.0.0.1:8100/", that pages may ask. webgl: by software."""
         self.server = server
         self.profile = tempfile.mkdtemp(prefix="lightwalk_browser_")
         to_browser, self.write_end = os.pipe()
@@ -34,7 +34,8 @@ class Browser:
         # The shell puts the pipe where Chromium looks for it, whatever the numbers are here.
         command = f'exec "$0" "$@" 3<&{to_browser} 4>&{from_browser}'
         self.process = subprocess.Popen(
-            ["bash", "-c", command, CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+            ["bash", "-c", command, CHROMIUM, "--headless", "--no-sandbox", "--disable-dev-shm-usage",
+             *(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] if webgl else ["--disable-gpu"]),
              "--no-first-run", "--disable-background-networking", "--remote-debugging-pipe",
              f"--user-data-dir={self.profile}", f"--window-size={width},{height}", "about:blank"],
             pass_fds=(to_browser, from_browser), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,

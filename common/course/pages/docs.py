@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 from check.check import in_order
+from pages import running
 from pages.page import TEMPLATES
 from pages.pages_markdown import Site, convert
 from pages.reading import minutes
@@ -97,6 +98,7 @@ def write_sources(folder: Path):
         shutil.copyfile(LATO / f"Lato-{face}.ttf", assets / "fonts" / f"Lato-{face}.ttf")
     for name in ("favicon.svg", "lesson.css", "lesson.js"):
         shutil.copyfile(OWN / name, assets / name)
+    running.write(assets)
 
 
 def about(order: list[Path], lesson: Path) -> str:
