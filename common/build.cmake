@@ -132,19 +132,20 @@ function(lightwalk_chapters)
     target_compile_definitions(${chapter} PRIVATE LIGHTWALK_CHAPTER="${chapter}")
     lightwalk_precompiled(${chapter})
     set_target_properties(${chapter} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
-    # Every shader in every variant is compiled and validated as part of the build, which also fills the cache. The
+    # Every shader is compiled and validated as part of the build, which also fills the cache. The
     # program says in chapter.shaders.d which files it read: only an edit of those compiles them again.
     set(stamp ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders)
-    set(variants)
-    if("$ENV{CI}" STREQUAL "true") # builds from nothing each time: the default knobs must do, tests compile what they draw
-      set(variants --default-variants)
-    endif()
-    add_custom_command(OUTPUT ${stamp} COMMAND ${chapter} --compile-shaders ${stamp} ${variants} DEPENDS ${chapter}
+    # With the default knobs; every variant is compiled by every_shader, for ./course test --all.
+    add_custom_command(OUTPUT ${stamp} COMMAND ${chapter} --compile-shaders ${stamp} --default-variants DEPENDS ${chapter}
                        DEPFILE ${stamp}.d VERBATIM)
-    add_custom_target(shaders_${chapter} ALL DEPENDS ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders)
+    add_custom_command(OUTPUT ${stamp}.all COMMAND ${chapter} --compile-shaders ${stamp}.all DEPENDS ${chapter}
+                       DEPFILE ${stamp}.all.d VERBATIM)
+    add_custom_target(shaders_${chapter} ALL DEPENDS ${stamp})
+    list(APPEND every_shader ${stamp}.all)
     list(APPEND earlier ${chapter})
   endforeach()
-  add_custom_target(programs DEPENDS ${earlier})  # what a person starts, without the tests
+  add_custom_target(every_shader DEPENDS ${every_shader})
+  add_custom_target(programs DEPENDS ${earlier} menu)  # what a person starts, without the tests
   set(LIGHTWALK_CHAPTERS ${earlier} PARENT_SCOPE)
 endfunction()
 
@@ -205,7 +206,7 @@ function(lightwalk_variants name folder library)
   endif()
   string(SUBSTRING ${name} 0 2 number)
   if(variants)
-    add_library(checked_${name} SHARED $<TARGET_OBJECTS:checks_${name}>)
+    add_library(checked_${name} SHARED EXCLUDE_FROM_ALL $<TARGET_OBJECTS:checks_${name}>)
     lightwalk_add_trials(checked_${name} ${name})
     set_target_properties(checked_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/variants)
     target_link_options(checked_${name} PRIVATE -s) # nobody debugs them, and names are half of their size
@@ -214,7 +215,7 @@ function(lightwalk_variants name folder library)
   foreach(variant ${variants})
     get_filename_component(answer ${variant} NAME_WLE)
     set(target variant.${number}.${answer})
-    add_executable(${target} ${variant})
+    add_executable(${target} EXCLUDE_FROM_ALL ${variant}) # variants.NN needs them
     set_target_properties(${target} PROPERTIES OUTPUT_NAME ${number}.${answer} ENABLE_EXPORTS ON
                           RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/variants)
     lightwalk_precompiled(${target})

@@ -29,10 +29,6 @@ foreach(name common ${LIGHTWALK_CHAPTERS})
   endif()
 endforeach()
 
-if("$ENV{CI}" STREQUAL "true") # whose selection has no teeth (common/course/test/run_tests.py)
-  set(no_teeth --no-teeth)
-endif()
-
 foreach(chapter ${LIGHTWALK_CHAPTERS})
   set(list ${PROJECT_SOURCE_DIR}/tests/${chapter}/shots.json)
   # A handout has no reference to draw with; ./course check draws there.
@@ -85,7 +81,7 @@ foreach(chapter ${LIGHTWALK_CHAPTERS})
   endforeach()
   list(REMOVE_DUPLICATES draws)
   lightwalk_test_needs(pictures.${number} ${draws})
-  lightwalk_python_test(pictures.${number} "shot;${chapter}" common/course shots.draw_shots ${chapter} ${no_teeth})
+  lightwalk_python_test(pictures.${number} "shot;${chapter}" common/course shots.draw_shots ${chapter})
   set_tests_properties(pictures.${number} PROPERTIES COST 200 TIMEOUT 900)  # before what compares them
   math(EXPR last "${count} - 1")
   foreach(i RANGE ${last})
@@ -140,6 +136,9 @@ foreach(script ${scripts})
     lightwalk_python_test(python.${name} unit ${script})
     lightwalk_script_needs(python.${name} ${script})
     set_tests_properties(python.${name} PROPERTIES COST 100)  # so that the shots, which take a blink each, come last
+    if(name MATCHES "newcomer$")
+      set_tests_properties(python.${name} PROPERTIES COST 900 TIMEOUT 3600)  # it builds the course in a clone
+    endif()
     if(name MATCHES "equal_methods$")
       set_tests_properties(python.${name} PROPERTIES COST 800 TIMEOUT 900)  # minutes: beside all others, not behind them
     endif()

@@ -3,6 +3,7 @@
 import difflib
 import json
 import os
+import re
 import subprocess
 import sys
 import threading
@@ -56,7 +57,8 @@ def nearest(word: str, known: Iterable[str]) -> str:
     """The two names that are most like a word, which may be a path or a file's name alone, as an error says them."""
     def likeness(name: str) -> float:
         other = name if "/" in word else Path(name).name
-        return difflib.SequenceMatcher(None, word.lower(), other.lower()).ratio()
+        ratio = difflib.SequenceMatcher(None, word.lower(), other.lower()).ratio()
+        return ratio + (len(word) > 2 and word.lower() in other.lower())
     found = sorted(known, key=lambda name: (-likeness(name), name))[:2]
     return f"the nearest {'is' if len(found) == 1 else 'are'} {' and '.join(found)}" if found else "there are none"
 
@@ -67,7 +69,20 @@ def find_chapter(word: str) -> str:
         number, title = name.split("_", 1)
         if word in (name, number, number.lstrip("0"), title):
             return name
-    raise UsageError(f"there is no chapter '{word}'; there are {', '.join(chapters())}")
+    if not chapters():
+        raise UsageError("there are no chapters here")
+    raise UsageError(f"there is no chapter '{word}'; {nearest(word, chapters())}; the README lists all of them")
+
+
+def chapter_title(chapter: str) -> str:
+    """"02 Lambert and Phong shading": the first heading of the chapter's lesson, which is the list of titles that everything
+    shows; without a lesson, the folder's name in words."""
+    number, _, name = chapter.partition("_")
+    lesson = ROOT / "docs" / f"{chapter}.md"
+    heading = lesson.read_text(encoding="utf-8").partition("\n")[0] if lesson.exists() else ""
+    found = re.fullmatch(r"#\s+(?:[Cc]hapter\s+)?(?:\d+[a-z]?\s*[:.·–-]*\s*)?(.*\S)\s*", heading)
+    title = found[1] if found else name.replace("_", " ").capitalize()
+    return f"{number} {title}" if name else chapter
 
 
 def chapter_program(chapter: str) -> Path:
@@ -83,6 +98,14 @@ def shots(chapter: str) -> list[dict]:
         return json.loads(path.read_text())["shots"]
     except (ValueError, KeyError, TypeError) as error:
         raise Failure(f"{path.relative_to(ROOT)} is not a list of shots: {error}") from None
+
+
+def best_first(chapter: str) -> list[dict]:
+    """The chapter's shots, the one that shows it best first: "best" in shots.json, without it the first."""
+    found = shots(chapter)
+    path = ROOT / "tests" / chapter / "shots.json"
+    best = json.loads(path.read_text()).get("best") if found else None
+    return sorted(found, key=lambda shot: shot["name"] != best)
 
 
 def find_shots(word: str) -> list[tuple[str, dict]]:
@@ -170,6 +193,10 @@ def write_atomically(path: Path, data: bytes | str):
         os.replace(beside, path)
     finally:
         beside.unlink(missing_ok=True)
+
+
+def has_display() -> bool:
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
 def cores() -> int:

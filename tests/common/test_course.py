@@ -31,7 +31,7 @@ class Commands(Course):
             self.assertTrue(self.course(command, "--help").strip())
 
     def test_bad_words_are_one_line_and_2(self):
-        for words, expected in (("rum", "no command 'rum'; the nearest are run and"), ("run 03", "there are 01_obj, 02_lambert"),
+        for words, expected in (("rum", "no command 'rum'; the nearest are run and"), ("run 03", "no chapter '03'; the nearest are 01_obj and 02_lambert; the README"), ("run lamb", "the nearest are 02_lambert and 01_obj"),
                                 ("run --size 1x1", "./course run 01 --size"), ("check 01.two", "the nearest is 01.one; ./course run 01 --list exercises"),
                                 ("accept 01.cat", "the nearest are 01.car and 01.bunny; ./course run NN --list shots"), ("fuzz 0", "0 seconds is too short"),
                                 ("clean all", "unrecognised argument"), ("test (", "not a regular expression"),
@@ -50,8 +50,9 @@ class Commands(Course):
         (self.outside / "link").symlink_to(self.root / "course")
         self.assertIn("01_obj in", self.run_program([self.outside / "link", "run", "01"]))
 
-    def test_display_starts_the_menu_or_the_first_chapter(self):
-        self.assertIn("01_obj in", self.course("run", DISPLAY=":9"))
+    def test_display_starts_the_menu_that_it_builds(self):
+        self.course("run", "01")
+        self.assertIn("build/menu: No such file", self.course("run", DISPLAY=":9", code=1))
         self.put("build/menu", "#!/bin/sh\necho the menu\n")
         (self.root / "build/menu").chmod(0o755)
         self.assertIn("the menu", self.course("run", DISPLAY=":9"))
@@ -118,10 +119,10 @@ class Tests(Course):
 
     def test_green_red_and_the_closing_line(self):
         self.accept()
-        self.assertEqual(self.course("test").splitlines()[-1], "100% tests passed, 0 tests failed out of 14")
+        self.assertEqual(self.course("test", "--all").splitlines()[-1], "100% tests passed, 0 tests failed out of 14")
         self.assertTrue((self.root / "build/report/index.html").exists())
         self.put("broken")
-        self.assertEqual(self.course("test", code=1).splitlines()[-1], "93% tests passed, 1 tests failed out of 14")
+        self.assertEqual(self.course("test", "--all", code=1).splitlines()[-1], "93% tests passed, 1 tests failed out of 14")
 
     def test_pattern_labels_and_nothing(self):
         self.accept()
@@ -137,10 +138,12 @@ class Tests(Course):
         self.assertIn("the build failed", self.course("test", "unit", code=1))
         self.assertIn("the build failed", self.course("test", code=1))
 
-    def test_sanitizers_are_counted_and_a_ci_runs_less(self):
+    def test_sanitizers_are_counted_and_without_all_less_is_run(self):
         self.accept()
-        self.assertIn("out of 26", self.course("test", "--sanitize").splitlines()[-1])
+        self.assertIn("out of 24", self.course("test", "--sanitize").splitlines()[-1])
+        self.assertIn("out of 12", self.course("test").splitlines()[-1])
         self.assertIn("out of 12", self.course("test", CI="true").splitlines()[-1])
+        self.assertIn("out of 14", self.course("test", "--all", CI="true").splitlines()[-1])
 
     def test_nothing_to_build_says_nothing(self):
         self.course("run", "01")
@@ -289,6 +292,12 @@ class Text(Course):
         self.assertIn("docs/01_obj.md: there is no heading '### 01.one (easy)'", self.wrong())
         self.put("docs/01_obj.md", lesson.format(file).replace("(easy)", "(hard)") + "### 01.two (medium)\n")
         self.assertIn("docs/01_obj.md: a harder exercise stands before an easier one", self.wrong())
+
+    def test_charts_that_no_lesson_shows_are_not_in_the_tree(self):
+        self.put("docs/studies/01_obj.gpu.png", "")
+        self.assertEqual(self.wrong(), "docs/studies/01_obj.gpu.png: no text shows it; ./course docs draws charts from their JSON\n")
+        self.put("docs/01_obj.md", LESSON + "![a chart](studies/01_obj.gpu.png)\n")
+        self.assertEqual(self.wrong(), "")
 
     def test_diagrams_are_what_their_scripts_draw(self):
         script = "class D:\n    def svg(self): return '<svg/>'\n\ndef draw():\n    return D()\n"

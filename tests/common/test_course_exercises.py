@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from small_course import REAL, Course
+from small_course import LESSON, REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
 from check import check  # noqa: E402
@@ -137,17 +137,15 @@ class Exercises(Course):
         self.put("docs/studies/01_obj.cpu1.json", json.dumps(study))
         printed = self.run_program(charts, code=1)
         self.assertIn("docs/studies/01_obj.cpu1.md is not the table", printed)
-        self.assertIn("there is no docs/studies/01_obj.cpu1.svg", printed)
-        for kind, text in (("svg", ""), ("png", ""), ("md", markdown_table(Study(study)))):
-            self.put(f"docs/studies/01_obj.cpu1.{kind}", text)
+        self.assertNotIn("there is no docs/studies", printed)  # no lesson shows the chart
+        self.put("docs/studies/01_obj.cpu1.md", markdown_table(Study(study)))
         self.run_program(charts)
         two = study | {"charts": [{"name": "main"}, {"name": "again", "title": "Once more"}]}
         self.put("docs/studies/01_obj.cpu1.json", json.dumps(two))
-        printed = self.run_program(charts, code=1)
-        self.assertEqual([f"there is no docs/studies/01_obj.cpu1.again.{kind}" in printed for kind in ("svg", "png")],
-                         [True, True])
-        for kind in ("svg", "png"):
-            self.put(f"docs/studies/01_obj.cpu1.again.{kind}", "")
+        self.run_program(charts)
+        self.put("docs/01_obj.md", LESSON + "![t](studies/01_obj.cpu1.again.png)\n")
+        self.assertIn("there is no docs/studies/01_obj.cpu1.again.png", self.run_program(charts, code=1))
+        self.put("docs/studies/01_obj.cpu1.again.png", "")
         self.run_program(charts)
         found = json.loads((self.root / "build/results/chart.01_obj.cpu1.again.json").read_text())
         self.assertEqual((found["title"], found["ok"], found["table"]), ("Once more", True, None))

@@ -1,4 +1,4 @@
-"""Tests of the order of the tree's parts (common/course/test/order.py) and of README's variables, on small trees of files."""
+"""Tests of the order of the tree's parts (common/course/test/order.py) and of the variables in docs/development.md, on small trees of files."""
 # Builds: nothing
 
 import sys
@@ -79,7 +79,7 @@ class Variables(unittest.TestCase):
     def wrong(self, readme: str) -> list[str]:
         # In two parts, so that this file reads none.
         files = {"a/x.cpp": f'std::getenv("{"LIGHTWALK"}_A"); // LIGHTWALK_COMMENT\n', "b.py": f"os.environ['{'LIGHTWALK'}_B']\n",
-                 "README.md": readme}
+                 "docs/development.md": readme}
         with tempfile.TemporaryDirectory() as made:
             for name, text in files.items():
                 Path(made, name).parent.mkdir(exist_ok=True)
@@ -90,8 +90,8 @@ class Variables(unittest.TestCase):
 
     def test_readme_names_what_is_read_and_nothing_else(self):
         self.assertEqual(self.wrong("| `LIGHTWALK_A` | x |\nand `LIGHTWALK_B`"), [])
-        self.assertEqual(self.wrong("`LIGHTWALK_A`"), ["b.py: README.md does not name LIGHTWALK_B"])
-        self.assertEqual(self.wrong("`LIGHTWALK_A` `LIGHTWALK_B` `LIGHTWALK_C`"), ["README.md: nothing reads LIGHTWALK_C"])
+        self.assertEqual(self.wrong("`LIGHTWALK_A`"), ["b.py: docs/development.md does not name LIGHTWALK_B"])
+        self.assertEqual(self.wrong("`LIGHTWALK_A` `LIGHTWALK_B` `LIGHTWALK_C`"), ["docs/development.md: nothing reads LIGHTWALK_C"])
 
 
 if __name__ == "__main__":

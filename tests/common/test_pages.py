@@ -14,7 +14,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from browser import CHROMIUM, Browser
-from part_in_ci import part
+from part_in_ci import in_part, part
 from PIL import Image
 from small_course import REAL, Course
 
@@ -152,7 +152,7 @@ class InBrowser(TheCourse):
         """All but the pages that lead on to an exercise; in a CI one lesson, for a phone shows the others, and of
         NAME.KIND.html (listings, studies) one of each kind."""
         pages = [page for page in self.pages if page.parent.name != "open"]
-        if os.environ.get("CI") != "true":
+        if not in_part():
             return pages
         kinds = {page.name.split(".")[-2] if page.name.count(".") > 1 else page: page for page in reversed(pages)}
         return [page for page in kinds.values() if page not in self.lessons[1:]]

@@ -1,4 +1,4 @@
-"""Tests of what a CI tries of many cases: with each commit another part, in the end all of them, and never none."""
+"""Tests of what ./course test tries of many cases: with each commit another part, in the end all of them, and never none."""
 # Builds: nothing
 
 import os
@@ -12,7 +12,7 @@ CASES = list("abcdefghij")
 
 
 def at(commit: str, of: int, cases=CASES) -> list:
-    with mock.patch.dict(os.environ, {"CI": "true"}), \
+    with mock.patch.dict(os.environ, {"LIGHTWALK_TESTS": "part"}), \
             mock.patch.object(subprocess, "run", return_value=mock.Mock(stdout=commit + "\n")):
         return part(cases, of)
 
@@ -30,8 +30,8 @@ class Part(unittest.TestCase):
         self.assertEqual(at("", 3), list("adgj"), "outside of a repository")
         self.assertEqual(at("1", 3, []), [])
 
-    def test_without_ci_all(self):
-        with mock.patch.dict(os.environ, {"CI": ""}):
+    def test_with_all_all(self):
+        with mock.patch.dict(os.environ, {"LIGHTWALK_TESTS": ""}):
             self.assertEqual(part(CASES, 3), CASES)
 
 

@@ -74,7 +74,7 @@ class ReportCase(unittest.TestCase):
         svg.write_text('<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200">'
                        '<rect width="300" height="200" fill="#dde"/></svg>')
         (self.folder / "chart.md").write_text("| method | ms |\n| --- | ---: |\n| a\\|b | 3 |\n\nnote\n")
-        self.result("chart", "study", svg=str(svg), table=str(self.folder / "chart.md"))
+        self.result("chart", "study", picture=str(svg), table=str(self.folder / "chart.md"))
         (self.results / "tests.xml").write_text(JUNIT.format(output="line\n" * 100 + "1 == 2 &lt;b&gt;"))
 
     def write(self):
@@ -153,9 +153,9 @@ class GalleryText(ReportCase):
                 "error": None, "command": "./course run 01 --shot bunny", "lesson": "../docs/01_obj.md"}
         html = self.gallery([shot, shot | {"name": "car", "error": "it ended with 1: no driver"}])
         for text in ('<img src="01_obj/bunny.png"', "A &lt;bunny&gt;.", "./course run 01 --shot bunny",
-                     'href="../docs/01_obj.md"', "01 obj", "not drawn: it ended with 1: no driver"):
+                     'href="../docs/01_obj.md"', "01 From a text file to a shaded mesh", "not drawn: it ended with 1: no driver"):
             self.assertIn(text, html)
-        self.assertEqual(html.count("<img"), 1)
+        self.assertEqual(html.count("<img"), 2)  # and one above all chapters
 
     def test_no_pictures(self):
         self.assertIn("No chapter has a picture yet", self.gallery([]))
@@ -170,7 +170,7 @@ class InBrowser(ReportCase):
             browser.open(self.page)
             broken = "[...document.images].filter(i => !(i.complete && i.naturalWidth)).map(i => i.alt)"
             self.assertEqual(browser.evaluate(broken), [])
-            studies = sum(len(list((ROOT / "docs" / "studies").glob(f"{chapter}*.svg")))
+            studies = sum(len(list((ROOT / "docs" / "studies").glob(f"{chapter}*.png")))
                           for chapter in {json.loads(f.read_text())["chapter"] for f in self.results.glob("*.json")})
             self.assertEqual(browser.evaluate("document.images.length"), 10 + studies)
             self.assertEqual(browser.evaluate("document.querySelectorAll('.slide').length"), 3)
@@ -214,7 +214,7 @@ class InBrowser(ReportCase):
         with Browser(dark=True) as browser:
             browser.open(folder / "index.html")
             widths = "Promise.all([...document.images].map(i => i.decode().then(() => i.naturalWidth)))"
-            self.assertEqual(browser.evaluate(widths), [96])
+            self.assertEqual(browser.evaluate(widths), [96, 96])
             self.assertEqual(browser.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(20, 23, 28)")
             self.assertEqual(browser.complaints, [])
 

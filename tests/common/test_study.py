@@ -70,7 +70,7 @@ class Study(Course):
         charts = [{"name": "main"}, {"name": "lights", "x": "knob lights", "y": "time"}]
         self.put("chapters/01_obj/study.json", json.dumps(STUDY | {"charts": charts}))
         printed = self.course("study", "01")
-        self.assertIn("01_obj.h200.svg; docs/studies/01_obj.h200.lights.svg\n", printed)
+        self.assertIn("01_obj.h200.svg; build/charts/01_obj.h200.lights.svg\n", printed)
 
     def test_what_cannot_be_is_one_line(self):
         printed = self.course("study", "02", code=2)

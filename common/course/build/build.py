@@ -38,8 +38,9 @@ def alone(folder: Path, what: str = "build"):
         yield lock.fileno()
 
 
-def build(targets: list[str] = (), preset: str = "default") -> Path:
-    """Builds the targets (all without any) of a preset and returns its folder. Raises Failure."""
+def build(targets: list[str] = (), preset: str = "default", show=None, give_way=lambda: False) -> Path | None:
+    """Builds the targets (all without any) of a preset and returns its folder. Raises Failure. show(done, total, what) takes
+    the place of the bar; where give_way() is true before a step, the build ends there, and None is returned."""
     folder = ROOT / "build" / ("" if preset == "default" else preset)
     if special := sorted(set(str(ROOT)) & set(SPECIAL)):
         raise UsageError(f"the course lies in {str(ROOT)!r}: a build takes {' and '.join(map(repr, special))} in a path for a "
@@ -47,9 +48,10 @@ def build(targets: list[str] = (), preset: str = "default") -> Path:
     with alone(folder) as lock:
         if not is_configured(folder):
             configure(preset, folder, lock)
-        if run_ninja(folder, list(targets), lock):
+        built, ended = run_ninja(folder, list(targets), lock, show, give_way)
+        if built:
             trim(SHADER_CACHE)
-    return folder
+    return folder if ended else None
 
 
 CACHE_BYTES = 2**28  # deflated; a build of nineteen chapters with its tests, and what edits had left behind, held 230 MiB
@@ -89,7 +91,7 @@ def begins_as_written(path: Path) -> bool:
 
 
 def configure(preset: str, folder: Path, lock: int | None = None):
-    warn(f"configuring {relative(folder)}; the first build compiles all that the chapters share, which takes some minutes")
+    warn(f"configuring {relative(folder)}; the first build compiles all that the chapters share, which takes about a minute")
     # --fresh: a tree that was moved or half configured starts anew.
     done = subprocess.run(["cmake", "--fresh", "--preset", preset], cwd=ROOT, text=True, errors="replace",
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, pass_fds=() if lock is None else (lock,))
@@ -98,8 +100,8 @@ def configure(preset: str, folder: Path, lock: int | None = None):
         raise Failure(f"cmake --preset {preset} failed")
 
 
-def run_ninja(folder: Path, targets: list[str], lock: int) -> bool:
-    """True where there was something to do. Whatever ends us, two ninjas never build in one folder: one that outlives us
+def run_ninja(folder: Path, targets: list[str], lock: int, show, give_way) -> tuple[bool, bool]:
+    """Whether there was something to do, and whether it is done. Whatever ends us, two ninjas never build in one folder: one that outlives us
     has the lock."""
     said = []
     ninja = subprocess.Popen(["ninja", "-C", folder, *targets], env=dict(os.environ, NINJA_STATUS="[%f/%t] "), text=True,
@@ -107,7 +109,7 @@ def run_ninja(folder: Path, targets: list[str], lock: int) -> bool:
                              pass_fds=(lock,))
     try:
         with ninja.stdout, Progress("building") as progress:
-            skip = built = False
+            skip = built = gave_way = False
             for line in ninja.stdout:
                 status = STATUS.match(line)
                 if skip:  # the command of the step that failed, some lines long on a screen
@@ -118,7 +120,10 @@ def run_ninja(folder: Path, targets: list[str], lock: int) -> bool:
                     note = line[status.end():].strip()
                     if not note.startswith(("Re-checking globbed", "Re-running CMake")):
                         built = True
-                        progress.show(int(status[1]), int(status[2]), note.rsplit("/", 1)[-1])
+                        (show or progress.show)(int(status[1]), int(status[2]), note.rsplit("/", 1)[-1])
+                        if give_way() and not gave_way:
+                            gave_way = True
+                            ninja.terminate()
                 elif not line.startswith(("ninja: Entering", "ninja: no work", "-- ")):
                     said.append(line)
                     progress.say(line.rstrip())
@@ -127,8 +132,10 @@ def run_ninja(folder: Path, targets: list[str], lock: int) -> bool:
         raise
     finally:
         code = ninja.wait()
+    if code and gave_way:
+        return built, False
     if code:
         failure = BuildFailure("the build failed")
         failure.said = "".join(said)
         raise failure
-    return built
+    return built, True

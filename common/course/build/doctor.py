@@ -1,13 +1,18 @@
-"""What this machine has."""
+"""What this machine has and lacks."""
 
 import os
+import shutil
 import subprocess
+from pathlib import Path
 
-from tree import chapter_program, chapters, say
+from tree import BUILD, ROOT, chapter_program, chapters, relative, say
 
-HELP = "Prints the versions of the tools and the Vulkan devices. Include them when you report a problem."
+HELP = """Prints the versions of the tools, the Vulkan devices, the packages that a command would install, and the free disk space.
+Include it when you report a problem."""
 TOOLS = [["uname", "-sr"], ["c++", "--version"], ["cmake", "--version"], ["ninja", "--version"],
          ["python3", "--version"]]
+PACKAGES = ROOT / "common" / "course" / "packages"
+NEEDS_GB = {"./course run": 1, "./course test": 2}  # of disk, packages not counted
 
 
 def add_arguments(parser):
@@ -18,9 +23,32 @@ def run(_arguments, _rest) -> int:
     for command in TOOLS:
         say(f"{command[0]:10} {first_line(command)}")
     say(f"{'display':10} {os.environ.get('WAYLAND_DISPLAY') or os.environ.get('DISPLAY') or 'none'}")
+    say(f"{'disk':10} {disk()}")
+    say(f"{'packages':10} {packages()}")
     program = chapter_program(chapters()[0])
     say(output([program, "--list", "devices"]) if program.exists() else "devices    ./course run builds what lists them")
     return 0
+
+
+def disk(folder: Path | None = None) -> str:
+    """The free space where the course is built, and whether it is enough."""
+    folder = folder or (BUILD if BUILD.exists() else ROOT)
+    free_gb = shutil.disk_usage(folder).free / 1e9
+    short = [f"{command} needs {needed} GB" for command, needed in NEEDS_GB.items() if free_gb < needed]
+    return f"{free_gb:.1f} GB free in {relative(folder) if folder != ROOT else ROOT}" + (f": too little, {', '.join(short)}" if short else "")
+
+
+def packages() -> str:
+    """Which packages are missing, by the list that has them."""
+    if not shutil.which("dpkg-query"):
+        return "not a Debian system: the lists in common/course/packages say what is needed"
+    groups = {path.name: path.read_text().split() for path in sorted(PACKAGES.iterdir())}
+    named = sorted({package for group in groups.values() for package in group})
+    asked = output(["dpkg-query", "-W", "-f", "${db:Status-Status} ${Package}\\n", *named])
+    there = {line.split()[1] for line in asked.splitlines() if line.startswith("installed ")}
+    missing = {name: [package for package in group if package not in there] for name, group in groups.items()}
+    lines = [f"{name} lacks {' '.join(lacking)}" for name, lacking in missing.items() if lacking]
+    return "all installed" if not lines else "missing\n" + "\n".join(f"{'':10} {line}" for line in lines)
 
 
 def output(command: list) -> str:

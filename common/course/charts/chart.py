@@ -3,7 +3,7 @@
     python3 common/course charts.chart STUDY.json [--out FOLDER]
 
 writes FOLDER/STUDY.svg, .png and .md (FOLDER: the study's own), and STUDY.NAME.svg and .png for every chart after the
-first. Without "charts" in the study it is one: time against error on log axes. One panel per scene, all with the same
+first. Of a study in docs/studies only the table and the PNGs that a lesson shows go there, the others into build/charts. Without "charts" in the study it is one: time against error on log axes. One panel per scene, all with the same
 axes, or one in all where the x axis is a knob that the scenes set; one curve per method; bars are quartiles. The files
 depend on the study and on matplotlib alone: no date, no random ids, text as outlines. Exit codes: 0; 2 with one line
 where the study cannot be used.
@@ -21,11 +21,14 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
+from PIL import Image  # noqa: E402
+
 from charts.chart_panel import INK, QUIET, Limits, Panel  # noqa: E402
+from charts.drawn import STUDIES, shown_by_lessons  # noqa: E402
 from charts.said import said_by  # noqa: E402
 from charts.study_charts import Chart, chart_paths, charts_of  # noqa: E402
 from charts.study_file import StudyError, figures, load, markdown_table  # noqa: E402
-from tree import warn, write_atomically  # noqa: E402
+from tree import BUILD, warn, write_atomically  # noqa: E402
 
 WIDTH_IN = 10  # of every chart: shown at a page's 800 pixels, 11 points are 12 pixels high
 STYLE = {"font.family": "DejaVu Sans", "font.size": 11, "axes.edgecolor": "#9aa3ad", "axes.linewidth": 0.8,
@@ -42,9 +45,22 @@ def draw(chart: Chart) -> dict:
                                 (".png", {"format": "png", "dpi": 150, "metadata": {"Software": None}})):
             data = io.BytesIO()
             figure.savefig(data, facecolor="white", **options)
-            files[suffix] = data.getvalue()
+            files[suffix] = data.getvalue() if suffix == ".svg" else with_palette(data)
         plt.close(figure)
     return files
+
+
+def with_palette(png: io.BytesIO) -> bytes:
+    """A third of the bytes, with colours that no eye tells apart from the original ones."""
+    out = io.BytesIO()
+    with Image.open(png) as picture:
+        picture.convert("RGB").quantize(128, dither=Image.Dither.NONE).save(out, "PNG", optimize=True)
+    return out.getvalue()
+
+
+def place_of(file: Path, shown: set[str]) -> Path:
+    """Where a drawn file goes: what no lesson shows leaves the tree."""
+    return BUILD / "charts" / file.name if file.parent.resolve() == STUDIES and file.name not in shown else file
 
 
 def build_figure(chart: Chart, made: list | None = None):
@@ -139,10 +155,11 @@ def main(words: list[str]) -> int:
     try:
         study = load(arguments.study)
         beside = (arguments.out or arguments.study.parent) / arguments.study.stem
+        shown = shown_by_lessons()
         drawn = [(path, draw(chart)) for path, chart in zip(chart_paths(study.data, beside), charts_of(study))]
         for path, files in drawn:
             for suffix, data in files.items():
-                write_atomically(path.with_name(path.name + suffix), data)
+                write_atomically(place_of(path.with_name(path.name + suffix), shown), data)
         write_atomically(beside.with_name(beside.name + ".md"), markdown_table(study))
     except (StudyError, OSError) as error:
         warn(f"chart: {error}")

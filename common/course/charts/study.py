@@ -37,8 +37,8 @@ HELP = """Measures the time and the error of every method of a chapter, and draw
   ./course study 02 --errors       errors alone, which are the same on a busy machine; times stay as they were
   ./course study --shard 3/16 --out F    the scenes of part 3 of 16, into the folder F; --merge F makes the charts of all
 
-The files are docs/studies/NN_name.DEVICE.json, .svg, .png and .md; a chart after the first has its name before .svg and
-.png. An interrupted study continues where it stopped when it is started again. Times are meaningful only on a machine that
+The files are docs/studies/NN_name.DEVICE.json and .md, with the charts that a lesson shows as PNG; all charts are in
+build/charts, as SVG and PNG, those after the first with their names before .svg and .png. An interrupted study continues where it stopped when it is started again. Times are meaningful only on a machine that
 does nothing else; those of a software driver are labelled as the CPU's."""
 # What a device's name says beside the device.
 NOISE = {"nvidia", "geforce", "amd", "radeon", "intel", "graphics", "apple", "mesa"}
@@ -211,5 +211,6 @@ def draw(chapter: str, measured: Path, folder: Path, errors: bool = False):
     write_atomically(file, json.dumps(errors_into(file, study) if errors else study, indent=1, ensure_ascii=False) + "\n")
     if subprocess.run([sys.executable, ROOT / "common/course", "charts.chart", file]).returncode:
         raise Failure(f"the chart of {chapter} was not drawn")
-    drawn = [path.with_name(path.name + ".svg") for path in chart_paths(study, file.with_suffix(""))]
+    beside = [path.with_name(path.name + ".svg") for path in chart_paths(study, file.with_suffix(""))]
+    drawn = [path if path.exists() else BUILD / "charts" / path.name for path in beside]
     say("; ".join(relative(path) for path in (file, *drawn)))

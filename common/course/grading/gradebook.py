@@ -20,8 +20,7 @@ from pathlib import Path
 from grading.roster import IDENTITY, Roster, known_as
 from grading.rules import Rules
 from grading.submission import cell, printable
-from pages.page import chapter_title
-from tree import write_atomically
+from tree import chapter_title, write_atomically
 
 FORMATS = ("moodle", "canvas", "csv", "json")
 CANVAS_COLUMNS = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")

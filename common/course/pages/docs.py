@@ -10,13 +10,14 @@ import tempfile
 import time
 from pathlib import Path
 
+from charts.drawn import draw_charts, shown_by_lessons, study_of
 from check.check import in_order
 from pages import running
 from pages.page import TEMPLATES
 from pages.pages_markdown import Site, convert
 from pages.reading import minutes
 from pages.shader import whole
-from tree import BUILD, ROOT, Failure, chapters, lesson_pages, lessons, relative, say, shots, write_atomically
+from tree import BUILD, ROOT, Failure, best_first, chapters, lesson_pages, lessons, relative, say, write_atomically
 
 ALONE = True
 HELP = """Writes the lessons as pages: build/docs/index.html.
@@ -29,7 +30,8 @@ KATEX = Path("/usr/share/javascript/katex")
 LATO = Path("/usr/share/fonts/truetype/lato")
 LANGUAGES = {".frag": "glsl", ".comp": "glsl",
              ".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
-OTHERS = {"vulkan.md": "Vulkan without the framework", "serve.md": "Live lessons", "teaching.md": "For instructors", "elsewhere.md": "Windows and macOS"}
+OTHERS = {"keys.md": "Keys", "vulkan.md": "Vulkan without the framework", "serve.md": "Live lessons", "teaching.md": "For instructors",
+          "development.md": "For developers", "elsewhere.md": "Windows and macOS"}
 OWN = Path(__file__).parent / "site"
 
 
@@ -70,6 +72,7 @@ def make(folder: Path) -> int:
 
 def write_sources(folder: Path):
     """What mkdocs reads: texts, the pictures they show, the sources they name."""
+    draw_charts(filter(None, map(study_of, shown_by_lessons())))
     site = Site()
     for text in [*lessons(), Path("README.md"), Path("docs/study_format.md"), *[Path("docs") / name for name in OTHERS]]:
         if (ROOT / text).exists():
@@ -146,7 +149,7 @@ def home(site: Site) -> str:
         if not (ROOT / lesson).exists():
             continue
         title, teaser = title_and_teaser(lesson)
-        goldens = [Path("tests") / chapter / "golden" / f"{shot['name']}.png" for shot in shots(chapter)]
+        goldens = [Path("tests") / chapter / "golden" / f"{shot['name']}.png" for shot in best_first(chapter)]
         first = next((golden for golden in goldens if (ROOT / golden).exists()), None)
         cards.append({"number": chapter[:2], "page": site.target(lesson).with_suffix(".html"), "title": title,
                       "teaser": teaser, "exercises": len(in_order(chapter)),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader
 
-from tree import BUILD, ROOT
+from tree import BUILD, ROOT, chapter_title
 
 try:
     from PIL import Image
@@ -15,6 +15,8 @@ except ImportError:  # ./course run does not need it; pictures are then embedded
     Image = None
 
 TYPES = {".png": "image/png", ".svg": "image/svg+xml", ".jpg": "image/jpeg", ".webp": "image/webp"}
+
+SMALL = 640  # of 198 passed pictures a page has 8 MB so, and 30 at their own size
 
 # What a value lacks is left out: results have optional keys.
 TEMPLATES = Environment(loader=FileSystemLoader(Path(__file__).parent / "templates"), autoescape=True, trim_blocks=True,
@@ -27,8 +29,8 @@ def page(template: str, **values) -> str:
 
 
 def data_uri(path: Path, lossless: bool = True) -> str:
-    """A picture as a data URI: as it is, or as WebP of quality 92, about a tenth of the size, where exact pixels do not
-    matter. Raises OSError where it cannot be read or is no picture."""
+    """A picture as a data URI: as it is, or as a WebP of at most SMALL pixels a side, where exact pixels do not matter. Raises
+    OSError where it cannot be read or is no picture."""
     path = Path(path)
     data, kind = path.read_bytes(), TYPES.get(path.suffix.lower(), "application/octet-stream")
     if kind == "image/png" and not data.startswith(b"\x89PNG"):
@@ -36,15 +38,11 @@ def data_uri(path: Path, lossless: bool = True) -> str:
     if not lossless and Image and kind == "image/png":
         out = io.BytesIO()
         with Image.open(io.BytesIO(data)) as picture:
-            picture.convert("RGB").save(out, "WEBP", quality=92, method=4)
+            picture = picture.convert("RGB")
+            picture.thumbnail((SMALL, SMALL))
+            picture.save(out, "WEBP", quality=80, method=4)
         data, kind = out.getvalue(), "image/webp"
     return f"data:{kind};base64,{base64.b64encode(data).decode()}"
-
-
-def chapter_title(chapter: str) -> str:
-    """"02_lambert_phong" as a person writes it."""
-    number, _, name = chapter.partition("_")
-    return f"{number} {name.replace('_', ' ')}" if name else chapter
 
 
 def lesson_link(chapter: str, folder: Path) -> str:

@@ -20,6 +20,7 @@ import os
 import re
 from pathlib import Path
 
+from charts.drawn import vector_of
 from charts.measured import is_of_earlier
 from pages.quotes import FENCE, LINK, QUOTE
 from pages.tables import without_sources
@@ -57,8 +58,7 @@ class Site:
             raise Failure(f"there is no {path}")
         inside = path.relative_to("docs") if path.parts[0] == "docs" else Path("tree") / path
         if path.suffix in PICTURES:
-            vector = path.with_suffix(".svg")
-            if path.suffix == ".png" and (ROOT / vector).exists():  # a chart is sharper so
+            if vector := vector_of(path):  # a chart is sharper so
                 return self.pictures.setdefault(vector, inside.with_suffix(".svg"))
             return self.pictures.setdefault(path, inside)
         if path.suffix != ".md":

@@ -15,9 +15,10 @@ where each cell may be text, a number or null. "test" is the ctest that wrote it
 result (KIND.NN.NAME): a failure is told once; "title" stands over the table in place of the kind's. Charts of studies,
 paths counted from the root:
 
-    {"kind": "chart", "chapter", "name", "title", "svg": path, "table": path of a Markdown table or null, "again": a command}
+    {"kind": "chart", "chapter", "name", "title", "picture": path of a PNG or null, "table": path of a Markdown table or null,
+     "again": a command}
 
-Charts in docs/studies/NN_name*.svg are shown with or without a result. What failed stands first, in full, and says
+Charts in docs/studies/NN_name*.png are shown with or without a result. What failed stands first, in full, and says
 what to type to look closer. A file that cannot be read is a failure of its own.
 """
 
@@ -103,21 +104,23 @@ def last_lines(output: str) -> str:
 
 
 def charts(chapter_name: str, results: list[dict]) -> list[dict]:
-    """The chapter's studies: those that this run made, and those in docs/studies."""
-    named = {relative(ROOT / result["svg"]): result for result in results if result["kind"] == "chart"}
-    for path in sorted((ROOT / "docs" / "studies").glob(f"{chapter_name}*.svg")):
-        named.setdefault(relative(path), {"name": path.stem, "svg": relative(path)})
+    """The chapter's studies: those that this run made, and those in docs/studies. Without a picture where none lies in the tree."""
+    named = {result["name"]: result for result in results if result["kind"] == "chart"}
+    for path in sorted((ROOT / "docs" / "studies").glob(f"{chapter_name}*.png")):
+        named.setdefault(path.stem, {"name": path.stem, "picture": relative(path)})
     shown = []
-    for path, result in named.items():
+    for result in named.values():
+        path = result.get("picture")
         chart = {"alt": f"{result['name']}: {result.get('title') or 'time against error'}", "again": result.get("again")}
         try:
-            chart["uri"] = data_uri(ROOT / path)
+            chart["uri"] = data_uri(ROOT / path) if path else None
         except OSError as error:
             chart["error"] = error
-        beside = ROOT / (result.get("table") or Path(path).with_suffix(".md"))
+        beside = ROOT / (result.get("table") or (Path(path).with_suffix(".md") if path else "none.md"))
         if beside.is_file():
             chart |= markdown_table(beside.read_text(encoding="utf-8"))
-        shown.append(chart)
+        if path or "rows" in chart or "error" in chart:
+            shown.append(chart)
     return shown
 
 

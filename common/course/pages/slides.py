@@ -7,8 +7,8 @@ import re
 from pathlib import Path
 
 from pages.lesson_html import Lesson, blocks, code_css, embedded, inner, katex_css, katex_js, words
-from pages.page import TEMPLATES, chapter_title
-from tree import BUILD, ROOT, UsageError, find_lesson, lessons, relative, say, shots, write_atomically
+from pages.page import TEMPLATES
+from tree import BUILD, ROOT, UsageError, chapter_title, find_lesson, lessons, relative, say, shots, write_atomically
 
 HELP = """Makes slides of a chapter's lesson: build/slides/NN_name.html, one file that needs no network.
 

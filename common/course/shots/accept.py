@@ -9,6 +9,7 @@ from build.build import build
 from progress import Progress
 from shots.golden import LIMITS, compare, distance_of, distances_path, golden_path, limits_of, measured_distances, unfit
 from shots.rendering import render, render_shot
+from shots.squeeze import squeezed
 from tree import BUILD, Failure, UsageError, find_shots, relative, say, write_atomically
 
 # llvmpipe held to what an older processor can do. Another device passes over it.
@@ -59,7 +60,7 @@ def run(arguments, _rest) -> int:
             say(f"{chapter[:2]}.{name}: {line}")
     accepted = new if new and confirmed(new, arguments.yes) else []
     for chapter, name in accepted:
-        write_atomically(golden_path(chapter, name), pictures[chapter, name].read_bytes())
+        write_atomically(golden_path(chapter, name), squeezed(pictures[chapter, name].read_bytes()))
     keep_distances({key: value for key, value in distances.items() if key not in new or key in accepted})
     if accepted:
         say(f"accepted {len(accepted)}: look at each before you commit it")

@@ -1,6 +1,8 @@
 """Draws what the tests of a chapter's shots and teeth compare, as a test that comes before them:
 
-    python3 common/course shots.draw_shots NN_name [--no-teeth]    the latter: only what the shots are compared with
+    python3 common/course shots.draw_shots NN_name
+
+Where a run of ./course test takes a part of its tests, it has no teeth: only what the shots are compared with is drawn.
 
 All pictures of a program are drawn by one process (rendering.render_many). What went wrong with one is for its own test to
 say, which finds it in build/shots/NN_name/drawn.json:
@@ -12,7 +14,6 @@ The run is one of ./course test; a test that is run alone, or after another such
 
 import json
 import os
-import sys
 import time
 from pathlib import Path
 
@@ -90,6 +91,4 @@ def main(chapter: str, teeth: bool) -> list[str]:
 
 
 if __name__ == "__main__":
-    with_teeth = "--no-teeth" not in sys.argv
-    sys.argv = [word for word in sys.argv if word != "--no-teeth"]
-    run_on_chapter(lambda chapter: main(chapter, with_teeth))
+    run_on_chapter(lambda chapter: main(chapter, teeth=os.environ.get("LIGHTWALK_TESTS") != "part"))

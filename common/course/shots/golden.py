@@ -2,7 +2,8 @@
 
 tests/NN_name/shots.json lists a chapter's shots. The chapter's executable reads it for --shot, Python for the tests:
 
-    {"shots": [{
+    {"best": "bunny",                           the gallery and the menu show it first, the window opens on it; else the first
+     "shots": [{
         "name": "bunny",                        the golden is tests/NN_name/golden/bunny.png
         "caption": "One sentence.",             for the gallery and the report
         "scene": "assets/models/bunny.obj",     what --scene takes, from the root; without it the chapter's own

@@ -60,9 +60,9 @@ class Drawing:
     """A chapter's program that draws one picture after the other: draws() as often as wanted, then close(). With more in
     its environment. Not for what only a process of its own shows: what it prints, how it ends."""
 
-    def __init__(self, chapter: str, **environment):
+    def __init__(self, chapter: str, validate: str = "on", **environment):
         self.chapter, self.stderr = chapter, tempfile.TemporaryFile("w+", errors="replace")
-        self.command = [str(chapter_program(chapter)), "--pictures", "--validate", "on"]
+        self.command = [str(chapter_program(chapter)), "--pictures", "--validate", validate]
         try:
             self.program = subprocess.Popen(self.command, cwd=ROOT, env=surroundings(environment), text=True,
                                             errors="replace", stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.stderr)

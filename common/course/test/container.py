@@ -19,13 +19,14 @@ TREE = "/srv/lightwalk"  # the course, in there
 
 
 def test_on(system: str, words: list[str]) -> int:
-    """Runs ./course run and ./course test, or, with words (a pattern, ctest's options), that test alone. Its exit code."""
+    """Runs what a newcomer runs, each command with its own packages and those of the ones before, or, with words (a pattern,
+    ctest's options), that test alone. Its exit code."""
     require(system)
     root = BUILD / "on" / system / "root"
     if not root.exists():
         make_system(system, root)
     copy_tree(root / TREE[1:])
-    for command in ([["run"], ["test"]] if not words else [["test", *words]]):
+    for command in ([["run"], ["docs"], ["test"]] if not words else [["test", *words]]):
         warn(f"on {SYSTEMS[system]}: ./course {' '.join(command)}")
         code = subprocess.run(contained(root, ["./course", *command]), stdin=subprocess.DEVNULL).returncode
         if code:
@@ -83,7 +84,7 @@ def contained(root: Path, command: list[str]) -> list[str]:
     words = ["bwrap", "--bind", str(root), "/", "--dev", "/dev", "--proc", "/proc", "--die-with-parent", "--unshare-pid",
              "--unshare-ipc", "--unshare-uts", "--hostname", root.parent.name, "--cap-add", "ALL", "--clearenv"]
     environment = {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "HOME": "/root", "LANG": "C.UTF-8"}
-    for name in ("CI", "TERM"):
+    for name in ("CI", "TERM", "LIGHTWALK_TESTS"):
         if name in os.environ:
             environment[name] = os.environ[name]
     for name, value in environment.items():

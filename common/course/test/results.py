@@ -16,6 +16,7 @@ from pathlib import Path
 from charts.study_charts import chart_paths, charts_of
 from charts.study_file import StudyError, load, markdown_table
 from shots.rendering import run_program
+from charts.drawn import shown_by_lessons
 from tree import BUILD, ROOT, Failure, exercises, relative, say, warn, write_atomically
 
 # What stands over a table where report.py's own words for its kind do not fit.
@@ -86,7 +87,7 @@ def case_row(case, counts: dict[str, int]) -> dict:
 
 def charts() -> list[str]:
     """One result for each study, and what is wrong with them."""
-    said = []
+    said, shown = [], shown_by_lessons()
     for path in sorted((ROOT / "docs" / "studies").glob("*.json")):
         why, chapter, again = [], path.name.split(".")[0], ""
         markdown, charts = path.with_suffix(".md"), [(path.stem, path.with_suffix(""))]
@@ -101,14 +102,14 @@ def charts() -> list[str]:
         except StudyError as error:
             why.append(str(error))
         for i, (title, place) in enumerate(charts):
-            files = [place.with_name(place.name + suffix) for suffix in (".svg", ".png")]
+            picture = place.with_name(place.name + ".png")
             wrong = [] if i else why
-            wrong += [f"there is no {relative(file)}: python3 common/course charts.chart {relative(path)} draws it"
-                      for file in files if not file.exists()]
+            if picture.name in shown and not picture.exists():
+                wrong.append(f"there is no {relative(picture)}: python3 common/course charts.chart {relative(path)} draws it")
             table_path = relative(markdown) if markdown.exists() and not i else None
             write_result(f"chart.{place.name}", {"kind": "chart", "chapter": chapter, "name": place.name,
                                                  "title": title, "ok": not wrong, "why": wrong, "test": "text.charts",
-                                                 "svg": relative(files[0]), "table": table_path, "again": again})
+                                                 "picture": relative(picture) if picture.exists() else None, "table": table_path, "again": again})
             said += wrong
     return said
 

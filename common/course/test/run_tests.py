@@ -16,31 +16,35 @@ from test import test_shards
 from test.container import test_on
 from test.needs import build_for
 from test.test_shards import closing_line
-from tree import BUILD, Failure, UsageError, relative, say
+from tree import BUILD, Failure, UsageError, chapters, git, relative, say
 
 ALONE = True
 HELP = """Builds what the tests need, runs them and writes build/report/index.html.
 
-  ./course test                  all tests
+  ./course test                  what a person runs before a commit, and a CI on each
+  ./course test --all            everything, as before a release
   ./course test shot.02          the tests whose name matches this regular expression
-  ./course test --sanitize       all tests, then all but those of windows with the address and undefined-behaviour sanitizers
+  ./course test --sanitize       these tests, then all but those of windows with the address and undefined-behaviour sanitizers
   ./course test -L window        other options are passed to ctest
   ./course test --shard 3/16 --out F    part 3 of 16, into the folder F, for a CI's matrix; --merge F writes the report of all
   ./course test --on trixie      ./course run and then all tests on a bare Debian 13, in a container in build/on/trixie;
                                  bookworm is Debian 12. A pattern or options select tests. It requires root.
 
-With CI=true in the environment the tests that draw most are left out (studies, need rules, stretch tasks, the goldens'
-rejections, all knobs), only one chart of a chapter and one page of each kind are checked, and of attacks on grading, charts,
-equal methods, random scenes, what is kept from frame to frame and lessons on a phone a part, another with each commit. The
-last line counts all tests that ran."""
+Without --all the tests that draw most are left out (studies, need rules, stretch tasks, the goldens' rejections, all knobs),
+only one chart of a chapter and one page of each kind are checked, and of wrong answers to exercises, attacks on grading,
+charts, equal methods, random scenes, what is kept from frame to frame and lessons on a phone a part is tried, another with
+each commit. The last line counts all tests that ran."""
 PASSES_OPTIONS = True
 RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
 SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
-CI = ["-LE", "study", "-E", r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch)$"]  # a CI starts from nothing on each commit, and has minutes
+PART = "LIGHTWALK_TESTS"  # "part": a test of many like cases tries some of them (tests/common/part_in_ci.py)
+LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer)$"
+SHARE = 4  # variants of answers are tried in one chapter of so many
 
 
 def add_arguments(parser):
-    parser.usage = "./course test [PATTERN] [--on SYSTEM] [--sanitize] [--shard K/N [--out FOLDER]] [--merge FILE...] [OPTIONS OF CTEST]"
+    parser.usage = "./course test [PATTERN | --all] [--on SYSTEM] [--sanitize] [--shard K/N [--out FOLDER]] [--merge FILE...] [OPTIONS OF CTEST]"
+    parser.add_argument("--all", action="store_true", help="every test: studies, needs, teeth, all knobs, all pages")
     parser.add_argument("--on", metavar="SYSTEM", help="test on a bare bookworm or trixie, in a container")
     shards.add_arguments(parser)
     parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder for the file of a shard (build/shards)")
@@ -61,26 +65,29 @@ def run(arguments, rest) -> int:
     if arguments.on and arguments.shard:
         raise UsageError("--shard is of this system's tests: --on has none")
     if arguments.on:
-        return test_on(arguments.on, rest + (["--sanitize"] if arguments.sanitize else []))
+        return test_on(arguments.on, rest + ["--sanitize"] * arguments.sanitize + ["--all"] * arguments.all)
     selection = ["-R", *rest] if pattern else rest
     results = BUILD / "results"
     file = shards.file_of(arguments.out, "test", arguments.shard) if arguments.shard else None
     if not selection or file:
         shutil.rmtree(results, ignore_errors=True)
     results.mkdir(parents=True, exist_ok=True)
-    in_ci = os.environ.get("CI") == "true" and not selection
+    in_part = not arguments.all and not selection
+    os.environ.pop(PART, None)
+    if not arguments.all and (in_part or os.environ.get("CI") == "true"):
+        os.environ[PART] = "part"
     if not selection:  # as many programs as processors draw: threads of the rasteriser's own cost 3 to 18% of their time, and gain nothing
         os.environ.setdefault(RASTER_THREADS, "0")
-    selection = CI if in_ci else selection
+    selection = part() if in_part else selection
 
     def of_shard(folder, chosen):
         return test_shards.words(folder, chosen, arguments.shard)
 
-    folder, options = build_for(selection, of_shard)
+    folder, options = build_for(selection, of_shard, also=["every_shader"] if arguments.all else [])
     runs = [run_ctest(folder, results / "tests.xml", options)]
     if arguments.sanitize:
         say("\nunder the sanitizers:")
-        folder, options = build_for(SANITIZED + ([] if in_ci else selection), of_shard, "sanitizer")
+        folder, options = build_for(SANITIZED + ([] if in_part else selection), of_shard, "sanitizer")
         runs.append(run_ctest(folder, results / "sanitizer.xml", options))
     if file:
         return test_shards.write(file, arguments.shard, results, runs, rest)
@@ -92,6 +99,17 @@ def run(arguments, rest) -> int:
     say(f"\nreport: {relative(report)}")
     say(closing_line(total, failed))
     return 1 if failed else 0
+
+
+def part() -> list[str]:
+    """ctest's options for the tests of a run without --all: those of wrong answers from one chapter of SHARE, which the commit
+    decides."""
+    try:
+        commit = int(git("rev-parse", "HEAD"), 16)
+    except (Failure, ValueError):
+        commit = 0
+    others = [chapter[:2] for i, chapter in enumerate(chapters()) if i % SHARE != commit % SHARE]
+    return ["-LE", "study", "-E", LEFT_OUT + (f"|^variants\\.({'|'.join(others)})$" if others else "")]
 
 
 def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:

@@ -163,15 +163,24 @@ def check_figures() -> list[str]:
     return wrong
 
 
+def check_generated() -> list[str]:
+    """What a program draws lies in the tree only where a text shows it: charts as PNG, ./course docs draws the others."""
+    texts = "".join((ROOT / name).read_text(encoding="utf-8") for name in files() if name.suffix == ".md" and name.parts[0] in ("docs", "README.md"))
+    return [f"{name}: no text shows it; ./course docs draws charts from their JSON" for name in files()
+            if (name.parts[:2] == ("docs", "studies") and name.suffix in (".png", ".svg") or
+                name.parts[:2] == ("docs", "images") and name.suffix in (".png", ".webp", ".jpg")) and name.name not in texts]
+
+
 def check_variables() -> list[str]:
-    """README names each of the environment variables that something reads, and no other."""
-    if not (ROOT / "README.md").exists():
+    """docs/development.md names each of the environment variables that something reads, and no other."""
+    page = Path("docs/development.md")
+    if not (ROOT / page).exists():
         return []
     code = [name for name in files() if name.suffix in (".cpp", ".h", ".py")]
     read = {variable: name for name in code for variable in VARIABLE.findall((ROOT / name).read_text(errors="replace"))}
-    named = set(re.findall(r"`(LIGHTWALK_\w+)`", (ROOT / "README.md").read_text()))
-    return [f"{read[variable]}: README.md does not name {variable}" for variable in sorted(read.keys() - named)] + \
-           [f"README.md: nothing reads {variable}" for variable in sorted(named - read.keys())]
+    named = set(re.findall(r"`(LIGHTWALK_\w+)`", (ROOT / page).read_text()))
+    return [f"{read[variable]}: {page} does not name {variable}" for variable in sorted(read.keys() - named)] + \
+           [f"{page}: nothing reads {variable}" for variable in sorted(named - read.keys())]
 
 
 def braces(pattern: str) -> list[str]:
@@ -212,7 +221,7 @@ def check_all() -> list[str]:
     wrong += [f"{name}: not as clang-format writes it; ./course format does" for name in unformatted()]
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
     wrong += [problem for name in of_chapters(lessons()) for problem in check_named(name)]
-    return wrong + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_figures()
+    return wrong + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_figures() + check_generated()
 
 
 if __name__ == "__main__":

@@ -33,6 +33,11 @@ const Chart = {
     const hits = Boolean(nearest) && away(nearest) < 16;
     dot.hidden = words.hidden = !hits;
     frame.style.cursor = hits && chart.draws ? "pointer" : "";
+    if (chart?.error) { // said where the pointer is
+      words.hidden = false;
+      words.textContent = chart.error;
+      Object.assign(words.style, {left: "12px", top: "12px"});
+    }
     if (!hits) return;
     frame.nearest = nearest;
     const x = box.left - home.left + nearest.x * box.width, y = box.top - home.top + nearest.y * box.height;

@@ -104,7 +104,7 @@ class Exercise {
     if (!shot) return this.element.querySelector(".live-versions").remove();
     const image = make("img", {alt: `${shot}, with your ${this.id}`}), frame = make("span", {}, image);
     image.src = new URL(`golden/${this.chapter}/${shot}`, Live.base);
-    this.place.after(frame);
+    this.verdict.after(frame);
     const size = Live.course.chapters[this.chapter].shots[shot].size ?? [960, 540];
     this.picture = new Picture(frame, this.chapter, [{image, shot}]);
     this.picture.aspect = size[1] / size[0];
@@ -179,13 +179,28 @@ class Exercise {
     this.editor.clearGutter("live-gutter");
     for (const mark of this.marks ?? []) mark.clear();
     this.marks = [];
+    const said = new Set();
     for (const error of errors)
-      for (const [, file, line, words] of error.matchAll(/([\w/.]+):(\d+):(?:\d+:)?\s*(.*)/g)) {
-        if (!file.endsWith(this.file.split("/").pop())) continue;
+      for (const [whole, file, line, words] of error.matchAll(/([\w/.]+):(\d+):(?:\d+:)?\s*(.*)/g)) {
+        if (!file.endsWith(this.file.split("/").pop()) || said.has(whole)) continue; // each pass that includes the file says it
+        said.add(whole);
         const at = Math.min(Math.max(line - 1, 0), this.editor.lastLine());
         this.editor.setGutterMarker(at, "live-gutter", make("span", {className: "live-mark", textContent: "●", title: words}));
         this.marks.push(this.editor.addLineWidget(at, make("div", {className: "live-message", textContent: words})));
       }
+    if (this.marks.length && this.picture) this.picture.note.textContent = ""; // the line says it
+  }
+
+  // Leads to the lesson's next exercise, and opens it; null behind the last one.
+  next_button() {
+    const anchors = [...document.querySelectorAll("a.exercise")], next = anchors[anchors.findIndex(one => one.id === this.id) + 1];
+    if (!next) return null;
+    const button = make("button", {type: "button", className: "live-next", textContent: `next exercise: ${next.id}`});
+    button.onclick = () => {
+      document.querySelector(`.live-open[data-exercise="${next.id}"]`)?.click();
+      next.scrollIntoView({behavior: "smooth"});
+    };
+    return button;
   }
 
   show_verdict(result) {
@@ -195,8 +210,10 @@ class Exercise {
     if (!result.ok && result.first_failure) words.push(make("p", {textContent: result.first_failure}));
     if (result.note) words.push(make("p", {textContent: result.note}));
     if (!result.ok && result.hint) words.push(make("details", {className: "live-fold"}, make("summary", {textContent: "hint"}), make("p", {textContent: result.hint})));
-    this.verdict.replaceChildren(...words);
+    if (result.ok) words.push(this.next_button());
+    this.verdict.replaceChildren(...words.filter(Boolean));
     this.verdict.className = `live-verdict ${result.ok ? "ok" : "open"}`;
+    this.verdict.scrollIntoView({block: "nearest"});
     if (this.is_cpp || !this.picture) this.mark_errors([result.first_failure ?? ""]);
   }
 }

@@ -3,22 +3,19 @@
 // The knobs of a chapter, their controls, and those that a lesson's text names.
 const Knobs = {
   known: {},
+  lists: {}, // of those that have been read
 
   of(chapter) {
     return Knobs.known[chapter] ??= Live.get(`knobs/${chapter}`).catch(error => {
       delete Knobs.known[chapter];
       throw error;
-    });
+    }).then(knobs => Knobs.lists[chapter] = knobs);
   },
 
-  // A knob by its path, or by its name: the only one of that name, the chapter's own, or the first that it declares.
+  // A knob by its path, or by its name as --set takes it: the one that answers to its name alone, or the only one of that name.
   find(knobs, name) {
-    const last = knob => knob.name.split(".").pop();
-    const found = knobs.filter(knob => knob.name === name);
-    if (found.length) return found[0];
-    const named = knobs.filter(knob => last(knob) === name);
-    const alone = named.filter(knob => knob.alone);
-    return alone[0] ?? (named.length === 1 ? named[0] : named.find(knob => !knob.name.includes(".")) ?? named[0]);
+    const named = knobs.filter(knob => knob.name.split(".").pop() === name);
+    return knobs.find(knob => knob.name === name) ?? named.find(knob => knob.alone) ?? (named.length === 1 ? named[0] : undefined);
   },
 
   default_text(knob) {

@@ -76,10 +76,12 @@ class Picture {
     this.change({set}, still);
   }
 
-  // Smaller while something moves, and the whole when it rests.
+  // Smaller while something moves, the whole when it rests, and then with more samples.
   draw(still) {
     this.warmed = true;
+    this.samples = 1;
     clearTimeout(this.rest);
+    clearTimeout(this.refining);
     if (!still) this.rest = setTimeout(() => this.draw(true), 250);
     if (this.drawing_soon) {
       this.drawing_still = still;
@@ -98,8 +100,8 @@ class Picture {
     this.sides.forEach((side, i) => {
       const over = side.over ?? {}, {set, ...state} = this.state;
       const source = side.cell ? {picture: side.cell} : {shot: side.shot};
-      const knobs = {...set, ...over.set}, request = {...state, ...over, chapter: this.chapter, ...source, size: [wide, high], still,
-        set: {...Picture.given(side.cell, still, knobs), ...knobs}};
+      const knobs = {...(this.samples > 1 ? {samples: String(this.samples)} : {}), ...set, ...over.set}, request = {...state, ...over, chapter: this.chapter, ...source, size: [wide, high], still,
+        set: {...Picture.given(this.chapter, side.cell, still, knobs), ...knobs}};
       this.asked_at = performance.now();
       Live.draw(`${this.place}.${i}`, request, (answer, picture, last) => this.show(i, answer, picture, last));
     });
@@ -107,10 +109,11 @@ class Picture {
   }
 
   // The knobs of a cell but those that `turned` replaces, by their names or longer ones ("maps.method" for "method").
-  static given(cell, still, turned) {
+  static given(chapter, cell, still, turned) {
     if (!cell) return {};
+    const knobs = Knobs.lists[chapter] ?? [];
     const {set, samples} = Live.course.pictures[cell[0]].cells[cell[1]];
-    const replaced = name => Object.keys(turned).some(one => one === name || one.endsWith(`.${name}`));
+    const replaced = name => Object.keys(turned).some(one => one === name || one === Knobs.find(knobs, name)?.name);
     return Object.fromEntries(Object.entries({...set, samples: String(still ? samples ?? 4 : 1)}).filter(([name]) => !replaced(name)));
   }
 
@@ -138,6 +141,15 @@ class Picture {
       setTimeout(() => this.draw(true), 500);
     }
     for (const listener of this.listeners) listener({answer, i});
+    if (last && answer.format === "png" && !wrong && !answer.code) this.refine(i, answer.ms ?? this.ms);
+  }
+
+  // At rest, four times the samples until there are 16, unless that would keep a hand waiting.
+  refine(i, ms) {
+    if (this.samples > 1) this.note.textContent = `${this.samples} samples`;
+    if (!Live.course.refines || i + 1 < this.sides.length || this.cell || this.state.set.samples || this.samples >= 16 || 4 * ms > 4000) return;
+    clearTimeout(this.refining);
+    this.refining = setTimeout(() => { this.samples *= 4; this.ask(true); }, 500);
   }
 
   async put(side, answer, picture) {

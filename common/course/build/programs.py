@@ -1,0 +1,89 @@
+"""Builds the chapters' programs one after the other and says how far each is, so that each can be used once it is there."""
+
+import re
+import subprocess
+import threading
+from dataclasses import dataclass
+
+from build.build import build
+from tree import ROOT, Failure, chapters, warn
+
+LINKED = re.compile(r"Linking CXX executable (?:\S*/)?chapters/(\S+)$", re.M)
+
+
+@dataclass
+class State:
+    """waiting, building, ready or failed; of a chapter that is being built, how many of its steps are done."""
+
+    name: str = "waiting"
+    done: int = 0
+    total: int = 0
+
+
+def unbuilt() -> list[str]:
+    """The chapters whose programs are not there as things stand. The build folder is configured."""
+    done = subprocess.run(["ninja", "-C", ROOT / "build", "-n", "programs"], stdin=subprocess.DEVNULL, text=True,
+                          errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    linked = set(LINKED.findall(done.stdout))
+    return [chapter for chapter in chapters() if chapter in linked]
+
+
+class Programs:
+    """All chapters' programs, built in a thread of its own: start(), then stop(). `changed` is called, from that thread, with
+    each step; `wanted` names the chapter that a person waits for, or none."""
+
+    def __init__(self, changed=lambda: None, wanted=lambda: None):
+        self.states = {chapter: State("ready") for chapter in chapters()}
+        for chapter in unbuilt():
+            self.states[chapter].name = "waiting"
+        self.changed, self.wanted, self.stopping = changed, wanted, threading.Event()
+        self.said: list[str] = []  # of chapters that did not compile
+        self.thread = threading.Thread(target=self.build_all, daemon=True)
+
+    def start(self):
+        self.thread.start()
+
+    def stop(self):
+        """Ends what is being built; what is compiled stays."""
+        self.stopping.set()
+        if self.thread.is_alive():
+            self.thread.join()
+
+    def are_building(self) -> bool:
+        return self.thread.is_alive()
+
+    def ready(self) -> list[str]:
+        return [chapter for chapter, state in self.states.items() if state.name == "ready"]
+
+    def build_all(self):
+        while not self.stopping.is_set() and (chapter := self.next()):
+            self.build_one(chapter)
+
+    def next(self) -> str | None:
+        wanted = self.wanted()
+        if wanted in self.states and self.states[wanted].name in ("waiting", "failed"):
+            self.states[wanted].name = "waiting"
+            return wanted
+        return next((chapter for chapter, state in self.states.items() if state.name == "waiting"), None)
+
+    def build_one(self, chapter: str):
+        state = self.states[chapter]
+        state.name, state.done, state.total = "building", 0, 0
+
+        def show(done, total, _note):
+            state.done, state.total = done, total
+            self.changed()
+
+        def give_way() -> bool:
+            wanted = self.wanted()
+            return self.stopping.is_set() or (wanted != chapter and wanted in self.states and
+                                              self.states[wanted].name == "waiting")
+        self.changed()
+        try:
+            ended = build([chapter], show=show, give_way=give_way)
+            state.name = "ready" if ended else "waiting"
+        except Failure as failure:
+            state.name = "failed"
+            self.said.append(f"{chapter} does not compile")
+            warn(getattr(failure, "said", "") or str(failure))
+        self.changed()

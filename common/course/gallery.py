@@ -1,0 +1,275 @@
+"""The gallery: draws every picture of the course, the best of each chapter first, while the programs are being built."""
+
+import argparse
+import hashlib
+import json
+import os
+import queue
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+from build.build import alone, build
+from build.programs import Programs
+from many import shards, slurm
+from progress import Progress
+from shots.rendering import Drawing
+from tree import (BUILD, ROOT, Failure, UsageError, best_first, chapter_program, chapter_title, chapters, cores, has_display,
+                  relative, say, warn, write_atomically)
+
+SAMPLES = "4"  # of a finished picture; the first one of a chapter has one sample
+REFRESH_S = 1.0  # between two versions of the page, at least
+
+
+class GalleryWords(argparse.ArgumentParser):
+    def error(self, message):
+        raise UsageError(f"{message}; see ./course run --help")
+
+
+def gallery_in_shards(words: list[str]) -> int:
+    parser = GalleryWords(add_help=False, allow_abbrev=False)
+    shards.add_arguments(parser)
+    slurm.add_arguments(parser)
+    parser.add_argument("--out", type=Path)
+    arguments, rest = parser.parse_known_args(words)
+    if rest or not (arguments.shard or arguments.merge or arguments.slurm is not None):
+        parser.error(f"unrecognised argument '{(rest or words)[0]}'")
+    shards.check_arguments(arguments)
+    slurm.check_arguments(arguments)
+    if arguments.slurm is not None:
+        arguments.merge = [slurm.run("gallery", arguments, ["run", "--gallery", *words], lambda: build(["programs"]))]
+        slurm.finished("gallery")
+    if arguments.merge:
+        with alone(BUILD, "gallery"):
+            return merge_gallery(arguments.merge)
+    file = shards.file_of(arguments.out, "gallery", arguments.shard)
+    build(["programs"])
+    return draw_gallery_shard(file, arguments.shard)
+
+
+def gallery_pictures() -> list[dict]:
+    return [{"chapter": chapter, "name": shot["name"], "caption": shot.get("caption", ""),
+             "image": f"{chapter}/{shot['name']}.png", "error": None,
+             "command": f"./course run {chapter[:2]} --shot {shot['name']}"}
+            for chapter in chapters() for shot in best_first(chapter)]
+
+
+def draw_gallery_shard(file: Path, shard: shards.Shard) -> int:
+    """Draws the pictures that belong to a shard and writes it. Exit code 1 where one failed."""
+    pictures = gallery_pictures()
+    mine = [picture for picture in pictures if shard.takes(picture["image"])]
+    with tempfile.TemporaryDirectory(prefix="lightwalk.gallery.") as made:
+        Drawer(Path(made), mine, mine).draw_all()
+        drawn = {picture["image"]: Path(made, picture["image"]).read_bytes() for picture in mine if not picture["error"]}
+        entries = {picture["image"]: {"error": picture["error"], "sha256": hashlib.sha256(drawn.get(picture["image"], b"")).hexdigest()}
+                   for picture in mine}
+        head = {"pictures": [picture["image"] for picture in pictures], "course": shards.course_version()}
+        shards.write(file, "gallery", shard, head, entries, drawn)
+    say(f"{relative(file)}: {len(drawn)} of {len(pictures)} pictures")
+    return say_failed(mine)
+
+
+def merge_gallery(paths: list[Path]) -> int:
+    """Writes the page of the pictures that all shards drew. Exit code 1 where one failed."""
+    made, folder, pictures = shards.merge(paths, "gallery"), BUILD / "gallery", gallery_pictures()
+    if made.head["pictures"] != [picture["image"] for picture in pictures]:
+        raise UsageError("the shards are of a course with other pictures: make them again")
+    for picture in pictures:
+        picture["error"] = made.entries[picture["image"]]["error"]
+        if not picture["error"]:
+            write_atomically(folder / picture["image"], made.file(picture["image"], picture["image"]))
+    return finish_gallery(pictures, folder)
+
+
+def draw_gallery() -> int:
+    """Builds the programs and draws every picture that is not drawn yet as things stand. Exit code 1 where one failed."""
+    folder, pictures = BUILD / "gallery", gallery_pictures()
+    build([chapters()[0]])  # and with it what all chapters share
+    known, start_s = read_drawn(folder), time.monotonic()
+    drawer = Drawer(folder, pictures, [], known)
+    stale = drawer.draw_all(Programs(drawer.page_changed))
+    if stale:
+        warn(f"drew {stale} pictures in {time.monotonic() - start_s:.1f} s")
+    return finish_gallery(pictures, folder)
+
+
+def finish_gallery(pictures: list[dict], folder: Path) -> int:
+    from pages.gallery import write_gallery  # here: a chapter starts without jinja2, too
+
+    write_gallery(pictures, folder / "index.html")  # with nothing to draw, too: lessons may have got pages
+    failed = say_failed(pictures)
+    if not has_display():
+        warn("there is no display to open a window on")
+    say(f"{relative(folder / 'index.html')}: {sum(not picture['error'] for picture in pictures)} pictures")
+    return failed
+
+
+def say_failed(pictures: list[dict]) -> int:
+    failed = [picture for picture in pictures if picture["error"]]
+    for picture in failed:
+        warn(f"{picture['chapter']}.{picture['name']}: {picture['error']}")
+    return 1 if failed else 0
+
+
+class Drawer:
+    """Draws pictures into a folder: of each chapter the first with one sample, as soon as its program stands; these again
+    with four samples; then the others. A process draws all of a chapter's: starting one takes longer than a picture."""
+
+    def __init__(self, folder: Path, pictures: list[dict], stale: list[dict], known: dict | None = None):
+        self.folder, self.pictures, self.stale, self.known = folder, pictures, stale, known
+        self.tasks, self.lock, self.done, self.total = queue.PriorityQueue(), threading.Lock(), 0, len(stale)
+        self.programs, self.keys, self.written_s, self.stopping = None, {}, 0.0, False
+        self.drawings: list[Drawing] = []
+        self.progress = Progress("drawing")
+
+    def draw_all(self, programs: Programs | None = None) -> int:
+        """Returns how many there were to draw."""
+        self.programs = programs
+        if programs is None:
+            for chapter in dict.fromkeys(picture["chapter"] for picture in self.stale):
+                self.add(chapter, [picture for picture in self.stale if picture["chapter"] == chapter], True)
+        else:
+            programs.start()
+        workers = [threading.Thread(target=self.work, args=(i,), daemon=True) for i in range(min(cores(), 4))]
+        try:
+            with self.progress:
+                for worker in workers:
+                    worker.start()
+                added = set()
+                while programs and (programs.are_building() or added != set(programs.ready())):
+                    for chapter in sorted(set(programs.ready()) - added):
+                        added.add(chapter)
+                        self.plan(chapter)
+                    time.sleep(0.05)
+                for _ in workers:
+                    self.tasks.put((9, 0, None, [], "0"))
+                for worker in workers:
+                    worker.join()
+        finally:
+            self.stopping = True
+            for drawing in list(self.drawings):
+                drawing.program.kill()
+            if programs:
+                programs.stop()
+        if programs:
+            self.note_unbuilt()
+        return self.total
+
+    def plan(self, chapter: str):
+        """Queues what is to be drawn of a chapter whose program stands."""
+        self.keys[chapter] = key_of(chapter)
+        mine = [picture for picture in self.pictures if picture["chapter"] == chapter]
+        stale = [picture for picture in mine if self.known.get(picture["image"]) != self.keys[chapter]
+                 or not (self.folder / picture["image"]).exists()]
+        with self.lock:
+            self.total += len(stale)
+        for picture in stale:
+            picture["waits"] = True
+        self.add(chapter, stale, False)
+
+    def add(self, chapter: str, pictures: list[dict], at_once: bool):
+        place = chapters().index(chapter)
+        if at_once and pictures:
+            self.tasks.put((2, place, chapter, pictures, SAMPLES))
+        elif pictures:
+            self.tasks.put((0, place, chapter, pictures[:1], "1"))
+            self.tasks.put((1, place, chapter, pictures[:1], SAMPLES))
+            if pictures[1:]:
+                self.tasks.put((2, place, chapter, pictures[1:], SAMPLES))
+
+    def work(self, number: int):
+        # Beside the compiler one picture at a time is drawn.
+        while number and self.programs and self.programs.are_building() and not self.stopping:
+            time.sleep(0.1)
+        while not self.stopping:
+            _, _, chapter, pictures, samples = self.tasks.get()
+            if chapter is None:
+                return
+            try:
+                self.draw_of_one(chapter, pictures, samples)
+            except Exception as error:  # a thread's own would be lost
+                for picture in pictures:
+                    picture["error"] = picture["error"] or str(error)
+
+    def draw_of_one(self, chapter: str, pictures: list[dict], samples: str):
+        drawing = None
+        for picture in pictures:
+            if self.stopping:
+                break
+            if not drawing or not drawing.is_alive():
+                if drawing:
+                    self.close(drawing)
+                drawing = Drawing(chapter, validate="off")
+                self.drawings.append(drawing)
+            self.draw_one(drawing, picture, samples)
+        if drawing:
+            self.close(drawing)
+
+    def close(self, drawing: Drawing):
+        drawing.close()
+        self.drawings.remove(drawing)
+
+    def draw_one(self, drawing: Drawing, picture: dict, samples: str):
+        file = self.folder / picture["image"]
+        beside = file.with_name(f".{file.name}.{threading.get_ident():x}.png")
+        beside.parent.mkdir(parents=True, exist_ok=True)
+        code, words, _ = drawing.draw(["--shot", picture["name"], "--samples", samples], beside)
+        if self.stopping:
+            beside.unlink(missing_ok=True)
+            return
+        picture["error"] = f"{picture['chapter']} ended with {code}: {words}" if code or not beside.exists() else None
+        if not picture["error"]:
+            os.replace(beside, file)
+        with self.lock:
+            picture["waits"] = False
+            picture["samples"] = int(samples)
+            if samples == SAMPLES or picture["error"]:
+                self.done += 1
+                self.progress.show(self.done, self.total, f"{picture['chapter']}.{picture['name']}")
+                if self.known is not None and not picture["error"]:
+                    self.known[picture["image"]] = self.keys[picture["chapter"]]
+            elif self.programs:
+                self.progress.show(self.done, self.total, f"{picture['chapter']}.{picture['name']}, one sample")
+        self.page_changed(picture)
+
+    def page_changed(self, picture: dict | None = None):
+        """Writes the page of what there is, the first time as soon as there is a picture."""
+        if not self.programs:
+            return
+        with self.lock:
+            if (not picture and not self.written_s) or time.monotonic() < self.written_s + REFRESH_S:
+                return
+            from pages.gallery import write_gallery
+
+            if not self.written_s:
+                say(f"{relative(self.folder / 'index.html')}: the first picture; the page grows while the others are drawn")
+            self.written_s = time.monotonic()
+            write_gallery(self.pictures, self.folder / "index.html", self.programs.states)
+            write_atomically(self.folder / "drawn.json", json.dumps(self.known))
+
+    def note_unbuilt(self):
+        for picture in self.pictures:
+            if self.programs.states[picture["chapter"]].name != "ready":
+                picture["error"] = "its chapter does not compile"
+        names = {picture["image"] for picture in self.pictures if not picture["error"]}
+        write_atomically(self.folder / "drawn.json",
+                         json.dumps({image: key for image, key in self.known.items() if image in names}))
+
+
+def read_drawn(folder: Path) -> dict:
+    """What each picture was drawn from, as noted when it was drawn."""
+    try:
+        return json.loads((folder / "drawn.json").read_text())
+    except (OSError, ValueError):
+        return {}
+
+
+def key_of(chapter: str) -> str:
+    """Changes with whatever a chapter's pictures are made of: program, shots, shaders, assets, driver."""
+    paths = [chapter_program(chapter), ROOT / "tests" / chapter / "shots.json"]
+    for folder in ("shaders", "assets"):
+        paths += sorted(path for path in (ROOT / folder).rglob("*") if path.is_file())
+    stats = [(str(path), path.stat().st_size, path.stat().st_mtime_ns) for path in paths if path.exists()]
+    driver = sorted((name, value) for name, value in os.environ.items() if name.startswith(("VK_", "LIGHTWALK_")))
+    return hashlib.sha256(repr((stats, driver)).encode()).hexdigest()
