@@ -38,9 +38,11 @@ def alone(folder: Path, what: str = "build"):
         yield lock.fileno()
 
 
-def build(targets: list[str] = (), preset: str = "default", show=None, give_way=lambda: False) -> Path | None:
+def build(targets: list[str] = (), preset: str = "default", show=None, give_way=lambda: False,
+          started=lambda ninja: None) -> Path | None:
     """Builds the targets (all without any) of a preset and returns its folder. Raises Failure. show(done, total, what) takes
-    the place of the bar; where give_way() is true before a step, the build ends there, and None is returned."""
+    the place of the bar; where give_way() is true behind a step, the build ends there, and None is returned. started(ninja) has
+    the process."""
     folder = ROOT / "build" / ("" if preset == "default" else preset)
     if special := sorted(set(str(ROOT)) & set(SPECIAL)):
         raise UsageError(f"the course lies in {str(ROOT)!r}: a build takes {' and '.join(map(repr, special))} in a path for a "
@@ -48,7 +50,7 @@ def build(targets: list[str] = (), preset: str = "default", show=None, give_way=
     with alone(folder) as lock:
         if not is_configured(folder):
             configure(preset, folder, lock)
-        built, ended = run_ninja(folder, list(targets), lock, show, give_way)
+        built, ended = run_ninja(folder, list(targets), lock, show, give_way, started)
         if built:
             trim(SHADER_CACHE)
     return folder if ended else None
@@ -100,13 +102,14 @@ def configure(preset: str, folder: Path, lock: int | None = None):
         raise Failure(f"cmake --preset {preset} failed")
 
 
-def run_ninja(folder: Path, targets: list[str], lock: int, show, give_way) -> tuple[bool, bool]:
+def run_ninja(folder: Path, targets: list[str], lock: int, show, give_way, started) -> tuple[bool, bool]:
     """Whether there was something to do, and whether it is done. Whatever ends us, two ninjas never build in one folder: one that outlives us
     has the lock."""
     said = []
     ninja = subprocess.Popen(["ninja", "-C", folder, *targets], env=dict(os.environ, NINJA_STATUS="[%f/%t] "), text=True,
                              errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              pass_fds=(lock,))
+    started(ninja)
     try:
         with ninja.stdout, Progress("building") as progress:
             skip = built = gave_way = False
@@ -132,7 +135,7 @@ def run_ninja(folder: Path, targets: list[str], lock: int, show, give_way) -> tu
         raise
     finally:
         code = ninja.wait()
-    if code and gave_way:
+    if code and (gave_way or give_way()):
         return built, False
     if code:
         failure = BuildFailure("the build failed")

@@ -37,7 +37,7 @@ class Programs:
         for chapter in unbuilt():
             self.states[chapter].name = "waiting"
         self.changed, self.wanted, self.stopping = changed, wanted, threading.Event()
-        self.said: list[str] = []  # of chapters that did not compile
+        self.ninja = None
         self.thread = threading.Thread(target=self.build_all, daemon=True)
 
     def start(self):
@@ -46,6 +46,8 @@ class Programs:
     def stop(self):
         """Ends what is being built; what is compiled stays."""
         self.stopping.set()
+        if self.ninja:
+            self.ninja.terminate()
         if self.thread.is_alive():
             self.thread.join()
 
@@ -61,8 +63,7 @@ class Programs:
 
     def next(self) -> str | None:
         wanted = self.wanted()
-        if wanted in self.states and self.states[wanted].name in ("waiting", "failed"):
-            self.states[wanted].name = "waiting"
+        if wanted in self.states and self.states[wanted].name == "waiting":  # one that failed is tried by the next ./course run
             return wanted
         return next((chapter for chapter, state in self.states.items() if state.name == "waiting"), None)
 
@@ -78,12 +79,15 @@ class Programs:
             wanted = self.wanted()
             return self.stopping.is_set() or (wanted != chapter and wanted in self.states and
                                               self.states[wanted].name == "waiting")
+        def started(ninja):
+            self.ninja = ninja
+            if self.stopping.is_set():
+                ninja.terminate()
         self.changed()
         try:
-            ended = build([chapter], show=show, give_way=give_way)
+            ended = build([chapter], show=show, give_way=give_way, started=started)
             state.name = "ready" if ended else "waiting"
         except Failure as failure:
             state.name = "failed"
-            self.said.append(f"{chapter} does not compile")
             warn(getattr(failure, "said", "") or str(failure))
         self.changed()
