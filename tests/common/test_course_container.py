@@ -93,11 +93,12 @@ class Runs(Course):
         return result, ran
 
     def test_its_two_commands_in_a_container(self):
-        result, [first, second] = self.commands()
+        result, [first, pages, second] = self.commands()
         self.assertEqual(result, 0)
         root = str(self.root / "build/on/trixie/root")
         self.assertEqual(first[:4], ["bwrap", "--bind", root, "/"])
         self.assertEqual(first[-4:], [container.TREE, "--", "./course", "run"])
+        self.assertEqual(pages[-2:], ["./course", "docs"])
         self.assertEqual(second[-4:], [container.TREE, "--", "./course", "test"])
         self.assertNotIn(str(self.root), first[4:])
 

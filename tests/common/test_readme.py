@@ -36,7 +36,7 @@ class FirstScreen(unittest.TestCase):
         self.assertLessEqual(len(README.split()), 900)
 
     def test_a_sentence_a_picture_and_two_commands_come_first(self):
-        before = README[:README.index("## Why this one")]
+        before = README[:README.index("## Why this one?")]
         self.assertRegex(before, r"\A# Lightwalk\n\n[^#\[]+\n\n\[!\[[^\]]+\]\(docs/images/front/best\.jpg\)\]")
         self.assertEqual(re.findall(r"^    (\./course \w+)$", before, re.M), ["./course run", "./course test"])
         self.assertEqual(len(set(re.findall(r"front/lesson_\d\d\.jpg\)[^\]]*\]\(docs/(\d\d_\w+)\.md\)", before))), 6)
@@ -55,7 +55,7 @@ class FirstScreen(unittest.TestCase):
         if listed.returncode:
             self.skipTest("a copy without git")
         files = [ROOT / os.fsdecode(name) for name in listed.stdout.split(b"\0") if name]
-        deflated = sum(len(zlib.compress(file.read_bytes(), 6)) for file in files if file.is_file()) / 1e6  # as git stores them
+        deflated = sum(len(zlib.compress(file.read_bytes(), 6)) for file in files if file.is_file()) / 2**20  # as git stores them
         self.assertLess(deflated, 90)
         [said] = re.findall(r"`--depth 1` takes (\d+) MB", README)
         self.assertLess(abs(deflated - int(said)), 5)
