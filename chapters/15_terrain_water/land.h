@@ -28,7 +28,13 @@ struct Land : Drawing {
     Knob<int> grid_level{*this, "grid_level", 2, {0, 7}, "Cells of the grid: 2^grid_level samples (method grid)"};
     Knob<int> ring_cells{
         *this, "ring_cells", 128, {8, 1024}, "Cells along a side of a ring; rounded to a multiple of 4"};
-    Knob<float> error_px{*this, "error_px", 1.5f, {0.05f, 64.0f}, "Error of the ground that chunks may show", "px"};
+    Knob<float> error_px{*this,
+                         "error_px",
+                         1.5f,
+                         {0.05f, 64.0f},
+                         "Target error of chunks, perpendicular to the ground; not a bound, since a ridge drawn too "
+                         "low shows what lies behind it",
+                         "px"};
     Choice blend{*this,
                  "blend",
                  {"smooth", "height_aware"},

@@ -20,7 +20,8 @@ struct Curve {
     glm::dvec3 at(double time_s) const;
 
     /// At an even speed: the place at the share of the whole length that `time_s` is of the whole time. `table` is
-    /// samples() of this curve: 64 pieces keep the speed within 2% (tests/19_ambiance/test_stability.cpp).
+    /// samples() of this curve: 64 pieces keep the speed within 4% in the median of random paths
+    /// (tests/19_ambiance/test_stability.cpp, [19.even_speed]).
     glm::dvec3 at_even_speed(double time_s, const std::vector<glm::dvec3>& table) const;
 
     /// Points at even spacing in time, `pieces` for each pair of keys, and the last one.

@@ -20,7 +20,8 @@ vec3 pigment_brdf(float n_dot_l, float n_dot_v) {
     return mix(paint.color, paint.edge_color, clamp(3.0 * way, 0.0, 1.0)) / pi;
 }
 
-// The flakes: a GGX lobe, in the mean over the angle between the two planes, which the table does not have.
+// The flakes: a GGX lobe, averaged over the angle between the two planes, which the table does not have. Over n squared,
+// because refraction spreads light on its way out (E. Veach, Ph.D. thesis, Stanford, 1997, section 5.2).
 float flake_brdf(float n_dot_l, float n_dot_v) {
     float l = below_coat(n_dot_l), v = below_coat(n_dot_v), alpha = paint.flake_roughness * paint.flake_roughness;
     float across = sqrt((1.0 - l * l) * (1.0 - v * v)), sum = 0.0;
@@ -30,7 +31,7 @@ float flake_brdf(float n_dot_l, float n_dot_v) {
         float n_dot_h = min((l + v) / sqrt(max(2.0 + 2.0 * l_dot_v, 1e-6)), 1.0);
         sum += ggx_density(n_dot_h, alpha);
     }
-    return ggx_visibility(l, v, alpha) * sum / float(angles);
+    return ggx_visibility(l, v, alpha) * sum / (float(angles) * coat_index * coat_index);
 }
 
 // What of the light gets through the coat, in and out.

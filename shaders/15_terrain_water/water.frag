@@ -2,6 +2,7 @@
 #include "common/view_rays.h"
 #include "14_environment/image_light.glsl"
 #include "15_terrain_water/fresnel_water.glsl"
+#include "15_terrain_water/rough_reflectance.glsl"
 #include "15_terrain_water/water_facet.glsl"
 #include "15_terrain_water/water_reflection.glsl"
 #include "15_terrain_water/foam.glsl"
@@ -12,7 +13,7 @@ layout(location = 1) in vec3 position;
 layout(location = 0) out vec4 color;
 
 // [refraction]
-// What comes through the surface from below, after `absorption` along its way. Deep water sends back what is scattered in it.
+// Light through the surface from below, after absorption, and light scattered by the water.
 vec3 through_water(vec3 normal, vec3 to_eye, float distance_m, out float depth_m) {
     vec2 pixel = gl_FragCoord.xy;
     vec2 size = vec2(textureSize(behind, 0));
@@ -20,10 +21,11 @@ vec3 through_water(vec3 normal, vec3 to_eye, float distance_m, out float depth_m
     vec2 bent = clamp(pixel + water_now.refraction * normal.xz * min(straight, 4.0) / (water_now.pixel_rad * distance_m),
                       vec2(0.5), size - 0.5);
     if (distance_at(bent) < distance_m) bent = pixel;  // stands before the water
-    float way = max(distance_at(bent) - distance_m, 0.0) * distance_m_of_ray(bent);
+    float below_m = max(distance_at(bent) - distance_m, 0.0) * distance_m_of_ray(bent) * max(to_eye.y, 0.0);
     depth_m = max(straight, 0.0) * distance_m_of_ray(pixel) * max(to_eye.y, 0.05);
-    // The light goes down as far, and comes back up.
-    vec3 left = exp(-water_now.absorption * way * (1.0 + max(to_eye.y, 0.0)));
+    // Straight down, and back along the refracted ray (Snell's law at level water).
+    float up = sqrt(1.0 - (1.0 - to_eye.y * to_eye.y) / (WATER_INDEX * WATER_INDEX));
+    vec3 left = exp(-water_now.absorption * below_m * (1.0 + 1.0 / up));
     vec3 scattered = water_now.turbid * (water_now.sky + water_now.sun * max(water_now.to_sun.y, 0.0) / 3.14159265);
     return mix(scattered, texelFetch(behind, ivec2(bent), 0).rgb, left);
 }
@@ -39,7 +41,7 @@ vec3 glitter(vec3 normal, vec3 to_eye, float variance) {
     middle = normalize(middle);
     float c = max(dot(normal, middle), 1e-3), square = c * c;
     float facets = exp((square - 1.0) / (square * variance)) / (3.14159265 * variance * square * square);
-    float reflected = fresnel_water(dot(middle, to_eye), 1.0, 1.333);
+    float reflected = fresnel_water(dot(middle, to_eye), 1.0, WATER_INDEX);
     float n_dot_v = max(dot(normal, to_eye), 0.02), n_dot_l = max(dot(normal, water_now.to_sun), 0.0);
     return water_now.sun * reflected * facets * n_dot_l / (4.0 * max(n_dot_v * n_dot_l, 0.02) + 1e-4);
 }
@@ -56,13 +58,10 @@ void main() {
     Facet facet = facet_at(at_rest, to_eye, below);
     vec3 normal = facet.normal;
 
-    // 2. Schlick's formula; of a rough surface at a grazing angle the facets that are seen are turned to the eye (Bruneton et
-    //    al. 2010, equation 23).
-    float deviation = sqrt(facet.variance), f0 = 0.0204;
-    float fresnel = fresnel_water(facet.cosine, below ? 1.333 : 1.0, below ? 1.0 : 1.333);
-    if (!below)
-        fresnel = f0 + (fresnel - f0) * pow(max(1.0 - facet.cosine, 1e-3), 5.0 * exp(-2.69 * deviation) - 5.0) /
-                           (1.0 + 22.7 * pow(deviation, 1.5));
+    // 2. The reflectance; of a rough surface, the mean over its visible facets. The variance is that of both axes.
+    float deviation = sqrt(facet.variance);
+    float fresnel = fresnel_water(facet.cosine, below ? WATER_INDEX : 1.0, below ? 1.0 : WATER_INDEX);
+    if (!below) fresnel = rough_reflectance(fresnel, facet.cosine, sqrt(0.5 * facet.variance));
 
     // 3. What is reflected, and what comes through.
     float depth_m;

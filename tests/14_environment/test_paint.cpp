@@ -126,8 +126,42 @@ TEST_CASE_METHOD(OnPaint, "the flakes are a GGX lobe below the coat, in the mean
             }
             INFO("n.v " << double(x) / 63 << ", n.l " << double(y) / 63);
             CHECK(double(texels[y * 64 + x].r) == Approx(through(double(y) / 63) * through(double(x) / 63) * density *
-                                                         truth::ggx_visibility(l, v, alpha))
+                                                         truth::ggx_visibility(l, v, alpha) / (coat_index * coat_index))
                                                       .epsilon(0.005));
             CHECK(texels[y * 64 + x].r == Approx(texels[x * 64 + y].r).epsilon(0.002));  // reciprocal
         }
+}
+
+TEST_CASE_METHOD(OnPaint, "flakes send back what rays that are refracted, mirrored and refracted again carry",
+                 "[14.flakes]") {
+    objects.paint.flakes.value = 1;
+    objects.paint.flake_color.value = glm::vec3(1);
+    for (const float roughness : {0.1f, 0.45f, 1.0f}) {
+        objects.paint.flake_roughness.value = roughness;
+        const double alpha = std::pow(double(roughness), 2);
+        const auto texels = table();
+        for (const size_t x : {size_t(16), size_t(40), size_t(63)}) {
+            const double n_dot_v = double(x) / 63, v = below_coat(n_dot_v);
+            const glm::dvec3 to_eye(std::sqrt(1 - v * v), 0, v);
+            double energy = 0;
+            const int n = 400;
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i) {
+                    // Half vectors as dense as D n.h; then the share that masking and shadowing leave.
+                    const double turn = truth::around * (i + 0.5) / n, u = (j + 0.5) / n;
+                    const double c = std::sqrt((1 - u) / (1 + (alpha * alpha - 1) * u)), s = std::sqrt(1 - c * c);
+                    const glm::dvec3 half(s * std::cos(turn), s * std::sin(turn), c);
+                    const double facing = glm::dot(to_eye, half);
+                    const glm::dvec3 to_light = 2 * facing * half - to_eye;
+                    const double sine = coat_index * std::hypot(to_light.x, to_light.y);
+                    if (facing <= 0 || to_light.z <= 0 || sine >= 1) continue;  // reflected back into the paint
+                    const double seen = 4 * to_light.z * v * truth::ggx_visibility(to_light.z, v, alpha);
+                    energy +=
+                        seen * facing / (v * c) * through(std::sqrt(1 - sine * sine)) * through(n_dot_v) / (n * n);
+                }
+            INFO("roughness " << roughness << ", n.v " << n_dot_v);
+            CHECK(double(texels[65 * 64 + x].r) == Approx(energy).epsilon(0.03));
+            CHECK(energy < 1);
+        }
+    }
 }

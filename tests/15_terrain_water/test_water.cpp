@@ -298,6 +298,7 @@ TEST_CASE_METHOD(OnWater, "level water shows a wall upside down where the wall i
     CHECK(depth_at({4, 3, -40}).first == 0);
     // The mirror image has nothing of what is below the water: seen from above it would stand before the sky.
     wall.bottom = -3, wall.top = -0.5f;
+    water.absorption.value = glm::vec3(20);  // nothing shows through
     const ImageRgb sunk = picture("flat", "planar", 0, {wall});
     double red = 0;
     for (const glm::vec3& p : sunk.pixels) red = std::max(red, double(p.r) - double(p.g));

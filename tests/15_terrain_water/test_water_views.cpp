@@ -18,6 +18,23 @@ glm::dvec3 scattered(const OnWater& on, double depth_m) {
            (glm::dvec3(sun.sky) + glm::dvec3(sun.light) * double(sun.to_sun.y) / glm::pi<double>());
 }
 
+/// Fresnel's reflectance of a surface seen at an angle, its mean over the facets that face the eye: slopes normally
+/// distributed with that deviation on each axis, each facet weighted by the area that it shows.
+double mean_fresnel(double tilt, double deviation) {
+    double light = 0, area = 0;
+    const int steps = 400;
+    for (int j = 0; j < steps; ++j)
+        for (int i = 0; i < steps; ++i) {
+            const double x = 10 * ((i + 0.5) / steps - 0.5), z = 10 * ((j + 0.5) / steps - 0.5);
+            const double shown = std::cos(tilt) - deviation * x * std::sin(tilt);  // of the area on the ground
+            if (shown <= 0) continue;
+            const double cosine = shown / std::sqrt(1 + deviation * deviation * (x * x + z * z));
+            const double weight = shown * std::exp(-0.5 * (x * x + z * z));
+            light += weight * truth::fresnel_exact(cosine, 1, 1.333), area += weight;
+        }
+    return light / area;
+}
+
 }  // namespace
 
 TEST_CASE_METHOD(OnWater, "in the picture a reflected ray is followed to the stripe of the wall that it meets") {
@@ -114,6 +131,64 @@ TEST_CASE_METHOD(OnWater, "in waves an eye is as deep as the surface above it is
         camera.position = {0, height - 2, 0}, camera.target = {0, height - 8, -20};
         const ImageRgb seen = picture("gerstner", "none", time_s);
         CHECK(glm::length(glm::dvec3(seen.at(50, 62)) / scattered(*this, 2) - 1.0) < 0.01);
+    }
+}
+
+TEST_CASE_METHOD(OnWater, "rough water reflects what an integral over its visible facets says, within 0.05",
+                 "[15.rough_water]") {
+    scene.file.ambient = glm::vec3(1);
+    scene.set_sun({.to_sun = {0, -1, 0}, .light = glm::vec3(0), .sky = glm::vec3(0)});
+    owner.prepare_all(gpu, scene);
+    size = {8, 64}, camera.fov_y_rad = 0.03f, background = {0, 0, 0, 1};
+    for (const double deviation : {0.02, 0.05, 0.1, 0.2})
+        for (const double degrees : {60.0, 75.0, 80.0, 85.0}) {
+            const double tilt = degrees * M_PI / 180;
+            water.roughness.value = float(deviation);
+            camera.position = {0, 5, 0}, camera.target = {0, 0, float(-5 * std::tan(tilt))};
+            const double found = double(picture("flat", "cube").at(4, 32).r), right = mean_fresnel(tilt, deviation);
+            INFO(deviation << " at " << degrees << " degrees: " << found << " instead of " << right);
+            CHECK(found == Approx(right).margin(0.05));
+        }
+}
+
+TEST_CASE_METHOD(OnWater, "in a white furnace water sends out no more than arrives, by any method", "[15.furnace]") {
+    scene.file.ambient = glm::vec3(1), background = glm::vec4(1);
+    scene.set_sun({.to_sun = {0, -1, 0}, .light = glm::vec3(0), .sky = glm::vec3(1)});
+    owner.prepare_all(gpu, scene);
+    for (const char* method : {"flat", "sines", "gerstner", "fft"})
+        for (const char* reflection : {"cube", "screen_space", "planar"})
+            for (const float roughness : {0.0f, 0.1f, 0.5f})
+                for (const float height : {2.0f, -1.0f}) {
+                    water.roughness.value = roughness, water.turbid.value = glm::vec3(1);
+                    camera.position = {0, height, 0}, camera.target = {0, 0, -10};
+                    float most = 0;
+                    for (const glm::vec3& p : picture(method, reflection, 1.5f).pixels)
+                        most = std::max({most, p.r, p.g});
+                    INFO(method << " " << reflection << " " << roughness << " " << height << ": " << most);
+                    CHECK(most < 1.005f);
+                }
+}
+
+TEST_CASE_METHOD(OnWater, "water absorbs light on its way down, and back along the refracted ray", "[15.absorption]") {
+    water.roughness.value = 0, water.refraction.value = 0, water.shore_m.value = 0, water.turbid.value = glm::vec3(0);
+    water.absorption.value = {0.3f, 0.15f, 0.05f};
+    scene.set_sun({.to_sun = {0, -1, 0}, .light = glm::vec3(0), .sky = glm::vec3(0)});
+    owner.prepare_all(gpu, scene);
+    Quads ground(owner, "ground");
+    const float depth = 1.5f, far = 400;
+    ground.quads = {
+        {{{-far, -depth, far}, {far, -depth, far}, {far, -depth, -far}, {-far, -depth, -far}}, {1, 1, 1, 1}}};
+    ground.solid = 1;
+    for (const double degrees : {80.0, 45.0, 30.0, 10.0}) {
+        const double sine = std::sin(degrees * M_PI / 180);
+        camera.position = {0, 5, 0}, camera.target = {0, 0, float(-5 / std::tan(degrees * M_PI / 180))};
+        const double up = std::sqrt(1 - (1 - sine * sine) / (1.333 * 1.333));
+        const glm::dvec3 left = glm::exp(-double(depth) * (1 + 1 / up) * glm::dvec3(water.absorption.value));
+        const glm::dvec3 right = (1 - truth::fresnel_water(sine, 1, 1.333)) * left;
+        camera.fov_y_rad = 0.01f;
+        const glm::dvec3 seen(picture("flat", "none", 0, {ground}).at(48, 32));
+        INFO(degrees << " degrees: " << seen.r << " " << seen.g << " instead of " << right.r << " " << right.g);
+        CHECK(glm::length(seen / right - 1.0) < 0.02);
     }
 }
 

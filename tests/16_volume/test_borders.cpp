@@ -102,3 +102,29 @@ TEST_CASE_METHOD(OnVolume, "noise that changes along the radius alone makes no b
         probe.inputs.push_back({0, 0, 0, normal.x, normal.y, normal.z, -normal.x, -normal.y, -normal.z});
     CHECK(worst_of(probe, run_probe(gpu, probe, 3)) == "");
 }
+
+TEST_CASE_METHOD(OnVolume, "skipping gives midpoint's picture where steps are longer than blocks, and in even matter",
+                 "[16.skipping]") {
+    volume.field.voxels.value = 32, background = {0.5f, 0.4f, 0.3f, 1};
+    const auto differs = [&] {
+        volume.method.set("midpoint");
+        const ImageRgb right = picture();
+        volume.method.set("skipping");
+        return right.pixels != picture().pixels;
+    };
+    // Steps of 32 voxels to less than one: the first sample behind an empty block is taken, and no sample twice.
+    load({64, 64, 64}, [](int x, int y, int z) { return (x / 9 + y / 11 + z / 7) % 5 == 0 ? 0.6f : 0.0f; });
+    volume.transfer.set("even"), volume.density.value = 0.05f;
+    for (const int steps : {2, 3, 5, 7, 11, 19, 40, 90}) {
+        volume.steps.value = steps;
+        INFO(steps << " steps");
+        CHECK_FALSE(differs());
+    }
+    // Blocks of one density: their range is a single entry of the transfer function, for 1 the last.
+    volume.steps.value = 24;
+    for (const float density : {1.0f, 0.0f}) {
+        load({16, 16, 16}, [&](int, int, int) { return density; });
+        INFO("density " << density);
+        CHECK_FALSE(differs());
+    }
+}

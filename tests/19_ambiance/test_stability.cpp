@@ -201,6 +201,32 @@ TEST_CASE("speed varies along a centripetal curve; a table of 64 evens it out to
     CHECK(worst[2] < 0.03);
 }
 
+TEST_CASE("with a table of 64 lengths the speed at a moment is even to 4%, in the median of 200 paths",
+          "[19.even_speed]") {
+    Random random(64);
+    std::vector<double> off;
+    for (int i = 0; i < 200; ++i) {
+        const Curve curve = any_curve(random, Spline::centripetal, 6, 4);
+        const std::vector<glm::dvec3> table = curve.samples(64);
+        const int steps = 4000;
+        std::vector<double> speeds;
+        double sum = 0;
+        for (int s = 0; s < steps; ++s) {
+            speeds.push_back(glm::distance(curve.at_even_speed(5.0 * s / steps, table),
+                                           curve.at_even_speed(5.0 * (s + 1) / steps, table)));
+            sum += speeds.back() / steps;
+        }
+        double most = 0;
+        for (const double speed : speeds) most = std::max(most, std::fabs(speed / sum - 1));
+        off.push_back(most);
+    }
+    const Spread found = spread(off);
+    fmt::print("speed with a table of 64: off by {:.1f}% in the median, {:.0f}% at most\n", 100 * found.median,
+               100 * found.most);
+    CHECK(found.median < 0.05);
+    CHECK(found.median > 0.02);
+}
+
 TEST_CASE("keys at one place: the camera rests, and nothing is divided by 0") {
     for (const Spline spline : {Spline::linear, Spline::catmull_rom, Spline::centripetal}) {
         const Curve curve{.spline = spline,
@@ -235,6 +261,24 @@ TEST_CASE("opposite ups cancel when they are mixed; the path's up has length 1")
         }
         CHECK(before == Approx(apart).margin(0.01));
     }
+}
+
+TEST_CASE("from one key's roll to the next the camera turns the short way, also over half a turn", "[19.roll]") {
+    const auto key = [](double time_s, double roll_deg) {
+        const double a = glm::radians(roll_deg);
+        return CameraKey{
+            .time_s = time_s, .position = {0, 0, 5}, .target = {0, 0, 0}, .up = {std::sin(a), std::cos(a), 0}};
+    };
+    for (const double first : {0.0, 100.0, 170.0, 175.0, -170.0, 250.0})
+        for (const double turn : {20.0, -20.0, 90.0, -150.0}) {
+            const CameraPath path({key(0, first), key(1, first + turn)}, {});
+            const glm::dvec3 middle(path.at(0.5, {}).up), right(key(0, first + 0.5 * turn).up);
+            INFO("from " << first << " by " << turn);
+            CHECK(glm::distance(middle, right) < 1e-4);
+        }
+    // Three keys: the third goes on from the second's angle.
+    const CameraPath path({key(0, 120), key(1, 200), key(2, 280)}, {});
+    CHECK(glm::distance(glm::dvec3(path.at(1.5, {}).up), key(0, 240).up) < 1e-4);
 }
 
 TEST_CASE("a view that passes the zenith: a fixed up rolls by 180 degrees, the path's does not roll", "[figures]") {

@@ -19,7 +19,7 @@ from charts.measured import earlier
 from check import lesson_tests
 from pages import tables
 from pages.quotes import lessons
-from tree import BUILD, ROOT, UsageError, chapters, find_chapter, say
+from tree import BUILD, ROOT, UsageError, chapters, find_chapter, run_on_chapter, say
 
 HELP = """Runs the tests that lessons name, and prints their output beside the lesson's lines: every figure can be measured again.
 
@@ -137,3 +137,13 @@ def printed(output: str, pattern: str) -> float | None:
     parts = [r"\s+".join(map(re.escape, part.split())) for part in pattern.split("{}")]
     match = re.search(rf"\s*{NUMBER}\s*".join(parts) if len(parts) == 2 else pattern, output)
     return float(match[1]) if match else None
+
+
+def test_of(chapter: str) -> list[str]:
+    """As a test, of a chapter whose programs are built: a line where a figure is wrong."""
+    wrong = sum(check(lesson, False) for lesson in lesson_tests.of_chapters(lessons()) if lesson.stem.startswith(chapter[:2]))
+    return [f"{wrong} figures of chapter {chapter} are wrong; ./course figures {chapter[:2]} shows them"] if wrong else []
+
+
+if __name__ == "__main__":
+    run_on_chapter(test_of)
