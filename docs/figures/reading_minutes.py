@@ -1,7 +1,7 @@
 """How many minutes the main thread of each lesson takes to read, with its code.
 
 python3 docs/figures/reading_minutes.py measures them, and writes reading_minutes.json and docs/images/reading_minutes.svg. A test
-allows the file two minutes of difference, so that not every word changes the picture.
+allows the file four minutes of difference, so that not every word changes the picture.
 """
 
 import json
