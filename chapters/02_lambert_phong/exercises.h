@@ -7,14 +7,14 @@
 
 namespace lightwalk {
 
-/// What 02.record_mist has to work with.
+/// Pipelines and callback for exercise 02.record_mist.
 struct MistPasses {
     const Pipeline& sky;   ///< compute: writes every texel of its image `result`
     const Pipeline& mist;  ///< compute: reads and writes every texel of its image `result`, reads its texture `depth`
     std::function<void(Raster&)> draw_scene;  ///< with depth test and write; covers a part of the picture
 };
 
-/// exercise/record_mist.cpp says what it must do.
+/// Specification: exercise/record_mist.cpp.
 EXERCISE("02.record_mist", void, record_mist, Frame& frame, const MistPasses& passes);
 
 }  // namespace lightwalk

@@ -6,7 +6,7 @@
 
 namespace lightwalk {
 
-/// exercise/light_reaches_box.cpp says what it must do.
+/// Specification: exercise/light_reaches_box.cpp.
 EXERCISE("03.light_reaches_box", bool, light_reaches_box, const Light& light, float radius_m, const Bounds& box);
 
 }  // namespace lightwalk

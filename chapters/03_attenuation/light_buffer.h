@@ -12,10 +12,10 @@ LightData pack(const Light& light);
 /// Holds as many lights as there are, in their order, and is packed and uploaded anew only when one has changed.
 class LightBuffer {
   public:
-    /// True where the lights are not those of the last call: then the frame gets a pass that uploads them.
+    /// Adds an upload pass to the frame if the lights have changed; true in this case.
     bool update(Frame& frame, const std::vector<Light>& lights);
 
-    Buffer buffer;     ///< what shaders call `lights`; none before update()
+    Buffer buffer;     ///< bound as `lights`; empty before update()
     int rebuilds = 0;  ///< how often it was packed
     const std::vector<Light>& lights() const { return lights_; }
 

@@ -11,8 +11,8 @@ namespace lightwalk {
 /// Sides of a tile and, for clusters, of a column of them, in pixels, unless that makes a buffer too large.
 constexpr uint32_t tile_px = 16, cluster_px = 64;
 
-/// The depths in metres between which clusters are cut: those of the box `scene` in front of the camera. The first is
-/// at least a 500th of the second, and below it.
+/// Depth range of the clusters in metres: the part of the box `scene` in front of the camera. The near depth is below
+/// the far one, and at least a 500th of it.
 glm::vec2 cluster_depths(const Camera& camera, const Bounds& scene);
 
 // [light_grid]
@@ -21,9 +21,8 @@ class LightGrid {
   public:
     enum class Cells { tiles, clusters };
 
-    /// Makes the cells of `seen`. Clusters have `slices` between the nearest and the farthest depth of `scene` (world
-    /// space, may be empty); tiles have none. `threshold` is influence_radius()'s. A grid whose bits would not fit into
-    /// one buffer of the device gets larger tiles.
+    /// Makes the cells of `seen`. Clusters have `slices` over the depth range of `scene` (world space, may be empty);
+    /// tiles have none. `threshold`: see influence_radius(). Tiles grow if the bits exceed the device's largest buffer.
     void set_view(const Device& device, const View& seen, const Bounds& scene, Cells cells, int slices, size_t lights,
                   float threshold);
 
@@ -31,7 +30,7 @@ class LightGrid {
     /// this grid's view.
     void record(Frame& frame, const Given& lights, const ImageView& depth);
 
-    Buffer masks, groups;  ///< light_data.h says what is in them
+    Buffer masks, groups;  ///< layout in light_data.h
     GridView view;
 
   private:

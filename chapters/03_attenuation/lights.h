@@ -1,4 +1,4 @@
-// Lights module: all lights of a scene in a buffer, and for each pixel those that may reach it.
+// Lights module: a scene's lights in a buffer, with culling for each pixel.
 #pragma once
 #include "03_attenuation/light_grid.h"
 #include "03_attenuation/object_lights.h"
@@ -38,7 +38,7 @@ struct Lights : Module {
     /// The lights and each object's list of them, uploaded in passes of this frame where something has changed.
     void update(Frame& frame, const Scene& scene, const std::vector<Light>& lights);
 
-    /// Tiles ask the view's depth what they hold.
+    /// True if the culling reads the view's depth.
     bool needs_depth() const { return method.is("tiled"); }
 
     /// Sorts the lights into the view's tiles or clusters, where those are the method. `depth`: the view's, where

@@ -1,4 +1,4 @@
-// Chapter 03: point and spot lights, and the culling of those that do not reach a pixel.
+// Chapter 03: point and spot lights, and light culling.
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"

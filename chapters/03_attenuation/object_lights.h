@@ -5,8 +5,8 @@
 
 namespace lightwalk {
 
-/// The lists of all draw calls, one after the other, made on the CPU. They do not depend on the camera: only a change
-/// of the lights, of where the scene's parts are, of the threshold or of the exercise's toggle rebuilds them.
+/// Light lists of all draw calls, made on the CPU. They do not depend on the camera, and are rebuilt if the lights, the
+/// scene's parts, the threshold or the exercise's toggle change.
 class ObjectLights {
   public:
     /// `threshold` is influence_radius()'s. Lists that are new are uploaded in passes of the frame.

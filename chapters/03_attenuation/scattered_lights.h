@@ -12,8 +12,7 @@ std::vector<Light> scatter_lights(const Bounds& where, int count, unsigned seed)
 /// Takes each point and spot light around a circle of up to half a metre, in 2 s to 6 s. At time 0 it has moved, too.
 void move_lights(std::vector<Light>& lights, float time_s);
 
-/// A chapter's lights: those of its scene, and random ones where the scene was when it was loaded. Its knob is the
-/// chapter's own.
+/// The scene's lights and random ones within the scene's initial bounds. Its knob has no prefix.
 struct ScatteredLights : Module {
     explicit ScatteredLights(Module& owner);
     Knob<int> count;

@@ -77,7 +77,7 @@ inline const LogCurve<10>& odt_curve() {
     return curve;
 }
 
-/// The RRT's glow: what saturated dark colours are multiplied by.
+/// Factor of the RRT's glow for saturated dark colours.
 inline double glow(glm::dvec3 c, double saturation) {
     const double chroma = std::sqrt(std::max(c.b * (c.b - c.g) + c.g * (c.g - c.r) + c.r * (c.r - c.b), 0.0));
     const double yc = (c.r + c.g + c.b + 1.75 * chroma) / 3.0, x = (saturation - 0.4) / 0.2;
@@ -90,7 +90,7 @@ inline double glow(glm::dvec3 c, double saturation) {
 /// The RRT's weight of red: a cubic B-spline over 135 degrees of hue, 1 at red itself.
 inline double redness(glm::dvec3 c) {
     const double across = std::sqrt(3.0) * (c.g - c.b), along = 2 * c.r - c.g - c.b;
-    if (across == 0 && along == 0) return 1.0;  // grey, whose saturation is 0
+    if (across == 0 && along == 0) return 1.0;  // grey: saturation 0
     const double u = std::fabs(std::atan2(across, along)) * 180.0 / 3.141592653589793 * 4.0 / 135.0;
     if (u >= 2) return 0.0;
     return 1.5 * (u < 1 ? (4 - 6 * u * u + 3 * u * u * u) / 6 : std::pow(2 - u, 3.0) / 6);

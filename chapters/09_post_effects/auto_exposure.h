@@ -6,9 +6,9 @@
 namespace lightwalk {
 
 // [auto_exposure]
-/// record(), before anybody reads stops(): a 1×1 image of four floats, the exposure in stops, what the picture asks
-/// for, and how many pixels are not black. From one frame to the next, time passing, the exposure goes the share 1 -
-/// e^(-dt / adapt_s) of the way; in the first frame, and where no time has passed, all of it.
+/// Automatic exposure. Call record() before stops(): a 1×1 image of four floats with the exposure in stops, its target,
+/// and the number of pixels that are not black. Each frame moves the exposure by the share 1 - e^(-dt / adapt_s) of the
+/// difference; the first frame, or one without passing time, by all of it.
 struct AutoExposure : Module {
     AutoExposure(Module& owner, std::string name) : Module(owner, std::move(name), "auto_exposure") {}
 

@@ -41,8 +41,8 @@ glm::vec2 lens_place(int i, int count, float radius_m) {
     return r * glm::vec2(std::cos(angle), std::sin(angle));
 }
 
-// What is seen from a place of the lens: the camera moves there, and a point at the distance f, which is then at the
-// slope (x - place) / f, is shifted back to where it shall be, x / f.
+// View from a point of the lens: the camera moves there, and points at the distance f are shifted back from the slope
+// (x - point) / f to x / f.
 View from_place(const View& view, glm::vec2 place, float focus_m) {
     Camera moved = view.camera;
     const glm::vec3 forward = glm::normalize(moved.target - moved.position);

@@ -4,8 +4,8 @@
 
 namespace lightwalk {
 
-/// While it lives: with `effects` of 0 and more so many effects are on, those first that need nothing but their pixel;
-/// with fewer, and `reference`, tones are mapped by aces. Then all knobs are what they were.
+/// Scope with the given number of effects on, those of one pixel first; below 0, and with `reference`, tones are mapped
+/// by aces. Restores all knobs.
 class KnobsForFrame {
   public:
     KnobsForFrame(Post& post, bool reference, int effects);

@@ -30,9 +30,8 @@ std::vector<KnobBase*> Post::effects() {
 }
 
 // [steps]
-// One pass for each effect that looks at other pixels: it must find the whole picture of the one before. The others
-// share one, or have one each. The last pass writes into the picture, which no pass may read from elsewhere while it
-// does.
+// One pass for each effect that reads other pixels, since it needs the finished result before it. The others share a
+// pass or have one each. The last pass writes in place, so it reads its own pixel only.
 std::vector<Post::Step> Post::steps() {
     std::vector<Step> all;
     const std::vector<KnobBase*> order = effects();

@@ -6,12 +6,9 @@
 namespace lightwalk {
 
 // [post]
-/// In a frame, when the picture is finished in linear light:
-///
-///     post.record(frame, frame.hdr);
-///
-/// turns the RGBA16F image, of any size, into what a screen shows, 0 to 1 and still linear. Effects happen in the order
-/// in which they stand here; what is off is not compiled. Alpha becomes 1. Once per frame and module.
+/// Post effects on a finished frame in linear light: post.record(frame, frame.hdr) maps an RGBA16F image of any size to
+/// 0 to 1, still linear. Effects run in the order below; disabled ones are not compiled. Alpha becomes 1. Once per
+/// frame and module.
 struct Post : Module {
     Post(Module& owner, std::string name) : Module(owner, std::move(name), "post") {}
 
@@ -24,7 +21,7 @@ struct Post : Module {
     // [/post]
     Choice store{*this, "store", {"float", "half"}, "float", "Storage of a channel between passes: 32 bits or 16 bits"};
 
-    // Those that look at other pixels, each a pass of its own.
+    // Effects that read other pixels, a pass each.
     Knob<bool> radial_blur{*this, "radial_blur", false, "Radial blur towards one point"};
     Knob<float> blur_by{
         *this, "blur_by", 0.15f, {0.0f, 1.0f}, "Length of the radial blur, as a fraction of the distance to the point"};
@@ -71,7 +68,7 @@ struct Post : Module {
     Knob<float> white_k{
         *this, "white_k", 6504.0f, {4000.0f, 25000.0f}, "Colour temperature of the daylight that appears white", "K"};
 
-    // From light to what a screen shows.
+    // Tone mapping.
     Choice tone{*this,
                 "tone",
                 {"off", "clamp", "reinhard", "narkowicz", "hill", "neutral", "agx", "aces"},

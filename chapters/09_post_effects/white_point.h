@@ -9,8 +9,7 @@ namespace lightwalk {
 /// becomes white: Bradford's adaptation from it to daylight of 6504 K, for which it is the identity.
 glm::mat3 white_balance_matrix(double kelvin);
 
-/// By what light is multiplied before the tone curve so that 0.18 is shown as bright as the reference shows it, in
-/// luminance.
+/// Scale factor of light before the tone curve, so that 0.18 has the reference's luminance.
 double matching_gain(const std::string& tone);
 
 }  // namespace lightwalk

@@ -1,5 +1,4 @@
-// A mesh without lights yet: a bright sky above (a little to the front, so that sides differ), a warm ground below, and a little darker where the surface turns away
-// from the eye, so that its shape can be read. Chapter 02 puts reflection in its place.
+// Stand-in shading of a mesh: bright sky above, warm ground below, darker towards the silhouette.
 #include "common/material.glsl"
 
 layout(location = 0) in vec3 world_position;

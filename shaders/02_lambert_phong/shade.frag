@@ -1,4 +1,4 @@
-// Lights a fragment, or takes over what its vertices received.
+// Shades a fragment, per pixel or from interpolated vertex light.
 #include "common/material.glsl"
 #include "02_lambert_phong/shading.glsl"
 

@@ -17,7 +17,7 @@ struct Cell {
     vec3 lower, upper;  // metres: a box in the camera's space (right, up, forward) that holds the cell
     vec2 slopes_x;      // of its left and right side: x / z
     vec2 slopes_y;      // of its lower and upper side
-    float margin;       // metres: more than what rounding can do
+    float margin;       // metres; above the rounding error
 };
 
 // [cell_between]

@@ -1,4 +1,4 @@
-// Sorts lights into clusters: each invocation asks up to 1,024 lights about one cell. Nobody else writes what it writes.
+// Sorts lights into clusters: an invocation tests up to 1,024 lights for one cell, and is the only writer of its masks.
 #include "03_attenuation/cell.glsl"
 
 layout(local_size_x = 64) in;

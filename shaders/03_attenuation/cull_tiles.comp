@@ -1,4 +1,4 @@
-// Sorts lights into tiles: a workgroup finds those of one tile, its invocations together.
+// Sorts lights into tiles, a workgroup for each tile.
 #include "03_attenuation/cell.glsl"
 
 layout(local_size_x = 256) in;
@@ -7,7 +7,7 @@ layout(scalar) readonly buffer LightBuffer { LightData lights_data[]; };
 layout(scalar) writeonly buffer MaskBuffer { uint lights_masks[]; };
 layout(scalar) writeonly buffer GroupBuffer { uint lights_groups[]; };
 
-// What tile_lights.glsl asks of its tile.
+// Interface of tile_lights.glsl.
 const uint TILE_INVOCATIONS = 256u;
 Cell cell;
 bool is_empty;

@@ -32,9 +32,8 @@ SHARED_FUNCTION float influence_radius(LightData light, float threshold) {
 
 // The grid: tiles of the screen, each one cell or cut into slices of depth.
 // [masks]
-// For each cell one bit per light says whether the light may reach it: bit i of masks[m * cells + cell] is light
-// 32 m + i. One bit per mask says whether the mask has any: bit j of groups[g * cells + cell] is mask 32 g + j. A mask
-// whose bit is 0 holds nothing that was written.
+// One bit for each cell and light that may reach it: bit i of masks[m * cells + cell] is light 32 m + i. Bit j of
+// groups[g * cells + cell] is set if mask 32 g + j has any; other masks are undefined.
 const uint LIGHTS_PER_MASK = 32u;
 const uint LIGHTS_PER_GROUP = 1024u;
 // [/masks]
@@ -60,7 +59,7 @@ layout(scalar) uniform LightsGridBlock { GridView lights_grid; };
 
 uint cell_count() { return lights_grid.tiles.x * lights_grid.tiles.y * lights_grid.slices; }
 
-// Metres in front of the eye. 1 / z is linear in what a depth buffer holds.
+// Metres in front of the camera. 1 / z is linear in the stored depth.
 float view_depth(float depth) {
     return 1.0 / (lights_grid.inverse_far + depth * (lights_grid.inverse_near - lights_grid.inverse_far));
 }

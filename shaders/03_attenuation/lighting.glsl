@@ -1,4 +1,4 @@
-// The sum over the lights that may reach a point: what the module Lights gives to shaders.
+// Sum over the lights at a point: the GLSL of the module Lights.
 #include "common/structs.h"
 #include "03_attenuation/light_data.h"
 #include "03_attenuation/range_fade.glsl"
@@ -46,9 +46,8 @@ layout(scalar) readonly buffer GroupBuffer { uint lights_groups[]; };
 #endif
 layout(scalar) uniform LightsBlock { float fade_k; } lights;
 
-// What arrives of a light past all that is in its way, 0 to 1 by colour. Whoever lights says how: by
-// 03_attenuation/unshadowed.glsl, which takes the way for free, or by a file that knows what stands in it. `facing` is
-// the normal of the mesh.
+// Visibility of a light, 0 to 1 for each colour. Defined by the including shader: 03_attenuation/unshadowed.glsl, or a
+// file with shadows. `facing` is the normal of the mesh.
 vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light);
 
 // How a surface reflects it: 02_lambert_phong/reflection.glsl for all who call light_surface().
@@ -82,8 +81,8 @@ uint cell_of(vec4 fragment) {
 // [/cell_of]
 
 // [light_surface]
-// `facing` is the normal of the mesh: what is below its plane does not light the surface, whatever a normal map says.
-// Always in the order of the lights: a sum of floats depends on it. `item` is the scene's item, `fragment` gl_FragCoord.
+// `facing` is the normal of the mesh: lights below its plane are ignored, despite the normal map. The order of the sum is
+// fixed, since sums of floats depend on it. `item` is the scene's item, `fragment` gl_FragCoord.
 Lit light_surface(Surface surface, vec3 facing, vec3 position, uint item, vec4 fragment) {
     Lit sum = Lit(vec3(0.0), vec3(0.0), 0u);
 #if LIGHTS_METHOD == LIGHTS_METHOD_EVERY_LIGHT
@@ -108,7 +107,7 @@ Lit light_surface(Surface surface, vec3 facing, vec3 position, uint item, vec4 f
 // One light, for surfaces that reflect each in their own way.
 struct VisibleLight {
     vec3 to_light;  // unit length
-    vec3 radiance;  // what a matt white surface that faces the light shows where nothing is in the way
+    vec3 radiance;  // radiance of a matt white surface that faces the light, unshadowed
     vec3 visible;   // 0 to 1; 1 where the surface faces away
 };
 

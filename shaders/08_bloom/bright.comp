@@ -1,4 +1,4 @@
-// What of the picture is spread.
+// Bright pass: the light that bleeds.
 #include "08_bloom/bright_pass.glsl"
 #include "08_bloom/dispatches.glsl"
 
@@ -29,5 +29,5 @@ void main() {
     if (any(greaterThan(bright, vec3(0.0)))) lit = true;
     if (inside) imageStore(result, pixel, vec4(bright, 1.0));
     barrier();
-    if (gl_LocalInvocationIndex == 0u && lit) dispatches[lit_at()] = 1u;  // whoever writes, writes the same
+    if (gl_LocalInvocationIndex == 0u && lit) dispatches[lit_at()] = 1u;  // all writers store the same value
 }

@@ -6,7 +6,7 @@ layout(local_size_x = 256) in;
 layout(scalar) readonly buffer TapBuffer { vec2 taps[]; };
 int line_number;
 
-// What blur_line.glsl asks of its line.
+// Interface of blur_line.glsl.
 vec3 texel(int i) {
     vec2 along = vec2(step_now.direction);
     return read((float(i) + 0.5) * along + (float(line_number) + 0.5) * along.yx);

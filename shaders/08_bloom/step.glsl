@@ -10,9 +10,9 @@ layout(rgba16f) uniform image2D into;
 #endif
 
 // [read]
-// In texels of `from`, 0 at the picture's left and top border, texels' middles at halves. Outside of the picture it is what
-// the border says: a level has an apron of texels there, computed like all others. Farther out it ends, is clamped, or is
-// mirrored where the picture is: at its own border, which may lie within a texel.
+// In texels of `from`: 0 at the picture's left and top border, texel centres at halves. Beyond the picture the border
+// rule applies: a level has an apron of computed texels; farther out it ends, is clamped, or is mirrored at the
+// picture's border, which may lie within a texel.
 vec3 read(vec2 position) {
     vec2 size = vec2(textureSize(from, 0)), at = position;
 #ifdef OF_A_LEVEL

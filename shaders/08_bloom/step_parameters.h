@@ -1,4 +1,4 @@
-// What one step of a blur is told.
+// Parameters of one step of a blur.
 #include <common/shared.h>
 
 BEGIN_SHARED
@@ -12,7 +12,7 @@ struct StepParameters {
     int apron;       // and the image that is written
     int mirrors;     // whether a level that is read is mirrored at the picture's border
     float spread;    // of Kawase's taps; of copy how many texels are read for one that is written
-    float weight;    // the image becomes weight * what was found + keep * what it held
+    float weight;    // image = weight * result + keep * image
     float keep;
 };
 

@@ -5,8 +5,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 // [up]
-// Nine reads at -1, 0 and 1 with the weights 1 2 1 are, a quarter of a texel beside a texel's middle, 3, 7, 5 and 1
-// sixteenths of four texels along each axis; and those are two reads between texels.
+// A 3×3 tent (1 2 1) on the coarser level: with linear filtering, two reads along each axis with the weights 3, 7, 5
+// and 1 sixteenths.
 const float near = -0.55, far = 11.0 / 12.0, near_weight = 0.625, far_weight = 0.375;
 
 void main() {

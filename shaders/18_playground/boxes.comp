@@ -1,4 +1,4 @@
-// The item whose box is the nearest behind each pixel.
+// Picking by boxes: the item of the nearest bounding box.
 #include "common/view_rays.h"
 #include "18_playground/id_buffer.glsl"
 #include "18_playground/item_box.h"

@@ -1,4 +1,4 @@
-// Numbers of items; what is cut out has none.
+// Item numbers, with cut-outs discarded.
 #include "04_surface_maps/surface_maps.glsl"
 #include "18_playground/id_buffer.glsl"
 

@@ -1,4 +1,4 @@
-// What a click picks.
+// Picked item of a click.
 #include "18_playground/id_buffer.glsl"
 
 layout(local_size_x = 1) in;

@@ -1,4 +1,4 @@
-// Outlines what is selected: pixels beside it that show something else.
+// Outline of the selection: unselected pixels next to it.
 #include "18_playground/id_buffer.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,4 +1,4 @@
-// What the scene's lights do not make of a surface, to be added to what they do.
+// Light of a surface beyond the scene's lights, to be added to theirs.
 #include "14_environment/leaving.glsl"
 #include "14_environment/unoccluded.glsl"
 

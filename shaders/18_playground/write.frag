@@ -1,4 +1,4 @@
-// Writes what the scene's lights need of a surface under a coat; its surroundings light it later, from all its numbers.
+// G-buffer of a coated surface for the scene's lights; the environment lights it later.
 #include "06_deferred/pixel.glsl"
 #include "06_deferred/put_pixel.glsl"
 #include "14_environment/coated.glsl"

@@ -27,7 +27,7 @@ void main() {
     at.y = -at.y;
     float nearest = 1e3;
     for (uint i = 0u; i < title.count; ++i) nearest = min(nearest, distance_to(at, strokes[title.begin + i]));
-    // A pen of 1/14 of the height, and round it a shade, so that letters stand out of what is bright.
+    // A pen of 1/14 of the height with a dark rim, for bright backgrounds.
     float pen = clamp((0.036 - nearest) * title.scale + 0.5, 0.0, 1.0);
     float shade = 0.8 * exp(-25.0 * nearest * nearest);
     vec3 light = imageLoad(picture, pixel).rgb;

@@ -10,7 +10,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(mean)))) return;
     vec4 now = texelFetch(hdr, pixel, 0);
-    // Where this is the first, what the image holds from before is not read: it may be NaN.
+    // The first picture overwrites the image, which may hold NaN.
     vec4 before = weight == 1.0 ? now : imageLoad(mean, pixel);
     imageStore(mean, pixel, before + (now - before) * weight);
 }

@@ -1,4 +1,4 @@
-// Linear HDR to the sRGB-encoded picture: what is above 1 is clamped.
+// Linear HDR to sRGB; values above 1 are clamped.
 #include "common/srgb.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,4 +1,4 @@
-// Light in linear numbers with Rec. 709 primaries: how bright it is, and what a target of half floats holds of it.
+// Linear light with Rec. 709 primaries: luminance, and the range of half floats.
 #include "common/structs.h"
 
 float luminance(vec3 radiance) { return dot(radiance, vec3(0.2126, 0.7152, 0.0722)); }

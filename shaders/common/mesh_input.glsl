@@ -1,4 +1,4 @@
-// What a vertex shader reads: the mesh's vertices by gl_VertexIndex, the placed part by gl_InstanceIndex, the camera.
+// Vertex shader input: vertices by gl_VertexIndex, instances by gl_InstanceIndex, the camera.
 #include "common/structs.h"
 
 layout(scalar) readonly buffer VertexBuffer { Vertex vertices[]; };

@@ -1,10 +1,9 @@
-// How a fragment shader of surfaces ends. Of transparent ones whoever mixes them puts another file in place of this one: it
-// declares its own outputs and has the same function.
+// Output of surfaces' fragment shaders. A method for transparent surfaces replaces this file by one with its own
+// outputs.
 
 layout(location = 0) out vec4 color;
 
-// `radiance`: towards the eye, linear; of a transparent surface not multiplied by `alpha`, the share of what lies behind
-// that it hides.
+// `radiance`: towards the camera, linear, not multiplied by `alpha`, the opacity.
 void put_surface(vec3 radiance, float alpha) {
     color = vec4(radiance, 1.0);
 #ifdef TRANSPARENT

@@ -1,5 +1,4 @@
-// Structs written once and read by GLSL and C++ alike, and what goes with them. In GLSL they lie in buffers with scalar layout, which packs
-// members without padding, as C++ packs glm's vectors.
+// Structs shared by GLSL and C++. In GLSL they use scalar layout, packed as C++ packs glm's vectors.
 #pragma once
 #include <common/shared.h>
 
@@ -13,7 +12,7 @@ struct Vertex {
 };
 // [/vertex]
 
-// What a vertex needs beside its normal so that a texture's directions are known in the world.
+// Tangent frame of a vertex.
 // [tangent_frame]
 struct TangentFrame {
     vec3 tangent;        // unit length, object space, perpendicular to the normal: where u grows
@@ -24,8 +23,8 @@ struct TangentFrame {
 // [/tangent_frame]
 
 // [along_uv]
-// A vector of tangent space in parts along the directions in which u and v grow, which need not be perpendicular to
-// each other; z stays. What goes (x, y) that way changes u by x / metres_per_uv.x and v by y / metres_per_uv.y.
+// A tangent-space vector along the directions of growing u and v, which need not be perpendicular; z stays. A step (x,
+// y) changes u by x / metres_per_uv.x and v by y / metres_per_uv.y.
 SHARED_FUNCTION vec3 along_uv(vec3 v, float cos_uv) {
     float sin_uv = sqrt(max(1.0f - cos_uv * cos_uv, 1e-4f));
     return vec3(v.x - v.y * cos_uv / sin_uv, v.y / sin_uv, v.z);
@@ -63,7 +62,7 @@ const uint GLOSS_MAP = 256u;          // linear
 const uint DETAIL_NORMAL_MAP = 512u;  // linear, +y up
 const uint DISPLACEMENT_MAP = 1024u;  // linear, 1/2 is the surface
 
-// What every vertex and fragment may know of the camera.
+// Camera data for all shaders.
 struct CameraView {
     mat4 view_projection;  // world to clip space: y down, depth 1 near and 0 far
     vec3 eye;              // metres, world space
@@ -96,13 +95,13 @@ struct Surface {
     float shininess;  // Blinn–Phong exponent
 };
 
-// What of a light of radiance 1 leaves towards the eye, per unit of diffuse and of specular colour.
+// Light that leaves towards the camera for radiance 1, per unit of diffuse and of specular colour.
 struct Reflected {
     vec3 diffuse;
     float specular;
 };
 
-// What reflection needs to know of a surface's substance.
+// Material parameters for reflection.
 struct MixedMaterial {
     vec3 diffuse, specular;  // linear
     float shininess;         // Blinn–Phong exponent

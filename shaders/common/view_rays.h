@@ -4,7 +4,7 @@
 
 BEGIN_SHARED
 
-// Made on the processor in double precision: far from the origin a matrix' inverse loses what tells two pixels apart.
+// Computed on the CPU in double precision: far from the origin an inverse matrix cannot separate two pixels.
 struct ViewRays {
     vec3 eye;                         // metres, world space
     vec3 corner;                      // through the picture's upper left corner; along the view its length is 1
@@ -17,7 +17,7 @@ SHARED_FUNCTION vec3 ray_through(ViewRays rays, vec2 pixel) {
     return rays.corner + pixel.x * rays.right + pixel.y * rays.down;
 }
 
-// How far away, in metres along the view, what a depth buffer stores is; it is above 0.
+// Distance along the view, in metres, of a stored depth above 0.
 SHARED_FUNCTION float distance_along_view(ViewRays rays, float depth) {
     return 1.0f / (rays.inverse_far + depth * (rays.inverse_near - rays.inverse_far));
 }

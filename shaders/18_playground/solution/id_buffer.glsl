@@ -4,7 +4,7 @@
 uint id_of(uint item) { return item + 1u; }
 uint item_of(uint id) { return id - 1u; }
 
-// Rows from the top and pixels from the left: only a nearer one takes the place of what was found before.
+// Rows from the top, pixels from the left: on ties the first one stays.
 uint id_near(ivec2 pixel, int reach) {
     ivec2 size = ids_size();
     uint found = 0u;
