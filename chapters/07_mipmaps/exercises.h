@@ -7,7 +7,7 @@
 
 namespace lightwalk {
 
-/// exercise/level_sizes.cpp says what it must do.
+/// Specification: exercise/level_sizes.cpp.
 EXERCISE("07.level_sizes", std::vector<glm::uvec2>, level_sizes, glm::uvec2 size);
 
 }  // namespace lightwalk

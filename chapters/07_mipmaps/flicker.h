@@ -7,8 +7,7 @@
 
 namespace lightwalk {
 
-/// Of a chapter whose `method` has the option "none" and whose eye walks by `walk_m_s` and the frame's time; where
-/// `remake` is off it keeps the levels that it has.
+/// For a chapter with the method "none" and a camera that walks by `walk_m_s`; with `remake` off it keeps its levels.
 class Flicker : public Module {
   public:
     using Module::Module;
@@ -22,10 +21,9 @@ class Flicker : public Module {
     static constexpr float pace_m_s = 1.5f;  ///< of who walks
     static constexpr int truth_samples = 16;
 
-    /// The mean over pixels of the standard deviation, over the pictures, of how far a pixel's luminance is from that
-    /// of a picture of the same moment without levels and with many samples a pixel. What moves because the eye does is
-    /// in both and counts as nothing. Linear light, clamped to 1. Sets knobs, and leaves it to the caller to put them
-    /// back.
+    /// Mean over pixels of the standard deviation over time of a pixel's luminance error, against pictures without
+    /// levels and with many samples, so that the camera's own motion does not count. Linear light, clamped to 1. Sets
+    /// knobs; the caller restores them.
     double measure(Chapter& chapter, Gpu& gpu, glm::uvec2 size, const Knobs& knobs);
 
     /// The pictures of the truth are kept for a scene.

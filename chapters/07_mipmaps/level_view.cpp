@@ -8,7 +8,7 @@ void LevelView::record(Frame& frame, const LevelledMaps& maps, const MipChain& c
     const size_t index = std::min(static_cast<size_t>(texture.value), maps.entries().size() - 1);
     const LevelledMaps::Entry& entry = *maps.entries()[index];
     const uint32_t m = std::min(static_cast<uint32_t>(level.value), entry.levels.desc.mips - 1);
-    // What is right does not follow from what is averaged by mistake.
+    // The reference does not depend on a wrong choice of content.
     if (shown_ != &entry || shown_level_ != m) {
         const glm::uvec2 size(entry.levels.mip(m).size());
         truth::Texels exact = decoded(read_texels(frame.gpu, entry.plain), entry.content);

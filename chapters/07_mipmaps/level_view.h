@@ -21,12 +21,12 @@ struct LevelView : Module {
     /// as colours.
     void record(Frame& frame, const LevelledMaps& maps, const MipChain& chain);
 
-    /// What is shown: "ceramic_albedo.jpg, diffuse: level 4, 32x32".
+    /// Caption: "ceramic_albedo.jpg, diffuse: level 4, 32x32".
     const std::string& text() const { return text_; }
 
   private:
     Pipeline show_ = compute({.shader = "07_mipmaps/level_view.comp"});
-    const LevelledMaps::Entry* shown_ = nullptr;  ///< whose exact level is in exact_
+    const LevelledMaps::Entry* shown_ = nullptr;  ///< key of exact_
     uint32_t shown_level_ = 0;
     Image exact_;
     std::string text_;

@@ -7,7 +7,7 @@
 namespace lightwalk {
 namespace {
 
-// As 8-bit RGBA; of what is not, nothing is known.
+// 8-bit RGBA only.
 bool has_holes(const Image& image, const std::vector<std::byte>& texels) {
     if (texel_bytes(image.desc.format) != 4) return false;
     for (size_t i = 3; i < texels.size(); i += 4)

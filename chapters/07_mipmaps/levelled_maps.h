@@ -1,4 +1,4 @@
-// Textures of a scene whose levels are rebuilt in every frame, as for textures that change.
+// Scene textures with levels rebuilt in every frame, as for changing textures.
 #pragma once
 #include "07_mipmaps/mip_chain.h"
 #include "common/scene/scene.h"
@@ -15,7 +15,7 @@ class LevelledMaps : public Module {
         Image plain, levels;  ///< its first level alone, and with room for all
     };
 
-    /// Copies the scene's textures; each slot's content is what its numbers stand for. Waits.
+    /// Copies the scene's textures, with the content type of each slot. Waits.
     void prepare(Gpu& gpu, Scene& scene) override;
     std::vector<std::string> load_exercises() const override { return {"07.level_sizes"}; }
 
@@ -27,7 +27,7 @@ class LevelledMaps : public Module {
     /// Makes the scene draw with levels, or with the first alone; until the next call.
     void use(Scene& scene, bool levels) const;
 
-    /// What a pass has to state that draws the scene.
+    /// Reads of a pass that draws the scene.
     std::vector<Resource> reads() const override;
 
     const std::vector<std::shared_ptr<Entry>>& entries() const { return entries_; }

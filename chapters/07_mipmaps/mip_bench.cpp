@@ -130,7 +130,7 @@ class Bench {
         return ms;
     }
 
-    // By a shader: an H200's copies between buffers move a twentieth of what its shaders do. A processor's are memcpy.
+    // By a shader: an H200 copies buffers at a twentieth of its shaders' rate. On a CPU, memcpy.
     void record_copy(Frame& frame) {
         const auto count = static_cast<uint32_t>(from_.bytes / 16);
         if (gpu_.device.software())

@@ -46,7 +46,7 @@ void MipChain::record(Frame& frame, const ImageView& image, Content what, float 
 }
 // [/record]
 
-// What every driver has: a picture drawn smaller, with a linear filter. It knows sRGB, and nothing of normals or alpha.
+// Blits with a linear filter, available everywhere. They know sRGB, but neither normals nor alpha.
 void MipChain::record_blits(Frame& frame, const ImageView& image) {
     ImageView smaller = image;
     smaller.first_mip += 1, smaller.mips -= 1;
@@ -108,7 +108,7 @@ void MipChain::record_single_pass(Frame& frame, const ImageView& image, Macros v
         // off, or a student's, may have left any number in those before.
         if (clears) pass.use(clear_).set("words", finished_).dispatch_threads(glm::uvec2(all, 1)).wait();
         for (uint32_t base = 0; base + 1 < image.mips;) {
-            // Beyond 64×64 tiles no workgroup could finish what they leave: six levels, then again.
+            // Beyond 64×64 tiles one workgroup cannot finish the rest: six levels, then again.
             const glm::uvec2 size(levels[base].size()), tiles = (size + tile - 1u) / tile;
             const bool whole = glm::all(glm::lessThanEqual(size >> 6u, glm::uvec2(tiles_across)));
             const uint32_t made = std::min(image.mips - 1 - base, whole ? most_levels : most_levels / 2);

@@ -8,11 +8,11 @@ namespace lightwalk {
 
 /// Meaning of the numbers in an image, which decides how they are averaged.
 enum class Content {
-    each,    ///< not stated: srgb or linear, according to the format of the image
-    linear,  ///< numbers as they are: light, heights, moments
-    srgb,    ///< sRGB codes: light; alpha as it is
-    normal,  ///< a normal map: vectors; alpha is the root of what their mean's length lacks to 1, 0 in the first level
-    cutout,  ///< sRGB codes weighted by alpha; with alpha as much of a level is cut out as of the first
+    each,       ///< not stated: srgb or linear, according to the format of the image
+    linear,     ///< numbers as they are: light, heights, moments
+    srgb,       ///< sRGB codes: light; alpha as it is
+    normal,     ///< normal map: vectors, alpha = √(1 - length of their mean), 0 in the first level
+    cutout,     ///< sRGB codes weighted by alpha; with alpha as much of a level is cut out as of the first
     roughness,  ///< occlusion, roughness, metalness: of roughness the fourth power
 };
 
@@ -49,12 +49,12 @@ struct MipChain : Module {
                      "Exchange of means within a workgroup (method single_pass): through shared memory, by subgroup "
                      "shuffles, or by shuffles where subgroups have 32 threads or more (auto)"};
 
-    /// Records the view's levels from its second on. The view has all mips that are to be filled. With method `none`,
-    /// or one level, nothing is recorded. `cutoff` is that of a cutout: what has less alpha is not drawn. Throws
-    /// Failure where the device cannot write the format.
+    /// Records the view's levels from the second on. The view has all mips to fill. With method `none`, or one level,
+    /// nothing is recorded. `cutoff`: alpha threshold of a cut-out. Throws Failure if the device cannot write the
+    /// format.
     void record(Frame& frame, const ImageView& image, Content what = Content::each, float cutoff = 0.5f);
 
-    /// What record() averages of an image for which `what` was said.
+    /// Averages of record() for an image with this content.
     Content content_of(const ImageView& image, Content what) const;
 
   private:

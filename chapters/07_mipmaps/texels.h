@@ -19,7 +19,7 @@ struct Texels {
 
 namespace lightwalk {
 
-/// The view's first mip and layer as it is stored: codes from 0 to 1, halves or floats; what a format lacks is 0, alpha
+/// Stored texels of the view's first mip and layer: codes from 0 to 1, halves or floats; missing channels are 0, alpha
 /// 1. RGBA8, RGBA16F, RGBA16, RG16, RG16F, R16, R32F and RGBA32F. Waits. Throws Failure for another format.
 truth::Texels read_texels(Gpu& gpu, const ImageView& view);
 

@@ -6,7 +6,7 @@
 
 namespace lightwalk::truth {
 
-/// Which texels of a row of `from` lie under texel i of a row of `to`, and what share of it each covers.
+/// Texels of a row of `from` under texel i of a row of `to`, and the covered share of each.
 struct Span {
     uint32_t first = 0;
     std::vector<double> shares;
@@ -22,8 +22,8 @@ inline Span span(uint32_t i, uint32_t from, uint32_t to) {
     return result;
 }
 
-/// The mean over the area of each texel of an image of `size`: the integral of `from`, whose texels are squares of one
-/// value. Exact but for rounding in double precision.
+/// Mean over each texel's area of an image of `size`: the integral of `from` as squares of one value, in double
+/// precision.
 inline Texels area_mean(const Texels& from, glm::uvec2 size) {
     Texels rows{{from.size.x, size.y}, {}}, result{size, {}};
     rows.values.reserve(size_t(from.size.x) * size.y);
@@ -66,7 +66,7 @@ inline glm::dvec4 normal_from_linear(glm::dvec3 mean) {
     return {0.5 + 0.5 * n, std::sqrt(std::max(1 - length, 0.0))};
 }
 
-/// From what a texel holds to numbers that may be averaged.
+/// Decodes a texel into values that may be averaged.
 inline glm::dvec4 decode(Content content, glm::dvec4 texel) {
     glm::dvec4 light = texel;
     for (int i = 0; i < 3; ++i) light[i] = srgb_to_linear(texel[i]);
@@ -84,7 +84,7 @@ inline glm::dvec4 decode(Content content, glm::dvec4 texel) {
     }
 }
 
-/// From a mean to what a texel would hold, had it room for all digits.
+/// Encodes a mean with all digits.
 inline glm::dvec4 encode(Content content, glm::dvec4 mean) {
     glm::dvec3 light(mean);
     if (content == Content::cutout && mean.a > 0) light /= mean.a;

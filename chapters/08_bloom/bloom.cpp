@@ -31,7 +31,7 @@ BlurWish Bloom::wish(glm::uvec2 size) const {
             .karis = karis};
 }
 
-// The plan, its images, and what of it the device must know.
+// The plan, its images and its parameters on the device.
 void Bloom::set_up(Frame& frame, glm::uvec2 size) {
     plan_ = plan_blur(wish(size));
     images_.resize(plan_.sizes.size());
@@ -54,7 +54,7 @@ void Bloom::set_up(Frame& frame, glm::uvec2 size) {
     if (taps != taps_made_ || !taps_) taps_ = frame.gpu.upload("bloom taps", taps), taps_made_ = taps;
 }
 
-// All but what was cut out hold anything where no blur ran: the word that dispatches.glsl calls lit_at() says so.
+// Images after the bright pass are undefined if no blur ran: lit_at() of dispatches.glsl tells.
 void Bloom::show(Frame& frame, size_t image, float gain) const {
     const size_t i = std::min(image, images_.size() - 1);
     show_image(frame, images_[i],
@@ -69,7 +69,7 @@ void Bloom::record(Frame& frame, const Image& hdr) {
     if (method.is("none")) return;
     set_up(frame, hdr.desc.size);
 
-    // 1. What is bright; and from whether there is any, how many workgroups each step of the blur gets: all, or none.
+    // 1. Bright pass; the number of workgroups of each blur step, 0 if nothing is bright.
     frame.compute("bloom cut", {.reads = {hdr, dispatch_}, .writes = {cut_out(), dispatch_}, .with = {*this}},
                   [&](Compute& pass) {
                       pass.use(begin_).set("dispatches", dispatch_).dispatch({1, 1, 1}).wait();

@@ -7,13 +7,9 @@
 namespace lightwalk {
 
 // [bloom]
-/// In a frame, where the picture is drawn and before tones are mapped:
-///
-///     bloom.record(frame, frame.hdr);
-///
-/// adds to the RGBA16F image, of any size, the light of its bright parts, spread by a Gaussian or a sum of Gaussians.
-/// What is NaN in it becomes 0, what is infinite 65504. Alpha stays. A picture of which nothing is cut out dispatches
-/// no blur at all. Once per frame and module.
+/// Call before tone mapping: bloom.record(frame, frame.hdr); adds the blurred light of the bright parts to the RGBA16F
+/// image, of any size. NaN becomes 0, infinity 65504. Alpha stays. A picture without bright parts dispatches no blur.
+/// Once per frame and module.
 struct Bloom : Module {
     Bloom(Module& owner, std::string name) : Module(owner, std::move(name), "bloom") {}
     // [/bloom]
@@ -65,13 +61,12 @@ struct Bloom : Module {
 
     void record(Frame& frame, const Image& hdr);
 
-    /// Of the frame recorded last: what was cut out, and what it was spread to, which holds anything where that was
-    /// nothing.
+    /// Bright pass and blur of the last frame; the blur is undefined if nothing was bright.
     const Image& cut_out() const { return images_.at(0); }
     const Image& spread() const { return images_.at(1); }
 
-    /// Shows an image of the frame recorded last in place of the picture: what was cut out (0), what it was spread to
-    /// (1), those between; beyond the last, the last one. Black where nothing was cut out.
+    /// Shows an image of the last frame instead of the picture: bright pass (0), blur (1), levels; beyond the last, the
+    /// last one. Black if nothing was bright.
     void show(Frame& frame, size_t image, float gain) const;
 
     const Plan& plan() const { return plan_; }

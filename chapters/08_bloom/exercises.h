@@ -7,10 +7,10 @@
 
 namespace lightwalk {
 
-/// exercise/gaussian_weights.cpp says what it must do.
+/// Specification: exercise/gaussian_weights.cpp.
 EXERCISE("08.gaussian_weights", std::vector<float>, gaussian_weights, float sigma_px, float truncation);
 
-/// exercise/pair_taps.cpp says what it must do.
+/// Specification: exercise/pair_taps.cpp.
 EXERCISE("08.pair_taps", std::vector<glm::vec2>, pair_taps, const std::vector<float>& weights);
 
 }  // namespace lightwalk

@@ -37,7 +37,7 @@ struct BloomChapter : ModelChapter {
     }
     std::string default_scene() const override { return "scenes/neon.json"; }
 
-    // For the study: how far the picture of one bright pixel is from what it should be.
+    // For the study: error of the image of one bright pixel.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         source.set("spot"), show.set("spread"), gain.set("1"), bloom.cut.set("none");
         error["psf_l2"] = point.error(*this, bloom, gpu, size);

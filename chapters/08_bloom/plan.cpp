@@ -13,8 +13,7 @@ using Kind = Step::Kind;
 constexpr int pingpong_rounds = 10;  // each horizontal and vertical: twenty passes
 constexpr double widest_kawase = 2.15;
 
-// Texels that a level has beyond each of the picture's borders. A level's light is spread by little more than a texel,
-// so that what lies farther out matters to no pixel.
+// Texels of a level beyond each border of the picture. A level spreads light by little more than a texel.
 constexpr int level_apron = 4;
 
 // Seven weights, for taps that lie `spacing` texels apart: ±3 are at 2.5 sigma.
@@ -67,7 +66,7 @@ class Planner {
         return std::move(plan_);
     }
 
-    // The Gaussians that a pyramid adds up: each level's own, and the last one's, which is what was asked for.
+    // Gaussians of a pyramid: each level's own, and the requested one at the end.
     static std::vector<double> sum_of(double sigma) {
         std::vector<double> sigmas;
         for (int level = 1; level < levels_for(sigma); ++level) sigmas.push_back(std::sqrt(pyramid_variance(level)));
@@ -104,7 +103,7 @@ class Planner {
         return step;
     }
 
-    // The last step of one of several Gaussians adds its share to what the others have left.
+    // The last step of one of several Gaussians adds its share to the others.
     Step last(Step step) {
         step.into = 1;
         step.weight = 1.0f / static_cast<float>(plan_.sigmas_px.size());
@@ -171,8 +170,8 @@ class Planner {
         }
     }
 
-    // Only with offsets of 1 does each of the four texels that a smaller one covers keep its place on average. Other
-    // offsets give a lamp a halo that leans to one side, whose light is wrong at a border. So the way up has the rest.
+    // Only offsets of 1 keep each texel's position on average; others give a lamp a leaning halo with wrong light at a
+    // border. The way up has the rest.
     void kawase(double sigma) {
         int levels = 1;
         while (kawase_variance(levels, widest_kawase) < sigma * sigma) ++levels;

@@ -6,7 +6,7 @@
 
 namespace lightwalk {
 
-/// What a blur is asked for.
+/// Request for a blur.
 struct BlurWish {
     std::string method;     ///< of Bloom::method, but for "none"
     double sigma_px = 16;   ///< 0 to 200
@@ -17,7 +17,7 @@ struct BlurWish {
 };
 
 // [step]
-/// One dispatch. Images are by number: 0 is what was cut out of the picture, 1 the result.
+/// One dispatch. Image numbers: 0 is the bright pass, 1 the result.
 struct Step {
     enum class Kind { line, level_line, shared, window, down, up, kawase_down, kawase_up, copy };
     Kind kind = Kind::line;
@@ -26,7 +26,7 @@ struct Step {
     uint32_t first_tap = 0, taps = 0;  ///< of Plan::taps
     bool linear = true;                ///< reads between texels
     float spread = 1;                  ///< Kawase's offset; of copy how many texels are read for one that is written
-    float weight = 1, keep = 0;        ///< the image becomes weight * what was found + keep * what it held
+    float weight = 1, keep = 0;        ///< image = weight * result + keep * image
     bool karis = false;
 };
 // [/step]
@@ -35,8 +35,7 @@ struct Plan {
     std::vector<Step> steps;
     std::vector<glm::vec2> taps;    ///< (offset in texels, weight), one side, the middle first
     std::vector<glm::uvec2> sizes;  ///< of the images
-    /// Of each the picture's width and height, in its texels: of levels a fraction. And how many texels it has more on
-    /// each side, for what lies outside of the picture.
+    /// Size of the picture in texels of each image, a fraction for levels, and the margin on each side.
     std::vector<glm::vec2> extents;
     std::vector<int> aprons;
     std::vector<double> sigmas_px;  ///< the Gaussians that it stands for, all of the same weight
@@ -56,7 +55,7 @@ double tap_variance(const std::vector<glm::dvec2>& offsets_and_weights, double p
 /// The variance in square pixels of the 13-tap and tent pyramid of so many levels: 1.5 (4^levels - 1).
 double pyramid_variance(int levels);
 
-/// That of the dual Kawase filter, whose taps on the way up are spread by `offset`, about 0.5 to 2.15.
+/// Dual Kawase filter; `offset` of the taps on the way up, about 0.5 to 2.15.
 double kawase_variance(int levels, double offset);
 
 /// The offset of its taps on the way down: 1, or less where one level already blurs too much.

@@ -19,7 +19,7 @@ class PointSpread {
 
   private:
     Pipeline spot_ = compute({.shader = "08_bloom/spot.comp"});
-    std::map<std::string, ImageRgb> exact_;  ///< by what the truth depends on
+    std::map<std::string, ImageRgb> exact_;  ///< key of the reference
 };
 
 /// The root of the sum of (found - exact)² over that of exact²; linear light, green. Of one size.

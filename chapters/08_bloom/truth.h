@@ -25,8 +25,7 @@ inline glm::dvec3 bright_pass(glm::dvec3 radiance, double threshold, double knee
     return l > 0 ? light * (soft_knee(l, threshold, knee) / l) : glm::dvec3(0);
 }
 
-/// What a Gaussian loses whose two sides, in both directions, are cut off at so many sigma: 1 - erf(t / √2)². For a
-/// disc of that radius in place of the square it is exp(-t² / 2).
+/// Loss of a Gaussian cut off at t sigma in both directions: 1 - erf(t / √2)²; for a disc of that radius exp(-t² / 2).
 inline double lost_outside_square(double t) { return 1 - std::pow(std::erf(t / std::sqrt(2.0)), 2); }
 inline double lost_outside_disc(double t) { return std::exp(-0.5 * t * t); }
 

@@ -19,7 +19,7 @@ class DepthError {
     void measure(Gpu& gpu, const Julia& julia, const Camera& camera, double time_s, nlohmann::json& error);
 
   private:
-    std::map<std::string, std::vector<double>> known_;  ///< true depths, by what they depend on
+    std::map<std::string, std::vector<double>> known_;  ///< true depths by their parameters
 };
 
 }  // namespace lightwalk

@@ -1,5 +1,5 @@
-// A scene's environment picture as light: a cube of radiance for reflections and a cube of irradiance for diffuse
-// surfaces. Chapter 14 does it with a model of roughness; this is what chapters before it need.
+// A scene's environment as light: a cube of radiance for reflections and one of irradiance for diffuse surfaces.
+// Chapter 14 adds roughness.
 #pragma once
 #include "common/app/module.h"
 #include "common/app/target.h"
@@ -14,7 +14,7 @@ struct EnvironmentScale {
     float intensity;
 };
 
-/// How a scene's environment is turned and scaled: by what its file says, and by these two besides.
+/// Rotation and scale of the environment, in addition to the scene file's.
 EnvironmentScale environment_scale(const Scene& scene, float intensity, float turn_deg);
 
 // [environment]

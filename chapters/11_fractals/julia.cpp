@@ -62,7 +62,7 @@ void Julia::draw(Frame& frame, const View& view, Canvas& canvas) {
             .tile = static_cast<int>(tile)};
     march(frame, view);
 
-    // What light they find there; alone in the picture, the set has its surroundings behind it.
+    // Shading of the hits; alone in the picture, with the environment behind the set.
     const bool alone = !canvas.has_color() && !canvas.has_depth();
     if (!alone) own_color_.fit(frame.gpu.device, {.name = path() + " color", .size = view.size});
     const ImageView into = alone ? canvas.color_overwritten() : own_color_;
@@ -72,7 +72,7 @@ void Julia::draw(Frame& frame, const View& view, Canvas& canvas) {
                       pass.dispatch_threads(view.size);
                   });
 
-    // Its depth, for what is drawn afterwards; where others have drawn before, only what is nearer stays.
+    // Depth for later drawings; nearer surfaces of earlier drawings stay.
     if (alone && !canvas.keeps_depth()) return;
     if (alone)
         frame.raster("julia depth", {.depth = canvas.depth_target(), .reads = {found}, .with = {*this}},

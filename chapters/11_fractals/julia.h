@@ -33,8 +33,8 @@ struct JuliaLook : Module {
 };
 
 // [julia]
-/// A drawing under the scene's sun and what surrounds it: where each pixel's ray meets the set, and then its light. What
-/// lies beyond it is the environment, or what others have drawn.
+/// A drawing under the scene's sun and environment: each pixel's hit, then its light. The background is the environment
+/// or earlier drawings.
 struct Julia : Drawing {
     Julia(Module& owner, std::string name, EnvironmentLight& environment)
         : Drawing(owner, std::move(name), "julia"), environment_(environment) {}

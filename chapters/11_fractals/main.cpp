@@ -42,7 +42,7 @@ struct Fractals : ModelChapter {
             measure_normals(gpu, terrain, own, error);
     }
 
-    // What --method and a study say goes to the module that is shown.
+    // --method and a study's methods apply to the module that is shown.
     void choose_method() {
         if (method.is("as_set")) return;
         if (world.is("julia")) {

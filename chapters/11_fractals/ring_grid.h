@@ -6,8 +6,8 @@
 
 namespace lightwalk {
 
-/// Two triangles for each cell of a grid, counter-clockwise seen from above; `hollow`: without those of the middle half
-/// of each side. Vertex (x, z) has the number z * (cells + 1) + x.
+/// Two triangles for each cell of a grid, counter-clockwise from above; `hollow`: without the middle half of each side.
+/// Vertex (x, z) has the number z * (cells + 1) + x.
 void add_grid_cells(std::vector<uint32_t>& indices, uint32_t cells, bool hollow);
 
 /// The innermost ring is whole, the others are hollow. Shaders place the vertices: 11_fractals/ring_grid.glsl.

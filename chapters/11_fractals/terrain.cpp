@@ -24,8 +24,8 @@ glm::dvec2 Terrain::flight_m(const Camera& camera, double time_s) const {
 }
 
 // [place]
-// The grid stays where it is, below the eye; what moves is the place of its middle in the noise, by whole cells of the
-// grid, so that no vertex slides over the ground. What is left of the way the eye goes itself.
+// The grid stays below the camera; its origin in the noise moves by whole cells, so that no vertex slides over the
+// ground. The camera itself moves the remainder.
 void Terrain::place(const Frame& frame, const View& view) {
     const Camera& camera = view.camera;
     const glm::dvec2 flight = flight_m(camera, double(frame.time_s)), spacing(static_cast<double>(spacing_m));

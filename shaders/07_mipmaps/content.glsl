@@ -1,8 +1,8 @@
-// What a texel's numbers stand for: decode() makes numbers of them whose mean means something, encode() is the way back.
+// Content of a texel: decode() gives values that may be averaged, encode() is its inverse.
 #include "07_mipmaps/to_linear.glsl"
 #include "07_mipmaps/from_linear.glsl"
 
-// A colour without alpha counts this much, so that holes have the colour of what is around them.
+// Weight of a colour with alpha 0, so that holes take the colour around them.
 const float faint = 1.0 / 1024.0;
 
 // [decode]

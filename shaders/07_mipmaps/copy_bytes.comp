@@ -1,4 +1,4 @@
-// As many bytes as a chain of levels reads and writes, and nothing computed: what a device's memory can do at best.
+// Copies the bytes of a chain of levels without computing: the memory's lower bound.
 layout(local_size_x = 256) in;
 
 layout(scalar) readonly buffer FromBuffer { uvec4 from[]; };

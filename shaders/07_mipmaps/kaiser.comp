@@ -1,5 +1,5 @@
-// One level from the one above it by a wider filter: a sinc, which would keep all that the level can show and nothing
-// else, cut off by Kaiser's window. (J. F. Kaiser and R. W. Schafer, 1980.) At the edges the last texel goes on.
+// One level from the one above by a wider filter, a sinc cut off by Kaiser's window (J. F. Kaiser
+// and R. W. Schafer, 1980). Beyond the edges the last texel is repeated.
 #include "07_mipmaps/level.glsl"
 
 const float reach = 2.0;      // texels of the new level, to each side

@@ -11,7 +11,7 @@ void main() {
     vec4 mean = vec4(0.0);
     for (int y = 0; y < 3; ++y)
         for (int x = 0; x < 3; ++x)
-            // What weighs nothing is not read: it may lie outside, and 0 times infinity is no number.
+            // Texels of weight 0 are not read: they may lie outside, and 0 times infinity is NaN.
             if (across[x] * down[y] > 0.0) mean += across[x] * down[y] * texel(2 * at + ivec2(x, y));
     end(at, mean);
 }

@@ -1,6 +1,5 @@
-// Six levels of a tile by one workgroup of 256 threads that hand values to each other within groups of 32, by subgroup
-// shuffles, with one barrier. Where subgroups are smaller, shared memory and barriers stand in for the shuffles: slow,
-// for tests.
+// Six levels of a tile by one workgroup of 256 threads, by subgroup shuffles in groups of 32 and one barrier. Smaller
+// subgroups use shared memory and barriers instead: slow, for tests.
 #if BY_SHUFFLES
 
 shared vec4 means[4][4];
@@ -17,8 +16,8 @@ vec4 from_lane(vec4 value, int bit) {
 }
 #endif
 
-// A thread's number by its bits. Bits 0, 2 and 4 count columns, 1 and 3 rows, 5 columns again, 6 and 7 rows: the 32
-// threads of a group store texels that lie side by side, 8×4 of them, in each of the first two levels.
+// Bits of a thread's number: 0, 2, 4 and 5 count columns, 1, 3, 6 and 7 rows. The 32 threads of a group store a
+// block of 8×4 texels in each of the first two levels.
 int bit(int n) { return int(gl_LocalInvocationIndex >> n) & 1; }
 ivec2 region() { return ivec2(bit(5), int(gl_LocalInvocationIndex >> 6)); }  // 16×8 texels of the first level
 
@@ -29,8 +28,8 @@ ivec2 place(int i, ivec2 tile) {
 }
 
 // [exchange]
-// Each of four threads, whose numbers differ in bits 0 and 1, has one texel of four 2×2 blocks. It gets the mean of one
-// block: it gives away what belongs to the others, first to its neighbour in x, then in y.
+// Four threads that differ in bits 0 and 1 each hold one texel of four 2×2 blocks. Each gets the mean of one block by
+// exchanging with its neighbour in x, then in y.
 vec4 exchange(vec4 four[4]) {
     bool right = bit(0) == 1, low = bit(1) == 1;
     vec4 upper = (right ? four[1] : four[0]) + from_lane(right ? four[0] : four[1], 0);
@@ -38,7 +37,7 @@ vec4 exchange(vec4 four[4]) {
     return 0.25 * ((low ? lower : upper) + from_lane(low ? upper : lower, 1));
 }
 
-// The mean of four threads' texels of `level`, whose numbers differ in bits `x` and `y`. A side of one texel stays one.
+// Mean of the texels of four threads that differ in the bits `x` and `y`. A side of one texel stays one.
 vec4 fold(vec4 mean, int x, int y, int level) {
     bvec2 one = equal(size_of(level), ivec2(1));
     vec4 other = from_lane(mean, x);
@@ -49,8 +48,8 @@ vec4 fold(vec4 mean, int x, int y, int level) {
 // [/exchange]
 
 // [reduce_by_shuffles]
-// Six levels of a tile of 64×64 texels of level `from`. `four`: this thread's texels of the first of them. The last
-// one's texel is what the first thread gets back, if so many levels are made.
+// Six levels of a 64×64 tile of level `from`; `four`: this thread's texels of the first. The first thread gets the last
+// texel.
 vec4 reduce(int from, ivec2 tile, vec4 four[4]) {
     uint n = gl_LocalInvocationIndex;
     for (int i = 0; i < 4; ++i) keep(from + 1, place(i, tile), four[i]);

@@ -1,5 +1,5 @@
-// All levels in one dispatch. Each workgroup makes six levels of a tile of 64×64 texels; the one that finishes last makes
-// the other six from what all of them have left. (AMD, FidelityFX Single Pass Downsampler, 2020, has the idea.)
+// All levels in one dispatch. Each workgroup makes six levels of a 64×64 tile; the last to finish makes the other six
+// (AMD, FidelityFX Single Pass Downsampler, 2020).
 #ifndef SUBGROUP_LANES
 #define SUBGROUP_LANES 1  // fewer than 32: not known
 #endif
@@ -30,7 +30,7 @@ layout(scalar) uniform ChainBlock {
     int first_counter;  // of finished[]: the one of layer 0, which is 0 before the dispatch
 } chain;
 
-// What the workgroups leave for the last one: the means of 64×64 texels each.
+// Input of the last workgroup: means of 64×64 texels each.
 layout(scalar) coherent buffer TileBuffer { vec4 tile_means[]; };
 const int tiles_across = 64;
 

@@ -64,7 +64,7 @@ float rrt_curve(float l) {
     if (l >= most) return 4.0;
     return l < middle ? rrt_low((l - least) / (middle - least)) : rrt_high((l - middle) / (most - middle));
 }
-// The screen: what the film makes of 6.5 stops below and above, to 0.02 and 48 nits.
+// Output transform of the film's 6.5 stops below and above to 0.02 and 48 nits.
 float odt_curve(float l) {
     float least = rrt_curve(-0.744727495 - 6.5 * 0.301029996), middle = 0.681241237;
     float most = rrt_curve(-0.744727495 + 6.5 * 0.301029996);

@@ -14,7 +14,7 @@ shared float stops_of[256];
 // [adapt]
 void main() {
     uint i = gl_LocalInvocationIndex;
-    float own = i == 0u ? 0.0 : float(picture_bins[i]);  // what is black says nothing about the light
+    float own = i == 0u ? 0.0 : float(picture_bins[i]);  // black pixels carry no information
     up_to[i] = own;
     barrier();
     for (uint reach = 1u; reach < 256u; reach *= 2u) {  // W. D. Hillis and G. L. Steele, 1986

@@ -1,10 +1,10 @@
-// What adaptation is told.
+// Parameters of the adaptation.
 #include <common/shared.h>
 
 BEGIN_SHARED
 
 struct AdaptNow {
-    float share;  // of the way to what the picture asks for, in this frame: 1 is all of it
+    float share;  // share of the difference to the target in this frame, up to 1
     uint valid;   // there was a frame before
 };
 

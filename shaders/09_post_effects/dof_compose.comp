@@ -1,4 +1,4 @@
-// The sharp picture, over it what is behind the focus, and over that what is in front.
+// Composition: sharp picture, background blur over it, foreground blur on top.
 #include "09_post_effects/dof_lens.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

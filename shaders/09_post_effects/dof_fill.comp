@@ -1,4 +1,4 @@
-// What lies between the places that were read: a mean over as much as one of them stands for.
+// Fills the gaps between samples with a mean over the area of one sample.
 #include "09_post_effects/dof_disc.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -22,7 +22,7 @@ void main() {
     for (int i = 0; i < around; ++i) {
         vec2 place = on_disc(i, around, 0.0);
         vec2 there = middle + spacing * 0.25 * max(own, 0.0) * place / size;
-        // Over the edge of what is as far out of focus nothing is fetched.
+        // No reads across the edge of an equally blurred region.
         float other = textureLod(half_picture, there, 0.0).a;
         if (other > 0.5 * own) behind += vec4(textureLod(far_field, there, 0.0).rgb, 1.0);
         front += textureLod(near_field, middle + spacing * widest.x * place / size, 0.0);

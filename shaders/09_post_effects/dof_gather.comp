@@ -1,4 +1,4 @@
-// What discs of other pixels bring here: behind the focus into one image, in front of it into another.
+// Gathers the discs of other pixels: one image for the background, one for the foreground.
 #include "09_post_effects/dof_disc.glsl"
 #include "09_post_effects/noise.glsl"
 
@@ -23,7 +23,7 @@ void main() {
     float turn = 3.14159265 * noise_of(uvec2(at), 0u);
     vec2 widest = texelFetch(reached, at / 8, 0).rg;
 
-    // Behind the focus: those whose disc, no wider than this pixel's own, reaches here. Each spreads its light over its disc.
+    // Background: discs that reach this pixel, no wider than its own. Each spreads its light over its disc.
     vec4 behind = vec4(own.rgb, 1.0);
     if (own.a > 1.0) {
         float radius = 0.25 * own.a;
@@ -38,7 +38,7 @@ void main() {
     }
     imageStore(far_field, at, behind);
 
-    // In front of it: any disc that reaches here covers a share of this pixel, whatever it shows itself.
+    // Foreground: any disc that reaches here covers a share of this pixel.
     vec4 front = vec4(0.0);
     if (widest.x > 1.0) {
         float radius = 0.25 * widest.x + 0.5;

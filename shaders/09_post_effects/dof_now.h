@@ -1,4 +1,4 @@
-// What depth of field is told of the camera.
+// Camera parameters of depth of field.
 #include <common/shared.h>
 
 BEGIN_SHARED
@@ -8,7 +8,7 @@ struct DofNow {
     float focal_m, sensor_m;
     float height_px;  // of the whole picture
     float most_px;    // discs are no wider
-    float wide_px;    // the disc of what is infinitely far
+    float wide_px;    // disc at infinite distance
     float reach;      // tiles to each side that a disc can reach
 };
 

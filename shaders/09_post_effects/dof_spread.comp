@@ -14,7 +14,7 @@ void main() {
     for (int y = -reach; y <= reach; ++y)
         for (int x = -reach; x <= reach; ++x) {
             vec2 other = texelFetch(tiles, clamp(tile + ivec2(x, y), ivec2(0), size - 1), 0).rg;
-            // A tile is 16 pixels wide: what lies between the nearest points of the two.
+            // A tile is 16 pixels wide: the distance between the nearest points of two tiles.
             vec2 between = 16.0 * max(abs(vec2(x, y)) - 1.0, 0.0);
             if (0.5 * other.x >= length(between)) widest.x = max(widest.x, other.x);
         }

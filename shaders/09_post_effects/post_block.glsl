@@ -1,4 +1,4 @@
-// What the stages of the stack are told: the module's numbers, and what changes from frame to frame.
+// Parameters of the stages: the module's knobs and values of each frame.
 #include "09_post_effects/post_now.h"
 
 layout(scalar) uniform PostBlock {

@@ -1,4 +1,4 @@
-// What the stack of effects is told besides its knobs.
+// Parameters of the effects beside the knobs.
 #include <common/shared.h>
 
 BEGIN_SHARED

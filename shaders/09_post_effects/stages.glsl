@@ -1,4 +1,4 @@
-// What needs nothing but the pixel itself, in the order in which it happens. What is off is not compiled.
+// Effects of a single pixel, in order. Disabled ones are not compiled.
 #include "09_post_effects/post_block.glsl"
 #include "09_post_effects/bayer_dither.glsl"
 #include "common/srgb.glsl"
@@ -20,9 +20,8 @@ uniform sampler2D blue_noise;
 #endif
 
 // [stored]
-// The end of a stage. What happens in a pass of its own is stored and read again, and no compiler looks through that. Here
-// one could: a product and the next stage's sum become one rounding instead of two. The exclusive or with a 0 that only the
-// host knows to be one keeps the stages apart.
+// End of a stage. A separate pass would store and reload the value, so no compiler could fuse a product with the next
+// stage's sum. The exclusive or with a host-supplied 0 prevents this here.
 vec3 stored(vec3 c) { return uintBitsToFloat(floatBitsToUint(c) ^ post_now.zero); }
 // [/stored]
 

@@ -1,4 +1,4 @@
-// From light without bounds to what a screen shows.
+// Tone curves: unbounded light to the range of a screen.
 #include "common/structs.h"
 #include "09_post_effects/aces.glsl"
 #include "09_post_effects/tone_curve.glsl"
@@ -30,7 +30,7 @@ vec3 agx(vec3 c) {
     vec3 x = (clamp(log2(max(inset * c, 1e-10)), least, most) - least) / (most - least);
     vec3 x2 = x * x, x4 = x2 * x2;
     vec3 curved = 15.5 * x4 * x2 - 40.14 * x4 * x + 31.96 * x4 - 6.868 * x2 * x + 0.4298 * x2 + 0.1191 * x - 0.00232;
-    return pow(clamp(outset * curved, 0.0, 1.0), vec3(2.2));  // what comes out is made for a screen of gamma 2.2
+    return pow(clamp(outset * curved, 0.0, 1.0), vec3(2.2));  // output encoded for a screen of gamma 2.2
 }
 
 vec3 tone(vec3 radiance) {

@@ -5,7 +5,7 @@ shared bool is_last;
 
 bool is_last_workgroup(int layer, uint workgroups) {
     if (gl_LocalInvocationIndex == 0) {
-        memoryBarrierBuffer();  // what this thread has written is there before it is counted
+        memoryBarrierBuffer();  // this thread's writes are visible before it is counted
         is_last = atomicAdd(finished[layer], 1u) == workgroups - 1u;
     }
     barrier();              // all threads know
