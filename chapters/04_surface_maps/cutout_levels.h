@@ -10,7 +10,7 @@ namespace lightwalk {
 /// (04.alpha_scale). Waits.
 std::vector<Level> cutout_levels(Gpu& gpu, const Level& colors, float cutoff);
 
-/// The share of texels whose alpha is at least `cutoff`.
+/// Share of texels with an alpha of at least `cutoff`.
 double coverage(const Level& level, float cutoff);
 
 }  // namespace lightwalk

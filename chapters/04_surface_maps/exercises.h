@@ -5,7 +5,7 @@
 
 namespace lightwalk {
 
-/// exercise/tangent_frame.cpp says what it must do.
+/// Specification: exercise/tangent_frame.cpp.
 EXERCISE("04.tangent_frame", TangentFrame, tangent_frame, const Vertex& a, const Vertex& b, const Vertex& c);
 
 }  // namespace lightwalk

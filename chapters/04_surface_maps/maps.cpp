@@ -77,14 +77,14 @@ std::shared_ptr<Image> upload_heights(Gpu& gpu, const Image& image, const Level&
     return upload_levels(gpu, {.name = image.desc.name, .format = VK_FORMAT_R16_UNORM, .size = level.size}, {level});
 }
 
-// In 16 bits for the same reason, and with their means for what is far away.
+// 16 bits for the same reason, with mip levels for the distance.
 std::shared_ptr<Image> upload_displacement(Gpu& gpu, const Image& image, Level level) {
     for (glm::vec4& texel : level.texels) texel.a = 1.0f;  // each counts the same
     return upload_levels(gpu, {.name = image.desc.name, .format = VK_FORMAT_R16_UNORM, .size = level.size},
                          cutout_levels(gpu, level, -1.0f));
 }
 
-// An opacity map's one number as the alpha of what is to be kept.
+// The single channel of an opacity map, as alpha.
 std::vector<Level> opacity_levels(Gpu& gpu, Level level, float cutoff) {
     for (glm::vec4& texel : level.texels) texel.a = texel.r;
     std::vector<Level> levels = cutout_levels(gpu, level, cutoff);

@@ -113,9 +113,9 @@ struct Maps : Module {
     std::set<const Image*> with_holes_;
 };
 
-/// Makes the levels anew of what must not be averaged as colours are: normal maps (see normal_levels) and alpha (see
-/// cutout_levels; `cutoff` below 0: averaged). Of height maps only the first level is read, with 16 bits; displacement
-/// maps have 16 bits, too, and all levels. Returns the colour and opacity maps that are not whole.
+/// Rebuilds levels that are not plain colour means: normal maps (see normal_levels) and alpha (see cutout_levels;
+/// `cutoff` below 0: averaged). Height maps keep only their first level, in 16 bits; displacement maps have 16 bits and
+/// all levels. Returns the colour and opacity maps that are incomplete.
 std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff);
 
 /// The first level of an image as numbers; sRGB becomes linear. Waits for the device.

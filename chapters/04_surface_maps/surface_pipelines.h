@@ -6,7 +6,7 @@ namespace lightwalk {
 
 /// One fragment shader behind this chapter's two vertex shaders.
 struct SurfacePipelines {
-    /// `desc` names the fragment shader and what else the two have in common.
+    /// `desc` has the fragment shader and the common state of the two.
     explicit SurfacePipelines(const Pipeline::Graphics& desc)
         : loaded(graphics(with_vertex(desc, "04_surface_maps/surface.vert"))),
           displaced(graphics(with_vertex(desc, "04_surface_maps/displaced.vert"))) {}

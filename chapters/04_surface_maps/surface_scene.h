@@ -15,11 +15,11 @@ struct SurfaceScene : Drawing {
     Maps maps;
     Lights lights;
 
-    /// What may differ from one chapter to the next.
+    /// Parts that differ from chapter to chapter.
     std::function<std::vector<Light>(const Frame&)> all_lights;  ///< none given: the scene file's
-    std::function<std::vector<Batch>()> surfaces;                ///< none given: what is opaque of the scene
+    std::function<std::vector<Batch>()> surfaces;                ///< default: the scene's opaque items
     const SurfacePipelines* shading = nullptr;                   ///< null: the drawing's own
-    const SurfacePipelines* transparent_shading = nullptr;       ///< the same, mixed with what lies behind
+    const SurfacePipelines* transparent_shading = nullptr;       ///< the same with blending
     std::vector<With> shading_with;                              ///< further modules that these need
     std::vector<Resource> shading_reads;                         ///< and images
 
@@ -28,7 +28,7 @@ struct SurfaceScene : Drawing {
     void draw(Frame& frame, const View& view, Canvas& canvas) override { draw_lit(frame, view, canvas); }
     /// Opaque surfaces, lit as they are drawn, into a canvas of any colour format.
     void draw_lit(Frame& frame, const View& view, Canvas& canvas);
-    /// What of the lights depends on the view: their cells, and whatever else. `depth`: the view's, for tiles.
+    /// View-dependent state of the lights, such as their cells. `depth`: the view's, for tiles.
     virtual void record_light(Frame& frame, const View& view, const ImageView& depth = {});
     std::vector<Transparent> transparent(const View& view) const override;
     std::vector<With> transparent_with() const override { return given(); }
@@ -49,7 +49,7 @@ struct SurfaceScene : Drawing {
     /// The modules that shading reads.
     virtual std::vector<With> given() const;
 
-    /// What draws the opaque surfaces by the pipelines given.
+    /// Draws the opaque surfaces with the given pipelines.
     std::function<void(Raster&)> by(const SurfacePipelines& both) const;
     std::vector<Batch> opaque_batches() const;
 
@@ -59,7 +59,7 @@ struct SurfaceScene : Drawing {
 
   private:
     const SurfacePipelines& see_through_pipelines() const;
-    // A tile knows the lights of what is opaque in it alone.
+    // Tiles hold the lights of opaque surfaces only.
     SurfacePipelines see_through_, see_through_tiles_;
 };
 

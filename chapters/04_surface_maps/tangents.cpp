@@ -26,7 +26,7 @@ double angle_at(const Vertex& a, const Vertex& b, const Vertex& c) {
     return lengths > 0 ? std::acos(std::clamp(glm::dot(e1, e2) / lengths, -1.0, 1.0)) : 0.0;
 }
 
-// Of the angle between dP/du and dP/dv in a triangle whose texture coordinates span an area.
+// Angle between dP/du and dP/dv in a triangle with a non-degenerate texture area.
 double cosine_of_uv(const Vertex& a, const Vertex& b, const Vertex& c) {
     const glm::dvec3 e1 = glm::dvec3(b.position - a.position), e2 = glm::dvec3(c.position - a.position);
     const glm::dvec2 uv1 = glm::dvec2(b.uv - a.uv), uv2 = glm::dvec2(c.uv - a.uv);

@@ -27,8 +27,8 @@ std::vector<std::vector<TangentFrame>> frame_model(Model& model);
 /// The name of a mesh's buffer of frames: it says whether the student's code or the reference has made them.
 std::string tangents_name(const Mesh& mesh);
 
-/// Gives every model of the scene its frames, as the vertex attribute `tangents`, where it has not those of the code that is
-/// in use already: the student's or the reference.
+/// Adds tangent frames to every model as the vertex attribute `tangents`, unless those of the code in use (student or
+/// reference) are there.
 void add_tangents(Gpu& gpu, const Scene& scene);
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// Depth alone: what is cut out leaves none.
+// Depth only, with cut-outs discarded.
 #include "04_surface_maps/surface_maps.glsl"
 
 void main() { seen_surface(); }

@@ -7,7 +7,7 @@ layout(scalar) uniform CutoutBlock {
     float wanted;  // share of the first level
 } cutout;
 
-// What alpha_scale.glsl asks of its level.
+// Interface of alpha_scale.glsl.
 const uint LEVEL_INVOCATIONS = 256u;
 
 ivec2 place_of(uint texel) { return ivec2(texel % uint(imageSize(level).x), texel / uint(imageSize(level).x)); }
@@ -21,7 +21,7 @@ bool is_kept(float alpha) { return round(255.0 * min(alpha, 1.0)) / 255.0 >= cut
 void main() {
     uint local = gl_LocalInvocationIndex;
     float scale = alpha_scale(local, cutout.cutoff, cutout.wanted);
-    barrier();  // nobody changes what another still counts
+    barrier();  // all counts end before a change
     for (uint i = local; i < level_texels(); i += LEVEL_INVOCATIONS) {
         vec4 texel = imageLoad(level, place_of(i));
         imageStore(level, place_of(i), vec4(texel.rgb, min(1.0, texel.a * scale)));

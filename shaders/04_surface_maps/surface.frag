@@ -1,4 +1,4 @@
-// A surface with all its maps, lit by chapter 03's lights; or what its method of showing bumps gets wrong.
+// A surface with all its maps, lit by chapter 03's lights; or the error of its bump method.
 #include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/lighting.glsl"
 #include "03_attenuation/unshadowed.glsl"

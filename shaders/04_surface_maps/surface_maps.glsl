@@ -1,5 +1,5 @@
-// A surface with all its maps: what the module Maps gives to shaders. A map whose macro is 0, because its knob is off or
-// the material lacks it, is not in the shader.
+// A surface with all its maps: the GLSL of the module Maps. Maps whose macro is 0 (knob off, or absent from the
+// material) are compiled out.
 #include "common/structs.h"
 #include "04_surface_maps/parallax_offset.glsl"
 #include "04_surface_maps/parallax_occlusion.glsl"
@@ -24,7 +24,7 @@ layout(scalar) uniform MapsBlock {
     float scroll;  // tiles per second
 } maps;
 
-// What fragments get from the vertex shaders. A dispatch that shades what is seen has them already, as variables.
+// Inputs from the vertex shaders. A dispatch over a visibility buffer has variables of these names.
 #ifndef SEEN
 layout(location = 0) in vec3 world_position;
 layout(location = 1) in vec3 world_normal;
@@ -53,8 +53,8 @@ mat3 tangent_space() {
     return mat3(t, handedness * cross(n, t), n);
 }
 
-// The surface that a height map stands for. Depth 0 is the mesh, 1 the deepest point. Between the middles of four texels
-// the depth is bilinear, at full resolution: this one surface is what every method looks for.
+// Surface of a height map: depth 0 is the mesh, 1 the deepest point, bilinear between texel centres at full resolution.
+// All methods intersect this one surface.
 uniform sampler2D height_map;
 
 float depth_at(vec2 uv) { return 1.0 - textureLod(height_map, image_uv(uv), 0.0).r; }
@@ -113,7 +113,7 @@ float exact_hit(vec2 uv, vec2 shift) {
 
 const int halvings = 8;  // of the last step, by relief
 
-// What a ray at a grazing angle is taken for: 1.1 degrees above the surface. Below, a ray crosses without end.
+// Lower limit of a ray's elevation, 1.1 degrees; below it the crossing has no end.
 const float lowest_eye = 0.02;
 
 // F. Policarpo, M. Oliveira and J. Comba, "Real-Time Relief Mapping on Arbitrary Polygonal Surfaces", I3D 2005.
@@ -198,7 +198,7 @@ vec2 deepest() { return maps.height_m / metres_per_uv; }
 
 vec3 read_normal(sampler2D map, Coordinates at, out float mean_length) {
     vec4 texel = read(map, at);
-    // Alpha holds the root of what the mean of the normals below this texel lacks in length.
+    // Alpha holds √(1 - length of the mean normal).
     mean_length = 1.0 - texel.a * texel.a;
 #if MAPS_NORMAL_Y == MAPS_NORMAL_Y_DOWN
     texel.y = 1.0 - texel.y;
@@ -227,7 +227,7 @@ vec3 normal_at(Coordinates at, out float mean_length) {
 struct Substance {
     MixedMaterial mixed;
     float occlusion;
-    vec3 ambient_specular;  // what of light from everywhere is reflected as by a mirror
+    vec3 ambient_specular;  // mirror-like share of light from all directions
 };
 
 // [substance]
@@ -264,7 +264,7 @@ float toksvig(float shininess, float mean_length) {
 }
 // [/toksvig]
 
-// What lighting needs to know, all maps applied.
+// Surface parameters for lighting, all maps applied.
 struct MappedSurface {
     Surface surface;        // the normal with its bumps; the exponent that is left of it from afar
     vec3 facing;            // unit length, world space: the normal of the mesh
@@ -324,10 +324,10 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
 // [/map_surface]
 
 // [seen_surface]
-// This fragment's. What textures cut out is discarded, unless alpha mixes it with what lies behind.
+// Surface of this fragment. Cut-outs are discarded, unless alpha blends them.
 MappedSurface seen_surface() {
     MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
-#if !defined(TRANSPARENT) && !defined(SEEN)  // what is seen was not cut out
+#if !defined(TRANSPARENT) && !defined(SEEN)  // visible, so not cut out
     if (is_cut_out(m.alpha, maps.cutoff)) discard;
 #endif
     return m;
@@ -335,7 +335,7 @@ MappedSurface seen_surface() {
 // [/seen_surface]
 
 // [radiance_of]
-// What leaves a surface towards the eye: `diffuse` and `specular` are the lights' per unit of its colours.
+// Radiance towards the camera; `diffuse` and `specular` are the lights' sums per unit of its colours.
 vec3 radiance_of(MappedSurface m, vec3 diffuse, vec3 specular, vec3 ambient) {
     Substance s = m.substance;
     vec3 ambient_light = (s.mixed.diffuse + s.ambient_specular) * ambient * s.occlusion;

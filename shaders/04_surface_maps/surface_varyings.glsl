@@ -1,5 +1,4 @@
-// What vertices hand to fragments, for the mesh as loaded and for the displaced one. A dispatch that shades what is seen has
-// variables of the same names already.
+// Varyings of surfaces, loaded or displaced. A dispatch over a visibility buffer has variables of these names.
 #include "01_obj/transform.glsl"
 #include "common/structs.h"
 

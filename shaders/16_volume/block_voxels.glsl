@@ -1,4 +1,4 @@
-// What 16.skip_empty reads and writes.
+// Interface of exercise 16.skip_empty.
 #include "16_volume/volume_data.h"
 
 // 64 threads for one block of BLOCK_VOXELS voxels along each edge.

@@ -11,10 +11,9 @@ float depth_of_opacity(float opacity) {
 float opacity_of_depth(float depth) { return depth < 0.02 ? depth * (1.0 - depth * (0.5 - depth / 6.0)) : 1.0 - exp(-depth); }
 
 // [exact]
-// Thousands of steps a ray, each of an opacity near 1e-5: of 1 - 1e-5 a float keeps two digits of what is not 1, and all
-// steps round the same way. So steps are gathered over a voxel as an optical depth, which starts at 0, and voxels are
-// composited. Where the transfer function changes within a step, the step is cut, so that no part crosses more than half
-// of one of its entries.
+// Thousands of steps, each of an opacity near 1e-5: 1 - 1e-5 keeps two digits in a float, rounded in one direction. So
+// steps add optical depth over a voxel, and voxels are composited. A step is cut if the transfer function changes
+// within it, so that no part exceeds half of an entry.
 vec4 march_exact(vec3 from, vec3 along, vec2 range, float step_m, int samples) {
     vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
     float way = range.y - range.x, voxel_m = step_m * float(samples);

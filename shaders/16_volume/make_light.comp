@@ -1,4 +1,4 @@
-// What of the light gets through to each place of the volume, at half of its resolution.
+// Transmittance from the light to each point of the volume, at half resolution.
 #include "16_volume/volume_inputs.glsl"
 #include "16_volume/bounds.glsl"
 #include "16_volume/correct_opacity.glsl"

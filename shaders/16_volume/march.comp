@@ -1,5 +1,4 @@
-// The volume before what was drawn already: a ray for each pixel, marched from where it enters to where it leaves, or to
-// what is solid.
+// Volume in front of the drawn scene: a ray for each pixel from its entry to its exit or to a solid surface.
 #include "common/structs.h"
 #include "16_volume/volume_inputs.glsl"
 #include "16_volume/bounds.glsl"
@@ -70,8 +69,8 @@ vec4 march(vec3 from, vec3 along, vec2 range, ivec2 pixel, float step_m) {
 #endif
         if (looks.a <= 0.0) {
 #if VOLUME_METHOD == VOLUME_METHOD_SKIPPING
-            // Blocks are asked where a sample shows nothing: what is dense everywhere pays for no question. Then on to the
-            // first sample behind all empty blocks, where it would have been without skipping.
+            // Blocks are read only after an empty sample, so that dense regions pay nothing. The next sample lies
+            // behind all empty blocks, at its position without skipping.
             float at = begins + offset * length_m;
             int next = i;
             for (bool empty = at > known_to; empty;) {

@@ -1,4 +1,4 @@
-// A nebula: ridges of noise whose places other noise has moved, wound up around a hot heart, in a ball.
+// A nebula: ridges of warped noise, wound around a hot core, in a ball.
 #include "16_volume/noise_3d.glsl"
 
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;

@@ -1,4 +1,4 @@
-// The sphere's skin: a thin shell of glass whose normal moves with noise, over the volume.
+// Shell of the sphere: thin glass with a noisy normal, over the volume.
 #include "11_fractals/fresnel.glsl"
 #include "16_volume/noise_methods.glsl"
 #include "16_volume/surroundings.glsl"

@@ -1,4 +1,4 @@
-// What is looked at in place of the picture.
+// Debug views.
 
 #if VOLUME_SHOW == VOLUME_SHOW_BLOCKS
 // The edges of the blocks that a ray meets: gold where they hold something, blue where they are empty.
@@ -12,7 +12,7 @@ vec3 block_edges(vec3 from, vec3 along, vec2 range) {
         ivec3 block = clamp(ivec3(to_texture(position) * volume_now.size / float(BLOCK_VOXELS)), ivec3(0), textureSize(volume_blocks, 0) - 1);
         int levels = int(round(255.0 * texelFetch(volume_blocks, block, 0).r)), edge = BLOCK_VOXELS << max(levels - 1, 0);
         vec3 inside = fract(to_texture(position) * volume_now.size / float(edge));
-        vec3 border = min(inside, 1.0 - inside) * float(edge);  // voxels from the faces; one of them is that which is entered
+        vec3 border = min(inside, 1.0 - inside) * float(edge);  // voxels from the faces, one of them the entry
         float least = min(border.x, min(border.y, border.z)), most = max(border.x, max(border.y, border.z));
         float second = border.x + border.y + border.z - least - most;
         float line = 1.0 - smoothstep(0.1, 0.35, second);

@@ -13,7 +13,7 @@ vec4 simplex_direction(ivec4 cell) {
 }
 
 // [simplex]
-// At a place in metres of the noise and a moment, whose whole cells are kept apart: floats lose nothing after a week.
+// At a point in metres and a time, with whole cells kept apart: exact after a week.
 float simplex_4d(vec3 at, NoiseMoment moment) {
     const float skew = 0.309016994, unskew = 0.138196601;  // (sqrt(5) - 1) / 4 and (5 - sqrt(5)) / 20
     vec4 place = vec4(at, moment.time) + skew * (at.x + at.y + at.z) + moment.skew_time;

@@ -1,5 +1,5 @@
-// What the shell reflects: a dark hall with strips of light above and a warm glow from below. One function, so that an
-// environment's cube can take its place.
+// Surroundings of the shell: a dark hall with strips of light above and a warm glow below. An environment cube can
+// replace this function.
 
 // [surroundings]
 vec3 surroundings(vec3 direction) {

@@ -1,4 +1,4 @@
-// What the passes of a volume know beside its knobs.
+// Parameters of a volume's passes beside its knobs.
 #pragma once
 #include <common/shared.h>
 
@@ -8,7 +8,7 @@ BEGIN_SHARED
 
 const int TRANSFER_TEXELS = 256;  // of the transfer function, over densities from 0 to 1
 const float REFERENCE_M = 0.01f;  // metres: the length for which the transfer function states its opacities
-const int BLOCK_VOXELS = 8;       // along an edge of the blocks whose ranges of density are known
+const int BLOCK_VOXELS = 8;       // along an edge of the blocks of density ranges
 const int BLOCK_LEVELS = 3;       // of the pyramid over them: blocks, then 2, then 4 of them along an edge
 
 // A moment of noise over space and time: whole cells of time and the rest, which the processor parts in double precision.
@@ -29,12 +29,12 @@ struct VolumeNow {
     float step_m;        // from sample to sample, metres
     vec3 light_at;       // where its light stands, metres; or, for light from far away, the unit vector towards it
     float is_near;       // 1: the light stands at light_at; 0: it is far away
-    vec3 light;          // what arrives at 1 m from it without the volume, or from far away
+    vec3 light;          // irradiance at 1 m, or of a distant light, without the volume
     float brightest;     // radiance that no sample exceeds, for the early exit
     vec3 wave_phase;     // radians, 0 to 2 pi: of the three waves
     float wave;          // amplitude of each wave, in units of the box; 0: none
     NoiseMoment moment;  // of the shell's noise
-    float history;       // pictures whose mean the history holds
+    float history;       // pictures in the history
     float turn;          // of the samples within a step, 0 to 1, from picture to picture
 };
 

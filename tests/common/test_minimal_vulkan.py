@@ -77,6 +77,20 @@ class Vulkan(unittest.TestCase):
             server.close()
         self.assertEqual((done.returncode, done.stdout), (0, ""))
 
+    def test_each_step_names_the_line_of_the_framework_that_does_it(self):
+        paragraphs = re.findall(r"^In the course: (.*?)\n\n", PAGE, re.M | re.S)
+        self.assertGreater(len(paragraphs), 10)
+        found = 0
+        for paragraph in paragraphs:
+            files = [(ROOT / "docs" / path).resolve().read_text() for path in re.findall(r"\]\((\.\./common/[\w./]+)\)", paragraph)]
+            self.assertTrue(files, paragraph)
+            for code in re.findall(r"`([^`]+)`", paragraph):
+                words = " ".join(code.split())
+                if "(" in words and not words.startswith("pass."):
+                    self.assertTrue(any(words in " ".join(text.split()) for text in files), f"{words} is not there: {paragraph}")
+                    found += 1
+        self.assertGreater(found, 10)
+
     def test_a_missing_shader_or_file_is_one_line(self):
         for arguments, words in (([], "usage"), (["/nowhere/x.ppm"], "/nowhere/x.ppm cannot be written")):
             done = run(BUILD / "00_vulkan", *arguments)
