@@ -270,7 +270,7 @@ class Text(Course):
         self.assertIn("would give the exercise away", self.wrong())
 
     def test_links(self):
-        for bad in ("[a](nowhere.md)", "![a](01.png)", "[a](01_obj.md#no-such)", "<img src='x.png'>", "[a](../../x)", "[![a](code.md)<br>b](nowhere.md)"):
+        for bad in ("[a](nowhere.md)", "![a](01.png)", "[a](01_obj.md#no-such)", "<img src='x.png'>", "[a](../../x)", "[![a](01_obj.md)<br>b](nowhere.md)"):
             self.put("docs/02_lambert.md", f"# Two\n{bad}\n`[a](code.md)` [b](https://example.org)\n")
             self.assertEqual(self.wrong().count("docs/02_lambert.md:2:"), 1, bad)
 
