@@ -4,14 +4,11 @@ import hmac
 import time
 from urllib.parse import urlsplit
 
+from pages.page import POLICY
 from tornado.web import HTTPError, RequestHandler
 
 # A lesson asks for some sixty files; ten tabs that open at once are below the burst.
 REQUESTS_A_S, REQUESTS_AT_ONCE = 100, 800
-# Mkdocs' theme has small scripts and styles within its pages; nothing is asked from elsewhere.
-POLICY = ("default-src 'none'; script-src 'self' 'unsafe-inline' blob:; style-src 'self' 'unsafe-inline'; font-src 'self' data:; "
-          "img-src 'self' data: blob:; connect-src 'self' blob:; worker-src 'self' blob:; form-action 'none'; base-uri 'none'; "
-          "frame-ancestors 'self'")
 
 
 class Bucket:

@@ -24,25 +24,33 @@ HELP = """Writes the lessons as pages: build/docs/index.html.
 
 They open without a server and without a network, with typeset formulas, coloured code and a search.
 
-  ./course docs            write the pages
-  ./course docs --open     write the pages and open them in the browser"""
+  ./course docs                 write the pages
+  ./course docs --open          write the pages and open them in the browser
+  ./course docs --site FOLDER   write a site for any static host (docs/publish.md)"""
 KATEX = Path("/usr/share/javascript/katex")
 LATO = Path("/usr/share/fonts/truetype/lato")
 LANGUAGES = {".frag": "glsl", ".comp": "glsl",
              ".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
 OTHERS = {"keys.md": "Keys", "vulkan.md": "Vulkan without the framework", "serve.md": "Live lessons", "teaching.md": "For instructors",
-          "development.md": "For developers", "elsewhere.md": "Windows and macOS"}
+          "development.md": "For developers", "elsewhere.md": "Windows and macOS", "publish.md": "Publish the lessons"}
 OWN = Path(__file__).parent / "site"
 
 
 def add_arguments(parser):
     parser.add_argument("--open", action="store_true", help="open the pages in the browser")
+    parser.add_argument("--site", type=Path, metavar="FOLDER", help="write a site for a static host to this folder, building what it needs")
+    parser.add_argument("--no-film", action="store_true", help="with --site: a start page without its film, which takes minutes to draw")
 
 
 def run(arguments, _rest) -> int:
     start_s = time.monotonic()
-    index = BUILD / "docs" / "index.html"
-    count = make(index.parent)
+    index = (arguments.site or BUILD / "docs") / "index.html"
+    if arguments.site:
+        from pages import publish
+
+        count = publish.write(arguments.site, not arguments.no_film)
+    else:
+        count = make(index.parent)
     say(f"{relative(index)}: {count} pages in {time.monotonic() - start_s:.1f} s")
     if arguments.open:
         show(index)
@@ -56,14 +64,17 @@ def show(page: Path):
         raise Failure(f"xdg-open could not show {page}")
 
 
-def make(folder: Path) -> int:
-    """Writes the pages to a folder, which it replaces. Returns how many there are. The same tree gives the same bytes."""
+def make(folder: Path, then=None) -> int:
+    """Writes the pages to a folder, which it replaces. Returns how many there are. The same tree gives the same bytes.
+    `then` changes what was made before it is there."""
     folder.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix=".docs.", dir=folder.parent) as beside:
         source, made = Path(beside, "source"), Path(beside, "made")
         write_sources(source)
         build_site(source, made)
         finish(made)
+        if then:
+            then(made)
         if folder.exists():
             folder.rename(Path(beside, "old"))
         made.rename(folder)

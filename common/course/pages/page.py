@@ -17,6 +17,10 @@ except ImportError:  # ./course run does not need it; pictures are then embedded
 TYPES = {".png": "image/png", ".svg": "image/svg+xml", ".jpg": "image/jpeg", ".webp": "image/webp"}
 
 SMALL = 640  # of 198 passed pictures a page has 8 MB so, and 30 at their own size
+# Mkdocs' theme has small scripts and styles within its pages; nothing is asked from elsewhere.
+POLICY = ("default-src 'none'; script-src 'self' 'unsafe-inline' blob:; style-src 'self' 'unsafe-inline'; font-src 'self' data:; "
+          "img-src 'self' data: blob:; connect-src 'self' blob:; worker-src 'self' blob:; form-action 'none'; base-uri 'none'; "
+          "frame-ancestors 'self'")
 
 # What a value lacks is left out: results have optional keys.
 TEMPLATES = Environment(loader=FileSystemLoader(Path(__file__).parent / "templates"), autoescape=True, trim_blocks=True,

@@ -1,0 +1,187 @@
+"""The pages as a site for any static host: ./course docs --site FOLDER.
+
+To what ./course docs writes it adds: small pictures, loaded as they come into view; a start page with a short film; a service
+worker, which keeps the site for reading without a network; a policy that lets a page load nothing from elsewhere."""
+
+import hashlib
+import io
+import json
+import re
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from build.build import build
+from pages import docs
+from pages.page import POLICY
+from tree import BUILD, Failure, UsageError, chapters, relative, say, warn, write_atomically
+
+OWN = Path(__file__).parent / "site" / "run"
+MARK = ".lightwalk-site"  # in a folder that this command may replace
+WIDEST = 800
+MOST_BYTES = 60_000_000
+# The film's seconds that the start page shows, at 24 frames a second.
+FILM = ["--size", "480x270", "--fps", "24", "--frames_from", "1320", "--frames_to", "1464"]
+
+
+def write(folder: Path, film: bool = True) -> int:
+    """Builds what the pages need and writes the site. Raises UsageError for a folder with other files in it."""
+    if folder.exists() and not (folder.is_dir() and ((folder / MARK).exists() or not any(folder.iterdir()))):
+        raise UsageError(f"--site {folder}: it has other files in it; name a folder that is empty, or that does not exist")
+    if not folder.parent.is_dir():
+        raise UsageError(f"--site {folder}: there is no folder {folder.parent}")
+    build([f"check_{chapter}" for chapter in chapters()])
+    clip = start_film() if film else None
+    return docs.make(folder, lambda made: finish(made, clip))
+
+
+def start_film() -> Path | None:
+    """The start page's film, written once for each version of chapter 19. None where it cannot be made, which is said."""
+    program = BUILD / "chapters" / "19_ambiance"
+    build(["19_ambiance"])
+    out = BUILD / "site" / "start.mp4"
+    if out.exists() and out.stat().st_mtime > program.stat().st_mtime:
+        return out
+    if not shutil.which("ffmpeg"):
+        warn("the start page has no film, for there is no ffmpeg; the package is in common/course/packages/film")
+        return None
+    out.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=out.parent) as folder:
+        drawn = Path(folder, "drawn.mp4")
+        # The film's own command, as a person would type it: it knows the codecs.
+        for command in (["./course", "film", drawn, *FILM], ["ffmpeg", "-v", "error", "-i", drawn, "-an", "-c:v", "libx264", "-crf", "27",
+                                                             "-pix_fmt", "yuv420p", "-movflags", "+faststart", Path(folder, "start.mp4")]):
+            if subprocess.run(command, cwd=docs.ROOT, stdout=subprocess.DEVNULL).returncode:
+                raise Failure(f"the start page's film could not be written: {command[0]} failed")
+        Path(folder, "start.mp4").replace(out)
+    return out
+
+
+# The search's index is larger than a page: it comes with the first look at the search's field.
+LATER = """new Promise(done => {
+    const load = () => done(window.__index ?? new Promise(loaded => {
+      const script = document.createElement("script");
+      script.src = SOURCE;
+      script.onload = () => loaded(window.__index);
+      document.head.append(script);
+    }));
+    for (const event of ["focusin", "pointerdown", "click", "keydown"])
+      addEventListener(event, ({target, key}) => { if (target.closest?.("[data-md-component=search], [data-md-toggle=search], [for=__search]") || "fs/".includes(key ?? "-")) load(); }, true);
+    if (new URLSearchParams(location.search).has("q")) load();
+  })"""
+
+
+def search_later(made: Path) -> bool:
+    """True where the theme takes a promise for its index, and now gets one (up to its version 8)."""
+    bundle = next((made / "assets" / "javascripts").glob("bundle.*.js")).read_text(encoding="utf-8")
+    script = (made / "assets" / "search.js").read_text(encoding="utf-8")
+    if "__index" in bundle.replace("md-annotation__index", "") or "Promise.resolve(window.__index)" not in script:
+        return False
+    write_atomically(made / "assets" / "search.js", 'const SOURCE = new URL("../search/search_index.js", document.currentScript.src).href;\n' +
+                     script.replace("Promise.resolve(window.__index)", LATER))
+    return True
+
+
+def finish(made: Path, clip: Path | None):
+    """Makes the pages, written to a folder, into the site."""
+    later = search_later(made)
+    smaller_fonts(made)
+    smaller = {path: small(path) for path in sorted(made.rglob("*")) if path.suffix in (".png", ".jpg") and "assets/images" not in str(path)}
+    for path in made.rglob("*.html"):
+        up = "../" * (len(path.relative_to(made).parts) - 1)
+        text = re.sub(r'\b(src|href)="([^":]+\.(?:png|jpg))"', lambda found: renamed(found, path, smaller), path.read_text(encoding="utf-8"))
+        if later:
+            text = re.sub(r'<script src="[./]*search/search_index\.js"></script>', "", text)
+        text = re.sub(r"<img (?![^>]*loading=)", '<img loading="lazy" decoding="async" ', text)
+        head = f'<meta http-equiv="Content-Security-Policy" content="{meta_policy()}">'
+        text = text.replace("<head>", f"<head>{head}", 1).replace("</body>", f'<script src="{up}offline.js"></script></body>', 1)
+        if path == made / "index.html":
+            text = small_cards(made, text)
+        if path == made / "index.html" and clip:
+            shutil.copyfile(clip, made / "assets" / "start.mp4")
+            text = re.sub(r'(<div class="hero".*?</div>\s*)<img [^>]*src="([^"]+)"[^>]*>', r'\1<video autoplay muted loop playsinline '
+                          r'preload="metadata" poster="\2" aria-label="Some seconds of the film that the course ends with">'
+                          r'<source src="assets/start.mp4" type="video/mp4"></video>', text, count=1, flags=re.S)
+        path.write_text(text, encoding="utf-8")
+    for path, other in smaller.items():
+        if other:
+            path.unlink()
+    for path in made.rglob("*.js.map"):
+        path.unlink()
+    for name in ("offline.js", "worker.js"):
+        shutil.copyfile(OWN / name, made / name)
+    (made / MARK).write_text("Written by ./course docs --site, which replaces this folder.\n")
+    (made / ".nojekyll").write_text("")  # GitHub's pages leave out names that begin with _
+    write_atomically(made / "kept.js", kept(made))
+    size = sum(path.stat().st_size for path in made.rglob("*") if path.is_file())
+    if size > MOST_BYTES:
+        warn(f"the site has {size / 1e6:.0f} MB, more than the {MOST_BYTES / 1e6:.0f} MB that it should have")
+    else:
+        say(f"the site has {size / 1e6:.0f} MB")
+
+
+def smaller_fonts(made: Path):
+    """The faces with the letters that texts have, as WOFF2: a twentieth of what the package has."""
+    from fontTools import subset
+
+    style = made / "assets" / "lesson.css"
+    for face in (made / "assets" / "fonts").glob("*.ttf"):
+        subset.main([str(face), "--unicodes=U+20-17F,U+2B0-2FF,U+370-3FF,U+2000-22FF,U+25A0-25FF,U+2713", "--layout-features=*",
+                     "--flavor=woff2", f"--output-file={face.with_suffix('.woff2')}"])
+        face.unlink()
+    style.write_text(re.sub(r"(fonts/[\w-]+)\.ttf", r"\1.woff2", style.read_text(encoding="utf-8")), encoding="utf-8")
+
+
+def small_cards(made: Path, page: str) -> str:
+    """The start page with the chapters' pictures as small as it shows them."""
+    from PIL import Image
+
+    def card(found: re.Match) -> str:
+        path = made / found[2]
+        with Image.open(path) as picture:
+            picture.convert("RGB").resize((480, round(480 * picture.height / picture.width)), Image.LANCZOS).save(
+                path.with_suffix(".card.webp"), "WEBP", quality=80, method=4)
+        return f'{found[1]}{path.with_suffix(".card.webp").relative_to(made)}"'
+    return re.sub(r'(<a class="card"[^>]*>\s*<img [^>]*src=")([^"]+)"', card, page)
+
+
+def small(path: Path) -> Path | None:
+    """The picture beside itself as WebP, where that is smaller."""
+    from PIL import Image
+
+    with Image.open(path) as picture:
+        shown = picture.convert("RGB")
+        if shown.width > WIDEST and "images" not in path.parts:
+            shown = shown.resize((WIDEST, round(shown.height * WIDEST / shown.width)), Image.LANCZOS)
+        out = io.BytesIO()
+        shown.save(out, "WEBP", quality=82, method=4)
+    if out.tell() >= path.stat().st_size:
+        return None
+    other = path.with_suffix(".webp")
+    other.write_bytes(out.getvalue())
+    return other
+
+
+def renamed(found: re.Match, page: Path, smaller: dict[Path, Path | None]) -> str:
+    from urllib.parse import unquote
+
+    meant = (page.parent / unquote(found[2])).resolve()
+    other = smaller.get(meant)
+    return f'{found[1]}="{found[2][:found[2].rindex(".")]}.webp"' if other else found[0]
+
+
+def meta_policy() -> str:
+    """serve's, without what only a server can say."""
+    return "; ".join(part for part in POLICY.split("; ") if not part.startswith("frame-ancestors")) + "; media-src 'self'"
+
+
+def kept(made: Path) -> str:
+    """What the service worker keeps at the first visit, and a version that changes with any file."""
+    files = sorted(path for path in made.rglob("*") if path.is_file() and path.name not in (MARK, ".nojekyll", "worker.js"))
+    version = hashlib.sha256()
+    for path in files:
+        version.update(path.read_bytes())
+    names = [path.relative_to(made).as_posix() for path in files]
+    first = [name for name in names if not name.startswith(("source/", "whole/", "studies/", "open/")) and name != "assets/start.mp4"]
+    return f"const VERSION = {json.dumps(version.hexdigest()[:16])}, KEPT = {json.dumps(first)};\n"
