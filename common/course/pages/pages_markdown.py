@@ -32,7 +32,6 @@ DETAILS = re.compile(r"( *)<details>(?:<summary>(.*)</summary>)?$")
 SUMMARY = re.compile(r" *<summary>(.*)</summary>$")
 COMPARE = re.compile(r"\s*<!-- compare -->\s*$")
 PICTURE = re.compile(r"!\[([^\]]*)\]\(([^)\s]+)\)$")
-AROUND = re.compile(r"(?<=\))[^\[\]()]*\]\(([^)\s]+)\)()")  # of a link, behind the picture that it is around
 STUDY = re.compile(r"(?<!!)\[([^\]]*)\]\((studies/[^)\s]+?)\.md\)")
 EARLIER = ' <span class="earlier" title="The chapter\'s code has changed since this study was measured.">(earlier version)</span>'
 PICTURES = (".png", ".svg", ".jpg", ".webp")
@@ -168,8 +167,7 @@ def convert_line(site: Site, text: Path, line: str) -> str:
         return f'<a id="{name}" class="exercise"></a>\n\n### {name} <span class="grade {grade}">{grade}</span> {{#{anchor}}}'
     line = with_versions(text, line)
     parts = re.split(r"(`[^`]*`)", line)
-    return "".join(part if part.startswith("`") else AROUND.sub(lambda found: link(site, text, found), LINK.sub(
-        lambda found: link(site, text, found), part))
+    return "".join(part if part.startswith("`") else LINK.sub(lambda found: link(site, text, found), part)
                    for part in parts)
 
 

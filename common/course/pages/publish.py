@@ -123,8 +123,11 @@ def finish(made: Path, clip: Path | None):
 
 def smaller_fonts(made: Path):
     """The faces with the letters that texts have, as WOFF2: a twentieth of what the package has."""
+    import logging
+
     from fontTools import subset
 
+    logging.getLogger("fontTools").setLevel(logging.ERROR)  # it finds the package's dates odd
     style = made / "assets" / "lesson.css"
     for face in (made / "assets" / "fonts").glob("*.ttf"):
         subset.main([str(face), "--unicodes=U+20-17F,U+2B0-2FF,U+370-3FF,U+2000-22FF,U+25A0-25FF,U+2713", "--layout-features=*",

@@ -1,0 +1,195 @@
+"""The site in a browser (Chromium, WebGL by software): programs that are drawn and edited, exercises that are solved, answers as
+files, reading without a network; from files and from a server of files."""
+
+import functools
+import http.server
+import json
+import sys
+import tempfile
+import threading
+import unittest
+from pathlib import Path
+
+from browser import CHROMIUM, Browser
+from part_in_ci import part
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "common/course"))
+from pages import docs, publish, running  # noqa: E402
+from tree import UsageError, lessons  # noqa: E402
+
+PHONE = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True}
+LOADED = "performance.getEntriesByType('resource').reduce((sum, one) => sum + one.encodedBodySize, " \
+         "performance.getEntriesByType('navigation')[0].encodedBodySize)"
+MOST_PAGE_BYTES = 1_500_000
+# How many colours a canvas shows, of a grid of its pixels.
+COLORS = """(canvas => {
+  const small = Object.assign(document.createElement("canvas"), {width: 32, height: 18}), to = small.getContext("2d");
+  to.drawImage(canvas, 0, 0, 32, 18);
+  const data = to.getImageData(0, 0, 32, 18).data, found = new Set();
+  for (let i = 0; i < data.length; i += 4) found.add(data.slice(i, i + 3).join());
+  return found.size;
+})(Program.all[%d].canvas)"""
+DRAWN = "Program.all[%d].drawing?.program ? 1 : 0"
+LAMBERT = "float lambert(vec3 normal, vec3 to_light) {\n    return max(dot(normal, to_light), 0);\n}\n"
+SQUARE = "vec4 quaternion_square(vec4 q) {\n    return vec4(q.x * q.x - dot(q.yzw, q.yzw), 2 * q.x * q.yzw);\n}\n"
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+@functools.cache
+def site() -> Path:
+    """The site without its film, once for all tests."""
+    site.folder = tempfile.TemporaryDirectory()
+    made = Path(site.folder.name, "site")
+    docs.make(made, lambda folder: publish.finish(folder, None))
+    return made
+
+
+def tearDownModule():
+    if hasattr(site, "folder"):
+        site.folder.cleanup()
+
+
+def complaints(browser: Browser) -> list[str]:
+    """Without what Chromium says of reading a picture back."""
+    return [one for one in browser.complaints if "ReadPixels" not in one]
+
+
+@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+class InBrowser(unittest.TestCase):
+    def serve(self) -> str:
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site())))
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        self.end = lambda: (server.shutdown(), server.server_close())
+        return f"http://127.0.0.1:{server.server_port}/"
+
+    def press(self, browser: Browser, exercise: str, button: str):
+        browser.evaluate(f"[...Exercise.all.get('{exercise}').element.querySelectorAll('button')].find(one => one.textContent === '{button}').click()")
+
+    def solve(self, browser: Browser, exercise: str, answer: str):
+        """The starter is open, the answer solved."""
+        browser.evaluate(f"document.querySelector('[data-exercise=\"{exercise}\"]').click()")
+        browser.wait(f"!!Exercise.all.get('{exercise}').editor")
+        for text, verdict in ((None, "open"), (answer, "ok")):
+            if text:
+                browser.evaluate(f"Exercise.all.get('{exercise}').editor.setValue({json.dumps(text)}), 0")
+            self.press(browser, exercise, "Check")
+            browser.wait(f"document.querySelector('.run-verdict.{verdict}') ? 1 : 0")
+
+    def test_a_first_exercise_is_solved_and_seen_from_a_file(self):
+        for page, exercise, answer, program in (("02_lambert_phong", "02.lambert", LAMBERT, 0), ("11_fractals", "11.quaternion_square", SQUARE, 1)):
+            with self.subTest(exercise), Browser(webgl=True) as browser:
+                browser.open(site() / f"{page}.html")
+                self.solve(browser, exercise, answer)
+                self.press(browser, exercise, "See it in the picture")
+                browser.wait(f"{DRAWN % program} && Program.all[{program}].mine.size && Program.all[{program}].said.textContent === ''")
+                browser.wait(f"{COLORS % program} > 20")
+                mine = "document.querySelector('.run-progress').textContent"
+                self.assertRegex(browser.evaluate(mine), r"^1 of \d+ solved$")
+                browser.open(site() / f"{page}.html")
+                self.assertRegex(browser.evaluate(mine), r"^1 of \d+ solved$", "the browser did not keep it")
+                self.assertEqual(complaints(browser), [])
+
+    def test_every_program_is_drawn_edited_and_reset(self):
+        scenes = running.scenes()
+        with Browser(webgl=True) as browser:
+            for name in part(sorted(scenes), 4):
+                with self.subTest(name):
+                    page = next(lesson.stem for lesson in lessons() if lesson.stem[:2] == name[:2])
+                    browser.open(site() / f"{page}.html")
+                    at = browser.evaluate(f"Program.all.findIndex(one => one.name === '{name}')")
+                    browser.evaluate(f"Program.all[{at}].canvas.scrollIntoView({{behavior: 'instant'}})")
+                    browser.wait(DRAWN % at)
+                    self.assertEqual(browser.evaluate(f"Program.all[{at}].said.textContent"), "")
+                    browser.wait(f"{COLORS % at} > 8")
+                    browser.evaluate(f"Program.all[{at}].edit().then(() => 0)")
+                    browser.evaluate(f"Program.all[{at}].editor.setValue(Program.all[{at}].text.replace('void main() {{', 'void main() {{ no_such;')), 0")
+                    browser.wait(f"Program.all[{at}].said.textContent.includes('no_such') && document.querySelector('.run-message') ? 1 : 0")
+                    browser.evaluate(f"Program.all[{at}].reset()")
+                    browser.wait(f"Program.all[{at}].said.textContent === ''")
+                    self.assertEqual(complaints(browser), [])
+
+    def test_each_place_of_an_answer_is_in_its_program(self):
+        for name, scene in running.scenes().items():
+            text = scene.get("text") or (running.MINIMAL / f"{name}.frag").read_text()
+            for exercise, (old, *_, last) in scene.get("mine", {}).items():
+                self.assertEqual(text.count(old), 1, f"{name}: {exercise}")
+                self.assertTrue(len(scene["mine"][exercise]) == 2 or last in text, f"{name}: {exercise}")
+
+    def test_answers_travel_as_files(self):
+        with Browser(webgl=True) as browser:
+            browser.open(site() / "02_lambert_phong.html")
+            self.solve(browser, "02.lambert", LAMBERT)
+            names = "Answers.archive().then(blob => blob.arrayBuffer()).then(data => Answers.unpacked(new Uint8Array(data)))"
+            self.assertEqual(browser.evaluate(names), [["shaders/02_lambert_phong/exercise/lambert.glsl", LAMBERT]])
+            data = bytes(browser.evaluate("Answers.archive().then(blob => blob.arrayBuffer()).then(data => [...new Uint8Array(data)])"))
+            with tempfile.TemporaryDirectory() as folder:
+                import tarfile
+
+                Path(folder, "answers.tar").write_bytes(data)
+                with tarfile.open(Path(folder, "answers.tar")) as archive:
+                    self.assertEqual(archive.extractfile("shaders/02_lambert_phong/exercise/lambert.glsl").read().decode(), LAMBERT)
+            said = browser.evaluate("Answers.import_files([new File(['float a;'], 'lambert.glsl'), new File(['?'], 'none.glsl')])")
+            self.assertEqual(said, "imported 02.lambert; no exercise of these pages: none.glsl")
+            self.assertEqual(browser.evaluate("Exercise.all.get('02.lambert').editor.getValue()"), "float a;")
+
+    def test_by_keyboard_on_a_phone_and_in_the_dark(self):
+        with Browser(webgl=True, dark=True) as browser:
+            browser.call("Emulation.setDeviceMetricsOverride", **PHONE)
+            browser.open(site() / "17_planets.html")
+            browser.evaluate("Program.all[0].canvas.scrollIntoView({behavior: 'instant'})")
+            browser.wait(DRAWN % 0)
+            browser.evaluate("Program.all[0].canvas.focus()")
+            before = browser.evaluate("Program.all[0].drawing.camera.yaw")
+            browser.press("ArrowRight")
+            self.assertEqual(browser.evaluate("Program.all[0].drawing.camera.yaw"), before + 5)
+            browser.press("Tab")
+            self.assertEqual(browser.evaluate("document.activeElement.textContent"), "Edit")
+            self.assertEqual(browser.evaluate("[innerWidth, document.documentElement.scrollWidth]"), [390, 390])
+            self.assertEqual(browser.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(20, 24, 31)")
+
+    def test_a_server_of_files_and_then_none(self):
+        address = self.serve()
+        with Browser(webgl=True, server=address) as browser:
+            for page in [Path("index"), *part(lessons(), 6)]:
+                browser.open(f"{address}{page.stem}.html")
+                self.assertLess(browser.evaluate(LOADED), MOST_PAGE_BYTES, page)
+                self.assertEqual(complaints(browser), [])
+            browser.wait("navigator.serviceWorker.ready.then(one => one.active.state === 'activated' ? 1 : 0)")
+            self.end()
+            for page in ("16_volume", "index"):
+                browser.open(f"{address}{page}.html")
+                self.assertIn("Lightwalk", browser.evaluate("document.title"))
+            browser.evaluate("document.querySelector('[data-md-toggle=search]').click()")
+            browser.wait("(field => { field.focus(); field.value = 'half vector'; field.dispatchEvent(new Event('keyup', {bubbles: true}));"
+                         "return document.querySelectorAll('.md-search-result__link').length; })(document.querySelector('[data-md-component=search-query]'))")
+
+
+class OnDisk(unittest.TestCase):
+    def test_its_size_and_its_exercises(self):
+        self.assertLess(sum(path.stat().st_size for path in site().rglob("*") if path.is_file()), publish.MOST_BYTES)
+        listed = json.loads((site() / "assets/tables/list.json").read_text())
+        self.assertGreaterEqual(len(listed["in_the_page"]), 60)
+        self.assertFalse(set(listed["in_the_page"]) & set(listed["elsewhere"]))
+        self.assertIn("01.triangulate", listed["elsewhere"])
+
+    def test_a_policy_in_every_page(self):
+        pages = [page for page in site().rglob("*.html") if page.parent.name != "open"]  # which only lead on
+        self.assertGreater(len(pages), 50)
+        for page in pages:
+            self.assertIn("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'self'", page.read_text(), page)
+
+    def test_a_folder_with_other_files_is_left_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "mine").write_text("x")
+            with self.assertRaisesRegex(UsageError, "it has other files in it"):
+                publish.write(Path(folder))
+            self.assertEqual([path.name for path in Path(folder).iterdir()], ["mine"])
+
+
+if __name__ == "__main__":
+    unittest.main()
