@@ -55,6 +55,13 @@ class Guarded(Live):
         self.assertIn(b'<script defer src="../live/start.js"></script></head>', body)
         self.assertEqual((self.root / "build/docs/source/a.html").read_text(), "<html><head></head></html>")
 
+    def test_what_a_page_runs_alone_is_left_out(self):
+        page = self.root / "build/docs/source/alone.html"
+        self.restore_afterwards(page)
+        page.write_text('<head></head><script src="../assets/lesson.js"></script><script src="../assets/run/answers.js"></script>')
+        status, body = self.server.ask("source/alone.html")
+        self.assertEqual((status, b"lesson.js" in body, b"answers.js" in body), (200, True, False))
+
     def test_without_the_token_nothing_is_answered(self):
         for path in ("", "live/course", "live/exercise/01.one", "live/start.js", "live/socket"):
             for headers in ({"Cookie": None}, {"Cookie": f"lightwalk_{self.server.port}=wrong"}):

@@ -3,6 +3,7 @@
 import asyncio
 import json
 import mimetypes
+import re
 from pathlib import Path
 
 from live import answers
@@ -20,6 +21,8 @@ SCRIPTS = ["client.js", "picture.js", "knobs.js", "panel.js", "exercise.js", "ch
 STYLES = ["live.css"]
 OURS = {f"cm/{name}": CODEMIRROR / name for name in EDITOR} | {name: SITE / name for name in [*SCRIPTS, *STYLES]}
 LIST_S = 60
+# What edits and draws where there is no server: its names are those of our scripts.
+ALONE = re.compile(rb'<script src="[^"]*assets/run/[^"]*"></script>')
 
 
 def head(depth: int) -> str:
@@ -49,7 +52,7 @@ class Page(Guarded):
         data = file.read_bytes()
         kind = mimetypes.guess_type(file.name)[0] or "application/octet-stream"
         if file.suffix == ".html":
-            data = data.replace(b"</head>", head(path.count("/")).encode() + b"</head>", 1)
+            data = ALONE.sub(b"", data).replace(b"</head>", head(path.count("/")).encode() + b"</head>", 1)
             kind = "text/html; charset=utf-8"
         self.set_header("Content-Type", kind)
         self.finish(data)
