@@ -5,6 +5,7 @@
 #include <map>
 
 #include "01_obj/exercises.h"
+#include "01_obj/scan.h"
 #include "01_obj/threads.h"
 #include "common/base/error.h"
 
@@ -89,6 +90,16 @@ bool cut_piece(const Piece& piece, const Base& base, Triangulate cut, CuttingTim
     return true;
 }
 
+// A piece counts positions from where its share of a Collected begins.
+void add_colors(std::span<const Piece> pieces, std::span<const Base> bases, ObjData& data) {
+    for (size_t i = 0; i < pieces.size(); ++i)
+        for (size_t k = pieces[i].begin.colors; k < pieces[i].end.colors; ++k) {
+            ColoredPosition one = pieces[i].from->colors[k];
+            one.position += static_cast<uint32_t>(bases[i].positions - pieces[i].begin.positions / 3);
+            data.colors.push_back(one);
+        }
+}
+
 // Name lines take effect at the next face, so a run starts where the first face after them does.
 void collect_runs(std::span<const Piece> pieces, std::span<const Base> bases, ObjData& data) {
     Interner object(data.objects), group(data.groups), material(data.materials);
@@ -109,6 +120,13 @@ void collect_runs(std::span<const Piece> pieces, std::span<const Base> bases, Ob
                 case NameLine::material:
                     run.material = material(line.name);
                     break;
+                case NameLine::smoothing:
+                    run.smoothing = smoothing_group(line.name);
+                    break;
+                case NameLine::left_out:
+                    if (std::find(data.left_out.begin(), data.left_out.end(), line.name) == data.left_out.end())
+                        data.left_out.push_back(line.name);
+                    continue;
                 case NameLine::library:
                     data.libraries.push_back(line.name);
                     continue;
@@ -124,7 +142,7 @@ void collect_runs(std::span<const Piece> pieces, std::span<const Base> bases, Ob
 }  // namespace
 
 Piece::Mark mark(const Collected& c) {
-    return {c.positions.size(), c.uvs.size(), c.normals.size(), c.corners.size(), c.sizes.size()};
+    return {c.positions.size(), c.uvs.size(), c.normals.size(), c.corners.size(), c.sizes.size(), c.colors.size()};
 }
 
 void add_run(std::vector<Run>& runs, const Run& run) {
@@ -214,7 +232,7 @@ bool assemble(std::span<const Piece> pieces, unsigned threads, const std::string
         if (here) any_absent = true;
     });
     absent = any_absent;
-    if (in_range) collect_runs(pieces, bases, data);
+    if (in_range) collect_runs(pieces, bases, data), add_colors(pieces, bases, data);
     return in_range;
 }
 

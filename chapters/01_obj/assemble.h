@@ -11,9 +11,9 @@
 
 namespace lightwalk {
 
-/// `o`, `g`, `usemtl` or `mtllib`, with the number of polygons of its piece that stand before it.
+/// `o`, `g`, `usemtl`, `mtllib` or `s`, or a statement that is left out, with the number of polygons of its piece that stand before it.
 struct NameLine {
-    enum Kind { object, group, material, library } kind;
+    enum Kind { object, group, material, library, smoothing, left_out } kind;
     size_t polygon;
     std::string name;
 };
@@ -22,15 +22,16 @@ struct NameLine {
 /// pieces before it are counted: see relative_index.
 struct Collected {
     Array<float> positions, uvs, normals;
-    Array<Corner> corners;  ///< of polygons, one after the other
-    Array<uint32_t> sizes;  ///< corners of each polygon
+    Array<ColoredPosition> colors;  ///< by number within this Collected
+    Array<Corner> corners;          ///< of polygons, one after the other
+    Array<uint32_t> sizes;          ///< corners of each polygon
 };
 
 /// One stretch of the file: where its share of a Collected begins and ends, and its name lines.
 struct Piece {
     const Collected* from = nullptr;
     struct Mark {
-        size_t positions = 0, uvs = 0, normals = 0, corners = 0, sizes = 0;
+        size_t positions = 0, uvs = 0, normals = 0, corners = 0, sizes = 0, colors = 0;
     } begin, end;
     std::vector<NameLine> names;
 };

@@ -22,8 +22,8 @@ void fields(ByteReader& bytes, Array<T>& array) {
 
 template <class Bytes>
 void fields(Bytes& bytes, ObjData& data) {
-    bytes(data.positions, data.uvs, data.normals, data.corners, data.runs, data.objects, data.groups, data.materials,
-          data.libraries);
+    bytes(data.positions, data.uvs, data.normals, data.colors, data.corners, data.runs, data.objects, data.groups,
+          data.materials, data.left_out, data.libraries);
 }
 
 namespace {
@@ -38,6 +38,8 @@ bool is_consistent(const ObjData& data) {
         if (run.first_triangle > data.triangles() || (run.material != none && run.material >= data.materials.size()) ||
             (run.object != none && run.object >= data.objects.size()))
             return false;
+    for (const ColoredPosition& one : data.colors)
+        if (one.position >= positions) return false;
     return true;
 }
 

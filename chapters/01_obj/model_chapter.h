@@ -1,15 +1,32 @@
 // Base of every chapter from here on: models read by this chapter's loaders, and the camera's matrix.
 #pragma once
-#include "01_obj/camera_view.h"
 #include "01_obj/obj.h"
+#include "01_obj/world_view.h"
 #include "common/app/chapter.h"
 #include "common/app/render.h"
 
 namespace lightwalk {
 
+/// What material files leave open.
+struct MtlReading : Module {
+    using Module::Module;
+    Choice tr{*this,
+              "tr",
+              {"safe", "transparency", "opacity"},
+              "safe",
+              "Meaning of Tr without d in material files: transparency, opacity, or transparency unless the whole "
+              "material would vanish (safe)"};
+    std::string load_key() const override { return tr.text(); }
+};
+
 class ModelChapter : public Chapter {
   public:
-    Model load_model(const std::filesystem::path& file) override { return lightwalk::load_model(file, loader()); }
+    MtlReading mtl{*this, "mtl"};
+
+    Model load_model(const std::filesystem::path& file) override {
+        Model own;
+        return any_model(file, own) ? own : lightwalk::load_model(file, loader(), static_cast<Tr>(mtl.tr.index));
+    }
 
     std::vector<std::string> load_exercises() const override {
         return {"01.parse_vertex_line", "01.parse_face", "01.triangulate"};
@@ -30,6 +47,7 @@ class ModelChapter : public Chapter {
         return view;
     }
     // [/view]
+    View set_view(Frame& frame, World& world) { return look_at(world, frame, scene, camera); }
 };
 
 }  // namespace lightwalk

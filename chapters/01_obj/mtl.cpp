@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "01_obj/float_parse.h"
 #include "01_obj/lines.h"
@@ -57,7 +58,15 @@ void take_up_to_three(std::string_view& rest, std::string_view what, glm::vec3& 
     }
 }
 
-TextureMap take_map(std::string_view rest, const fs::path& folder) {
+// -s and -o: the texture is repeated s times, and moved by o.
+void place(TextureMap& map) {
+    map.place.turn = glm::mat2(map.scale.x, 0, 0, map.scale.y);
+    map.place.offset = glm::vec2(map.offset);
+    if (map.clamp) map.sampler.wrap = Wrap::clamp;
+}
+
+// `left_out`: options that are read and not drawn.
+TextureMap take_map(std::string_view rest, const fs::path& folder, std::vector<std::string>& left_out) {
     TextureMap map;
     for (rest = trim(rest); rest.starts_with('-');) {
         std::string_view after = rest;
@@ -70,15 +79,17 @@ TextureMap take_map(std::string_view rest, const fs::path& folder) {
         else if (option == "-s")
             take_up_to_three(after, option, map.scale);
         else if (option == "-t")
-            take_up_to_three(after, option, dropped);
+            take_up_to_three(after, option, dropped), left_out.push_back("-t");
         else if (option == "-mm")
             map.base_gain.x = take_float(after, option), map.base_gain.y = take_float(after, option);
         else if (option == "-clamp")
             map.clamp = take_switch(after, option);
-        else if (option == "-blendu" || option == "-blendv" || option == "-cc")
+        else if (option == "-blendu" || option == "-blendv")
             take_switch(after, option);
-        else if (option == "-boost" || option == "-texres")
-            take_float(after, option);
+        else if (option == "-cc") {
+            if (take_switch(after, option)) left_out.push_back("-cc");
+        } else if (option == "-boost" || option == "-texres")
+            take_float(after, option), left_out.emplace_back(option);
         else if (option == "-type")
             next_word(after);
         else if (option == "-imfchan") {
@@ -92,45 +103,117 @@ TextureMap take_map(std::string_view rest, const fs::path& folder) {
     }
     if (rest.empty()) throw InputError("a texture map without a file");
     map.file = resolve_file(rest, folder);
+    place(map);
     return map;
 }
+
+// What the statements of one material have said.
+struct Said {
+    std::optional<float> d, tr;
+    bool ns = false, ks = false, pr = false, pm = false;
+};
 
 struct Reader {
     std::vector<Material>& materials;
     const fs::path& folder;
-    bool has_d = false;
+    const std::string& name;
+    const Tr tr;
+    Said said{};
 
     void statement(std::string_view rest) {
         const std::string written(next_word(rest)), keyword = lower(written);
         if (keyword == "newmtl") {
             if (trim(rest).empty()) throw InputError("newmtl without a name");
-            materials.emplace_back().name = trim(rest), has_d = false;
+            finish();
+            materials.emplace_back().name = trim(rest), said = {};
             return;
         }
         const bool known = color_of(keyword) || number_of(keyword) || map_of(keyword) || keyword == "d" ||
-                           keyword == "tr" || keyword == "illum";
+                           keyword == "tr" || keyword == "illum" || is_left_out(keyword);
         if (!known) return;
         if (materials.empty()) throw InputError("{} before the first newmtl", written);
         Material& m = materials.back();
         if (glm::vec3 Material::*color = color_of(keyword)) {
-            if (const auto value = take_color(rest, written)) m.*color = *value;
+            if (const auto value = take_color(rest, written))
+                m.*color = *value;
+            else
+                m.left_out.push_back(written + " as a spectrum or XYZ");
+            said.ks |= keyword == "ks";
         } else if (float Material::*number = number_of(keyword)) {
             m.*number = take_float(rest, written);
+            said.ns |= keyword == "ns", said.pr |= keyword == "pr", said.pm |= keyword == "pm";
         } else if (TextureMap Material::*map = map_of(keyword)) {
-            m.*map = take_map(rest, folder);
+            m.*map = take_map(rest, folder, m.left_out);
         } else if (keyword == "d") {
             std::string_view after = rest;
             if (next_word(after) == "-halo") rest = after;
-            m.opacity = take_float(rest, written), has_d = true;
+            said.d = take_float(rest, written);
         } else if (keyword == "tr") {
-            // Programs disagree on what Tr is where d is given too; d is clear.
-            const float transparency = take_float(rest, written);
-            if (!has_d) m.opacity = 1.0f - transparency;
+            said.tr = take_float(rest, written);
+        } else if (is_left_out(keyword)) {
+            leave_out_unless_plain(m, keyword, written, rest);
         } else {
             const float model = take_float(rest, written);
             if (!(model >= 0.0f && model <= 10.0f)) throw InputError("illum is a whole number from 0 to 10");
             m.illumination = static_cast<int>(model);
         }
+    }
+
+    // After a material's last statement: what several of them say together.
+    void finish() {
+        if (materials.empty()) return;
+        Material& m = materials.back();
+        set_opacity(m);
+        set_colors(m);
+        m.has_exponent = said.ns && said.ks;
+        const bool has_maps = m.roughness_map || m.metalness_map;
+        m.metallic_roughness = m.microfacets = said.pr || said.pm || has_maps;
+        if (has_maps) m.has_exponent = false;  // one exponent cannot say it
+        if (m.roughness_map && !said.pr) m.roughness = 1;
+        if (m.metalness_map && !said.pm) m.metalness = 1;
+        m.unlit = m.illumination == 0;
+        if (m.opacity_map && !m.opacity_map.channel) m.opacity_map.channel = alpha_if_any;
+        if (m.ambient_map && m.ambient_map.file != m.diffuse_map.file) m.left_out.push_back("map_Ka");
+    }
+
+    // Programs disagree on what Tr is; d is clear.
+    void set_opacity(Material& m) const {
+        if (said.d) m.opacity = *said.d;
+        if (said.d || !said.tr) return;
+        m.opacity = tr == Tr::opacity ? *said.tr : 1.0f - *said.tr;
+        if (tr != Tr::safe || m.opacity > 0.0f) return;
+        m.opacity = 1;
+        warn("{}: material '{}': Tr {:g} would make it vanish; drawn opaque, unless --set mtl.tr=transparency", name,
+             m.name, *said.tr);
+    }
+
+    // 0 to 1; some programs count to 255.
+    void set_colors(Material& m) const {
+        for (glm::vec3 Material::*color : {&Material::ambient, &Material::diffuse, &Material::specular}) {
+            glm::vec3& c = m.*color;
+            const float most = std::max({c.r, c.g, c.b});
+            if (!(most > 1.0f)) continue;
+            c = most > 2.0f && most <= 255.0f ? c / 255.0f : glm::min(c, 1.0f);
+            warn("{}: material '{}': a colour of {:g}, expected at most 1; taken as {:g}", name, m.name, most,
+                 std::max({c.r, c.g, c.b}));
+        }
+    }
+
+    static bool is_left_out(const std::string& k) {
+        static const std::set<std::string> known = {"refl",  "ps",     "pc",     "pcr",    "aniso",  "anisor",  "tf",
+                                                    "decal", "map_ps", "map_tr", "map_tf", "map_pc", "map_refl"};
+        return known.contains(k);
+    }
+
+    // Not where its numbers say that there is nothing to draw: all 0, or of Tf all 1.
+    static void leave_out_unless_plain(Material& m, const std::string& keyword, const std::string& written,
+                                       std::string_view rest) {
+        bool plain = true;
+        for (std::string_view word; !(word = next_value(rest)).empty();) {
+            float value = 0;
+            plain = plain && parse_float(word, value) == FloatStatus::ok && value == (keyword == "tf" ? 1.0f : 0.0f);
+        }
+        if (!plain) m.left_out.push_back(written);
     }
 
     static glm::vec3 Material::*color_of(const std::string& k) {
@@ -158,6 +241,7 @@ struct Reader {
                                                                            {"map_bump", &Material::bump_map},
                                                                            {"bump", &Material::bump_map},
                                                                            {"norm", &Material::normal_map},
+
                                                                            {"map_kn", &Material::normal_map},
                                                                            {"disp", &Material::displacement_map},
                                                                            {"map_disp", &Material::displacement_map},
@@ -184,26 +268,29 @@ std::vector<fs::path> library_files(const std::string& written, const fs::path& 
 
 }  // namespace
 
-std::vector<Material> parse_mtl(std::string_view text, const std::string& name, const fs::path& folder) {
+std::vector<Material> parse_mtl(std::string_view text, const std::string& name, const fs::path& folder, Tr tr) {
+    text = without_mark(text);
+    while (text.ends_with('\0')) text.remove_suffix(1);
     if (text.substr(0, 4096).find('\0') != text.npos)
         throw InputError("{}:1: the file is binary, expected MTL text", name);
     check_line_ends(text, name);
     std::vector<Material> materials;
-    Reader reader{materials, folder};
-    Statements statements(without_mark(text));
+    Reader reader{materials, folder, name, tr};
+    Statements statements(text);
     for (std::string_view statement; statements.next(statement);) try {
             reader.statement(statement);
         } catch (const InputError& error) { fail_at(name, statements.line(), error.what()); }
+    reader.finish();
     for (Material& material : materials) limit_numbers(material, name);
     return materials;
 }
 
-std::vector<Material> load_mtl(const fs::path& path) {
-    return parse_mtl(read_file(path), path.string(), path.parent_path());
+std::vector<Material> load_mtl(const fs::path& path, Tr tr) {
+    return parse_mtl(read_file(path), path.string(), path.parent_path(), tr);
 }
 
 std::vector<Material> find_materials(const std::vector<std::string>& names, const std::vector<std::string>& libraries,
-                                     const fs::path& folder) {
+                                     const fs::path& folder, Tr tr) {
     std::map<std::string, Material> known;
     for (const std::string& written : libraries)
         for (const fs::path& file : library_files(written, folder)) {
@@ -212,7 +299,7 @@ std::vector<Material> find_materials(const std::vector<std::string>& names, cons
                 warn("{}: no such material file; its materials are plain", file.string());
                 continue;
             }
-            for (Material& material : load_mtl(file)) known.try_emplace(material.name, std::move(material));
+            for (Material& material : load_mtl(file, tr)) known.try_emplace(material.name, std::move(material));
         }
     std::vector<Material> found;
     for (const std::string& name : names) {

@@ -8,6 +8,7 @@
 #include "01_obj/mtl.h"
 #include "01_obj/scan.h"
 #include "common/base/error.h"
+#include "common/base/text.h"
 #include "common/scene/import.h"
 
 namespace lightwalk {
@@ -18,6 +19,7 @@ constexpr std::array<std::string_view, 5> names = {"textbook", "tinyobjloader", 
 
 ObjData parse(std::string_view text, const std::string& name, Loader loader, const ParseOptions& options) {
     text = without_mark(text);
+    while (text.ends_with('\0')) text.remove_suffix(1);  // as ZBrush ends its files
     check_is_text(text, name);
     ObjData data;
     switch (loader) {
@@ -77,14 +79,19 @@ ObjData parse_obj_text(std::string_view text, const std::string& name, Loader lo
     return parse(std::string_view(padded).substr(0, text.size()), name, loader, options);
 }
 
-Model load_obj(const fs::path& path, Loader loader) {
+Model load_obj(const fs::path& path, Loader loader, Tr tr) {
     if (loader == Loader::assimp) return import_model(path);
     const ObjData data = parse_obj(path, loader);
-    return weld(data, find_materials(data.materials, data.libraries, path.parent_path()), path.stem());
+    Model model = weld(data, find_materials(data.materials, data.libraries, path.parent_path(), tr), path.stem());
+    for (const std::string& what : data.left_out) leave_out(model, what);
+    for (const Material& material : model.materials)
+        for (const std::string& what : material.left_out) leave_out(model, what, "material");
+    if (!model.left_out.empty()) warn_once(fmt::format("{}: left out: {}", path.string(), left_out_text(model)));
+    return model;
 }
 
-Model load_model(const fs::path& path, Loader loader) {
-    return is_obj(path) ? load_obj(path, loader) : import_model(path);
+Model load_model(const fs::path& path, Loader loader, Tr tr) {
+    return is_obj(path) ? load_obj(path, loader, tr) : import_model(path);
 }
 
 }  // namespace lightwalk

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "01_obj/array.h"
+#include "01_obj/mtl.h"
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
@@ -31,14 +32,22 @@ struct Corner {
 };
 // [/corner]
 
+/// The colour that some programs write behind a position: r g b, 0 to 1, sRGB.
+struct ColoredPosition {
+    uint32_t position = 0;
+    glm::vec3 color{1.0f};
+    bool operator==(const ColoredPosition&) const = default;
+};
+
 /// How many `v`, `vt` and `vn` lines.
 struct Counts {
     size_t positions = 0, uvs = 0, normals = 0;
 };
 
-/// Triangles from `first_triangle` to the next run's share one object, group and material: indices into the names.
+/// Triangles from `first_triangle` to the next run's share one object, group and material: indices into the names; and
+/// a smoothing group: 0 is off, `none` where the file does not say.
 struct Run {
-    uint32_t first_triangle = 0, object = none, group = none, material = none;
+    uint32_t first_triangle = 0, object = none, group = none, material = none, smoothing = none;
     bool operator==(const Run&) const = default;
 };
 
@@ -47,11 +56,13 @@ struct ObjData {
     Array<float> positions;              ///< x y z each, in file order
     Array<float> uvs;                    ///< u v each; a missing v is 0, a third number is dropped
     Array<float> normals;                ///< x y z each, any length
+    Array<ColoredPosition> colors;       ///< of positions that have one
     Array<Corner> corners;               ///< three for each triangle, every index in range
     std::vector<Run> runs;               ///< the first starts at triangle 0
     std::vector<std::string> objects;    ///< names after `o`, in order of first use
     std::vector<std::string> groups;     ///< after `g`
     std::vector<std::string> materials;  ///< after `usemtl`
+    std::vector<std::string> left_out;   ///< what else the file holds: "lines", "free-form curves"
     std::vector<std::string> libraries;  ///< what follows each `mtllib`: one name, or several
     size_t triangles() const { return corners.size() / 3; }
 };
@@ -77,13 +88,13 @@ ObjData parse_obj_text(std::string_view text, const std::string& name, Loader lo
 /// One mesh and one node for each `o` that has faces (or one for the file), vertices welded, parts by material, missing
 /// normals filled, materials read from the MTL files. A missing MTL file or material is a warning on stderr and a
 /// default material, because the shape is still worth seeing; a malformed MTL throws InputError.
-Model load_obj(const std::filesystem::path& path, Loader loader = Loader::parallel);
+Model load_obj(const std::filesystem::path& path, Loader loader = Loader::parallel, Tr tr = Tr::safe);
 
 /// By the file name's ending.
 bool is_obj(const std::filesystem::path& path);
 
 /// Any model file: .obj through `loader`, every other format through Assimp.
-Model load_model(const std::filesystem::path& path, Loader loader = Loader::parallel);
+Model load_model(const std::filesystem::path& path, Loader loader = Loader::parallel, Tr tr = Tr::safe);
 
 /// Vertices and indices from triangles of index triples: equal triples become one vertex. `materials` has one for each
 /// of data.materials and may have a last one for triangles without. `name` names the mesh of faces without object.

@@ -74,12 +74,12 @@ void Scanner::face(std::string_view rest) {
         const std::string_view whole = word;
         Corner corner;
         corner.position = index(word, positions, total.positions, "position");
-        if (word.starts_with('/')) {
+        if (word.starts_with('/')) {  // the last index may be missing: Wings3D writes v//
             word.remove_prefix(1);
             if (!word.starts_with('/')) corner.uv = optional_index(word, uvs, total.uvs, "uv");
             if (word.starts_with('/')) {
                 word.remove_prefix(1);
-                corner.normal = optional_index(word, normals, total.normals, "normal");
+                if (!word.empty()) corner.normal = optional_index(word, normals, total.normals, "normal");
             }
         }
         if (!word.empty()) throw InputError("{} is not a corner; write v, v/vt, v//vn or v/vt/vn", shown(whole));
@@ -97,11 +97,11 @@ void Scanner::statement(std::string_view text) {
     const auto name_line = [&](NameLine::Kind kind) {
         names_.push_back({kind, out_.sizes.size() - start_.sizes, std::string(trim(rest))});
     };
-    float values[7] = {};
+    float values[3] = {};
     if (keyword == "v") {
-        if (read_floats(rest, 3, 7, values, "v x y z, optionally followed by w, r g b, or both") == 5)
-            throw InputError("5 numbers, expected v x y z, optionally followed by w, r g b, or both");
-        std::memcpy(out_.positions.room(3), values, 3 * sizeof(float)), out_.positions.added(3);
+        const VertexLine vertex = read_vertex(rest);
+        if (vertex.has_color) out_.colors.push_back({static_cast<uint32_t>(out_.positions.size() / 3), vertex.color});
+        std::memcpy(out_.positions.room(3), vertex.position, 3 * sizeof(float)), out_.positions.added(3);
     } else if (keyword == "vt") {
         read_floats(rest, 1, 3, values, "vt u v");
         std::memcpy(out_.uvs.room(2), values, 2 * sizeof(float)), out_.uvs.added(2);
@@ -118,14 +118,55 @@ void Scanner::statement(std::string_view text) {
         name_line(NameLine::material);
     } else if (keyword == "mtllib") {
         name_line(NameLine::library);
+    } else if (keyword == "s") {
+        name_line(NameLine::smoothing);
     } else {
         check_keyword(keyword);
+        const std::string_view what = left_out_of(keyword);
+        if (what.empty() || (!names_.empty() && names_.back().name == what)) return;
+        names_.push_back({NameLine::left_out, out_.sizes.size() - start_.sizes, std::string(what)});
     }
 }
 
+std::string_view left_out_of(std::string_view keyword) {
+    return keyword == "l"                                                 ? "lines"
+           : keyword == "p"                                               ? "points"
+           : keyword == "curv" || keyword == "curv2" || keyword == "surf" ? "free-form curves and surfaces"
+                                                                          : "";
+}
+
+uint32_t smoothing_group(std::string_view name) {
+    uint32_t group = 0;
+    std::from_chars(name.data(), name.data() + name.size(), group);
+    return std::min(group, none - 1);
+}
+
+VertexLine read_vertex(std::string_view rest) {
+    static constexpr const char* usage = "v x y z, optionally followed by w, r g b, or both";
+    VertexLine vertex;
+    float values[7] = {};
+    bool numbers[7] = {};
+    int count = 0;
+    for (std::string_view word; !(word = next_value(rest)).empty(); ++count) {
+        if (count == 7) throw InputError("too many numbers, expected {}", usage);
+        numbers[count] = parse_float(word, values[count]) == FloatStatus::ok;
+        const bool is_nan =
+            word.find("nan") != word.npos || word.find("NAN") != word.npos || word.find("NaN") != word.npos;
+        if (!numbers[count] && (count < 3 || !is_nan)) float_or_throw(word);
+    }
+    if (count < 3) throw InputError("{} number{}, expected {}", count, plural(static_cast<size_t>(count)), usage);
+    if (count == 5) throw InputError("5 numbers, expected {}", usage);
+    std::copy_n(values, 3, vertex.position);
+    const int first = count - 3;
+    vertex.has_color = count >= 6 && numbers[first] && numbers[first + 1] && numbers[first + 2];
+    if (vertex.has_color) vertex.color = {values[first], values[first + 1], values[first + 2]};
+    return vertex;
+}
+
 void check_keyword(std::string_view keyword) {
-    for (const char c : keyword)
-        if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'))
+    for (size_t i = 0; i < keyword.size(); ++i)
+        if (const char c = keyword[i];
+            !((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (i >= 3 && c >= '0' && c <= '9')))
             throw InputError("{} is not a statement; a line starts with a word such as v, vt, vn or f", shown(keyword));
 }
 

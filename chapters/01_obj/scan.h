@@ -39,8 +39,23 @@ class Scanner {
 int read_floats(std::string_view rest, int least, int most, float* values, std::string_view usage);
 
 /// Throws InputError, with the reason alone, unless a keyword that means nothing to us is a word. The format has many
-/// statements (l, p, s, curves, ...) that the course has no use for, and programs add their own.
+/// statements that the course has no use for, and programs add their own.
 void check_keyword(std::string_view keyword);
+
+/// What such a statement holds that would be seen: "lines", "points", "free-form curves and surfaces"; else "".
+std::string_view left_out_of(std::string_view keyword);
+
+/// The number of the group after `s`; 0: off.
+uint32_t smoothing_group(std::string_view name);
+
+/// A colour among the numbers of a statement `v`: after x y z, or after x y z w. A colour that is no number (nan, as
+/// some programs write) is none. Throws InputError as read_floats, and where the count is neither 3, 4, 6 nor 7.
+struct VertexLine {
+    float position[3];
+    bool has_color = false;
+    glm::vec3 color{1.0f};
+};
+VertexLine read_vertex(std::string_view rest);
 
 /// Throws InputError where the text cannot be OBJ: empty, or binary.
 void check_is_text(std::string_view text, const std::string& name);

@@ -79,8 +79,14 @@ class Reader {
         words_of(line) >> keyword;
         const std::string_view rest = trim(std::string_view(line).substr(keyword.size()));
         if (keyword == "v") {
-            const glm::vec3 p = parse_vertex_line(line);
+            const VertexLine read = read_vertex(rest);
+            // A colour that is no number is nothing that the exercise would have to know.
+            const bool plain =
+                line.find("nan") == line.npos && line.find("NaN") == line.npos && line.find("NAN") == line.npos;
+            const glm::vec3 p =
+                plain ? parse_vertex_line(line) : glm::vec3(read.position[0], read.position[1], read.position[2]);
             for (int i = 0; i < 3; ++i) data_.positions.push_back(p[i]);
+            if (read.has_color) data_.colors.push_back({static_cast<uint32_t>(so_far_.positions), read.color});
             ++so_far_.positions;
         } else if (keyword == "vt") {
             std::vector<float> uv = numbers(line, 1, 3);
@@ -102,8 +108,13 @@ class Reader {
             names_.material = material_numbers_(data_.materials, rest);
         } else if (keyword == "mtllib") {
             data_.libraries.emplace_back(rest);
+        } else if (keyword == "s") {
+            names_.smoothing = smoothing_group(rest);
         } else {
             check_keyword(keyword);
+            const std::string what(left_out_of(keyword));
+            if (!what.empty() && std::find(data_.left_out.begin(), data_.left_out.end(), what) == data_.left_out.end())
+                data_.left_out.push_back(what);
         }
     }
 

@@ -6,6 +6,7 @@
 
 #include "01_obj/obj.h"
 #include "common/base/progress.h"
+#include "common/image/image.h"
 
 namespace lightwalk {
 namespace {
@@ -75,9 +76,69 @@ class VertexTable {
 
 // A range of triangles and where it goes.
 struct Stretch {
-    uint32_t mesh, material;
+    uint32_t mesh, material, smoothing;
     size_t begin, end;
 };
+
+// Normals of faces that give none and have a smoothing statement: of group 0 each triangle's own, of others the sum over
+// the group's triangles at a position. They get numbers behind the file's normals.
+class Smoothing {
+  public:
+    explicit Smoothing(const ObjData& data) : data_(data), given_(data.normals.size() / 3) {
+        for (size_t i = 0; i < data.runs.size(); ++i) {
+            const Run& run = data.runs[i];
+            if (run.smoothing == none || run.smoothing == 0) continue;
+            const size_t end = i + 1 < data.runs.size() ? data.runs[i + 1].first_triangle : data.triangles();
+            for (size_t k = 3 * size_t{run.first_triangle}; k < 3 * end; ++k) {
+                const Corner& c = data.corners[k];
+                if (c.normal != none) continue;
+                const auto [at, is_new] = groups_.try_emplace(key(c.position, run.smoothing), sums_.size());
+                if (is_new) sums_.emplace_back(0.0);
+                sums_[at->second] += weighted(k / 3);
+            }
+        }
+    }
+
+    Corner corner(size_t k, uint32_t smoothing) const {
+        Corner c = data_.corners[k];
+        if (c.normal != none || smoothing == none) return c;
+        const size_t number = smoothing == 0 ? sums_.size() + k / 3 : groups_.at(key(c.position, smoothing));
+        c.normal = static_cast<uint32_t>(given_ + number);
+        return c;
+    }
+
+    glm::dvec3 normal(uint32_t number) const {
+        if (number < given_) return at3(data_.normals, number);
+        const size_t own = number - given_;
+        return own < sums_.size() ? sums_[own] : weighted(own - sums_.size());
+    }
+
+  private:
+    static uint64_t key(uint32_t position, uint32_t group) { return uint64_t{group} << 32 | position; }
+    // The cross product of two edges is twice the area long.
+    glm::dvec3 weighted(size_t triangle) const {
+        const Corner* t = data_.corners.data() + 3 * triangle;
+        const glm::dvec3 a = at3(data_.positions, t[0].position);
+        return glm::cross(glm::dvec3(at3(data_.positions, t[1].position)) - a,
+                          glm::dvec3(at3(data_.positions, t[2].position)) - a);
+    }
+    const ObjData& data_;
+    const size_t given_;
+    std::unordered_map<uint64_t, size_t> groups_;
+    std::vector<glm::dvec3> sums_;
+};
+
+// Linear; white where a position has none, and nothing where no position has one. Some programs count to 255.
+std::vector<glm::vec4> colors_of(const ObjData& data) {
+    if (data.colors.empty()) return {};
+    float most = 0;
+    for (const ColoredPosition& one : data.colors) most = std::max({most, one.color.r, one.color.g, one.color.b});
+    std::vector<glm::vec4> colors(data.positions.size() / 3, glm::vec4(1.0f));
+    for (const auto& [position, color] : data.colors)
+        for (int i = 0; i < 3; ++i)
+            colors[position][i] = srgb_to_linear(std::clamp(most > 2.0f ? color[i] / 255.0f : color[i], 0.0f, 1.0f));
+    return colors;
+}
 
 // For each position, the sum of the normals of the faces that give none, weighted by area: the cross product of two
 // edges is twice the area long. Empty where every corner has a normal.
@@ -110,7 +171,7 @@ std::vector<Stretch> stretches_by_mesh(const ObjData& data, Model& model, const 
             model.nodes.push_back({.name = model.meshes.back().name, .meshes = {mesh}});
         }
         const uint32_t material = run.material == none ? static_cast<uint32_t>(data.materials.size()) : run.material;
-        stretches.push_back({mesh, material, run.first_triangle, end});
+        stretches.push_back({mesh, material, run.smoothing, run.first_triangle, end});
     }
     std::stable_sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) {
         return std::pair(a.mesh, a.material) < std::pair(b.mesh, b.material);
@@ -128,8 +189,10 @@ Model weld(const ObjData& data, std::vector<Material> materials, const std::stri
         if (s.material >= model.materials.size()) model.materials.resize(s.material + 1);
     const std::vector<glm::dvec3> smooth = smooth_normals(data);
     VertexTable table(data.positions.size() / 3);
+    const Smoothing smoothing(data);
+    const std::vector<glm::vec4> colors = colors_of(data);
     const auto vertex = [&](const Corner& c) {
-        const glm::dvec3 given = c.normal == none ? glm::dvec3(0.0) : glm::dvec3(at3(data.normals, c.normal));
+        const glm::dvec3 given = c.normal == none ? glm::dvec3(0.0) : smoothing.normal(c.normal);
         const bool has_normal = given != glm::dvec3(0.0);
         const size_t uv = 2 * size_t{c.uv};
         return Vertex{at3(data.positions, c.position), unit(has_normal || smooth.empty() ? given : smooth[c.position]),
@@ -148,9 +211,11 @@ Model weld(const ObjData& data, std::vector<Material> materials, const std::stri
         for (size_t k = 3 * s.begin; k < 3 * s.end; ++k) {
             if (waited_for && k % reported_corners == 0) waited_for->step(reported_corners);
             bool is_new;
-            mesh.indices.push_back(table.find(data.corners[k], is_new));
+            const Corner corner = smoothing.corner(k, s.smoothing);
+            mesh.indices.push_back(table.find(corner, is_new));
             if (!is_new) continue;
-            mesh.vertices.push_back(vertex(data.corners[k]));
+            mesh.vertices.push_back(vertex(corner));
+            if (!colors.empty()) mesh.colors.push_back(colors[corner.position]);
             mesh.bounds.add(mesh.vertices.back().position);
         }
         mesh.parts.back().index_count = static_cast<uint32_t>(mesh.indices.size()) - mesh.parts.back().first_index;

@@ -3,7 +3,7 @@
 
 #include "01_obj/model_chapter.h"
 #include "03_attenuation/lights.h"
-#include "04_surface_maps/maps.h"
+#include "04_surface_maps/surface_pipelines.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -21,6 +21,11 @@ struct SurfaceMaps : ModelChapter {
     Pipeline surface = graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "04_surface_maps/surface.frag"});
     Pipeline displaced =
         graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "04_surface_maps/surface.frag"});
+    // As chapter 15 has it at its simplest: back to front, by object.
+    SurfacePipelines see_through{{.fragment = "04_surface_maps/surface.frag",
+                                  .depth_write = false,
+                                  .blend = Blend::alpha,
+                                  .macros = {{"TRANSPARENT", "1"}, {"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}}}};
     Pipeline depth = graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "04_surface_maps/depth.frag"});
     Pipeline displaced_depth =
         graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "04_surface_maps/depth.frag"});
@@ -48,12 +53,16 @@ struct SurfaceMaps : ModelChapter {
         lights.update(frame, scene, scene.file.lights);
         if (lights.needs_depth())
             frame.raster("depth", {.depth = frame.depth, .with = {maps}},
-                         [&](Raster& pass) { maps.draw(pass, scene, depth, displaced_depth); });
+                         [&](Raster& pass) { maps.draw(pass, scene, scene.opaque(), depth, displaced_depth); });
         lights.record(frame, scene, view, frame.depth);
 
         // 2. Every surface, each with the shader variant for exactly its maps.
         frame.raster("shade", {.color = {clear(frame.hdr, behind)}, .depth = frame.depth, .with = {maps, lights}},
-                     [&](Raster& pass) { maps.draw(pass, scene, surface, displaced); });
+                     [&](Raster& pass) {
+                         maps.draw(pass, scene, scene.opaque(), surface, displaced);
+                         const DrawList transparent = scene.transparent().sorted_from(view.eye);
+                         maps.draw(pass, scene, transparent, see_through.loaded, see_through.displaced);
+                     });
 
         // 3. Linear light to the codes a screen expects.
         encode_srgb(frame);

@@ -104,7 +104,7 @@ std::vector<std::vector<std::byte>> normal_map_levels(const DecodedTexture& text
                    texture.desc.format);
 }
 
-Maps::Maps(Module& owner, std::string name) : Module(owner, std::move(name), "maps") {}
+Maps::Maps(Module& owner, std::string name) : Module(owner, std::move(name), "maps"), surface(owner, "surface") {}
 
 void Maps::prepare(Gpu& gpu, Scene& scene) {
     add_tangents(gpu, scene);
@@ -113,16 +113,28 @@ void Maps::prepare(Gpu& gpu, Scene& scene) {
 }
 
 Macros Maps::variant(const DrawItem& item) const {
-    const std::array<const Knob<bool>*, map_slot_count> in_order{&diffuse, &specular,      &emissive,    &opacity,
-                                                                 &normal,  &height,        &orm,         &occlusion,
-                                                                 &gloss,   &detail_normal, &displacement};
+    const std::array<const Knob<bool>*, map_slot_count> in_order{
+        &diffuse, &specular,  &emissive, &opacity,       &normal,       &height,
+        &orm,     &occlusion, &gloss,    &detail_normal, &displacement, &metallic_roughness};
     Macros macros;
     for (size_t i = 0; i < in_order.size(); ++i)
         macros.set(in_order[i]->macro(), *in_order[i] && item.maps[i] ? "1" : "0");
+    const auto set = [&](const char* macro, bool value) { macros.set(macro, value ? "1" : "0"); };
+    const Mesh& own = item.model->model.meshes[item.mesh];
+    set("MAPS_PLACED", item.maps.are_placed());
+    set("MAPS_SECOND_UVS", item.maps.use_second_uvs() && !own.second_uvs.empty());
+    set("MAPS_COLORS", vertex_colors && !own.colors.empty());
+    set("MAPS_TWO_SIDED", item.two_sided);
+    set("MAPS_UNLIT", item.material.unlit);
+    set("SURFACE_GGX", item.material.microfacets || surface.model.is("ggx"));
     return macros;
 }
 
 bool Maps::has_holes(const DrawItem& item) const {
+    const float own = item.material.alpha_cutoff;
+    if (own == 0.0f) return false;
+    if (own > 0.0f && (item.material.opacity < 1.0f || !item.model->model.meshes[item.mesh].colors.empty()))
+        return true;
     return (diffuse && with_holes_.contains(item.maps[MapSlot::diffuse].get())) ||
            (opacity && with_holes_.contains(item.maps[MapSlot::opacity].get()));
 }
@@ -143,14 +155,17 @@ void Maps::draw(Raster& pass, const Scene& scene, const std::vector<Batch>& batc
 }
 
 std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff) {
-    std::map<std::pair<const Image*, MapSlot>, std::shared_ptr<Image>> made;  // many items share one texture
+    std::map<std::tuple<const Image*, MapSlot, float>, std::shared_ptr<Image>> made;  // many items share one texture
     std::set<const Image*> with_holes;
     for (DrawItem& item : scene.items)
         for (const MapSlot slot : {MapSlot::diffuse, MapSlot::opacity, MapSlot::normal, MapSlot::height,
                                    MapSlot::detail_normal, MapSlot::displacement}) {
             std::shared_ptr<Image>& image = item.maps[slot];
             if (!image) continue;
-            std::shared_ptr<Image>& entry = made[{image.get(), slot}];
+            const float own = item.material.alpha_cutoff;
+            if (slot == MapSlot::diffuse && own == 0.0f && !item.material.blend) continue;  // its alpha says nothing
+            const float least = cutoff < 0.0f || own <= 0.0f ? cutoff : own;
+            std::shared_ptr<Image>& entry = made[{image.get(), slot, least}];
             if (!entry) {
                 if (slot == MapSlot::diffuse && !scene.images()->has_alpha(*image)) {
                     entry = image;
@@ -168,9 +183,9 @@ std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff) {
                 else if (slot == MapSlot::displacement)
                     entry = upload_displacement(gpu, *image, level);
                 else if (slot == MapSlot::opacity)
-                    entry = upload_levels(gpu, image->desc, opacity_levels(gpu, level, cutoff));
+                    entry = upload_levels(gpu, image->desc, opacity_levels(gpu, level, least));
                 else if (coverage(level, 1.0f) < 1.0)
-                    entry = upload_levels(gpu, image->desc, cutout_levels(gpu, level, cutoff));
+                    entry = upload_levels(gpu, image->desc, cutout_levels(gpu, level, least));
                 else
                     entry = image;
                 if (slot == MapSlot::opacity || (slot == MapSlot::diffuse && entry != image))

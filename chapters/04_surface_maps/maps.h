@@ -9,10 +9,23 @@
 
 namespace lightwalk {
 
+/// How surfaces reflect lights that do not say it themselves.
+struct SurfaceModel : Module {
+    using Module::Module;
+    Choice model{
+        *this,
+        "model",
+        {"blinn_phong", "ggx"},
+        "blinn_phong",
+        "Reflection of lights by surfaces whose material states no roughness: blinn_phong, or microfacets (ggx)"};
+};
+
 /// Gives shaders map_surface() of 04_surface_maps/surface_maps.glsl. prepare() when a scene was loaded; then draw() in
 /// passes that state it in `.with`.
 struct Maps : Module {
     Maps(Module& owner, std::string name);
+
+    SurfaceModel surface;
 
     // [method]
     Choice method{*this,
@@ -78,6 +91,9 @@ struct Maps : Module {
     Knob<bool> gloss{*this, "gloss", true, "Gloss textures: specular exponents from 8 to 256"};
     Knob<bool> detail_normal{*this, "detail_normal", true, "Detail normal maps, blended onto the normal maps"};
     Knob<bool> displacement{*this, "displacement", true, "Displacement maps, which shift all textures along the view"};
+    Knob<bool> metallic_roughness{*this, "metallic_roughness", true,
+                                  "Textures with roughness and metalness, as glTF has"};
+    Knob<bool> vertex_colors{*this, "vertex_colors", true, "Colours of vertices, which tint materials"};
 
     /// Tangents for the scene's meshes, and the levels of its maps unless `makes_levels` is off.
     void prepare(Gpu& gpu, Scene& scene) override;
@@ -114,8 +130,8 @@ struct Maps : Module {
 };
 
 /// Rebuilds levels that are not plain colour means: normal maps (see normal_levels) and alpha (see cutout_levels;
-/// `cutoff` below 0: averaged). Height maps keep only their first level, in 16 bits; displacement maps have 16 bits and
-/// all levels. Returns the colour and opacity maps that are incomplete.
+/// `cutoff` below 0: averaged; a material may have its own). Height maps keep only their first level, in 16 bits;
+/// displacement maps have 16 bits and all levels. Returns the colour and opacity maps that are incomplete.
 std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff);
 
 /// The first level of an image as numbers; sRGB becomes linear. Waits for the device.

@@ -31,6 +31,13 @@ std::vector<With> SurfaceScene::given() const {
     return with;
 }
 
+std::vector<const Module*> SurfaceScene::made_of() const {
+    std::vector<const Module*> all{this};
+    for (const Given& given : given())
+        if (const auto* module = dynamic_cast<const Module*>(&given)) all.push_back(module);
+    return all;
+}
+
 std::vector<Batch> SurfaceScene::opaque_batches() const { return surfaces ? surfaces() : scene_->opaque().batches(); }
 
 std::function<void(Raster&)> SurfaceScene::by(const SurfacePipelines& both) const {

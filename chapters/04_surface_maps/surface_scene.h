@@ -24,6 +24,7 @@ struct SurfaceScene : Drawing {
     std::vector<Resource> shading_reads;                         ///< and images
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
+    std::vector<const Module*> made_of() const override;
     void update(Frame& frame) override;
     void draw(Frame& frame, const View& view, Canvas& canvas) override { draw_lit(frame, view, canvas); }
     /// Opaque surfaces, lit as they are drawn, into a canvas of any colour format.

@@ -49,7 +49,7 @@ TangentFrame joined(const Sum& sum, glm::vec3 normal) {
 }  // namespace
 
 FramedMesh frame_mesh(const Mesh& mesh) {
-    FramedMesh result{mesh.vertices, mesh.indices, {}};
+    FramedMesh result{mesh.vertices, mesh.indices, {}, {}};
     std::vector<Sum> sums(mesh.vertices.size());
     std::map<uint32_t, uint32_t> mirrored;  // vertex → its twin of the other handedness
     const auto frame_of = tangent_frame.function();
@@ -67,7 +67,7 @@ FramedMesh frame_mesh(const Mesh& mesh) {
         uint32_t vertex = mesh.indices[i];
         if (directed && sums[vertex].weight > 0.0f && sums[vertex].last.handedness != frame.handedness) {
             const auto [twin, added] = mirrored.emplace(vertex, static_cast<uint32_t>(sums.size()));
-            if (added) sums.emplace_back(), result.vertices.push_back(a);
+            if (added) sums.emplace_back(), result.vertices.push_back(a), result.copies.push_back(vertex);
             vertex = result.indices[i] = twin->second;
         }
         Sum& sum = sums[vertex];
@@ -87,7 +87,7 @@ std::vector<std::vector<TangentFrame>> frame_model(Model& model) {
         FramedMesh framed = frame_mesh(mesh);
         all.push_back(std::move(framed.frames));
         if (framed.vertices.size() == mesh.vertices.size()) continue;
-        mesh.vertices = std::move(framed.vertices);
+        mesh.add_copies(framed.copies);
         mesh.indices = std::move(framed.indices);
     }
     return all;
@@ -116,6 +116,7 @@ void add_tangents(Gpu& gpu, const Scene& scene) {
             gpu_model.vertices[i] = gpu.upload(mesh.name + " vertices", mesh.vertices);
             gpu_model.indices[i] = gpu.upload(mesh.name + " indices", mesh.indices);
         }
+        upload_rare_attributes(gpu, gpu_model);
     }
 }
 

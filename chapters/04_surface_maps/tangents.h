@@ -13,6 +13,7 @@ struct FramedMesh {
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;
     std::vector<TangentFrame> frames;
+    std::vector<uint32_t> copies;  ///< of the mesh's vertices; they stand at the end of `vertices`
 };
 
 /// Triangles count by the angle they have at the vertex, as for normals (G. Thürmer and C. Wüthrich, "Computing Vertex

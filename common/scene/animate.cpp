@@ -58,7 +58,8 @@ void Scene::place_objects(float time_s) {
 void animate(Scene& scene, float time_s) {
     if (!scene.moves()) return;
     scene.place_objects(time_s);
-    bool moved = false, turned_over = false;
+    bool moved = !scene.deforming_.empty(), turned_over = false;
+    scene.to_deform_ = moved;
     for (const uint32_t i : scene.moving_items_) {
         DrawItem& item = scene.items[i];
         const bool was_mirrored = item.mirrored;
@@ -74,6 +75,10 @@ void animate(Scene& scene, float time_s) {
 }
 
 void Scene::upload_moved(Frame& frame) {
+    if (to_deform_)
+        for (const auto& model : moving_models_)
+            if (deforming_.contains(model.get())) deform_model(frame, *model, time_s_);
+    to_deform_ = false;
     const auto first = std::find(to_upload_.begin(), to_upload_.end(), true);
     if (first == to_upload_.end()) return;
     frame.transfer("instances", {.reads = {}, .writes = {instances}}, [&](VkCommandBuffer commands) {
@@ -96,7 +101,7 @@ void Scene::find_batches() {
     for (size_t i = 1; i < items.size(); ++i) {
         const DrawItem &a = items[i - 1], &b = items[i];
         const bool same = a.model == b.model && a.mesh == b.mesh && a.part == b.part && a.maps == b.maps &&
-                          a.mirrored == b.mirrored && a.transparent == b.transparent;
+                          a.mirrored == b.mirrored && a.transparent == b.transparent && a.two_sided == b.two_sided;
         batch_of_[i] = batch_of_[i - 1] + (same ? 0 : 1);
     }
 }

@@ -13,12 +13,14 @@ class Bindings {
   public:
     Bindings(Raster& pass, const Scene& scene) : pass_(pass), scene_(scene), vertices_(pass.slot("vertices")) {
         pass.set(pass.slot("instances"), scene.instances).set(pass.slot("materials"), scene.materials);
+        pass.set(pass.slot("map_placements"), scene.placements);
         for (size_t map = 0; map < map_slot_count; ++map)
-            if (const Pass::Slot slot = pass.slot(map_slots()[map].binding)) maps_[map_count_++] = {slot, map, nullptr};
+            if (const Pass::Slot slot = pass.slot(map_slots()[map].binding))
+                maps_[map_count_++] = {slot, map, nullptr, {}};
     }
 
     void set(const DrawItem& item) {
-        pass_.mirrored(item.mirrored);
+        pass_.mirrored(item.mirrored).two_sided(item.two_sided);
         if (model_ != item.model.get() || mesh_ != item.mesh) {
             pass_.set(vertices_, item.model->vertices[item.mesh]);
             for (const auto& [name, buffers] : item.model->attributes) pass_.set(pass_.slot(name), buffers[item.mesh]);
@@ -28,9 +30,10 @@ class Bindings {
         for (size_t i = 0; i < map_count_; ++i) {
             Wanted& wanted = maps_[i];
             const Image& image = scene_.texture(item, static_cast<MapSlot>(wanted.map));
-            if (wanted.set == &image) continue;
-            wanted.set = &image;
-            pass_.set(wanted.slot, image);
+            const Sampler& sampler = item.maps.samplers[wanted.map];
+            if (wanted.set == &image && wanted.sampler == sampler) continue;
+            wanted.set = &image, wanted.sampler = sampler;
+            pass_.set(wanted.slot, image, sampler);
         }
     }
 
@@ -45,6 +48,7 @@ class Bindings {
         Pass::Slot slot;
         size_t map = 0;
         const Image* set = nullptr;
+        Sampler sampler{};
     };
     Raster& pass_;
     const Scene& scene_;

@@ -12,7 +12,7 @@ namespace {
 bool same_material(const MaterialOverride& a, const MaterialOverride& b) {
     return a.diffuse == b.diffuse && a.specular == b.specular && a.emissive == b.emissive &&
            a.shininess == b.shininess && a.opacity == b.opacity && a.roughness == b.roughness &&
-           a.metalness == b.metalness && a.blend == b.blend && a.maps == b.maps;
+           a.metalness == b.metalness && a.blend == b.blend && a.two_sided == b.two_sided && a.maps == b.maps;
 }
 
 bool same_role(const GivenRole& a, const GivenRole& b) { return a.object == b.object && a.materials == b.materials; }

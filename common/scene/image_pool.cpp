@@ -7,6 +7,7 @@
 #include "common/base/error.h"
 #include "common/image/image.h"
 #include "common/scene/color_levels.h"
+#include "common/scene/texture_options.h"
 
 namespace lightwalk {
 namespace {
@@ -28,55 +29,85 @@ DecodedTexture linear_texels(const std::filesystem::path& file) {
             .levels = {{bytes.begin(), bytes.end()}}};
 }
 
-// One entry for each file and use of it.
-std::string key_of_image(const std::filesystem::path& file, TextureKind kind) {
+TexelImage read_map(const TextureMap& map, bool is_data) {
+    return map.bytes ? read_texels(map.file, *map.bytes, is_data) : read_texels(map.file, is_data);
+}
+
+std::string key_of_map(const TextureMap& map) {
     std::error_code error;
-    return std::filesystem::weakly_canonical(file, error).string() + (kind == TextureKind::color ? " color" : " data");
+    std::string key = map.bytes ? map.file.string() : std::filesystem::weakly_canonical(map.file, error).string();
+    if (map.channel) key += fmt::format(" channel {}", map.channel);
+    if (map.base_gain != glm::vec2(0, 1)) key += fmt::format(" {} + {} x", map.base_gain.x, map.base_gain.y);
+    return key;
+}
+
+VkFormat format_of(int bits, TextureKind kind) {
+    return bits == 16                   ? VK_FORMAT_R16G16B16A16_UNORM
+           : kind == TextureKind::color ? VK_FORMAT_R8G8B8A8_SRGB
+                                        : VK_FORMAT_R8G8B8A8_UNORM;
+}
+
+DecodedTexture as_texture(TexelImage image, TextureKind kind) {
+    DecodedTexture texture;
+    texture.desc.size = {image.width, image.height};
+    texture.desc.format = format_of(image.bits, kind);
+    texture.channels = image.channels;
+    if (texture.desc.format == VK_FORMAT_R8G8B8A8_SRGB)
+        texture.levels = color_levels(texture.desc.size, image.bytes);
+    else
+        texture.levels.push_back(std::move(image.bytes));
+    return texture;
 }
 
 }  // namespace
 
-DecodedTexture decode_texture(const std::filesystem::path& file, TextureKind kind) {
+std::string TextureUse::key() const {
+    std::string key = key_of_map(map) + (kind == TextureKind::color ? " color" : " data");
+    if (as == As::normals) key += fmt::format(" as normals {}", map.bump_multiplier);
+    if (as == As::roughness_metalness) key += " with " + key_of_map(metalness);
+    return key;
+}
+
+DecodedTexture decode_texture(const TextureUse& use) {
     DecodedTexture texture;
-    if (is_hdr_name(file)) {
-        texture = linear_texels(file);
+    if (is_hdr_name(use.file())) {
+        texture = linear_texels(use.file());
     } else {
-        TexelImage image = read_texels(file, kind == TextureKind::data);
-        texture.desc.size = {image.width, image.height};
-        texture.desc.format = image.bits == 16             ? VK_FORMAT_R16G16B16A16_UNORM
-                              : kind == TextureKind::color ? VK_FORMAT_R8G8B8A8_SRGB
-                                                           : VK_FORMAT_R8G8B8A8_UNORM;
-        texture.channels = image.channels;
-        if (texture.desc.format == VK_FORMAT_R8G8B8A8_SRGB)
-            texture.levels = color_levels(texture.desc.size, image.bytes);
-        else
-            texture.levels.push_back(std::move(image.bytes));
+        const bool is_data = use.kind == TextureKind::data;
+        TexelImage image;
+        if (use.map) image = with_options(read_map(use.map, is_data), use.map);
+        if (use.as == TextureUse::As::normals) image = normals_of(std::move(image), use.map.bump_multiplier);
+        if (use.as == TextureUse::As::roughness_metalness) {
+            TexelImage metal;
+            if (use.metalness) metal = with_options(read_map(use.metalness, is_data), use.metalness);
+            image = roughness_and_metalness(image, metal);
+        }
+        texture = as_texture(std::move(image), use.kind);
     }
-    texture.desc.name = file.filename().string();
+    texture.desc.name = use.file().filename().string();
     texture.desc.mips = full_mip_count(texture.desc.size);
     return texture;
 }
 
-void ImagePool::put(const std::filesystem::path& file, TextureKind kind, const std::shared_ptr<Image>& image,
-                    int channels) {
-    if (images_.try_emplace(key_of_image(file, kind), image).second) channels_[image.get()] = channels;
+void ImagePool::put(const TextureUse& use, const std::shared_ptr<Image>& image, int channels) {
+    if (images_.try_emplace(use.key(), image).second) channels_[image.get()] = channels;
 }
 
-std::shared_ptr<Image> ImagePool::load(const std::filesystem::path& file, TextureKind kind, int channels) {
-    std::shared_ptr<Image>& entry = images_[key_of_image(file, kind)];
+std::shared_ptr<Image> ImagePool::load(const TextureUse& use) {
+    std::shared_ptr<Image>& entry = images_[use.key()];
+    const std::string file = use.file().string();
     const auto enough = [&](int there) {
-        if (there >= channels) return;
-        throw InputError("{}: has {}, expected three or four", file.string(),
-                         there == 1 ? "one channel" : "two channels");
+        if (there >= use.channels) return;
+        throw InputError("{}: has {}, expected three or four", file, there == 1 ? "one channel" : "two channels");
     };
     if (entry) {
         enough(channels_[entry.get()]);
         return entry;
     }
-    const DecodedTexture texture = decode_texture(file, kind);
+    const DecodedTexture texture = decode_texture(use);
     const glm::uvec2 size = texture.desc.size;
     if (const uint32_t most = gpu_.device.properties.limits.maxImageDimension2D; std::max(size.x, size.y) > most)
-        throw InputError("{}: {}x{} is larger than the device's {}", file.string(), size.x, size.y, most);
+        throw InputError("{}: {}x{} is larger than the device's {}", file, size.x, size.y, most);
     enough(texture.channels);
     auto image = std::make_shared<Image>(gpu_.device, texture.desc);
     if (texture.levels.size() > 1)

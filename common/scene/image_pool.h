@@ -5,11 +5,30 @@
 #include <memory>
 
 #include "common/gpu/gpu.h"
+#include "common/scene/material.h"
 
 namespace lightwalk {
 
 /// What a texture's numbers mean: sRGB-encoded colour, or linear data such as normals and heights.
 enum class TextureKind { color, data };
+
+/// What becomes of one texture, or of two, for a slot of a material.
+struct TextureUse {
+    enum class As {
+        stored,
+        normals,             ///< of heights, unless the image holds normals
+        roughness_metalness  ///< green of `map`'s channel, blue of `metalness`'
+    };
+    TextureMap map;  ///< its channel, base and gain are applied
+    TextureKind kind = TextureKind::color;
+    As as = As::stored;
+    TextureMap metalness{};
+    int channels = 1;  ///< that the file must have at least
+
+    /// Equal for what gives equal images.
+    std::string key() const;
+    const std::filesystem::path& file() const { return map ? map.file : metalness.file; }
+};
 
 /// A texture in memory, as the device takes it.
 struct DecodedTexture {
@@ -20,7 +39,10 @@ struct DecodedTexture {
 };
 
 /// What ImagePool::load() reads; on any thread. Throws InputError: missing, empty, damaged.
-DecodedTexture decode_texture(const std::filesystem::path& file, TextureKind kind);
+DecodedTexture decode_texture(const TextureUse& use);
+inline DecodedTexture decode_texture(const std::filesystem::path& file, TextureKind kind) {
+    return decode_texture(TextureUse{{.file = file}, kind});
+}
 
 class ImagePool {
   public:
@@ -29,10 +51,13 @@ class ImagePool {
     /// 8- and 16-bit PNG, JPEG and the like, and .hdr and .pfm (RGBA16F, clamped to its range), with all mips. Grey
     /// fills r, g and b; a missing alpha is 1. Throws InputError: missing, empty, damaged, larger than the device
     /// allows, or with fewer than `channels` channels (1 grey, 2 grey and alpha, 3 colour).
-    std::shared_ptr<Image> load(const std::filesystem::path& file, TextureKind kind, int channels = 1);
+    std::shared_ptr<Image> load(const std::filesystem::path& file, TextureKind kind, int channels = 1) {
+        return load(TextureUse{.map = {.file = file}, .kind = kind, .channels = channels});
+    }
+    std::shared_ptr<Image> load(const TextureUse& use);
 
     /// An image that was decoded by decode_texture() and is on the device already, for load() to find.
-    void put(const std::filesystem::path& file, TextureKind kind, const std::shared_ptr<Image>& image, int channels);
+    void put(const TextureUse& use, const std::shared_ptr<Image>& image, int channels);
 
     /// What a chapter makes of an image of this pool, by its own name for that; kept as long as the pool's images.
     std::map<std::pair<const Image*, std::string>, std::shared_ptr<Image>> derived;

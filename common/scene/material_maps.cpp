@@ -8,7 +8,8 @@ namespace lightwalk {
 namespace {
 
 constexpr TextureKind color = TextureKind::color, data = TextureKind::data;
-static_assert(DIFFUSE_MAP == 1u << int(MapSlot::diffuse) && DISPLACEMENT_MAP == 1u << int(MapSlot::displacement));
+static_assert(DIFFUSE_MAP == 1u << int(MapSlot::diffuse) &&
+              METALLIC_ROUGHNESS_MAP == 1u << int(MapSlot::metallic_roughness));
 
 size_t find_slot(const std::string& name) {
     std::string known;
@@ -19,9 +20,9 @@ size_t find_slot(const std::string& name) {
     throw InputError("unknown texture slot '{}'; there are: {}", name, known);
 }
 
-std::shared_ptr<Image> load_map(ImagePool& images, const std::filesystem::path& file, const MapSlotInfo& slot) {
+std::shared_ptr<Image> load_map(ImagePool& images, const TextureUse& use, const MapSlotInfo& slot) {
     try {
-        return images.load(file, slot.kind, slot.channels);
+        return images.load(use);
     } catch (const InputError& e) { throw InputError("{} map: {}", slot.name, e.what()); }
 }
 
@@ -37,12 +38,43 @@ const std::array<MapSlotInfo, map_slot_count>& map_slots() {
         {"normal", "normal_map", data, 3, &Material::normal_map, true},
         {"height", "height_map", data, 1, &Material::displacement_map, false},
         {"orm", "orm_map", data, 3, nullptr, false},
-        {"occlusion", "occlusion_map", data, 1, nullptr, false},
+        {"occlusion", "occlusion_map", data, 1, &Material::occlusion_map, false},
         {"gloss", "gloss_map", data, 1, &Material::shininess_map, false},
         {"detail_normal", "detail_normal_map", data, 3, nullptr, true},
         {"displacement", "displacement_map", data, 1, nullptr, false},  // MTL's disp is the height map
+        {"metallic_roughness", "metallic_roughness_map", data, 1, &Material::metallic_roughness_map, false},
     }};
     return slots;
+}
+
+std::optional<TextureUse> texture_use(const Material& material, MapSlot which) {
+    const MapSlotInfo& slot = map_slots()[static_cast<size_t>(which)];
+    TextureUse use{.kind = slot.kind, .channels = slot.channels};
+    if (slot.from) use.map = material.*slot.from;
+    if (use.map.is_color) use.kind = TextureKind::color;
+    if (which == MapSlot::normal && !use.map && material.bump_map) {
+        use.map = material.bump_map;
+        use.as = TextureUse::As::normals;
+        use.channels = 1;
+    }
+    if (which == MapSlot::metallic_roughness && !use.map && (material.roughness_map || material.metalness_map)) {
+        use.map = material.roughness_map;
+        use.metalness = material.metalness_map;
+        use.as = TextureUse::As::roughness_metalness;
+    }
+    return use.map || use.metalness ? std::optional(use) : std::nullopt;
+}
+
+bool MaterialMaps::are_placed() const {
+    for (size_t i = 0; i < size(); ++i)
+        if ((*this)[i] && !places[i].is_plain()) return true;
+    return false;
+}
+
+bool MaterialMaps::use_second_uvs() const {
+    for (size_t i = 0; i < size(); ++i)
+        if ((*this)[i] && places[i].set == 1) return true;
+    return false;
 }
 
 uint32_t MaterialMaps::bits() const {
@@ -55,10 +87,12 @@ MaterialMaps load_maps(ImagePool& images, const Material& own, const MaterialOve
                        std::set<std::string>& warned) {
     MaterialMaps maps;
     for (size_t i = 0; i < map_slot_count; ++i) {
-        const MapSlotInfo& slot = map_slots()[i];
-        if (!slot.from || !(own.*slot.from)) continue;
+        const auto use = texture_use(own, static_cast<MapSlot>(i));
+        if (!use) continue;
+        maps.places[i] = use->map ? use->map.place : use->metalness.place;
+        maps.samplers[i] = use->map ? use->map.sampler : use->metalness.sampler;
         try {
-            maps[i] = load_map(images, (own.*slot.from).file, slot);
+            maps[i] = load_map(images, *use, map_slots()[i]);
         } catch (const InputError& e) {
             if (warned.insert(own.name + "\n" + e.what()).second)
                 warn("material '{}': {}; drawn without it", own.name, e.what());
@@ -66,8 +100,14 @@ MaterialMaps load_maps(ImagePool& images, const Material& own, const MaterialOve
     }
     for (const auto& [name, texture] : with.maps) {
         const size_t slot = find_slot(name);
-        maps[slot] = load_map(images, find_asset(texture), map_slots()[slot]);
+        const MapSlotInfo& info = map_slots()[slot];
+        maps[slot] = load_map(
+            images, {.map = {.file = find_asset(texture)}, .kind = info.kind, .channels = info.channels}, info);
+        maps.places[slot] = {}, maps.samplers[slot] = {};
     }
+    // Numbers and maps of the scene file stand in for the model's.
+    if (maps[MapSlot::orm] || with.roughness || with.metalness || with.specular || with.shininess)
+        maps[MapSlot::metallic_roughness] = nullptr;
     return maps;
 }
 

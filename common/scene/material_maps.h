@@ -1,6 +1,7 @@
 // The textures of a material, by slot.
 #pragma once
 #include <array>
+#include <optional>
 #include <set>
 
 #include "common/scene/image_pool.h"
@@ -21,7 +22,8 @@ enum class MapSlot {
     occlusion,
     gloss,
     detail_normal,
-    displacement
+    displacement,
+    metallic_roughness
 };
 
 struct MapSlotInfo {
@@ -32,8 +34,11 @@ struct MapSlotInfo {
     bool is_normal;                    ///< without a texture it is flat; others are white
 };
 
-inline constexpr size_t map_slot_count = 11;
+inline constexpr size_t map_slot_count = 12;
 const std::array<MapSlotInfo, map_slot_count>& map_slots();
+
+/// How a model's material fills that slot; nothing where it does not.
+std::optional<TextureUse> texture_use(const Material& material, MapSlot slot);
 
 /// A texture for each slot; null where the material has none.
 struct MaterialMaps : std::array<std::shared_ptr<Image>, map_slot_count> {
@@ -43,6 +48,13 @@ struct MaterialMaps : std::array<std::shared_ptr<Image>, map_slot_count> {
 
     /// MaterialData::maps: DIFFUSE_MAP and so on.
     uint32_t bits() const;
+
+    std::array<MapPlace, map_slot_count> places{};
+    std::array<Sampler, map_slot_count> samplers{};
+    /// Whether a texture lies otherwise than by Vertex::uv; whether one lies by the second coordinates.
+    bool are_placed() const;
+    bool use_second_uvs() const;
+    bool operator==(const MaterialMaps&) const = default;
 };
 
 /// The textures that a model's material names, and those of the scene file in their place. One of the material's that

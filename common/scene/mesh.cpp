@@ -9,13 +9,58 @@ namespace {
 glm::vec3 blend(glm::vec3 a, glm::vec3 b, float t) { return glm::mix(a, b, t); }
 glm::quat blend(glm::quat a, glm::quat b, float t) { return glm::slerp(a, b, t); }
 
+std::vector<float> blend(const std::vector<float>& a, const std::vector<float>& b, float t) {
+    std::vector<float> result;
+    for (size_t i = 0; i < a.size(); ++i) result.push_back(glm::mix(a[i], b[i], t));
+    return result;
+}
+
+// Hermite's curve, for every number of a value: glTF 2.0, appendix C.5. `step_s` is from a to b.
 template <class T>
-T value_at(const std::vector<TimedValue<T>>& values, float time_s) {
+T curve(const T& a, const T& slope_a, const T& b, const T& slope_b, float step_s, float t) {
+    const float u = 1 - t;
+    return (1 + 2 * t) * u * u * a + step_s * t * u * u * slope_a + (1 + 2 * u) * t * t * b -
+           step_s * t * t * u * slope_b;
+}
+glm::quat unit(glm::quat q) { return glm::normalize(q); }
+glm::vec3 unit(glm::vec3 v) { return v; }
+std::vector<float> unit(std::vector<float> v) { return v; }
+std::vector<float> curve(const std::vector<float>& a, const std::vector<float>& slope_a, const std::vector<float>& b,
+                         const std::vector<float>& slope_b, float step_s, float t) {
+    std::vector<float> result;
+    for (size_t i = 0; i < a.size(); ++i) result.push_back(curve(a[i], slope_a[i], b[i], slope_b[i], step_s, t));
+    return result;
+}
+
+template <class T>
+T value_at(const KeyTrack<T>& track, float time_s) {
     size_t next = 0;
-    while (next < values.size() && values[next].time_s <= time_s) ++next;
-    if (next == 0 || next == values.size()) return values[next == 0 ? 0 : next - 1].value;
-    const TimedValue<T>&a = values[next - 1], &b = values[next];
-    return blend(a.value, b.value, (time_s - a.time_s) / (b.time_s - a.time_s));
+    while (next < track.size() && track[next].time_s <= time_s) ++next;
+    if (next == 0 || next == track.size()) return track[next == 0 ? 0 : next - 1].value;
+    const TimedValue<T>&a = track[next - 1], &b = track[next];
+    const float step_s = b.time_s - a.time_s, t = (time_s - a.time_s) / step_s;
+    if (track.between == Between::step) return a.value;
+    if (track.between == Between::cubic)
+        return unit(curve(a.value, track.slopes[2 * next - 1], b.value, track.slopes[2 * next], step_s, t));
+    return blend(a.value, b.value, t);
+}
+
+constexpr int bounded_times = 8;
+
+float time_within(const Model& model, float time_s) {
+    if (model.motions.empty()) return 0;
+    return static_cast<float>(std::fmod(double(time_s), model.motions_s) + (time_s < 0 ? model.motions_s : 0.0f));
+}
+
+glm::vec3 normal_or(glm::vec3 v, glm::vec3 other) {
+    const float length = glm::length(v);
+    return length > 0 && std::isfinite(length) ? v / length : other;
+}
+
+template <class T>
+void copy_more(std::vector<T>& list, const std::vector<uint32_t>& copies) {
+    if (list.empty()) return;
+    for (const uint32_t i : copies) list.push_back(T(list[i]));
 }
 
 }  // namespace
@@ -33,11 +78,11 @@ std::vector<glm::mat4> world_transforms(const Model& model) {
 
 std::vector<glm::mat4> world_transforms(const Model& model, float time_s) {
     if (model.motions.empty()) return world_transforms(model);
-    const double time = std::fmod(double(time_s), model.motions_s) + (time_s < 0 ? model.motions_s : 0.0f);
+    const float now_s = time_within(model, time_s);
     std::vector<glm::mat4> world;
     for (const Node& node : model.nodes) world.push_back(node.local);
     for (const NodeMotion& motion : model.motions) {
-        const auto now_s = static_cast<float>(time);
+        if (motion.position.empty()) continue;
         const glm::mat4 moved = glm::translate(glm::mat4(1.0f), value_at(motion.position, now_s));
         world[motion.node] =
             glm::scale(moved * glm::mat4_cast(value_at(motion.rotation, now_s)), value_at(motion.scale, now_s));
@@ -48,6 +93,92 @@ std::vector<glm::mat4> world_transforms(const Model& model, float time_s) {
     return world;
 }
 
+void leave_out(Model& model, const std::string& what, const std::string& unit) {
+    for (LeftOut& one : model.left_out)
+        if (one.what == what && one.unit == unit) {
+            ++one.count;
+            return;
+        }
+    model.left_out.push_back({what, 1, unit});
+}
+
+std::string left_out_text(const Model& model) {
+    std::string text;
+    for (const auto& [what, count, unit] : model.left_out) {
+        text += (text.empty() ? "" : ", ") + what;
+        if (!unit.empty())
+            text += " (" + std::to_string(count) + " " + unit + (count == 1 ? ")" : unit.ends_with("h") ? "es)" : "s)");
+    }
+    return text;
+}
+
+void Mesh::add_copies(const std::vector<uint32_t>& copies) {
+    copy_more(vertices, copies);
+    copy_more(second_uvs, copies);
+    copy_more(colors, copies);
+    copy_more(deformation.rest, copies);
+    copy_more(deformation.joints, copies);
+    copy_more(deformation.joint_weights, copies);
+    for (MorphTarget& target : deformation.targets) {
+        copy_more(target.positions, copies);
+        copy_more(target.normals, copies);
+    }
+}
+
+std::vector<float> morph_weights(const Model& model, const Mesh& mesh, float time_s) {
+    for (const NodeMotion& motion : model.motions)
+        if (motion.node == mesh.deformation.node && !motion.weights.empty())
+            return value_at(motion.weights, time_within(model, time_s));
+    return mesh.deformation.weights;
+}
+
+std::vector<glm::mat4> joint_matrices(const Model& model, const Mesh& mesh, const std::vector<glm::mat4>& world) {
+    const ModelSkin& skin = model.skins[mesh.deformation.skin];
+    std::vector<glm::mat4> matrices;
+    for (size_t i = 0; i < skin.joints.size(); ++i) matrices.push_back(world[skin.joints[i]] * skin.inverse_bind[i]);
+    return matrices;
+}
+
+std::vector<Vertex> deformed(const Model& model, const Mesh& mesh, const std::vector<glm::mat4>& world, float time_s) {
+    const Deformation& how = mesh.deformation;
+    std::vector<Vertex> vertices = how.rest;
+    const std::vector<float> weights = morph_weights(model, mesh, time_s);
+    const std::vector<glm::mat4> matrices =
+        how.joints.empty() ? std::vector<glm::mat4>() : joint_matrices(model, mesh, world);
+    for (size_t i = 0; i < vertices.size(); ++i) {
+        Vertex& v = vertices[i];
+        const glm::vec3 given = v.normal;
+        for (size_t t = 0; t < how.targets.size(); ++t) {
+            v.position += weights[t] * how.targets[t].positions[i];
+            if (!how.targets[t].normals.empty()) v.normal += weights[t] * how.targets[t].normals[i];
+        }
+        if (!how.joints.empty()) {
+            glm::mat4 sum(0.0f);
+            for (int k = 0; k < 4; ++k) sum += how.joint_weights[i][k] * matrices[how.joints[i][k]];
+            v.position = glm::vec3(sum * glm::vec4(v.position, 1.0f));
+            v.normal = glm::mat3(sum) * v.normal;
+        }
+        v.normal = normal_or(v.normal, given);
+    }
+    return vertices;
+}
+
+void deform_at_rest(Model& model) {
+    const auto world = world_transforms(model, 0.0f);
+    for (Mesh& mesh : model.meshes) {
+        if (!mesh.deformation) continue;
+        mesh.vertices = deformed(model, mesh, world, 0.0f);
+        mesh.bounds = {};
+        for (const Vertex& v : mesh.vertices) mesh.bounds.add(v.position);
+        // Where it moves to: nobody culls it there.
+        for (int i = 1; i < bounded_times && !model.motions.empty(); ++i) {
+            const float time_s = model.motions_s * static_cast<float>(i) / bounded_times;
+            for (const Vertex& v : deformed(model, mesh, world_transforms(model, time_s), time_s))
+                mesh.bounds.add(v.position);
+        }
+    }
+}
+
 Bounds model_bounds(const Model& model) {
     const auto world = world_transforms(model);
     Bounds bounds;
@@ -56,6 +187,24 @@ Bounds model_bounds(const Model& model) {
             for (const Vertex& v : model.meshes[mesh].vertices)
                 bounds.add(glm::vec3(world[i] * glm::vec4(v.position, 1.0f)));
     return bounds;
+}
+
+void flatten_missing_normals(Mesh& mesh) {
+    const auto is_missing = [&](uint32_t i) { return mesh.vertices[i].normal == glm::vec3(0.0f); };
+    std::vector<bool> used(mesh.vertices.size(), false);
+    std::vector<uint32_t> copies;
+    const size_t before = mesh.vertices.size();
+    for (uint32_t& index : mesh.indices) {
+        if (!is_missing(index)) continue;
+        if (!used[index]) {
+            used[index] = true;
+        } else {
+            copies.push_back(index);
+            index = static_cast<uint32_t>(before + copies.size() - 1);
+        }
+    }
+    mesh.add_copies(copies);
+    fill_missing_normals(mesh);
 }
 
 void fill_missing_normals(Mesh& mesh) {

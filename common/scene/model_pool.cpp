@@ -24,6 +24,21 @@ void check_extent(const Model& model, const std::filesystem::path& file) {
                                      mesh.name, x, farthest_m);
 }
 
+void upload_rare_attributes(Gpu& gpu, GpuModel& model) {
+    const auto upload = [&](const char* binding, auto Mesh::*values) {
+        const std::vector<Mesh>& meshes = model.model.meshes;
+        if (std::all_of(meshes.begin(), meshes.end(), [&](const Mesh& mesh) { return (mesh.*values).empty(); })) return;
+        std::vector<Buffer>& buffers = model.attributes[binding];
+        buffers.clear();
+        for (const Mesh& mesh : meshes) {
+            const auto one = std::remove_cvref_t<decltype(mesh.*values)>(1);  // nobody reads it
+            buffers.push_back(gpu.upload(mesh.name + " " + binding, (mesh.*values).empty() ? one : mesh.*values));
+        }
+    };
+    upload("second_uvs", &Mesh::second_uvs);
+    upload("vertex_colors", &Mesh::colors);
+}
+
 void ModelPool::put(const std::filesystem::path& file, const std::shared_ptr<GpuModel>& model) {
     models_.try_emplace(key_of_model(file), model);
 }
@@ -39,6 +54,7 @@ std::shared_ptr<GpuModel> ModelPool::load(Gpu& gpu, const std::filesystem::path&
         model->vertices.push_back(gpu.upload(mesh.name + " vertices", mesh.vertices));
         model->indices.push_back(gpu.upload(mesh.name + " indices", mesh.indices));
     }
+    upload_rare_attributes(gpu, *model);
     return entry = model;
 }
 

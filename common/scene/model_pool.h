@@ -11,6 +11,12 @@ namespace lightwalk {
 
 using ModelLoader = std::function<Model(const std::filesystem::path&)>;
 
+/// What deforms a mesh on the device.
+struct DeformBuffers {
+    size_t vertices = 0;  ///< that they are made for
+    Buffer rest, offsets, weights, joints, joint_weights, matrices, moved;
+};
+
 /// A model as loaded and its buffers: for each mesh one of vertices and one of indices.
 struct GpuModel {
     Model model;
@@ -19,7 +25,11 @@ struct GpuModel {
 
     /// What a chapter adds to vertices: by binding, a buffer for each mesh.
     std::map<std::string, std::vector<Buffer>> attributes;
+    std::vector<DeformBuffers> deformed;  ///< of each mesh; empty where none moves
 };
+
+/// The attributes `second_uvs` and `vertex_colors`, where a mesh of the model has them.
+void upload_rare_attributes(Gpu& gpu, GpuModel& model);
 
 /// Throws InputError where the model reaches farther than can be drawn.
 void check_extent(const Model& model, const std::filesystem::path& file);

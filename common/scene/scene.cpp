@@ -20,15 +20,28 @@ Material overridden(Material material, const MaterialOverride& with) {
     return material;
 }
 
-MaterialData material_data(const DrawItem& item) {
+MaterialData material_data(const DrawItem& item, float emission) {
     return {.diffuse = item.material.diffuse,
             .shininess = item.material.shininess,
             .specular = item.material.specular,
             .opacity = item.material.opacity,
-            .emissive = item.material.emissive,
+            .emissive = emission * item.material.emissive,
             .maps = item.maps.bits(),
             .roughness = item.roughness,
-            .metalness = item.metalness};
+            .metalness = item.metalness,
+            .alpha_cutoff = item.material.alpha_cutoff,
+            .normal_scale = item.material.normal_scale,
+            .occlusion_strength = item.material.occlusion_strength};
+}
+
+std::vector<MapPlacement> placements_of(const std::vector<DrawItem>& items) {
+    std::vector<MapPlacement> placements(1);
+    const auto is_placed = [](const DrawItem& item) { return item.maps.are_placed(); };
+    if (std::none_of(items.begin(), items.end(), is_placed)) return placements;
+    placements.clear();
+    for (const DrawItem& item : items)
+        for (const MapPlace& place : item.maps.places) placements.push_back({place.turn, place.offset, place.set});
+    return placements;
 }
 
 // Each material that `role` names is one of the model's.
@@ -63,6 +76,7 @@ void Scene::load(Gpu& gpu, SceneFile scene, const ModelLoader& loader) {
     load_environment();
     items.clear();
     moving_models_.clear();
+    deforming_.clear();
     link_objects();
     const Roles roles(file);
     for (size_t i = 0; i < file.objects.size(); ++i)
@@ -106,25 +120,30 @@ void Scene::place_and_upload(Gpu& gpu) {
         const DrawItem& item = items[i];
         bounds.add(item.bounds);
         instance_data.push_back(instance_of(item, i));
-        numbers.push_back(material_data(item));
+        numbers.push_back(material_data(item, file.emission));
         if (objects_[item.object].moves || item.model->model.motions.size())
             moving_items_.push_back(static_cast<uint32_t>(i));
     }
     to_upload_.assign(items.size(), false);
     instances = gpu.upload("instances", instance_data);
     materials = gpu.upload("materials", numbers);
+    placements = gpu.upload("placements", placements_of(items));
     first_item_.clear();
 }
 
 void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLoader& loader) {
     const SceneObject& from = file.objects[object];
-    const auto gpu_model = models_.load(gpu, find_asset(from.model), loader);
+    const auto made = [&](const std::filesystem::path&) { return *from.made; };
+    const auto gpu_model =
+        from.made ? models_.load(gpu, from.model, made) : models_.load(gpu, find_asset(from.model), loader);
     const Model& model = gpu_model->model;
     check_roles(from, model);
     if (!model.motions.empty() &&
         std::find(moving_models_.begin(), moving_models_.end(), gpu_model) == moving_models_.end()) {
         gpu_model->nodes = world_transforms(model, 0.0f);  // the pool's may have been moved
         moving_models_.push_back(gpu_model);
+        if (std::any_of(model.meshes.begin(), model.meshes.end(), [](const Mesh& m) { return bool(m.deformation); }))
+            deforming_.insert(gpu_model.get()), to_deform_ = true;
     }
     for (uint32_t node = 0; node < model.nodes.size(); ++node)
         for (const uint32_t mesh : model.nodes[node].meshes)
@@ -136,10 +155,21 @@ void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLo
                 const Material& own = model.materials[model.meshes[mesh].parts[part].material];
                 item.material = overridden(own, from.material);
                 item.role = roles.of(object, own.name);
-                item.transparent = item.material.opacity < 1.0f || item.material.blend;
-                item.roughness = from.material.roughness.value_or(-1.0f);
-                item.metalness = from.material.metalness.value_or(-1.0f);
+                const bool says_alpha = own.alpha_cutoff >= 0.0f && !from.material.opacity;
+                item.transparent = item.material.blend || (item.material.opacity < 1.0f && !says_alpha);
+                // A specular colour or an exponent of the scene's own says all of it.
+                const bool classic =
+                    from.material.specular || from.material.shininess || (own.has_exponent && !file.bare);
+                const bool rough = own.metallic_roughness && !classic;
+                item.material.microfacets = own.microfacets && !classic;
+                item.roughness = from.material.roughness.value_or(rough ? own.roughness : -1.0f);
+                item.metalness = from.material.metalness.value_or(rough ? own.metalness : -1.0f);
+                item.two_sided = own.sides == Sides::both ||
+                                 (own.sides == Sides::unknown && from.material.two_sided.value_or(false));
                 item.maps = item.loaded_maps = load_maps(*images_, own, from.material, warned_);
+                // A map that is left out emits nothing: its factor alone would be a lamp.
+                if (own.emissive_map && !item.maps[MapSlot::emissive] && !from.material.emissive)
+                    item.material.emissive = glm::vec3(0.0f);
             }
 }
 
@@ -225,28 +255,6 @@ void Scene::clear() {
     models_.clear();
     if (images_) images_->clear();
     warned_.clear();
-}
-
-SceneFile scene_of_model(const std::filesystem::path& model, const Bounds& bounds) {
-    SceneFile scene;
-    scene.file = model;
-    scene.objects.push_back({.name = model.stem().string(), .parent = {}, .model = model, .material = {}});
-    const glm::vec3 center = bounds.empty() ? glm::vec3(0.0f) : bounds.center();
-    const float radius = bounds.empty() ? 1.0f : std::max(0.5f * glm::length(bounds.extent()), 1e-4f);
-    Camera& camera = scene.camera;
-    camera.fov_y_rad = glm::radians(35.0f);
-    camera.target = center;
-    camera.position =
-        center + glm::normalize(glm::vec3(0.55f, 0.3f, 1.0f)) * radius / std::sin(0.5f * camera.fov_y_rad);
-    camera.near_m = radius * 0.02f;
-    camera.far_m = radius * 100.0f;
-    scene.lights = {{.color = {1.0f, 0.96f, 0.9f}, .direction = glm::normalize(glm::vec3(-0.6f, -0.9f, -0.7f))},
-                    {.color = {0.6f, 0.75f, 1.0f}, .direction = glm::normalize(glm::vec3(0.8f, -0.2f, -0.3f))}};
-    scene.lights[0].intensity = 2.2f;
-    scene.lights[1].intensity = 0.7f;
-    scene.ambient = glm::vec3(0.06f, 0.07f, 0.09f);
-    scene.background = glm::vec3(0.035f, 0.045f, 0.06f);
-    return scene;
 }
 
 }  // namespace lightwalk

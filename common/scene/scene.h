@@ -1,6 +1,7 @@
 // A scene on the device: models placed by a scene file, drawn in batches of equal parts.
 #pragma once
 #include "common/gpu/frame.h"
+#include "common/scene/bare.h"
 #include "common/scene/draw_list.h"
 #include "common/scene/material_maps.h"
 #include "common/scene/model_pool.h"
@@ -22,7 +23,8 @@ struct DrawItem {
     MaterialMaps loaded_maps;  ///< as the pool has them: modules may put others into `maps`
     Material material;
     Role role = Role::plain;
-    float roughness = -1, metalness = -1;  ///< the scene file's, instead of a map's; below 0: it says nothing
+    float roughness = -1, metalness = -1;  ///< instead of a map's; below 0: neither scene nor model says
+    bool two_sided = false;                ///< its back is drawn, too
 };
 
 /// What shaders read of it; `index` is its place in Scene::items.
@@ -105,7 +107,7 @@ class Scene : public Drawable {
     /// Records the upload of the instances that animate() has moved since the last one; nothing where none has moved.
     void upload_moved(Frame& frame);
 
-    Buffer instances, materials;
+    Buffer instances, materials, placements;  ///< placements: MAP_COUNT for each item, where one is not plain
     size_t triangle_count() const;
 
     /// The item's texture; without one it is a white texel, or a flat normal.
@@ -142,6 +144,8 @@ class Scene : public Drawable {
     float time_s_ = 0;
     std::optional<Sun> sky_sun_;
     std::vector<std::shared_ptr<GpuModel>> moving_models_;
+    std::set<const GpuModel*> deforming_;  ///< of these, what has meshes to deform
+    bool to_deform_ = false;
     std::vector<uint32_t> moving_items_, batch_of_;
     std::vector<bool> to_upload_;
     size_t first_transparent_ = 0;
@@ -156,6 +160,9 @@ class Scene : public Drawable {
 /// their parents. What was made from the scene's items (batches, lists' order) has to be rebuilt.
 void animate(Scene& scene, float time_s);
 
+/// Records the passes that put the vertices of a model's deformed meshes where they are at that time; its nodes are there.
+void deform_model(Frame& frame, GpuModel& model, float time_s);
+
 template <class Predicate>
 DrawList DrawList::where(Predicate predicate) const {
     std::vector<uint32_t> kept;
@@ -164,8 +171,5 @@ DrawList DrawList::where(Predicate predicate) const {
         if (predicate(scene_->items[i])) kept.push_back(i);
     return {*scene_, std::move(kept)};
 }
-
-/// A scene that shows one model: a camera that frames it, a key and a fill light. `bounds` in metres.
-SceneFile scene_of_model(const std::filesystem::path& model, const Bounds& bounds);
 
 }  // namespace lightwalk

@@ -121,6 +121,8 @@ void read(const std::string& text, const fs::path& path, Includes& includes, Sce
     r.vector("background", scene.background, 0, 1e4);
     if (r.find("environment")) scene.environment = read_environment(source, r);
     if (r.find("music")) scene.music = read_music(source, r);
+    r.boolean("bare", scene.bare);
+    r.number("emission", scene.emission, 0, 1e4);
     r.string("knobs_of", scene.knobs_of);
     if (const json* knobs = r.find("knobs")) {
         if (!knobs->is_object()) r.refuse("knobs", "must be an object { name: value }");

@@ -26,9 +26,9 @@
 //     material       what it says stands in for the model's: diffuse and specular [r, g, b] (linear, 0 to 1), emissive
 //                    (0 to 1e4), shininess (0 to 1e5), opacity (0 to 1; below 1 it is transparent), blend (true: alpha
 //                    and the opacity map let through what lies behind; false: they cut holes; what is transparent is
-//                    drawn last, the farthest object first, and casts no shadow), roughness, metalness
-//                    (0 to 1), maps {slot: file} (diffuse, specular, emissive, opacity, normal, height, orm, occlusion,
-//                    gloss, detail_normal, displacement)
+//                    drawn last, the farthest object first, and casts no shadow), two_sided (true: the back is drawn, too, where the
+//                    model does not say), roughness, metalness (0 to 1), maps {slot: file} (diffuse, specular, emissive, opacity, normal, height, orm, occlusion,
+//                    gloss, detail_normal, displacement, metallic_roughness)
 //     hidden         false; true: neither it nor its children are drawn
 //     locked         false; true: the editor (chapter 18) changes neither it nor its children
 //     motion         at least one of
@@ -52,12 +52,16 @@
 //     name           a text; none
 //     hidden         false; true: it is switched off
 //     locked         false; true: the editor does not change it
+//   emission     1, by what all that surfaces emit is multiplied, 0 to 1e4
+//   bare         false; true: made for a model alone. What its materials state of roughness is drawn even where they
+//                state an exponent, too
 //   knobs        {name: value}, those of the chapter that shows the scene
 //   knobs_of     a chapter, such as 18_playground, whose knobs these are: other chapters leave out those that they do not
 //                have. Without it every chapter refuses a knob that it does not have
 #pragma once
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,11 +73,14 @@
 
 namespace lightwalk {
 
+struct Model;
+
 /// Overrides of a model's materials. What is not given keeps what the model says.
 struct MaterialOverride {
     std::optional<glm::vec3> diffuse, specular, emissive;  ///< linear
     std::optional<float> shininess, opacity, roughness, metalness;
     std::optional<bool> blend;
+    std::optional<bool> two_sided;                      ///< of what the model does not say
     std::map<std::string, std::filesystem::path> maps;  ///< by slot, such as "normal" or "height"
 };
 
@@ -86,9 +93,10 @@ struct SceneObject {
     MaterialOverride material;
     Motion motion{};
     GivenRole role{};
-    std::string shows{};  ///< of a screen: the name of the object whose view it shows
-    bool hidden = false;  ///< neither it nor its children are drawn
-    bool locked = false;  ///< neither it nor its children are changed in an editor
+    std::shared_ptr<const Model> made{};  ///< instead of a file's; not written into files
+    std::string shows{};                  ///< of a screen: the name of the object whose view it shows
+    bool hidden = false;                  ///< neither it nor its children are drawn
+    bool locked = false;                  ///< neither it nor its children are changed in an editor
 };
 
 /// A light that is switched off.
@@ -123,6 +131,8 @@ struct SceneFile {
     glm::vec3 background{0.02f};  ///< linear
     Environment environment;
     SceneMusic music;
+    bool bare = false;   ///< made for a model alone
+    float emission = 1;  ///< scale factor for what surfaces emit
     std::map<std::string, std::string> knobs;
     std::string knobs_of{};  ///< the chapter that they were set in; empty: whichever shows the scene
 };

@@ -53,6 +53,10 @@ MaterialOverride read_material(const JsonWithLines& source, KeyReader r) {
     number("opacity", material.opacity, 0, 1);
     number("roughness", material.roughness, 0, 1);
     number("metalness", material.metalness, 0, 1);
+    if (bool both = false; r.find("two_sided")) {
+        r.boolean("two_sided", both);
+        material.two_sided = both;
+    }
     if (bool blend = false; r.find("blend")) {
         r.boolean("blend", blend);
         material.blend = blend;

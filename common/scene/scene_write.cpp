@@ -69,6 +69,7 @@ json object_json(const SceneObject& o) {
     if (m.metalness) material["metalness"] = number(*m.metalness);
     for (const auto& [slot, file] : m.maps) material["maps"][slot] = file.generic_string();
     if (m.blend) material["blend"] = *m.blend;
+    if (m.two_sided) material["two_sided"] = *m.two_sided;
     if (!material.empty()) j["material"] = material;
     if (o.hidden) j["hidden"] = true;
     if (o.locked) j["locked"] = true;
@@ -152,8 +153,11 @@ json scene_json(const SceneFile& scene, const std::vector<std::string>& includes
                             {"rotation_deg", number(e.rotation_deg)}};
     if (scene.music) j["music"] = scene.music.file.generic_string();
     j["objects"] = json::array();
-    for (const SceneObject& o : scene.objects) j["objects"].push_back(object_json(o));
+    for (const SceneObject& o : scene.objects)
+        if (!o.made) j["objects"].push_back(object_json(o));
     j["lights"] = lights_json(scene);
+    if (scene.bare) j["bare"] = true;
+    if (scene.emission != 1.0f) j["emission"] = number(scene.emission);
     if (!scene.knobs_of.empty()) j["knobs_of"] = scene.knobs_of;
     j["knobs"] = knobs_json(scene);
     return j;

@@ -1,11 +1,19 @@
 #include "common/scene/view.h"
 
+#include <atomic>
 #include <cmath>
 #include <utility>
 
 namespace lightwalk {
 
 float View::pixel_rad() const { return 2.0f * std::tan(0.5f * camera.fov_y_rad) / static_cast<float>(crop.whole.y); }
+
+uint32_t DerivedViews::of(uint32_t id, uint32_t part) {
+    static std::atomic<uint32_t> last{0};
+    const auto [found, is_new] = ids_.try_emplace({id, part}, 0u);
+    if (is_new) found->second = ++last;
+    return found->second;
+}
 
 View camera_view(const Camera& camera, const glm::mat4& world_to_clip, glm::uvec2 size, Crop crop) {
     if (crop.whole == glm::uvec2(0)) crop.whole = size;

@@ -1,5 +1,6 @@
 // What a picture is drawn from: a camera and the part of its picture that is drawn, or any matrix.
 #pragma once
+#include <map>
 #include <optional>
 
 #include "common/gpu/frame.h"
@@ -19,10 +20,20 @@ struct View {
     /// Where floats are too coarse: the eye in metres of the world that a drawing knows in double precision. `eye` and the
     /// camera then stand at the origin, and directions are that world's.
     std::optional<glm::dvec3> exact_eye{};
-    uint32_t id = 0;  ///< 0: the frame's own; what is kept from frame to frame is kept for each id
+    uint32_t id = 0;       ///< 0: the frame's own; what is kept from frame to frame is kept for each id
+    bool sun_disc = true;  ///< false: for whoever adds the reflection of the sun's disc itself
 
     /// The angle of a pixel in the middle of the whole picture, in radians.
     float pixel_rad() const;
+};
+
+/// Ids of views that one owner makes of others: the same for the same view and part, and no other owner's.
+class DerivedViews {
+  public:
+    uint32_t of(uint32_t id, uint32_t part = 0);
+
+  private:
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> ids_;
 };
 
 /// What the camera sees, `size` pixels of it. `world_to_clip` is the camera's, for the whole picture of

@@ -10,6 +10,8 @@ std::string difference(const Outcome& a, const Outcome& b) {
     if (!(a.data.positions == b.data.positions)) return "positions differ";
     if (!(a.data.uvs == b.data.uvs)) return "uvs differ";
     if (!(a.data.normals == b.data.normals)) return "normals differ";
+    if (!(a.data.colors == b.data.colors)) return "colours differ";
+    if (a.data.left_out != b.data.left_out) return "what is left out differs";
     if (!(a.data.corners == b.data.corners)) return "indices differ";
     if (a.data.runs != b.data.runs) return "runs differ";
     if (a.data.objects != b.data.objects || a.data.groups != b.data.groups || a.data.materials != b.data.materials ||

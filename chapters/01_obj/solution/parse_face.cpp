@@ -33,7 +33,7 @@ std::vector<Corner> parse_face(std::string_view line, const Counts& so_far, cons
             if (!word.starts_with('/')) corner.uv = read_index(word, so_far.uvs, total.uvs);
             if (word.starts_with('/')) {
                 word.remove_prefix(1);
-                corner.normal = read_index(word, so_far.normals, total.normals);
+                if (!word.empty()) corner.normal = read_index(word, so_far.normals, total.normals);
             }
         }
         if (!word.empty()) throw InputError("{} after a corner; write v, v/vt, v//vn or v/vt/vn", shown(word));

@@ -1,0 +1,25 @@
+// A scene for a model that comes without one.
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "common/scene/mesh.h"
+#include "common/scene/scene_file.h"
+
+namespace lightwalk {
+
+/// A scene that shows one model: a camera that frames it, a key and a fill light, light from everywhere, and behind it
+/// the colour that a ground of add_ground() has in this light. `bounds` in metres.
+SceneFile scene_of_model(const std::filesystem::path& model, const Bounds& bounds);
+
+/// The ground below the model, with the soft shadow of a sky above; not where nothing of the model is lit.
+void add_ground(SceneFile& scene, const Model& model, const Bounds& bounds);
+
+/// Why nothing of a model is seen from `eye`: "all of its materials are transparent"; "" where something is.
+std::string why_invisible(const Model& model, glm::vec3 eye);
+
+/// The camera of that number in the model's file, and the file's lights instead of the scene's where it has any. Throws
+/// InputError where there is no such camera.
+void use_camera_of_file(SceneFile& scene, const Model& model, size_t number);
+
+}  // namespace lightwalk

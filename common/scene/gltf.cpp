@@ -1,0 +1,302 @@
+#include "common/scene/gltf.h"
+
+#include <array>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <set>
+
+#include "common/base/text.h"
+#include "common/scene/gltf_parts.h"
+#include "common/scene/model_bytes.h"
+
+namespace lightwalk {
+namespace {
+using nlohmann::json;
+
+// Extensions that are drawn, and those that say nothing a picture shows.
+constexpr std::array<std::string_view, 12> drawn = {"KHR_materials_unlit",
+                                                    "KHR_materials_emissive_strength",
+                                                    "KHR_materials_pbrSpecularGlossiness",
+                                                    "KHR_texture_transform",
+                                                    "KHR_mesh_quantization",
+                                                    "EXT_meshopt_compression",
+                                                    "KHR_meshopt_compression",
+                                                    "KHR_lights_punctual",
+                                                    "EXT_mesh_gpu_instancing",
+                                                    "KHR_node_visibility",
+                                                    "KHR_xmp",
+                                                    "KHR_xmp_json_ld"};
+
+bool is_drawn(std::string_view name) { return std::find(drawn.begin(), drawn.end(), name) != drawn.end(); }
+
+void check_required(const GltfFile& file) {
+    const auto required = file.root.find("extensionsRequired");
+    if (required == file.root.end()) return;
+    for (const json& name : *required)
+        if (!is_drawn(name.get<std::string>()))
+            file.refuse("it requires the extension {}, which is not read", name.get<std::string>());
+}
+
+// The names of the extensions anywhere in a value, without recursion: the depth is the file's choice.
+std::set<std::string> extensions_in(const json& value) {
+    std::set<std::string> names;
+    std::vector<const json*> waiting = {&value};
+    while (!waiting.empty()) {
+        const json& at = *waiting.back();
+        waiting.pop_back();
+        if (!at.is_structured()) continue;
+        for (const auto& [key, inner] : at.items()) {
+            if (at.is_object() && key == "extras") continue;
+            if (at.is_object() && key == "extensions" && inner.is_object())
+                for (const auto& [name, ignored] : inner.items()) names.insert(name);
+            waiting.push_back(&inner);
+        }
+    }
+    return names;
+}
+
+glm::mat4 local_of(const json& node) {
+    if (const auto m = node.find("matrix"); m != node.end()) {
+        glm::mat4 matrix;
+        for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = m->at(size_t(i)).get<float>();
+        return matrix;
+    }
+    const glm::vec4 q = vector_or(node, "rotation", glm::vec4(0, 0, 0, 1));
+    const glm::mat4 moved = glm::translate(glm::mat4(1), vector_or(node, "translation", glm::vec3(0)));
+    return glm::scale(moved * glm::mat4_cast(glm::quat(q.w, q.x, q.y, q.z)), vector_or(node, "scale", glm::vec3(1)));
+}
+
+class GltfReader {
+  public:
+    explicit GltfReader(const std::filesystem::path& path) : file_(path) {}
+
+    Model read() {
+        check_required(file_);
+        read_gltf_materials(file_, model_);
+        read_nodes();
+        for (size_t i = 0; i < file_.count("nodes"); ++i)
+            if (nodes_[i] >= 0) fill_node(i);
+        read_gltf_motions(file_, nodes_, model_);
+        list_gltf_extensions(file_, model_);
+        if (file_.count("scenes") > 1) leave_out(model_, "further scenes");
+        if (model_.meshes.empty()) file_.refuse("no triangle in the file");
+        drop_unused_default();
+        for (Material& material : model_.materials) limit_numbers(material, file_.path.string());
+        deform_at_rest(model_);
+        return std::move(model_);
+    }
+
+  private:
+    // Parents before children, from the scene's roots. Without recursion: the depth of the tree is the file's choice.
+    void read_nodes() {
+        nodes_.assign(file_.count("nodes"), -1);
+        const size_t scene = value_or<size_t>(file_.root, "scene", 0);
+        std::vector<std::pair<size_t, int>> waiting;
+        if (file_.count("scenes") > 0) {
+            const json& from = file_.entry("scenes", scene);
+            if (from.contains("nodes"))
+                for (const json& root : from.at("nodes")) waiting.emplace_back(root.get<size_t>(), -1);
+        } else {
+            std::vector<bool> is_child(nodes_.size(), false);
+            for (size_t i = 0; i < nodes_.size(); ++i)
+                if (const json& node = file_.entry("nodes", i); node.contains("children"))
+                    for (const json& child : node.at("children"))
+                        if (const size_t c = child.get<size_t>(); c < nodes_.size()) is_child[c] = true;
+            for (size_t i = 0; i < nodes_.size(); ++i)
+                if (!is_child[i]) waiting.emplace_back(i, -1);
+        }
+        std::reverse(waiting.begin(), waiting.end());
+        while (!waiting.empty()) {
+            const auto [number, parent] = waiting.back();
+            waiting.pop_back();
+            const json& from = file_.entry("nodes", number);
+            if (nodes_[number] >= 0) file_.refuse("node {} has two parents, or is its own", number);
+            if (const json* visibility = extension(from, "KHR_node_visibility");
+                visibility && !value_or(*visibility, "visible", true))
+                continue;
+            nodes_[number] = static_cast<int>(model_.nodes.size());
+            model_.nodes.push_back({value_or<std::string>(from, "name", ""), parent, local_of(from), {}});
+            if (const auto children = from.find("children"); children != from.end())
+                for (size_t i = children->size(); i-- > 0;)
+                    waiting.emplace_back(children->at(i).get<size_t>(), nodes_[number]);
+        }
+    }
+
+    void fill_node(size_t number) {
+        const json& from = file_.entry("nodes", number);
+        const auto node = static_cast<uint32_t>(nodes_[number]);
+        if (from.contains("mesh")) add_mesh(from, node);
+        if (from.contains("camera")) add_camera(file_.entry("cameras", from.at("camera").get<size_t>()), node);
+        if (const json* light = extension(from, "KHR_lights_punctual"))
+            add_light(light->at("light").get<size_t>(), node);
+    }
+
+    void drop_unused_default() {
+        const size_t last = model_.materials.size() - 1;
+        for (const Mesh& mesh : model_.meshes)
+            for (const Part& part : mesh.parts)
+                if (part.material == last) return;
+        model_.materials.pop_back();
+    }
+
+    // What is deformed belongs to one node; the rest is shared.
+    void add_mesh(const json& from, uint32_t node) {
+        const size_t number = from.at("mesh").get<size_t>();
+        const auto known = shared_.find(number);
+        std::vector<uint32_t> added;
+        if (known != shared_.end()) {
+            added = known->second;
+        } else {
+            const uint32_t none = static_cast<uint32_t>(model_.materials.size() - 1);
+            bool is_deformed = false;
+            for (Mesh& mesh : read_gltf_mesh(file_, number, none, model_)) {
+                is_deformed |= bool(mesh.deformation);
+                if (mesh.deformation) set_deformation(from, node, mesh.deformation);
+                added.push_back(static_cast<uint32_t>(model_.meshes.size()));
+                model_.meshes.push_back(std::move(mesh));
+            }
+            if (!is_deformed) shared_[number] = added;
+        }
+        const uint32_t home = from.contains("skin") ? skin_home() : node;
+        std::vector<uint32_t>& meshes = model_.nodes[home].meshes;
+        if (const json* instancing = extension(from, "EXT_mesh_gpu_instancing"))
+            add_instances(*instancing, node, added);
+        else
+            meshes.insert(meshes.end(), added.begin(), added.end());
+    }
+
+    // A skin places its mesh by its joints alone: a node of its own that stays at the root.
+    uint32_t skin_home() {
+        if (skin_home_ < 0) {
+            skin_home_ = static_cast<int>(model_.nodes.size());
+            model_.nodes.push_back({"skins", -1, glm::mat4(1), {}});
+        }
+        return static_cast<uint32_t>(skin_home_);
+    }
+
+    void set_deformation(const json& from, uint32_t node, Deformation& how) {
+        how.node = node;
+        if (const auto weights = from.find("weights"); weights != from.end())
+            for (size_t i = 0; i < std::min(weights->size(), how.weights.size()); ++i)
+                how.weights[i] = weights->at(i).get<float>();
+        if (!from.contains("skin")) {
+            how.joints.clear(), how.joint_weights.clear();
+            return;
+        }
+        how.skin = skin_of(from.at("skin").get<size_t>());
+        const size_t joints = model_.skins[how.skin].joints.size();
+        for (const glm::uvec4& j : how.joints)
+            for (int k = 0; k < 4; ++k)
+                if (j[k] >= joints) file_.refuse("joint {} of a skin with {}", j[k], joints);
+    }
+
+    uint32_t skin_of(size_t number) {
+        const json& from = file_.entry("skins", number);
+        ModelSkin skin;
+        for (const json& joint : from.at("joints")) {
+            const size_t node = joint.get<size_t>();
+            if (node >= nodes_.size() || nodes_[node] < 0)
+                file_.refuse("skin {} has joint {}, which is not in the scene", number, node);
+            skin.joints.push_back(static_cast<uint32_t>(nodes_[node]));
+        }
+        skin.inverse_bind.assign(skin.joints.size(), glm::mat4(1));
+        if (from.contains("inverseBindMatrices")) {
+            const std::vector<float> m = file_.floats(from.at("inverseBindMatrices").get<size_t>(), 16);
+            if (m.size() < 16 * skin.joints.size())
+                file_.refuse("skin {} has {} matrices for {} joints", number, m.size() / 16, skin.joints.size());
+            for (size_t i = 0; i < skin.joints.size(); ++i) skin.inverse_bind[i] = glm::make_mat4(&m[16 * i]);
+        }
+        model_.skins.push_back(std::move(skin));
+        return static_cast<uint32_t>(model_.skins.size() - 1);
+    }
+
+    void add_instances(const json& from, uint32_t parent, const std::vector<uint32_t>& meshes) {
+        const json& attributes = from.at("attributes");
+        const auto read = [&](const char* key, size_t components) {
+            return attributes.contains(key) ? file_.floats(attributes.at(key).get<size_t>(), components)
+                                            : std::vector<float>();
+        };
+        const auto moved = read("TRANSLATION", 3), turned = read("ROTATION", 4), scaled = read("SCALE", 3);
+        const size_t count = std::max({moved.size() / 3, turned.size() / 4, scaled.size() / 3});
+        for (size_t i = 0; i < count; ++i) {
+            glm::mat4 local(1);
+            if (i < moved.size() / 3) local = glm::translate(local, glm::make_vec3(&moved[3 * i]));
+            if (i < turned.size() / 4)
+                local *=
+                    glm::mat4_cast(glm::quat(turned[4 * i + 3], turned[4 * i], turned[4 * i + 1], turned[4 * i + 2]));
+            if (i < scaled.size() / 3) local = glm::scale(local, glm::make_vec3(&scaled[3 * i]));
+            model_.nodes.push_back({"", static_cast<int>(parent), local, meshes});
+        }
+    }
+
+    void add_camera(const json& from, uint32_t node) {
+        if (value_or<std::string>(from, "type", "") != "perspective")
+            return leave_out(model_, "orthographic cameras", "camera");
+        const json& lens = from.at("perspective");
+        FileCamera camera{node, {}, value_or<std::string>(from, "name", "")};
+        camera.camera.fov_y_rad = std::clamp(lens.at("yfov").get<float>(), 0.01f, 3.1f);
+        camera.camera.near_m = std::max(value_or(lens, "znear", 0.05f), 1e-5f);
+        camera.camera.far_m = std::max(value_or(lens, "zfar", 1e9f), 2 * camera.camera.near_m);
+        model_.cameras.push_back(camera);
+    }
+
+    // KHR_lights_punctual: lux and candela. A light of a scene is told by the radiance of a white surface: over pi.
+    void add_light(size_t number, uint32_t node) {
+        const json* all = extension(file_.root, "KHR_lights_punctual");
+        if (!all || number >= all->at("lights").size()) file_.refuse("light {} is missing", number);
+        const json& from = all->at("lights").at(number);
+        Light light;
+        const std::string type = from.at("type");
+        light.kind = type == "directional" ? Light::Kind::directional
+                     : type == "spot"      ? Light::Kind::spot
+                                           : Light::Kind::point;
+        light.color = glm::clamp(vector_or(from, "color", glm::vec3(1)), 0.0f, 1.0f);
+        light.intensity = std::clamp(value_or(from, "intensity", 1.0f) / glm::pi<float>(), 0.0f, 1e6f);
+        light.range_m = std::clamp(value_or(from, "range", 1e6f), 0.0f, 1e6f);
+        if (const auto spot = from.find("spot"); spot != from.end()) {
+            light.outer_rad =
+                std::clamp(value_or(*spot, "outerConeAngle", glm::quarter_pi<float>()), 0.0f, glm::half_pi<float>());
+            light.inner_rad = std::clamp(value_or(*spot, "innerConeAngle", 0.0f), 0.0f, light.outer_rad);
+        }
+        light.name = value_or<std::string>(from, "name", "");
+        model_.lights.push_back({node, light});
+    }
+
+    GltfFile file_;
+    Model model_;
+    std::vector<int> nodes_;
+    std::map<size_t, std::vector<uint32_t>> shared_;
+    int skin_home_ = -1;
+};
+
+}  // namespace
+
+void list_gltf_extensions(const GltfFile& file, Model& model) {
+    static constexpr std::pair<const char*, const char*> lists[] = {
+        {"materials", "material"},   {"textures", "texture"}, {"meshes", "mesh"},     {"nodes", "node"},
+        {"animations", "animation"}, {"images", "image"},     {"scenes", "scene"},    {"cameras", "camera"},
+        {"skins", "skin"},           {"bufferViews", "view"}, {"samplers", "sampler"}};
+    std::set<std::string> named;
+    for (const auto& [list, unit] : lists)
+        for (size_t i = 0; i < file.count(list); ++i)
+            for (const std::string& name : extensions_in(file.entry(list, i)))
+                if (!is_drawn(name)) leave_out(model, name, unit), named.insert(name);
+    if (const auto used = file.root.find("extensionsUsed"); used != file.root.end())
+        for (const json& name : *used)
+            if (!is_drawn(name.get<std::string>()) && !named.contains(name)) leave_out(model, name);
+}
+
+Model read_gltf(const std::filesystem::path& path) {
+    try {
+        return GltfReader(path).read();
+    } catch (const json::parse_error& e) {
+        throw InputError("{}: not JSON, at byte {}", path.string(), e.byte);
+    } catch (const json::exception& e) {
+        const std::string why = e.what();
+        throw InputError("{}: not as glTF has it: {}", path.string(), why.substr(why.find("] ") + 2));
+    }
+}
+
+}  // namespace lightwalk

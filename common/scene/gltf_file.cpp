@@ -1,0 +1,292 @@
+#include "common/scene/gltf_file.h"
+
+#include <meshoptimizer.h>
+
+#include <array>
+#include <cstring>
+
+#include "common/base/files.h"
+#include "common/scene/named_files.h"
+
+namespace lightwalk {
+namespace {
+using nlohmann::json;
+
+constexpr size_t most_values = size_t{1} << 28;  // of an accessor without bytes, which no file's length bounds
+
+std::string decode_base64(std::string_view text) {
+    std::string out;
+    uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        const size_t digit =
+            std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/").find(c);
+        if (digit == std::string_view::npos) break;
+        bits = bits << 6 | static_cast<uint32_t>(digit);
+        if ((count += 6) >= 8) out += static_cast<char>(bits >> (count -= 8) & 255u);
+    }
+    return out;
+}
+
+template <class T>
+T read_as(const char* from) {
+    T value;
+    std::memcpy(&value, from, sizeof value);
+    return value;
+}
+
+// glTF 2.0, 3.6.2.2: the type's code, its bytes, and the divisor that makes it a number from -1 or 0 to 1.
+struct ComponentType {
+    int code;
+    size_t bytes;
+    float most;
+    float (*to_float)(const char*);
+};
+constexpr std::array<ComponentType, 6> component_types{{
+    {5120, 1, 127, [](const char* p) { return float(read_as<int8_t>(p)); }},
+    {5121, 1, 255, [](const char* p) { return float(read_as<uint8_t>(p)); }},
+    {5122, 2, 32767, [](const char* p) { return float(read_as<int16_t>(p)); }},
+    {5123, 2, 65535, [](const char* p) { return float(read_as<uint16_t>(p)); }},
+    {5125, 4, 0, [](const char* p) { return float(read_as<uint32_t>(p)); }},
+    {5126, 4, 0, [](const char* p) { return read_as<float>(p); }},
+}};
+
+const ComponentType* component_type(int code) {
+    for (const ComponentType& type : component_types)
+        if (type.code == code) return &type;
+    return nullptr;
+}
+
+uint32_t to_integer(const char* p, int code) {
+    switch (code) {
+        case 5121:
+            return read_as<uint8_t>(p);
+        case 5123:
+            return read_as<uint16_t>(p);
+        default:
+            return read_as<uint32_t>(p);
+    }
+}
+
+size_t components_of(const std::string& type) {
+    static const std::map<std::string, size_t> known = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4},
+                                                        {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16}};
+    const auto found = known.find(type);
+    return found == known.end() ? 0 : found->second;
+}
+
+}  // namespace
+
+const json* extension(const json& object, const char* name) {
+    const auto all = object.find("extensions");
+    if (all == object.end() || !all->is_object()) return nullptr;
+    const auto one = all->find(name);
+    return one == all->end() || !one->is_object() ? nullptr : &*one;
+}
+
+GltfFile::GltfFile(const std::filesystem::path& file) : path(file) {
+    read_container();
+    if (!root.is_object()) refuse("its JSON is no object, expected a glTF file");
+    check_version();
+}
+
+// A .glb is a header of 12 bytes, a chunk of JSON and one of bytes, each with its length and name before it.
+void GltfFile::read_container() {
+    std::string text = read_file(path);
+    if (text.starts_with("glTF")) {
+        if (text.size() < 20) refuse("the file ends within its header");
+        if (const auto version = read_as<uint32_t>(&text[4]); version != 2)
+            refuse("binary glTF {}, expected 2", version);
+        std::string json_text;
+        for (size_t at = 12; at + 8 <= text.size();) {
+            const size_t bytes = read_as<uint32_t>(&text[at]);
+            const std::string_view kind(&text[at + 4], 4);
+            if (bytes > text.size() - at - 8) refuse("the file ends within a chunk");
+            if (kind == "JSON" && json_text.empty()) json_text = text.substr(at + 8, bytes);
+            if (kind == std::string_view("BIN\0", 4) && !has_binary_)
+                binary_ = text.substr(at + 8, bytes), has_binary_ = true;
+            at += 8 + (bytes + 3) / 4 * 4;
+        }
+        text = std::move(json_text);
+    }
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    root = json::parse(text);
+}
+
+void GltfFile::check_version() const {
+    const auto asset = root.find("asset");
+    if (asset == root.end() || !asset->is_object()) refuse("no 'asset', expected a glTF file");
+    const std::string version = value_or<std::string>(*asset, "version", "");
+    if (!version.starts_with("2.")) refuse("glTF version '{}', expected 2.0", version);
+    const std::string needed = value_or<std::string>(*asset, "minVersion", "2.0");
+    if (needed != "2.0") refuse("needs a reader of glTF {}, this one reads 2.0", needed);
+}
+
+size_t GltfFile::count(const char* list) const {
+    const auto found = root.find(list);
+    return found == root.end() ? 0 : found->size();
+}
+
+const json& GltfFile::entry(const char* list, size_t index) const {
+    if (index >= count(list))
+        refuse("{} {} is named, there {} {}", list, index, count(list) == 1 ? "is" : "are", count(list));
+    return root.at(list).at(index);
+}
+
+std::string GltfFile::read_uri(const std::string& uri) const {
+    if (uri.starts_with("data:")) {
+        const size_t comma = uri.find(',');
+        if (comma == uri.npos) refuse("a data URI without data");
+        const std::string_view data = std::string_view(uri).substr(comma + 1);
+        return uri.substr(0, comma).ends_with(";base64") ? decode_base64(data) : decode_uri(data);
+    }
+    try {
+        return read_file(path.parent_path() / decode_uri(uri));
+    } catch (const InputError& e) { refuse("{}", e.what()); }
+}
+
+const std::string& GltfFile::buffer(size_t index) const {
+    if (const auto known = buffers_.find(index); known != buffers_.end()) return known->second;
+    const json& from = entry("buffers", index);
+    const auto uri = from.find("uri");
+    std::string bytes;
+    if (uri != from.end())
+        bytes = read_uri(uri->get<std::string>());
+    else if (index == 0 && has_binary_)
+        bytes = binary_;
+    else
+        refuse("buffer {} names no file", index);
+    if (const size_t length = from.at("byteLength").get<size_t>(); bytes.size() < length)
+        refuse("buffer {} has {} bytes, the file says {}", index, bytes.size(), length);
+    return buffers_[index] = std::move(bytes);
+}
+
+std::string_view GltfFile::view(size_t index) const {
+    const json& from = entry("bufferViews", index);
+    const json* packed = extension(from, "EXT_meshopt_compression");
+    if (!packed) packed = extension(from, "KHR_meshopt_compression");
+    if (packed) {
+        auto known = decompressed_.find(index);
+        if (known == decompressed_.end()) known = decompressed_.emplace(index, decompressed(*packed)).first;
+        return known->second;
+    }
+    const std::string& bytes = buffer(from.at("buffer").get<size_t>());
+    const size_t offset = value_or<size_t>(from, "byteOffset", 0), length = from.at("byteLength").get<size_t>();
+    if (offset > bytes.size() || length > bytes.size() - offset)
+        refuse("buffer view {} reaches beyond its buffer's {} bytes", index, bytes.size());
+    return std::string_view(bytes).substr(offset, length);
+}
+
+std::string_view GltfFile::slice(size_t index, size_t offset, size_t bytes, const char* what) const {
+    const std::string_view all = view(index);
+    if (offset > all.size() || bytes > all.size() - offset)
+        refuse("{} reaches beyond the {} bytes of buffer view {}", what, all.size(), index);
+    return all.substr(offset, bytes);
+}
+
+// EXT_meshopt_compression.
+std::string GltfFile::decompressed(const json& how) const {
+    const std::string& bytes = buffer(how.at("buffer").get<size_t>());
+    const size_t offset = value_or<size_t>(how, "byteOffset", 0), length = how.at("byteLength").get<size_t>();
+    const size_t count = how.at("count").get<size_t>(), stride = how.at("byteStride").get<size_t>();
+    const std::string mode = how.at("mode"), filter = value_or<std::string>(how, "filter", "NONE");
+    if (offset > bytes.size() || length > bytes.size() - offset) refuse("compressed bytes reach beyond their buffer");
+    if (stride == 0 || stride > 256 || count > most_values)
+        refuse("compressed values are {} of {} bytes", count, stride);
+    const bool attributes = mode == "ATTRIBUTES";
+    if (attributes ? stride % 4 != 0 : stride != 2 && stride != 4) refuse("compressed {} of {} bytes", mode, stride);
+    if (mode == "TRIANGLES" && count % 3 != 0) refuse("{} compressed indices of triangles", count);
+    std::string out(count * stride, '\0');
+    const auto* from = reinterpret_cast<const unsigned char*>(bytes.data()) + offset;
+    const int failed = attributes            ? meshopt_decodeVertexBuffer(out.data(), count, stride, from, length)
+                       : mode == "TRIANGLES" ? meshopt_decodeIndexBuffer(out.data(), count, stride, from, length)
+                       : mode == "INDICES"   ? meshopt_decodeIndexSequence(out.data(), count, stride, from, length)
+                                             : 1;
+    if (failed) refuse("its compressed {} cannot be read", mode);
+    if (filter == "OCTAHEDRAL" && (stride == 4 || stride == 8))
+        meshopt_decodeFilterOct(out.data(), count, stride);
+    else if (filter == "QUATERNION" && stride == 8)
+        meshopt_decodeFilterQuat(out.data(), count, stride);
+    else if (filter == "EXPONENTIAL")
+        meshopt_decodeFilterExp(out.data(), count, stride);
+    else if (filter != "NONE")
+        refuse("compressed with filter {} of {} bytes", filter, stride);
+    return out;
+}
+
+GltfFile::Accessor GltfFile::accessor(size_t index) const {
+    const json& from = entry("accessors", index);
+    Accessor a{};
+    a.count = from.at("count").get<size_t>();
+    a.type = from.at("componentType").get<int>();
+    a.components = components_of(from.at("type").get<std::string>());
+    a.normalized = value_or(from, "normalized", false);
+    const ComponentType* type = component_type(a.type);
+    if (!type || a.components == 0) refuse("accessor {} has an unknown type", index);
+    a.component_bytes = type->bytes;
+    const size_t bytes = a.components * a.component_bytes;
+    a.stride = bytes;
+    if (a.count > most_values) refuse("accessor {} counts {}", index, a.count);
+    const auto view_index = from.find("bufferView");
+    if (view_index == from.end()) return a;
+    const size_t number = view_index->get<size_t>();
+    a.stride = value_or<size_t>(entry("bufferViews", number), "byteStride", bytes);
+    if (a.stride < bytes || a.stride > 252 + bytes) refuse("buffer view {} has a stride of {} bytes", number, a.stride);
+    if (a.count > 0)
+        a.bytes = slice(number, value_or<size_t>(from, "byteOffset", 0), (a.count - 1) * a.stride + bytes,
+                        fmt::format("accessor {}", index).c_str());
+    return a;
+}
+
+size_t GltfFile::components(size_t index) const {
+    return components_of(entry("accessors", index).at("type").get<std::string>());
+}
+
+template <class T, class Read>
+std::vector<T> GltfFile::values(size_t index, size_t components, Read read) const {
+    const Accessor a = accessor(index);
+    if (a.components != components)
+        refuse("accessor {} has {} components, expected {}", index, a.components, components);
+    std::vector<T> out(a.count * components, T(0));
+    if (!a.bytes.empty())
+        for (size_t i = 0; i < a.count; ++i)
+            for (size_t c = 0; c < components; ++c)
+                out[i * components + c] = read(a.bytes.data() + i * a.stride + c * a.component_bytes, a);
+    const json& from = entry("accessors", index);
+    if (const auto sparse = from.find("sparse"); sparse != from.end()) {
+        const json &at = sparse->at("indices"), &with = sparse->at("values");
+        const size_t count = sparse->at("count").get<size_t>(), bytes = components * a.component_bytes;
+        const int code = at.at("componentType").get<int>();
+        const ComponentType* type = component_type(code);
+        if (!type || type->most < 0 || code == 5126 || count > a.count)
+            refuse("accessor {} has sparse values that do not fit", index);
+        const std::string_view places = slice(at.at("bufferView").get<size_t>(), value_or<size_t>(at, "byteOffset", 0),
+                                              count * type->bytes, "a sparse accessor");
+        const std::string_view values =
+            slice(with.at("bufferView").get<size_t>(), value_or<size_t>(with, "byteOffset", 0), count * bytes,
+                  "a sparse accessor");
+        for (size_t i = 0; i < count; ++i) {
+            const size_t place = to_integer(places.data() + i * type->bytes, code);
+            if (place >= a.count) refuse("accessor {} has a sparse value {}, it counts {}", index, place, a.count);
+            for (size_t c = 0; c < components; ++c)
+                out[place * components + c] = read(values.data() + i * bytes + c * a.component_bytes, a);
+        }
+    }
+    return out;
+}
+
+std::vector<float> GltfFile::floats(size_t index, size_t components) const {
+    return values<float>(index, components, [](const char* p, const Accessor& a) {
+        const ComponentType& type = *component_type(a.type);
+        const float value = type.to_float(p);
+        return a.normalized && type.most > 0 ? std::max(value / type.most, -1.0f) : value;
+    });
+}
+
+std::vector<uint32_t> GltfFile::integers(size_t index, size_t components) const {
+    if (const int type = accessor(index).type; type != 5121 && type != 5123 && type != 5125)
+        refuse("accessor {} holds no whole numbers without sign", index);
+    return values<uint32_t>(index, components, [](const char* p, const Accessor& a) { return to_integer(p, a.type); });
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,83 @@
+// A glTF 2.0 file: its JSON, its buffers, and the numbers that accessors name in them.
+#pragma once
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/base/error.h"
+
+namespace lightwalk {
+
+/// Throws InputError, with the file's name, for whatever is malformed.
+class GltfFile {
+  public:
+    using json = nlohmann::json;
+
+    explicit GltfFile(const std::filesystem::path& path);
+
+    const std::filesystem::path path;
+    json root;
+
+    /// "meshes", 3: that entry; refuses an index out of range.
+    const json& entry(const char* list, size_t index) const;
+    size_t count(const char* list) const;
+
+    /// The numbers of an accessor, `components` each: normalised integers as floats, sparse values put in.
+    std::vector<float> floats(size_t accessor, size_t components) const;
+    std::vector<uint32_t> integers(size_t accessor, size_t components) const;
+    size_t components(size_t accessor) const;
+
+    /// The bytes of a buffer view, decompressed; good as long as the file.
+    std::string_view view(size_t index) const;
+
+    /// What a URI names: the bytes of a data URI, or of a file beside this one.
+    std::string read_uri(const std::string& uri) const;
+
+    template <class... Values>
+    [[noreturn]] void refuse(fmt::format_string<Values...> format, Values&&... values) const {
+        throw InputError("{}: {}", path.string(), fmt::format(format, std::forward<Values>(values)...));
+    }
+
+  private:
+    struct Accessor {
+        size_t count, components, component_bytes, stride;
+        int type;
+        bool normalized;
+        std::string_view bytes;  ///< none: zeros
+    };
+    Accessor accessor(size_t index) const;
+    template <class T, class Read>
+    std::vector<T> values(size_t index, size_t components, Read read) const;
+    std::string_view slice(size_t view, size_t offset, size_t bytes, const char* what) const;
+    const std::string& buffer(size_t index) const;
+    std::string decompressed(const json& how) const;
+    void read_container();
+    void check_version() const;
+
+    std::string binary_;  ///< of a .glb
+    bool has_binary_ = false;
+    mutable std::map<size_t, std::string> buffers_, decompressed_;
+};
+
+/// The member of that name, or `otherwise`; refuses a value of another type.
+template <class T>
+T value_or(const nlohmann::json& object, const char* key, T otherwise) {
+    const auto found = object.find(key);
+    return found == object.end() ? otherwise : found->get<T>();
+}
+
+/// The extension's object, or null.
+const nlohmann::json* extension(const nlohmann::json& object, const char* name);
+
+/// Three or so numbers.
+template <class Vector>
+Vector vector_or(const nlohmann::json& object, const char* key, Vector otherwise) {
+    const auto found = object.find(key);
+    if (found == object.end()) return otherwise;
+    for (int i = 0; i < Vector::length(); ++i) otherwise[i] = found->at(size_t(i)).get<float>();
+    return otherwise;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,196 @@
+// Meshes of glTF: each primitive with its attributes, as triangles.
+#include <cmath>
+
+#include "common/scene/gltf_parts.h"
+
+namespace lightwalk {
+namespace {
+using nlohmann::json;
+
+constexpr int points = 0, lines = 1, line_loop = 2, line_strip = 3, triangles = 4, strip = 5, fan = 6;
+
+// Corners of triangles, counter-clockwise as in the file.
+std::vector<uint32_t> as_triangles(const std::vector<uint32_t>& corners, int mode) {
+    if (mode == triangles) return {corners.begin(), corners.end() - static_cast<std::ptrdiff_t>(corners.size() % 3)};
+    std::vector<uint32_t> result;
+    for (size_t i = 0; i + 2 < corners.size(); ++i) {
+        const uint32_t a = corners[mode == fan ? 0 : i], b = corners[i + 1], c = corners[i + 2];
+        if (mode == strip && i % 2 == 1)
+            result.insert(result.end(), {b, a, c});
+        else
+            result.insert(result.end(), {a, b, c});
+    }
+    return result;
+}
+
+class PrimitiveReader {
+  public:
+    PrimitiveReader(const GltfFile& file, const json& from, Model& model)
+        : file_(file), from_(from), attributes_(from.at("attributes")), model_(model) {}
+
+    Mesh read(std::string name, const json& weights) {
+        Mesh mesh;
+        mesh.name = std::move(name);
+        const size_t position = attributes_.at("POSITION").get<size_t>();
+        const std::vector<glm::vec3> positions = vectors<glm::vec3>(position);
+        count_ = positions.size();
+        mesh.vertices.resize(count_);
+        for (size_t i = 0; i < count_; ++i) mesh.vertices[i].position = positions[i];
+        read_normals_and_uvs(mesh);
+        read_colors(mesh);
+        mesh.indices = indices();
+        read_joints(mesh.deformation);
+        read_targets(mesh.deformation, weights);
+        check(mesh);
+        flatten_missing_normals(mesh);
+        if (!mesh.deformation.joints.empty() || !mesh.deformation.targets.empty())
+            mesh.deformation.rest = mesh.vertices;
+        for (const Vertex& v : mesh.vertices) mesh.bounds.add(v.position);
+        name_what_is_left();
+        return mesh;
+    }
+
+  private:
+    const size_t* find(const json& object, const std::string& key, size_t& index) const {
+        const auto found = object.find(key);
+        if (found == object.end()) return nullptr;
+        index = found->get<size_t>();
+        return &index;
+    }
+
+    template <class Vector>
+    std::vector<Vector> vectors(size_t accessor) const {
+        const std::vector<float> numbers = file_.floats(accessor, static_cast<size_t>(Vector::length()));
+        std::vector<Vector> result(numbers.size() / static_cast<size_t>(Vector::length()));
+        if (!numbers.empty())
+            std::memcpy(static_cast<void*>(result.data()), numbers.data(), numbers.size() * sizeof(float));
+        return result;
+    }
+
+    // As many as there are vertices, or none.
+    template <class Vector>
+    std::vector<Vector> attribute(const json& object, const std::string& key) const {
+        size_t index = 0;
+        if (!find(object, key, index)) return {};
+        std::vector<Vector> result = vectors<Vector>(index);
+        if (result.size() != count_) file_.refuse("{} has {} values for {} vertices", key, result.size(), count_);
+        return result;
+    }
+
+    void read_normals_and_uvs(Mesh& mesh) const {
+        const auto normals = attribute<glm::vec3>(attributes_, "NORMAL");
+        const auto uvs = attribute<glm::vec2>(attributes_, "TEXCOORD_0");
+        mesh.second_uvs = attribute<glm::vec2>(attributes_, "TEXCOORD_1");
+        for (glm::vec2& uv : mesh.second_uvs) uv = finite({uv.x, 1 - uv.y});
+        for (size_t i = 0; i < count_; ++i) {
+            Vertex& v = mesh.vertices[i];
+            v.normal = glm::vec3(0);
+            if (!normals.empty())
+                if (const float length = glm::length(normals[i]); length > 0 && std::isfinite(length))
+                    v.normal = normals[i] / length;
+            v.uv = uvs.empty() ? glm::vec2(0) : finite({uvs[i].x, 1 - uvs[i].y});
+        }
+    }
+
+    static glm::vec2 finite(glm::vec2 uv) { return std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : glm::vec2(0); }
+
+    void read_colors(Mesh& mesh) const {
+        size_t index = 0;
+        if (!find(attributes_, "COLOR_0", index)) return;
+        if (file_.components(index) == 4) {
+            mesh.colors = attribute<glm::vec4>(attributes_, "COLOR_0");
+        } else {
+            for (const glm::vec3& color : attribute<glm::vec3>(attributes_, "COLOR_0"))
+                mesh.colors.emplace_back(color, 1);
+        }
+        for (glm::vec4& color : mesh.colors) color = glm::clamp(color, 0.0f, 1.0f);
+    }
+
+    std::vector<uint32_t> indices() const {
+        std::vector<uint32_t> corners;
+        size_t index = 0;
+        if (find(from_, "indices", index)) {
+            corners = file_.integers(index, 1);
+        } else {
+            for (uint32_t i = 0; i < count_; ++i) corners.push_back(i);
+        }
+        return as_triangles(corners, value_or(from_, "mode", triangles));
+    }
+
+    void read_joints(Deformation& how) const {
+        size_t index = 0;
+        if (!find(attributes_, "JOINTS_0", index)) return;
+        const std::vector<uint32_t> joints = file_.integers(index, 4);
+        how.joint_weights = attribute<glm::vec4>(attributes_, "WEIGHTS_0");
+        if (joints.size() != 4 * count_ || how.joint_weights.size() != count_)
+            file_.refuse("JOINTS_0 and WEIGHTS_0 have {} and {} values for {} vertices", joints.size() / 4,
+                         how.joint_weights.size(), count_);
+        for (size_t i = 0; i < count_; ++i) {
+            how.joints.emplace_back(joints[4 * i], joints[4 * i + 1], joints[4 * i + 2], joints[4 * i + 3]);
+            glm::vec4& w = how.joint_weights[i];
+            const float sum = w.x + w.y + w.z + w.w;
+            w = sum > 0 && std::isfinite(sum) ? w / sum : glm::vec4(1, 0, 0, 0);
+        }
+    }
+
+    void read_targets(Deformation& how, const json& weights) const {
+        const auto targets = from_.find("targets");
+        if (targets == from_.end()) return;
+        for (const json& from : *targets) {
+            MorphTarget target{attribute<glm::vec3>(from, "POSITION"), attribute<glm::vec3>(from, "NORMAL")};
+            target.positions.resize(count_, glm::vec3(0));
+            const size_t i = how.targets.size();
+            how.weights.push_back(weights.is_array() && i < weights.size() ? weights[i].get<float>() : 0.0f);
+            how.targets.push_back(std::move(target));
+        }
+    }
+
+    void check(const Mesh& mesh) const {
+        for (const uint32_t i : mesh.indices)
+            if (i >= count_) file_.refuse("mesh '{}': index {} of {} vertices", mesh.name, i, count_);
+        for (size_t i = 0; i < count_; ++i) {
+            const glm::vec3 p = mesh.vertices[i].position;
+            if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
+                file_.refuse("mesh '{}': position {} is not finite", mesh.name, i);
+        }
+    }
+
+    void name_what_is_left() {
+        for (const auto& [key, value] : attributes_.items()) {
+            if (key == "JOINTS_1") leave_out(model_, "more than four joints a vertex", "mesh");
+            if (key == "COLOR_1") leave_out(model_, "second vertex colours", "mesh");
+            if (key.starts_with("TEXCOORD_") && key > "TEXCOORD_1") continue;  // said where a texture uses them
+        }
+    }
+
+    const GltfFile& file_;
+    const json &from_, &attributes_;
+    Model& model_;
+    size_t count_ = 0;
+};
+
+}  // namespace
+
+std::vector<Mesh> read_gltf_mesh(const GltfFile& file, size_t index, uint32_t default_material, Model& model) {
+    const json& from = file.entry("meshes", index);
+    const std::string name = value_or<std::string>(from, "name", "");
+    const json weights = from.contains("weights") ? from.at("weights") : json();
+    std::vector<Mesh> meshes;
+    for (const json& primitive : from.at("primitives")) {
+        const int mode = value_or(primitive, "mode", triangles);
+        if (mode == points || mode == lines || mode == line_loop || mode == line_strip) {
+            leave_out(model, mode == points ? "points" : "lines", "mesh");
+            continue;
+        }
+        if (mode < 0 || mode > fan) file.refuse("mesh '{}': primitive mode {}", name, mode);
+        Mesh mesh = PrimitiveReader(file, primitive, model).read(name, weights);
+        if (mesh.indices.empty()) continue;
+        const uint32_t material = value_or(primitive, "material", default_material);
+        if (material > default_material) file.refuse("material {} is named, there are {}", material, default_material);
+        mesh.parts = {{0, static_cast<uint32_t>(mesh.indices.size()), material}};
+        meshes.push_back(std::move(mesh));
+    }
+    return meshes;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,104 @@
+// Meshes that Assimp has read.
+#include <cmath>
+
+#include "common/base/error.h"
+#include "common/scene/import_parts.h"
+
+namespace lightwalk {
+namespace {
+
+bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// The four bones of a vertex that weigh most. Joints are nodes by name, which is all that Assimp keeps.
+void add_bones(const aiMesh& from, const std::vector<Node>& nodes, Model& model, Mesh& to) {
+    Deformation& how = to.deformation;
+    how.joints.assign(from.mNumVertices, glm::uvec4(0));
+    how.joint_weights.assign(from.mNumVertices, glm::vec4(0));
+    ModelSkin skin;
+    for (unsigned b = 0; b < from.mNumBones; ++b) {
+        const aiBone& bone = *from.mBones[b];
+        const auto node =
+            std::find_if(nodes.begin(), nodes.end(), [&](const Node& n) { return n.name == bone.mName.C_Str(); });
+        skin.joints.push_back(node == nodes.end() ? 0 : static_cast<uint32_t>(node - nodes.begin()));
+        skin.inverse_bind.push_back(to_glm(bone.mOffsetMatrix));
+        for (unsigned w = 0; w < bone.mNumWeights; ++w) {
+            const aiVertexWeight& one = bone.mWeights[w];
+            if (one.mVertexId >= from.mNumVertices) continue;
+            glm::vec4& weights = how.joint_weights[one.mVertexId];
+            int least = 0;
+            for (int k = 1; k < 4; ++k)
+                if (weights[k] < weights[least]) least = k;
+            if (one.mWeight > weights[least]) weights[least] = one.mWeight, how.joints[one.mVertexId][least] = b;
+        }
+    }
+    for (glm::vec4& w : how.joint_weights) {
+        const float sum = w.x + w.y + w.z + w.w;
+        w = sum > 0 && std::isfinite(sum) ? w / sum : glm::vec4(1, 0, 0, 0);
+    }
+    how.rest = to.vertices;
+    how.skin = static_cast<uint32_t>(model.skins.size());
+    model.skins.push_back(std::move(skin));
+}
+
+// Colours of these formats are sRGB, as scanners and editors write them.
+glm::vec4 to_linear(const aiColor4D& c) {
+    const auto linear = [](float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); };
+    return glm::clamp(glm::vec4(linear(c.r), linear(c.g), linear(c.b), c.a), 0.0f, 1.0f);
+}
+
+// `flat`: normals are those of the triangles, whatever the file says.
+Mesh to_mesh(const aiMesh& from, const std::string& file, bool flat) {
+    Mesh to;
+    to.name = from.mName.C_Str();
+    for (unsigned i = 0; i < from.mNumVertices; ++i) {
+        Vertex vertex{to_glm(from.mVertices[i]), glm::vec3(0.0f), glm::vec2(0.0f)};
+        if (from.HasNormals() && !flat) vertex.normal = to_glm(from.mNormals[i]);
+        const float length = glm::length(vertex.normal);
+        vertex.normal = length > 0.0f && std::isfinite(length) ? vertex.normal / length : glm::vec3(0.0f);
+        if (from.HasTextureCoords(0) && is_finite(to_glm(from.mTextureCoords[0][i])))
+            vertex.uv = glm::vec2(to_glm(from.mTextureCoords[0][i]));
+        if (!is_finite(vertex.position)) throw InputError("{}: mesh '{}': position {} is not finite", file, to.name, i);
+        to.bounds.add(vertex.position);
+        to.vertices.push_back(vertex);
+        if (from.HasTextureCoords(1)) {
+            const glm::vec3 uv = to_glm(from.mTextureCoords[1][i]);
+            to.second_uvs.push_back(is_finite(uv) ? glm::vec2(uv) : glm::vec2(0));
+        }
+        if (from.HasVertexColors(0)) to.colors.push_back(to_linear(from.mColors[0][i]));
+    }
+    for (unsigned i = 0; i < from.mNumFaces; ++i) {
+        const aiFace& face = from.mFaces[i];
+        if (face.mNumIndices != 3) continue;  // points and lines
+        to.indices.insert(to.indices.end(), face.mIndices, face.mIndices + 3);
+    }
+    to.parts = {{0, static_cast<uint32_t>(to.indices.size()), from.mMaterialIndex}};
+    if (flat)
+        flatten_missing_normals(to);
+    else
+        fill_missing_normals(to);
+    return to;
+}
+
+}  // namespace
+
+// Bones move a mesh in the model's space, so that its node must not.
+void add_import_meshes(const aiScene& scene, const std::string& name, const std::string& extension, Model& model) {
+    std::vector<uint32_t> with_bones;
+    const std::vector<Node> named = model.nodes;
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+        const aiMesh& from = *scene.mMeshes[i];
+        model.meshes.push_back(to_mesh(from, name, extension == ".stl"));
+        if (from.mNumAnimMeshes > 0) leave_out(model, "morph targets", "mesh");
+        if (from.HasVertexColors(1)) leave_out(model, "second vertex colours", "mesh");
+        if (from.HasTextureCoords(2)) leave_out(model, "texture coordinates 2", "mesh");
+        if (!from.HasBones() || model.meshes.back().vertices.size() != from.mNumVertices) continue;
+        add_bones(from, named, model, model.meshes.back());
+        with_bones.push_back(i);
+    }
+    if (with_bones.empty()) return;
+    for (Node& node : model.nodes)
+        std::erase_if(node.meshes, [&](uint32_t mesh) { return bool(model.meshes[mesh].deformation); });
+    model.nodes.push_back({"skins", -1, glm::mat4(1), with_bones});
+}
+
+}  // namespace lightwalk

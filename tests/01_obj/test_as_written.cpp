@@ -1,0 +1,103 @@
+// OBJ and MTL as other programs write them.
+#include "01_obj/mtl.h"
+#include "agreement.h"
+#include "catch.h"
+#include "common/base/error.h"
+
+using namespace lightwalk;
+
+namespace {
+
+const std::string written_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+// Two squares that meet in a right angle along the y axis.
+const std::string corner = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\n";
+const std::string squares = "f 1 2 3 4\nf 1 4 6 5\n";
+
+ObjData read_as_written(const std::string& text) {
+    CHECK(disagreement(text) == "");
+    Outcome outcome = outcome_of(text, Loader::parallel);
+    CHECK(outcome.error == "");
+    return std::move(outcome.data);
+}
+
+Model model_of(const std::string& text) {
+    const ObjData data = read_as_written(text);
+    return weld(data, std::vector<Material>(data.materials.size()), "test");
+}
+
+Material material_of(const std::string& lines, Tr tr = Tr::safe) {
+    return parse_mtl("newmtl m\n" + lines + "\n", "test.mtl", "folder", tr).at(0);
+}
+
+}  // namespace
+
+TEST_CASE("obj as written: zero bytes at the end, empty indices, free forms, nan as a colour") {
+    CHECK(read_as_written(written_triangle + "f 1 2 3\n" + std::string(3, '\0')).triangles() == 1);
+    const ObjData slashes = read_as_written(written_triangle + "f 1// 2// 3//\n");
+    REQUIRE(slashes.triangles() == 1);
+    CHECK(slashes.corners[1] == Corner{1, none, none});
+    CHECK(read_as_written(written_triangle + "vt 0 0\nf 1/1/ 2/1/ 3/1/\n").corners[0] == Corner{0, 0, none});
+    const ObjData curves = read_as_written(written_triangle + "curv2 1 2\nl 1 2\nl 2 3\nf 1 2 3\n");
+    CHECK(curves.left_out == std::vector<std::string>{"free-form curves and surfaces", "lines"});
+    CHECK(read_as_written("v 0 0 0 nan nan nan\nv 1 0 0 nan nan nan\nv 0 1 0 -nan NaN nan\nf 1 2 3\n").colors.empty());
+    CHECK(outcome_of("v 0 0 nan 1 1 1\n", Loader::parallel).place == "test.obj:1");
+}
+
+TEST_CASE("obj as written: vertex colours are sRGB, of 1 or of 255; white where a position has none") {
+    const std::string rest = "v 0 1 0\nf 1 2 3\n";
+    const Model model = model_of("v 0 0 0 1 0.5 0\nv 1 0 0 1 0 0 1\n" + rest);
+    const auto& colors = model.meshes[0].colors;
+    REQUIRE(colors.size() == 3);
+    CHECK(colors[0].r == 1);
+    CHECK(std::abs(colors[0].g - 0.21404114f) < 1e-6f);  // IEC 61966-2-1
+    CHECK(colors[1] == glm::vec4(0, 0, 1, 1));           // behind w
+    CHECK(colors[2] == glm::vec4(1));
+    CHECK(model_of("v 0 0 0 255 0 0\nv 1 0 0 0 0 255\n" + rest).meshes[0].colors[0] == glm::vec4(1, 0, 0, 1));
+    CHECK(model_of(written_triangle + "f 1 2 3\n").meshes[0].colors.empty());
+}
+
+TEST_CASE("obj as written: smoothing groups") {
+    const auto normals_at_origin = [](const std::string& text) {
+        std::vector<glm::vec3> normals;
+        const Model model = model_of(text);
+        for (const Vertex& v : model.meshes[0].vertices)
+            if (v.position == glm::vec3(0)) normals.push_back(v.normal);
+        return normals;
+    };
+    const glm::vec3 x(1, 0, 0), z(0, 0, 1);
+    CHECK(normals_at_origin(corner + squares).size() == 1);  // nothing said: smooth
+    CHECK(normals_at_origin(corner + "s 1\n" + squares).size() == 1);
+    CHECK(glm::length(normals_at_origin(corner + "s 1\n" + squares)[0] - glm::normalize(x + z)) < 1e-6f);
+    for (const char* off : {"s off\n", "s 0\n"})
+        for (const glm::vec3& n : normals_at_origin(corner + off + squares)) CHECK((n == x || n == z));
+    const auto apart = normals_at_origin(corner + "s 1\nf 1 2 3 4\ns 2\nf 1 4 6 5\n");
+    REQUIRE(apart.size() == 2);
+    CHECK((apart[0] == z && apart[1] == x));
+}
+
+TEST_CASE("mtl as written: Tr, where it would make a material vanish") {
+    CHECK(material_of("Tr 0.25").opacity == 0.75f);
+    CHECK(material_of("Tr 1").opacity == 1);
+    CHECK(material_of("Tr 1", Tr::transparency).opacity == 0);
+    CHECK(material_of("Tr 0.25", Tr::opacity).opacity == 0.25f);
+    CHECK(material_of("Tr 1\nd 0.5").opacity == 0.5f);
+    CHECK(material_of("d 0").opacity == 0);
+}
+
+TEST_CASE("mtl as written: colours of 255, maps of roughness, where textures lie") {
+    CHECK(material_of("Kd 255 51 0").diffuse == glm::vec3(1, 0.2f, 0));
+    CHECK(material_of("Kd 1.5 0.5 0").diffuse == glm::vec3(1, 0.5f, 0));
+    CHECK(material_of("Ke 17 12 4").emissive == glm::vec3(17, 12, 4));
+    const Material rough = material_of("Ks 1 1 1\nNs 10\nmap_Pr r.png\nPm 0.5");
+    CHECK((rough.metallic_roughness && rough.microfacets && rough.roughness == 1 && rough.metalness == 0.5f));
+    CHECK(!rough.has_exponent);
+    CHECK(material_of("Ks 1 1 1\nNs 10\nPr 0.5").has_exponent);
+    const TextureMap map = material_of("map_Kd -s 2 4 1 -o 0.5 0.25 0 -clamp on a.png").diffuse_map;
+    CHECK(map.place.turn * glm::vec2(1, 1) + map.place.offset == glm::vec2(2.5f, 4.25f));
+    CHECK(map.sampler.wrap == Wrap::clamp);
+    CHECK(material_of("illum 0").unlit);
+    CHECK(material_of("map_d a.png").opacity_map.channel == alpha_if_any);
+    CHECK(material_of("map_d -imfchan g a.png").opacity_map.channel == 'g');
+    using Names = std::vector<std::string>;
+    CHECK(material_of("refl -type sphere a.png\nTf 1 1 1\nPc 0.5\naniso 0").left_out == Names{"refl", "Pc"});
+}
