@@ -1,5 +1,6 @@
 // Mist: fades surfaces with distance, and leaves the sky.
 #include "02_lambert_phong/mist.h"
+#include "common/view_rays.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f) uniform image2D result;
@@ -12,8 +13,7 @@ void main() {
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
     float stored = texelFetch(depth, pixel, 0).r;
     if (stored == 0.0) return;
-    // 1 / distance is linear in the stored depth.
-    float distance = 1.0 / mix(mist.inverse_far, mist.inverse_near, stored);
+    float distance = depth_to_metres(stored, mist.inverse_near, mist.inverse_far);
     vec4 seen = imageLoad(result, pixel);
     imageStore(result, pixel, vec4(mix(mist.color, seen.rgb, exp(-mist.per_m * distance)), seen.a));
 }

@@ -1,13 +1,4 @@
-// Reflection of one light by a surface: Lambert and the normalised Blinn–Phong model, for every chapter from here on.
-#include "common/structs.h"
-#include "02_lambert_phong/lambert.glsl"
-#include "02_lambert_phong/blinn_phong.glsl"
+// Reflection of one light by a surface, for every chapter from here on.
+#include "02_lambert_phong/blinn_phong_light.glsl"
 
-// [reflect_light]
-Reflected reflect_light(Surface surface, vec3 to_light) {
-    float received = lambert(surface.normal, to_light);
-    float specular = blinn_phong(surface.normal, to_light, surface.to_eye, surface.shininess) *
-                     blinn_phong_normalisation(surface.shininess) * received;
-    return Reflected(vec3(received), specular);
-}
-// [/reflect_light]
+Reflected reflect_light(Surface surface, vec3 to_light) { return reflect_by_blinn_phong(surface, to_light); }

@@ -22,9 +22,9 @@ Reflected reflect_by_method(Surface surface, vec3 to_light) {
     Reflected result = reflect_light(surface, to_light);
 #if METHOD == METHOD_PHONG
     // Around the mirror direction the same lobe is about twice as narrow in angle: a quarter of the exponent.
-    result.specular = phong(surface.normal, to_light, surface.to_eye, 0.25 * surface.shininess);
+    result.specular = vec3(phong(surface.normal, to_light, surface.to_eye, 0.25 * surface.shininess));
 #elif METHOD == METHOD_BLINN_PHONG
-    result.specular = blinn_phong(surface.normal, to_light, surface.to_eye, surface.shininess);
+    result.specular = vec3(blinn_phong(surface.normal, to_light, surface.to_eye, surface.shininess));
 #endif
 #if DIFFUSE == DIFFUSE_WRAPPED
     float cosine = dot(surface.normal, to_light);

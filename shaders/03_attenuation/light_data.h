@@ -2,6 +2,8 @@
 #pragma once
 #include <common/shared.h>
 
+#include "common/view_rays.h"
+
 BEGIN_SHARED
 
 const uint LIGHT_DIRECTIONAL = 0u;
@@ -59,10 +61,8 @@ layout(scalar) uniform LightsGridBlock { GridView lights_grid; };
 
 uint cell_count() { return lights_grid.tiles.x * lights_grid.tiles.y * lights_grid.slices; }
 
-// Metres in front of the camera. 1 / z is linear in the stored depth.
-float view_depth(float depth) {
-    return 1.0 / (lights_grid.inverse_far + depth * (lights_grid.inverse_near - lights_grid.inverse_far));
-}
+// Metres in front of the eye.
+float view_depth(float depth) { return depth_to_metres(depth, lights_grid.inverse_near, lights_grid.inverse_far); }
 #endif
 
 END_SHARED

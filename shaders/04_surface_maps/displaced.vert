@@ -41,6 +41,7 @@ void main() {
     TangentFrame frame = tangents[i.x];
     frame.tangent = normalize(a * frame.tangent + b.x * tangents[i.y].tangent + b.y * tangents[i.z].tangent);
     set_varyings(vertex, frame, instances[gl_InstanceIndex]);
+    set_rare_varyings(i, vec3(a, b));
 #if MAPS_HEIGHT
     vec2 moved = moving_uv(uv, part.wobble, part.scroll, view.time_s);
     float depth = 1.0 - textureLod(height_map, image_uv(moved), 0.0).r;

@@ -1,8 +1,7 @@
 // A surface with all its maps, lit by chapter 03's lights; or the error of its bump method.
-#include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/lighting.glsl"
 #include "03_attenuation/unshadowed.glsl"
-#include "04_surface_maps/surface_maps.glsl"
+#include "04_surface_maps/reflection.glsl"
 
 layout(location = 0) out vec4 color;
 
@@ -63,8 +62,11 @@ void main() {
 #if SHOW == SHOW_NORMAL
     color = vec4(0.5 + 0.5 * m.surface.normal, 1.0);
 #else
-    Lit lit = light_surface(m.surface, m.facing, m.position, item, gl_FragCoord);
+    Lit lit = light_mapped(m, item, gl_FragCoord);
     color = vec4(radiance_of(m, lit.diffuse, lit.specular, ambient), 1.0);
+#ifdef TRANSPARENT
+    color.a = m.alpha;
+#endif
 #endif
 #endif
 }

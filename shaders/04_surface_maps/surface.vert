@@ -8,5 +8,6 @@ layout(scalar) readonly buffer TangentBuffer { TangentFrame tangents[]; };
 void main() {
     Vertex vertex = vertices[gl_VertexIndex];
     set_varyings(vertex, tangents[gl_VertexIndex], instances[gl_InstanceIndex]);
+    set_rare_varyings(uvec3(gl_VertexIndex), vec3(1.0, 0.0, 0.0));
     gl_Position = world_to_clip(view.view_projection, world_position);
 }

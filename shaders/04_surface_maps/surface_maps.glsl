@@ -1,6 +1,7 @@
 // A surface with all its maps: the GLSL of the module Maps. Maps whose macro is 0 (knob off, or absent from the
 // material) are compiled out.
 #include "common/structs.h"
+#include "04_surface_maps/plain_draw.glsl"
 #include "04_surface_maps/parallax_offset.glsl"
 #include "04_surface_maps/parallax_occlusion.glsl"
 #include "04_surface_maps/unpack_normal.glsl"
@@ -12,7 +13,10 @@ layout(scalar) uniform ViewBlock { CameraView view; };
 layout(scalar) uniform AmbientBlock { vec3 ambient; };
 layout(scalar) readonly buffer MaterialBuffer { MaterialData materials[]; };
 uniform sampler2D diffuse_map, specular_map, emissive_map, opacity_map, normal_map, orm_map, occlusion_map, gloss_map,
-    detail_normal_map, displacement_map;
+    detail_normal_map, displacement_map, metallic_roughness_map;
+#if MAPS_PLACED
+layout(scalar) readonly buffer PlacementBuffer { MapPlacement map_placements[]; };
+#endif
 layout(scalar) uniform MapsBlock {
     float height_m;        // how deep the darkest texel of a height map lies
     float displacement_m;  // how far the darkest texel of a displacement map lies below the brightest
@@ -35,6 +39,14 @@ layout(location = 5) in vec2 uv;
 layout(location = 6) flat in uint material_index;
 layout(location = 7) flat in uint item;
 layout(location = 8) in float cos_uv;
+#if MAPS_SECOND_UVS
+layout(location = 9) in vec2 second_uv;
+vec2 second_across() { return dFdx(second_uv); }
+vec2 second_down() { return dFdy(second_uv); }
+#endif
+#if MAPS_COLORS
+layout(location = 10) in vec4 vertex_color;
+#endif
 
 // How they change from this pixel to the next ones; `moved` is where moving_uv() has uv.
 vec2 moved_across(vec2 moved, float time_s) { return dFdx(moved); }
@@ -43,14 +55,25 @@ vec3 position_across() { return dFdx(world_position); }
 vec3 position_down() { return dFdy(world_position); }
 #endif
 
-// Tangent space in the world: columns along u, along v, along the normal.
+// 1 or -1: which side of the surface the eye is on.
+float side_seen() {
+#if !MAPS_TWO_SIDED
+    return 1.0;
+#elif defined(SEEN)
+    return dot(world_normal, view.eye - world_position) < 0.0 ? -1.0 : 1.0;
+#else
+    return gl_FrontFacing ? 1.0 : -1.0;
+#endif
+}
+
+// Tangent space in the world: columns along u, along v, along the normal. All of it is turned round on the back.
 mat3 tangent_space() {
     // Normals of opposite vertices cancel between them: there the mesh's own slope has to do.
     vec3 n = dot(world_normal, world_normal) > 1e-8 ? normalize(world_normal)
                                                     : normalize(cross(position_down(), position_across()));
     vec3 t = world_tangent - n * dot(n, world_tangent);
     t = dot(t, t) > 1e-8 ? normalize(t) : normalize(abs(n.x) < 0.6 ? vec3(0.0, n.z, -n.y) : vec3(-n.z, 0.0, n.x));
-    return mat3(t, handedness * cross(n, t), n);
+    return side_seen() * mat3(t, handedness * cross(n, t), n);
 }
 
 // Surface of a height map: depth 0 is the mesh, 1 the deepest point, bilinear between texel centres at full resolution.
@@ -186,6 +209,21 @@ vec4 read(sampler2D map, Coordinates at) {
     return textureLod(map, image_uv(at.uv), 0.5 * log2(texels));
 }
 
+// [placed]
+// Where a map lies that has a transform of its own, or the second texture coordinates.
+Coordinates placed(uint slot, Coordinates at) {
+#if MAPS_PLACED
+    MapPlacement place = map_placements[material_index * MAP_COUNT + slot];
+#if MAPS_SECOND_UVS
+    if (place.set == 1u) at = Coordinates(second_uv, second_across(), second_down());
+#endif
+    return Coordinates(place.turn * at.uv + place.offset, place.turn * at.dx, place.turn * at.dy);
+#else
+    return at;
+#endif
+}
+// [/placed]
+
 // Of this fragment.
 Coordinates coordinates_at(CameraView view) {
     vec2 moved = moving_uv(uv, maps.wobble, maps.scroll, view.time_s);
@@ -196,14 +234,24 @@ Coordinates coordinates_at(CameraView view) {
 // How far one unit of u and of v goes from the top of the height field to its bottom.
 vec2 deepest() { return maps.height_m / metres_per_uv; }
 
-vec3 read_normal(sampler2D map, Coordinates at, out float mean_length) {
+vec3 read_normal(sampler2D map, Coordinates at, float scale, out float mean_length) {
     vec4 texel = read(map, at);
     // Alpha holds √(1 - length of the mean normal).
     mean_length = 1.0 - texel.a * texel.a;
 #if MAPS_NORMAL_Y == MAPS_NORMAL_Y_DOWN
     texel.y = 1.0 - texel.y;
 #endif
-    return unpack_normal(texel.xy, maps.strength);
+    return unpack_normal(texel.xy, maps.strength * scale);
+}
+
+// A map that is turned on its surface has its own directions of u and v.
+vec3 turned_back(vec3 normal) {
+#if MAPS_PLACED
+    mat2 turn = map_placements[material_index * MAP_COUNT + 4u].turn;
+    float area = abs(determinant(turn));
+    if (area > 1e-12) normal.xy = sqrt(area) * inverse(turn) * normal.xy;
+#endif
+    return normal;
 }
 
 // [normal]
@@ -212,12 +260,12 @@ vec3 normal_at(Coordinates at, out float mean_length) {
     mean_length = 1.0;
     vec3 normal = vec3(0.0, 0.0, 1.0);
 #if MAPS_NORMAL && MAPS_METHOD != MAPS_METHOD_FLAT
-    normal = read_normal(normal_map, at, mean_length);
+    normal = turned_back(read_normal(normal_map, placed(4u, at), materials[material_index].normal_scale, mean_length));
 #endif
 #if MAPS_DETAIL_NORMAL && MAPS_METHOD != MAPS_METHOD_FLAT
     float detail_length;
     float n = maps.detail_tiles;
-    normal = blend_detail(normal, read_normal(detail_normal_map, Coordinates(n * at.uv, n * at.dx, n * at.dy), detail_length));
+    normal = blend_detail(normal, read_normal(detail_normal_map, Coordinates(n * at.uv, n * at.dx, n * at.dy), 1.0, detail_length));
     mean_length *= detail_length;
 #endif
     return normal;
@@ -238,19 +286,28 @@ Substance substance_at(Coordinates at, MaterialData material, vec3 base) {
     orm = read(orm_map, at).rgb;
     s.occlusion = orm.r;
 #endif
+    float roughness = overridden(orm.g, material.roughness), metalness = overridden(orm.b, material.metalness);
+#if MAPS_METALLIC_ROUGHNESS
+    vec2 factors = read(metallic_roughness_map, placed(11u, at)).gb;
+    roughness *= factors.x, metalness *= factors.y;
+#endif
+#if MAPS_METALLIC_ROUGHNESS
+    if (material.roughness < 0.0) s.mixed.shininess = mix_orm(base, factors.x, 0.0).shininess;
+#endif
     bool has_orm = MAPS_ORM == 1 || material.roughness >= 0.0;
     if (has_orm) {
-        s.mixed = mix_orm(base, overridden(orm.g, material.roughness), overridden(orm.b, material.metalness));
+        s.mixed = mix_orm(base, roughness, metalness);
         s.ambient_specular = s.mixed.specular;
     }
 #if MAPS_OCCLUSION
-    s.occlusion *= read(occlusion_map, at).r;
+    float open = read(occlusion_map, placed(7u, at)).r, strength = material.occlusion_strength;
+    s.occlusion *= strength == 1.0 ? open : mix(1.0, open, strength);
 #endif
 #if MAPS_SPECULAR
-    s.mixed.specular *= read(specular_map, at).rgb;
+    s.mixed.specular *= read(specular_map, placed(1u, at)).rgb;
 #endif
 #if MAPS_GLOSS
-    s.mixed.shininess = exp2(mix(3.0, 8.0, read(gloss_map, at).r));  // 8 to 256
+    s.mixed.shininess = exp2(mix(3.0, 8.0, read(gloss_map, placed(8u, at)).r));  // 8 to 256
 #endif
     return s;
 }
@@ -300,11 +357,14 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
 #endif
     vec4 base = vec4(material.diffuse, 1.0);
     float opacity = 1.0;
+#if MAPS_COLORS
+    base *= vertex_color;
+#endif
 #if MAPS_DIFFUSE
-    base *= read(diffuse_map, at);
+    base *= read(diffuse_map, placed(0u, at));
 #endif
 #if MAPS_OPACITY
-    opacity = read(opacity_map, at).r;
+    opacity = read(opacity_map, placed(3u, at)).r;
 #endif
     m.alpha = surface_alpha(base.a, opacity, material.opacity);
 
@@ -317,7 +377,11 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
 #endif
     m.glow = material.emissive;
 #if MAPS_EMISSIVE
-    m.glow *= read(emissive_map, at).rgb;
+    m.glow *= read(emissive_map, placed(2u, at)).rgb;
+#endif
+#if MAPS_UNLIT
+    m.glow = base.rgb;
+    m.substance = Substance(MixedMaterial(vec3(0.0), vec3(0.0), 1.0), 1.0, vec3(0.0));
 #endif
     return m;
 }
@@ -328,7 +392,8 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
 MappedSurface seen_surface() {
     MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
 #if !defined(TRANSPARENT) && !defined(SEEN)  // visible, so not cut out
-    if (is_cut_out(m.alpha, maps.cutoff)) discard;
+    float own = materials[material_index].alpha_cutoff;
+    if (is_cut_out(m.alpha, own < 0.0 ? maps.cutoff : own)) discard;
 #endif
     return m;
 }

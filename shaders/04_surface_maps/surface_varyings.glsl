@@ -1,6 +1,7 @@
 // Varyings of surfaces, loaded or displaced. A dispatch over a visibility buffer has variables of these names.
 #include "01_obj/transform.glsl"
 #include "common/structs.h"
+#include "04_surface_maps/plain_draw.glsl"
 
 #ifndef SEEN
 layout(location = 0) out vec3 world_position;
@@ -12,10 +13,34 @@ layout(location = 5) out vec2 uv;
 layout(location = 6) flat out uint material_index;
 layout(location = 7) flat out uint item;  // which of the scene's items
 layout(location = 8) out float cos_uv;
+#if MAPS_SECOND_UVS
+layout(location = 9) out vec2 second_uv;
+#endif
+#if MAPS_COLORS
+layout(location = 10) out vec4 vertex_color;
+#endif
 invariant gl_Position;                    // the depth pass and the shading pass agree to the last bit
 
 uint drawn_item() { return gl_InstanceIndex; }
 #endif
+
+#if MAPS_SECOND_UVS
+layout(scalar) readonly buffer SecondUvBuffer { vec2 second_uvs[]; };
+#endif
+#if MAPS_COLORS
+layout(scalar) readonly buffer ColorBuffer { vec4 vertex_colors[]; };
+#endif
+
+// Optional attributes, interpolated over a triangle; `shares` add up to 1.
+void set_rare_varyings(uvec3 vertices_of, vec3 shares) {
+#if MAPS_SECOND_UVS
+    second_uv = mat3x2(second_uvs[vertices_of.x], second_uvs[vertices_of.y], second_uvs[vertices_of.z]) * shares;
+#endif
+#if MAPS_COLORS
+    vertex_color =
+        mat3x4(vertex_colors[vertices_of.x], vertex_colors[vertices_of.y], vertex_colors[vertices_of.z]) * shares;
+#endif
+}
 
 // [varyings]
 void set_varyings(Vertex vertex, TangentFrame frame, Instance instance) {

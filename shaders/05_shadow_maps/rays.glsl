@@ -1,5 +1,4 @@
 // How much of a lamp a point sees, by rays: the truth of shadows.
-#include "05_shadow_maps/basis.glsl"
 #include "05_shadow_maps/bvh.glsl"
 #include "05_shadow_maps/sampling.glsl"
 

@@ -1,7 +1,6 @@
 // A planet and its ring, which shadow each other without a map; what lies behind the ring shows through.
-#include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/lighting.glsl"
-#include "04_surface_maps/surface_maps.glsl"
+#include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/planet_shadow.glsl"
 #include "common/put_surface.glsl"
 
@@ -13,6 +12,6 @@ vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
 
 void main() {
     MappedSurface m = seen_surface();
-    Lit lit = light_surface(m.surface, m.facing, m.position, item, gl_FragCoord);
+    Lit lit = light_mapped(m, item, gl_FragCoord);
     put_surface(radiance_of(m, lit.diffuse, lit.specular, ambient), m.alpha);
 }

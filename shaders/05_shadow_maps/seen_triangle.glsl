@@ -1,5 +1,6 @@
 // A pixel of a visibility buffer as a fragment of the mesh: the values of the triangle's corners, interpolated.
 #define SEEN
+#include "04_surface_maps/plain_draw.glsl"
 
 // In place of varyings: of one corner of a triangle, and then of a place in it.
 vec3 world_position, world_normal, world_tangent;
@@ -16,6 +17,14 @@ vec2 moved_down(vec2 moved, float time_s);
 vec3 position_across() { return change_across; }
 vec3 position_down() { return change_down; }
 uint drawn_item() { return item; }
+#if MAPS_SECOND_UVS
+vec2 second_uv, second_uv_across, second_uv_down;
+vec2 second_across() { return second_uv_across; }
+vec2 second_down() { return second_uv_down; }
+#endif
+#if MAPS_COLORS
+vec4 vertex_color;
+#endif
 
 #include "common/structs.h"
 #include "04_surface_maps/surface_varyings.glsl"
@@ -41,8 +50,9 @@ bool look_up(ivec2 pixel, ivec2 size, mat4 view_projection, out vec4 frag_coord)
     mat3 positions, normals, tangent_vectors;
     mat3x2 metres, uvs;
     vec3 hands, cosines;
+    uvec3 numbers;
     for (int i = 0; i < 3; ++i) {
-        uint number = indices[seen.first_index + 3u * id.y + uint(i)];
+        uint number = numbers[i] = indices[seen.first_index + 3u * id.y + uint(i)];
         set_varyings(vertices[number], tangents[number], instances[item]);
         corners[i] = world_to_clip(view_projection, world_position);
         positions[i] = world_position, normals[i] = world_normal, tangent_vectors[i] = world_tangent;
@@ -53,6 +63,11 @@ bool look_up(ivec2 pixel, ivec2 size, mat4 view_projection, out vec4 frag_coord)
     uv = uvs * s.here, uv_across = uvs * s.across, uv_down = uvs * s.down;
     world_normal = normals * s.here, world_tangent = tangent_vectors * s.here, metres_per_uv = metres * s.here;
     handedness = dot(hands, s.here), cos_uv = dot(cosines, s.here);
+#if MAPS_SECOND_UVS
+    set_rare_varyings(numbers, s.across), second_uv_across = second_uv;
+    set_rare_varyings(numbers, s.down), second_uv_down = second_uv;
+#endif
+    set_rare_varyings(numbers, s.here);
     vec4 clip = world_to_clip(view_projection, world_position);
     frag_coord = vec4(vec2(pixel) + 0.5, clip.z / clip.w, 1.0 / clip.w);
     return true;

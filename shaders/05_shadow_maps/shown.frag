@@ -1,8 +1,7 @@
 // What SHOW shows beside the picture, and the picture by rays. Alpha counts for measure(): what kind of wrong it is.
 #define OWN_LIGHT_VISIBILITY
-#include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/lighting.glsl"
-#include "04_surface_maps/surface_maps.glsl"
+#include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "05_shadow_maps/shadow_truth.glsl"
 
@@ -60,7 +59,7 @@ vec3 light_visibility(uint index, vec3 position, vec3 facing, vec3 to_light) {
 void main() {
     rays_seed = seed_of(uvec2(gl_FragCoord.xy), view.seed);
     MappedSurface m = seen_surface();
-    Lit lit = light_surface(m.surface, m.facing, m.position, item, gl_FragCoord);
+    Lit lit = light_mapped(m, item, gl_FragCoord);
     vec3 radiance = radiance_of(m, lit.diffuse, lit.specular, ambient);
     float light = 0.25 + 0.75 * abs(dot(m.facing, m.surface.to_eye));  // so that views show shapes
 #if SHOW == SHOW_VISIBILITY

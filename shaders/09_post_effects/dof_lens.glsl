@@ -1,13 +1,14 @@
 // How far out of focus each pixel is.
 #include "09_post_effects/circle_of_confusion.glsl"
 #include "09_post_effects/dof_now.h"
+#include "common/view_rays.h"
 
 layout(scalar) uniform DofBlock { float focus_m, f_number; } dof;
 layout(scalar) uniform DofNowBlock { DofNow dof_now; };
 
 // Metres in front of the eye; where nothing was drawn, infinity.
 float distance_of(float depth) {
-    float inverse = dof_now.inverse_far + depth * (dof_now.inverse_near - dof_now.inverse_far);
+    float inverse = depth_to_per_metre(depth, dof_now.inverse_near, dof_now.inverse_far);
     return depth > 0.0 && inverse > 0.0 ? 1.0 / inverse : uintBitsToFloat(0x7f800000u);
 }
 

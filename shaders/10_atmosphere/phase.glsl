@@ -1,12 +1,9 @@
 // Which way light goes that is scattered: shares per steradian, whose integral over all directions is 1.
+#include "common/henyey_greenstein.glsl"
 #include "10_atmosphere/phase_mie.glsl"
 #include "10_atmosphere/phase_rayleigh.glsl"
 
-// L. G. Henyey and J. L. Greenstein, Astrophysical Journal 93, 1941, p. 77; its mean cosine is g.
-float phase_henyey_greenstein(float cos_angle, float g) {
-    float b = 1.0 + g * g - 2.0 * g * cos_angle;
-    return 0.25 / 3.14159265 * (1.0 - g * g) / (b * sqrt(b));
-}
+float phase_henyey_greenstein(float cos_angle, float g) { return henyey_greenstein(cos_angle, g, 0.25 / 3.14159265); }
 
 float phase_dust(float cos_angle, float g) {
 #if ATMOSPHERE_PHASE == ATMOSPHERE_PHASE_ISOTROPIC

@@ -1,6 +1,7 @@
 // A sea's surface: waves too far to be seen one by one are a roughness, those near the eye tilt it.
 #include "10_atmosphere/ground_light.glsl"
 #include "10_atmosphere/in_scatter.glsl"
+#include "common/schlick.glsl"
 
 // The slope of the waves at a place (metres), those alone that are longer than two pixels; `steep` is the standard deviation
 // of all of them together, `rest` what of it is left for roughness.
@@ -18,10 +19,9 @@ vec2 wave_slope(vec2 at, float pixel_m, float steep, out float rest) {
     return slope * steep * sqrt(1.6 / all);
 }
 
-// R. Schlick's Fresnel (1994) of water; at grazing angles rough water shows the eye its near sides.
+// Fresnel reflectance of water; at grazing angles rough water shows the eye its near sides.
 float water_fresnel(float cosine, float steep) {
-    float c = 1.0 - max(cosine, 0.7 * steep);
-    return 0.02 + 0.98 * c * c * c * c * c;
+    return schlick(max(cosine, 0.7 * steep), 0.02);
 }
 
 // Light from a sea of that albedo towards -direction. `up` is its normal, `tilted` that of the wave. C. Cox and W. Munk,

@@ -1,5 +1,4 @@
 // How much of the sky a point of the surface sees, by rays that are as dense as the cosine.
-#include "05_shadow_maps/basis.glsl"
 #include "05_shadow_maps/bvh.glsl"
 #include "05_shadow_maps/sampling.glsl"
 #include "12_skin/charts.glsl"

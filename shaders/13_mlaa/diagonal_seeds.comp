@@ -1,6 +1,6 @@
 // The steps of staircases, and whether the next one follows.
 #define WORK_ACCESS readonly
-#include "13_mlaa/diagonal_bits.glsl"
+#include "13_mlaa/distance_bits.glsl"
 #include "13_mlaa/edge_source.glsl"
 #include "13_mlaa/work.glsl"
 

@@ -1,7 +1,107 @@
 // SMAA's shapes (J. Jimenez et al., "SMAA: enhanced subpixel morphological antialiasing", 2012), by lists and distances:
 // staircases of single steps, corners, ends at which edges across begin on both sides, and details of one pixel.
-#include "13_mlaa/shape_weight.glsl"
-#include "13_mlaa/staircase.glsl"
+#include "13_mlaa/areas.glsl"
+#include "13_mlaa/edge_source.glsl"
+#include "13_mlaa/lines.glsl"
+#include "13_mlaa/distance_bits.glsl"
+
+// How far the outline along a staircase of single steps stands above the line through the middles of its steps.
+
+uniform usampler2D diagonals;  // valid beside edges
+
+// A staircase and one of its steps, which are the edges below pixels: how many to its ends, that one counted, and which way
+// it runs (1 falling, -1 rising).
+struct Staircase {
+    ivec2 step;  // the pixel above the step's edge
+    int back, ahead, way;
+};
+
+Staircase staircase_at(ivec2 pixel, bool falling) {
+    uint word = edge_below(pixel) ? texelFetch(diagonals, pixel, 0).x : 0u;
+    return Staircase(pixel, int(byte_of(word, falling ? back_falling : back_rising)),
+                     int(byte_of(word, falling ? ahead_falling : ahead_rising)), falling ? 1 : -1);
+}
+
+ivec2 first_of(Staircase s) { return s.step - (s.back - 1) * ivec2(s.way, 1); }
+ivec2 last_of(Staircase s) { return s.step + (s.ahead - 1) * ivec2(s.way, 1); }
+
+// From four edges on, those below and those across: with three it is a turn of some line.
+bool is_staircase(Staircase s) {
+    int steps = s.back + s.ahead - 1;
+    return s.back > 0 && (steps > 2 || steps == 2 && (edge_before(first_of(s), s.way) || edge_after(last_of(s), s.way)));
+}
+
+// [staircase_height]
+// In the middle between two edges that are twice as long as a step the outline changes sides: half a pixel above the steps'
+// middles at one end, half below at the other. `at`: where along the staircase, in steps from the step's start; the middle
+// of its edge below is 1/2, that of the edge across 1.
+float staircase_height(Staircase s, float at) {
+    ivec2 first = first_of(s), last = last_of(s), along = ivec2(s.way, 1), aside = ivec2(s.way, 0);
+    // (where the end lies before the first step's start or beyond the last's end, and by how much the outline is higher)
+    vec2 end = vec2(0.0), start = vec2(0.0);
+    if (edge_before(first, s.way)) {
+        if (edge_before(first - ivec2(0, 1), s.way)) start = vec2(0.25, 0.5);
+    } else if (edge_below(first - aside)) start = vec2(-0.25, -0.5);
+    if (edge_after(last, s.way)) {
+        if (edge_after(last + ivec2(0, 1), s.way)) end = vec2(0.25, -0.5);
+    } else if (edge_below(last + aside)) end = vec2(-0.25, 0.5);
+    float from_start = float(s.back - 1) + at + start.x, to_end = float(s.ahead) - at + end.x;
+    float half_way = 0.5 * (from_start + to_end);
+    return start.y * max(0.0, 1.0 - from_start / half_way) + end.y * max(0.0, 1.0 - to_end / half_way);
+}
+// [/staircase_height]
+
+// Above the edge a corner is cut off the pixel where the edge across before it stands, below it where that after it does;
+// both legs of that triangle are half a pixel, more by the height or less by it.
+float corner_above(Staircase s) {
+    float leg = edge_before(s.step, s.way) ? 0.5 + staircase_height(s, 0.25) : 0.0;
+    return 0.5 * leg * leg;
+}
+float corner_below(Staircase s) {
+    float leg = edge_after(s.step, s.way) ? 0.5 - staircase_height(s, 0.75) : 0.0;
+    return 0.5 * leg * leg;
+}
+
+// As line_weight.glsl, with more shapes: ends with edges on both sides, and corners.
+
+uniform sampler2D crossings;  // by what stands across at an end and at the other: to which side the outline turns there
+
+bool edge_across(ivec2 pixel, bool horizontal) { return horizontal ? edge_right(pixel) : edge_below(pixel); }
+bool edge_along(ivec2 pixel, bool horizontal) { return horizontal ? edge_below(pixel) : edge_right(pixel); }
+
+// What stands across the line at an end: 1 an edge on the near side, 2 on the far side, 3 both. `before`: the near pixel
+// behind which the end lies.
+int across_at(ivec2 before, ivec2 across, bool horizontal) {
+    return int(edge_across(before, horizontal)) + 2 * int(edge_across(before + across, horizontal));
+}
+
+// [corner]
+// At an end of a slanted line the edge across is one pixel long. Where it goes on, two lines meet: a corner of the thing
+// itself, which a straight silhouette through both would cut off. It keeps a quarter of its weight, for what is round.
+// Where all four edges meet behind its first pixel, it does not go on: another thing begins there.
+const float kept_at_corner = 0.25;
+float corner_share(ivec2 before, ivec2 across, int side, bool horizontal) {
+    ivec2 second = before + (side < 0 ? -across : across), next = side < 0 ? second : second + across;
+    bool crossing = edge_along(second, horizontal) && edge_along(second + across.yx, horizontal);
+    return edge_across(next, horizontal) && !crossing ? kept_at_corner : 1.0;
+}
+// [/corner]
+
+float shape_weight(ivec2 near, bool horizontal, int side) {
+    EdgeLine l = line_at(near, horizontal);
+    if (l.back == 0) return 0.0;
+    ivec2 before = first_of(l) - l.along, last = last_of(l), across = l.along.yx;
+    int at_first = across_at(before, across, horizontal), at_last = across_at(last, across, horizontal);
+    vec2 kept = vec2(corner_share(before, across, side, horizontal), corner_share(last, across, side, horizontal));
+
+    // Where the line goes on, it was not followed any farther, unless all four edges meet.
+    if (at_first < 3 && edge_along(before, horizontal)) at_first = 0;
+    if (at_last < 3 && edge_along(last + l.along, horizontal)) at_last = 0;
+    ivec2 turns = ivec2(texelFetch(crossings, ivec2(at_first, at_last), 0).r, texelFetch(crossings, ivec2(at_last, at_first), 0).r);
+    go_beyond_border(l, turns);
+    if (l.back + l.ahead == 2) return 0.0;  // a step of another line
+    return (turns.x == side ? area_at(l.back, l.ahead) * kept.x : 0.0) + (turns.y == side ? area_at(l.ahead, l.back) * kept.y : 0.0);
+}
 
 // [detail]
 // A pixel that differs from three or four of its neighbours is a detail too small for lines to tell its shape, and each of

@@ -1,14 +1,13 @@
 // A surface with all its maps and shadows. What a screen cannot show is cut off here, where it is to be cut off before
 // pixels are mixed.
-#include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/lighting.glsl"
-#include "04_surface_maps/surface_maps.glsl"
+#include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "common/put_surface.glsl"
 
 void main() {
     MappedSurface m = seen_surface();
-    Lit lit = light_surface(m.surface, m.facing, m.position, item, gl_FragCoord);
+    Lit lit = light_mapped(m, item, gl_FragCoord);
     vec3 radiance = radiance_of(m, lit.diffuse, lit.specular, ambient);
 #if CLIP == CLIP_BEFORE
     radiance = min(radiance, 1.0);

@@ -1,3 +1,3 @@
-// A surface in the light of its surroundings, of which nothing is hidden.
+// A surface in the light of its surroundings. For what rays find hidden, occluded.glsl is read in place of unoccluded.glsl.
 #include "14_environment/surface.glsl"
 #include "14_environment/unoccluded.glsl"

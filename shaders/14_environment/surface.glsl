@@ -1,16 +1,17 @@
 // A surface with all its maps, lit by the scene's lights and by its surroundings. Car paint is a layer below a clear coat.
 // Whoever includes it says what stands in the way of light: unoccluded.glsl or occluded.glsl.
-#include "02_lambert_phong/reflection.glsl"
 #include "14_environment/leaving.glsl"
+#include "04_surface_maps/reflection.glsl"
 #include "common/put_surface.glsl"
 
 // [surface]
 void main() {
     CoatedSurface c = coated_surface();
     Leaving light = leaving(c);
-    Lit lit = light_surface(c.m.surface, c.m.facing, c.m.position, item, gl_FragCoord);
+    c.m.substance.mixed.specular = c.f0;
+    Lit lit = light_mapped(c.m, item, gl_FragCoord);
     light.body += c.albedo * lit.diffuse;
-    light.coat += c.f0 * lit.specular;
+    light.coat += c.m.substance.mixed.specular * lit.specular;
 #ifdef TRANSPARENT
     // What is reflected covers what lies behind; the rest lets it through as far as alpha says.
     float n_dot_v = clamp(dot(c.m.surface.normal, c.m.surface.to_eye), 1e-3, 1.0);

@@ -1,6 +1,5 @@
 // How much of the light from everywhere reaches a texel's place on the mesh: rays that are as dense as the cosine. The same
 // directions in each texel: neighbours do not differ by chance.
-#include "05_shadow_maps/basis.glsl"
 #include "05_shadow_maps/bvh.glsl"
 #include "05_shadow_maps/sampling.glsl"
 

@@ -1,5 +1,5 @@
 // Shell of the sphere: thin glass with a noisy normal, over the volume.
-#include "11_fractals/fresnel.glsl"
+#include "common/schlick.glsl"
 #include "16_volume/noise_methods.glsl"
 #include "16_volume/surroundings.glsl"
 
@@ -14,7 +14,7 @@ vec3 shell_over(vec3 light, vec3 position, vec3 along) {
                       moving_noise(at + vec3(0.0, 0.0, 0.1), volume_now.moment)) - here;
     vec3 bumped = normalize(normal - volume.shell_bumps * 10.0 * (slope - normal * dot(slope, normal)));
     float facing = clamp(-dot(bumped, along), 0.0, 1.0);
-    float mirrored = volume.shell_strength * fresnel_schlick(facing, 0.04);
+    float mirrored = volume.shell_strength * schlick(facing, 0.04);
     return mix(light, surroundings(reflect(along, bumped)), clamp(mirrored, 0.0, 1.0));
 }
 // [/shell]

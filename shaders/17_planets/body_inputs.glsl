@@ -3,7 +3,7 @@
 
 layout(scalar) uniform BodyBlock { BodyNow body; };
 layout(scalar) uniform PlanetsBlock {
-    int air_steps;
+    int air_steps, walks;
     float relief, clouds, night, waves;
 } planets;
 

@@ -88,9 +88,8 @@ vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {
     // Smooth ice mirrors the sun in its facets: J. Blinn's lobe, 1977, with ice's Fresnel reflectance; the map's alpha says
     // where. In units of a white surface that faces the sun.
     vec3 middle = normalize(to_eye + to_sun);
-    float facet = max(dot(normal, middle), 0.0), beside = 1.0 - max(dot(to_eye, middle), 0.0);
-    float gloss = body.surface.gloss * texel.a * (ice_f0 + (1.0 - ice_f0) * beside * beside * beside * beside * beside) *
-                  0.125 * (ice_exponent + 8.0) * pow(facet, ice_exponent) * max(tilted_cosine, 0.0);
+    float facet = max(dot(normal, middle), 0.0), fresnel = schlick(max(dot(to_eye, middle), 0.0), ice_f0);
+    float gloss = body.surface.gloss * texel.a * fresnel * 0.125 * (ice_exponent + 8.0) * pow(facet, ice_exponent) * max(tilted_cosine, 0.0);
     return sun * (albedo * reflected(body.surface, tilted_cosine, mu, cos_phase) + gloss);
 #endif
 }

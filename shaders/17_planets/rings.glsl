@@ -1,6 +1,7 @@
 // Rings: their light by each method, and their shadow.
 #include "17_planets/body_data.h"
 #include "17_planets/ring_phase.glsl"
+#include "17_planets/ring_walks.glsl"
 #include "17_planets/single_scattering.glsl"
 
 // Layers: colour of the particles (their single-scattering albedo) with the optical depth; and the tables back, forward, unlit. u from the inner to the
@@ -47,8 +48,16 @@ vec4 ring_light(Rings rings, vec3 point, vec3 to_eye, vec3 to_sun, float width_m
 #else
     bool lit = to_sun.y * to_eye.y > 0.0;
     float once = lit ? scattered_back(depth, mu0, mu) : scattered_through(depth, mu0, mu);
+#if PLANETS_RINGS == PLANETS_RINGS_SINGLE_SCATTERING
     float sent = ring_particle_phase(cos_phase) + scattered_more(depth, strip.r, lit);
     return vec4(rings.brightness * strip.rgb * sent * once, hidden);
+#else
+    float side = to_sun.y < 0.0 ? -1.0 : 1.0;
+    vec3 sun = vec3(to_sun.x, mu0, to_sun.z), eye = vec3(to_eye.x, to_eye.y * side < 0.0 ? -mu : mu, to_eye.z);
+    uvec2 pixel = uvec2(gl_GlobalInvocationID.xy);
+    vec3 often = depth > 0.0 ? scattered_often(depth, strip.rgb, sun, eye, uint(planets.walks), pixel.y * 16411u + pixel.x * 7u) : vec3(0.0);
+    return vec4(rings.brightness * (strip.rgb * ring_particle_phase(cos_phase) * once + often), hidden);
+#endif
 #endif
 }
 // [/ring_light]

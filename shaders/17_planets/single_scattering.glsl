@@ -1,5 +1,6 @@
 // A flat layer of particles that scatter light once (S. Chandrasekhar, Radiative Transfer, 1950, section 10): the share of
 // P ω, in units of a white Lambertian surface that faces the sun. Cosines above 0, `depth` 0 or more.
+#include "common/henyey_greenstein.glsl"
 
 // (1 - e^-x) / x, also near 0.
 float mean_of_exp(float x) { return x < 0.02 ? 1.0 - x * (0.5 - x / 6.0) : (1.0 - exp(-x)) / x; }
@@ -20,8 +21,9 @@ float scattered_through(float depth, float mu0, float mu) {
 // [/single]
 
 // [more]
-// What is scattered more often adds to the phase function, evenly in all directions. Fitted to random walks through layers of
-// Saturn's optical depths and albedos (tests/17_planets/test_laws.cpp): within 6% on the lit side, 30% on the other.
+// Light scattered more often, as an addition to the phase function, the same in all directions. Fitted at one pair of
+// directions; over Saturn's rings and four pairs it is off by -7 to +6% on the lit side, -75 to +113% on the other
+// (tests/17_planets/test_laws.cpp, [17.rings_fit]).
 float scattered_more(float depth, float albedo, bool lit) {
     return albedo * albedo * (lit ? 1.2 * (1.0 - exp(-2.0 * depth)) : 1.46 * (exp(0.92 * min(depth, 3.0)) - 1.0));
 }
@@ -30,10 +32,6 @@ float scattered_more(float depth, float albedo, bool lit) {
 // What a ring's particles send at that phase angle, 1 in the mean over all directions: boulders that send light back, and a
 // fiftieth of dust that sends it on. At phase angles from 5 to 34 degrees within 8% of 0.153 (pi - phase)^3.092, the power law
 // that is quoted from L. Dones, J. Cuzzi and M. Showalter, Icarus 105, 1993.
-float henyey_greenstein(float cosine, float g) {
-    float b = 1.0 + g * g - 2.0 * g * cosine;
-    return (1.0 - g * g) / (b * sqrt(b));
-}
 float ring_particle_phase(float cos_phase) {
-    return 0.98 * henyey_greenstein(cos_phase, 0.45) + 0.02 * henyey_greenstein(-cos_phase, 0.7);
+    return 0.98 * henyey_greenstein(cos_phase, 0.45, 1.0) + 0.02 * henyey_greenstein(-cos_phase, 0.7, 1.0);
 }

@@ -46,21 +46,32 @@ struct MaterialData {
     float opacity;
     vec3 emissive;
     uint maps;
-    float roughness, metalness;  // of the scene file, 0 to 1, instead of the ORM map's; below 0: it says nothing
+    float roughness, metalness;  // 0 to 1, instead of the ORM map's; below 0: nothing is said
+    float alpha_cutoff;          // below it there is a hole; below 0: the file does not say
+    float normal_scale, occlusion_strength;
 };
 
+// Where a map lies on a surface.
+struct MapPlacement {
+    mat2 turn;  // uv' = turn * uv + offset
+    vec2 offset;
+    uint set;  // 1: the second texture coordinates
+};
+const uint MAP_COUNT = 12u;
+
 // Texture slots, in the order of MaterialData::maps' bits. In a shader the texture is called <slot>_map.
-const uint DIFFUSE_MAP = 1u;          // sRGB colour
-const uint SPECULAR_MAP = 2u;         // linear
-const uint EMISSIVE_MAP = 4u;         // sRGB colour
-const uint OPACITY_MAP = 8u;          // linear
-const uint NORMAL_MAP = 16u;          // linear, +y up
-const uint HEIGHT_MAP = 32u;          // linear, 1 is the surface
-const uint ORM_MAP = 64u;             // linear: occlusion, roughness, metalness
-const uint OCCLUSION_MAP = 128u;      // linear
-const uint GLOSS_MAP = 256u;          // linear
-const uint DETAIL_NORMAL_MAP = 512u;  // linear, +y up
-const uint DISPLACEMENT_MAP = 1024u;  // linear, 1/2 is the surface
+const uint DIFFUSE_MAP = 1u;                // sRGB colour
+const uint SPECULAR_MAP = 2u;               // linear
+const uint EMISSIVE_MAP = 4u;               // sRGB colour
+const uint OPACITY_MAP = 8u;                // linear
+const uint NORMAL_MAP = 16u;                // linear, +y up
+const uint HEIGHT_MAP = 32u;                // linear, 1 is the surface
+const uint ORM_MAP = 64u;                   // linear: occlusion, roughness, metalness
+const uint OCCLUSION_MAP = 128u;            // linear
+const uint GLOSS_MAP = 256u;                // linear
+const uint DETAIL_NORMAL_MAP = 512u;        // linear, +y up
+const uint DISPLACEMENT_MAP = 1024u;        // linear, 1/2 is the surface
+const uint METALLIC_ROUGHNESS_MAP = 2048u;  // linear: green times roughness, blue times metalness
 
 // Camera data for all shaders.
 struct CameraView {
@@ -97,8 +108,7 @@ struct Surface {
 
 // Light that leaves towards the camera for radiance 1, per unit of diffuse and of specular colour.
 struct Reflected {
-    vec3 diffuse;
-    float specular;
+    vec3 diffuse, specular;
 };
 
 // Material parameters for reflection.

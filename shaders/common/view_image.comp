@@ -2,6 +2,7 @@
 // as longitude and latitude, 3 whole numbers. NaN is magenta, infinity cyan.
 #include "common/look_parameters.h"
 #include "common/srgb.glsl"
+#include "common/view_rays.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -53,9 +54,7 @@ vec3 visible(vec4 value) {
     if (any(isinf(value))) return vec3(0.0, 1.0, 1.0);
     if (look.kind == LOOK_DEPTH) {
         if (value.r <= 0.0) return vec3(0.02, 0.03, 0.06);
-        // The inverse of depth = near (far - z) / (z (far - near)); far may be infinite.
-        float inverse_far = isinf(look.far_m) ? 0.0 : 1.0 / look.far_m;
-        float distance_m = 1.0 / (value.r * (1.0 / look.near_m - inverse_far) + inverse_far);
+        float distance_m = depth_to_metres(value.r, 1.0 / look.near_m, isinf(look.far_m) ? 0.0 : 1.0 / look.far_m);
         float share = (distance_m - look.bright_m) / max(look.dark_m - look.bright_m, 1e-6);
         return vec3(mix(1.0, 0.08, clamp(share, 0.0, 1.0)));
     }

@@ -17,9 +17,17 @@ SHARED_FUNCTION vec3 ray_through(ViewRays rays, vec2 pixel) {
     return rays.corner + pixel.x * rays.right + pixel.y * rays.down;
 }
 
+// Reciprocal distance along the view, per metre. Stored depth is linear in it: 1 at the near plane, 0 at the far one.
+SHARED_FUNCTION float depth_to_per_metre(float depth, float inverse_near, float inverse_far) {
+    return inverse_far + depth * (inverse_near - inverse_far);
+}
+
 // Distance along the view, in metres, of a stored depth above 0.
+SHARED_FUNCTION float depth_to_metres(float depth, float inverse_near, float inverse_far) {
+    return 1.0f / depth_to_per_metre(depth, inverse_near, inverse_far);
+}
 SHARED_FUNCTION float distance_along_view(ViewRays rays, float depth) {
-    return 1.0f / (rays.inverse_far + depth * (rays.inverse_near - rays.inverse_far));
+    return depth_to_metres(depth, rays.inverse_near, rays.inverse_far);
 }
 
 END_SHARED

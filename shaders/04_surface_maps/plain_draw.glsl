@@ -1,0 +1,9 @@
+// Of a draw, from Maps::variant(): who compiles without one draws plain surfaces.
+#ifndef MAPS_PLACED
+#define MAPS_PLACED 0
+#define MAPS_SECOND_UVS 0
+#define MAPS_COLORS 0
+#define MAPS_TWO_SIDED 0
+#define MAPS_UNLIT 0
+#define SURFACE_GGX 0
+#endif

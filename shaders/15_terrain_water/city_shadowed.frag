@@ -1,3 +1,0 @@
-// A box of a city, with the shadows of houses.
-#include "15_terrain_water/sun_shadow.glsl"
-#include "15_terrain_water/city_surface.glsl"
