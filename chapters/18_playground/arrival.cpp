@@ -22,6 +22,7 @@ Arrival::Arrival(Gpu& gpu, std::filesystem::path file, LoadedModel read)
         slices_.add(tangents[i], tangents_name(mesh), std::as_bytes(std::span(read_.frames[i])));
         slices_.forget(read_.frames[i]);
     }
+    upload_rare_attributes(gpu, *model_);
     const uint32_t most = gpu.device.properties.limits.maxImageDimension2D;
     for (LoadedTexture& texture : read_.textures) {
         Texture& own = textures_.emplace_back();
@@ -47,7 +48,7 @@ void Arrival::give(Scene& scene) const {
     for (size_t i = 0; i < textures_.size(); ++i) {
         const LoadedTexture& read = read_.textures[i];
         if (!textures_[i].image) continue;
-        images.put(read.file, read.kind, textures_[i].image, read.texels.channels);
+        images.put(read.use, textures_[i].image, read.texels.channels);
         if (textures_[i].normals) images.derived[{textures_[i].image.get(), normal_levels_name}] = textures_[i].normals;
     }
 }

@@ -1,5 +1,6 @@
-// Autosaves: what was not saved yet, beside the scene, and what a crash has left of it.
+// Autosaves: unsaved changes, beside a person's scene or in the state folder for one of the course's tree, and their recovery.
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include "18_playground/saving.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/own_files.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -51,11 +53,23 @@ fs::path move_aside(const fs::path& file) {
     return error ? file : kept;
 }
 
+// The course's tree stays as it is: of its scenes, and of one without a name while the tree is the current folder, the
+// autosave lies in the person's state folder, known by the whole path.
+fs::path autosave_stem(const fs::path& scene) {
+    std::error_code error;
+    const fs::path beside = scene.empty() ? fs::path("untitled.json") : scene;
+    const fs::path whole = fs::weakly_canonical(fs::absolute(beside, error), error);
+    if (error || !lies_below(whole, course_root())) return beside;
+    const fs::path state = state_folder();
+    const fs::path folder = state.empty() ? course_root() / "build" / "autosaves" : state / "autosaves";
+    fs::create_directories(folder, error);
+    return folder / fmt::format("{}.{:016x}.json", whole.stem().string(), hash_bytes(whole.string()));
+}
+
 }  // namespace
 
 fs::path SceneStore::autosave_name(int number) const {
-    const std::string stem = path.empty() ? "untitled.json" : path.string();
-    return stem + (number == 1 ? "" : "." + std::to_string(number)) + ".unsaved";
+    return autosave_stem(path).string() + (number == 1 ? "" : "." + std::to_string(number)) + ".unsaved";
 }
 
 fs::path SceneStore::autosave_file() const { return own_ ? own_->file : autosave_name(1); }

@@ -20,19 +20,20 @@ bool is_ready(const std::future<LoadedModel>& future) {
 }
 
 std::vector<LoadedTexture> decode_textures(const Model& model) {
-    std::map<std::pair<std::filesystem::path, TextureKind>, bool> wanted;  // and whether it is a normal map
+    std::map<std::string, std::pair<TextureUse, bool>> wanted;  // by key; and whether it is a normal map
     for (const Material& material : model.materials)
-        for (const MapSlotInfo& slot : map_slots())
-            if (slot.from && material.*slot.from) wanted[{(material.*slot.from).file, slot.kind}] |= slot.is_normal;
+        for (size_t slot = 0; slot < map_slot_count; ++slot)
+            if (const auto use = texture_use(material, static_cast<MapSlot>(slot)))
+                wanted.try_emplace(use->key(), *use, false).first->second.second |= map_slots()[slot].is_normal;
     progress()->begin("decoding textures", wanted.size());
     std::vector<LoadedTexture> textures;
-    for (const auto& [texture, is_normal] : wanted) {
+    for (const auto& [key, texture] : wanted) {
         progress()->step(1);
-        LoadedTexture one{texture.first, texture.second, {}, {}};
+        LoadedTexture one{texture.first, {}, {}};
         try {
-            one.texels = decode_texture(one.file, one.kind);
+            one.texels = decode_texture(one.use);
         } catch (const InputError&) { continue; }  // who draws it says so
-        if (is_normal) one.normal_levels = normal_map_levels(one.texels);
+        if (texture.second) one.normal_levels = normal_map_levels(one.texels);
         textures.push_back(std::move(one));
     }
     return textures;

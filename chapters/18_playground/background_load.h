@@ -11,8 +11,7 @@ namespace lightwalk {
 
 /// A texture that the model's materials name; of a normal map also what chapter 04 makes of it.
 struct LoadedTexture {
-    std::filesystem::path file;
-    TextureKind kind = TextureKind::color;
+    TextureUse use;
     DecodedTexture texels;
     std::vector<std::vector<std::byte>> normal_levels;
 };

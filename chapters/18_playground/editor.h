@@ -58,7 +58,8 @@ class Editor {
     std::optional<EntryId> light_at(const View& view, glm::vec2 cursor_px) const;
     std::vector<uint32_t> selected_items(const Scene& scene) const;  ///< 1 for each item that is
     Bounds selected_bounds(const Scene& scene) const;                ///< empty where nothing is selected
-    void group_selected(const Scene& scene);                         ///< about the middle of what is drawn of them
+    void remove_selected();
+    void group_selected(const Scene& scene);  ///< about the middle of what is drawn of them
 
     /// A model in front of the camera, on what the scene stands on.
     EntryId add_model(const Chapter& chapter, const std::filesystem::path& model);

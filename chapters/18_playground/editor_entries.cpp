@@ -63,6 +63,11 @@ Bounds Editor::selected_bounds(const Scene& scene) const {
     return box;
 }
 
+void Editor::remove_selected() {
+    if (const Said said = remove(document, selection.ids); !said.empty()) notice = said;
+    selection.drop_missing(document);
+}
+
 void Editor::group_selected(const Scene& scene) {
     const std::vector<uint32_t> flags = items_of(scene, movable(document, selection.ids));
     Bounds around;

@@ -1,10 +1,11 @@
-// Fields of the properties: numbers, colours and switches of one entry, or of several at once.
+#include "18_playground/editor_fields.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "18_playground/editor_window.h"
+#include "18_playground/properties.h"
 #include "18_playground/widgets.h"
 
 namespace lightwalk {
@@ -26,10 +27,20 @@ void draw_short(float value) {
 
 }  // namespace
 
+void EditorFields::begin_frame() {
+    if (!ImGui::IsAnyItemActive()) refused_.clear(), stops_drag_ = false;
+    drags_ = false;
+}
+
+void EditorFields::take_drag_back() {
+    editor.document.take_back(editor.gesture);
+    stops_drag_ = true, drags_ = false;
+}
+
 // Dear ImGui changes a number with each digit that is typed. Here what is typed counts once, when its field is left by
 // Enter, Tab or a click, and Escape takes it back: what is refused then was never there. Dragging counts at once.
 // `has_list`: whether fields of a list that the widget has opened are its own, too.
-bool EditorWindow::once_left(uint32_t field, float* values, int count, const std::function<bool()>& widget,
+bool EditorFields::once_left(uint32_t field, float* values, int count, const std::function<bool()>& widget,
                              const std::function<bool()>& has_list) {
     const auto copy = [&](const float* from, float* to) { std::copy(from, from + count, to); };
     glm::vec3 before(0.0f);
@@ -45,7 +56,7 @@ bool EditorWindow::once_left(uint32_t field, float* values, int count, const std
             copy(&before.x, values);
             return false;
         }
-        drags_number_ = true;
+        drags_ = true;
     }
     const uint32_t into = number_typed_into(), item = into == field || has_list() ? into : 0;
     if (item && (!was_typed || item == typed->second.item)) {
@@ -62,7 +73,7 @@ bool EditorWindow::once_left(uint32_t field, float* values, int count, const std
 }
 
 // Side by side, up to `right` pixels before the edge.
-bool EditorWindow::three_numbers(glm::vec3& value, float right, float speed, float lower, float upper,
+bool EditorFields::three_numbers(glm::vec3& value, float right, float speed, float lower, float upper,
                                  glm::bvec3 mixed) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = ImGui::GetContentRegionAvail().x - right;
     const float each = std::max(std::floor((width - 2.0f * gap) / 3.0f), 1.0f);
@@ -88,7 +99,7 @@ bool EditorWindow::three_numbers(glm::vec3& value, float right, float speed, flo
 }
 
 // What is typed has no range of its own: 1e39 is infinite, and 0 times that is no number.
-bool EditorWindow::takes(const char* label, float* values, int count, const float* before, float lower, float upper) {
+bool EditorFields::takes(const char* label, float* values, int count, const float* before, float lower, float upper) {
     for (int i = 0; i < count; ++i)
         if (!(values[i] >= lower && values[i] <= upper)) {
             refuse(fmt::format("{}: {:g} is out of range, {:g} to {:g}", label, values[i], lower, upper));
@@ -97,7 +108,7 @@ bool EditorWindow::takes(const char* label, float* values, int count, const floa
     return true;
 }
 
-bool EditorWindow::numbers(const char* label, const char* help, glm::vec3& value, float speed, glm::bvec3 mixed) {
+bool EditorFields::numbers(const char* label, const char* help, glm::vec3& value, float speed, glm::bvec3 mixed) {
     const glm::vec3 before = value;
     ImGui::BeginGroup();
     ImGui::PushID(label);
@@ -111,7 +122,7 @@ bool EditorWindow::numbers(const char* label, const char* help, glm::vec3& value
     return changed && takes(label, &value.x, 3, &before.x, -1e9f, 1e9f);
 }
 
-bool EditorWindow::number(const char* label, const char* help, float& value, float speed, float lower, float upper,
+bool EditorFields::number(const char* label, const char* help, float& value, float speed, float lower, float upper,
                           bool mixed) {
     const float before = value;
     const bool changed = once_left(ImGui::GetID(label), &value, 1, [&] {
@@ -124,7 +135,7 @@ bool EditorWindow::number(const char* label, const char* help, float& value, flo
 }
 
 // Dear ImGui writes three decimals of each, which are cut here.
-bool EditorWindow::color(const char* label, const char* help, glm::vec3& value, float most, glm::bvec3 mixed) {
+bool EditorFields::color(const char* label, const char* help, glm::vec3& value, float most, glm::bvec3 mixed) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const glm::vec3 before = value;
     ImGui::PushID(label);
@@ -147,7 +158,7 @@ bool EditorWindow::color(const char* label, const char* help, glm::vec3& value, 
     return changed && takes(label, &value.x, 3, &before.x, 0.0f, most);
 }
 
-bool EditorWindow::check(const char* label, const char* help, bool& on, bool mixed) {
+bool EditorFields::check(const char* label, const char* help, bool& on, bool mixed) {
     int bits = mixed ? 1 : on ? 3 : 0;  // of two: one of them alone is drawn as neither on nor off
     const bool changed = ImGui::CheckboxFlags(label, &bits, 3);
     log_place(std::string("check.") + label);
@@ -156,7 +167,7 @@ bool EditorWindow::check(const char* label, const char* help, bool& on, bool mix
     return changed;
 }
 
-bool EditorWindow::choice(const char* label, std::initializer_list<const char*> names, float& index, bool mixed) {
+bool EditorFields::choice(const char* label, std::initializer_list<const char*> names, float& index, bool mixed) {
     ImGui::SetNextItemWidth(-label_px);
     const bool open = ImGui::BeginCombo(label, mixed ? dash : names.begin()[static_cast<size_t>(index)]);
     log_place(std::string("choice.") + label);
@@ -170,35 +181,6 @@ bool EditorWindow::choice(const char* label, std::initializer_list<const char*> 
     }
     ImGui::EndCombo();
     return changed;
-}
-
-void EditorWindow::edit(const Property& property,
-                        const std::function<bool(glm::vec3& value, glm::bvec3 mixed)>& field) {
-    const SharedValue shared = shared_value(editor.document, together_, property);
-    if (shared.ids.empty()) return;
-    glm::vec3 value = shared.value;
-    // The active entry's own number may be typed over a dash: it has to differ from what stands there.
-    for (int i = 0; i < 3; ++i)
-        if (shared.mixed[i]) value[i] = std::nextafter(value[i], INFINITY);
-    const glm::vec3 before = value;
-    if (!field(value, shared.mixed)) return;
-    refuse(set_property(editor.document, shared.ids, property, value, glm::notEqual(value, before), editor.gesture,
-                        editor.store.path));
-}
-
-void EditorWindow::edit_number(const Property& property, const char* label, const char* help, float speed, float lower,
-                               float upper) {
-    edit(property, [&](glm::vec3& value, glm::bvec3 mixed) {
-        return number(label, help, value.x, speed, lower, upper, mixed.x);
-    });
-}
-
-void EditorWindow::edit_numbers(const Property& property, const char* label, const char* help, float speed) {
-    edit(property, [&](glm::vec3& value, glm::bvec3 mixed) { return numbers(label, help, value, speed, mixed); });
-}
-
-void EditorWindow::edit_color(const Property& property, const char* label, const char* help, float most) {
-    edit(property, [&](glm::vec3& value, glm::bvec3 mixed) { return color(label, help, value, most, mixed); });
 }
 
 }  // namespace lightwalk

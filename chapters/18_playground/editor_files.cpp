@@ -1,26 +1,35 @@
-// Files that the editor writes: the scene, its export, and what a crash has left; and what is asked before.
-#include <GLFW/glfw3.h>
-#include <fmt/core.h>
+#include "18_playground/editor_files.h"
 
-#include "18_playground/editor_window.h"
+#include <GLFW/glfw3.h>
+
+#include <chrono>
+
+#include "18_playground/file_browser.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 
 namespace lightwalk {
 namespace fs = std::filesystem;
+namespace {
 
-bool EditorWindow::on_save() {
-    if (question_ != Question::nothing) return true;  // which is answered first
+constexpr double autosave_every_s = 30.0;
+
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+}  // namespace
+
+void SceneFiles::save(bool overwrite) {
+    if (asks()) return;  // which is answered first
     editor.end_drag(true);
-    const bool overwrites = std::exchange(overwrites_, false), own = saves_own();
+    const bool own = saves_own();
     try {
-        if (!overwrites && (own ? editor.store.changed_on_disk() : file_exists(save_target()))) {
-            question_ = Question::overwrite;
-            changed_ = true;
-            return true;
+        if (!overwrite && (own ? editor.store.changed_on_disk() : file_exists(save_target()))) {
+            asked_.what = Question::overwrite;
+            view_.changed = true;
+            return;
         }
-        editor.save(*this, own ? fs::path() : save_target());
+        editor.save(view_.chapter, own ? fs::path() : save_target());
         remember_file(editor.store.path);
         log_event("saved " + fs::absolute(editor.store.path).string());
     } catch (const std::exception& e) {
@@ -28,93 +37,122 @@ bool EditorWindow::on_save() {
         log_event("not saved");
     }
     saves_as_ = false;
-    return true;
 }
 
 // The course's own scenes are not written over.
-bool EditorWindow::saves_own() const {
+bool SceneFiles::saves_own() const {
     const fs::path& file = editor.store.path;
     return !saves_as_ && !file.empty() && !lies_below(file, course_root() / "assets");
 }
 
-fs::path EditorWindow::save_target() const {
-    const fs::path named = save_name_;
+fs::path SceneFiles::save_target() const {
+    const fs::path named = name;
     return saves_own() ? editor.store.path : named.extension() == ".json" ? named : fs::path(named.string() + ".json");
 }
 
 // Called like the scene, and beside it.
-fs::path EditorWindow::export_target() const { return fs::absolute(save_target().replace_extension(".gltf")); }
+fs::path SceneFiles::export_target() const { return fs::absolute(save_target().replace_extension(".gltf")); }
 
-void EditorWindow::on_export() {
+void SceneFiles::ask_export() {
     const fs::path target = export_target();
     if (target != exported_ && file_exists(target))
-        question_ = Question::export_over;
+        asked_.what = Question::export_over;
     else
         exports_ = true;
-    changed_ = true;
+    view_.changed = true;
 }
 
-// When the scene shows what the document has: two keys may come in one frame.
-void EditorWindow::export_now() {
+void SceneFiles::export_due() {
+    if (!std::exchange(exports_, false)) return;
     const fs::path target = export_target();
     try {
         editor.export_to(scene, target);
         exported_ = target;
     } catch (const InputError& e) { editor.notice = "not exported: " + std::string(e.what()); }
-    changed_ = true;
+    view_.changed = true;
 }
 
-void EditorWindow::check_recovery() {
+void SceneFiles::check_recovery() {
     if (std::exchange(checked_, editor.store.path) == editor.store.path) return;
-    browser_.chosen = [this](const fs::path& file, bool adds) { want(file, adds); };
     Said said;
-    if (editor.store.has_recovery(&said)) question_ = Question::recover;
+    if (editor.store.has_recovery(&said)) asked_.what = Question::recover;
     say(said);
 }
 
-void EditorWindow::draw_question() {
-    const int pressed = std::exchange(answer_key_, 0);
-    if (question_ == Question::nothing) return;
+void SceneFiles::draw_question() {
+    const int pressed = std::exchange(asked_.key, 0);
+    if (!asks()) return;
     if (!ImGui::IsPopupOpen("question")) ImGui::OpenPopup("question");
     if (!ImGui::BeginPopupModal("question", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar))
         return;
-    const Question asked = question_;
-    const bool to_target = asked == Question::overwrite || editor.store.path.empty();
-    const std::string file = (asked == Question::export_over ? export_target()
-                              : to_target                    ? save_target()
-                                                             : editor.store.path)
-                                 .string();
-    // Enter is the first answer, Escape the one that leaves all as it is.
+    const Question asked = asked_.what;
+    ImGui::TextUnformatted(question_text(asked).c_str());
+    draw_answers(asked, pressed);
+    if (asked_.what == asked) return ImGui::EndPopup();
+    view_.changed = true;
+    ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+std::string SceneFiles::question_text(Question asked) const {
+    const fs::path& own = editor.store.path;
+    switch (asked) {
+        case Question::close:
+            return "The scene has changes that are not saved.";
+        case Question::overwrite:
+            return save_target().string() + " is there already, or was written by somebody else.";
+        case Question::export_over:
+            return export_target().string() + " is there already.";
+        default:
+            return (own.empty() ? save_target() : own).string() + " was not saved when the program ended last.";
+    }
+}
+
+// Enter is the first answer, Escape the one that leaves all as it is.
+void SceneFiles::draw_answers(Question asked, int pressed) {
     const auto answer = [&](const char* label, int key = GLFW_KEY_UNKNOWN) {
         const bool by_key = pressed == key || (pressed == GLFW_KEY_KP_ENTER && key == GLFW_KEY_ENTER);
         const bool yes = ImGui::Button(label) || by_key;
         log_place(std::string("answer.") + label);
         ImGui::SameLine();
-        if (yes) question_ = Question::nothing;
+        if (yes) asked_.what = Question::nothing;
         return yes;
     };
     if (asked == Question::close) {
-        ImGui::Text("The scene has changes that are not saved.");
-        if (answer("save", GLFW_KEY_ENTER)) on_save(), closes_ = !editor.store.has_unsaved(editor.document);
+        if (answer("save", GLFW_KEY_ENTER)) save(), closes_ = !editor.store.has_unsaved(editor.document);
         if (answer("discard")) editor.store.forget_autosave(), closes_ = true;
         answer("stay", GLFW_KEY_ESCAPE);
     } else if (asked == Question::overwrite) {
-        ImGui::Text("%s is there already, or was written by somebody else.", file.c_str());
-        if (answer("overwrite", GLFW_KEY_ENTER)) overwrites_ = true, on_save();
+        if (answer("overwrite", GLFW_KEY_ENTER)) save(true);
         if (answer("cancel", GLFW_KEY_ESCAPE)) saves_as_ = false;
     } else if (asked == Question::export_over) {
-        ImGui::Text("%s is there already.", file.c_str());
         if (answer("overwrite", GLFW_KEY_ENTER)) exports_ = true;
         answer("cancel", GLFW_KEY_ESCAPE);
     } else {
-        ImGui::Text("%s was not saved when the program ended last.", file.c_str());
-        if (answer("restore", GLFW_KEY_ENTER)) editor.recover(*this);
+        if (answer("restore", GLFW_KEY_ENTER)) editor.recover(view_.chapter);
         if (answer("throw away")) editor.store.forget_recovery();
     }
-    if (question_ == asked) return ImGui::EndPopup();
-    changed_ = true;
-    ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+}
+
+bool SceneFiles::may_close() {
+    if (closes_ || !editor.store.has_unsaved(editor.document)) {
+        editor.store.forget_autosave();
+        return true;
+    }
+    asked_.what = Question::close;
+    view_.changed = true;
+    return false;
+}
+
+void SceneFiles::keep_time() {
+    check_recovery();
+    if (now_s() < next_autosave_ || editor.drag) return;
+    if (next_autosave_ != 0) try {
+            Said said;
+            if (editor.store.autosave(editor.document, &said)) log_event("autosaved");
+            say(said);
+        } catch (const InputError& e) { editor.notice = "not saved by itself: " + std::string(e.what()); }
+    next_autosave_ = now_s() + autosave_every_s;
 }
 
 }  // namespace lightwalk

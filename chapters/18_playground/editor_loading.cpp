@@ -1,10 +1,11 @@
-// Files that were asked for: they are read beside the picture, one after the other, and shown when all of them is there.
+#include "18_playground/editor_loading.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
 
-#include "18_playground/editor_window.h"
+#include "18_playground/file_browser.h"
 #include "18_playground/utf8.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
@@ -26,29 +27,21 @@ bool is_utf8(const std::string& text) {
 
 bool has_model(const Scene& scene, const fs::path& file) {
     return std::any_of(scene.file.objects.begin(), scene.file.objects.end(), [&](const SceneObject& object) {
-        return !object.model.empty() && !object.hidden && find_asset(object.model) == file;
+        return !object.model.empty() && !object.made && !object.hidden && find_asset(object.model) == file;
     });
 }
 
 }  // namespace
 
-void EditorWindow::bring_up_to_date(Gpu& gpu) {
-    if (!std::exchange(gpu_, &gpu)) Arrival::rehearse(gpu);
-    Playground::bring_up_to_date(gpu);
-    if (std::exchange(exports_, false)) export_now();
-    if (pace_ && wanted_.empty()) pace_->shown = true;
-}
-
-// Once per frame, also of those in which the window draws its panels only.
-void EditorWindow::load_beside_the_picture() {
-    if (!gpu_ || (wanted_.empty() && !pace_)) return;
+void LoadingPanel::carry_on() {
+    if (!view_.gpu || (wanted_.empty() && !pace_)) return;
     const double start = now_s();
     if (!pace_) pace_ = Pace{start, start};
-    carry_on_loading(*gpu_);
+    carry_on_loading(*view_.gpu);
     note_pace(start, now_s() - start);
 }
 
-void EditorWindow::note_pace(double start, double own_s) {
+void LoadingPanel::note_pace(double start, double own_s) {
     Pace& pace = *pace_;
     const double frame_s = start - std::exchange(pace.last, start);  // of the one before
     pace.own_longest_s = std::max(pace.own_longest_s, own_s);
@@ -60,12 +53,8 @@ void EditorWindow::note_pace(double start, double own_s) {
     pace_.reset();
 }
 
-void EditorWindow::on_drop(const std::vector<fs::path>& files) {
-    for (const fs::path& file : files) want(file, file.extension() != ".json");
-}
-
 // What it needs is found out now: what cannot be found is said at once.
-void EditorWindow::want(const fs::path& file, bool adds) {
+void LoadingPanel::want(const fs::path& file, bool adds) {
     try {
         if (!adds && editor.store.has_unsaved(editor.document))
             throw InputError("save first (Ctrl+S), or undo: {} was not opened", file.filename().string());
@@ -84,22 +73,30 @@ void EditorWindow::want(const fs::path& file, bool adds) {
             one.models.push_back(one.file);
         wanted_.push_back(std::move(one));
     } catch (const InputError& e) { editor.notice = e.what(); }
-    changed_ = true;
+    view_.changed = true;
 }
 
-void EditorWindow::stop_loading(const std::string& why) {
+void LoadingPanel::stop(const std::string& why) {
     loading_.cancel();
     if (!wanted_.empty()) wanted_.pop_front();
     editor.notice = why;
-    changed_ = true;
+    view_.changed = true;
+}
+
+void LoadingPanel::cancel() { stop("cancelled: " + wanted_.front().file.filename().string()); }
+
+void LoadingPanel::was_shown() {
+    if (pace_ && wanted_.empty()) pace_->shown = true;
 }
 
 // [carry_on]
-void EditorWindow::carry_on_loading(Gpu& gpu) {
+void LoadingPanel::carry_on_loading(Gpu& gpu) {
     if (wanted_.empty()) return;
     Wanted& now = wanted_.front();
     if (auto ended = loading_.poll()) {
-        if (!ended->model) return stop_loading(ended->error);
+        if (!ended->model) return stop(ended->error);
+        if (const std::string left_out = left_out_text(ended->model->model); !left_out.empty())
+            editor.notice = clean_name(ended->file.filename().string()) + ": left out: " + left_out;
         now.arrived.push_back(std::make_unique<Arrival>(gpu, ended->file, std::move(*ended->model)));
         now.models.erase(now.models.begin());
     }
@@ -108,29 +105,29 @@ void EditorWindow::carry_on_loading(Gpu& gpu) {
     if (editor.drag) return;  // what is shown stays as it is under the mouse
     Wanted done = std::move(now);
     wanted_.pop_front();
-    arrived = std::move(done.arrived);
-    changed_ = true;  // the panels of this frame were made before
+    view_.chapter.arrived = std::move(done.arrived);
+    view_.changed = true;  // the panels of this frame were made before
     if (done.adds) {
-        editor.add_model(*this, done.file);
+        editor.add_model(view_.chapter, done.file);
         log_event("added " + clean_name(done.file.filename().string()));
     } else {
-        opens = done.file;
+        view_.chapter.opens = done.file;
     }
     remember_file(done.file);
 }
 // [/carry_on]
 
-void EditorWindow::draw_loading(float scale) {
+void LoadingPanel::draw(float scale) {
     if (wanted_.empty()) return;
     // Of a known height, so that it stands where it belongs in its first frame too.
     const float height = ImGui::GetFrameHeight() + 2.0f * ImGui::GetStyle().WindowPadding.y;
-    const float left = covered_px(picture_, scale) + 14.0f * scale;
-    ImGui::SetNextWindowPos({left, static_cast<float>(picture_.y) - height - 12.0f * scale});
+    const float left = view_.covered_px + 14.0f * scale;
+    ImGui::SetNextWindowPos({left, static_cast<float>(view_.picture.y) - height - 12.0f * scale});
     // The button has room in the smallest window, too.
     const ImGuiStyle& style = ImGui::GetStyle();
     const float beside = ImGui::CalcTextSize("cancel").x + 2.0f * (style.FramePadding.x + style.WindowPadding.x) +
                          style.ItemSpacing.x + 14.0f * scale;
-    const float width = std::clamp(static_cast<float>(picture_.x) - left - beside, 60.0f * scale, 300.0f * scale);
+    const float width = std::clamp(static_cast<float>(view_.picture.x) - left - beside, 60.0f * scale, 300.0f * scale);
     ImGui::SetNextWindowBgAlpha(0.9f);
     ImGui::Begin("loading", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
@@ -142,8 +139,7 @@ void EditorWindow::draw_loading(float scale) {
         ImGui::ProgressBar(now.arrived.back()->share(), {width, 0.0f},
                            (now.file.filename().string() + ": uploading").c_str());
     ImGui::SameLine();
-    if (tool_button("cancel", "Esc: the scene stays as it is"))
-        stop_loading("cancelled: " + wanted_.front().file.filename().string());
+    if (tool_button("cancel", "Esc: the scene stays as it is")) cancel();
     ImGui::End();
 }
 

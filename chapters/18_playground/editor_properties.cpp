@@ -1,23 +1,23 @@
 // What is selected, as numbers, colours and files. An edit is of all selected entries of the active one's kind.
+#include "18_playground/editor_properties.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "18_playground/editor_window.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 
 namespace lightwalk {
 
-void EditorWindow::draw_properties() {
-    if (!ImGui::IsAnyItemActive()) refused_.clear(), stops_drag_ = false;
-    drags_number_ = false;
+void PropertiesPanel::draw() {
+    fields_.begin_frame();
     ImGui::Separator();
     const EntryId id = editor.selection.active();
     if (id == no_entry || !editor.document.find(id)) {
-        types_ = false;
+        wants_keyboard = false;
         ImGui::TextColored(quiet_color, "nothing is selected");
         return;
     }
@@ -25,8 +25,8 @@ void EditorWindow::draw_properties() {
     ImGui::PushID(static_cast<int>(id));  // what is being typed belongs to this entry, or to those selected with it
     together_ = edited_together(editor.document, editor.selection);
     if (id == root_entry) {
-        types_ = false;
-        draw_settings();
+        wants_keyboard = false;
+        settings_.draw();
     } else {
         draw_switches(id);
         if (editor.document.at(id).object())
@@ -39,7 +39,7 @@ void EditorWindow::draw_properties() {
 }
 
 // Of all selected entries, objects and lights alike.
-void EditorWindow::draw_switches(EntryId id) {
+void PropertiesPanel::draw_switches(EntryId id) {
     const std::vector<EntryId>& ids = editor.selection.ids;
     const Entry& entry = editor.document.at(id);
     ImGui::Text("%s", shown_name(entry).c_str());
@@ -57,24 +57,25 @@ void EditorWindow::draw_switches(EntryId id) {
     };
     bool hidden = entry.hidden, locked = entry.locked;
     const bool some_hidden = differs(&Entry::hidden), some_locked = differs(&Entry::locked);
-    if (check("hidden", "Neither they nor their children are drawn", hidden, some_hidden))
+    if (fields_.check("hidden", "Neither they nor their children are drawn", hidden, some_hidden))
         set_hidden(editor.document, ids, hidden);
     ImGui::SameLine();
-    if (check("locked", "Neither picked nor changed", locked, some_locked)) set_locked(editor.document, ids, locked);
+    if (fields_.check("locked", "Neither picked nor changed", locked, some_locked))
+        set_locked(editor.document, ids, locked);
     ImGui::SameLine();
-    if (tool_button("rename", "Also by a double click in the tree")) begin_renaming(id);
+    if (tool_button("rename", "Also by a double click in the tree")) tree_.begin_renaming(id);
 }
 
-void EditorWindow::draw_object(EntryId id) {
+void PropertiesPanel::draw_object(EntryId id) {
     const float size = std::max(glm::length(scene.bounds.empty() ? glm::vec3(1.0f) : scene.bounds.extent()), 1e-3f);
-    focus_next(types_);
+    focus_next(wants_keyboard);
     edit_numbers(object_property("position"), "position", "Position in the parent's space, in metres", 0.001f * size);
     edit_numbers(object_property("rotation"), "rotation", "Rotation about x, then y, then z, in degrees", 0.5f);
     edit_numbers(object_property("scale"), "scale", "Scale along the object's own axes; negative: mirrored", 0.01f);
     if (!editor.document.at(id).object()->model.empty()) draw_material(id);
 }
 
-void EditorWindow::draw_material(EntryId id) {
+void PropertiesPanel::draw_material(EntryId id) {
     const bool open = ImGui::CollapsingHeader("Material");
     log_place("section.Material");
     if (!open) return;
@@ -88,7 +89,7 @@ void EditorWindow::draw_material(EntryId id) {
     const auto of = [&](const char* key) {
         return material_property(key, [&](EntryId one) { return first(one) ? &first(one)->material : nullptr; });
     };
-    if (first(id)) draw_ball(id, *first(id));
+    if (first(id)) ball.draw(id, *first(id));
     edit_color(of("diffuse"), "diffuse", "Diffuse colour: the share of light that is scattered, linear", 1.0f);
     edit_color(of("specular"), "specular", "Specular colour: the share that is reflected, linear", 1.0f);
     edit_color(of("emissive"), "emissive", "Emitted radiance, in the unit of the scene's light", 1e4f);
@@ -100,7 +101,7 @@ void EditorWindow::draw_material(EntryId id) {
 }
 
 // An empty field is a map that the model has, or none; where several differ it is empty too, and "none" clears all.
-void EditorWindow::edit_map(const std::string& slot) {
+void PropertiesPanel::edit_map(const std::string& slot) {
     const auto map_of = [&](EntryId one) {
         const auto& maps = editor.document.at(one).object()->material.maps;
         const auto given = maps.find(slot);
@@ -123,25 +124,26 @@ void EditorWindow::edit_map(const std::string& slot) {
         return;
     }
     std::erase_if(ids, [&](EntryId one) { return map_of(one) == file; });
-    refuse(edit_all(editor.document, ids, slot + " map", editor.gesture, editor.store.path, [&](EntryId, Entry& entry) {
-        auto& maps = entry.object()->material.maps;
-        file.empty() ? void(maps.erase(slot)) : void(maps[slot] = file);
-    }));
+    fields_.refuse(
+        edit_all(editor.document, ids, slot + " map", editor.gesture, editor.store.path, [&](EntryId, Entry& entry) {
+            auto& maps = entry.object()->material.maps;
+            file.empty() ? void(maps.erase(slot)) : void(maps[slot] = file);
+        }));
 }
 
-void EditorWindow::draw_light(EntryId id) {
+void PropertiesPanel::draw_light(EntryId id) {
     const Light own = *editor.document.at(id).light();
     const bool has_place = own.kind != Light::Kind::directional, is_spot = own.kind == Light::Kind::spot;
     edit(light_property("type"), [&](glm::vec3& value, glm::bvec3 mixed) {
-        return choice("type", {"directional", "point", "spot"}, value.x, mixed.x);
+        return fields_.choice("type", {"directional", "point", "spot"}, value.x, mixed.x);
     });
     edit_color(light_property("colour"), "color", "Colour of the light, linear", 1.0f);
     edit_number(light_property("intensity"), "intensity", "Intensity: the factor of the colour",
                 0.02f * std::max(own.intensity, 0.1f), 0.0f, 1e6f);
     if (own.kind != Light::Kind::point) {
-        focus_next(types_);
+        focus_next(wants_keyboard);
         edit(light_property("direction"), [&](glm::vec3& value, glm::bvec3 mixed) {
-            return numbers("direction", "Direction in which the light travels", value, 0.01f, mixed) &&
+            return fields_.numbers("direction", "Direction in which the light travels", value, 0.01f, mixed) &&
                    glm::length(value) > 1e-6f;
         });
     }
@@ -149,7 +151,7 @@ void EditorWindow::draw_light(EntryId id) {
         edit_number(light_property("angular size"), "lamp size",
                     "Angle that the lamp subtends, in degrees (the sun: 0.53); it softens shadows", 0.01f, 0.0f, 90.0f);
     } else {
-        focus_next(types_);
+        focus_next(wants_keyboard);
         edit_numbers(light_property("position"), "position", "Position in the world, in metres", 0.01f);
         edit_number(light_property("range"), "range", "Distance at which the light ends, in metres", 0.05f, 0.0f, 1e6f);
         edit_number(light_property("lamp size"), "lamp size", "Diameter of the lamp, in metres; it softens shadows",
@@ -164,35 +166,40 @@ void EditorWindow::draw_light(EntryId id) {
     }
     edit(light_property("shadow"), [&](glm::vec3& value, glm::bvec3 mixed) {
         bool on = value.x == 1.0f;
-        const bool changed = check("shadow", "Whether the light casts shadows", on, mixed.x);
+        const bool changed = fields_.check("shadow", "Whether the light casts shadows", on, mixed.x);
         if (changed) value.x = on ? 1.0f : 0.0f;
         return changed;
     });
 }
 
-// It is drawn when nobody drags: a new material means its textures' levels again.
-void EditorWindow::draw_ball(EntryId id, const DrawItem& item) {
-    SceneFile shows = material_ball(*editor.document.at(id).object(), item);
-    if (std::exchange(ball_of_, scene.images()) != scene.images())  // its files were read again
-        preview_.forget(), ball_key_.clear();
-    if (std::string key = scene_text(shows); key != ball_key_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left))
-        ball_key_ = std::move(key), ball_scene_ = std::move(shows);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float pixel = std::max(1.0f, std::floor(ImGui::GetFontSize() / 15.0f));
-    if (ball_.width) draw_pixels(ball_, at, pixel);
-    ImGui::Dummy({pixel * float(ball_size), pixel * float(ball_size)});
-    log_place("ball");
+void PropertiesPanel::edit(const Property& property,
+                           const std::function<bool(glm::vec3& value, glm::bvec3 mixed)>& field) {
+    const SharedValue shared = shared_value(editor.document, together_, property);
+    if (shared.ids.empty()) return;
+    glm::vec3 value = shared.value;
+    // The active entry's own number may be typed over a dash: it has to differ from what stands there.
+    for (int i = 0; i < 3; ++i)
+        if (shared.mixed[i]) value[i] = std::nextafter(value[i], INFINITY);
+    const glm::vec3 before = value;
+    if (!field(value, shared.mixed)) return;
+    fields_.refuse(set_property(editor.document, shared.ids, property, value, glm::notEqual(value, before),
+                                editor.gesture, editor.store.path));
 }
 
-void EditorWindow::carry_on_previews() {
-    if (!gpu_) return;
-    if (ball_scene_) try {
-            ball_ = preview_.draw(*gpu_, *std::exchange(ball_scene_, std::nullopt), glm::uvec2(ball_size));
-            log_event("ball drawn");
-            changed_ = true;
-        } catch (const InputError& e) { editor.notice = e.what(); }
-    else if (browser_.shown && browser_.thumbnails.carry_on(*gpu_, preview_))
-        changed_ = true;
+void PropertiesPanel::edit_number(const Property& property, const char* label, const char* help, float speed,
+                                  float lower, float upper) {
+    edit(property, [&](glm::vec3& value, glm::bvec3 mixed) {
+        return fields_.number(label, help, value.x, speed, lower, upper, mixed.x);
+    });
+}
+
+void PropertiesPanel::edit_numbers(const Property& property, const char* label, const char* help, float speed) {
+    edit(property,
+         [&](glm::vec3& value, glm::bvec3 mixed) { return fields_.numbers(label, help, value, speed, mixed); });
+}
+
+void PropertiesPanel::edit_color(const Property& property, const char* label, const char* help, float most) {
+    edit(property, [&](glm::vec3& value, glm::bvec3 mixed) { return fields_.color(label, help, value, most, mixed); });
 }
 
 }  // namespace lightwalk

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <sstream>
 
 #include "18_playground/commands.h"
@@ -10,6 +9,7 @@
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/own_files.h"
 
 namespace lightwalk {
 namespace fs = std::filesystem;
@@ -29,10 +29,8 @@ bool has_words(const std::string& name, const std::string& filter) {
 }
 
 fs::path recent_list() {
-    const char* const state = std::getenv("XDG_STATE_HOME");
-    const char* const home = std::getenv("HOME");
-    if (!(state && *state) && !(home && *home)) return {};
-    return (state && *state ? fs::path(state) : fs::path(home) / ".local/state") / "lightwalk" / "recent_files";
+    const fs::path folder = state_folder();
+    return folder.empty() ? folder : folder / "recent_files";
 }
 
 }  // namespace

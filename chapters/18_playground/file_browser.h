@@ -9,8 +9,6 @@
 
 namespace lightwalk {
 
-struct EditorWindow;
-
 /// What the browser lists, without a window.
 struct Listing {
     std::filesystem::path folder;
@@ -35,7 +33,6 @@ void remember_file(const std::filesystem::path& file);
 
 class FileBrowser {
   public:
-    explicit FileBrowser(EditorWindow& owner) : owner_(owner) {}
     bool shown = false;
     /// Of what was chosen; the flag says whether it is to be added to the scene.
     std::function<void(const std::filesystem::path&, bool)> chosen;
@@ -44,7 +41,6 @@ class FileBrowser {
 
   private:
     void go(const std::filesystem::path& folder);
-    EditorWindow& owner_;
     Listing listing_;
     std::vector<std::filesystem::path> recent_;
     std::string filter_, typed_;

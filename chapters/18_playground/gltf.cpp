@@ -1,7 +1,9 @@
 #include "18_playground/gltf.h"
 
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "18_playground/commands.h"
 #include "18_playground/gltf_textures.h"
@@ -32,7 +34,8 @@ class Exporter {
 
     json whole(const std::string& buffer_name) {
         out_["asset"] = {{"version", "2.0"}, {"generator", "Lightwalk chapter 18"}};
-        for (const char* key : {"nodes", "meshes", "materials", "accessors", "bufferViews", "textures", "images"})
+        for (const char* key :
+             {"nodes", "meshes", "materials", "accessors", "bufferViews", "textures", "images", "samplers"})
             out_[key] = json::array();
         json roots = json::array();
         for (const EntryId id : document_.at(root_entry).children)
@@ -41,13 +44,14 @@ class Exporter {
         out_["scene"] = 0;
         out_["scenes"] = json::array({{{"nodes", roots}}});
         out_["buffers"] = json::array({{{"uri", buffer_name}, {"byteLength", bytes.size()}}});
-        for (const char* key : {"meshes", "materials", "accessors", "bufferViews", "textures", "images"})
+        for (const char* key : {"meshes", "materials", "accessors", "bufferViews", "textures", "images", "samplers"})
             if (out_[key].empty()) out_.erase(key);
         if (bytes.empty()) out_.erase("buffers");
         if (!lights_.empty()) {
-            out_["extensionsUsed"] = {"KHR_lights_punctual"};
+            extensions_.insert("KHR_lights_punctual");
             out_["extensions"]["KHR_lights_punctual"]["lights"] = lights_;
         }
+        if (!extensions_.empty()) out_["extensionsUsed"] = extensions_;
         return out_;
     }
     std::string bytes;                      ///< of the buffer
@@ -73,27 +77,90 @@ class Exporter {
         return push("accessors", own);
     }
 
-    int texture(const fs::path& file) {
-        const std::string key = file.string();
-        if (const auto known = textures_.find(key); known != textures_.end()) return known->second;
+    // An image of the model's file goes into the buffer; one with options of its material is made here.
+    int image(const TextureUse& use) {
+        const std::string key = use.key();
+        if (const auto known = images_.find(key); known != images_.end()) return known->second;
+        const TextureMap& map = use.map;
+        if (use.as != TextureUse::As::stored || map.channel || map.base_gain != glm::vec2(0, 1)) {
+            const fs::path file = beside(fmt::format("made{}", images_.size()));
+            files[file] = encode_png(picture_of(use));
+            return images_[key] = push("images", {{"uri", uri_of(file)}});
+        }
+        if (!map.bytes) return images_[key] = push("images", {{"uri", uri_of(map.file)}});
+        const bool is_png = map.bytes->size() > 3 && (*map.bytes)[1] == std::byte{'P'};
+        while (bytes.size() % 4) bytes.push_back('\0');
+        const json view{{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", map.bytes->size()}};
+        bytes.append(reinterpret_cast<const char*>(map.bytes->data()), map.bytes->size());
+        return images_[key] = push("images", {{"bufferView", push("bufferViews", view)},
+                                              {"mimeType", is_png ? "image/png" : "image/jpeg"}});
+    }
+
+    fs::path beside(const std::string& what) const {
+        fs::path file = target_;
+        file.replace_filename(fmt::format("{}.{}.png", target_.stem().string(), what));
+        return file;
+    }
+
+    std::string uri_of(const fs::path& file) const {
         std::error_code error;
         const fs::path near = fs::relative(file, folder_, error);
-        const int image = push("images", {{"uri", escaped((error || near.empty() ? file : near).generic_string())}});
-        return textures_[key] = push("textures", {{"source", image}});
+        return escaped((error || near.empty() ? file : near).generic_string());
+    }
+
+    // A texture and where it lies.
+    json texture(const TextureUse& use) {
+        json own{{"source", image(use)}};
+        if (use.map.sampler != Sampler{}) own["sampler"] = sampler(use.map.sampler);
+        const std::string key = own.dump();
+        auto [known, is_new] = textures_.try_emplace(key, 0);
+        if (is_new) known->second = push("textures", own);
+        json info{{"index", known->second}};
+        const MapPlace& place = use.map.place;
+        if (place.set > 0) info["texCoord"] = place.set;
+        if (place.turn == glm::mat2(1.0f) && place.offset == glm::vec2(0.0f)) return info;
+        extensions_.insert("KHR_texture_transform");
+        info["extensions"]["KHR_texture_transform"] = transform_of(flipped(place));
+        return info;
+    }
+
+    // Of a turn and a scale: columns sx (c, -s) and sy (s, c).
+    static json transform_of(const MapPlace& place) {
+        const float along = glm::length(place.turn[0]);
+        return {{"offset", {place.offset.x, place.offset.y}},
+                {"rotation", std::atan2(-place.turn[0].y, place.turn[0].x)},
+                {"scale", {along, along > 0 ? glm::determinant(place.turn) / along : 1.0f}}};
+    }
+
+    int sampler(const Sampler& from) {
+        const auto wrap = [](Wrap w) { return w == Wrap::clamp ? 33071 : w == Wrap::mirror ? 33648 : 10497; };
+        const bool nearest = from.filter == Filter::nearest;
+        json own{{"wrapS", wrap(from.wrap)},
+                 {"wrapT", wrap(from.wrap_v.value_or(from.wrap))},
+                 {"magFilter", nearest ? 9728 : 9729},
+                 {"minFilter", from.max_lod == 0 ? (nearest ? 9728 : 9729)
+                               : nearest         ? 9986
+                                                 : 9987}};
+        const std::string key = own.dump();
+        const auto [known, is_new] = samplers_.try_emplace(key, 0);
+        if (is_new) known->second = push("samplers", own);
+        return known->second;
     }
 
     // The colours of `color` with the alpha of `opacity`, in a file of its own.
-    fs::path with_opacity(const fs::path& color, const fs::path& opacity) {
-        fs::path& file = cutouts_[{color, opacity}];
+    fs::path with_opacity(const std::optional<TextureUse>& color, const TextureUse& opacity) {
+        fs::path& file = cutouts_[{color ? color->key() : "", opacity.key()}];
         if (!file.empty()) return file;
-        file = target_;
-        file.replace_filename(fmt::format("{}.cutout{}.png", target_.stem().string(), cutouts_.size()));
-        files[file] = encode_png(color_with_opacity(color, opacity));
+        file = beside(fmt::format("cutout{}", cutouts_.size()));
+        files[file] = encode_png(
+            color_with_opacity(color ? picture_of(*color) : Image8(1, 1, glm::u8vec4(255)), picture_of(opacity)));
         return file;
     }
 
     // Whether textures cut holes into it: an opacity map, or the alpha of its colours.
     bool is_cut_out(const DrawItem& item) const {
+        if (item.material.alpha_cutoff == 0.0f) return false;
+        if (item.material.alpha_cutoff > 0.0f) return true;
         const auto& color = item.loaded_maps[MapSlot::diffuse];
         return item.maps[MapSlot::opacity] || (color && scene_.images()->has_alpha(*color));
     }
@@ -108,37 +175,66 @@ class Exporter {
         return uri;
     }
 
+    // What fills a slot: the scene file's texture, or the model's.
+    static std::optional<TextureUse> use_of(const DrawItem& item, const SceneObject& object, MapSlot slot) {
+        if (!item.loaded_maps[slot]) return {};
+        const MapSlotInfo& info = map_slots()[static_cast<size_t>(slot)];
+        const auto given = object.material.maps.find(info.name);
+        if (given == object.material.maps.end()) return texture_use(item.material, slot);
+        return TextureUse{.map = {.file = find_asset(given->second)}, .kind = info.kind};
+    }
+
+    // As chapter 14 takes them: the scene's numbers, the model's, or what follows from the exponent, 2 / alpha² - 2 with
+    // alpha the square of roughness (Karis, 2013).
+    static glm::vec2 metalness_and_roughness(const DrawItem& item) {
+        const Material& m = item.material;
+        const bool stated = m.metallic_roughness || m.microfacets || m.roughness != Material{}.roughness;
+        const float exponent = std::pow(2.0f / (m.shininess + 2.0f), 0.25f);
+        return {item.metalness >= 0 ? item.metalness : m.metalness, item.roughness >= 0 ? item.roughness
+                                                                    : stated            ? m.roughness
+                                                                                        : exponent};
+    }
+
+    json emission(const Material& m, json& extensions) {
+        const float strength = std::max({m.emissive.r, m.emissive.g, m.emissive.b});
+        if (!(strength > 1.0f)) return list(m.emissive);
+        extensions_.insert("KHR_materials_emissive_strength");
+        extensions["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;
+        return list(m.emissive / strength);
+    }
+
     int material(const DrawItem& item, const SceneObject& object) {
         const Material& m = item.material;
         json own{{"name", clean_name(m.name)}};
-        const auto file_of = [&](const char* slot, const fs::path& model_file) -> fs::path {
-            const auto given = object.material.maps.find(slot);
-            return given == object.material.maps.end() ? model_file : find_asset(given->second);
+        const auto set = [&](json& into, const char* key, MapSlot slot) {
+            if (const auto use = use_of(item, object, slot)) into[key] = texture(*use);
+            return into.contains(key);
         };
         json& pbr = own["pbrMetallicRoughness"];
         pbr["baseColorFactor"] = {m.diffuse.x, m.diffuse.y, m.diffuse.z, m.opacity};
-        // Without a number of its own, roughness from the exponent (Karis, 2013: the exponent is 2 / alpha² - 2).
-        const float roughness = item.roughness >= 0 ? item.roughness : std::pow(2.0f / (m.shininess + 2.0f), 0.25f);
-        pbr["roughnessFactor"] = item.maps[MapSlot::orm] ? 1.0f : roughness;
-        pbr["metallicFactor"] = item.maps[MapSlot::orm] ? 1.0f : std::max(item.metalness, 0.0f);
-        const auto set = [&](json& into, const char* key, const char* slot, const fs::path& model_file) {
-            if (const fs::path file = file_of(slot, model_file); !file.empty()) into[key] = {{"index", texture(file)}};
-        };
-        const fs::path color = file_of("diffuse", m.diffuse_map.file);
-        if (item.maps[MapSlot::opacity])
-            pbr["baseColorTexture"] = {{"index", texture(with_opacity(color, file_of("opacity", m.opacity_map.file)))}};
-        else if (!color.empty())
-            pbr["baseColorTexture"] = {{"index", texture(color)}};
-        set(pbr, "metallicRoughnessTexture", "orm", item.maps[MapSlot::orm] ? m.roughness_map.file : "");
-        set(own, "normalTexture", "normal", m.normal_map.file);
-        set(own, "occlusionTexture", "occlusion", "");
-        set(own, "emissiveTexture", "emissive", m.emissive_map.file);
-        own["emissiveFactor"] = list(glm::min(
-            own.contains("emissiveTexture") ? glm::max(m.emissive, glm::vec3(1.0f)) : m.emissive, glm::vec3(1.0f)));
+        const glm::vec2 numbers = metalness_and_roughness(item);
+        const bool by_orm = set(pbr, "metallicRoughnessTexture", MapSlot::orm);
+        if (!by_orm) set(pbr, "metallicRoughnessTexture", MapSlot::metallic_roughness);
+        pbr["metallicFactor"] = by_orm ? 1.0f : numbers.x, pbr["roughnessFactor"] = by_orm ? 1.0f : numbers.y;
+        const auto color = use_of(item, object, MapSlot::diffuse), opacity = use_of(item, object, MapSlot::opacity);
+        if (opacity)
+            pbr["baseColorTexture"] = texture(TextureUse{.map = {.file = with_opacity(color, *opacity)}});
+        else if (color)
+            pbr["baseColorTexture"] = texture(*color);
+        if (set(own, "normalTexture", MapSlot::normal)) own["normalTexture"]["scale"] = m.normal_scale;
+        if (set(own, "occlusionTexture", MapSlot::occlusion))
+            own["occlusionTexture"]["strength"] = m.occlusion_strength;
+        set(own, "emissiveTexture", MapSlot::emissive);
+        json extensions = json::object();
+        own["emissiveFactor"] = emission(m, extensions);
+        if (m.unlit) extensions["KHR_materials_unlit"] = json::object(), extensions_.insert("KHR_materials_unlit");
+        if (!extensions.empty()) own["extensions"] = extensions;
+        if (item.two_sided) own["doubleSided"] = true;
         own["alphaMode"] = item.transparent ? "BLEND" : is_cut_out(item) ? "MASK" : "OPAQUE";
         const auto& knobs = document_.settings().knobs;
-        if (const auto cutoff = knobs.find("maps.cutoff"); cutoff != knobs.end() && own["alphaMode"] == "MASK")
-            own["alphaCutoff"] = std::stof(cutoff->second);
+        const auto cutoff = knobs.find("maps.cutoff");
+        if (own["alphaMode"] == "MASK" && (m.alpha_cutoff > 0 || cutoff != knobs.end()))
+            own["alphaCutoff"] = m.alpha_cutoff > 0 ? m.alpha_cutoff : std::stof(cutoff->second);
         const std::string key = own.dump();
         if (const auto known = materials_.find(key); known != materials_.end()) return known->second;
         return materials_[key] = push("materials", own);
@@ -161,6 +257,12 @@ class Exporter {
                                                       {{"min", list(box.lower)}, {"max", list(box.upper)}})},
                                 {"NORMAL", accessor(normals, float_component, "VEC3", vertex_target)},
                                 {"TEXCOORD_0", accessor(uvs, float_component, "VEC2", vertex_target)}};
+            std::vector<glm::vec2> second;
+            for (const glm::vec2 uv : mesh.second_uvs) second.push_back({uv.x, 1.0f - uv.y});
+            if (!second.empty())
+                vertices->second["TEXCOORD_1"] = accessor(second, float_component, "VEC2", vertex_target);
+            if (!mesh.colors.empty())
+                vertices->second["COLOR_0"] = accessor(mesh.colors, float_component, "VEC4", vertex_target);
         }
         const Part& part = mesh.parts[item.part];
         auto [indices, new_indices] = indices_.try_emplace(&part, 0);
@@ -208,9 +310,10 @@ class Exporter {
     }
 
     // Lights and cameras look along -z.
-    static glm::quat along(const glm::vec3& direction) {
+    static glm::quat along(const glm::vec3& direction, const glm::vec3& up = {0, 1, 0}) {
         const glm::vec3 d = glm::normalize(direction);
-        return glm::quatLookAt(d, std::fabs(d.y) < 0.99f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
+        const bool across = glm::length(glm::cross(d, glm::normalize(up))) > 0.1f;
+        return glm::quatLookAt(d, across ? up : std::fabs(d.x) < 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1));
     }
 
     int add_light(const Light& light) {
@@ -218,7 +321,7 @@ class Exporter {
         json own{{"name", clean_name(light.name)},
                  {"type", kinds[static_cast<int>(light.kind)]},
                  {"color", list(light.color)},
-                 {"intensity", light.intensity}};
+                 {"intensity", glm::pi<float>() * light.intensity}};  // lux, candela: ours is what white shows
         if (light.kind != Light::Kind::directional && light.range_m > 0) own["range"] = light.range_m;
         if (light.kind == Light::Kind::spot)
             own["spot"] = {{"innerConeAngle", std::min(light.inner_rad, 0.999f * std::min(light.outer_rad, 1.5707f))},
@@ -237,7 +340,7 @@ class Exporter {
         json lens{{"yfov", camera.fov_y_rad}, {"znear", camera.near_m}};
         if (std::isfinite(camera.far_m)) lens["zfar"] = camera.far_m;
         out_["cameras"] = json::array({{{"type", "perspective"}, {"perspective", lens}}});
-        const glm::quat q = along(camera.target - camera.position);
+        const glm::quat q = along(camera.target - camera.position, camera.up);
         return push("nodes", {{"name", "camera"},
                               {"translation", list(camera.position)},
                               {"rotation", {q.x, q.y, q.z, q.w}},
@@ -250,8 +353,9 @@ class Exporter {
     json out_, lights_ = json::array();
     std::map<uint32_t, std::vector<uint32_t>> items_;
     std::unordered_map<EntryId, uint32_t> places_;
-    std::map<std::string, int> textures_, materials_;
-    std::map<std::pair<fs::path, fs::path>, fs::path> cutouts_;
+    std::map<std::string, int> images_, textures_, samplers_, materials_;
+    std::set<std::string> extensions_;
+    std::map<std::pair<std::string, std::string>, fs::path> cutouts_;
     std::map<const Mesh*, json> vertices_;
     std::map<const Part*, int> indices_;
 };
@@ -263,8 +367,8 @@ void export_gltf(const Document& document, const Scene& scene, const fs::path& f
     fs::path buffer = target;
     buffer.replace_extension(".bin");
     for (const SceneObject& object : scene.file.objects)
-        if (std::error_code error;
-            !object.model.empty() && !object.hidden && fs::equivalent(target, find_asset(object.model), error))
+        if (std::error_code error; !object.model.empty() && !object.made && !object.hidden &&
+                                   fs::equivalent(target, find_asset(object.model), error))
             throw InputError("{}: the scene shows this file; save the scene under another name first", target.string());
     check_writable(target);
     Exporter exporter(document, scene, target);

@@ -7,8 +7,9 @@ namespace lightwalk {
 
 /// Writes FILE.gltf and, beside it, FILE.bin: objects and the nodes of their models with names and transforms, meshes (each
 /// once), materials (diffuse and ORM or roughness and metalness as metallic-roughness; normal, occlusion and emissive
-/// maps; alpha mode and cutoff), point, spot and directional lights (KHR_lights_punctual), and the camera. Textures are
-/// named by their own files; an opacity map is the alpha of FILE.cutout1.png and so on. glTF knows no specular colour and
+/// maps and emissive strength; alpha mode and cutoff; sides; unlit; where maps lie and how they are sampled), vertex
+/// colours, point, spot and directional lights (KHR_lights_punctual), and the camera with its roll. Textures are named by
+/// their own files, or lie in the buffer where they lay in the model's file; an opacity map is the alpha of FILE.cutout1.png and so on. glTF knows no specular colour and
 /// no height map: they are left out. What is hidden is left out. All files are written, or none. Throws InputError.
 void export_gltf(const Document& document, const Scene& scene, const std::filesystem::path& file);
 

@@ -5,10 +5,6 @@
 namespace lightwalk {
 namespace {
 
-Image8 codes(const std::filesystem::path& file) {
-    return is_hdr_name(file) ? to_srgb8(read_image_linear(file)) : read_image8(file);
-}
-
 // At the centre of a texel of an image of another size; between its own texels linear, and it repeats.
 glm::vec4 sampled(const Image8& image, int x, int y, int width, int height) {
     const glm::vec2 at{(float(x) + 0.5f) * float(image.width) / float(width) - 0.5f,
@@ -24,8 +20,19 @@ glm::vec4 sampled(const Image8& image, int x, int y, int width, int height) {
 
 }  // namespace
 
-Image8 color_with_opacity(const std::filesystem::path& color, const std::filesystem::path& opacity) {
-    const Image8 colors = color.empty() ? Image8(1, 1, glm::u8vec4(255)) : codes(color), alphas = codes(opacity);
+Image8 picture_of(const TextureUse& use) {
+    if (is_hdr_name(use.file())) return to_srgb8(read_image_linear(use.file()));
+    const DecodedTexture texture = decode_texture(use);
+    const std::vector<std::byte>& texels = texture.levels.at(0);
+    Image8 picture(static_cast<int>(texture.desc.size.x), static_cast<int>(texture.desc.size.y));
+    const size_t step = texels.size() / (4 * picture.pixels.size());  // of 16 bits the upper eight
+    for (size_t i = 0; i < picture.pixels.size(); ++i)
+        for (int c = 0; c < 4; ++c)
+            picture.pixels[i][c] = std::to_integer<uint8_t>(texels[(4 * i + size_t(c)) * step + step - 1]);
+    return picture;
+}
+
+Image8 color_with_opacity(const Image8& colors, const Image8& alphas) {
     Image8 both(std::max(colors.width, alphas.width), std::max(colors.height, alphas.height));
     for (int y = 0; y < both.height; ++y)
         for (int x = 0; x < both.width; ++x) {

@@ -2,37 +2,15 @@
 
 #include <fmt/core.h>
 
-#include "03_attenuation/scattered_lights.h"
 #include "18_playground/picking_error.h"
 
 namespace lightwalk {
 
 Playground::Playground() {
+    set_look(bench, *this);
     picker.method.alone = true;  // --method is about picking here
-    objects.gbuffer.method.change_default("forward");
-    objects.maps.method.change_default("normal");
-    objects.shading = &surface_;
-    objects.shaded.reset();
-    objects.transparent_shading = &glass_;
-    objects.writing = &write_, objects.rest = &rest_;
-    objects.shading_with = {light, substances, paint};
-    objects.all_lights = [this](const Frame& frame) {
-        std::vector<Light> all = scene.lights();
-        const std::vector<Light> more = scatter_lights(scene.bounds, scattered, frame.seed);
-        all.insert(all.end(), more.begin(), more.end());
-        return all;
-    };
-    backdrop.shadow.maps = &objects.maps;
-    objects.maps.in_use = [this] { return maps_due_; };
-    sky.map.change_default("plain");
-    water.method.change_default("none");
-    fog.method.change_default("none");
     antialias.method.change_default("none");
-    bloom.method.change_default("none");
-    water.in_use = [this] { return !water.method.is("none"); };
-    probe.update.change_default("moved");
-    probe.distant = true;
-    atmosphere.in_use = sky.in_use = probe.in_use = [this] { return air.is("sky"); };
+    objects.maps.in_use = [this] { return maps_due_; };
 }
 
 // The document's changes, before anything is drawn. What a step adds has to be prepared, as after loading.
@@ -46,11 +24,11 @@ void Playground::bring_up_to_date(Gpu& gpu) {
     give(scene);
     arrived.clear();
     const LiveScene::Done done = editor.update(*this, gpu);
-    light.prepare(gpu, scene);  // it keeps what it has where surroundings and ambient light are as they were
+    bench.light.prepare(gpu, scene);  // it keeps what it has where surroundings and ambient light are as they were
     if (done != LiveScene::Done::replaced) return;
     const bool updates = std::exchange(updates_, false);
     maps_due_ = editor.loads;
-    substances.prepare(gpu, scene);
+    bench.substances.prepare(gpu, scene);
     picker.rays.prepare(gpu, scene);
     if (editor.loads) objects.maps.prepare(gpu, scene);
     maps_due_ = true, updates_ = updates;
@@ -59,11 +37,7 @@ void Playground::bring_up_to_date(Gpu& gpu) {
 // [frame]
 void Playground::frame(Frame& frame) {
     bring_up_to_date(frame.gpu);
-    const View view = view_now = set_view(frame);
-    if (air.is("sky"))
-        scene.set_sun(atmosphere.sun());
-    else
-        scene.forget_sun();
+    const View view = view_now = set_view(frame, bench);
 
     // 1. What is in which pixel, where somebody clicks or something is selected.
     const bool asks = click.has_value(), marked = marks.on && (!editor.selection.ids.empty() || select >= 0);
@@ -74,7 +48,8 @@ void Playground::frame(Frame& frame) {
     if (show.is("ids")) {
         show_ids(frame);
     } else {
-        draw_world(frame, view);
+        Canvas canvas(frame.hdr, frame.depth, bench.background());
+        bench.draw_light(frame, view, canvas);
         antialias.record(frame, frame.hdr);
         bloom.record(frame, frame.hdr);
         post.record(frame, frame.hdr);
@@ -85,27 +60,6 @@ void Playground::frame(Frame& frame) {
     encode_srgb(frame);
 }
 // [/frame]
-
-// [world]
-void Playground::draw_world(Frame& frame, const View& view) {
-    light.record(frame, scene);
-    paint.record(frame);
-    Drawings drawn{backdrop, objects};
-    if (air.is("sky")) {  // which has its sun: what is reflected is this sky, and not the scene's environment
-        probe.record(frame, scene, light, {sky, atmosphere.without_disc()});
-        drawn = {objects, sky};
-    }
-    if (!water.method.is("none")) {
-        // The water has the sun's glitter itself.
-        water.reflect(frame, view, {objects}, air.is("sky") ? Drawings{sky, atmosphere.without_disc()} : Drawings{});
-        drawn.push_back(water);
-    }
-    if (air.is("sky")) drawn.push_back(atmosphere);
-    drawn.push_back(fog);
-    Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
-    draw(frame, view, canvas, drawn);
-}
-// [/world]
 
 void Playground::show_ids(Frame& frame) {
     frame.compute("show ids", {.reads = {picker.ids}, .writes = {frame.hdr}}, [&](Compute& pass) {

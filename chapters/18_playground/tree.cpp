@@ -24,7 +24,7 @@ std::string shown_name(const Entry& entry) {
 }
 
 void Tree::unfold(EntryId id, bool open) {
-    if (open ? unfolded_.insert(id).second : unfolded_.erase(id) > 0) fresh_ = false;
+    if (open ? unfolded_.insert(id).second : unfolded_.erase(id) > 0) made_.forget();
 }
 
 void Tree::show(const Document& document, EntryId id) {
@@ -39,12 +39,12 @@ void Tree::search(const std::string& text) {
         at = end + 1;
     }
     if (words == words_) return;
-    words_ = std::move(words), fresh_ = false;
+    words_ = std::move(words);
+    made_.forget();
 }
 
 const std::vector<TreeRow>& Tree::rows(const Document& document) {
-    if (fresh_ && made_for_ == document.structure()) return rows_;
-    fresh_ = true, made_for_ = document.structure();
+    if (!made_.from(document.structure())) return rows_;
     rows_.clear();
     struct Waiting {
         EntryId id;

@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "18_playground/document.h"
+#include "common/base/made.h"
 
 namespace lightwalk {
 
@@ -37,8 +38,7 @@ class Tree {
     std::unordered_set<EntryId> unfolded_;
     std::vector<std::string> words_;
     std::vector<TreeRow> rows_;
-    uint64_t made_for_ = 0;
-    bool fresh_ = false;
+    Made<uint64_t> made_;  ///< Document::structure()
 };
 
 /// What a person reads of an entry that has no name: "spot light", "model.obj".

@@ -1,6 +1,8 @@
 #include "common/base/kept.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <chrono>
@@ -23,6 +25,15 @@ void mark_used(const fs::path& file) {
     if (now - fs::last_write_time(file, error) > std::chrono::hours(24)) fs::last_write_time(file, now, error);
 }
 
+// A folder of this user's that no other may read or write, made where there is none; else nothing.
+fs::path private_folder(const fs::path& folder) {
+    mkdir(folder.c_str(), 0700);
+    struct stat about = {};
+    const bool mine = lstat(folder.c_str(), &about) == 0 && S_ISDIR(about.st_mode) && about.st_uid == geteuid() &&
+                      (about.st_mode & 077) == 0;
+    return mine ? folder : fs::path();
+}
+
 }  // namespace
 
 const fs::path& cache_folder() {
@@ -35,19 +46,18 @@ const fs::path& cache_folder() {
         fs::path beside = course_root() / "build" / "shader_cache";
         fs::create_directories(beside, error);
         if (!error) return beside;
-        fs::path temporary = fs::temp_directory_path(error) / "lightwalk_shader_cache";
-        fs::create_directories(temporary, error);
-        return temporary;
+        return private_folder(fs::temp_directory_path(error) / fmt::format("lightwalk_shader_cache.{}", geteuid()));
     }();
     return folder;
 }
 
 fs::path kept_file(std::string_view key, std::string_view ending) {
+    if (cache_folder().empty()) return {};
     return cache_folder() / fmt::format("{:016x}{:016x}{}", hash_bytes(key), hash_bytes(key, 7), ending);
 }
 
 std::optional<std::string> read_kept(const fs::path& file, size_t most) {
-    if (!file_exists(file)) return {};
+    if (file.empty() || !file_exists(file)) return {};
     try {
         const std::string all = read_file(file, sizeof(Count) + compressBound(most));
         Count count = 0;
@@ -66,6 +76,7 @@ std::optional<std::string> read_kept(const fs::path& file, size_t most) {
 }
 
 void keep(const fs::path& file, std::string_view bytes) {
+    if (file.empty()) return;
     const Count count = bytes.size();
     uLongf length = compressBound(count);
     std::string all(sizeof count + length, '\0');

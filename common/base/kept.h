@@ -7,7 +7,8 @@
 
 namespace lightwalk {
 
-/// $LIGHTWALK_CACHE, else build/shader_cache in the tree, else one in the temporary folder. It need not be writable.
+/// $LIGHTWALK_CACHE, else build/shader_cache in the tree, else the user's own in the temporary folder. It need not be
+/// writable. Empty where there is none: what is there under its name is another user's, or open to others.
 const std::filesystem::path& cache_folder();
 
 /// The file in cache_folder() for what `key` makes: two hashes of the key and the ending, which begins with a dot.

@@ -3,6 +3,7 @@
 #include <glslang/SPIRV/GlslangToSpv.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <regex>
@@ -37,6 +38,8 @@ std::string line_of(const std::string& file, int number) {
     const fs::path path = fs::path(file).lexically_normal();
     const std::string room = path.empty() ? "" : path.begin()->string();
     std::error_code error;
+    // Whoever grades shows what is said here to a student, and a mistake may end in a reference that comes after it.
+    if (std::getenv("LIGHTWALK_SANDBOXED") && std::ranges::count(path, fs::path("solution"))) return "";
     if (path.is_absolute() || (room != "shaders" && room != "tests") ||
         !fs::is_regular_file(course_root() / path, error) || !lies_below(course_root() / path, course_root() / room))
         return "";

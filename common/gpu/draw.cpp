@@ -6,10 +6,19 @@ namespace lightwalk {
 
 Raster& Raster::use(const Pipeline& pipeline, const Macros& variant) {
     bind(pipeline, variant, formats, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    two_sided_ = false;
+    vkCmdSetCullMode(commands, cull_ = pipeline.graphics.cull);
     return mirrored(false);
 }
 
+Raster& Raster::two_sided(bool both) {
+    if (both != two_sided_) vkCmdSetCullMode(commands, both ? VkCullModeFlags{VK_CULL_MODE_NONE} : cull_);
+    two_sided_ = both;
+    return *this;
+}
+
 Raster& Raster::mirrored(bool mirrors) {
+    if (mirrors && listener()) listener()->does_more("mirrored(true)");
     if (mirrors != mirrored_)
         vkCmdSetFrontFace(commands, mirrors ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     mirrored_ = mirrors;
@@ -17,11 +26,13 @@ Raster& Raster::mirrored(bool mirrors) {
 }
 
 Raster& Raster::draw(uint32_t vertices, uint32_t instances, uint32_t first_instance) {
+    if (listener()) listener()->draws(vertices, instances, first_instance);
     if (flush()) vkCmdDraw(commands, vertices, instances, 0, first_instance);
     return *this;
 }
 
 void Raster::bind_indices(const Buffer& indices) {
+    if (listener()) listener()->does_more("the indices '" + indices.name + "'");
     if (indices.handle == indices_) return;
     check_indirect(indices);
     vkCmdBindIndexBuffer(commands, indices.handle, 0, VK_INDEX_TYPE_UINT32);
@@ -38,6 +49,7 @@ Raster& Raster::draw_indexed(const Buffer& indices, uint32_t first_index, uint32
 
 template <class Draw>
 void Raster::indirect(const Buffer& draws, uint32_t count, VkDeviceSize offset, uint32_t stride, Draw draw) {
+    if (listener()) listener()->does_more("the indirect draw '" + draws.name + "'");
     check_indirect(draws);
     if (offset % 4 || offset + VkDeviceSize(count) * stride > draws.bytes)
         throw Failure("pass '{}': {} indirect draws from byte {} on are not in '{}'", name, count, offset, draws.name);
@@ -78,12 +90,14 @@ Compute& Compute::dispatch_threads(glm::uvec3 threads) {
 }
 
 Compute& Compute::dispatch(glm::uvec3 groups) {
+    if (listener()) listener()->dispatches(groups);
     if (flush() && groups.x && groups.y && groups.z) vkCmdDispatch(commands, groups.x, groups.y, groups.z);
     return *this;
 }
 
 Compute& Compute::dispatch_indirect(const Buffer& groups, VkDeviceSize offset) {
     if (!flush()) return *this;
+    if (listener()) listener()->does_more("the indirect dispatch '" + groups.name + "'");
     check_indirect(groups);
     if (offset % 4 || offset + sizeof(VkDispatchIndirectCommand) > groups.bytes)
         throw Failure("pass '{}': no dispatch at byte {} of '{}'", name, offset, groups.name);
@@ -92,6 +106,7 @@ Compute& Compute::dispatch_indirect(const Buffer& groups, VkDeviceSize offset) {
 }
 
 Compute& Compute::wait() {
+    if (listener()) listener()->waits();
     const VkMemoryBarrier2 memory{
         .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
         .srcStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,

@@ -56,6 +56,7 @@ class Flattener {
         try {
             text = read_file(overlaid(file));
         } catch (const InputError& e) { throw ShaderError(e.what()); }
+        if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // what an editor may begin UTF-8 with
         const std::string shown = fs::relative(file, course_root()).string();
         refuse_line_numbers(text, shown);
         add(text, shown, chapter_of(name));
@@ -96,8 +97,8 @@ class Flattener {
                 continue;
             }
             std::string name = match[1];
-            const auto other = macros_.values().find(name);
-            const bool replaced = other != macros_.values().end();
+            const auto other = macros_.files().find(name);
+            const bool replaced = other != macros_.files().end();
             if (replaced) name = other->second;
             // ../tests: what a test asks its probe to include.
             const fs::path below = name.starts_with("../tests/") ? name.substr(3) : name;
@@ -183,9 +184,6 @@ void refuse_unknown_macros(const std::string& text, const Macros& macros) {
     }
 }
 
-// The name of a macro that replaces a file rather than a word: "common/put_surface.glsl".
-bool is_file(const std::string& name) { return name.find('/') != name.npos; }
-
 // Only the macros that the text names: what does not concern a shader must not make another variant of it.
 FlatShader with_header(FlatShader shader, const Macros& macros) {
     refuse_unknown_macros(shader.text, macros);
@@ -196,7 +194,7 @@ FlatShader with_header(FlatShader shader, const Macros& macros) {
     for (const char* cpp : {"BEGIN_SHARED", "END_SHARED", "SHARED_FUNCTION"})  // for C++ alone: shaders/common/shared.h
         if (names_macro(shader.text, cpp)) header += fmt::format("#define {}\n", cpp);
     for (const auto& [name, value] : macros)
-        if (!is_file(name) && names_macro(shader.text, name)) header += fmt::format("#define {} {}\n", name, value);
+        if (names_macro(shader.text, name)) header += fmt::format("#define {} {}\n", name, value);
     shader.text.insert(0, header);
     return shader;
 }
@@ -211,7 +209,7 @@ bool names_macro(std::string_view text, std::string_view name) {
     return false;
 }
 
-FlatShader flatten_bare(const std::string& name) { return included(name, {}); }
+FlatShader flatten_bare(const std::string& name, const Macros& files) { return included(name, files); }
 
 FlatShader flatten(const std::string& name, const Macros& macros) {
     return with_header(included(name, macros), macros);

@@ -16,8 +16,8 @@ void name_object(const Device& device, VkObjectType type, T handle, const char* 
 
 }  // namespace
 
-Frame::Frame(Gpu& owner)
-    : gpu(owner), uniforms_(gpu.device, "uniforms"), uploads_(gpu.device, "uploads"), sets_(gpu.device) {
+Frame::Frame(Gpu& owner, const FrameWatch& watch)
+    : gpu(owner), watch_(watch), uniforms_(gpu.device, "uniforms"), uploads_(gpu.device, "uploads"), sets_(gpu.device) {
     const VkDevice device = gpu.device.handle;
     const VkCommandPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
                                             .queueFamilyIndex = gpu.device.queue_family};
@@ -173,9 +173,22 @@ void Frame::note_writes(const std::vector<Stated>& stated, const Rendering* targ
         if (access.writes) view.image->written_in = use_;
 }
 
+void Frame::apply_tones(const std::string& who, const Image& image) const {
+    if (image.shown_in == use_)
+        throw Failure("{} applies a tone curve to {}, which has had one in this frame: keep one of the two", who,
+                      image.desc.name);
+    image.shown_in = use_;
+}
+
+void Frame::need_light(const std::string& who, const Image& image) const {
+    if (image.shown_in == use_)
+        throw Failure("{} needs linear light, but {} has had its tone curve: record it before the tones", who,
+                      image.desc.name);
+}
+
 void Frame::raster(const std::string& name, const RasterTargets& targets, const std::function<void(Raster&)>& record) {
     const size_t outputs_before = outputs.size();
-    const Rendering rendering(name, targets, size, shows_discarded);
+    const Rendering rendering(name, targets, size, watch_.shows_discarded);
     const std::vector<const Given*> given = all_given(name, targets.with, root);
     const std::vector<Stated> stated = state(name, with_given(targets.reads, given), targets.writes, &targets);
     check_reads(name, stated, &rendering);
@@ -191,6 +204,7 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, const 
     Raster pass(*this, name, commands, stated, given);
     pass.formats = rendering.formats;
     rendering.begin(commands);
+    if (watch_.listener) watch_.listener->begins(name, targets);
     record_and_end([&] { record(pass); },
                    [&] {
                        vkCmdEndRendering(commands);
@@ -211,6 +225,7 @@ void Frame::compute(const std::string& name, const ComputeAccess& access, const 
     barriers.record(commands);
     for (const Resource& written : access.writes) add_output(name, written.view);
     Compute pass(*this, name, commands, stated, given);
+    if (watch_.listener) watch_.listener->begins(name, access);
     record_and_end([&] { record(pass); }, [&] { end_pass(); });
     note_writes(stated, nullptr);
     run_after_pass(outputs_before);
@@ -221,6 +236,7 @@ void Frame::transfer(const std::string& name, const ComputeAccess& access,
     const std::vector<Stated> stated = state(name, access.reads, access.writes);  // throws where they overlap
     note_writes(stated, nullptr);
     const VkCommandBuffer commands = begin_pass(name, "transfer");
+    if (watch_.listener) watch_.listener->does_more("the transfer pass '" + name + "'");
     Barriers barriers;
     const auto add = [&](const Resource& r, const Access& next) {
         r.buffer ? barriers.add(*r.buffer, next) : barriers.add(r.view, next);

@@ -5,6 +5,7 @@
 
 #include "common/gpu/arena.h"
 #include "common/gpu/pass.h"
+#include "common/gpu/pass_listener.h"
 #include "common/gpu/read_back.h"
 
 namespace lightwalk {
@@ -26,7 +27,7 @@ struct Crop {
 /// counts a timeline semaphore up, so that a pass that never ends can be named.
 class Frame {
   public:
-    explicit Frame(Gpu& gpu);
+    explicit Frame(Gpu& gpu, const FrameWatch& watch = {});
     ~Frame();
     Frame(const Frame&) = delete;
 
@@ -46,6 +47,11 @@ class Frame {
 
     /// The picture in linear light: hdr, or the mean of several.
     const Image& linear() const { return samples.count > 1 ? mean_ : hdr; }
+
+    /// A tone curve maps the image's light to what a screen shows, once: throws Failure for a second time in this frame.
+    void apply_tones(const std::string& who, const Image& image) const;
+    /// Throws Failure where a tone curve was applied to the image in this frame: `who` needs linear light.
+    void need_light(const std::string& who, const Image& image) const;
 
     /// Another one for each frame that begins; 0 while none is recorded.
     uint64_t number() const { return use_; }
@@ -95,10 +101,6 @@ class Frame {
     /// What each pass of this frame wrote, in order, to look at: 2-D images with one sample.
     std::vector<std::pair<std::string, ImageView>> outputs;
 
-    /// For checks: a target that a pass discards gets what nobody takes for a picture. Most devices leave there what
-    /// was before, and who relies on it is right by chance.
-    bool shows_discarded = false;
-
     /// Called after each pass that wrote an image, before a later pass can overwrite it: for whoever wants to look.
     std::function<void()> after_pass;
 
@@ -113,6 +115,8 @@ class Frame {
     size_t descriptor_sets() const { return sets_.count; }  ///< of this frame: what could not be pushed
 
   private:
+    friend class Pass;
+    const FrameWatch watch_;
     struct Recorded {
         std::string name, stage;
         VkCommandBuffer commands;

@@ -20,17 +20,17 @@ enum class Stage { vertex, geometry, fragment, compute };
 struct FlatShader {
     std::string text;
     std::vector<std::filesystem::path> files;  ///< all files read, to watch for edits
+    std::string sealed;                        ///< its name where it is sealed (sealed.h)
 };
 
 /// Reads shaders/`name` and its includes. An include is a path below shaders/; "NN_name/f.glsl" that is not there
 /// itself is exercise/f.glsl or solution/f.glsl of that folder, as the toggle "NN.f" says. A file is included once.
-/// Chapter NN may include chapters up to NN. Of `macros` those that the text names are defined; one whose name is a file
-/// ("common/put_surface.glsl") says which file, of any chapter, is read where that one is included. Throws ShaderError
-/// (missing, later chapter, include within #if, #if of a macro that nobody defines).
+/// Chapter NN may include chapters up to NN, and the files that `macros` put in place of others. Of the macros those that
+/// the text names are defined. Throws ShaderError (missing, later chapter, include within #if, #if of a macro that nobody defines).
 FlatShader flatten(const std::string& name, const Macros& macros);
 
-/// The same without macros and without looking at them: what a shader's text may name.
-FlatShader flatten_bare(const std::string& name);
+/// The same without macros and without looking at them: what a shader's text may name, with the files that `files` replaces.
+FlatShader flatten_bare(const std::string& name, const Macros& files = {});
 
 /// True where `text` has `name` as a word of its own: METHOD is not in LIGHTS_METHOD.
 bool names_macro(std::string_view text, std::string_view name);

@@ -100,9 +100,9 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
                                                     .attachmentCount = static_cast<uint32_t>(blends.size()),
                                                     .pAttachments = blends.data()};
     const VkDynamicState dynamic_states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                             VK_DYNAMIC_STATE_FRONT_FACE};
+                                             VK_DYNAMIC_STATE_FRONT_FACE, VK_DYNAMIC_STATE_CULL_MODE};
     const VkPipelineDynamicStateCreateInfo dynamic{.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
-                                                   .dynamicStateCount = 3,
+                                                   .dynamicStateCount = 4,
                                                    .pDynamicStates = dynamic_states};
     const VkPipelineRenderingCreateInfo rendering{.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
                                                   .colorAttachmentCount = static_cast<uint32_t>(formats.color.size()),

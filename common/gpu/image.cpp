@@ -108,6 +108,7 @@ void Image::swap(Image& other) noexcept {
     std::swap(history, other.history);
     std::swap(constant, other.constant);
     std::swap(written_in, other.written_in);
+    std::swap(shown_in, other.shown_in);
     std::swap(device_, other.device_);
     std::swap(owned_, other.owned_);
     std::swap(usage_, other.usage_);

@@ -91,6 +91,7 @@ class Image {
     mutable ImageHistory history;
     mutable bool constant = false;    ///< uploaded, not written since: every pass may read it without saying so
     mutable uint64_t written_in = 0;  ///< Frame::number() of the frame whose pass wrote it last
+    mutable uint64_t shown_in = 0;    ///< of the frame that applied a tone curve to it: no longer linear light
     explicit operator bool() const { return handle != VK_NULL_HANDLE; }
     bool is_depth() const { return desc.format == VK_FORMAT_D32_SFLOAT || desc.format == VK_FORMAT_D16_UNORM; }
 

@@ -1,4 +1,4 @@
-// Macros for shaders.
+// Macros for shaders, and files that are read in place of others.
 #pragma once
 #include <cstdint>
 #include <initializer_list>
@@ -9,7 +9,8 @@
 
 namespace lightwalk {
 
-/// Names and values, and a number that differs where they do: a variant of a pipeline is found by it.
+/// Names and values, files by those that they replace, and a number that differs where any of them do: a variant of a
+/// pipeline is found by it.
 class Macros {
   public:
     Macros() = default;
@@ -21,10 +22,19 @@ class Macros {
         if (!added) hash_ -= of(name, it->second), it->second = value;
         hash_ += of(name, value);
     }
+    /// Reads shaders/`other`, which may be a later chapter's, where shaders/`file` is included.
+    Macros& replace_file(const std::string& file, const std::string& other) {
+        auto [it, added] = files_.try_emplace(file, other);
+        if (!added) hash_ -= of(file, it->second), it->second = other;
+        hash_ += of(file, other);
+        return *this;
+    }
     /// Takes all of `other`, over what is here.
     void add(const Macros& other) {
         for (const auto& [name, value] : other.values_) set(name, value);
+        for (const auto& [file, replacement] : other.files_) replace_file(file, replacement);
     }
+    const std::map<std::string, std::string>& files() const { return files_; }
     const std::map<std::string, std::string>& values() const { return values_; }
     uint64_t hash() const { return hash_; }
     auto begin() const { return values_.begin(); }
@@ -39,7 +49,7 @@ class Macros {
         hash = (hash ^ hash >> 27) * 0x94d049bb133111ebu;
         return hash ^ hash >> 31;
     }
-    std::map<std::string, std::string> values_;
+    std::map<std::string, std::string> values_, files_;
     uint64_t hash_ = 0;
 };
 

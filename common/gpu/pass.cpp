@@ -121,6 +121,8 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     dirty_.clear();
     image_infos_.assign(pipeline->descriptors, {});
     buffer_infos_.assign(pipeline->descriptors, {});
+    if (listener()) listener()->uses(wanted, variant);
+    modules_bind_ = true;
     for (const Binding& binding : pipeline->bindings) {
         if (!binding.used || binding.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) continue;
         if (const auto it = frame.globals.find(binding.name); it != frame.globals.end()) {
@@ -131,7 +133,10 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
             if (const auto bytes = given->block(binding); !bytes.empty()) set_bytes(binding.name, bytes);
     }
     for (const Given* given : given_) given->bind(*this);
+    modules_bind_ = false;
 }
+
+PassListener* Pass::listener() const { return modules_bind_ ? nullptr : frame.watch_.listener; }
 
 void Pass::mark(const Binding& binding) {
     Bound& bound = bound_[binding.number];
@@ -170,6 +175,7 @@ void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> vie
     const Binding* found = find(name_in_shader);
     if (!found) return;
     const Binding& binding = *found;
+    if (listener()) listener()->sets(binding.name, views, sampler);
     if (binding.type != VK_DESCRIPTOR_TYPE_STORAGE_IMAGE && binding.type != VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER)
         throw Failure("pass '{}': '{}' is a buffer in the shader, not an image", name, binding.name);
     if (views.empty() || views.size() > binding.count)
@@ -186,6 +192,7 @@ void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> vie
 void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
     const Binding* binding = find(name_in_shader);
     if (!binding) return;
+    if (listener()) listener()->does_more("the buffer '" + binding->name + "'");
     if (binding->type != VK_DESCRIPTOR_TYPE_STORAGE_BUFFER)
         throw Failure("pass '{}': '{}' is not a storage buffer in the shader", name, binding->name);
     if (binding->count > 1)
@@ -198,6 +205,7 @@ void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
 void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> bytes) {
     const Binding* binding = find(name_in_shader);
     if (!binding) return;
+    if (listener()) listener()->sets(binding->name, bytes);
     if (binding->type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
         throw Failure("pass '{}': '{}' is not a uniform block in the shader", name, binding->name);
     if (bytes.size() != binding->bytes)

@@ -10,6 +10,7 @@
 namespace lightwalk {
 
 class Frame;
+struct PassListener;
 class Raster;
 
 /// What is drawn by binding things to the pass and calling its draw functions.
@@ -80,8 +81,11 @@ class Pass {
     /// Throws Failure where the pass does not read a buffer that draws, dispatches or indices come from.
     void check_indirect(const Buffer& buffer) const;
     const BuiltPipeline* pipeline_ = nullptr;
+    /// Null where nobody listens, and while modules bind.
+    PassListener* listener() const;
 
   private:
+    bool modules_bind_ = false;
     struct Bound {
         bool set = false, dirty = false;
         std::vector<std::byte> bytes;  ///< of a uniform block
@@ -147,6 +151,8 @@ class Raster : public PassSetters<Raster> {
 
     /// Until the next use(): what is drawn was mirrored by its transform, so that its front is clockwise (true).
     Raster& mirrored(bool mirrors);
+    /// Until the next use(): nothing is culled (true), or what the pipeline says.
+    Raster& two_sided(bool both);
 
     Raster& draw(uint32_t vertices, uint32_t instances = 1, uint32_t first_instance = 0);
     /// With 32-bit indices.
@@ -164,7 +170,8 @@ class Raster : public PassSetters<Raster> {
     void bind_indices(const Buffer& indices);
     template <class Draw>
     void indirect(const Buffer& draws, uint32_t count, VkDeviceSize offset, uint32_t stride, Draw draw);
-    bool mirrored_ = false;
+    bool mirrored_ = false, two_sided_ = false;
+    VkCullModeFlags cull_ = VK_CULL_MODE_NONE;  ///< of the pipeline in use
     VkBuffer indices_ = VK_NULL_HANDLE;
 };
 

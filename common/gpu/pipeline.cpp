@@ -4,6 +4,7 @@
 
 #include "common/base/exercise.h"
 #include "common/gpu/hidden_blocks.h"
+#include "common/gpu/sealed.h"
 
 namespace lightwalk {
 namespace {
@@ -84,9 +85,16 @@ std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Macros& m
     Macros all = macros;
     all.add(pipeline.macros());
     std::vector<FlatShader> result;
-    for (const std::string& shader : pipeline.shaders())
+    for (const std::string& shader : pipeline.shaders()) {
+        const std::string sealed = sealed_name(shader, all, pipeline.compute.source);
+        if (only_sealed()) {
+            result.push_back({.text = sealed, .files = {}, .sealed = sealed});
+            continue;
+        }
         result.push_back(pipeline.compute.source.empty() ? flatten(shader, all)
                                                          : flatten_text(pipeline.compute.source, shader, "99", all));
+        result.back().sealed = sealed;
+    }
     return result;
 }
 
@@ -95,7 +103,9 @@ CompiledStages compile_stages(const Pipeline& pipeline, const std::vector<FlatSh
     result.names = pipeline.shaders();
     for (size_t i = 0; i < flat.size(); ++i) {
         result.stages.push_back(pipeline.is_compute ? Stage::compute : stage_of(result.names[i]));
-        result.spirv.push_back(compile(result.stages[i], flat[i].text, result.names[i]));
+        result.spirv.push_back(only_sealed() ? read_sealed(flat[i].sealed)
+                                             : compile(result.stages[i], flat[i].text, result.names[i]));
+        seal(flat[i].sealed, result.spirv.back());
     }
     return result;
 }

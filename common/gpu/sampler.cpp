@@ -47,7 +47,7 @@ VkSampler Samplers::operator[](const Sampler& sampler) {
                                    .mipmapMode = sampler.mip_filter == Filter::linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR
                                                                                       : VK_SAMPLER_MIPMAP_MODE_NEAREST,
                                    .addressModeU = vk(sampler.wrap),
-                                   .addressModeV = vk(sampler.wrap),
+                                   .addressModeV = vk(sampler.wrap_v.value_or(sampler.wrap)),
                                    .addressModeW = vk(sampler.wrap),
                                    .mipLodBias = sampler.lod_bias,
                                    .anisotropyEnable = sampler.anisotropy > 1.0f && most > 1.0f,

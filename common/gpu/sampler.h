@@ -2,6 +2,7 @@
 #pragma once
 #include <compare>
 #include <map>
+#include <optional>
 
 #include "common/gpu/device.h"
 #include "common/gpu/owned.h"
@@ -19,6 +20,7 @@ struct Sampler {
     Filter mip_filter = Filter::linear;    ///< between mips
     Compare compare = Compare::off;        ///< for sampler2DShadow and the like: the reference with what is stored
     Wrap wrap = Wrap::repeat;              ///< outside 0 to 1, in each direction
+    std::optional<Wrap> wrap_v{};          ///< along v, where it differs
     Border border = Border::opaque_black;  ///< outside, with Wrap::border
     float anisotropy = 1;                  ///< samples along a slanted footprint, 1 to 16; what the device has at most
     float min_lod = 0, max_lod = VK_LOD_CLAMP_NONE;  ///< mips of the bound view

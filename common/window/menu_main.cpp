@@ -1,4 +1,5 @@
-// The menu: a picture of each chapter; a click starts it, and its end brings the menu back.
+// The menu: a picture of each chapter; a click starts it, and its end brings the menu back. A chapter that is not built yet
+// shows how far its build is; a click builds it next.
 #include <GLFW/glfw3.h>
 
 #include <chrono>
@@ -14,6 +15,7 @@
 #include "common/window/child_process.h"
 #include "common/window/event_log.h"
 #include "common/window/lesson_pages.h"
+#include "common/window/menu_programs.h"
 #include "common/window/overlay.h"
 #include "common/window/titles.h"
 
@@ -30,16 +32,16 @@ struct Entry {
     Image picture;  ///< none where nothing has been drawn yet
 };
 
-/// The picture of the chapter's first shot: as accepted, else as the gallery drew it.
+/// The chapter's best picture: as the gallery drew it, with four samples, else as accepted.
 std::optional<fs::path> find_picture(const std::string& chapter, const fs::path& build) {
     std::vector<Shot> shots;
     try {
-        shots = read_shots(chapter);
+        shots = best_first(chapter);
     } catch (const std::exception&) {
         return std::nullopt;  // its own program says what is wrong with them
     }
     for (const Shot& shot : shots)
-        for (const fs::path& folder : {course_root() / "tests" / chapter / "golden", build / "gallery" / chapter})
+        for (const fs::path& folder : {build / "gallery" / chapter, course_root() / "tests" / chapter / "golden"})
             if (fs::exists(folder / (shot.name + ".png"))) return folder / (shot.name + ".png");
     return std::nullopt;
 }
@@ -64,13 +66,15 @@ Image8 thumbnail(const Image8& image, glm::uvec2 size) {
     return to_srgb8(small);
 }
 
-std::vector<Entry> find_chapters(Gpu& gpu, float scale) {
+std::vector<Entry> find_chapters(Gpu& gpu, float scale, const MenuPrograms& programs) {
     const fs::path build = fs::read_symlink("/proc/self/exe").parent_path();
     std::vector<Entry> entries;
+    for (const auto& [name, state] : programs.states())
+        entries.push_back({name, chapter_title(name), build / "chapters" / name, {}});
     for (const auto& file : fs::directory_iterator(build / "chapters")) {
         const std::string name = file.path().filename().string();
         if (!file.is_regular_file() || file.path().has_extension() || name.size() < 4 || name[2] != '_') continue;
-        entries.push_back({name, chapter_title(name), file.path(), {}});
+        if (!programs.states().contains(name)) entries.push_back({name, chapter_title(name), file.path(), {}});
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.chapter < b.chapter; });
     const glm::uvec2 size(glm::vec2(picture_size) * scale);
@@ -93,12 +97,13 @@ class Menu {
           swapchain_(gpu, display),
           overlay_(gpu, display, swapchain_),
           screen_(gpu),
-          entries_(find_chapters(gpu, display.scale())) {}
+          entries_(find_chapters(gpu, display.scale(), programs_)) {}
 
     void run() {
         int settle = 3;  // pictures to draw until the widgets have come to rest
         while (!display_.wants_to_close()) {
-            const Input input = display_.poll(settle > 0 ? 0.0 : 0.5);
+            const Input input = display_.poll(settle > 0 ? 0.0 : programs_.are_building() ? 0.2 : 0.5);
+            if (programs_.poll()) settle = 3;
             for (const KeyPress& press : input.pressed)
                 if (press.key == GLFW_KEY_ESCAPE) return;
             if (input.happened) settle = 3;
@@ -112,7 +117,7 @@ class Menu {
             }
             if (settle-- <= 0) continue;
             if (const Entry* chosen = draw()) {
-                start(*chosen);
+                choose(*chosen);
                 settle = 3;
             }
         }
@@ -156,7 +161,7 @@ class Menu {
         ImGui::PushFont(overlay_.large);
         ImGui::TextUnformatted("Lightwalk");
         ImGui::PopFont();
-        ImGui::TextColored(quiet_color, "A click starts a chapter; Esc in it comes back here.");
+        ImGui::TextColored(quiet_color, "%s", what_to_do().c_str());
         if (!message_.empty()) ImGui::TextColored(mine_color, "%s", message_.c_str());
         const float scale = display_.scale(), gap = 16.0f * scale;
         const ImVec2 size{float(picture_size.x) * scale, (float(picture_size.y) + 34.0f) * scale};
@@ -194,6 +199,7 @@ class Menu {
             list.AddRectFilled(corner, {end.x, corner.y + foot}, ImGui::GetColorU32({0.12f, 0.13f, 0.155f, 1.0f}));
             list.AddText({corner.x + 10.0f, corner.y + 10.0f}, ImGui::GetColorU32(quiet_color), "no picture yet");
         }
+        draw_state(entry, corner, {end.x, corner.y + foot});
         if (hovered) list.AddRect(corner, end, ImGui::GetColorU32(reference_color), 0.0f, 0, 2.0f);
         const float width = ImGui::CalcTextSize("lesson").x + 2.0f * ImGui::GetStyle().FramePadding.x;
         ImGui::SetCursorScreenPos({end.x - width - 8.0f, corner.y + 8.0f});
@@ -201,6 +207,40 @@ class Menu {
         log_place("lesson." + entry.chapter);
         ImGui::EndGroup();
         return clicked;
+    }
+
+    std::string what_to_do() const {
+        if (!programs_.are_building()) return "Click a chapter to start it; Esc in it comes back here.";
+        size_t ready = 0;
+        for (const Entry& entry : entries_) ready += programs_.state(entry.chapter).name == "ready";
+        return std::to_string(ready) + " of " + std::to_string(entries_.size()) +
+               " chapters are built. Click one to start it, or to build it next.";
+    }
+
+    /// Over the picture of a chapter that cannot be started yet: what it waits for, and a bar.
+    void draw_state(const Entry& entry, ImVec2 corner, ImVec2 end) {
+        const ProgramState state = programs_.state(entry.chapter);
+        if (state.name == "ready") return;
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const float scale = display_.scale(), top = end.y - 30.0f * scale;
+        list.AddRectFilled(corner, end, IM_COL32(16, 18, 22, 120));
+        list.AddRectFilled({corner.x, top}, end, IM_COL32(16, 18, 22, 225));
+        std::string words = entry.chapter == programs_.wanted() ? "next" : "not built yet";
+        if (state.name == "failed") words = "does not compile: the terminal says why";
+        if (state.name == "building" && state.total == 0) words = "compiling";
+        if (state.name == "building" && state.total > 0) {
+            words = "compiling, " + std::to_string(state.done) + " of " + std::to_string(state.total);
+            const float width = (end.x - corner.x) * float(state.done) / float(state.total);
+            list.AddRectFilled({corner.x, end.y - 5.0f * scale}, {corner.x + width, end.y},
+                               ImGui::GetColorU32(right_color));
+        }
+        list.AddText({corner.x + 10.0f * scale, top + 4.0f * scale}, ImGui::GetColorU32(ImGuiCol_Text), words.c_str());
+    }
+
+    void choose(const Entry& entry) {
+        if (programs_.state(entry.chapter).name == "ready") return start(entry);
+        programs_.want(entry.chapter);
+        log_event("wanted " + entry.chapter);
     }
 
     struct Tile {
@@ -238,6 +278,7 @@ class Menu {
     Swapchain swapchain_;
     Overlay overlay_;
     Frame screen_;
+    MenuPrograms programs_;
     std::vector<Entry> entries_;
     std::vector<Tile> tiles_;
     LessonPages lessons_;

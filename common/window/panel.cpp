@@ -46,7 +46,7 @@ Requests Panel::draw(PanelState& state, float scale) {
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PopStyleVar();
     ImGui::PushFont(overlay_.large);
-    ImGui::TextUnformatted(title_.c_str());
+    ImGui::TextWrapped("%s", title_.c_str());
     ImGui::PopFont();
     if (ImGui::Button("lesson", {-1.0f, 0.0f})) requests.lesson = state.chapter.name;
     log_place("lesson");

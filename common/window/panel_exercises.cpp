@@ -100,20 +100,8 @@ void log_state(const std::string& id, const std::string& state) {
     if (std::string& before = last[id]; before != state) log_event("state " + id + " " + (before = state));
 }
 
-// An exercise's name and verdict; below them its toggle, its lesson and its check, and what that has said. True where
-// it was switched.
-bool exercise_row(const std::string& id, const CheckVerdict* check, Requests& requests) {
-    ImGui::PushID(id.c_str());
-    ImGui::TextUnformatted(id.c_str());
-    const float right = ImGui::GetWindowContentRegionMax().x;
-    const bool holds = check && check->of == answer_digest(id);
-    const Verdict said = holds ? verdict(*check) : verdict(id);
-    const std::string text = holds && check->cases && check->state != CheckVerdict::State::invalid
-                                 ? fmt::format("{}: {} of {}", said.name, check->passed, check->cases)
-                                 : said.name;
-    ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
-    ImGui::TextColored(said.color, "%s", text.c_str());
-    log_state(id, said.name);
+// The toggle of an exercise, its lesson and its check, and what that has said. True where it was switched.
+bool unfolded_row(const std::string& id, const CheckVerdict* check, float right, Requests& requests) {
     const bool switched = toggle(id);
     ImGui::SameLine(right - width_of("lesson") - width_of("check") - gap);
     if (ImGui::Button("lesson")) requests.lesson = id;
@@ -124,6 +112,28 @@ bool exercise_row(const std::string& id, const CheckVerdict* check, Requests& re
     log_place("check." + id);
     help_on_hover("Checks your version beside the window, as ./course check does");
     if (check) check_words(id, *check);
+    return switched;
+}
+
+// A line for each exercise: its name, in the colour of the version in use, and the verdict. Unfolded also its toggle, its
+// lesson, its check and the words of that. True where it was switched.
+bool exercise_row(const std::string& id, const CheckVerdict* check, Requests& requests) {
+    ImGui::PushID(id.c_str());
+    const bool mine = !Exercises::uses_solution(id);
+    if (mine) ImGui::PushStyleColor(ImGuiCol_Text, mine_color);
+    const bool open = ImGui::TreeNodeEx("exercise", ImGuiTreeNodeFlags_NoTreePushOnOpen, "%s", id.c_str());
+    if (mine) ImGui::PopStyleColor();
+    log_place("exercise." + id);
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    const bool holds = check && check->of == answer_digest(id);
+    const Verdict said = holds ? verdict(*check) : verdict(id);
+    const std::string text = holds && check->cases && check->state != CheckVerdict::State::invalid
+                                 ? fmt::format("{}: {} of {}", said.name, check->passed, check->cases)
+                                 : said.name;
+    ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextColored(said.color, "%s", text.c_str());
+    log_state(id, said.name);
+    const bool switched = open && unfolded_row(id, check, right, requests);
     ImGui::PopID();
     return switched;
 }

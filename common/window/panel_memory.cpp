@@ -1,10 +1,10 @@
 #include "common/window/panel_memory.h"
 
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/own_files.h"
 
 namespace lightwalk {
 namespace {
@@ -15,11 +15,8 @@ constexpr size_t most_bytes = 1 << 16;
 
 // Empty where there is no home.
 fs::path memory_file(const std::string& chapter) {
-    const auto variable = [](const char* name) { return fs::path(std::getenv(name) ? std::getenv(name) : ""); };
-    const fs::path state = variable("XDG_STATE_HOME"), home = variable("HOME");
-    if (state.is_absolute()) return state / "lightwalk" / (chapter + ".panel.json");
-    if (home.is_absolute()) return home / ".local" / "state" / "lightwalk" / (chapter + ".panel.json");
-    return {};
+    const fs::path folder = state_folder();
+    return folder.empty() ? folder : folder / (chapter + ".panel.json");
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
 #include "common/window/window.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <cstdlib>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "common/base/error.h"
@@ -17,9 +21,8 @@ namespace {
 // An editor that opens a file to write it has written it after this.
 constexpr std::chrono::milliseconds writing{50};
 
-constexpr double watch_every_s = 0.2;  // how often shader files are looked at
-constexpr double settle_s = 0.2;       // drawn for so long after something happened, for the panel to come to rest
-constexpr int settle_frames = 6;       // and at least so many: a field that is asked for has the keyboard in the fifth
+constexpr double watch_every_s = 0.2;    // how often shader files are looked at
+constexpr int most_samples = 16;         // of a picture at rest
 constexpr double compare_every_s = 1.0;  // while the picture moves
 constexpr glm::ivec2 default_size{1480, 660};
 
@@ -53,11 +56,13 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
       tool_(dynamic_cast<WindowTool*>(&live.chapter)),
       gpu_(gpu),
       display_(display),
-      scene_(std::move(scene)),
       swapchain_(gpu, display),
       overlay_(gpu, display, swapchain_),
+      activity_(overlay_),
+      saver_(chapter_, scene, notice_),
+      mouse_(chapter_, display_, activity_),
       panel_(chapter_, overlay_),
-      split_(gpu, make, scene_),
+      split_(gpu, make, std::move(scene)),
       frame_(gpu),
       screen_(gpu),
       clock_runs_(chapter_.any_animated()),
@@ -70,11 +75,6 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
         else if (dynamic_cast<const Choice*>(knob) && knob->name == "method")
             automatic_.without.insert(knob->path());
     if (tool_) tool_->automatic = &automatic_;
-    remember_scene();
-}
-
-double Window::now() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 glm::uvec2 Window::picture_size() const {
@@ -83,13 +83,13 @@ glm::uvec2 Window::picture_size() const {
 }
 
 void Window::run() {
-    stay_active(settle_s);
+    activity_.stay(Activity::settle_s);
     for (;;) {
         if (display_.wants_to_close() || close_) {
             if (!tool_ || tool_->may_close()) break;
             display_.stay_open();
             close_ = false;
-            stay_active(settle_s);
+            activity_.stay(Activity::settle_s);
         }
         if (tool_) ask_tool();
         // Nothing is drawn while nothing changes: a software rasteriser has better things to do.
@@ -99,19 +99,16 @@ void Window::run() {
         Requests requests;
         handle_keys(input, requests);
         obey(requests);
-        note_acts(input);
+        activity_.note(input);
         watch_files();
         watch_programs();
         if (!swapchain_.ready()) continue;
         compare_when_still();
-        if (!notice_.empty() && now() > notice_until_) {
-            notice_.clear();
-            active_until_ = now() + 0.01;
-        }
+        if (notice_.has_ended()) activity_.stay_panel(0.01);
         const Sound* sound = clock_runs_ ? chapter_.any_sound() : nullptr;
         // Music does not wait for a picture that takes long; without it, the clock of one that does goes slower.
-        const double since_last = std::min(now() - last_draw_, sound ? 1.0 : 0.1);
-        move_camera(input, since_last);
+        const double since_last = std::min(steady_s() - last_draw_, sound ? 1.0 : 0.1);
+        mouse_.move(input, picture_size(), since_last);
         time_s_ = static_cast<float>(sound_.advance(sound, double(time_s_), clock_runs_, since_last));
         if (!automatic_.wanted.empty() && drawn_ > asked_auto_ + 1) choose_automatically();  // the notice is to be seen
         if (is_still()) continue;
@@ -119,45 +116,41 @@ void Window::run() {
     }
 }
 
-// A picture takes a software rasteriser much longer than the panel. The mouse on its way changes none; what is done to the
-// panel does where the panel says so, and one more is drawn when all is done.
-void Window::note_acts(const Input& input) {
-    if (!input.happened) return;
-    active_until_ = std::max(active_until_, now() + settle_s), frames_due_ = settle_frames;
-    if (!input.acted) return;
-    const ImGuiIO& io = ImGui::GetIO();
-    last_picture_due_ = true;
-    if (!io.WantCaptureMouse && !io.WantTextInput) picture_due_ = true;
-}
-
-void Window::stay_active(double seconds) {
-    active_until_ = std::max(active_until_, now() + seconds);
-    picture_due_ = last_picture_due_ = true;
-}
-
-bool Window::has_settled() const { return now() > active_until_ && frames_due_ == 0 && !overlay_.input_is_left(); }
-
-// What moves may show what was there a frame before (screens in screens): more pictures are drawn of it.
 bool Window::picture_is_due() const {
-    return clock_runs_ || picture_due_ || (last_picture_due_ && (has_settled() || chapter_.any_animated())) ||
-           capture_next_ || !shown_ || drawn_size_ != picture_size();
+    return clock_runs_ || activity_.picture_is_due(chapter_.any_animated()) || capture_next_ || !shown_ ||
+           drawn_size_ != picture_size();
 }
 
-bool Window::is_still() const { return !clock_runs_ && !last_picture_due_ && has_settled(); }
+bool Window::is_still() const { return !clock_runs_ && activity_.is_still() && !refines(); }
+
+bool Window::refines() const {
+    static const bool wanted = [] {
+        const char* const said = std::getenv("LIGHTWALK_REFINE");
+        return !said || said != std::string_view("off");  // tests compare pictures of one sample
+    }();
+    return wanted && refined_ < most_samples && !clock_runs_ && activity_.is_still() && !picture_is_due() && !tool_ &&
+           !split_.on() && look_.output.empty() && chapter_.samples == 1 && !chapter_.any_animated() &&
+           logged_errors_.empty();
+}
+
+void Window::refine_picture(glm::uvec2 size) {
+    live_.draw(frame_, {size, time_s_, options_.seed, {}, glm::ivec2(refined_, most_samples)});
+    display_.say(fmt::format("{} samples", ++refined_));
+}
 
 void Window::watch_files() {
-    if (now() < next_watch_) return;
-    next_watch_ = now() + watch_every_s;
+    if (steady_s() < next_watch_) return;
+    next_watch_ = steady_s() + watch_every_s;
     if (!gpu_.pipelines.forget_changed_files(writing)) return;
     log_event("reloaded shaders");
-    stay_active(settle_s);
+    activity_.stay(Activity::settle_s);
 }
 
 void Window::watch_programs() {
-    if (checks_.poll()) stay_active(settle_s);
+    if (checks_.poll()) activity_.stay(Activity::settle_s);
     if (const std::string wrong = lessons_.poll(); !wrong.empty()) {
-        tell(wrong);
-        stay_active(settle_s);
+        notice_.tell(wrong);
+        activity_.stay(Activity::settle_s);
     }
 }
 
@@ -179,12 +172,12 @@ Requests Window::build_panel(bool picture_is_new) {
     const std::string asked_before = automatic_.wanted;
     Requests requests = panel_.draw(state, display_.scale());
     const float covered = tool_ ? tool_->covered_px(picture_size(), display_.scale()) : 0.0f;
-    panel_.draw_messages(errors(), notice_, picture_size(), covered);
+    panel_.draw_messages(errors(), notice_.text(), picture_size(), covered);
     if (split_.on() && panel_.draw_divider(split_, picture_size())) requests.changed = true;
     if (tool_ && tool_->draw_panels(picture_size(), display_.scale())) requests.changed = true;
     if (automatic_.wanted != asked_before) {
         asked_auto_ = drawn_;
-        tell("measuring the methods of " + automatic_.wanted + " ... (Esc cancels)");
+        notice_.tell("measuring the methods of " + automatic_.wanted + " ... (Esc cancels)");
         requests.changed = true;
     }
     overlay_.end();
@@ -207,8 +200,8 @@ std::vector<std::string> Window::errors() {
 }
 
 void Window::draw_picture(glm::uvec2 size) {
-    picture_due_ = false;
-    if (has_settled()) last_picture_due_ = false;
+    activity_.begin_picture();
+    if (std::exchange(refined_, 0) > 0) display_.say("");
     drawn_size_ = size;
     shown_ = nullptr;
     compared_ = false;
@@ -228,11 +221,14 @@ void Window::draw_picture(glm::uvec2 size) {
 }
 
 void Window::draw() {
-    frames_due_ = std::max(frames_due_ - 1, 0);
+    activity_.begin_panel();
     const glm::uvec2 size = picture_size();
-    const double started = now();
+    const double started = steady_s();
     const bool anew = picture_is_due();
-    if (anew) draw_picture(size);
+    if (anew)
+        draw_picture(size);
+    else if (refines())
+        refine_picture(size);
     const Requests requests = build_panel(anew);
 
     const Image* target = swapchain_.acquire();
@@ -251,7 +247,7 @@ void Window::draw() {
         if (++drawn_ == 1) log_event("first picture");
     }
     log_frame(overlay_.input_is_left(), anew);
-    const double ended = now();
+    const double ended = steady_s();
     const double milliseconds = 1e3 * (ended - started);
     if (anew) frame_ms_ += (drawn_ < 3 ? 1.0 : 0.1) * (milliseconds - frame_ms_);
     last_draw_ = started;
@@ -274,13 +270,13 @@ void Window::compare_when_still() {
     if (!split_.drawn() || !frame_.output) return;
     if (split_.poll()) {
         log_event("flip " + std::to_string(split_.difference->flip_mean));
-        active_until_ = now() + 0.01;  // to show the figure
+        activity_.stay_panel(0.01);  // to show the figure
     }
     const bool still = is_still();
-    const bool due = clock_runs_ && now() > next_compare_;
+    const bool due = clock_runs_ && steady_s() > next_compare_;
     if (compared_ || !(still || due)) return;
     split_.compare(look_.picture(frame_, viewed_), split_.picture(look_));
-    next_compare_ = now() + compare_every_s;
+    next_compare_ = steady_s() + compare_every_s;
     compared_ = true;
 }
 

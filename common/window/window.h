@@ -2,9 +2,11 @@
 #pragma once
 #include "common/app/options.h"
 #include "common/gpu/capture.h"
+#include "common/window/camera_mouse.h"
 #include "common/window/lesson_pages.h"
 #include "common/window/live_chapter.h"
 #include "common/window/panel.h"
+#include "common/window/scene_saver.h"
 #include "common/window/sound_player.h"
 #include "common/window/window_tool.h"
 
@@ -25,36 +27,28 @@ class Window {
     void run();
 
   private:
-    void note_acts(const Input& input);
     void handle_keys(const Input& input, Requests& requests);
-    void move_camera(const Input& input, double seconds);
-    void follow_mouse(glm::vec2 place);
-    bool tool_has_mouse(const Input& input);
     void ask_tool();
     void obey(const Requests& requests);
     void reload();
     void toggle_all(bool earlier_too);
     void take_screenshot();
     void write_capture(Capture& capture);
-    void save_scene();
-    void remember_scene();
     void switch_split();
     void choose_automatically();
-    void tell(const std::string& text);
     void watch_files();
     void watch_programs();
     void draw();
     void draw_picture(glm::uvec2 size);
-    void stay_active(double seconds);  ///< and the picture, too, is drawn again: something has changed it
-    bool has_settled() const;          ///< the panel has
-    bool picture_is_due() const;       ///< false: the panel is drawn beside the picture that is there
-    bool is_still() const;             ///< nothing is drawn: neither time nor input changes the picture
+    bool refines() const;                  ///< what is shown rests, and samples are missing
+    void refine_picture(glm::uvec2 size);  ///< one more sample, shifted within a pixel
+    bool picture_is_due() const;           ///< false: the panel is drawn beside the picture that is there
+    bool is_still() const;                 ///< nothing is drawn: neither time nor input changes the picture
     Requests build_panel(bool picture_is_new);
     std::vector<std::string> errors();
     const Image& compose(glm::uvec2 size, const Image& mine, const Image& reference);
     void compare_when_still();
     glm::uvec2 picture_size() const;
-    double now() const;
 
     const Options& options_;
     LiveChapter& live_;
@@ -62,9 +56,12 @@ class Window {
     WindowTool* const tool_;  ///< the chapter, or null
     Gpu& gpu_;
     Display& display_;
-    std::filesystem::path scene_;
     Swapchain swapchain_;
     Overlay overlay_;
+    Activity activity_;
+    Notice notice_;
+    SceneSaver saver_;
+    CameraMouse mouse_;
     Panel panel_;
     SplitView split_;
     Look look_;
@@ -77,17 +74,14 @@ class Window {
     Image composed_;  ///< both sides of the split view
     Frame frame_;     ///< the chapter's
     Frame screen_;    ///< what the window adds: its passes are not the chapter's
-    bool clock_runs_, close_ = false, compared_ = false, dragging_ = false;
+    bool clock_runs_, close_ = false, compared_ = false;
     bool rests_ = false;  ///< until something happens
     float time_s_;
-    int drawn_ = 0, frames_due_ = 0;
-    bool picture_due_ = true, last_picture_due_ = true;  ///< now; once the panel has settled
-    glm::uvec2 drawn_size_{0};                           ///< of the picture drawn last
-    double active_until_ = 0, next_watch_ = 0, next_compare_ = 0, notice_until_ = 0, last_draw_ = 0, frame_ms_ = 0;
-    std::string notice_, logged_errors_;
-    uint64_t scene_hash_ = 0;       ///< of the scene file as it was read or saved
-    uint64_t saved_hash_ = 0;       ///< of the file that was saved beside it
-    double confirm_until_ = 0;      ///< until then Ctrl+S saves without asking
+    int drawn_ = 0;
+    int refined_ = 0;           ///< samples that the picture shown has gathered at rest
+    glm::uvec2 drawn_size_{0};  ///< of the picture drawn last
+    double next_watch_ = 0, next_compare_ = 0, last_draw_ = 0, frame_ms_ = 0;
+    std::string logged_errors_;
     bool capture_next_ = false;     ///< for RenderDoc
     const Image* shown_ = nullptr;  ///< the picture drawn last, without the panel
 };

@@ -95,7 +95,7 @@ CHECK_EXERCISE("18.drag_on_axis", "c = cross(axis, d); dot(c, cross(w, d)) over 
                 s < least && std::fabs(double(got) - free) < 1e-2 * std::fabs(free) ? ": below 10° it must slow down"
                 : std::fabs(double(got) + right) < 1e-3 * (1 + std::fabs(right))    ? ": the other way around"
                                                                                     : "";
-            return fmt::format("{} gave {:.6g} m, expected {:.6g} m{}", what, got, right, why);
+            return what + " " + gave_text(double(got), right) + " (metres)" + why;
         });
         if (check.failed) return;
     }

@@ -1,6 +1,7 @@
 // What ./course check runs for chapter 18: the list of steps, and the tree.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numeric>
@@ -34,7 +35,13 @@ CHECK_EXERCISE(
         {"a step that is larger than all there may be", {{0, 40}}, {0, 1000}, false, 100, {false, 1}},
         {"a step that joins and is too large", {{0, 40}, {0, 5}, {3, 50}}, {3, 60}, false, 100, {true, 2}},
         {"a step that joins, with room", {{0, 40}, {3, 50}}, {3, 11}, false, 100, {true, 1}},
-        {"sums beyond 32 bits", {{0, 3000000000u}, {0, 3000000000u}}, {0, 1}, false, 6000000001u, {false, 0}}};
+        {"sums beyond 32 bits", {{0, 3000000000u}, {0, 3000000000u}}, {0, 1}, false, 6000000001u, {false, 0}},
+        {"sums beyond 32 bits, with less room",
+         {{0, 3000000000u}, {0, 3000000000u}},
+         {0, 1},
+         false,
+         5000000000u,
+         {false, 1}}};
     for (const Case& one : cases) {
         const std::string what = "push_step(" + one.name + ")";
         check.call(what, [&]() -> std::string {
@@ -70,6 +77,33 @@ CHECK_EXERCISE(
         large.right.push_back({i, i + 1, 499999 - i});
     }
     joins.push_back(large);
+    // Any two steps, by the definition: entries of the one, the other and both, in orders of their own.
+    for (int round = 0; round < 20; ++round) {
+        Join any{fmt::format("any two steps, {}", round), {}, {}, {}};
+        std::vector<uint32_t> entries(12);
+        for (uint32_t i = 0; i < 12; ++i) entries[i] = i;
+        const auto version = [&](double most) { return uint32_t(random.uniform(0, most)); };
+        const auto fill = [&](std::vector<Replaced>& step) {
+            for (size_t i = 11; i > 0; --i)
+                std::swap(entries[i], entries[size_t(random.uniform(0, double(i) + 0.999))]);
+            for (int i = 0; i < 7; ++i) {  // each has changed something
+                const uint32_t before = version(3.9), after = (before + 1 + version(2.9)) % 4;
+                step.push_back({entries[size_t(i)], before, after});
+            }
+        };
+        fill(any.first), fill(any.then);
+        for (Replaced one : any.first) {
+            for (const Replaced& later : any.then)
+                if (later.entry == one.entry) one.after = later.after;
+            if (one.before != one.after) any.right.push_back(one);
+        }
+        for (const Replaced& later : any.then) {
+            const bool is_new =
+                std::ranges::none_of(any.first, [&](const Replaced& one) { return one.entry == later.entry; });
+            if (is_new && later.before != later.after) any.right.push_back(later);
+        }
+        joins.push_back(any);
+    }
     for (const Join& one : joins) {
         const std::string what = "join_steps(" + one.name + ")";
         check.call(what, [&]() -> std::string {

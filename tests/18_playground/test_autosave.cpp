@@ -101,3 +101,28 @@ TEST_CASE("an autosave that is older than its scene is not offered, and keeps an
     CHECK_FALSE(fs::exists(left));
     CHECK(read_file(left.string() + ".1") == old);
 }
+
+TEST_CASE(
+    "the autosave of a scene of the course's tree lies in the person's state folder, and is offered after a crash") {
+    const TestFolder folder;
+    setenv("XDG_STATE_HOME", folder.path.c_str(), 1);
+    const fs::path file = course_root() / "assets" / "scenes" / "workbench.json";
+    const auto beside = [&] {
+        return std::distance(fs::directory_iterator(file.parent_path()), fs::directory_iterator());
+    };
+    const auto files = beside();
+    {
+        Open crashed(file);
+        crashed.change("not saved");
+        CHECK(crashed.store.autosave_file().string().starts_with(folder.path.string()));
+    }
+    CHECK(beside() == files);
+    Open next(file);
+    CHECK(next.store.has_recovery());
+    next.store.recover();
+    CHECK(parse_scene(read_file(next.store.autosave_file()), file).objects.back().name == "not saved");
+    next.store.forget_autosave();
+    Open last(file);
+    CHECK_FALSE(last.store.has_recovery());
+    unsetenv("XDG_STATE_HOME");
+}

@@ -244,7 +244,7 @@ TEST_CASE("what auto tries while it measures is no step; what it chooses is one"
     REQUIRE(editor.document().done() == 1);
     editor.key(GLFW_KEY_1);  // another gesture, as by the click on the menu
     CHECK(choose_method(editor.window, editor.gpu, bloom, 0.9, {{64, 48}, 0, 0, {}})
-              .find("is the fastest within 0.9; 8 were measured") != std::string::npos);
+              .find("is the fastest within 0.9; 9 were measured") != std::string::npos);
     CHECK(editor.document().done() == 1);
     const std::string chosen = bloom.text();
     CHECK(chosen != "exact");

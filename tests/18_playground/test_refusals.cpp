@@ -220,7 +220,7 @@ TEST_CASE("a scene that is opened has its own knobs, and none of the scene befor
     editor.window.opens = other;
     editor.draw();
     CHECK(editor.window.bloom.method.is("none"));
-    CHECK(editor.window.fog.method.is("height"));
+    CHECK(editor.window.bench.fog.method.is("height"));
     CHECK(editor.document().done() == 0);
 }
 

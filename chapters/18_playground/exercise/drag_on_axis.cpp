@@ -5,21 +5,22 @@
 namespace lightwalk::exercise {
 
 // [drag_on_axis]
-// An arrow of the gizmo begins at `pivot` and goes along `axis` (unit length); `ray` is that of the mouse (unit
-// length). In space, two lines rarely meet. Returns the place on the axis that is closest to the line of the ray, in
-// metres from the pivot, negative behind it. With w = ray.origin - pivot, d = ray.direction, b = dot(axis, d) and
-// s = 1 - b² it is
+// An arrow of the gizmo begins at `pivot` and goes along `axis` (unit length); `ray` is that of
+// the mouse (unit length). In space, two lines rarely meet. Returns the place on the axis that
+// is closest to the line of the ray, in metres from the pivot, negative behind it. With w =
+// ray.origin - pivot, d = ray.direction, b = dot(axis, d) and s = 1 - b² it is
 //
 //     (dot(axis, w) - b dot(d, w)) / s.
 //
-// s is the square of the sine of the angle between the two lines. An axis seen from its end is a point. At 10° a
-// movement of the mouse by one pixel moves the object by 5.8 times the length of a pixel at its distance, at 1° by 57
-// times, and at 0° the quotient is 0 / 0. Below 10° the object has to slow down instead: where s is less than the
-// square of the sine of 10°, divide by that square. The result is then a finite number for every ray, and 0 where the
-// lines are parallel.
+// s is the square of the sine of the angle between the two lines. An axis seen from its end is
+// a point. At 10° a movement of the mouse by one pixel moves the object by 5.8 times the length
+// of a pixel at its distance, at 1° by 57 times, and at 0° the quotient is 0 / 0. Below 10° the
+// object has to slow down instead: where s is less than the square of the sine of 10°, divide
+// by that square. The result is then a finite number for every ray, and 0 where the lines are
+// parallel.
 //
-// Where the lines are nearly parallel, s and the numerator are small differences of large numbers. The same values
-// without this loss of digits are, by Lagrange's identity,
+// Where the lines are nearly parallel, s and the numerator are small differences of large
+// numbers. The same values without this loss of digits are, by Lagrange's identity,
 //
 //     s = dot(c, c),  numerator = dot(c, cross(w, d)),  c = cross(axis, d).
 //

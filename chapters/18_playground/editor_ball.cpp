@@ -1,0 +1,30 @@
+#include "18_playground/editor_ball.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "18_playground/widgets.h"
+
+namespace lightwalk {
+
+// It is drawn when nobody drags: a new material means its textures' levels again.
+void MaterialBall::draw(EntryId id, const DrawItem& item) {
+    SceneFile shows = material_ball(*editor.document.at(id).object(), item);
+    if (std::exchange(images_, scene.images()) != scene.images())  // its files were read again
+        preview.forget(), key_.clear();
+    if (std::string key = scene_text(shows); key != key_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        key_ = std::move(key), due_ = std::move(shows);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float pixel = std::max(1.0f, std::floor(ImGui::GetFontSize() / 15.0f));
+    if (picture_.width) draw_pixels(picture_, at, pixel);
+    ImGui::Dummy({pixel * float(size), pixel * float(size)});
+    log_place("ball");
+}
+
+void MaterialBall::make() {
+    picture_ = preview.draw(*view_.gpu, *std::exchange(due_, std::nullopt), glm::uvec2(size));
+    log_event("ball drawn");
+    view_.changed = true;
+}
+
+}  // namespace lightwalk

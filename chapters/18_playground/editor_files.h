@@ -1,0 +1,43 @@
+// Files that the editor writes: the scene, its export, and what a crash has left; and the questions before.
+#pragma once
+#include "18_playground/editor_part.h"
+
+namespace lightwalk {
+
+class SceneFiles : public EditorPart {
+  public:
+    using EditorPart::EditorPart;
+
+    void save(bool overwrite = false);
+    void save_as() { saves_as_ = true, save(); }  ///< to the file that `name` says
+    void ask_export();
+    void export_due();  ///< when the scene shows what the document has: two keys may come in one frame
+    bool may_close();
+    bool closes() const { return closes_; }
+    void keep_time();  ///< once per frame: looks for what a crash has left, and saves by itself every 30 s
+
+    bool asks() const { return asked_.what != Question::nothing; }
+    void answer(int key) { asked_.key = key; }  ///< GLFW_KEY_..., pressed since it was asked
+    void draw_question();
+
+    std::string name = "scene.json";  ///< of a scene that has none, or is not written over
+
+  private:
+    enum class Question { nothing, close, overwrite, recover, export_over };
+    std::string question_text(Question asked) const;
+    void draw_answers(Question asked, int pressed);
+    bool saves_own() const;
+    std::filesystem::path save_target() const;
+    std::filesystem::path export_target() const;
+    void check_recovery();
+    struct {
+        Question what = Question::nothing;
+        int key = 0;
+    } asked_;
+    bool saves_as_ = false, exports_ = false, closes_ = false;
+    std::filesystem::path exported_;                ///< what was written last, and may be written over
+    std::optional<std::filesystem::path> checked_;  ///< the scene of which a crash may have left something
+    double next_autosave_ = 0;
+};
+
+}  // namespace lightwalk

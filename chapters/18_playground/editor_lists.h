@@ -1,0 +1,25 @@
+// Windows of the editor that a key opens: all steps by name, and all keys.
+#pragma once
+#include "18_playground/editor_part.h"
+
+namespace lightwalk {
+
+/// A click goes back or forward to where a step was done.
+class StepsPanel : public EditorPart {
+  public:
+    using EditorPart::EditorPart;
+    void draw(float scale);
+    bool shown = false;
+
+  private:
+    size_t listed_ = SIZE_MAX;  ///< the step that the list was scrolled to last
+};
+
+class KeysPanel : public EditorPart {
+  public:
+    using EditorPart::EditorPart;
+    void draw(float scale);
+    bool shown = false;
+};
+
+}  // namespace lightwalk

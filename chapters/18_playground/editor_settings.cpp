@@ -1,0 +1,140 @@
+// What the scene has once: its view_.chapter.camera, its surroundings, its water and its fog, as entries of the tree.
+#include "18_playground/editor_settings.h"
+
+#include "18_playground/widgets.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/window/knob_widgets.h"
+
+namespace lightwalk {
+namespace {
+
+struct Facet {
+    const char* name;
+    const char* help;
+    std::vector<std::string> modules;  ///< whose knobs it has
+};
+
+const std::vector<Facet>& facets() {
+    static const std::vector<Facet> all{{"camera", "The scene's own view, which it is opened with", {}},
+                                        {"environment", "Light from all around", {"environment", "backdrop"}},
+                                        {"sky", "Sun, air and planet", {"atmosphere", "sky"}},
+                                        {"water", "A surface of waves", {"water"}},
+                                        {"fog", "Air that scatters light, below a height", {"fog"}}};
+    return all;
+}
+
+}  // namespace
+
+std::vector<std::string> SettingsPanel::names() {
+    std::vector<std::string> names;
+    for (const Facet& facet : facets()) names.emplace_back(facet.name);
+    return names;
+}
+
+// Whether the picture has it now; what it has not is grey.
+bool SettingsPanel::is_there(const std::string& facet) const {
+    if (facet == "environment") return bool(scene.file.environment);
+    if (facet == "sky") return view_.chapter.bench.air.is("sky");
+    if (facet == "water") return !view_.chapter.bench.water.method.is("none");
+    if (facet == "fog") return !view_.chapter.bench.fog.method.is("none");
+    return true;
+}
+
+// [facets]
+void SettingsPanel::draw_rows() {
+    for (const Facet& facet : facets()) {
+        const bool there = is_there(facet.name), is_chosen = editor.selection.has(root_entry) && chosen == facet.name;
+        ImGui::Indent(13.0f);
+        if (!there) ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
+        if (ImGui::Selectable(facet.name, is_chosen)) editor.selection.set({root_entry}), chosen = facet.name;
+        if (!there) ImGui::PopStyleColor();
+        log_place(std::string("entry.") + facet.name);
+        help_on_hover(facet.help);
+        ImGui::Unindent(13.0f);
+    }
+}
+
+// The knobs of the modules that make it: the steps of the document follow them, whoever turns them.
+void SettingsPanel::draw_knobs() {
+    for (const Facet& facet : facets()) {
+        if (chosen != facet.name) continue;
+        KnobList knobs;
+        if (chosen == "sky") knobs.push_back(&view_.chapter.bench.air);
+        for (KnobBase* knob : view_.chapter.all_knobs()) {
+            const std::string path = knob->owner.path();
+            for (const std::string& module : facet.modules)
+                if (path == module || path.starts_with(module + ".")) knobs.push_back(knob);
+        }
+        const float width = label_column(knobs);
+        for (KnobBase* knob : knobs) view_.changed |= knob_widget(*knob, width, "", view_.automatic);
+    }
+}
+// [/facets]
+
+void SettingsPanel::set(const std::string& what, const SceneSettings& settings) {
+    editor.document.begin(what, editor.gesture);
+    *editor.document.edit(root_entry).settings() = settings;
+    if (const Said said = cannot_be_saved(editor.document.at(root_entry), editor.store.path); !said.empty()) {
+        editor.document.cancel();
+        return fields_.refuse(said);
+    }
+    editor.document.commit();
+}
+
+void SettingsPanel::draw() {
+    SceneSettings settings = editor.document.settings();
+    if (!chosen.empty()) {
+        ImGui::TextUnformatted(chosen.c_str());
+        const bool changed = chosen == "camera"        ? draw_camera(settings)
+                             : chosen == "environment" ? draw_environment(settings)
+                                                       : false;
+        if (changed) set(chosen, settings);
+        return draw_knobs();
+    }
+    ImGui::TextUnformatted(editor.store.path.empty() ? "not saved yet" : editor.store.path.filename().c_str());
+    bool changed =
+        fields_.color("ambient", "Light from all sides where there is no environment", settings.ambient, 1e4f);
+    changed |= fields_.color("background", "Colour where nothing is drawn, linear", settings.background, 1e4f);
+    ImGui::SetNextItemWidth(-color_label_px);
+    text_field("##save as", files_.name, "scene.json");
+    ImGui::SameLine();
+    if (tool_button("save as", "Ctrl+Shift+S: saves to this file, which is edited from then on")) files_.save_as();
+    if (changed) set("scene", settings);
+}
+
+// True: `settings` are others now.
+bool SettingsPanel::draw_camera(SceneSettings& settings) {
+    bool changed = false;
+    if (tool_button("take this view", "The scene's own camera becomes the one that is shown"))
+        settings.camera = view_.chapter.camera, changed = true;
+    ImGui::SameLine();
+    if (tool_button("go there", "The view becomes the scene's own"))
+        view_.chapter.camera = settings.camera, view_.changed = true;
+    Camera& own = settings.camera;
+    changed |= fields_.numbers("position", "Position of the camera, in metres", own.position, 0.01f);
+    changed |= fields_.numbers("target", "Point in the middle of the picture, in metres", own.target, 0.01f);
+    float degrees = glm::degrees(own.fov_y_rad);
+    if (fields_.number("field of view", "Vertical field of view, in degrees", degrees, 0.2f, 1.0f, 170.0f))
+        own.fov_y_rad = glm::radians(degrees), changed = true;
+    changed |= fields_.number("near", "Distance of the near plane, in metres", own.near_m, 0.001f, 1e-5f, 1e5f);
+    changed |= fields_.number("far", "Distance of the far plane, in metres", own.far_m, 1.0f, 1e-4f, 1e9f);
+    return changed;
+}
+
+bool SettingsPanel::draw_environment(SceneSettings& settings) {
+    bool changed = false;
+    std::string image = settings.environment.image.string();
+    ImGui::SetNextItemWidth(-short_label_px);
+    if (text_field("image", image, "none") && image != settings.environment.image) try {
+            if (!image.empty()) find_asset(image);
+            settings.environment.image = image, settings.environment.where = "environment", changed = true;
+        } catch (const InputError& e) { editor.notice = e.what(); }
+    changed |=
+        fields_.number("brightness", "Factor of the image's light", settings.environment.intensity, 0.01f, 0.0f, 1e6f);
+    changed |= fields_.number("turn", "Rotation about the vertical, in degrees", settings.environment.rotation_deg,
+                              0.5f, -360.0f, 360.0f);
+    return changed;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,50 @@
+// Workbench world: objects under many lights, in surroundings or under a sky, with water.
+#pragma once
+#include "06_deferred/deferred_scene.h"
+#include "10_atmosphere/height_fog.h"
+#include "10_atmosphere/planet.h"
+#include "14_environment/backdrop.h"
+#include "14_environment/paint.h"
+#include "14_environment/probe.h"
+#include "14_environment/substances.h"
+#include "15_terrain_water/water.h"
+#include "common/app/world.h"
+
+namespace lightwalk {
+
+// [workbench]
+struct Workbench : World {
+    explicit Workbench(Module& owner);
+
+    Choice air{*this, "air", {"none", "sky"}, "none", "Surroundings: those of the scene, or a sky with its sun (sky)"};
+    Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "Number of random lights added to those of the scene"};
+
+    ImageLight light{*this, "environment"};
+    SceneProbe probe{*this, "probe"};  ///< of the sky
+    Backdrop backdrop{*this, "backdrop", light};
+    DeferredScene objects{*this, "objects"};
+    Substances substances{*this, "substance"};
+    CarPaint paint{*this, "paint"};
+    Atmosphere atmosphere{*this, "atmosphere"};
+    Planet sky{*this, "sky", atmosphere};
+    Water water{*this, "water", light};
+    HeightFog fog{*this, "fog"};
+
+    Drawings drawings() override { return {backdrop, objects, sky, water, atmosphere, fog}; }
+    std::vector<std::pair<std::string, std::string>> look() const override { return {{"bloom.method", "none"}}; }
+    // [/workbench]
+
+  protected:
+    void record(Frame& frame) override;
+    void record_view(Frame& frame, const View& view) override { water.reflect(frame, view, drawings()); }
+
+  private:
+    std::vector<Light> all_lights(const Frame& frame);
+    const Macros all_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}};
+    SurfacePipelines surface_{{.fragment = "14_environment/surface.frag"}};
+    SurfacePipelines glass_ = LitScene::see_through("14_environment/surface.frag", all_);
+    SurfacePipelines write_{{.fragment = "18_playground/write.frag"}};
+    SurfacePipelines rest_ = DeferredScene::added("18_playground/rest.frag", all_);
+};
+
+}  // namespace lightwalk

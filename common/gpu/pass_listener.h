@@ -1,0 +1,36 @@
+// A listener to the passes of a frame, and how a frame of a check differs from any other.
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "common/gpu/targets.h"
+
+namespace lightwalk {
+
+struct Sampler;
+
+/// Hears what is recorded into a frame, in order. Bindings of modules (Given::bind) are not among it.
+struct PassListener {
+    virtual ~PassListener() = default;
+    virtual void begins(const std::string& pass, const RasterTargets& targets) = 0;
+    virtual void begins(const std::string& pass, const ComputeAccess& access) = 0;
+    virtual void uses(const Pipeline& pipeline, const Macros& variant) = 0;
+    virtual void sets(std::string_view binding, std::span<const ImageView> views, const Sampler& sampler) = 0;
+    virtual void sets(std::string_view binding, std::span<const std::byte> bytes) = 0;
+    virtual void draws(uint32_t vertices, uint32_t instances, uint32_t first_instance) = 0;
+    virtual void dispatches(glm::uvec3 groups) = 0;
+    virtual void waits() = 0;
+    /// A transfer pass, a buffer, indices, an indirect draw or dispatch.
+    virtual void does_more(std::string_view what) = 0;
+};
+
+/// What a frame does besides. It is stated where the frame is made: nothing that records into a frame can change it.
+struct FrameWatch {
+    PassListener* listener = nullptr;
+    /// A target that a pass discards gets what nobody takes for a picture. Most devices leave there what was before, and
+    /// who relies on it is right by chance.
+    bool shows_discarded = false;
+};
+
+}  // namespace lightwalk

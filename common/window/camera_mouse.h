@@ -1,0 +1,30 @@
+// The camera of a window under the mouse and the keys.
+#pragma once
+#include "common/app/chapter.h"
+#include "common/window/activity.h"
+#include "common/window/window_tool.h"
+
+namespace lightwalk {
+
+/// What begins over the panel stays with it, what begins over the picture with the camera, or with the chapter's own tool.
+class CameraMouse {
+  public:
+    CameraMouse(Chapter& chapter, Display& display, Activity& activity)
+        : chapter_(chapter), display_(display), activity_(activity) {}
+
+    /// `picture`: its size in pixels. `seconds` since the last call, for keys that fly.
+    void move(const Input& input, glm::uvec2 picture, double seconds);
+
+  private:
+    bool tool_has_mouse(const Input& input, glm::uvec2 picture);
+    void follow_mouse(glm::vec2 place);
+    void drag(const Input& input);
+    void fly(const Input& input, double seconds);
+    float pixels_per_unit() const { return float(display_.framebuffer_size().x) / float(display_.size().x); }
+    Chapter& chapter_;
+    Display& display_;
+    Activity& activity_;
+    bool dragging_ = false;
+};
+
+}  // namespace lightwalk
