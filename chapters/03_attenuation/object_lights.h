@@ -1,6 +1,7 @@
 // Lists of the lights that may reach each draw call of a scene.
 #pragma once
 #include "03_attenuation/light_buffer.h"
+#include "common/base/made.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -16,14 +17,7 @@ class ObjectLights {
     Buffer lights;  ///< positions in the LightBuffer, ascending in each list
 
   private:
-    struct Key {
-        int rebuilds = 0;
-        uint64_t placed = 0;
-        float threshold = 0;
-        bool solution = false;
-        bool operator==(const Key&) const = default;
-    };
-    Key made_for_;
+    Made<int, uint64_t, float, bool> made_;  ///< lights, placed, threshold, whose light_reaches_box
 };
 
 }  // namespace lightwalk

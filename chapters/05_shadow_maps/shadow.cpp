@@ -238,8 +238,8 @@ void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& 
 
 Macros Shadow::macros() const {
     Macros macros = Module::macros();
-    if (method.is("pcss")) macros.set("05_shadow_maps/filter_pcf.glsl", "05_shadow_maps/filter_pcss.glsl");
-    if (has_moments()) macros.set("05_shadow_maps/filter_pcf.glsl", "05_shadow_maps/filter_moments.glsl");
+    if (method.is("pcss")) macros.replace_file("05_shadow_maps/filter_pcf.glsl", "05_shadow_maps/filter_pcss.glsl");
+    if (has_moments()) macros.replace_file("05_shadow_maps/filter_pcf.glsl", "05_shadow_maps/filter_moments.glsl");
     return macros;
 }
 

@@ -51,11 +51,13 @@ void VisibilityBuffer::shade(Frame& frame, const Scene& scene, const Maps& maps,
             pass.offer("ambient", scene.ambient());
             pass.offer("instances", scene.instances);
             pass.offer("materials", scene.materials);
+            pass.offer("map_placements", scene.placements);
             pass.offer("vertices", item.model->vertices[item.mesh]);
             pass.offer("indices", item.model->indices[item.mesh]);
             for (const auto& [name, buffers] : item.model->attributes) pass.offer(name, buffers[item.mesh]);
             for (size_t slot = 0; slot < map_slot_count; ++slot)
-                pass.offer(map_slots()[slot].binding, scene.texture(item, static_cast<MapSlot>(slot)));
+                pass.offer(map_slots()[slot].binding, scene.texture(item, static_cast<MapSlot>(slot)),
+                           item.maps.samplers[slot]);
             const Part& part = item.model->model.meshes[item.mesh].parts[item.part];
             pass.set("seen", glm::uvec3(batch.first, batch.count, part.first_index));
             pass.dispatch_threads(canvas.size());

@@ -1,7 +1,5 @@
 #include "06_deferred/light_volumes.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -60,10 +58,9 @@ std::vector<glm::vec3> volume_mesh(LightVolume::Shape shape) {
 
 // [update]
 void LightVolumes::update(Frame& frame, const Lights& lights) {
-    const std::string key = fmt::format("{} {} {} {}", lights.buffer().rebuilds, lights.falloff.text(),
-                                        lights.threshold.text(), Exercises::uses_solution("06.light_volume_bounds"));
-    if (key == made_for_) return;
-    made_for_ = key;
+    if (!made_.from(lights.buffer().rebuilds, lights.falloff.index, lights.threshold,
+                    Exercises::uses_solution("06.light_volume_bounds")))
+        return;
     std::vector<LightVolumeData> spheres, cones;
     std::vector<uint32_t> everywhere{0};
     const auto bounds = light_volume_bounds.function();

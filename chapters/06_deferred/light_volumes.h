@@ -3,6 +3,7 @@
 #include "03_attenuation/lights.h"
 #include "06_deferred/exercises.h"
 #include "06_deferred/light_volume_data.h"
+#include "common/base/made.h"
 
 namespace lightwalk {
 
@@ -24,7 +25,7 @@ class LightVolumes {
   private:
     Buffer sphere_, cone_, volumes_;  ///< spheres first, then cones
     uint32_t sphere_corners_ = 0, cone_corners_ = 0, spheres_ = 0, cones_ = 0;
-    std::string made_for_;
+    Made<int, size_t, float, bool> made_;  ///< lights, falloff, threshold, whose bounds
 };
 // [/light_volumes]
 

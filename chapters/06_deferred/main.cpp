@@ -2,50 +2,40 @@
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
-#include "03_attenuation/scattered_lights.h"
-#include "06_deferred/deferred_scene.h"
-#include "06_deferred/screens.h"
+#include "06_deferred/many_lights.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct Deferred : ModelChapter {
-    DeferredScene objects{*this, "objects"};
-    Screens screens{*this, "screens"};
+    ManyLights world{*this};
+    DeferredScene& objects = world.objects;
     Choice cull{*this,
                 "cull",
                 {"fixed", "geometry", "none", "left_out"},
                 "fixed",
                 "Back-face culling in the G-buffer pass: by the device (fixed), by a geometry shader (geometry), none, "
                 "or only the triangles that geometry removes (left_out)"};
-    ScatteredLights scattered{*this};
     Knob<int> overdraw{*this, "overdraw", 1, {1, 64}, "Overdraw: number of times each surface is drawn"};
     Knob<bool> prepass{*this, "prepass", false, "Depth prepass, so that each pixel is shaded or written once"};
 
     Deferred() {
         objects.gbuffer.method.alone = true;  // --method is about G-buffers here
-        objects.all_lights = [this](const Frame& frame) { return scattered.all(frame.seed); };
-        objects.surfaces = [this] { return screens.batches(scene); };
-        objects.shading_with = {screens};
     }
     std::string default_scene() const override { return "scenes/hundred_lamps.json"; }
 
     // [frame]
     void frame(Frame& frame) override {
-        const View view = set_view(frame);
+        const View view = set_view(frame, world);
         objects.cull = static_cast<DeferredScene::Cull>(cull.index);
         objects.times = overdraw;
         objects.depth_first = prepass;
 
-        // 1. The views of other cameras, for the screens of the scene: the same objects, drawn forward.
-        objects.update_once(frame);
-        screens.record(frame, scene, [&](const View& from, Canvas& into) { objects.draw_lit(frame, from, into); });
-
-        // 2. The picture: a G-buffer, then its lighting (deferred_scene.cpp).
+        // 1. The pictures on the screens of the scene, then a G-buffer and its lighting (many_lights.h, deferred_scene.cpp).
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 0.0f));
-        draw(frame, view, canvas, {objects});
+        world.draw_light(frame, view, canvas);
 
-        // 3. Linear light to the codes a screen expects.
+        // 2. sRGB encoding.
         encode_srgb(frame);
     }
     // [/frame]

@@ -49,6 +49,7 @@ struct Screens : Module {
     void show(Scene& scene, bool before);
     bool is_screen(const DrawItem& item) const;
     std::vector<std::unique_ptr<Screen>> screens_;
+    DerivedViews views_;
     Image black_, light_;
     Pipeline encode_ = compute({.shader = "common/encode_srgb.comp"});
 };

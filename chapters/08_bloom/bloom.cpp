@@ -44,14 +44,13 @@ void Bloom::set_up(Frame& frame, glm::uvec2 size) {
     }
     std::vector<glm::uvec3> groups;
     for (const Step& step : plan_.steps) groups.push_back(groups_of(step, plan_));
-    if (groups != groups_made_ || !wanted_) {
+    if (groups_made_.from(groups)) {
         wanted_ = frame.gpu.upload("bloom workgroups", groups);
         dispatch_ = Buffer(frame.gpu.device, {.name = "bloom dispatches", .bytes = 12 * (groups.size() + 1)});
-        groups_made_ = groups;
     }
     std::vector<glm::vec2> taps = plan_.taps;
     if (taps.empty()) taps.emplace_back(0.0f);  // a buffer has something in it
-    if (taps != taps_made_ || !taps_) taps_ = frame.gpu.upload("bloom taps", taps), taps_made_ = taps;
+    if (taps_made_.from(taps)) taps_ = frame.gpu.upload("bloom taps", taps);
 }
 
 // Images after the bright pass are undefined if no blur ran: lit_at() of dispatches.glsl tells.
@@ -66,6 +65,7 @@ void Bloom::show(Frame& frame, size_t image, float gain) const {
 
 // [record]
 void Bloom::record(Frame& frame, const Image& hdr) {
+    frame.need_light(path(), hdr);
     if (method.is("none")) return;
     set_up(frame, hdr.desc.size);
 

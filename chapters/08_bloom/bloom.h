@@ -2,6 +2,7 @@
 #pragma once
 #include "08_bloom/plan.h"
 #include "common/app/module.h"
+#include "common/base/made.h"
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -78,8 +79,8 @@ struct Bloom : Module {
 
     Plan plan_;
     std::vector<Image> images_;  ///< as in the plan
-    std::vector<glm::uvec3> groups_made_;
-    std::vector<glm::vec2> taps_made_;
+    Made<std::vector<glm::uvec3>> groups_made_;
+    Made<std::vector<glm::vec2>> taps_made_;
     Buffer taps_;      ///< of the plan
     Buffer wanted_;    ///< workgroups of each step, were there something to spread
     Buffer dispatch_;  ///< those, or zeros; after them how many texels were cut out, or at least 1

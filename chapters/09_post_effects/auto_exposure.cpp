@@ -14,7 +14,7 @@ void AutoExposure::record(Frame& frame, const Image& hdr) {
     const Image &before = stops_.before(), &now = stops_.now();
     frame.compute(
         "histogram", {.reads = {hdr, bins_, before}, .writes = {bins_, now}, .with = {*this}}, [&](Compute& pass) {
-            pass.use(clear_).set("picture_bins", bins_).dispatch({1, 1, 1}).wait();
+            pass.use(clear_).set("words", bins_).dispatch_threads({256u, 1u}).wait();
             pass.use(count_).set("picture_bins", bins_).set("hdr", hdr, nearest_clamp);
             pass.dispatch_threads(hdr.desc.size).wait();
             pass.use(adapt_).set("picture_bins", bins_).set("before", before, nearest_clamp);

@@ -31,7 +31,7 @@ struct AutoExposure : Module {
     const Image* shown_ = nullptr;
     float last_s_ = 0;
     Buffer bins_;
-    Pipeline clear_ = compute({.shader = "09_post_effects/clear_bins.comp"});
+    Pipeline clear_ = compute({.shader = "07_mipmaps/clear_words.comp"});
     Pipeline count_ = compute({.shader = "09_post_effects/histogram.comp"});
     Pipeline adapt_ = compute({.shader = "09_post_effects/adapt.comp"});
 };

@@ -2,6 +2,7 @@
 #pragma once
 #include "09_post_effects/dof_now.h"
 #include "common/app/drawing.h"
+#include "common/base/made.h"
 
 namespace lightwalk {
 
@@ -49,7 +50,7 @@ struct DepthOfField : Module {
     DofNow now_{};
     std::map<std::string, Image> images_;
     Buffer taps_;
-    float made_for_px_ = -1;
+    Made<float> taps_made_;  ///< sigma in pixels
     uint32_t tap_count_ = 0;
     Pipeline half_ = compute({.shader = "09_post_effects/dof_half.comp"});
     Pipeline tiles_ = compute({.shader = "09_post_effects/dof_tiles.comp"});

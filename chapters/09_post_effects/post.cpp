@@ -109,6 +109,7 @@ void Post::run(Frame& frame, const Step& step, const Image& from, const Image& i
 // [record]
 void Post::record(Frame& frame, const Image& picture) {
     const std::vector<Step> all = steps();
+    if (!tone.is("off") && !method.is("copy")) frame.apply_tones(path(), picture);
     set_up(frame, picture.desc.size, all.empty() ? 0 : all.size() - 1);
     if (exposure.is("automatic")) automatic.record(frame, picture);
     const Image* from = &picture;

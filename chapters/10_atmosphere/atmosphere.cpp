@@ -96,7 +96,7 @@ void Atmosphere::make_images(Device& device) {
         const uint32_t slices = depth > 0 ? scaled(depth) : 0;
         if (image.fit(device,
                       {.name = path() + name, .size = {scaled(size.x), scaled(size.y)}, .depth = slices, .kept = true}))
-            made_of_.clear(), sky_made_of_.clear();
+            lasting_made_.forget(), sky_made_.forget();
     };
     table(transmittance_, " transmittance", {256, 64}, 0);
     table(multiple_, " multiple scattering", {32, 32}, 0);
@@ -110,13 +110,7 @@ void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
     // 1. What depends on the air alone: made again where a knob of it was turned.
     const bool often = orders.is("multiple");  // else nothing reads the second table
     const Air now = air();
-    std::vector<std::byte> from = bytes_of(now);
-    from.push_back(std::byte(often));
-    const unsigned toggles = Exercises::version();
-    const auto of_toggles = std::as_bytes(std::span(&toggles, 1));
-    from.insert(from.end(), of_toggles.begin(), of_toggles.end());
-    if (refresh.is("always") || from != made_of_) {
-        made_of_ = std::move(from);
+    if (lasting_made_.from(now, often, Exercises::version()) || refresh.is("always")) {
         ++tables_made;
         frame.compute("transmittance table", {.writes = {transmittance_}, .with = {*this}}, [&](Compute& pass) {
             pass.use(make_transmittance_).set("result", transmittance_).dispatch_threads(transmittance_.desc.size);
@@ -134,10 +128,7 @@ void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
     const float height = height_of(view.eye);
     const glm::vec3 up = (view.eye + glm::vec3(0.0f, radius_m.value, 0.0f)) / (radius_m + height);
     const glm::vec2 eye(height, glm::dot(up, to_sun()));
-    ByteWriter sky_from;
-    sky_from(now, often, eye, Exercises::version());
-    if (refresh.is("always") || sky_from.bytes != sky_made_of_) {
-        sky_made_of_ = std::move(sky_from.bytes);
+    if (sky_made_.from(now, often, eye, Exercises::version()) || refresh.is("always")) {
         ++skies_made;
         frame.compute("sky table", {.reads = {transmittance_, multiple_}, .writes = {sky_}, .with = {*this}},
                       [&](Compute& pass) {
@@ -171,8 +162,12 @@ std::vector<PathPart> Atmosphere::parts() const {
     return {{.begins = 1, .ends = 1}};
 }
 
+void Atmosphere::shine() {
+    if (scene_) scene_->set_sun(sun());
+}
+
 // [record]
-void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas, float disc_share) {
+void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas) {
     const ImageView hdr = canvas.color(frame), depth = canvas.depth(frame);
     const bool tables = method.is("tables"), truth = method.is("truth");
     const std::vector<PathPart> parts = this->parts();
@@ -208,7 +203,7 @@ void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas, float disc
         for (const PathPart& part : parts) {
             if (!part.begins) pass.wait();
             pass.use(look).set("result", hdr).set("depth", depth, nearest_clamp);
-            pass.set("rays", view_rays(view)).set("disc", disc_share);
+            pass.set("rays", view_rays(view)).set("disc", view.sun_disc ? float(disc) : 0.0f);
             if (in_parts)
                 pass.set("part", part).set("light_so_far", light_so_far_).set("through_so_far", through_so_far_);
             if (tables) {

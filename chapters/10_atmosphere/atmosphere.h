@@ -3,6 +3,7 @@
 #include "10_atmosphere/air_data.h"
 #include "10_atmosphere/path_part.h"
 #include "common/app/drawing.h"
+#include "common/base/made.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -108,14 +109,14 @@ struct Atmosphere : Drawing {
                            {glm::vec3(0.0f), glm::vec3(1.0f)},
                            "Albedo of the ground, for the light it reflects into the air"};
 
+    Phase drawn_in() const override { return Phase::air; }
+    void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
+    void shine() override;
     /// What falls on the ground under this air, for sunlight_on() and skylight_on().
     void update(Frame& frame) override;
-    void draw(Frame& frame, const View& view, Canvas& canvas) override { draw(frame, view, canvas, disc); }
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
-    /// The same air with the sun's light but not its disc, for what draws the disc's reflection itself.
-    Drawing& without_disc() { return without_disc_; }
-
-    /// At the world's origin, exposed: for Scene::set_sun(), where this is the sky of other drawings.
+    /// At the world's origin, exposed: what shine() gives the scene.
     Sun sun();
 
     glm::vec3 to_sun() const;  ///< unit length, world space
@@ -133,13 +134,7 @@ struct Atmosphere : Drawing {
     int tables_made = 0, skies_made = 0;  ///< so far, to show that none is made twice
 
   private:
-    struct WithoutDisc : Drawing {
-        explicit WithoutDisc(Atmosphere& whole) : Drawing(whole, "without_disc"), air(whole) {}
-        void update(Frame& frame) override { air.update_once(frame); }
-        void draw(Frame& frame, const View& view, Canvas& canvas) override { air.draw(frame, view, canvas, 0.0f); }
-        Atmosphere& air;
-    } without_disc_{*this};
-    void draw(Frame& frame, const View& view, Canvas& canvas, float disc_share);
+    Scene* scene_ = nullptr;
     void make_images(Device& device);
     void record_tables(Frame& frame, const View& view, float reach_m);
     void set_lasting(Compute& pass) const;
@@ -152,8 +147,8 @@ struct Atmosphere : Drawing {
     std::vector<glm::vec3> sky_table_;
     std::vector<std::byte> sky_table_of_;  ///< what it was made from
     Image light_so_far_, through_so_far_, doubt_, transmittance_, multiple_, sky_, light_, through_;
-    std::vector<std::byte> made_of_;  ///< what the two lasting tables were made from
-    std::string sky_made_of_;         ///< what sky_ was made from: views from one height share it
+    Made<Air, bool, unsigned> lasting_made_;         ///< of the two lasting ones: all orders, toggles
+    Made<Air, bool, glm::vec2, unsigned> sky_made_;  ///< views from one height share it
     Pipeline make_transmittance_ = compute({.shader = "10_atmosphere/make_transmittance.comp"});
     Pipeline make_multiple_ = compute({.shader = "10_atmosphere/make_multiple.comp"});
     Pipeline make_sky_ = compute({.shader = "10_atmosphere/make_sky.comp"});

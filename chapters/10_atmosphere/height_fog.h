@@ -42,6 +42,7 @@ struct HeightFog : Drawing {
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
 
     /// Adds fog to the canvas, by the depth of what it shows. One pass, none with method none. Alpha stays.
+    Phase drawn_in() const override { return Phase::fog; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     // [/height_fog]
 

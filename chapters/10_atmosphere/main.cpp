@@ -32,7 +32,6 @@ struct AtmosphereChapter : ModelChapter {
     // [frame]
     void frame(Frame& frame) override {
         const View view = set_view(frame);
-        scene.set_sun(atmosphere.sun());
 
         // 1. Mountains, the planet with the stars behind it, and the air and the fog in front.
         Canvas canvas(frame.hdr, frame.depth);

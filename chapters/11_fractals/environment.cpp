@@ -5,14 +5,11 @@
 namespace lightwalk {
 
 const Image& EnvironmentLight::picture_of(Frame& frame, const Scene& scene) {
-    if (scene.environment != made_of_) made_of_ = scene.environment, made_ = false;
-    if (made_of_) return *made_of_;
-    if (!even_ || even_radiance_ != scene.file.ambient) {
+    if (scene.environment) return *scene.environment;
+    if (even_made_.from(scene.file.ambient)) {
         const std::vector<uint64_t> texels(64 * 32, glm::packHalf4x16(glm::vec4(scene.file.ambient, 1.0f)));
         even_ = Image(frame.gpu.device, {.name = path() + " even", .size = {64, 32}});
         frame.upload(path() + " even", even_, std::as_bytes(std::span(texels)));
-        even_radiance_ = scene.file.ambient;
-        made_ = false;
     }
     return even_;
 }
@@ -20,7 +17,7 @@ const Image& EnvironmentLight::picture_of(Frame& frame, const Scene& scene) {
 void EnvironmentLight::record(Frame& frame, const Scene& scene) {
     scene_ = &scene;
     const Image& picture = picture_of(frame, scene);
-    if (made_) return;
+    if (!made_.from(scene.environment, scene.environment ? glm::vec3(0.0f) : scene.file.ambient)) return;
 
     // The level of at most 256 texels around. A lamp may be anywhere within a texel's 1.4°, and a cosine changes by at
     // most 0.017 from the texel's middle to its corner.
@@ -35,7 +32,6 @@ void EnvironmentLight::record(Frame& frame, const Scene& scene) {
         pass.use(sum_).set("picture", picture).set("source_level", source_level);
         pass.set("irradiance", irradiance.as_array()).dispatch_threads(irradiance.desc.size);
     });
-    made_ = true;
 }
 
 EnvironmentScale environment_scale(const Scene& scene, float intensity, float turn_deg) {

@@ -3,6 +3,7 @@
 #pragma once
 #include "common/app/module.h"
 #include "common/app/target.h"
+#include "common/base/made.h"
 #include "common/gpu/frame.h"
 #include "common/scene/scene.h"
 
@@ -56,11 +57,10 @@ struct EnvironmentLight : Module {
     const Image& picture_of(Frame& frame, const Scene& scene);
     Pipeline draw_ = compute({.shader = "11_fractals/environment_radiance.comp"});
     Pipeline sum_ = compute({.shader = "11_fractals/environment_irradiance.comp"});
-    std::shared_ptr<Image> made_of_;  ///< kept, so that no other picture has its address
-    Image even_;                      ///< where there is no picture
-    glm::vec3 even_radiance_{-1.0f};
-    bool made_ = false;
-    const Scene* scene_ = nullptr;  ///< of the last record()
+    Image even_;  ///< where there is no picture
+    Made<glm::vec3> even_made_;
+    Made<std::shared_ptr<Image>, glm::vec3> made_;  ///< the picture, or what the even one has
+    const Scene* scene_ = nullptr;                  ///< of the last record()
 };
 
 }  // namespace lightwalk

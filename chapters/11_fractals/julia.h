@@ -94,6 +94,7 @@ struct Julia : Drawing {
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
     void update(Frame& frame) override { environment_.record(frame, *scene_); }
+    std::vector<const Module*> made_of() const override { return {this, &environment_}; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
     /// c at a time; with constants that do not move, at any.

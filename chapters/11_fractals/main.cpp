@@ -5,6 +5,7 @@
 #include "09_post_effects/encode_film.h"
 #include "11_fractals/depth_error.h"
 #include "11_fractals/normal_error.h"
+#include "common/app/knob_scope.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -32,6 +33,7 @@ struct Fractals : ModelChapter {
 
     // For the study: where rays end, and how normals lie, against double precision.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
+        const Chosen chosen(*this);
         samples.value = 1;
         terrain.show.set("normals");
         Frame own(gpu);
@@ -42,20 +44,25 @@ struct Fractals : ModelChapter {
             measure_normals(gpu, terrain, own, error);
     }
 
-    // --method and a study's methods apply to the module that is shown.
-    void choose_method() {
-        if (method.is("as_set")) return;
-        if (world.is("julia")) {
-            julia.method.set(method.is("central") || method.is("analytic") ? "exact" : method.text());
-        } else {
-            terrain.method.set(method.is("central") ? "central" : "analytic");
-            if (method.is("exact")) terrain.octaves.set("fixed");
+    // The subject's method is the one that --method or a study names, while this lives.
+    struct Chosen {
+        explicit Chosen(Fractals& f) {
+            const Choice& named = f.method;
+            if (named.is("as_set")) return;
+            if (f.world.is("julia")) {
+                const bool is_terrains = named.is("central") || named.is("analytic");
+                method.emplace(f.julia.method, is_terrains ? "exact" : named.text());
+                return;
+            }
+            method.emplace(f.terrain.method, named.is("central") ? "central" : "analytic");
+            if (named.is("exact")) octaves.emplace(f.terrain.octaves, "fixed");
         }
-    }
+        std::optional<KnobScope> method, octaves;
+    };
 
     // [frame]
     void frame(Frame& frame) override {
-        choose_method();
+        const Chosen chosen(*this);
         const View view = set_view(frame);
         Canvas canvas(frame.hdr, world.is("julia") ? ImageView() : frame.depth);  // a set's depth would not be read
         draw(frame, view, canvas, {worlds[world.index]});

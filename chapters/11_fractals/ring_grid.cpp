@@ -13,14 +13,13 @@ void add_grid_cells(std::vector<uint32_t>& indices, uint32_t cells, bool hollow)
 }
 
 void RingGrid::fit(Gpu& gpu, uint32_t cells) {
-    if (cells == made_cells_) return;
+    if (!made_.from(cells)) return;
     std::vector<uint32_t> indices;
     add_grid_cells(indices, cells, false);
     whole_ = static_cast<uint32_t>(indices.size());
     add_grid_cells(indices, cells, true);
     hollow_ = static_cast<uint32_t>(indices.size()) - whole_;
     indices_ = gpu.upload("ring grid", indices);
-    made_cells_ = cells;
 }
 
 void RingGrid::draw(Raster& pass, uint32_t rings) const {

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "common/base/made.h"
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -28,7 +29,8 @@ class RingGrid {
 
   private:
     Buffer indices_;
-    uint32_t made_cells_ = 0, whole_ = 0, hollow_ = 0;
+    Made<uint32_t> made_;  ///< cells
+    uint32_t whole_ = 0, hollow_ = 0;
 };
 
 }  // namespace lightwalk

@@ -17,9 +17,7 @@ struct Head : Drawing {
           backdrop(owner, "backdrop", 4.5f, {0.0f, 8.0f},
                    "which level of the environment is seen behind: more is blurrier"),
           objects_(objects),
-          environment_(environment) {
-        objects.shaded.reset();  // others shade them, if anybody
-    }
+          environment_(environment) {}
 
     Skin skin;
     SceneRays rays;
@@ -27,6 +25,9 @@ struct Head : Drawing {
     Skin::Shown shown = Skin::Shown::all;
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
+    std::vector<const Module*> made_of() const override {
+        return {&skin, &rays, &objects_.maps, &objects_.lights, &objects_.shadow, &environment_};
+    }
     void update(Frame& frame) override;
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     // [/head]

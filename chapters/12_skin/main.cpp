@@ -2,16 +2,15 @@
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
-#include "12_skin/head.h"
+#include "12_skin/portrait.h"
 #include "common/app/show_image.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct SkinChapter : ModelChapter {
-    LitScene objects{*this, "objects"};  // its lights and maps; the head is what is drawn
-    EnvironmentLight environment{*this, "environment"};
-    Head head{*this, "head", objects, environment};
+    Portrait world{*this};
+    Head& head = world.head;
     Choice show{
         *this,
         "show",
@@ -24,7 +23,6 @@ struct SkinChapter : ModelChapter {
 
     SkinChapter() {
         head.skin.method.alone = true;  // --method is about skin here
-        objects.maps.method.change_default("normal");
     }
     std::string default_scene() const override { return "scenes/portrait.json"; }
 
@@ -37,15 +35,15 @@ struct SkinChapter : ModelChapter {
     void frame(Frame& frame) override {
         Camera there = camera;
         there.position = glm::mix(camera.target, camera.position, dolly.value);
-        const View view = set_view(frame, there);
+        const View view = look_at(world, frame, scene, there);
 
         // 1. The light on the map of the skin, its blur, and the head in its environment (head.cpp).
         head.shown = show.is("specular")    ? Skin::Shown::specular
                      : show.is("thickness") ? Skin::Shown::thickness
                      : show.is("seams")     ? Skin::Shown::seams
                                             : Skin::Shown::all;
-        Canvas canvas(frame.hdr, frame.depth);
-        draw(frame, view, canvas, {head});
+        Canvas canvas(frame.hdr, frame.depth, world.background());
+        world.draw_light(frame, view, canvas);
 
         // 2. One of the skin's maps in place of the picture, if the knob says so.
         const glm::vec3 gain = show.is("stretch") ? glm::vec3(0.2f, 0.2f, 0.0f) : glm::vec3(1.0f);

@@ -57,8 +57,7 @@ void add_charts(Gpu& gpu, const Scene& scene) {
 }
 
 bool Unwrapped::record(Frame& frame, const Scene& scene, const Maps& maps, const DrawItem& item, uint32_t size) {
-    const MadeOf wanted{&item, scene.placed, size, Exercises::version(), settings_of(maps)};
-    if (wanted == made_of_) return false;
+    if (!made_.from(&item, scene.placed, size, Exercises::version(), settings_of(maps))) return false;
     const auto image = [&](Image& made, const char* name, VkFormat format) {
         made.fit(frame.gpu.device,
                  {.name = std::string("skin ") + name, .format = format, .size = glm::uvec2(size), .kept = true});
@@ -93,7 +92,6 @@ bool Unwrapped::record(Frame& frame, const Scene& scene, const Maps& maps, const
                       pass.set("wide_position", position).set("wide_normal", normal).set("wide_albedo", albedo);
                       pass.dispatch_threads(glm::uvec2(size));
                   });
-    made_of_ = wanted;
     return true;
 }
 

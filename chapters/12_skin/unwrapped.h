@@ -4,6 +4,7 @@
 
 #include "04_surface_maps/maps.h"
 #include "05_shadow_maps/rays.h"
+#include "common/base/made.h"
 
 namespace lightwalk {
 
@@ -24,17 +25,11 @@ class Unwrapped {
     /// Ambient occlusion by rays from each texel; slow, and to be done once.
     void trace_sky(Frame& frame, const SceneRays& rays, uint32_t rays_per_texel);
 
-    void forget() { made_of_ = {}; }
+    void forget() { made_.forget(); }
 
   private:
-    struct MadeOf {
-        const void* item = nullptr;
-        uint64_t placed = 0;
-        uint32_t size = 0;
-        unsigned toggles = 0;
-        std::string knobs;  ///< of the maps
-        bool operator==(const MadeOf&) const = default;
-    } made_of_;
+    Made<const DrawItem*, uint64_t, uint32_t, unsigned, std::string>
+        made_;  ///< item, placed, size, toggles, maps' knobs
     Image raw_position_, raw_normal_, raw_albedo_, raw_stretch_, noisy_;
     Pipeline unwrap_ = graphics({.vertex = "12_skin/unwrap.vert",
                                  .fragment = "12_skin/unwrap.frag",

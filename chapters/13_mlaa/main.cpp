@@ -50,6 +50,7 @@ struct MlaaChapter : ModelChapter {
         antialias.method.alone = true;  // --method is about edges here
         objects.maps.method.change_default("normal");
         objects.shading = &surface;
+        objects.shaded.reset();
         objects.transparent_shading = &glass;
         julia.in_use = [this] { return world.is("julia"); };
         terrain.in_use = [this] { return world.is("terrain"); };

@@ -27,6 +27,8 @@ struct Backdrop : Drawing {
     // [/backdrop]
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
+    Phase drawn_in() const override { return Phase::backdrop; }
+    std::vector<const Module*> made_of() const override { return {this, &light_}; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
   private:

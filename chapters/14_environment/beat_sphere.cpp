@@ -12,7 +12,6 @@ constexpr uint32_t parts = 100;  // 200,000 triangles
 BeatSphere::BeatSphere(Module& owner, std::string name, const ImageLight& light, Music& music)
     : Drawing(owner, std::move(name), "beat"), light_(light), music_(music) {
     in_use = [this] { return bool(shown); };
-    music.in_use = in_use;
 }
 
 // [geodesic]

@@ -1,7 +1,5 @@
 #include "14_environment/ground_shadow.h"
 
-#include <fmt/core.h>
-
 #include <glm/gtc/constants.hpp>
 
 #include "05_shadow_maps/holes.h"
@@ -57,7 +55,7 @@ std::vector<GroundLight> ground_lights(const ImageRgb& picture, const Environmen
 }
 
 void GroundShadow::prepare(Gpu& gpu, Scene& scene) {
-    made_.clear();
+    made_.forget();
     picture_ = scene.environment ? small_picture(gpu, *scene.environment, 256) : ImageRgb();
 }
 
@@ -66,10 +64,9 @@ void GroundShadow::record(Frame& frame, const Scene& scene, const EnvironmentSca
                                     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
                                     .size = glm::uvec2(uint32_t(resolution.value)),
                                     .kept = true});
-    const std::string now =
-        fmt::format("{} {} {} {} {} {} {}", scene.placed, turn.cosine, turn.sine, ground_y, directions.value,
-                    arriving.desc.size.x, maps ? holes_cut(*maps, scene, frame.time_s) : 0);
-    if (now == made_ || scene.items.empty()) return;
+    if (scene.items.empty() || !made_.from(scene.placed, turn.cosine, turn.sine, ground_y, directions,
+                                           arriving.desc.size.x, maps ? holes_cut(*maps, scene, frame.time_s) : 0))
+        return;
     rays.record(frame, scene, maps);
     std::vector<GroundLight> lights = ground_lights(picture_, turn, directions);
     const auto count = static_cast<int>(lights.size());
@@ -87,7 +84,6 @@ void GroundShadow::record(Frame& frame, const Scene& scene, const EnvironmentSca
         pass.use(trace_).set("state", state_).set("ground_lights", lights_).set("arriving", arriving);
         pass.dispatch_threads(arriving.desc.size);
     });
-    made_ = now;
 }
 
 }  // namespace lightwalk

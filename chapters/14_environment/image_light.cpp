@@ -1,7 +1,5 @@
 #include "14_environment/image_light.h"
 
-#include <fmt/core.h>
-
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
@@ -42,11 +40,8 @@ std::array<double, 3> sh_window(size_t which) {
 
 void ImageLight::prepare(Gpu& gpu, Scene& scene) {
     now_ = &sky;
-    const bool same = scene.environment ? scene.environment == prepared_for_ : !prepared_for_;
-    if (same && prepared_ambient_ == scene.file.ambient && prepared_toggles_ == Exercises::version()) return;
-    prepared_toggles_ = Exercises::version();
-    prepared_for_ = scene.environment, prepared_ambient_ = scene.file.ambient;
-    made_.clear();
+    if (!prepared_.from(scene.environment, scene.file.ambient, Exercises::version())) return;
+    made_.forget();
     if (scene.environment) {
         const ImageRgb small = small_picture(gpu, *scene.environment, 128);  // a cosine sees no more
         picture_sh_ = sh_project(small.width, small.height, small.pixels);
@@ -64,11 +59,6 @@ const Image& ImageLight::picture_of(Frame& frame, const Scene& scene) {
     return even_;
 }
 
-std::string ImageLight::made_from() const {
-    return fmt::format("{} {} {} {} {}", limit.value, sh_window.text(), Exercises::version(), settings_of(prefilter),
-                       settings_of(levels));
-}
-
 void ImageLight::record_table(Frame& frame) {
     frame.compute("split sum", {.writes = {table}}, [&](Compute& pass) {
         pass.use(split_sum_).set("table", table).set("table_samples", 1024u);
@@ -80,7 +70,7 @@ void ImageLight::record_table(Frame& frame) {
 void ImageLight::record(Frame& frame, const Scene& scene) {
     scene_ = &scene;
     now_ = &sky;
-    if (made_ == made_from()) return;
+    if (!made_.from(limit, sh_window.index, Exercises::version(), settings_of(prefilter), settings_of(levels))) return;
     const Image& picture = picture_of(frame, scene);
     const ImageView cube = sky.radiance.as_array().mip(0);
     frame.compute("equirect to cube", {.reads = {picture}, .writes = {cube}}, [&](Compute& pass) {
@@ -88,7 +78,6 @@ void ImageLight::record(Frame& frame, const Scene& scene) {
         pass.dispatch_threads(glm::uvec3(cube.size().x, cube.size().y, 6));
     });
     filter(frame, sky);
-    made_ = made_from();
     if (radiance_alone) return;
 
     // 14.sh_project has summed the picture itself; that of a drawn cube is summed on the device.
@@ -124,8 +113,7 @@ void ImageLight::filter(Frame& frame, LightCubes& cubes) {
         pass.use(irradiance_).set("radiance", array, nearest_clamp).set("source_level", 4).set("irradiance", result);
         pass.dispatch(glm::uvec3(cubes.irradiance.desc.size, 6));  // a workgroup for each normal
     });
-    if (toggles_ != Exercises::version() || !has_table_) record_table(frame);
-    toggles_ = Exercises::version(), has_table_ = true;
+    if (table_made_.from(Exercises::version())) record_table(frame);
 }
 // [/record]
 

@@ -8,6 +8,7 @@
 #include "14_environment/image_light_data.h"
 #include "common/app/module.h"
 #include "common/app/target.h"
+#include "common/base/made.h"
 #include "common/image/image.h"
 #include "common/scene/scene.h"
 
@@ -121,7 +122,6 @@ struct ImageLight : Module {
     const Image& picture_of(Frame& frame, const Scene& scene);
     void record_table(Frame& frame);
     void filter(Frame& frame, LightCubes& cubes);
-    std::string made_from() const;
 
     Pipeline to_cube_ = compute({.shader = "14_environment/equirect_to_cube.comp"});
     Pipeline face_ = compute({.shader = "14_environment/prefilter.comp"});
@@ -129,16 +129,14 @@ struct ImageLight : Module {
     Pipeline sh_sums_ = compute({.shader = "14_environment/sh_sums.comp"});
     Pipeline split_sum_ = compute({.shader = "14_environment/split_sum.comp"});
     const Scene* scene_ = nullptr;
-    std::shared_ptr<Image> prepared_for_;  ///< a scene that is prepared again with the same light keeps its cubes
-    std::optional<glm::vec3> prepared_ambient_;
-    unsigned prepared_toggles_ = 0;
+    /// Picture, ambient, toggles: a scene that is prepared again with the same light keeps its cubes.
+    Made<std::shared_ptr<Image>, glm::vec3, unsigned> prepared_;
     Image even_;        ///< where there is no picture
     Sh9 picture_sh_{};  ///< of the scene's picture, as 14.sh_project says
     LightCubes* now_ = &sky;
     ImageLightState box_{};
-    bool has_table_ = false;
-    std::string made_;  ///< made_from() of what is in the cubes
-    unsigned toggles_ = 0;
+    Made<float, size_t, unsigned, std::string, std::string> made_;  ///< limit, window, toggles, prefilter, levels
+    Made<unsigned> table_made_;                                     ///< toggles
 };
 
 /// The largest level of an RGBA16F picture that is at most `most` texels wide, as numbers. Waits for the device.

@@ -33,7 +33,9 @@ struct LitAround : LitScene {
   private:
     const ImageLight& light_;
     SurfacePipelines surface_{{.fragment = "14_environment/surface.frag"}};
-    SurfacePipelines occluded_{{.fragment = "14_environment/surface_occluded.frag", .macros = {{"OCCLUDED", "1"}}}};
+    SurfacePipelines occluded_{{.fragment = "14_environment/surface.frag",
+                                .macros = Macros{{"OCCLUDED", "1"}}.replace_file("14_environment/unoccluded.glsl",
+                                                                                 "14_environment/occluded.glsl")}};
     SurfacePipelines glass_ =
         see_through("14_environment/surface.frag", {{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}});
 };

@@ -2,47 +2,31 @@
 #include "01_obj/model_chapter.h"
 #include "08_bloom/bloom.h"
 #include "09_post_effects/post.h"
-#include "14_environment/backdrop.h"
-#include "14_environment/beat_sphere.h"
-#include "14_environment/lit_around.h"
-#include "14_environment/probe.h"
+#include "14_environment/surroundings.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct EnvironmentChapter : ModelChapter {
-    ImageLight light{*this, "environment"};
-    Backdrop backdrop{*this, "backdrop", light};
-    LitAround objects{*this, "objects", light};
-    Music music{*this, "music"};
-    BeatSphere sphere{*this, "sphere", light, music};
-    SceneProbe probe{*this, "probe"};
+    Surroundings world{*this};
     Bloom bloom{*this, "bloom"};
     Post post{*this, "post"};
 
     EnvironmentChapter() {
-        light.method.alone = true;  // --method is about reflections here
-        objects.maps.method.change_default("normal");
-        backdrop.shadow.maps = &objects.maps;
-        bloom.method.change_default("none");
+        set_look(world, *this);
+        world.light.method.alone = true;  // --method is about reflections here
     }
     std::string default_scene() const override { return "scenes/lacquered_statue.json"; }
 
     // [frame]
     void frame(Frame& frame) override {
-        const View view = set_view(frame);
+        const View view = set_view(frame, world);
 
-        // 1. Cubes of light from the picture of the surroundings, where they are not there already.
-        light.record(frame, scene);
+        // 1. The light of the surroundings, or of a probe; then the surroundings and what stands in them (surroundings.cpp).
+        Canvas canvas(frame.hdr, frame.depth, world.background());
+        world.draw_light(frame, view, canvas);
 
-        // 2. Or from the scene itself: six views of what stands in it.
-        probe.record(frame, scene, light, {backdrop, objects});
-
-        // 3. The surroundings, then what stands in them.
-        Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
-        draw(frame, view, canvas, {backdrop, objects, sphere});
-
-        // 4. Chapter 08's bloom, chapter 09's tones, and the codes a screen expects.
+        // 2. Chapter 08's bloom, chapter 09's tones, and sRGB encoding.
         bloom.record(frame, frame.hdr);
         post.record(frame, frame.hdr);
         encode_srgb(frame);

@@ -1,18 +1,14 @@
 #include "14_environment/paint.h"
 
-#include <fmt/core.h>
-
 #include "common/app/settings.h"
 #include "common/base/exercise.h"
 
 namespace lightwalk {
 
 void CarPaint::record(Frame& frame) {
-    const std::string now = fmt::format("{} {}", Exercises::version(), settings_of(*this));
-    if (now == made_) return;
+    if (!made_.from(Exercises::version(), settings_of(*this))) return;
     frame.compute("paint table", {.writes = {table}, .with = {*this}},
                   [&](Compute& pass) { pass.use(fill_).set("table", table).dispatch_threads(table.desc.size); });
-    made_ = now;
 }
 
 void CarPaint::bind(Pass& pass) const { pass.offer("paint_table", table, linear_clamp); }

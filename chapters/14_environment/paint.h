@@ -2,6 +2,7 @@
 #pragma once
 #include "common/app/module.h"
 #include "common/app/target.h"
+#include "common/base/made.h"
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -30,14 +31,14 @@ struct CarPaint : Module {
 
     /// Makes the table where a knob has changed.
     void record(Frame& frame);
-    void prepare(Gpu&, Scene&) override { made_.clear(); }
+    void prepare(Gpu&, Scene&) override { made_.forget(); }
     std::vector<Resource> reads() const override { return {table}; }
     void bind(Pass& pass) const override;
 
     Target table{*this, {.name = "table", .size = {64, 66}, .kept = true}};
 
   private:
-    std::string made_;  ///< the knobs, as text
+    Made<unsigned, std::string> made_;  ///< toggles, the knobs
     Pipeline fill_ = compute({.shader = "14_environment/paint_table.comp"});
 };
 

@@ -19,17 +19,17 @@ Camera face_camera(uint32_t face, glm::vec3 center, float near_m, float far_m) {
 }
 
 // [face]
-void SceneProbe::draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, uint32_t face,
-                           const Drawings& drawings) {
+void SceneProbe::draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, uint32_t face, const Draw& draw) {
     const glm::uvec2 size = cubes.radiance.desc.size;
     color_.fit(frame.gpu.device, {.name = path() + " color", .size = size});
     depth_.fit(frame.gpu.device, {.name = path() + " depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
     View view = view_of(face_camera(face, center, near_m, scene.file.camera.far_m), size);
-    view.id = 0x14000000u + face;
+    view.id = views_.of(0, face);
+    view.sun_disc = !distant;  // the scene's sun lights by itself
     {
         const ViewScope scope(frame, view);
         Canvas canvas(color_, depth_, glm::vec4(scene.file.background, 1.0f));
-        draw(frame, view, canvas, drawings);
+        draw(view, canvas);
     }
     const ImageView result = cubes.radiance.face(face).mip(0);
     frame.compute("probe face", {.reads = {color_}, .writes = {result}}, [&](Compute& pass) {
@@ -38,14 +38,31 @@ void SceneProbe::draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, 
 }
 // [/face]
 
-// [record]
+// What is drawn depends on the knobs of the drawings and of what they read; on time where one of these is animated.
 void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, const Drawings& drawings) {
+    const Drawings drawn = in_order(distant ? of_phases({Phase::sky, Phase::air}, drawings) : drawings);
+    std::vector<const Module*> made_of;
+    for (const Drawing& drawing : drawn)
+        for (const Module* module : drawing.made_of()) made_of.push_back(module);
+    record(frame, scene, light, made_of, [&](const View& view, Canvas& canvas) { draw(frame, view, canvas, drawn); });
+}
+
+void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, World& world) {
+    record(frame, scene, light, {&world},
+           [&](const View& view, Canvas& canvas) { world.draw_light(frame, view, canvas); });
+}
+
+// [record]
+void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, const std::vector<const Module*>& made_of,
+                        const Draw& draw) {
     drawn_faces = 0;
     if (update.is("off")) return;
-    // Any knob of the chapter may change what is drawn; and where something is animated besides the objects, time does. Where
-    // the sky alone is drawn, objects may move.
-    const std::string now = fmt::format("{} {} {} {}", distant ? 0 : scene.placed, Exercises::version(),
-                                        owner_.any_animated() ? frame.time_s : 0.0f, settings_of(owner_));
+    // Where the sky alone is drawn, objects may move.
+    std::string now = fmt::format("{} {} {}{}", distant ? 0 : scene.placed, Exercises::version(), settings_of(*this),
+                                  settings_of(light));
+    bool animated = false;
+    for (const Module* module : made_of) now += settings_of(*module), animated |= module->any_animated();
+    if (animated) now += fmt::format(" {}", frame.time_s);
     const bool first = made_.empty();
     if (update.is("moved") && now == made_) {
         light.use(light.drawn);
@@ -55,7 +72,7 @@ void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, con
     // The first time there is nothing in the other faces.
     const bool one = update.is("face") && !first;
     for (uint32_t face = 0; face < 6; ++face)
-        if (!one || face == next_face_) draw_face(frame, scene, light.drawn, face, drawings), ++drawn_faces;
+        if (!one || face == next_face_) draw_face(frame, scene, light.drawn, face, draw), ++drawn_faces;
     if (one) next_face_ = (next_face_ + 1) % 6;
     light.record_drawn(
         frame, {.box_lower = lower, .has_box = box && !distant ? 1u : 0u, .box_upper = upper, .box_center = center});

@@ -3,7 +3,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "14_environment/image_light.h"
-#include "common/app/drawing.h"
+#include "common/app/world.h"
 
 namespace lightwalk {
 
@@ -13,7 +13,7 @@ namespace lightwalk {
 ///
 ///     probe.record(frame, scene, light, {objects});
 struct SceneProbe : Module {
-    SceneProbe(Module& owner, std::string name) : Module(owner, std::move(name), "probe"), owner_(owner) {}
+    SceneProbe(Module& owner, std::string name) : Module(owner, std::move(name), "probe") {}
 
     Choice update{*this,
                   "update",
@@ -34,13 +34,18 @@ struct SceneProbe : Module {
     Knob<float> near_m{*this, "near_m", 0.05f, {1e-4f, 100.0f}, "Near plane of the six views", "m"};
 
     void record(Frame& frame, const Scene& scene, ImageLight& light, const Drawings& drawings);
+    void record(Frame& frame, const Scene& scene, ImageLight& light, World& world);
     void prepare(Gpu&, Scene&) override { made_.clear(), next_face_ = 0; }
 
-    int drawn_faces = 0;  ///< of the last frame
+    int drawn_faces = 0;                               ///< of the last frame
+    const Image& last_face() const { return color_; }  ///< mirrored from left to right
 
   private:
-    const Module& owner_;  ///< of the drawings too: their knobs are its
-    void draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, uint32_t face, const Drawings& drawings);
+    DerivedViews views_;
+    using Draw = std::function<void(const View& view, Canvas& canvas)>;
+    void record(Frame& frame, const Scene& scene, ImageLight& light, const std::vector<const Module*>& made_of,
+                const Draw& draw);
+    void draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, uint32_t face, const Draw& draw);
     Image color_, depth_;
     std::string made_;
     uint32_t next_face_ = 0;

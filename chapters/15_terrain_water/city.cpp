@@ -96,8 +96,8 @@ void City::update(Frame& frame) {
                         .towers_m = towers_m,
                         .most_boxes = most_boxes,
                         .seed = plan_seed};
-    if (std::memcmp(&plan, &made_of_, sizeof plan) == 0 && (buffer_ || most_boxes == 0)) return;
-    made_of_ = plan, ++placed_;
+    if (!made_.from(plan)) return;
+    ++placed_;
     blocks_ = plan_city(plan, boxes_);
     if (boxes_.empty()) return;
     buffer_ = frame.gpu.upload("city", boxes_);
@@ -119,10 +119,10 @@ void City::update(Frame& frame) {
 Bounds City::bounds() const {
     Bounds all;
     if (boxes_.empty() || !ground_.exists()) return all;
-    const float reach = made_of_.radius_m + block_x_m;
-    all.add(glm::vec3(made_of_.middle_m.x - reach, -10.0f, made_of_.middle_m.y - reach));
-    all.add(
-        glm::vec3(made_of_.middle_m.x + reach, ground_.map().highest_m + grid_.highest, made_of_.middle_m.y + reach));
+    const float reach = made_.inputs().radius_m + block_x_m;
+    all.add(glm::vec3(made_.inputs().middle_m.x - reach, -10.0f, made_.inputs().middle_m.y - reach));
+    all.add(glm::vec3(made_.inputs().middle_m.x + reach, ground_.map().highest_m + grid_.highest,
+                      made_.inputs().middle_m.y + reach));
     return all;
 }
 

@@ -3,12 +3,12 @@
 #include "10_atmosphere/atmosphere.h"
 #include "15_terrain_water/city_data.h"
 #include "15_terrain_water/ground.h"
+#include "15_terrain_water/sun_casting.h"
 #include "common/app/drawing.h"
+#include "common/base/made.h"
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
-
-struct SunShadow;
 
 struct CityPlan {
     glm::vec2 middle_m{0.0f};  ///< world x and z
@@ -32,7 +32,7 @@ std::vector<CityBlock> plan_city(const CityPlan& plan, std::vector<CityBox>& box
 
 // [city]
 /// Comes after the ground. What would stand in water, below a height of 1 m, is left out.
-struct City : Drawing {
+struct City : Drawing, SunCaster, SunReceiver {
     City(Module& owner, std::string name, const Ground& ground, const Atmosphere& atmosphere)
         : Drawing(owner, std::move(name), "city"), ground_(ground), atmosphere_(atmosphere) {}
 
@@ -47,19 +47,18 @@ struct City : Drawing {
     // [/city]
 
     void update(Frame& frame) override;
+    const Drawing* lit_by() const override { return &atmosphere_; }
+    std::vector<const Module*> made_of() const override { return {this, &ground_, &atmosphere_}; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     size_t box_count() const { return boxes_.size(); }
-
-    const SunShadow* shadowed_by = nullptr;  ///< null: no house stands in another one's light
 
     /// Radiance of a lit window, exposed, and a pixel's angle: city_light of 15_terrain_water/city_light.glsl.
     glm::vec2 light_of(const View& view) const { return {atmosphere_.exposure * lamps, view.pixel_rad()}; }
 
-    /// For shadow maps: what holds all houses (empty without any), a number that changes with them, and their draw.
-    Bounds bounds() const;
-    uint64_t placed() const { return placed_; }
-    std::vector<With> casts_with() const;
-    void cast(Raster& pass, const View& light) const;
+    Bounds bounds() const override;
+    uint64_t placed() const override { return placed_; }
+    std::vector<With> casts_with() const override;
+    void cast(Raster& pass, const View& light) const override;
 
     /// For rays: 15_terrain_water/city_rays.glsl.
     void bind(Pass& pass) const override;
@@ -68,15 +67,16 @@ struct City : Drawing {
     void draw_seen(Raster& pass, const View& view) const;
     const Ground& ground_;
     const Atmosphere& atmosphere_;
-    CityPlan made_of_;
+    Made<CityPlan> made_;
     std::vector<CityBlock> blocks_;
     std::vector<CityBox> boxes_;
     Buffer buffer_, cells_;
     CityGrid grid_{};
     uint64_t placed_ = 0;
     Pipeline cast_ = graphics({.vertex = "15_terrain_water/city.vert", .cull = VK_CULL_MODE_NONE, .depth_clamp = true});
-    Pipeline draw_shadowed_ =
-        graphics({.vertex = "15_terrain_water/city.vert", .fragment = "15_terrain_water/city_shadowed.frag"});
+    Pipeline draw_shadowed_ = graphics({.vertex = "15_terrain_water/city.vert",
+                                        .fragment = "15_terrain_water/city.frag",
+                                        .macros = shadowed_by_houses()});
     Pipeline draw_ = graphics({.vertex = "15_terrain_water/city.vert", .fragment = "15_terrain_water/city.frag"});
 };
 

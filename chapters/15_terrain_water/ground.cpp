@@ -22,7 +22,8 @@ void quantise(std::vector<float>& heights, double bits) {
 }  // namespace
 
 void Ground::prepare(Gpu& gpu, Scene& scene) {
-    source_ = {}, made_ = false;
+    source_ = {};
+    made_.forget();
     for (const SceneObject& object : scene.file.objects) {
         if (!is_height_map_file(object.model)) continue;
         source_ = read_height_map(find_asset(object.model));
@@ -108,8 +109,7 @@ void Ground::make_errors(Frame& frame) {
 void Ground::record(Frame& frame, bool with_errors) {
     if (!exists()) return;
     const LandSource from = land_source();
-    const bool other_shaders = std::exchange(toggles_, Exercises::version()) != Exercises::version();
-    if (!made_ || other_shaders || std::memcmp(&from, &made_of_, sizeof from) != 0) {
+    if (made_.from(from, Exercises::version())) {
         const auto [low, high] = std::minmax_element(source_.elevation_m.begin(), source_.elevation_m.end());
         map_ = {.corner = -0.5f * from.spacing_m * static_cast<float>(from.samples - 1) * glm::vec2(1.0f),
                 .spacing_m = from.spacing_m,
@@ -118,7 +118,7 @@ void Ground::record(Frame& frame, bool with_errors) {
                 .highest_m = height_scale * (*high - datum_m) + 4 * detail_m + 0.5f * cliff_m};
         make_images(frame.gpu.device);
         make_heights(frame, from);
-        made_of_ = from, made_ = true, errors_made_ = false;
+        errors_made_ = false;
     }
     if (with_errors && !std::exchange(errors_made_, true)) make_errors(frame);
 }

@@ -3,6 +3,7 @@
 #include "15_terrain_water/height_map.h"
 #include "15_terrain_water/land_data.h"
 #include "common/app/module.h"
+#include "common/base/made.h"
 #include "common/gpu/frame.h"
 #include "common/scene/scene.h"
 
@@ -48,6 +49,7 @@ struct Ground : Module {
     Choice precision{*this, "precision", {"8", "12", "16", "float"}, "float", "Bits of a height before it is used"};
 
     /// Reads the height map. Throws InputError.
+    bool stands_for(const std::filesystem::path& file, Model&) const override { return is_height_map_file(file); }
     void prepare(Gpu& gpu, Scene& scene) override;
     std::string load_key() const override { return precision.text(); }
 
@@ -75,14 +77,18 @@ struct Ground : Module {
     std::string file_;
     Image texels_, heights_, slopes_, bounds_, errors_;
     LandMap map_{};
-    LandSource made_of_{};
-    unsigned toggles_ = 0;  ///< what the heights were made with
-    bool made_ = false, errors_made_ = false;
+    Made<LandSource, unsigned> made_;  ///< toggles
+    bool errors_made_ = false;
     Pipeline make_heights_ = compute({.shader = "15_terrain_water/make_heights.comp"});
     Pipeline make_slopes_ = compute({.shader = "15_terrain_water/make_slopes.comp"});
     Pipeline make_mip_ = compute({.shader = "15_terrain_water/make_mip.comp"});
     Pipeline make_bounds_ = compute({.shader = "15_terrain_water/make_bounds.comp"});
     Pipeline make_errors_ = compute({.shader = "15_terrain_water/make_errors.comp"});
 };
+
+/// For a pipeline whose pass is given SunShadow's maps.
+inline Macros shadowed_by_houses() {
+    return Macros().replace_file("15_terrain_water/no_sun_shadow.glsl", "15_terrain_water/sun_shadow.glsl");
+}
 
 }  // namespace lightwalk

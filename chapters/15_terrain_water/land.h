@@ -5,16 +5,15 @@
 #include "10_atmosphere/atmosphere.h"
 #include "11_fractals/ring_grid.h"
 #include "15_terrain_water/ground.h"
+#include "15_terrain_water/sun_casting.h"
 #include "common/app/drawing.h"
 
 namespace lightwalk {
 
-struct SunShadow;
-
 // [land]
 /// Comes before what stands on it or lies behind it. All methods find the same thing, how far away the ground is in each
 /// pixel; one pass shades what they have found.
-struct Land : Drawing {
+struct Land : Drawing, SunReceiver {
     Land(Module& owner, std::string name, Ground& ground, const Atmosphere& atmosphere)
         : Drawing(owner, std::move(name), "land"), ground_(ground), atmosphere_(atmosphere) {}
 
@@ -73,6 +72,8 @@ struct Land : Drawing {
 
     void prepare(Gpu& gpu, Scene& loaded) override;
     void update(Frame& frame) override { ground_.record(frame, !method.is("rings") && !method.is("rays")); }
+    const Drawing* lit_by() const override { return &atmosphere_; }
+    std::vector<const Module*> made_of() const override { return {this, &ground_, &atmosphere_}; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
     /// Of the view drawn last: metres along the view, R32F, 0 where there is no ground.
@@ -81,8 +82,6 @@ struct Land : Drawing {
     /// `count` says so. Rays: 0.
     uint64_t triangles() const;
     bool count = false;
-
-    const SunShadow* shadowed_by = nullptr;  ///< null: no house shades the ground
 
     /// For passes that include 15_terrain_water/land_light.glsl.
     void bind(Pass& pass) const override;
@@ -116,7 +115,7 @@ struct Land : Drawing {
     Pipeline ray_ = graphics(
         {.vertex = "06_deferred/whole.vert", .fragment = "15_terrain_water/land_rays.frag", .cull = VK_CULL_MODE_NONE});
     Pipeline shade_ = compute({.shader = "15_terrain_water/land_shade.comp"});
-    Pipeline shade_shadowed_ = compute({.shader = "15_terrain_water/land_shade_shadowed.comp"});
+    Pipeline shade_shadowed_ = compute({.shader = "15_terrain_water/land_shade.comp", .macros = shadowed_by_houses()});
 };
 
 }  // namespace lightwalk

@@ -14,7 +14,9 @@ Camera mirrored_camera(const Camera& camera, float level_m) {
 }
 
 // [mirror_record]
-void Mirror::record(Frame& frame, const View& view, float level_m, const Drawings& solid, const Drawings& air) {
+void Mirror::record(Frame& frame, const View& view, float level_m, const Drawings& drawings) {
+    const Drawings solid = of_phases({Phase::backdrop, Phase::opaque}, drawings);
+    const Drawings air = of_phases({Phase::sky, Phase::air, Phase::fog}, drawings);
     const glm::uvec2 size = glm::max(glm::uvec2(glm::vec2(view.size) * scale.value), 1u);
     const auto fit = [&](Image& image, const char* name, VkFormat format) {
         image.fit(frame.gpu.device, {.name = path() + name, .format = format, .size = size});
@@ -31,12 +33,13 @@ void Mirror::record(Frame& frame, const View& view, float level_m, const Drawing
     crop.origin = glm::uvec2(glm::vec2(crop.origin) * shrunk);
     crop.shift = glm::vec2(-crop.shift.x, crop.shift.y) * shrunk;
     View plain = view_of(mirrored_camera(view.camera, level_m), size, crop);
-    plain.id = view.id + 0x15000000u;
+    plain.id = views_.of(view.id);
+    plain.sun_disc = false;  // water adds the sun's glitter
     View clipped = plain;
     clipped.view_projection = mirror_view(view.view_projection, level_m);
 
     // 2. What is opaque, clipped at the water. Its light comes through the air, which is drawn later.
-    for (Drawing& drawing : air) drawing.update_once(frame);
+    update(frame, in_order(drawings));
     Canvas below(color_, oblique_);
     draw_opaque(frame, clipped, below, solid);
     below.depth(frame);

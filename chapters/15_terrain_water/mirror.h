@@ -1,20 +1,22 @@
 // Mirror module: the mirror image of what stands on a level water surface.
 #pragma once
-#include "common/app/drawing.h"
-#include "common/app/module.h"
+#include "common/app/world.h"
 
 namespace lightwalk {
 
 // [mirror]
 /// record() before the water is drawn; then image() shows at each pixel, counted from the other edge, what the level water
-/// reflects there. The water itself is in neither list: a mirror does not see itself.
+/// reflects there. Water among the drawings is left out: a mirror does not see itself.
 struct Mirror : Module {
     Mirror(Module& owner, std::string name) : Module(owner, std::move(name), "mirror") {}
 
     Knob<float> scale{*this, "scale", 0.5f, {0.1f, 1.0f}, "Width of the mirror image, as a share of the picture's"};
 
-    /// `solid` is drawn with the water as its near plane, then `air` (sky, haze) behind and before it.
-    void record(Frame& frame, const View& view, float level_m, const Drawings& solid, const Drawings& air);
+    /// Opaque drawings are drawn with the water as their near plane, then sky, air and fog behind and before them.
+    void record(Frame& frame, const View& view, float level_m, const Drawings& drawings);
+    void record(Frame& frame, const View& view, float level_m, World& world) {
+        record(frame, view, level_m, world.ready(frame, view));
+    }
     const Image& image() const { return color_; }
     const Image& depth() const {
         return depth_;
@@ -22,6 +24,7 @@ struct Mirror : Module {
        // [/mirror]
 
   private:
+    DerivedViews views_;
     Image color_, oblique_, depth_;
     Pipeline plain_depth_ = graphics({.vertex = "06_deferred/whole.vert",
                                       .fragment = "15_terrain_water/plain_depth.frag",

@@ -1,7 +1,5 @@
 #include "15_terrain_water/ocean.h"
 
-#include <fmt/core.h>
-
 #include <cmath>
 
 namespace lightwalk {
@@ -73,7 +71,6 @@ std::vector<OceanWave> Ocean::waves(int part) const {
 
 // What is made once, until a knob changes.
 void Ocean::make(Frame& frame) {
-    const std::string now = fmt::format("{} {} {} {}", wind_m_s.value, fetch_km.value, wind_deg.value, shape.value);
     const auto fit = [&](Image& image, const char* name, VkFormat format, uint32_t layers, uint32_t mips) {
         image.fit(frame.gpu.device, {.name = path() + name,
                                      .format = format,
@@ -84,8 +81,7 @@ void Ocean::make(Frame& frame) {
     fit(fields_, " fields", VK_FORMAT_R32G32B32A32_SFLOAT, 6, 1);
     fit(moved_, " moved", VK_FORMAT_R16G16B16A16_SFLOAT, 3, 8);
     fit(sloped_, " sloped", VK_FORMAT_R16G16B16A16_SFLOAT, 3, 8);
-    if (now == made_) return;
-    made_ = now;
+    if (!made_.from(wind_m_s, fetch_km, wind_deg, shape.value)) return;
     std::vector<OceanWave> all;
     height_variance_ = 0;
     for (int part = 0; part < 3; ++part) {

@@ -3,6 +3,7 @@
 #include "15_terrain_water/water_data.h"
 #include "common/app/module.h"
 #include "common/app/target.h"
+#include "common/base/made.h"
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -39,7 +40,7 @@ struct Ocean : Module {
     void make(Frame& frame);
     Image fields_, moved_, sloped_;
     Buffer waves_;
-    std::string made_;
+    Made<float, float, float, int> made_;  ///< wind, fetch, its direction, shape
     glm::vec3 slope_variance_{0};
     double height_variance_ = 0;
     Pipeline spectrum_ = compute({.shader = "15_terrain_water/ocean_spectrum.comp"});

@@ -38,7 +38,8 @@ struct ReflectedRays : Module, WaterRays {
     Image no_ground_;
     bool has_colors_ = false;
     Pipeline trace_ = compute({.shader = "15_terrain_water/reflected_rays.comp"});
-    Pipeline trace_shadowed_ = compute({.shader = "15_terrain_water/reflected_rays_shadowed.comp"});
+    Pipeline trace_shadowed_ =
+        compute({.shader = "15_terrain_water/reflected_rays.comp", .macros = shadowed_by_houses()});
 };
 
 }  // namespace lightwalk

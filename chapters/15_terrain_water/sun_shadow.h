@@ -2,20 +2,19 @@
 #pragma once
 #include "05_shadow_maps/shadow.h"
 #include "10_atmosphere/atmosphere.h"
-#include "15_terrain_water/city.h"
+#include "15_terrain_water/sun_casting.h"
 
 namespace lightwalk {
 
 // [sun_shadow]
-/// Chapter 05's cascades for the atmosphere's sun. record() once a frame, for the view of the picture: other views of the
-/// frame (mirror images) read the same maps. Land and City read them where their `shadowed_by` says so. The ground's
-/// shadow on itself is its own (land.shadow).
+/// Chapter 05's cascades for the atmosphere's sun. record() for a view: its mirror image reads the same maps. Who casts and
+/// who receives is asked of the drawings. The ground's shadow on itself is its own (land.shadow).
 struct SunShadow : Module {
     SunShadow(Module& owner, std::string name, const Atmosphere& atmosphere);
 
     Shadow maps{*this, "maps"};
 
-    void record(Frame& frame, const View& view, const Scene& scene, City& city);
+    void record(Frame& frame, const View& view, const Scene& scene, const Drawings& drawings);
     /// False: the sun is down, nothing casts, or the method is none. Then nothing is recorded, and nothing may read it.
     bool exists() const { return exists_; }
 

@@ -19,7 +19,7 @@ class Transparency::Stage : public Given {
         return *this;
     }
     const std::string& kind() const override { return kind_; }
-    Macros macros() const override { return {{"common/put_surface.glsl", file_}}; }
+    Macros macros() const override { return Macros().replace_file("common/put_surface.glsl", file_); }
     std::vector<std::byte> block(const Binding&) const override { return {}; }
     std::vector<Resource> reads() const override {
         std::vector<Resource> all;
@@ -212,8 +212,7 @@ void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<SeenThro
     for (Image& depth : t.layer_depth)
         depth.fit(frame.gpu.device, {.name = path() + " layer depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
     t.peeled.fit(frame.gpu.device, {.name = path() + " peeled", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
-    frame.compute("clear peeled", {.writes = {t.peeled}},
-                  [&](Compute& pass) { pass.use(clear_peeled_).set("peeled", t.peeled).dispatch_threads(size); });
+    frame.fill("clear peeled", t.peeled, {0.0f, 0.0f, 0.0f, 1.0f});  // no light, and all of the background is seen
     // Before the first layer there is the near plane.
     frame.raster("before the layers", {.depth = clear(t.layer_depth[1], 1.0f)}, [](Raster&) {});
     const ImageView& solid = canvas.single_depth();

@@ -80,7 +80,6 @@ struct Transparency : Module, TransparencyMethod {
     Pipeline mix_moments_ = compute({.shader = "15_terrain_water/mix_moments.comp"});
     Pipeline clear_lists_ = compute({.shader = "15_terrain_water/clear_lists.comp"});
     Pipeline mix_lists_ = compute({.shader = "15_terrain_water/mix_lists.comp"});
-    Pipeline clear_peeled_ = compute({.shader = "15_terrain_water/clear_peeled.comp"});
     Pipeline add_layer_ = compute({.shader = "15_terrain_water/add_layer.comp"});
     Pipeline mix_peeled_ = compute({.shader = "15_terrain_water/mix_peeled.comp"});
 };

@@ -154,11 +154,11 @@ bool Water::sees_surroundings(const View& view) const {
     return !method.is("none") && !reflection.is("none") && !is_mirrored(view);
 }
 
-void Water::reflect(Frame& frame, const View& view, const Drawings& solid, const Drawings& air) {
+void Water::reflect(Frame& frame, const View& view, const Drawings& drawings) {
     mirrored_ = ~0u;
     if (!is_mirrored(view)) return;
     const ViewScope scope(frame, view);
-    mirror.record(frame, view, level_m, solid, air);
+    mirror.record(frame, view, level_m, drawings);
     mirrored_ = view.id;
 }
 

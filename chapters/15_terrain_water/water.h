@@ -16,10 +16,10 @@ struct WaterRays {
 };
 
 // [water]
-/// Comes after all that is opaque and after the sky, before the air:
+/// In a frame, with everything that is drawn:
 ///
-///     water.reflect(frame, view, {land, objects}, {sky, atmosphere});
-///     draw(frame, view, canvas, {land, objects, sky, water, atmosphere});
+///     water.reflect(frame, view, drawings);
+///     draw(frame, view, canvas, drawings);
 ///
 /// `light` is what surrounds it, for rays that leave the picture: the owner records that before.
 struct Water : Drawing {
@@ -76,8 +76,9 @@ struct Water : Drawing {
     /// Whether its reflection looks into the surroundings' cube: a mirror image, and no reflection, do without.
     bool sees_surroundings(const View& view) const;
     /// The mirror image, where that is the method and the eye is above the water.
-    void reflect(Frame& frame, const View& view, const Drawings& solid, const Drawings& air);
+    void reflect(Frame& frame, const View& view, const Drawings& drawings);
     void update(Frame& frame) override;
+    Phase drawn_in() const override { return Phase::water; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     void bind(Pass& pass) const override;
 

@@ -10,7 +10,8 @@ namespace lightwalk {
 bool is_volume_file(const std::filesystem::path& file) { return file.extension() == ".volume"; }
 
 void Field::prepare(Gpu& gpu, Scene& scene) {
-    from_file_ = false, made_size_ = 0;
+    from_file_ = false;
+    made_.forget();
     for (const SceneObject& object : scene.file.objects) {
         if (!is_volume_file(object.model)) continue;
         const VolumeData data = read_volume(find_asset(object.model));
@@ -28,8 +29,8 @@ void Field::prepare(Gpu& gpu, Scene& scene) {
 }
 
 void Field::record(Frame& frame) {
-    if (from_file_ || (made_size_ == voxels && made_seed_ == variety)) return;
-    made_size_ = voxels, made_seed_ = variety, half_m_ = glm::vec3(1.0f);
+    if (from_file_ || !made_.from(voxels, variety)) return;
+    half_m_ = glm::vec3(1.0f);
     ++number_;
     const auto edge = static_cast<uint32_t>(voxels);
     density_ = Image(frame.gpu.device, {.name = path() + " density",
@@ -44,9 +45,7 @@ void Field::record(Frame& frame) {
 // [record]
 void BlockPyramid::record(Frame& frame, const Field& field, const Image& transfer, uint64_t transfer_number,
                           int border) {
-    const glm::u64vec4 of{field.number(), transfer_number, static_cast<uint64_t>(border), Exercises::version()};
-    if (of == made_of_) return;
-    made_of_ = of;
+    if (!made_.from({field.number(), transfer_number, static_cast<uint64_t>(border), Exercises::version()})) return;
     const glm::uvec3 voxels = ImageView(field.density()).size();
     const glm::uvec3 blocks = (voxels + static_cast<uint32_t>(BLOCK_VOXELS - 1)) / static_cast<uint32_t>(BLOCK_VOXELS);
     ranges_.fit(frame.gpu.device, {.name = "block ranges",

@@ -17,6 +17,12 @@ struct Finish : Module {
     Knob<float> bake_m{
         *this, "bake_m", 1.0f, {0.01f, 1000.0f}, "Length of these rays: what is farther away occludes nothing", "m"};
 
+    bool stands_for(const std::filesystem::path& file, Model& into) const override {
+        if (!is_lathe_file(file)) return false;
+        const Lathe lathe = read_lathe(file);
+        into = lathe_model(lathe, turn_lathe(lathe));
+        return true;
+    }
     void prepare(Gpu& gpu, Scene& scene) override;
     std::string load_key() const override { return width.text() + " " + bake_rays.text() + " " + bake_m.text(); }
     // [/finish]

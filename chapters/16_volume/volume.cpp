@@ -42,7 +42,7 @@ NoiseMoment noise_moment(double cells, int seed) {
 void Volume::prepare(Gpu&, Scene& loaded) {
     scene_ = &loaded;
     past_.clear();
-    light_made_.clear();
+    light_made_.forget();
 }
 
 VolumeNow Volume::now(const Frame& frame) const {
@@ -82,9 +82,7 @@ void Volume::update(Frame& frame) {
 // [/update]
 
 void Volume::make_transfer(Frame& frame) {
-    std::string wanted = fmt::format("{} {}", transfer.text(), density.value);
-    if (wanted == transfer_made_) return;
-    transfer_made_ = std::move(wanted);
+    if (!transfer_made_.from(transfer.index, density)) return;
     ++transfer_number_;
     transfer_texels_ = transfer_function(transfer.text(), density);
     transfer_.fit(frame.gpu.device,
@@ -103,9 +101,7 @@ void Volume::make_tables(Frame& frame) {
         });
     }
     if (!method.is("preintegrated")) return;
-    std::string wanted = fmt::format("{} {} {}", transfer_number_, now_.step_m, Exercises::version());
-    if (wanted == preintegrated_made_) return;
-    preintegrated_made_ = std::move(wanted);
+    if (!preintegrated_made_.from(transfer_number_, now_.step_m, Exercises::version())) return;
     preintegrated_.fit(device, {.name = "preintegrated", .size = glm::uvec2(table_texels), .kept = true});
     const std::vector<uint64_t> halves =
         as_halves(preintegrated_table(transfer_texels_, table_texels, now_.step_m / REFERENCE_M));
@@ -120,11 +116,10 @@ void Volume::make_light(Frame& frame) {
                                   .size = {size.x, size.y},
                                   .depth = size.z,
                                   .kept = true});
-    ByteWriter wanted;
-    wanted(field.number(), transfer_number_, light_steps.value, now_.light_at, now_.is_near, Exercises::version());
-    if (wave > 0) wanted(now_.wave, now_.wave_phase);
-    if (wanted.bytes == light_made_) return;
-    light_made_ = std::move(wanted.bytes);
+    const glm::vec4 waves = wave > 0 ? glm::vec4(now_.wave_phase, now_.wave) : glm::vec4(0.0f);
+    if (!light_made_.from(field.number(), transfer_number_, light_steps, now_.light_at, now_.is_near,
+                          Exercises::version(), waves))
+        return;
     frame.compute("light in the volume", {.reads = {field.density(), transfer_}, .writes = {light_}, .with = {*this}},
                   [&](Compute& pass) { pass.use(make_light_).set("result", light_).dispatch_threads(size); });
 }

@@ -4,6 +4,7 @@
 
 #include "16_volume/field.h"
 #include "common/app/drawing.h"
+#include "common/base/made.h"
 
 namespace lightwalk {
 
@@ -79,6 +80,8 @@ struct Volume : Drawing {
     void prepare(Gpu&, Scene& loaded) override;
     bool animated() const override { return wave > 0 || (shell && !field.is_file()) || method.is("jittered"); }
     void update(Frame& frame) override;
+    bool stands_for(const std::filesystem::path& file, Model&) const override { return is_volume_file(file); }
+    Phase drawn_in() const override { return Phase::air; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     void bind(Pass& pass) const override;
     std::vector<Resource> reads() const override;
@@ -96,8 +99,10 @@ struct Volume : Drawing {
     VolumeNow now_{};
     Image transfer_, light_, preintegrated_, noise_;
     uint64_t transfer_number_ = 0;
-    std::string transfer_made_, preintegrated_made_, light_made_;
-    struct Past {  ///< of a view
+    Made<size_t, float> transfer_made_;                   ///< transfer, density
+    Made<uint64_t, float, unsigned> preintegrated_made_;  ///< transfer's number, step, toggles
+    Made<uint64_t, uint64_t, int, glm::vec3, float, unsigned, glm::vec4> light_made_;  ///< of make_light()
+    struct Past {                                                                      ///< of a view
         Image marched;
         std::string of;  ///< what it is a picture of
         int pictures = 0;

@@ -2,45 +2,32 @@
 #include "01_obj/model_chapter.h"
 #include "08_bloom/bloom.h"
 #include "09_post_effects/post.h"
-#include "17_planets/flight.h"
-#include "17_planets/stars.h"
+#include "17_planets/solar_system.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct PlanetsChapter : ModelChapter {
-    Planets planets{*this, "planets"};
-    Stars stars{*this, "stars", planets};
-    Flight flight{*this, "flight", planets};
+    SolarSystem world{*this};
     Bloom bloom{*this, "bloom"};
     Post post{*this, "post"};
 
     PlanetsChapter() {
-        planets.method.alone = true;  // --method is about the law here
-        post.tone.change_default("neutral");
-        bloom.threshold.value = 1.0f;
+        set_look(world, *this);
+        world.planets.method.alone = true;  // --method is about the law here
     }
     std::string default_scene() const override { return "scenes/saturn.json"; }
 
     // [frame]
     void frame(Frame& frame) override {
-        // 1. The camera: the scene's, or that of a flight, whose position floats cannot hold.
-        planets.exposed_for_m.reset();
-        View view;
-        if (flight.on) {
-            const double time_s = static_cast<double>(frame.time_s);
-            const Flight::Moment moment = flight.at(time_s, planets.days_at(time_s));
-            view = set_view(frame, flight.camera(moment, camera));
-            view.exact_eye = moment.eye_m;
-        } else {
-            view = set_view(frame);
-        }
+        // 1. The camera: the scene's, or that of a flight (solar_system.h).
+        const View view = set_view(frame, world);
 
         // 2. Stars, then the bodies over them, the farthest first.
-        Canvas canvas(frame.hdr, frame.depth);
-        draw(frame, view, canvas, {stars, planets});
+        Canvas canvas(frame.hdr, frame.depth, world.background());
+        world.draw_light(frame, view, canvas);
 
-        // 3. Glare, tones, and the codes that a screen expects.
+        // 3. Glare, tones, and sRGB encoding.
         bloom.record(frame, frame.hdr);
         post.record(frame, frame.hdr);
         encode_srgb(frame);

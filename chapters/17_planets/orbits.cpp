@@ -73,6 +73,16 @@ glm::dmat3 axes_of(const Rotation& rotation, double days) {
     return {glm::cross(pole, meridian), pole, meridian};
 }
 
+// Neptune's pole circles about its mean once in seven centuries: Archinal et al., 2018. Terms of others are below 0.1 degrees.
+Rotation rotation_of(BodyId body, double days) {
+    Rotation rotation = rotations[static_cast<size_t>(body)];
+    if (body != BodyId::neptune) return rotation;
+    const double n = (357.85 + 52.316 * days / 36525) * degree;
+    rotation.right_ascension += 0.70 * std::sin(n), rotation.declination -= 0.51 * std::cos(n);
+    rotation.meridian -= 0.48 * std::sin(n);
+    return rotation;
+}
+
 }  // namespace
 
 const std::vector<std::string>& body_names() {
@@ -102,7 +112,7 @@ glm::dmat3 world_to_galaxy() {
 
 Placement place_body(BodyId body, double days) {
     const auto i = static_cast<size_t>(body);
-    Placement placement{.position = glm::dvec3(0.0), .axes = axes_of(rotations[i], days)};
+    Placement placement{.position = glm::dvec3(0.0), .axes = axes_of(rotation_of(body, days), days)};
     if (body == BodyId::moon)
         placement.position = kepler(orbits[static_cast<size_t>(BodyId::earth)], days) + moon_from_earth(days);
     else if (body != BodyId::sun)

@@ -35,10 +35,10 @@ struct Planets : Drawing {
     Choice rings{
         *this,
         "rings",
-        {"alpha", "tables", "single_scattering"},
+        {"alpha", "tables", "single_scattering", "random_walks"},
         "tables",
-        "Light of rings: a painted disc; three tables (back, forward, unlit); single scattering and a fit of the rest "
-        "(the reference)"};
+        "Light of rings: a painted disc; three tables (back, forward, unlit); single scattering and a fit of the rest; "
+        "single scattering and random walks (the reference)"};
     Choice flow{
         *this,
         "flow",
@@ -46,6 +46,7 @@ struct Planets : Drawing {
         "two_frames",
         "Jupiter's clouds: at rest, all at one speed, two moved frames mixed, or carried in 64 steps (the reference)"};
     // [/planets]
+    Knob<int> walks{*this, "walks", 128, {1, 1024}, "Random walks per pixel of rings, for their reference"};
     Choice shadow{
         *this,
         "shadow",

@@ -30,13 +30,6 @@ Ambiance::Ambiance() {
          }}};
 }
 
-Model Ambiance::load_model(const std::filesystem::path& file) {
-    if (!is_film_file(file)) return ModelChapter::load_model(file);
-    Model empty;  // the reel itself reads the file
-    empty.materials.emplace_back();
-    return empty;
-}
-
 // [ready]
 void Ambiance::make_ready(Gpu& gpu, glm::uvec2 size, float time_s) {
     std::optional<PathKind> kind;

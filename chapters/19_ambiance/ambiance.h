@@ -32,7 +32,6 @@ struct Ambiance : ModelChapter {
 
     Ambiance();
     std::string default_scene() const override { return "films/ambiance.film"; }
-    Model load_model(const std::filesystem::path& file) override;
     void make_ready(Gpu& gpu, glm::uvec2 size, float time_s) override;
     void frame(Frame& frame) override;
 

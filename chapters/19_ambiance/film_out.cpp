@@ -1,6 +1,10 @@
 #include "19_ambiance/film_out.h"
 
+#include <unistd.h>
+
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
 
 #include "19_ambiance/frame_pipe.h"
 #include "19_ambiance/ways.h"
@@ -48,13 +52,35 @@ std::vector<std::string> ffmpeg(const FilmOut& out, const Reel& reel, glm::uvec2
 }
 // [/command]
 
-// Removed unless it was moved to where it belongs.
-struct Unfinished {
-    std::filesystem::path file;
-    ~Unfinished() {
-        std::error_code none;
-        std::filesystem::remove(file, none);
+// A file in a folder of its own beside `path`: nobody else can have put a link there. Both are removed, by SIGTERM too, unless
+// the file was moved to where it belongs.
+class Unfinished {
+  public:
+    explicit Unfinished(const std::filesystem::path& path) {
+        folder_ = (path.parent_path() / ".film.XXXXXX").string();
+        if (!mkdtemp(folder_.data())) throw InputError("--film {}: no folder can be made beside it", path.string());
+        file = std::filesystem::path(folder_) / path.filename();
+        path_ = file.string();
+        folder_to_remove = folder_.c_str(), file_to_remove = path_.c_str();
+        for (const int number : {SIGTERM, SIGINT, SIGHUP}) std::signal(number, end);
     }
+    ~Unfinished() {
+        for (const int number : {SIGTERM, SIGINT, SIGHUP}) std::signal(number, SIG_DFL);
+        remove();
+    }
+    Unfinished(const Unfinished&) = delete;
+
+    std::filesystem::path file;
+
+  private:
+    static void remove() { unlink(file_to_remove), rmdir(folder_to_remove); }
+    static void end(int number) {
+        remove();
+        _exit(128 + number);
+    }
+    inline static const char* folder_to_remove = "";
+    inline static const char* file_to_remove = "";
+    std::string folder_, path_;
 };
 
 }  // namespace
@@ -75,7 +101,7 @@ int FilmOut::write(Chapter& chapter, Reel& reel, const std::string& file, const 
     const int end = frames_to < 0 ? last : std::min(int(frames_to), last);
     if (frames_from >= end) throw InputError("--film: there is no frame from {} to {}", int(frames_from), end);
 
-    const Unfinished unfinished{path.parent_path() / (path.stem().string() + ".part" + ending)};
+    const Unfinished unfinished(path);
     {
         FramePipe pipe = ending == ".raw"
                              ? FramePipe(unfinished.file)

@@ -2,8 +2,9 @@
 
 #include <utility>
 
-#include "01_obj/camera_view.h"
 #include "01_obj/obj.h"
+#include "01_obj/world_view.h"
+#include "19_ambiance/worlds.h"
 #include "common/base/error.h"
 
 namespace lightwalk {
@@ -24,11 +25,10 @@ class Clock {
 
 }  // namespace
 
-FilmPart::FilmPart(const FilmScene& scene, Music& music) : music_(music), film_scene_(scene) {
-    bloom.method.change_default("none");
+FilmPart::FilmPart(const FilmScene& scene, Music* heard)
+    : world_(film_worlds().at(scene.kind)(*this, heard)), film_scene_(scene) {
+    set_look(*world_, *this);
 }
-
-Model FilmPart::load_model(const std::filesystem::path& file) { return lightwalk::load_model(file, Loader::parallel); }
 
 // By its path below the part, or by its name alone.
 KnobBase& FilmPart::knob(const std::string& name, const std::string& where) {
@@ -49,7 +49,10 @@ void FilmPart::load(Gpu& gpu) {
     SceneFile read = read_scene(file);
     for (const auto& [name, value] : read.knobs) knob(name, file.string()).set(value);
     apply_knobs(film_scene_.clock_s);
-    scene_.load(gpu, std::move(read), [&](const std::filesystem::path& model) { return load_model(model); });
+    scene_.load(gpu, std::move(read), [&](const std::filesystem::path& model) {
+        Model own;
+        return any_model(model, own) ? own : load_model(model, Loader::parallel);
+    });
     prepare_all(gpu, scene_);
     loaded_with_ = load_state();
 }
@@ -76,14 +79,6 @@ void FilmPart::draw_by(const KnobSettings& way) {
     way_ = way;
 }
 
-View FilmPart::look(Frame& frame, const Camera& camera) {
-    animate(scene_, frame.time_s);
-    scene_.upload_moved(frame);
-    const View view = view_of(camera, frame);
-    look_from(view, frame);
-    return view;
-}
-
 // [record]
 void FilmPart::record(Frame& frame, double time_s, Timeline::Faded faded, const Camera* flown) {
     const double clock_s = film_scene_.clock_at(time_s);
@@ -91,8 +86,10 @@ void FilmPart::record(Frame& frame, double time_s, Timeline::Faded faded, const 
     apply_knobs(clock_s);
 
     // 1. Its light, from where the camera is by now; the glare of what is bright.
-    draw_light(frame, flown ? *flown : camera_at(time_s));
-    bloom.record(frame, frame.hdr);
+    const View view = look_at(*world_, frame, scene_, flown ? *flown : camera_at(time_s));
+    Canvas canvas(frame.hdr, frame.depth, world_->background());
+    world_->draw_light(frame, view, canvas);
+    bloom_.record(frame, frame.hdr);
 
     // 2. The film's fade, in linear light and before the tone curve: what is brightest is the last to go.
     if (faded.black > 0 || faded.white > 0)
@@ -102,21 +99,8 @@ void FilmPart::record(Frame& frame, double time_s, Timeline::Faded faded, const 
         });
 
     // 3. What a screen shows of it.
-    post.record(frame, frame.hdr);
+    post_.record(frame, frame.hdr);
 }
 // [/record]
-
-std::unique_ptr<FilmPart> make_part(const FilmScene& scene, Music& music) {
-    static const std::map<std::string, MakePart*> makers{{"planets", make_planets},
-                                                         {"landscape", make_landscape},
-                                                         {"water", make_water},
-                                                         {"volume", make_volume},
-                                                         {"julia", make_julia},
-                                                         {"head", make_head},
-                                                         {"surroundings", make_surroundings},
-                                                         {"lights", make_lights},
-                                                         {"street", make_street}};
-    return makers.at(scene.kind)(scene, music);
-}
 
 }  // namespace lightwalk

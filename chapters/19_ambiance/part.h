@@ -1,11 +1,12 @@
-// A scene of the film: a scene file of its own, and the drawings of an earlier chapter that show it.
+// A scene of the film: a scene file, an earlier chapter's world that shows it, and a camera path.
 #pragma once
+#include <memory>
+
 #include "08_bloom/bloom.h"
 #include "09_post_effects/post.h"
 #include "14_environment/music.h"
 #include "19_ambiance/timeline.h"
-#include "common/app/drawing.h"
-#include "common/scene/scene.h"
+#include "common/app/world.h"
 
 namespace lightwalk {
 
@@ -18,8 +19,8 @@ using KnobSettings = std::vector<std::pair<std::string, std::string>>;
 /// the film's to set, and come and go with it.
 class FilmPart : public Module {
   public:
-    /// `scene` must stay; `music`: the film's.
-    FilmPart(const FilmScene& scene, Music& music);
+    /// `scene` must stay; `heard`: the film's music; null: the scene's own.
+    explicit FilmPart(const FilmScene& scene, Music* heard = nullptr);
 
     /// Reads its scene file, and makes what its drawings need. Throws InputError.
     void load(Gpu& gpu);
@@ -38,21 +39,13 @@ class FilmPart : public Module {
     const FilmScene& scene() const { return film_scene_; }
     bool is_loaded() const;  ///< nothing that load() depends on has changed since
 
-  protected:
-    /// The scene's light from a camera, into frame.hdr and frame.depth.
-    virtual void draw_light(Frame& frame, const Camera& camera) = 0;
-    virtual Model load_model(const std::filesystem::path& file);
-
-    /// Gives the shaders what the camera sees.
-    View look(Frame& frame, const Camera& camera);
-
-    Scene scene_;
-    Music& music_;
-    Bloom bloom{*this, "bloom"};
-    Post post{*this, "post"};
     // [/part]
 
   private:
+    Scene scene_;
+    std::unique_ptr<World> world_;
+    Bloom bloom_{*this, "bloom"};
+    Post post_{*this, "post"};
     void apply_knobs(double clock_s);
     KnobBase& knob(const std::string& name, const std::string& where);
     const FilmScene& film_scene_;
@@ -61,12 +54,5 @@ class FilmPart : public Module {
     KnobSettings way_, before_way_;
     Pipeline fade_ = compute({.shader = "19_ambiance/fade.comp"});
 };
-
-/// The part for a scene's kind.
-std::unique_ptr<FilmPart> make_part(const FilmScene& scene, Music& music);
-
-using MakePart = std::unique_ptr<FilmPart>(const FilmScene& scene, Music& music);
-MakePart make_planets, make_landscape, make_water, make_volume, make_julia, make_head, make_surroundings, make_lights,
-    make_street;
 
 }  // namespace lightwalk

@@ -6,6 +6,7 @@
 #include "19_ambiance/exercises.h"
 #include "19_ambiance/level_file.h"
 #include "common/base/error.h"
+#include "common/base/exercise.h"
 
 namespace lightwalk {
 
@@ -14,6 +15,7 @@ bool is_film_file(const std::filesystem::path& file) { return file.extension() =
 void Reel::prepare(Gpu&, Scene& loaded) {
     parts_.clear(), ways_.clear();
     chosen_.reset();
+    paths_made_.forget();
     film_ = is_film_file(loaded.file.file) ? read_timeline(loaded.file.file) : Timeline();
     has_sound_ = false;
     if (!film_.music) return music.take({});
@@ -31,7 +33,7 @@ void Reel::load_sound() {
 }
 
 void Reel::choose(const std::optional<PathKind>& kind) {
-    if (kind == chosen_) return;
+    if (!paths_made_.from(kind, Exercises::version())) return;
     for (FilmScene& scene : film_.scenes) scene.camera.choose(kind.value_or(scene.path));
     chosen_ = kind;
 }
@@ -49,7 +51,7 @@ void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, 
             parts_.erase(there);
         }
         const FilmScene& scene = film_.scenes.at(place);
-        std::unique_ptr<FilmPart> part = make_part(scene, music);
+        auto part = std::make_unique<FilmPart>(scene, film_.music ? &music : nullptr);
         part->load(gpu);
         part->draw_by(ways_[place]);
         parts_[place] = std::move(part);

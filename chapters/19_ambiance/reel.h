@@ -4,8 +4,12 @@
 #include "19_ambiance/titles.h"
 #include "common/app/chapter.h"
 #include "common/app/target.h"
+#include "common/base/made.h"
 
 namespace lightwalk {
+
+/// Whether a file is to be read as a film.
+bool is_film_file(const std::filesystem::path& file);
 
 // [reel]
 /// Draws a film at a time. Every picture is a function of the time alone: parts keep nothing from frame to frame.
@@ -60,6 +64,7 @@ struct Reel : Module {
     const std::map<size_t, std::unique_ptr<FilmPart>>& parts() const { return parts_; }
     // [/reel]
 
+    bool stands_for(const std::filesystem::path& file, Model&) const override { return is_film_file(file); }
     /// Reads the film. Throws InputError.
     void prepare(Gpu&, Scene&) override;
     bool animated() const override { return is_open(); }
@@ -72,8 +77,9 @@ struct Reel : Module {
 
     Timeline film_;
     std::optional<PathKind> chosen_;
-    std::map<size_t, std::unique_ptr<FilmPart>> parts_;  ///< by their place in the film
-    std::map<size_t, KnobSettings> ways_;                ///< likewise
+    Made<std::optional<PathKind>, unsigned> paths_made_;  ///< the kind, and the toggles of the curves' exercises
+    std::map<size_t, std::unique_ptr<FilmPart>> parts_;   ///< by their place in the film
+    std::map<size_t, KnobSettings> ways_;                 ///< likewise
     bool has_sound_ = false;
     Titles titles_;
     Target before_{*this, {.name = "before", .kept = true}};
@@ -81,8 +87,5 @@ struct Reel : Module {
              black_ = compute({.shader = "19_ambiance/black.comp"});
     Pipeline mix_ = compute({.shader = "19_ambiance/mix.comp"});
 };
-
-/// Whether a file is to be read as a film.
-bool is_film_file(const std::filesystem::path& file);
 
 }  // namespace lightwalk

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "19_ambiance/timeline.h"
+#include "19_ambiance/worlds.h"
 #include "common/base/files.h"
 #include "common/scene/scene_reader.h"
 
@@ -10,8 +11,6 @@ namespace {
 
 constexpr size_t most_bytes = size_t{4} << 20;
 constexpr double most_s = 3600;
-const std::vector<std::string> kinds{"planets", "landscape",    "water",  "volume", "julia",
-                                     "head",    "surroundings", "lights", "street"};
 
 std::string listed(const std::vector<std::string>& words) {
     std::string text;
@@ -133,8 +132,11 @@ FilmScene read_film_scene(const JsonWithLines& source, KeyReader r, const std::s
     scene.where = source.where(at + "/scene");
     scene.name = required_text(r, at, source, "name");
     scene.kind = required_text(r, at, source, "kind");
-    if (std::find(kinds.begin(), kinds.end(), scene.kind) == kinds.end())
+    if (!film_worlds().contains(scene.kind)) {
+        std::vector<std::string> kinds;
+        for (const auto& [kind, make] : film_worlds()) kinds.push_back(kind);
         r.refuse("kind", fmt::format("is '{}', expected {}", scene.kind, listed(kinds)));
+    }
     scene.file = required_text(r, at, source, "scene");
     scene.from_s = required(r, at, source, "from_s", 0, duration_s);
     scene.to_s = required(r, at, source, "to_s", 0, duration_s);

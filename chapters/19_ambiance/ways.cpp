@@ -13,6 +13,7 @@
 #include "common/base/statistics.h"
 #include "common/measure/flip.h"
 #include "common/scene/json_lines.h"
+#include "common/study/cheapest.h"
 #include "common/study/gpu_time.h"
 
 namespace lightwalk {
@@ -125,12 +126,10 @@ std::vector<Way> measure_ways(Chapter& chapter, Reel& reel, Gpu& gpu, size_t sce
 }
 
 ChosenWay cheapest_way(const std::vector<Way>& ways, double budget) {
-    const Way *cheapest = nullptr, *truest = &ways.front();
-    for (const Way& way : ways) {
-        if (way.error < truest->error) truest = &way;
-        if (way.error <= budget && (!cheapest || way.gpu_ms < cheapest->gpu_ms)) cheapest = &way;
-    }
-    return {cheapest ? *cheapest : *truest, cheapest != nullptr};
+    std::vector<Measured> all;
+    for (const Way& way : ways) all.push_back({way.error, way.gpu_ms, way.error <= budget});
+    const size_t chosen = cheapest(all);
+    return {ways[chosen], all[chosen].enough};
 }
 // [/measure_ways]
 

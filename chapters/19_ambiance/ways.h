@@ -20,7 +20,7 @@ struct Way {
 /// that what a way loses between pixels counts, too. The reel then draws the scene as the film says.
 std::vector<Way> measure_ways(Chapter& chapter, Reel& reel, Gpu& gpu, size_t scene, const Options& options);
 
-/// The cheapest of those whose error is at most the budget. Where there is none, the one with the least error.
+/// By the need rule: the cheapest of those whose error is at most the budget, or the most accurate where there is none.
 struct ChosenWay {
     const Way& way;
     bool enough;

@@ -44,6 +44,8 @@ class Chapter : public Module {
     virtual void make_ready(Gpu& /*gpu*/, glm::uvec2 /*size*/, float /*time_s*/) {}
     bool plays = false;  ///< its clock runs: in a window, or where a film is written
 
+    int camera_of_file = 0;  ///< which of the cameras in a bare model's file is used, from 1 on; 0: none
+
     bool tries_knobs = false;  ///< the need rule draws: knobs have values that nobody has set
 
     /// Records one frame; what it leaves in frame.output is the picture.

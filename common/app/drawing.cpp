@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/base/error.h"
+
 namespace lightwalk {
 namespace {
 
@@ -52,7 +54,25 @@ Canvas& Canvas::multisampled(const ImageView& colors, const ImageView& depths) {
     return *this;
 }
 
+const char* name_of(Phase phase) {
+    constexpr const char* names[] = {"backdrop", "opaque", "sky", "water", "air", "fog"};
+    return names[static_cast<size_t>(phase)];
+}
+
+void Canvas::enter(Phase phase, const std::string& drawing) {
+    if (phase < phase_)
+        throw Failure("'{}' ({}) is drawn after '{}' ({}): give both to one draw(), which orders them by phase",
+                      drawing, name_of(phase), last_, name_of(phase_));
+    phase_ = phase, last_ = drawing;
+}
+
+// New light: whatever tone curve was applied to the image before is gone.
+void Canvas::begin_color() {
+    if (!color_begun_) color_.image->shown_in = 0;
+}
+
 Attachment Canvas::color_target() {
+    begin_color();
     const ImageView& target = colors_ ? colors_ : color_;
     Attachment attachment = std::exchange(color_begun_, true) ? keep(target) : clear(target, background_);
     return colors_ ? resolve(attachment, color_) : attachment;
@@ -76,6 +96,7 @@ const ImageView& Canvas::depth(Frame& frame) {
 }
 
 const ImageView& Canvas::color_overwritten() {
+    begin_color();
     color_begun_ = true;
     return color_;
 }
@@ -85,7 +106,12 @@ const ImageView& Canvas::depth_overwritten() {
     return depth_;
 }
 
+void Drawing::shine_once(const Frame& frame) {
+    if (std::exchange(shone_, frame.number()) != frame.number()) shine();
+}
+
 void Drawing::update_once(Frame& frame) {
+    shine_once(frame);
     if (std::exchange(updated_, frame.number()) != frame.number()) update(frame);
 }
 
@@ -94,16 +120,48 @@ void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawin
     draw_transparent(frame, view, canvas, drawings);
 }
 
+// [order]
+Drawings in_order(const Drawings& drawings) {
+    Drawings all;
+    for (Drawing& drawing : drawings)
+        if (!drawing.in_use || drawing.in_use()) all.emplace_back(drawing);
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Drawing& a, const Drawing& b) { return a.drawn_in() < b.drawn_in(); });
+    return all;
+}
+
+Drawings of_phases(std::initializer_list<Phase> phases, const Drawings& drawings) {
+    Drawings some;
+    for (Drawing& drawing : drawings)
+        if (std::find(phases.begin(), phases.end(), drawing.drawn_in()) != phases.end()) some.emplace_back(drawing);
+    return some;
+}
+
+void update(Frame& frame, const Drawings& drawings) {
+    for (Drawing& drawing : drawings) drawing.shine_once(frame);
+    for (Drawing& drawing : drawings) {
+        if (const Drawing* light = drawing.lit_by(); light && !light->has_shone(frame))
+            throw Failure("'{}' is lit by '{}', which this frame does not draw: add it to the drawings", drawing.path(),
+                          light->path());
+        drawing.update_once(frame);
+    }
+}
+
 void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
     const ViewScope scope(frame, view);
-    for (Drawing& drawing : drawings) drawing.update_once(frame);
-    for (Drawing& drawing : drawings) drawing.draw(frame, view, canvas);
+    const Drawings ordered = in_order(drawings);
+    update(frame, ordered);
+    for (Drawing& drawing : ordered) {
+        canvas.enter(drawing.drawn_in(), drawing.path());
+        drawing.draw(frame, view, canvas);
+    }
     canvas.color(frame);
 }
+// [/order]
 
 void draw_transparent(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
     const ViewScope scope(frame, view);
-    const std::vector<SeenThrough> surfaces = transparent_surfaces(view, drawings);
+    const std::vector<SeenThrough> surfaces = transparent_surfaces(view, in_order(drawings));
     if (surfaces.empty()) return;
     canvas.depth(frame);  // cleared where nothing opaque was drawn
     if (canvas.mixing())

@@ -11,6 +11,20 @@ namespace lightwalk {
 
 class TransparencyMethod;
 
+// [phase]
+/// When a drawing is drawn, wherever it stands in a list: each phase needs the depth or the light that the earlier ones
+/// leave. Transparent surfaces follow all of them.
+enum class Phase {
+    backdrop,  ///< overwrites the whole canvas
+    opaque,
+    sky,    ///< where nothing has depth
+    water,  ///< over all that it reflects and refracts
+    air,    ///< participating media that the depth ends
+    fog
+};
+const char* name_of(Phase phase);
+// [/phase]
+
 // [canvas]
 /// The targets that drawings share, all of one size. The first pass that draws into one clears it, so that no drawing
 /// clears what another has drawn.
@@ -46,6 +60,9 @@ class Canvas {
     /// For a pass that writes depth itself.
     const ImageView& depth_overwritten();
 
+    /// A drawing of this phase comes next. Throws Failure where one of a later phase was drawn: it would be overwritten.
+    void enter(Phase phase, const std::string& drawing);
+
     bool has_color() const { return color_begun_; }
     bool has_depth() const { return depth_begun_; }
     bool keeps_depth() const { return bool(depth_); }
@@ -56,7 +73,10 @@ class Canvas {
     ImageView color_, depth_, colors_, depths_;
     glm::vec4 background_;
     TransparencyMethod* mixing_ = nullptr;
+    void begin_color();
     bool color_begun_ = false, depth_begun_ = false;
+    Phase phase_ = Phase::backdrop;  ///< reached so far
+    std::string last_;               ///< the drawing that reached it
 };
 // [/canvas]
 
@@ -65,6 +85,17 @@ class Canvas {
 class Drawing : public Module {
   public:
     using Module::Module;
+
+    virtual Phase drawn_in() const { return Phase::opaque; }
+
+    /// Once a frame, before any drawing is updated: what has a sun gives it to the scene.
+    virtual void shine() {}
+
+    /// The drawing whose sun and air light this one; null: the scene's lights.
+    virtual const Drawing* lit_by() const { return nullptr; }
+
+    /// The modules whose knobs, and whose motion, change what it draws.
+    virtual std::vector<const Module*> made_of() const { return {this}; }
 
     /// Once a frame, before it is drawn for the first time: what all views share.
     virtual void update(Frame&) {}
@@ -98,11 +129,13 @@ class Drawing : public Module {
                                             uint32_t /*count*/) const {}
     // [/drawing]
 
-    /// update(), unless this frame has had it.
+    /// shine() or update(), unless this frame has had it.
+    void shine_once(const Frame& frame);
     void update_once(Frame& frame);
+    bool has_shone(const Frame& frame) const { return shone_ == frame.number(); }
 
   private:
-    uint64_t updated_ = 0;  ///< Frame::number
+    uint64_t shone_ = 0, updated_ = 0;  ///< Frame::number
 };
 
 using Drawings = std::vector<std::reference_wrapper<Drawing>>;
@@ -130,7 +163,16 @@ void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
                    const std::vector<SeenThrough>& surfaces);
 // [/transparency]
 
-/// Updates the drawings, unless this frame did so before, draws them in this order, and then their transparent surfaces.
+/// The drawings that are in use, by phase; within a phase in the order given.
+Drawings in_order(const Drawings& drawings);
+
+/// Those of the phases given.
+Drawings of_phases(std::initializer_list<Phase> phases, const Drawings& drawings);
+
+/// All suns, then what all views share, unless this frame has had it. Throws Failure for a drawing without its light.
+void update(Frame& frame, const Drawings& drawings);
+
+/// Updates the drawings, draws them by phase, and then their transparent surfaces.
 void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
 
 /// The two halves of draw(), for what comes between them: everything but the transparent surfaces, and these alone.

@@ -24,6 +24,7 @@ class KnobBase {
     virtual void set(const std::string& text) = 0;
     virtual std::string text() const = 0;  ///< what set() would take back
     virtual void reset() = 0;
+    virtual void change_default(const std::string& text) = 0;  ///< and its value with it
     virtual nlohmann::json describe() const = 0;
 
     /// What set() takes and what holds unless it is set, for --help: "{none,hard,pcf} (pcf)", "0..1 m (0.01)".
@@ -66,13 +67,14 @@ class Knob : public KnobBase {
     void set(const std::string& text) override;
     std::string text() const override;
     void reset() override { value = default_value; }
+    void change_default(const std::string& text) override { set(text), default_value = value; }
     nlohmann::json describe() const override;
     std::string usage() const override;
     bool changed() const override { return value != default_value; }
     std::vector<float> numbers() const override;
     operator T() const { return value; }
     T value;
-    const T default_value;
+    T default_value;
     const Range<T> range;
 };
 
@@ -84,6 +86,7 @@ class Knob<bool> : public KnobBase {
     void set(const std::string& text) override;
     std::string text() const override { return value ? "on" : "off"; }
     void reset() override { value = default_value; }
+    void change_default(const std::string& text) override { set(text), default_value = value; }
     nlohmann::json describe() const override;
     std::string usage() const override { return default_value ? "{on,off} (on)" : "{on,off} (off)"; }
     bool changed() const override { return value != default_value; }
@@ -91,7 +94,7 @@ class Knob<bool> : public KnobBase {
     std::vector<std::string> variants() const override { return {"on", "off"}; }
     operator bool() const { return value; }
     bool value;
-    const bool default_value;
+    bool default_value;
 };
 
 /// One of several names: a shader compares NAME with NAME_ONE, NAME_TWO ...
@@ -108,7 +111,7 @@ class Choice : public KnobBase {
     void add_macros(Macros& macros) const override;
     std::vector<std::string> variants() const override { return options; }
     bool is(std::string_view option) const { return options[index] == option; }
-    void change_default(const std::string& option) { set(option), default_index_ = index; }
+    void change_default(const std::string& option) override { set(option), default_index_ = index; }
     const std::vector<std::string> options;
     size_t index = 0;
 

@@ -7,11 +7,12 @@
 #include "common/app/target.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
+#include "common/scene/mesh.h"
 
 namespace lightwalk {
 
 Module::Module(Module& owner, std::string name, std::string kind) : owner_(&owner), kind_(std::move(kind)) {
-    path_ = owner.path_.empty() ? name : owner.path_ + "." + name;
+    path_ = owner.path_.empty() || name.empty() ? owner.path_ + name : owner.path_ + "." + name;
     if (kind_.empty()) kind_ = name;
     owner.members_.push_back({.module = this});
 }
@@ -99,6 +100,13 @@ const Sound* Module::any_sound() const {
     visit_used(*this, [&](const Module& module) {
         if (!any) any = module.sound();
     });
+    return any;
+}
+
+bool Module::any_model(const std::filesystem::path& file, Model& into) const {
+    bool any = false;
+    visit_used(*this, [&](const Module& module) { any = any || module.stands_for(file, into); });
+    if (any && into.materials.empty()) into.materials.emplace_back();
     return any;
 }
 

@@ -1,5 +1,6 @@
 // Modules: what one chapter hands to the next, under one name.
 #pragma once
+#include <filesystem>
 #include <functional>
 
 #include "common/app/knob.h"
@@ -9,6 +10,7 @@ namespace lightwalk {
 
 class Gpu;
 class Scene;
+struct Model;
 struct Sound;
 class TargetBase;
 
@@ -26,6 +28,7 @@ class TargetBase;
 /// share their shaders; a pass takes one of them. A pass that states it in `.with` is given its own modules, too.
 class Module : public Given {
   public:
+    /// Without a name its members have the owner's paths, as if they were the owner's.
     Module(Module& owner, std::string name, std::string kind = "");
     ~Module() override;
     Module(const Module&) = delete;
@@ -63,6 +66,10 @@ class Module : public Given {
     /// Exercises that run while a scene is loaded: toggling one of them loads it again.
     virtual std::vector<std::string> load_exercises() const { return {}; }
 
+    /// Whether this module reads such a file itself; `into` then gets the model that stands for it in the scene, of no
+    /// triangles where the module draws it, too.
+    virtual bool stands_for(const std::filesystem::path& /*file*/, Model& /*into*/) const { return false; }
+
     /// What a window plays beside the picture, from 0 s on; null: nothing. It stays until the next prepare().
     virtual const Sound* sound() const { return nullptr; }
 
@@ -74,6 +81,7 @@ class Module : public Given {
 
     void prepare_all(Gpu& gpu, Scene& scene);
     bool any_animated() const;
+    bool any_model(const std::filesystem::path& file, Model& into) const;
     const Sound* any_sound() const;  ///< of the first module that has one
     std::vector<std::string> all_status() const;
     std::string load_state() const;  ///< all load keys, and the toggles of all load exercises

@@ -1,6 +1,7 @@
 #include "common/app/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -54,6 +55,30 @@ void apply_shot(Options& options, Chapter& chapter) {
     throw unknown_name("shot", options.shot, known, "--list shots lists all");
 }
 
+// What to list, and of a model its file.
+void read_list(const std::vector<std::string>& words, Options& o) {
+    if (words.empty()) return;
+    const std::vector<std::string> known = {"knobs", "shots", "exercises", "devices", "model"};
+    if (std::find(known.begin(), known.end(), words[0]) == known.end())
+        throw unknown_name("list", words[0], known, "--help lists all");
+    if (words.size() == 1 && words[0] == "model") throw InputError("--list model FILE: a model file is missing");
+    if (words.size() == 2 && words[0] != "model") throw InputError("--list {}: '{}' is too much", words[0], words[1]);
+    o.list = words[0];
+    if (words.size() == 2) o.list_file = words[1];
+}
+
+// A window that was asked for nothing in particular opens on the picture that the chapter's shots name as the best.
+std::string opening_shot(const Options& options, const CLI::App& app, const Chapter& chapter) {
+    const auto other = [](const CLI::Option* one) {
+        return !one->empty() && one->get_name() != "--device" && one->get_name() != "--validate" &&
+               one->get_name() != "--size" && one->get_name() != "--use";
+    };
+    const std::vector<const CLI::Option*> given = app.get_options();
+    if (options.headless() || std::any_of(given.begin(), given.end(), other)) return {};
+    const std::vector<Shot> shots = best_first(chapter.name);
+    return !shots.empty() && shots.front().is_best && shots.front().time_s == 0 ? shots.front().name : std::string();
+}
+
 // Grouped by module, the chapter's own first.
 void add_knobs(CLI::App& app, const KnobList& knobs, std::map<std::string, std::string>& values) {
     const auto add = [&](const KnobBase& knob, const std::string& group) {
@@ -84,6 +109,7 @@ InputError unrecognised(const CLI::App& app) {
 std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     Options o;
     std::string size, validate = "off", method;
+    std::vector<std::string> list;
     CLI::App app("Lightwalk, chapter " + chapter.name);
     app.add_option("--scene", o.scene, "Scene file or model file (" + chapter.default_scene() + ")")->type_name("FILE");
     app.add_option("--use", o.use,
@@ -101,6 +127,10 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
         app.add_option("--frames", o.frames, "Number of frames to draw, from 1 to 100000; the last is kept (1)")
             ->check(CLI::Range(1, 100000).description(""))
             ->type_name("N");
+    app.add_option("--camera-of-file", o.camera_of_file,
+                   "Which camera of a model file to look through, from 1 on, with the file's lights")
+        ->check(CLI::Range(1, 1000000).description(""))
+        ->type_name("N");
     app.add_option("--look", o.look, "Pass whose output is shown in place of the picture: its name, or 'pass: image'")
         ->type_name("PASS");
     app.add_option("--screenshot", o.screenshot, "Draw without a window, write a PNG, exit")->type_name("FILE");
@@ -109,9 +139,9 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--timings", o.timings, "Write GPU milliseconds per pass as JSON, exit")->type_name("FILE");
     app.add_option("--study", o.study, "Run the chapter's study, write it as JSON, exit")->type_name("FILE");
     app.add_flag("--explain", o.explain, "With --method auto: print the measurements, the rule and the choice");
-    app.add_option("--list", o.list, "Print a list, exit")
-        ->check(CLI::IsMember({"knobs", "shots", "exercises", "devices"}).description(""))
-        ->type_name("{knobs,shots,exercises,devices}");
+    app.add_option("--list", list, "Print a list, or what was read of a model file and what was left out, exit")
+        ->expected(1, 2)
+        ->type_name("{knobs,shots,exercises,devices,model FILE}");
     app.add_flag("--json", o.json, "Print lists and reports as JSON");
     app.add_option("--device", o.device, "Part of a device's name, or 'hardware'; --list devices names them")
         ->type_name("NAME");
@@ -150,12 +180,19 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     if (o.budget && !(*o.budget >= 0)) throw InputError("--budget: the greatest error allowed is 0 or more");
     if (o.time_given && std::isnan(*o.time_given)) throw InputError("--time nan: expected seconds from -1e6 to 1e6");
     o.validate = validate == "on";
+    chapter.camera_of_file = o.camera_of_file;
+    read_list(list, o);
     o.frames_given = !frames->empty();
     o.size_given = !size.empty();
     if (o.size_given) o.size = parse_size(size);
     if (o.time_given) o.time_s = *o.time_given;
     Exercises::use("solution");  // what a list does not name; a process may read the options of many pictures
     Exercises::use(o.use);
+    const std::vector<std::string> ids = Exercises::ids();
+    if (app.count("--use") > 0 && ("," + o.use).find(",solution") != std::string::npos && !ids.empty() &&
+        std::ranges::none_of(ids, &Exercises::has_solution))
+        fmt::print(stderr, "--use solution: this copy of the course has no solutions; your exercises are used\n");
+    if (o.shot.empty()) o.shot = opening_shot(o, app, chapter);
     if (!o.shot.empty()) apply_shot(o, chapter);
     for (const std::string& item : o.set) {
         const size_t equals = item.find('=');

@@ -7,13 +7,14 @@
 namespace lightwalk {
 
 struct Options {
-    std::string scene, use = "solution", shot, look, screenshot, timings, study, capture, list, device, compile_shaders;
+    std::string scene, use = "solution", shot, look, screenshot, timings, study, capture, list, list_file, device,
+                       compile_shaders;
     std::vector<std::string> set;  ///< NAME=VALUE
     glm::uvec2 size{960, 540};
     bool size_given = false;
     float time_s = 0;
     std::optional<float> time_given;
-    int frames = 1;
+    int frames = 1, camera_of_file = 0;
     bool frames_given = false, json = false, validate = false, explain = false;
     bool default_variants = false;  ///< of what compile_shaders compiles
     bool pictures = false;          ///< standard input says which

@@ -4,6 +4,7 @@
 #include <ctime>
 
 #include "common/app/read_picture.h"
+#include "common/base/error.h"
 #include "common/base/patience.h"
 
 namespace lightwalk {
@@ -38,11 +39,12 @@ void add_times(std::vector<PassTime>& sum, const std::vector<PassTime>& times) {
 }
 
 void render(Chapter& chapter, Frame& frame, const Picture& picture) {
-    const int samples = chapter.samples;
+    const int samples = picture.sample ? picture.sample->y : int(chapter.samples);
+    const int first = picture.sample ? picture.sample->x : 0, last = picture.sample ? first + 1 : samples;
     std::vector<PassTime> times;
     chapter.make_ready(frame.gpu, picture.size, picture.time_s);
     Patience patience("drawing", "samples");
-    for (int sample = 0; sample < samples; ++sample) {
+    for (int sample = first; sample < last; ++sample) {
         frame.root = &chapter;
         frame.samples = {sample, samples};
         frame.seed = picture.seed;
@@ -54,6 +56,8 @@ void render(Chapter& chapter, Frame& frame, const Picture& picture) {
         const double started_ms = processor_ms();
         try {
             chapter.frame(frame);
+            if (frame.output.written_in != frame.number())
+                throw Failure("the frame of {} wrote no output: end it with encode_srgb()", chapter.name);
         } catch (...) {
             frame.end();
             throw;

@@ -1,5 +1,7 @@
 // Drawing a chapter's frames.
 #pragma once
+#include <optional>
+
 #include "common/app/chapter.h"
 #include "common/image/image.h"
 
@@ -11,6 +13,7 @@ struct Picture {
     float time_s = 0;
     unsigned seed = 0;
     Crop crop;
+    std::optional<glm::ivec2> sample{};  ///< only this one of so many, after those before it; without it all, in order
 };
 
 // [render]

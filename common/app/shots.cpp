@@ -1,5 +1,6 @@
 #include "common/app/shots.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "common/base/error.h"
@@ -46,6 +47,16 @@ std::vector<Shot> parse_shots(const std::string& text, const std::string& file) 
 std::vector<Shot> read_shots(const std::string& chapter) {
     const auto path = course_root() / "tests" / chapter / "shots.json";
     return file_exists(path) ? parse_shots(read_file(path), path.string()) : std::vector<Shot>();
+}
+
+std::vector<Shot> best_first(const std::string& chapter) {
+    const auto path = course_root() / "tests" / chapter / "shots.json";
+    std::vector<Shot> shots = read_shots(chapter);
+    if (shots.empty()) return shots;
+    const std::string best = parse_json(read_file(path), path.string()).root.value("best", "");
+    for (Shot& shot : shots) shot.is_best = shot.name == best;
+    std::stable_partition(shots.begin(), shots.end(), [](const Shot& shot) { return shot.is_best; });
+    return shots;
 }
 
 }  // namespace lightwalk

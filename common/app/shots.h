@@ -13,6 +13,7 @@ struct Shot {
     glm::uvec2 size{960, 540};
     float time_s = 0;
     int frames = 1;
+    bool is_best = false;  ///< the file names it as "best"
     std::vector<std::pair<std::string, std::string>> set;
 };
 
@@ -21,5 +22,8 @@ std::vector<Shot> read_shots(const std::string& chapter);
 
 /// The same from a text; `file` stands for it in messages.
 std::vector<Shot> parse_shots(const std::string& text, const std::string& file);
+
+/// A chapter's shots, beginning with the one that shows it best: "best" in the file, without it the first.
+std::vector<Shot> best_first(const std::string& chapter);
 
 }  // namespace lightwalk

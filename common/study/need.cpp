@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/base/statistics.h"
+#include "common/study/cheapest.h"
 #include "common/study/need_pictures.h"
 
 namespace lightwalk {
@@ -17,7 +18,6 @@ constexpr double confidence = 3.0;
 constexpr size_t first_crops = 4;       // show only who is far over the budget
 constexpr double evenly = 0.3;          // of the crops: spread over the picture, wherever the small picture differs
 constexpr double clearly_dearer = 1.5;  // rough times are known so well
-constexpr double as_fast = 1.02;        // and measured ones so well
 constexpr size_t timing_rounds = 5, most_timed = 6;
 
 struct Candidate {
@@ -162,14 +162,10 @@ class NeedRule {
             if (c.frames_ms.empty()) c.time_ms = rough > 0 ? c.rough_ms * measured / rough : c.rough_ms;
     }
 
-    // The most accurate: of those that are as fast as the fastest that is enough, or of all.
     void choose() {
-        const Candidate* fastest = nullptr;
-        for (const Candidate& c : candidates_)
-            if (!c.frames_ms.empty() && (!fastest || c.time_ms < fastest->time_ms)) fastest = &c;
-        for (const Candidate& c : candidates_)
-            if (!fastest || (!c.frames_ms.empty() && c.time_ms <= as_fast * fastest->time_ms))
-                if (!choice_ || !(c.error >= choice_->error)) choice_ = &c;
+        std::vector<Measured> all;
+        for (const Candidate& c : candidates_) all.push_back({c.error, c.time_ms, !c.frames_ms.empty()});
+        choice_ = &candidates_[cheapest(all)];
     }
 
     json as_json(const Candidate& c) const {

@@ -1,6 +1,7 @@
 // What ./course check runs for the exercises about water and transparent surfaces.
 #include <fmt/core.h>
 
+#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -68,7 +69,10 @@ CHECK_EXERCISE("15.gerstner_normal",
 
     Probe normal{.include = "15_terrain_water/gerstner_normal.glsl",
                  .signature = "vec3 gerstner_normal(mat3 slopes)",
-                 .inputs = {Row(9), {-1, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0.5, 0, 0, 0, 0, 0, 0, 0}},
+                 .inputs = {Row(9),
+                            {0, 0.5, 0, 0, 0, 0, 0, 0, 0},
+                            {-1, 0, 0, 0, 0, 0, 0, 0, 0},
+                            {-1.5, 0.2, 0, 0, 0, 0, 0, 0.1, 0.3}},  // it folds, and the normal points down
                  .truth =
                      [](std::span<const double> in) {
                          glm::dmat3 m;
@@ -90,7 +94,7 @@ CHECK_EXERCISE("15.gerstner_normal",
         glm::dmat3 sum(0.0);
         for (int wave = 0; wave < 4; ++wave) {
             const glm::dvec2 k(random.uniform(-3, 3), random.uniform(-3, 3));
-            const double share = random.uniform(0.05, 0.45), amplitude = 0.1 / glm::length(k);
+            const double share = random.uniform(0.05, i % 2 ? 1.2 : 0.45), amplitude = 0.1 / glm::length(k);
             sum += truth::gerstner_slopes({random.uniform(-9, 9), random.uniform(-9, 9)}, k, amplitude,
                                           share / (amplitude * glm::length(k)), 0);
         }
@@ -123,12 +127,15 @@ CHECK_EXERCISE("15.fresnel_water", "From below, Snell's law gives the cosine in 
                         return "Beyond 48.6 degrees nothing gets from the water into the air.";
                     return "";
                 }};
-    for (int i = 0; i <= 100; ++i) {
-        const double c = i / 100.0;
-        probe.inputs.push_back({c, 1, 1.333});
-        // The cosine of total reflection is 0.661: close to it single precision loses digits.
-        if (std::fabs(c - 0.6612) > 0.02) probe.inputs.push_back({c, 1.333, 1}), probe.inputs.push_back({c, 1.4, 1.05});
-    }
+    // Water and air first; the others have a ratio, or the same ratio and other indices, of their own.
+    for (const glm::vec2 pair : {glm::vec2(1, 1.333), glm::vec2(1.333, 1), glm::vec2(1.4, 1.05), glm::vec2(1.333, 1.5),
+                                 glm::vec2(1.5, 1.333), glm::vec2(2.4, 1), glm::vec2(1, 2.4)})
+        for (int i = 0; i <= 100; ++i) {
+            const double c = i / 100.0, ratio = double(pair.y) / double(pair.x);
+            // Close to the onset of total reflection single precision loses digits.
+            const double onset = ratio < 1 ? std::sqrt(1 - ratio * ratio) : -1;
+            if (std::fabs(c - onset) > 0.02) probe.inputs.push_back({c, pair.x, pair.y});
+        }
     check.probe(probe);
 }
 
@@ -207,6 +214,26 @@ CHECK_EXERCISE("15.sort_back_to_front", "std::stable_sort the numbers 0, 1, 2 ..
         });
         if (check.failed) return;
     }
+    // Ten times as many take 13 times as long where comparisons grow as n log n, 100 times where they grow as n².
+    const auto fastest_s = [&](const std::vector<glm::vec3>& middles) {
+        double best = 1e9;
+        for (int round = 0; round < 5; ++round) {
+            const auto start = std::chrono::steady_clock::now();
+            check.call("sort_back_to_front", [&] {
+                sort_back_to_front(middles, large.eye);
+                return std::string();
+            });
+            best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        }
+        return best;
+    };
+    const double few_s = fastest_s({large.middles.begin(), large.middles.begin() + 1000}),
+                 all_s = fastest_s(large.middles);
+    check.expect(
+        all_s < 40 * few_s + 0.005,
+        fmt::format("sort_back_to_front took {:.2g} s for 1,000 surfaces and {:.2g} s for 10,000, {:.0f} times as "
+                    "long: its comparisons grow with the square of their number",
+                    few_s, all_s, all_s / few_s));
 }
 
 CHECK_EXERCISE("15.mirror_view",

@@ -32,7 +32,6 @@ struct OnCity : OnLand {
         atmosphere.sun_elevation_deg.value = 30, atmosphere.sun_azimuth_deg.value = 110;
         sun_shadow.maps.distance_m.value = 3000, sun_shadow.maps.bias_m.value = 0.1f;
         sun_shadow.maps.resolution.value = 2048;
-        land.shadowed_by = city.shadowed_by = &sun_shadow;
         water.tracer = &reflected;
         water.method.set("none");
         load("terrain/jacksboro_dem.png");
@@ -40,15 +39,14 @@ struct OnCity : OnLand {
     ImageRgb picture(const Drawings& solid) {
         begin(size);
         const View view = view_of(camera, size);
-        scene.set_sun(atmosphere.sun());
         atmosphere.update_once(frame);
         ground.record(frame, false);
-        sun_shadow.record(frame, view, scene, city);
+        sun_shadow.record(frame, view, scene, {land, city});
         light.record(frame, scene);
-        water.reflect(frame, view, solid, {});
-        Canvas canvas(frame.hdr, frame.depth);
         Drawings all = solid;
         all.push_back(water);
+        water.reflect(frame, view, all);
+        Canvas canvas(frame.hdr, frame.depth);
         lightwalk::draw(frame, view, canvas, all);
         frame.end();
         return read_linear(gpu, frame.hdr);

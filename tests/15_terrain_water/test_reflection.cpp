@@ -89,17 +89,21 @@ TEST_CASE_METHOD(OnWater, "reflections of a wall in waves, by each method, again
 }
 
 TEST_CASE_METHOD(OnWater, "a transparent surface is seen in the mirror before the sky") {
-    Wall sky(owner);
+    struct : Wall {
+        using Wall::Wall;
+        Phase drawn_in() const override { return Phase::sky; }
+    } sky(owner);
     sky.left = -9000, sky.right = 9000, sky.bottom = -1, sky.top = 9000, sky.z = -3000, sky.color = {0, 2, 0, 1};
     Quads smoke(owner, "smoke");
     smoke.quads = {{{{-9, 1, -40}, {9, 1, -40}, {9, 8, -40}, {-9, 8, -40}}, {0, 0, 4, 0.5f}}};
     water.mirror.scale.value = 1;
-    const auto middle = [&](const Drawings& solid) {
+    const auto middle = [&](Drawings all) {
         water.method.set("flat"), water.reflection.set("planar");
         begin(size);
         const View view = view_of(camera, size);
         light.record(frame, scene);
-        water.reflect(frame, view, solid, {sky});
+        all.push_back(sky);
+        water.reflect(frame, view, all);
         Canvas canvas(frame.hdr, frame.depth, background);
         lightwalk::draw(frame, view, canvas, {water});
         frame.end();

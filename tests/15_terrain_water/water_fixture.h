@@ -29,10 +29,10 @@ struct OnWater : OnModules {
         begin(size, time_s);
         const View view = view_of(camera, size);
         light.record(frame, scene);
-        water.reflect(frame, view, solid, {});
-        Canvas canvas(frame.hdr, frame.depth, background);
         Drawings all = solid;
         all.push_back(water);
+        water.reflect(frame, view, all);
+        Canvas canvas(frame.hdr, frame.depth, background);
         lightwalk::draw(frame, view, canvas, all);
         frame.end();
         return read_linear(gpu, frame.hdr);

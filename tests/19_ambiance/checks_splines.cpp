@@ -49,7 +49,7 @@ CHECK_EXERCISE("19.catmull_rom",
                                   : share == 0 || share == 1
                                       ? "the curve passes its second key at the second knot and its third at the third"
                                       : "";
-                return fmt::format("{} gave {}, expected {}{}{}", what, text(got), text(right), *why ? ": " : "", why);
+                return what + " " + gave_text({&got.x, 3}, {&right.x, 3}) + (*why ? ": " : "") + why;
             });
             if (check.failed) return;
         }
@@ -80,6 +80,18 @@ CHECK_EXERCISE("19.centripetal_knots", "the square root of each distance, added 
 
 CHECK_EXERCISE("19.arc_length",
                "add up the lengths of the lines first; then look for the line in which the share lies") {
+    // A curve that rests in its middle: half of its length is covered from a third on.
+    const std::vector<glm::dvec3> rests{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    for (const auto& [share, right] : {std::pair(0.25, 1.0 / 6), std::pair(0.5, 1.0 / 3), std::pair(0.75, 5.0 / 6)}) {
+        const std::string what = fmt::format("arc_length(points at x = 0, 1, 1 and 2, {})", share);
+        check.call(what, [&]() -> std::string {
+            const double got = arc_length(rests, share);
+            if (std::abs(got - right) <= 1e-9) return "";
+            return what + " " + gave_text(got, right) +
+                   (share == 0.5 ? ": where several parameters reach it, the smallest" : "");
+        });
+        if (check.failed) return;
+    }
     Random random(8);
     for (int i = 0; i < 80; ++i) {
         std::vector<glm::dvec3> points{any_point(random, 10)};
@@ -97,7 +109,7 @@ CHECK_EXERCISE("19.arc_length",
                 const char* why = share <= 0 || share >= 1 ? ": the beginning and the end are the curve's own"
                                   : !(std::abs(got) <= 1)  ? ": where the curve rests there is no length to divide by"
                                                            : "";
-                return fmt::format("{} gave {:.9g}, expected {:.9g}{}", what, got, right, why);
+                return what + " " + gave_text(got, right) + why;
             });
             if (check.failed) return;
         }
@@ -108,15 +120,18 @@ CHECK_EXERCISE("19.up_without_roll",
                "the turn is about the axis at right angles to both views, by the angle between them") {
     Random random(11);
     for (int i = 0; i < 200; ++i) {
-        const glm::dvec3 from = glm::normalize(glm::dvec3(random.direction()));
-        const glm::dvec3 side = glm::normalize(glm::cross(from, glm::dvec3(random.direction())));
-        const double angle = i == 0   ? 0.0
-                             : i == 1 ? M_PI
-                             : i < 40 ? random.logarithmic(1e-9, 1e-2)
-                             : i < 60 ? M_PI - random.logarithmic(2e-3, 0.1)
-                                      : random.uniform(0, 3.1);
-        const glm::dvec3 to = i == 1 ? -from : std::cos(angle) * from + std::sin(angle) * side;
-        const double around = random.uniform(0, 6.28);
+        // Looking ahead, then straight up; then any angle; tiny ones and nearly opposite views last.
+        const glm::dvec3 from = i == 0 ? glm::dvec3(0, 0, -1) : glm::normalize(glm::dvec3(random.direction()));
+        const glm::dvec3 side =
+            i == 0 ? glm::dvec3(0, 1, 0) : glm::normalize(glm::cross(from, glm::dvec3(random.direction())));
+        const double angle = i == 0    ? 0.5 * M_PI
+                             : i == 1  ? M_PI
+                             : i == 2  ? 0.0
+                             : i < 140 ? random.uniform(0, 3.1)
+                             : i < 160 ? M_PI - random.logarithmic(2e-3, 0.1)
+                                       : random.logarithmic(1e-9, 1e-2);
+        const glm::dvec3 to = i == 0 ? side : i == 1 ? -from : std::cos(angle) * from + std::sin(angle) * side;
+        const double around = i == 0 ? 0.0 : random.uniform(0, 6.28);
         const glm::dvec3 up = std::cos(around) * side + std::sin(around) * glm::cross(from, side);
         const std::string what = fmt::format("up_without_roll(up {}, from {}, to {}: {:.4g} degrees)", text(up),
                                              text(from), text(to), angle * 180 / M_PI);
@@ -127,7 +142,7 @@ CHECK_EXERCISE("19.up_without_roll",
                               : std::abs(glm::dot(got, to)) > 1e-6  ? "it is not at a right angle to the new view"
                               : glm::distance(got, right) > 1e-3    ? "it is rolled about the view"
                                                                     : "it is not exact";
-            return fmt::format("{} gave {}, expected {}: {}", what, text(got), text(right), why);
+            return what + " " + gave_text({&got.x, 3}, {&right.x, 3}) + ": " + why;
         });
         if (check.failed) return;
     }

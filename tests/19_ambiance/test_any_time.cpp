@@ -136,7 +136,7 @@ TEST_CASE("a scene of a film that does not exist, and a knob that nobody has, ar
                            "a.film")
                 .scenes.at(0);
         try {
-            make_part(parsed, chapter.reel.music)->load(gpu);
+            FilmPart(parsed).load(gpu);
         } catch (const InputError& e) { return std::string(e.what()); }
         return std::string("no error");
     };

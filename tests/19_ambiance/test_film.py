@@ -1,5 +1,6 @@
 """The film as a file: parts that join, and what happens where ffmpeg is missing or ends early, or the disk is full."""
 
+import errno
 import json
 import os
 import resource
@@ -10,6 +11,7 @@ import tempfile
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common/course"))
@@ -46,14 +48,16 @@ class Film(unittest.TestCase):
         command = [PROGRAM, "--scene", scene, "--size", "48x27", "--film", self.folder / name, *options]
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment) as program:
             if most_bytes:
-                part = (self.folder / name).with_suffix(".part" + Path(name).suffix)
-                while program.poll() is None and not (part.exists() and part.stat().st_size):
-                    time.sleep(0.002)
+                self.wait_for_frames(program, name)
                 # Only now: newer drivers keep the device's memory in files, to which the limit applies.
                 if program.poll() is None:
                     resource.prlimit(program.pid, resource.RLIMIT_FSIZE, (most_bytes, most_bytes))
             stdout, stderr = program.communicate(timeout=300)
         return subprocess.CompletedProcess(command, program.returncode, stdout, stderr)
+
+    def wait_for_frames(self, program, name: str):
+        while program.poll() is None and not any(part.stat().st_size for part in self.folder.glob(f".film.*/{name}")):
+            time.sleep(0.002)
 
     def test_parts_join_without_a_seam_and_each_frame_is_its_picture(self):
         for name, *frames in (("whole.raw", "43", "49"), ("first.raw", "43", "46"), ("second.raw", "46", "49")):
@@ -77,7 +81,7 @@ class Film(unittest.TestCase):
                 self.assertEqual((done.returncode, (self.folder / "a.mp4").read_text()), (1, "a film"))
                 self.assertIn(words, done.stderr)
                 self.assertEqual(len([line for line in done.stderr.splitlines() if line.startswith("error:")]), 1, done.stderr)
-                self.assertEqual(list(self.folder.glob("*.part*")), [])
+                self.assertEqual(list(self.folder.glob(".film*")), [])
 
     def test_bad_input(self):
         for options, scene, words in ((("a.avi",), FILM, "expected a name that ends with .mp4, .mkv or .raw"),
@@ -89,15 +93,24 @@ class Film(unittest.TestCase):
 
     def test_a_full_disk_is_one_line_and_what_was_there_stays(self):
         (self.folder / "a.raw").write_text("a film")
-        (self.folder / "a.part.raw").symlink_to("/dev/full")
-        done = self.write("a.raw", "--frames_to", "2")
-        self.assertEqual((done.returncode, (self.folder / "a.raw").read_text()), (1, "a film"))
-        self.assertEqual(done.stderr.count("error:"), 1)
-        self.assertIn("a.part.raw: No space left on device", done.stderr)
         done = self.write("a.raw", "--frames_to", "60", most_bytes=100000)  # as many as fit
         self.assertEqual((done.returncode, (self.folder / "a.raw").read_text()), (1, "a film"), done.stderr)
-        self.assertIn("a.part.raw: File too large", done.stderr)
-        self.assertEqual(list(self.folder.glob("*.part*")), [])
+        self.assertEqual(done.stderr.count("error:"), 1)
+        self.assertIn("a.raw: File too large", done.stderr)
+        self.assertEqual(list(self.folder.glob(".film*")), [])
+
+    def test_no_link_is_followed_and_sigterm_leaves_nothing(self):
+        theirs = self.folder / "theirs"
+        theirs.write_text("not a film")
+        for name in ("a.part.raw", "a.raw"):  # what is there under its name is replaced, not written through
+            (self.folder / name).symlink_to(theirs)
+        self.assertEqual(self.write("a.raw", "--frames_to", "2").returncode, 0)
+        self.assertEqual((theirs.read_text(), (self.folder / "a.raw").is_symlink()), ("not a film", False))
+        command = [PROGRAM, "--scene", FILM, "--size", "48x27", "--film", self.folder / "b.raw"]
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as program:
+            self.wait_for_frames(program, "b.raw")
+            program.terminate()
+        self.assertEqual(sorted(one.name for one in self.folder.iterdir()), ["a.part.raw", "a.raw", "theirs"])
 
     def test_shards_are_all_frames_once(self):
         for frames, count in ((6360, 16), (7, 3), (3, 5)):
@@ -134,8 +147,9 @@ class Film(unittest.TestCase):
         parts, out = self.folder / "a.parts", self.folder / "a.raw"
         for number in (1, 2, 3):
             self.part(parts, number)
-        (self.folder / "a.part.raw").symlink_to("/dev/full")
-        with self.assertRaisesRegex(Failure, "a.raw is not joined, its parts are whole: No space left on device"):
+        full = OSError(errno.ENOSPC, "No space left on device")
+        with mock.patch.object(film.shutil, "copyfileobj", side_effect=full), \
+             self.assertRaisesRegex(Failure, "a.raw is not joined, its parts are whole: No space left on device"):
             film.merge(out, shards.merge([parts], "film"))
         self.assertFalse(out.exists())
         film.merge(out, shards.merge([parts], "film"))

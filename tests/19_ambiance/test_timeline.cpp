@@ -34,7 +34,7 @@ TEST_CASE("a film's errors name file, line and key, and what would be right") {
         {"{\"duration_s\": 0}", "a.film:1: key 'duration_s' is 0, expected 0.1 to 3600"},
         {film("\"scene\": []"), "a.film:2: key 'scene' is unknown here; known: "},
         {scenes("{}"), "a.film:2: key '0' lacks name"},
-        {scenes("{\"name\": \"a\", \"kind\": \"clouds\"}"), "key 'kind' is 'clouds', expected planets, "},
+        {scenes("{\"name\": \"a\", \"kind\": \"clouds\"}"), "key 'kind' is 'clouds', expected head, "},
         {scenes(scene("a", 5, 5)), "key 'to_s' is not after from_s"},
         {scenes(scene("a", 0, 61)), "key 'to_s' is 61, expected 0.0 to 60.0"},
         {scenes(scene("a", 0, 5) + "," + scene("a", 5, 6)), "key 'name' is 'a', as another scene is"},

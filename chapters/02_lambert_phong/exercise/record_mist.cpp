@@ -7,9 +7,10 @@ namespace lightwalk::exercise {
 // [record_mist]
 // Records three passes, in this order:
 //     "sky"    a compute pass: passes.sky fills its image `result`, bound to frame.hdr.
-//     "shade"  a raster pass: passes.draw_scene(pass) draws over the sky in frame.hdr, with frame.depth as depth target.
-//     "mist"   a compute pass: passes.mist fades what is far. Its image `result` is frame.hdr; its texture `depth` is
-//              frame.depth, sampled with nearest_clamp.
+//     "shade"  a raster pass: passes.draw_scene(pass) draws over the sky in frame.hdr, with
+//              frame.depth as depth target.
+//     "mist"   a compute pass: passes.mist fades what is far. Its image `result` is frame.hdr;
+//              its texture `depth` is frame.depth, sampled with nearest_clamp.
 // Both compute passes dispatch one thread for each pixel of frame.size. Each pass states
 // the images it reads and writes, and a raster pass states for each target whether it is
 // cleared, kept or discarded.

@@ -10,7 +10,8 @@ namespace lightwalk::exercise {
 // .with is passes.with. Its pipeline, passes.filter, has
 //
 //     radiance      a cube texture: passes.radiance, with linear_clamp
-//     face_level    an image of one layer: the texels of one face of one level, a view of passes.prefiltered
+//     face_level    an image of one layer: the texels of one face of one level, a view of
+//                   passes.prefiltered
 //     face_now      a FaceNow: which face it is, 0 to 5, and the level's roughness
 //
 // and wants a thread for each texel of face_level. The roughness rises evenly from 0 in

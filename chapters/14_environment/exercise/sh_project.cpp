@@ -14,8 +14,9 @@ namespace lightwalk::exercise {
 // phi = 2 pi (c + 1/2) / width - pi. The harmonics of a direction (x, y, z) of unit length
 // are
 //
-//     Y0 = 0.282095      Y1 = 0.488603 y       Y2 = 0.488603 z               Y3 = 0.488603 x
-//     Y4 = 1.092548 xy   Y5 = 1.092548 yz      Y6 = 0.315392 (3 z² - 1)      Y7 = 1.092548 xz    Y8 = 0.546274 (x² - y²)
+//     Y0 = 0.282095      Y1 = 0.488603 y                 Y2 = 0.488603 z
+//     Y3 = 0.488603 x    Y4 = 1.092548 xy                Y5 = 1.092548 yz
+//     Y6 = 0.315392 (3 z² - 1)      Y7 = 1.092548 xz     Y8 = 0.546274 (x² - y²)
 //
 // The texels stand row by row from the upper edge: texels[r * width + c]. The result has
 // nine colours. Rows near the poles cover less of the sphere than rows at the horizon; the

@@ -1,0 +1,43 @@
+// World of many lights: surfaces through a G-buffer, and screens that show the scene from elsewhere.
+#pragma once
+#include "03_attenuation/scattered_lights.h"
+#include "06_deferred/deferred_scene.h"
+#include "06_deferred/screens.h"
+#include "common/app/world.h"
+
+namespace lightwalk {
+
+// [many_lights]
+struct ManyLights : World {
+    explicit ManyLights(Module& owner) : World(owner) {
+        objects.all_lights = [this](const Frame& frame) { return all_lights(frame); };
+        objects.surfaces = [this] { return screens.batches(scene()); };
+        objects.shading_with = {screens};
+    }
+    DeferredScene objects{*this, "objects"};
+    Screens screens{*this, "screens"};
+    ScatteredLights scattered{*this};
+    Knob<bool> moving{*this, "moving", false, "Animation of the point and spot lights"};
+
+    bool animated() const override { return moving; }
+    Drawings drawings() override { return {objects}; }
+    std::vector<std::pair<std::string, std::string>> look() const override {
+        return {{"bloom.method", "none"}, {"post.tone", "off"}};
+    }
+
+  protected:
+    // Pictures from other cameras, for the screens of the scene: the same objects, drawn forward.
+    void record(Frame& frame) override {
+        screens.record(frame, scene(), [&](const View& from, Canvas& into) { objects.draw_lit(frame, from, into); });
+    }
+
+  private:
+    std::vector<Light> all_lights(const Frame& frame) const {
+        std::vector<Light> all = scattered.all(frame.seed);
+        if (moving) move_lights(all, frame.time_s);
+        return all;
+    }
+};
+// [/many_lights]
+
+}  // namespace lightwalk

@@ -1,0 +1,32 @@
+// Volume world: a volume, and solid objects seen through a lens.
+#pragma once
+#include "04_surface_maps/surface_scene.h"
+#include "09_post_effects/depth_of_field.h"
+#include "16_volume/finish.h"
+#include "16_volume/volume.h"
+#include "common/app/world.h"
+
+namespace lightwalk {
+
+// [volume_world]
+struct VolumeWorld : World {
+    explicit VolumeWorld(Module& owner) : World(owner) { objects.maps.method.change_default("flat"); }
+
+    Finish finish{*this, "finish"};  // before the maps' levels are made of it
+    SurfaceScene objects{*this, "objects"};
+    Volume volume{*this, "volume"};
+    DepthOfField dof{*this, "dof"};
+
+    Drawings drawings() override { return {objects, volume}; }
+
+  protected:
+    // Objects alone write depth, so the lens blurs them alone. The volume is drawn after it: it stays sharp, and its rays
+    // end at the objects.
+    void draw_view(Frame& frame, const View& view, Canvas& canvas) override {
+        dof.record(frame, view, canvas, {objects});
+        draw(frame, view, canvas, {volume});
+    }
+};
+// [/volume_world]
+
+}  // namespace lightwalk
