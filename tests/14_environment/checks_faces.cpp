@@ -3,11 +3,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "common/check/check.h"
+#include "faces_stage.h"
 #include "trials.h"
 
 using namespace lightwalk;
+
+namespace {
+
+struct FacesSeen {
+    std::string error;              // what it threw; then nothing else is known
+    std::string passes;             // those of compute: "first, second"
+    std::vector<glm::vec4> texels;  // level by level, face by face, row by row
+    std::string validation;         // its first message
+};
+
+FacesSeen seen_of(uint32_t texels, uint32_t levels, const std::vector<RecordedFrame>& recorded) {
+    FacesSeen seen;
+    FacesStage stage(texels, levels);
+    std::tie(seen.error, seen.passes) = replay_twice(stage, recorded);
+    if (!seen.error.empty()) return seen;
+    for (uint32_t m = 0; m < levels; ++m) {
+        const auto bytes = stage.gpu.read_back(stage.prefiltered.as_array().mip(m));
+        const size_t before = seen.texels.size();
+        seen.texels.resize(before + bytes.size() / sizeof(glm::vec4));
+        std::memcpy(seen.texels.data() + before, bytes.data(), bytes.size());
+    }
+    seen.validation = stage.validation;
+    return seen;
+}
+
+}  // namespace
 
 CHECK_EXERCISE("14.prefilter_faces",
                "two loops, over levels and faces: set face_level and face_now, then dispatch; all in one pass") {
@@ -15,7 +43,7 @@ CHECK_EXERCISE("14.prefilter_faces",
         uint32_t texels, levels;
     };
     for (const Size size : {Size{16, 5}, Size{24, 3}, Size{8, 1}}) {
-        const FacesSeen seen = try_prefilter_faces(size.texels, size.levels);
+        const FacesSeen seen = seen_of(size.texels, size.levels, try_prefilter_faces(size.texels, size.levels));
         const std::string what = fmt::format("a cube of {} texels and {} levels: ", size.texels, size.levels);
         if (!seen.error.empty()) {
             check.expect(false, what + seen.error, "what a pass binds stands in its reads or writes");

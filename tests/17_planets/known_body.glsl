@@ -20,6 +20,7 @@
 #define PLANETS_RINGS 0
 #define PLANETS_RINGS_ALPHA 0
 #define PLANETS_RINGS_TABLES 1
+#define PLANETS_RINGS_SINGLE_SCATTERING 2
 #define map_texel(map, uv, footprint_rad) vec4(footprint_rad)
 
 struct KnownPlanets {

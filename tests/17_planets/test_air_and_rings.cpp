@@ -45,6 +45,7 @@ TEST_CASE_METHOD(DeviceTest, "a ring's shadow is as soft as the sun's disc is wi
     Probe probe{.include = "common/srgb.glsl",
                 .before =
                     "#define PLANETS_RINGS 0\n#define PLANETS_RINGS_ALPHA 0\n#define PLANETS_RINGS_TABLES 1\n"
+                    "#define PLANETS_RINGS_SINGLE_SCATTERING 2\n"
                     "#define textureSize(map, level) ivec3(1000, 1, 4)\n"
                     "#define textureLod(map, at, level) vec4(level)\n"
                     "#include \"17_planets/rings.glsl\"\n"

@@ -206,7 +206,7 @@ Scattered walked(double depth, double albedo, glm::dvec3 to_sun, glm::dvec3 to_e
 
 }  // namespace
 
-TEST_CASE("rings: what single scattering leaves out, by random walks", "[figures]") {
+TEST_CASE("rings: what single scattering leaves out, by random walks", "[figures][17.rings]") {
     // The sun 25 degrees above the rings, the camera 17 degrees above or below them, 34 degrees apart.
     const double mu0 = 0.43, mu = 0.30, apart = glm::radians(34.0);
     const double across = (std::cos(apart) - mu0 * mu) / std::sqrt((1 - mu0 * mu0) * (1 - mu * mu));
@@ -238,6 +238,147 @@ TEST_CASE("rings: what single scattering leaves out, by random walks", "[figures
         const double fit_unlit = 1 + row.albedo * scattering::more(row.depth, row.albedo, false) / through;
         CHECK(lit.often / lit.once == Approx(fit_lit).epsilon(0.06));
         CHECK(unlit.often / unlit.once == Approx(fit_unlit).epsilon(0.3));
+    }
+}
+
+namespace {
+
+/// Lit and unlit sides, of the sun and the eye at two heights each.
+struct RingCase {
+    double depth, albedo;
+    glm::dvec3 to_sun, to_eye;
+};
+
+std::vector<RingCase> ring_cases() {
+    std::vector<RingCase> cases;
+    for (const auto& [depth, albedo] :
+         {std::pair(0.09, 0.30), std::pair(0.55, 0.66), std::pair(1.2, 0.74), std::pair(2.2, 0.88)})
+        for (const double mu0 : {0.45, 0.2})
+            for (const double mu : {0.3, 0.7})
+                for (const double side : {1.0, -1.0}) {
+                    const double turn = 0.6;
+                    cases.push_back({depth,
+                                     albedo,
+                                     {std::sqrt(1 - mu0 * mu0), 0, mu0},
+                                     {std::sqrt(1 - mu * mu) * std::cos(turn), std::sqrt(1 - mu * mu) * std::sin(turn),
+                                      side * mu}});
+                }
+    return cases;
+}
+
+/// The device's random walks. Its layers lie across y.
+Probe walks_probe() {
+    return {
+        .include = "17_planets/ring_walks.glsl",
+        .signature = "vec3 scattered_often(float depth, vec3 albedo, vec3 to_sun, vec3 to_eye, uint walks, uint seed)",
+        .inputs = {}};
+}
+
+Row walks_row(const RingCase& c, double walks, double seed) {
+    return {c.depth,    c.albedo,   c.albedo,   c.albedo,   c.to_sun.x, c.to_sun.z,
+            c.to_sun.y, c.to_eye.x, c.to_eye.z, c.to_eye.y, walks,      seed};
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(DeviceTest, "rings: the reference is the light of random walks that were written for this test",
+                 "[17.rings_truth]") {
+    Probe probe = walks_probe();
+    std::vector<double> right;
+    for (const RingCase& c : ring_cases()) {
+        const Scattered by_walks = walked(c.depth, c.albedo, c.to_sun, c.to_eye, 60000);
+        right.push_back(by_walks.often - by_walks.once);
+        for (int i = 0; i < 48; ++i) probe.inputs.push_back(walks_row(c, 1024, 1000 + 77 * i));
+    }
+    const Table found = run_probe(gpu, probe, 3);
+    for (size_t i = 0; i < right.size(); ++i) {
+        double mean = 0;
+        for (size_t k = 0; k < 48; ++k) mean += found[48 * i + k][1] / 48;
+        INFO("case " << i);
+        CHECK(mean == Approx(right[i]).epsilon(0.04).margin(2e-4));
+    }
+}
+
+TEST_CASE_METHOD(DeviceTest,
+                 "rings: particles that absorb nothing send back or let through all light, by the reference",
+                 "[17.rings_energy]") {
+    for (const double mu0 : {0.8, 0.3})
+        for (const double depth : {0.5, 2.0}) {
+            Probe probe = walks_probe();
+            std::vector<double> weight;
+            const glm::dvec3 to_sun(std::sqrt(1 - mu0 * mu0), 0, mu0);
+            double sum = mu0 * std::exp(-depth / mu0);  // not scattered at all
+            const int rows = 16, turns = 16;
+            for (const double side : {1.0, -1.0})
+                for (int i = 0; i < rows; ++i)
+                    for (int k = 0; k < turns; ++k) {
+                        const double mu = (i + 0.5) / rows, turn = 6.283185307 * (k + 0.5) / turns;
+                        const glm::dvec3 to_eye(std::sqrt(1 - mu * mu) * std::cos(turn),
+                                                std::sqrt(1 - mu * mu) * std::sin(turn), side * mu);
+                        // Of radiance over that of white, the power through this part of the half sphere.
+                        const double part = 2 * mu / (rows * turns);
+                        const double once =
+                            side > 0 ? scattering::back(depth, mu0, mu) : scattering::through(depth, mu0, mu);
+                        sum += part * scattering::particle_phase(glm::dot(to_sun, to_eye)) * once;
+                        probe.inputs.push_back(walks_row({depth, 1.0, to_sun, to_eye}, 512, 31 * i + 977 * k));
+                        weight.push_back(part);
+                    }
+            const Table found = run_probe(gpu, probe, 3);
+            for (size_t i = 0; i < weight.size(); ++i) sum += weight[i] * found[i][0];
+            INFO("sun at " << mu0 << ", depth " << depth << ": " << sum / mu0);
+            CHECK(sum / mu0 == Approx(1).margin(0.02));
+        }
+}
+
+TEST_CASE("rings: how far single scattering with a fit of the rest is from random walks", "[17.rings_fit]") {
+    double least[2] = {9, 9}, most[2] = {-9, -9};
+    for (const RingCase& c : ring_cases()) {
+        const bool lit = c.to_eye.z > 0;
+        const double mu = std::fabs(c.to_eye.z);
+        const double right = walked(c.depth, c.albedo, c.to_sun, c.to_eye, 60000).often;
+        const double once =
+            lit ? scattering::back(c.depth, c.to_sun.z, mu) : scattering::through(c.depth, c.to_sun.z, mu);
+        const double phase = scattering::particle_phase(glm::dot(c.to_sun, c.to_eye));
+        const double off = c.albedo * once * (phase + scattering::more(c.depth, c.albedo, lit)) / right - 1;
+        least[lit] = std::min(least[lit], off), most[lit] = std::max(most[lit], off);
+    }
+    fmt::print("rings by the fit: {:+.1f} to {:+.1f}% on the lit side, {:+.0f} to {:+.0f}% on the other\n",
+               100 * least[1], 100 * most[1], 100 * least[0], 100 * most[0]);
+    CHECK(least[1] > -0.2);
+    CHECK(most[1] < 0.1);
+    CHECK(least[0] > -0.8);
+    CHECK(most[0] < 1.5);
+}
+
+TEST_CASE("in a white furnace no body of its own law sends out more than arrives", "[17.furnace]") {
+    // The albedo of a place is what it sends back with the sun and the eye overhead. Light from all around, seen at mu.
+    const auto sent = [](const SurfaceLaw& s, double mu) {
+        double sum = 0;
+        const int steps = 200, turns = 64;
+        for (int i = 0; i < steps; ++i)
+            for (int k = 0; k < turns; ++k) {
+                const double mu0 = (i + 0.5) / steps, turn = 6.283185307 * (k + 0.5) / turns;
+                const double cos_phase = mu0 * mu + std::sqrt((1 - mu0 * mu0) * (1 - mu * mu)) * std::cos(turn);
+                const double light = s.law == LAW_WRAPPED
+                                         ? truth::wrapped_terminator(mu0, double(s.wrap), double(s.wrap_power))
+                                     : s.law == LAW_MINNAERT ? truth::minnaert(mu0, mu, double(s.minnaert))
+                                     : s.law == LAW_HAPKE    ? truth::hapke(mu0, mu, cos_phase) / truth::hapke(1, 1, 1)
+                                                             : mu0;
+                sum += 2 * light / (steps * turns);
+            }
+        return sum;
+    };
+    for (size_t i = 1; i < body_count; ++i) {
+        const SurfaceLaw& surface = traits(static_cast<BodyId>(i)).surface;
+        double all = 0;  // of the light that falls on the ground, over the albedo of its places
+        for (int k = 0; k < 50; ++k) all += 2 * (k + 0.5) / 50 / 50 * sent(surface, (k + 0.5) / 50);
+        // Rock's map says how bright it is overhead; Hapke's law has how much that is of what arrives.
+        if (surface.law == LAW_HAPKE) all *= truth::hapke(1, 1, 1);
+        fmt::print("furnace: {} sends {:.2f} times the albedo of its places, {:.2f} at the limb\n", body_names()[i],
+                   all, sent(surface, 0.04));
+        INFO(body_names()[i]);
+        CHECK(all < (surface.law == LAW_MINNAERT ? 1.4 : 1.005));
+        CHECK(all > 0.05);
     }
 }
 

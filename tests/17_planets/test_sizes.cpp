@@ -102,6 +102,14 @@ TEST_CASE("Mercury's wide sun moves n.l by 0.0026 at most: it is no reason to wr
     CHECK(worst > 0.0020);
 }
 
+TEST_CASE("Neptune's pole is where NASA's fact sheet has it, and circles about its mean", "[17.neptune_pole]") {
+    // NASA's Neptune fact sheet: right ascension 299.33, declination 42.95 degrees at J2000.
+    const glm::dvec3 pole = place_body(BodyId::neptune, 0).axes[1];
+    CHECK(glm::degrees(std::acos(glm::dot(pole, direction_of(299.33, 42.95)))) < 0.02);
+    const glm::dvec3 later = place_body(BodyId::neptune, 36525).axes[1];
+    CHECK(glm::degrees(std::acos(std::min(glm::dot(pole, later), 1.0))) == Approx(0.45).margin(0.05));
+}
+
 TEST_CASE("the edges of Saturn's rings are NASA's") {
     std::vector<double> edges;
     for (const RingPart& part : ring_parts(BodyId::saturn))
