@@ -83,8 +83,7 @@ Table Check::probe(const Probe& probe) {
                ": the check cannot follow how it is written, a macro with half an expression perhaps";
     const std::vector<Undefined> undefined = looked_for.value_or(std::vector<Undefined>());  // pointed into below
     for (const Undefined& one : undefined)
-        if (counts_always(one.what) || excess(probe, probe.truth(probe.inputs[one.row]), one.result) > 1)
-            open.emplace(one.row, &one);
+        if (counts_always(one.what) || !is_right(probe, probe.inputs[one.row], one.result)) open.emplace(one.row, &one);
     for (size_t row = 0; row < results.size(); ++row) {
         const Row truth = probe.truth(probe.inputs[row]);
         if (const auto found = open.find(row); found != open.end()) {
@@ -97,7 +96,7 @@ Table Check::probe(const Probe& probe) {
                 "look for this case before the operation, and return there what is right; what max or clamp makes of "
                 "an undefined number is undefined too");
         } else {
-            const bool right = excess(probe, truth, results[row]) <= 1;
+            const bool right = is_right(probe, probe.inputs[row], results[row]);
             expect(right, right ? "" : wrong_text(probe, row, results[row]),
                    right || !probe.hint ? "" : probe.hint(probe.inputs[row], results[row]));
         }

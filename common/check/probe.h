@@ -36,6 +36,8 @@ struct Probe {
     Macros macros;  ///< that the file expects
     /// How a parameter's value, or the result (name ""), is told; an empty text: as numbers.
     std::function<std::string(const std::string& name, std::span<const double>)> words;
+    /// What the specification grants beside the truth, such as any exit before the entry where nothing is met.
+    std::function<bool(std::span<const double> input, std::span<const double> got)> grants;
     /// What to think of where this call gave this; without it, or where it is empty: the exercise's hint.
     std::function<std::string(std::span<const double> input, std::span<const double> got)> hint;
 };
@@ -56,6 +58,8 @@ struct Undefined {
 /// nobody has looked.
 std::optional<std::vector<Undefined>> run_undefined(Gpu& gpu, const Probe& probe, size_t outputs);
 
+/// Whether a call's result is right: within the bound, or granted.
+bool is_right(const Probe& probe, std::span<const double> input, std::span<const double> got);
 /// How far a result is from the truth, in units of the bound: above 1 is wrong. A NaN or infinity is wrong unless the
 /// truth is the same.
 double excess(const Probe& probe, std::span<const double> truth, std::span<const double> got);
@@ -70,6 +74,10 @@ std::string worst_of(const Probe& probe, const Table& results);
 std::string call_text(const Probe& probe, std::span<const double> row);
 std::string result_text(const Probe& probe, std::span<const double> values);
 std::string number_text(double value);
+/// "gave 1, expected 2", or of several numbers "gave (1, 0), expected (2, 0)": with as many digits as tell the one from the
+/// other.
+std::string gave_text(std::span<const double> got, std::span<const double> expected);
+std::string gave_text(double got, double expected);
 
 /// Appends a vector's components.
 template <class Vector>

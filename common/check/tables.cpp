@@ -68,6 +68,7 @@ Json hints_of(const Probe& probe, const std::vector<size_t>& rows) {
 void ProbeTables::add(const Probe& probe, const Table& results) {
     if (probe.bound.absolute > no_bound) return;
     rows_ += static_cast<int>(results.size());
+    if (probe.grants) add_other();  // a page knows the truths alone
     Json one = {
         {"signature", probe.signature},
         {"text", flatten_text(probe.before + "#include \"" + probe.include + "\"\n", "probe", "99", probe.macros).text},

@@ -65,6 +65,7 @@ class Asking {
         }
         if (reply.nonce != request.nonce) lose(what + " gave an answer to what nobody had asked");
         if (!before.empty()) guard_call(before);
+        if (reply.kind != channel::Kind::result && reply.bytes.size() > 2000) reply.bytes.resize(2000);
         switch (reply.kind) {
             case channel::Kind::result:
                 std::feraiseexcept(static_cast<int>(reply.exceptions) & FE_ALL_EXCEPT);

@@ -4,16 +4,39 @@
 #include <algorithm>
 
 #include "common/check/check.h"
+#include "cones_stage.h"
 #include "trials.h"
 
 using namespace lightwalk;
+
+namespace {
+
+struct ConesSeen {
+    std::string error;              // what it threw; then nothing else is known
+    std::string passes;             // those of compute: "first, second"
+    std::vector<glm::vec4> starts;  // texel by texel, from the second of two frames
+    std::vector<glm::vec4> found;
+    std::string validation;  // its first message
+};
+
+ConesSeen seen_of(glm::ivec2 size, const std::vector<RecordedFrame>& recorded) {
+    ConesSeen seen;
+    ConesStage stage(size);
+    std::tie(seen.error, seen.passes) = replay_twice(stage, recorded);
+    if (!seen.error.empty()) return seen;
+    seen.starts = stage.texels_of(stage.starts), seen.found = stage.texels_of(stage.found);
+    seen.validation = stage.validation;
+    return seen;
+}
+
+}  // namespace
 
 CHECK_EXERCISE("11.record_cones",
                "passes.cone, wait(), passes.march; the first dispatch writes `starts`, the second reads it.") {
     Random random;
     const glm::ivec2 drawn(random.uniform(9, 90), random.uniform(9, 90));
     for (const glm::ivec2 size : {glm::ivec2(40, 24), glm::ivec2(61, 43), drawn}) {
-        const ConesSeen seen = try_record_cones(size);
+        const ConesSeen seen = seen_of(size, try_record_cones(size));
         const std::string what = fmt::format("{}x{} pixels: ", size.x, size.y);
         if (!seen.error.empty()) {
             check.expect(false, what + seen.error, "what a pass binds stands in its reads or writes");

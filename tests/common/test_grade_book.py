@@ -134,7 +134,7 @@ class Platforms(Files):
         roster = ('Student,ID,SIS User ID,SIS Login ID,Section,Lightwalk 02 (77),Final Score\n    Points Possible,,,,,10,\n'
                   '"Example, Ann",4711,,ann,A,,\n"=2+5, Ben",4712,00815,ben,"A, ""B""",,\n"Gone, Cat",4713,,cat,A,,\n"Student, Test",9,,,,,\n')
         rows = rows_of(self.written("canvas", self.book(roster, points=30)))
-        self.assertEqual(rows[0], ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "Lightwalk 01 obj", "Lightwalk 02 (77)"])
+        self.assertEqual(rows[0], ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "Lightwalk 01 From a text file to a shaded mesh", "Lightwalk 02 (77)"])
         self.assertEqual(rows[1], ["    Points Possible", "", "", "", "", "10", "20"])
         by_id = {row[1]: row for row in rows[2:]}
         self.assertIn('"4712","00815"', (self.folder / "gradebook.canvas.csv").read_text())

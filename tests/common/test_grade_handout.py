@@ -1,5 +1,7 @@
 """Tests of ./course handout: what students are given holds no answer, and whatever it includes is in it."""
 
+import subprocess
+import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -35,6 +37,17 @@ class Handout(unittest.TestCase):
         for name in ("chapters/05_shadow_maps/ray_truth.h", "chapters/09_post_effects/tone_truth.h"):
             self.assertTrue((REAL / name).exists())
             self.assertNotIn(Path(name), self.contents)
+
+    def test_what_is_right_cannot_be_called(self):
+        """A student's file that is linked with a check finds no function of the truth in it."""
+        name = Path("tests/02_lambert_phong/checks_exercises.cpp")
+        with tempfile.NamedTemporaryFile(suffix=".o") as file:
+            file.write(handout.objects([name])[name])
+            file.flush()
+            said = subprocess.run(["nm", file.name], stdout=subprocess.PIPE, text=True, check=True).stdout
+        kinds = {line.split()[-2] for line in said.splitlines() if handout.TRUTH in line}
+        self.assertTrue(kinds <= {"t", "r", "b", "d"}, kinds)
+        self.assertIn("RegisterCheck", said)
 
     def test_no_file_holds_an_answer(self):
         """Lines of a reference that its starter does not have, without white space and comments: a loop's head may stand

@@ -6,7 +6,8 @@ import unittest
 from graded_class import OF, Class, right, why_not
 from build.build import build
 from hostile_grade import ATTACKS, TABLES
-from grading.judge import Judge, parts, targets
+from grading.judge import Judge, targets
+from grading.judge_compile import parts
 from part_in_ci import part
 from tree import BUILD, chapters
 

@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 from pathlib import Path
@@ -96,9 +97,15 @@ class Words(unittest.TestCase):
         """Whatever it is: the grading of the others goes on, and the same command tries this one again."""
         judge = Judge.__new__(Judge)
         judge.wanted, judge.starters, judge.versions = {"02.lambert": "02"}, {"02.lambert": b""}, {"02": "1"}
-        judge.verdicts, judge.judge = Path("/nonexistent"), mock.Mock(side_effect=RecursionError("too deep"))
-        found = judge.verdict("02.lambert", b"x")
-        self.assertEqual((found["state"], found["ok"]), ("failed", False))
+        judge.verdicts, judge.judge = Path(self.enterContext(tempfile.TemporaryDirectory())), mock.Mock(side_effect=RecursionError("too deep"))
+        judge.stopped, judge.budget_s, judge.spent, judge.lock = False, 600, {}, threading.Lock()
+        with mock.patch("grading.judge.TRIES_S", (0, 0, 0)):
+            found = judge.verdict("02.lambert", b"x")  # the starter is not judged either
+            self.assertEqual((found["state"], found["ok"]), ("failed", False))
+            self.assertIn("too deep", found["first_failure"])
+            judge.is_well = lambda _: True
+            found = judge.verdict("02.lambert", b"x")
+        self.assertEqual((found["state"], found["ok"]), ("undecided", False))
         self.assertIn("too deep", found["first_failure"])
 
     def test_what_a_busy_machine_cut_off_is_judged_once_more(self):
@@ -107,11 +114,13 @@ class Words(unittest.TestCase):
         running = mock.Mock(finish=lambda: sandbox.Done(137, "", True, False))
         judge.started = lambda *_, **__: contextlib.nullcontext(running)
         found = judge.decide("02.lambert", 0, None)
-        self.assertEqual((found["ok"], found["killed"]), (False, True), found)
+        self.assertEqual((found["ok"], "suspect" in found), (False, True), found)
         judge.wanted, judge.starters, judge.versions = {"02.lambert": "02"}, {"02.lambert": b""}, {"02": "1"}
         judge.stopped, judge.verdicts = False, Path(self.enterContext(tempfile.TemporaryDirectory()))
-        judge.judge = mock.Mock(side_effect=[found, {"ok": True, "passed": 1, "failed": 0}])
-        self.assertTrue(judge.verdict("02.lambert", b"x")["ok"])
+        judge.budget_s, judge.spent, judge.lock, judge.is_well = 600, {}, threading.Lock(), lambda _: True
+        judge.judge, judge.fresh = mock.Mock(side_effect=[found, {"ok": True, "passed": 1, "failed": 0}]), frozenset()
+        with mock.patch("grading.judge.TRIES_S", (0, 0, 0)):
+            self.assertTrue(judge.verdict("02.lambert", b"x")["ok"])
 
     def test_without_a_sandbox_it_refuses(self):
         """And names the package, before a submission is opened or anything is built."""

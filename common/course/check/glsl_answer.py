@@ -23,17 +23,25 @@ LANGUAGE = set("""main void bool int uint float double if else for while do retu
 struct const in out inout uniform buffer shared layout readonly writeonly coherent volatile restrict true false""".split())
 
 
+# Every character belongs to one of these, and none is looked at twice: a text of a megabyte is whoever's.
+PIECE = re.compile(r'//[^\n]*|/\*|"[^"\n]*["\n]?|[\t\n -!#-.0-\[\]-~]+|/|.', re.S)
+LONGEST_NAME = 200
+
+
 class Refused(Exception):
     """Its text says why."""
 
 
 def plain(data: bytes, path: Path) -> str:
     """The text that is compiled, with the lines of the file. Raises Refused."""
-    text = without_comments(spliced(data.decode("utf-8", "replace")))
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise Refused("error: it is UTF-16 text; save it as UTF-8")
+    text = without_comments(spliced(data.removeprefix(b"\xef\xbb\xbf").decode("utf-8", "replace")))
     starter, reference = given(path)
-    known = set(WORD.findall(starter))
+    known, allowed = set(WORD.findall(starter)), reached(path, starter) | reached(path, reference)
     for number, line in enumerate(text.split("\n"), 1):
-        look_at_line(line, number, path, reached(path, starter) | reached(path, reference))
+        if line:
+            look_at_line(line, number, path, allowed)
     names = set(WORD.findall(re.sub(r'"[^"]*"', "", text)))
     for name in sorted(names - known):
         if RESERVED.match(name):
@@ -54,37 +62,33 @@ def plain(data: bytes, path: Path) -> str:
 
 def spliced(text: str) -> str:
     """Each line whole, where a backslash goes on with it in the next; the lines behind it keep their numbers."""
-    lines, whole, joined = [], "", 0
+    lines, parts = [], []
     for line in re.split(r"\r\n|\r|\n", text):
         if line.endswith("\\"):
-            whole, joined = whole + line[:-1], joined + 1
+            parts.append(line[:-1])
             continue
-        lines += [whole + line, *[""] * joined]
-        whole, joined = "", 0
-    return "\n".join(lines + ([whole] if joined else []))
+        lines += ["".join([*parts, line]), *[""] * len(parts)]
+        parts = []
+    return "\n".join(lines + (["".join(parts)] if parts else []))
 
 
 def without_comments(text: str) -> str:
     """A space for each, and the ends of its lines. Raises Refused."""
     out, at = [], 0
     while at < len(text):
-        if text.startswith("//", at):
-            at = (text.find("\n", at) + 1 or len(text) + 1) - 1
-        elif text.startswith("/*", at):
-            end = text.find("*/", at + 2)
+        piece = PIECE.match(text, at)[0]
+        at += len(piece)
+        if piece == "/*":
+            end = text.find("*/", at)
             if end < 0:
                 raise Refused("error: a comment does not end")
             out.append(" " + "\n" * text.count("\n", at, end))
             at = end + 2
-        elif text[at] == '"':  # of an #include, whose line is looked at later; what begins in it is no comment
-            end = min((i for i in (text.find('"', at + 1), text.find("\n", at + 1)) if i >= 0), default=len(text))
-            out.append(text[at:end + 1])
-            at = end + 1
-        elif text[at] in "\t\n" or (" " <= text[at] <= "~" and text[at] != "\\"):
-            out.append(text[at])
-            at += 1
-        else:
-            raise Refused(f"line {text.count(chr(10), 0, at) + 1}: unexpected token: U+{ord(text[at]):04X} is no letter of GLSL")
+        elif not piece.startswith("//"):
+            # Between quotes is the name of an #include, whose line is looked at later; what begins in it is no comment.
+            if piece[0] != '"' and not (piece[0] in "\t\n" or (" " <= piece[0] <= "~" and piece[0] != "\\")):
+                raise Refused(f"line {text.count(chr(10), 0, at) + 1}: unexpected token: U+{ord(piece[0]):04X} is no letter of GLSL")
+            out.append(piece)
     return "".join(out)
 
 
@@ -103,7 +107,9 @@ def look_at_line(line: str, number: int, path: Path, allowed: set[str]):
 
 
 def look_at_include(name: str, number: int, path: Path, allowed: set[str]):
-    here = f'line {number}: #include "{name}"'
+    here = f'line {number}: #include "{name[:60]}"'
+    if len(name) > LONGEST_NAME:
+        raise Refused(f"{here}: there is no file of that name")
     if Path(name).is_absolute() or ".." in Path(name).parts:
         raise Refused(f"{here}: an include is a path below shaders/")
     if {"solution", "exercise"} & set(Path(name).parts):
@@ -182,7 +188,7 @@ def macros_of_checks() -> frozenset[str]:
 def foreign_macro(text: str, path: Path) -> str:
     """Why a macro of a plain text is refused; empty where none is. A macro has no place of its own: one with the name of a
     variable of the check would change the check. It may have any name that nothing but this exercise uses."""
-    names = set(re.findall(r"^\s*#\s*(?:define|undef)\s+(\w+)", text, re.M))
+    names = set(re.findall(r"^[ \t]*#[ \t]*(?:define|undef)[ \t]+(\w+)", text, re.M))
     for name in sorted(names & (words_elsewhere(path) | LANGUAGE)):
         return f"it defines the macro {name}, a name that others use: what is checked would be something else"
     for name in sorted(names):

@@ -10,8 +10,8 @@ A variant is either a whole file, EXERCISE.WHAT.glsl or EXERCISE.WHAT.cpp, whose
 or an entry in EXERCISE.changes, which lists the few lines in which it differs from the solution:
 
     == half: wrong: expected 0.5
-    - return max(dot(normal, to_light), 0.0);
-    + return 0.5 * dot(normal, to_light) + 0.5;
+    - return the line of the solution;
+    + return half of it;
 
 The "-" lines are consecutive lines of the solution and must occur there exactly once; the "+" lines replace them. A lone "+"
 deletes them. To insert a line, repeat the line beside it after "-" and "+". Comments, lines without code and indentation are

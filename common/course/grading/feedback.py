@@ -5,7 +5,7 @@ picture that came out beside the one that should have. No reference is on it.
 import re
 from pathlib import Path
 
-from grading.gradebook import Book, file_name, number
+from grading.gradebook import Book, number, page_names
 from grading.judge import picture_path
 from pages.page import data_uri, page
 from tree import write_atomically
@@ -18,7 +18,7 @@ MOST_SHOWN = 20000  # characters of an answer
 def write_pages(out: Path, book: Book, grades: list[dict], submitted: dict[str, dict[str, bytes]], starters: dict[str, bytes]) -> int:
     """Writes out/NAME.html for each student, and returns how many."""
     results = {one["student"]: {result["exercise"]: result for result in one["results"]} for one in grades}
-    for row in book.rows:
+    for row, name in zip(book.rows, page_names(book.rows)):
         of_student = results.get(row["student"], {})
         chapters = [{"name": chapter, "points": number(row["chapters"][chapter], "missing"), "of": number(book.most(chapter), ""),
                      "exercises": [exercise_entry(exercise, row["marks"][exercise], of_student.get(exercise),
@@ -26,9 +26,9 @@ def write_pages(out: Path, book: Book, grades: list[dict], submitted: dict[str, 
                                                   book.rules.due_of(row["student"], exercise))
                                    for exercise, of in book.rules.wanted.items() if of == chapter]} for chapter in book.chapters]
         at = book.rules.handed_in(row["student"], next((one.get("handed_in_s") for one in grades if one["student"] == row["student"]), None))
-        write_atomically(out / f"{file_name(row['student'])}.html", page(
+        write_atomically(out / f"{name}.html", page(
             "feedback.html", row=row, chapters=chapters, points=number(row["points"], "missing"), of=number(row["of"], ""),
-            handed_in=at.strftime("%Y-%m-%d %H:%M") if at else ""))
+            handed_in=at.strftime("%Y-%m-%d %H:%M") if at else ""), 0o600)
     return len(book.rows)
 
 

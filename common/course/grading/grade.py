@@ -17,7 +17,7 @@ from grading import marks
 from grading.alike import alike
 from grading.feedback import write_pages
 from grading.gradebook import FORMATS, Book, write_books
-from grading.judge import Judge, picture_path, starters_of
+from grading.judge import BUDGET_S, Judge, picture_path, starters_of
 from grading.roster import Roster
 from grading.rules import Rules
 from grading.submission import cell, find, printable, read, time_of
@@ -43,8 +43,12 @@ answer has the same mark whenever it is graded again, until --regrade names its 
 A ? in grades.csv and "look at" in the table mark an exercise whose numbers are right, but whose picture crashed the driver:
 it has no mark until you have looked at it.
 
+A folder's time is that of its newest file, which a student can set: --rules states others ("handed_in"), and a Moodle worksheet
+as --roster has the platform's own.
+
 Students' code is compiled and run in a sandbox (bubblewrap): it has no access to the network, other
-students, references or checks, and limits on time, memory and output. Without bubblewrap nothing runs. The exit code is 0 for any grades."""
+students, references or checks, and limits on time, memory and output. Without bubblewrap nothing runs. What this machine fails at (no
+space, no memory) is tried again, then said as "not judged" and never kept. The exit code is 0 for any grades."""
 
 MOST_NAMES = 12  # on one line
 UNTOUCHED = ("missing", "unchanged")  # states of what a student has not begun
@@ -59,6 +63,8 @@ def add_arguments(parser):
                         help=f"also write gradebook.FORMAT and a page for each student: {', '.join(FORMATS)}; repeatable")
     parser.add_argument("--rules", type=Path, metavar="FILE", help="weights, deadlines and points, as JSON (docs/teaching.md)")
     parser.add_argument("--roster", type=Path, metavar="FILE", help="the class as Moodle or Canvas exports it, as CSV")
+    parser.add_argument("--budget", type=float, default=BUDGET_S / 60, metavar="MINUTES",
+                        help="what one student's answers may take in all, beyond 15 s for each (default: 10)")
     parser.add_argument("--regrade", action="append", default=[], metavar="NN.NAME",
                         help="judge this exercise again for everybody, and replace the marks that were given; repeatable")
     shards.add_arguments(parser)
@@ -79,8 +85,15 @@ def run(arguments, _rest) -> int:
     Roster(arguments.roster, [])
     if arguments.merge:
         made = shards.merge(arguments.merge, "grade")
+        try:
+            theirs = {str(name): str(chapter) for name, chapter in made.head["exercises"]}
+            type(made.head["submissions"]) is int or theirs.clear()
+        except (ValueError, TypeError, KeyError):
+            theirs = {}
+        if not theirs:
+            raise UsageError(f"{arguments.merge[0]}: is not a shard of grades")
         if not arguments.chapter:
-            wanted = {name: chapter for name, chapter in made.head["exercises"]}
+            wanted = theirs
         return finish(arguments, *merged(made, wanted), wanted)
     submissions = find(arguments.paths)
     if not has_solutions():
@@ -93,7 +106,7 @@ def run(arguments, _rest) -> int:
         slurm.finished("grade")
         return finish(arguments, *merged(made, wanted), wanted)
     with Judge(wanted) as judge:
-        judge.fresh = set(arguments.regrade)
+        judge.fresh, judge.budget_s = set(arguments.regrade), 60 * arguments.budget
         return finish(arguments, *judged(submissions, judge), wanted)
 
 
@@ -101,7 +114,7 @@ def out_folder(arguments) -> Path:
     """Where the files go. Raises UsageError where they cannot."""
     out = (arguments.out or BUILD / "grades").absolute()
     try:
-        write_atomically(out / "grades.json", "[]\n")
+        write_atomically(out / "grades.json", "[]\n", 0o600)
     except OSError as error:
         raise UsageError(f"{printable(str(out))} cannot be written: {error.strerror}") from None
     return out
@@ -132,6 +145,8 @@ def finish(arguments, grades: dict[str, dict], submitted: dict[str, dict[str, by
 
 def write_gradebooks(arguments, out: Path, grades: list[dict], submitted: dict, wanted: dict[str, str]):
     roster = Roster(arguments.roster, [one["student"] for one in grades])
+    for one in grades:
+        one["handed_in_s"] = roster.handed_in_s(one["student"]) or one.get("handed_in_s")
     book = Book(grades, Rules(arguments.rules, wanted), roster)
     names = write_books(out, book, arguments.format)
     count = write_pages(out / "feedback", book, grades, submitted, starters_of(wanted))
@@ -154,7 +169,7 @@ def grade_shard(arguments, submissions, wanted: dict[str, str]) -> int:
     file = shards.file_of(arguments.out, "grade", shard)
     mine = {one.student: i for i, one in enumerate(submissions) if shard.takes(one.path.name)}
     with Judge(wanted) as judge:
-        judge.fresh = set(arguments.regrade)
+        judge.fresh, judge.budget_s = set(arguments.regrade), 60 * arguments.budget
         grades, submitted = judged([one for one in submissions if one.student in mine], judge)
         head = {"exercises": list(wanted.items()), "submissions": len(submissions), "inputs": shards.digest([str(judge.seed)]),
                 "class": shards.digest(sorted(f"{one.student} {stamp(one.path)}" for one in submissions)), "course": shards.course_version()}
@@ -186,6 +201,8 @@ def merged(made: shards.Merged, wanted: dict[str, str]) -> tuple[dict, dict]:
         raise UsageError(f"the shards hold {len(made.entries)} of {made.head['submissions']} submissions: make them again")
     if strange := sorted(set(wanted) - {name for name, _ in made.head["exercises"]}):
         raise UsageError(f"the shards were made without {strange[0]}")
+    for student, entry in made.entries.items():
+        check_entry(student, entry, made.came_from[student])
     order = sorted(made.entries, key=lambda student: made.entries[student]["at"])
     grades, submitted = {}, {}
     for student in order:
@@ -200,6 +217,22 @@ def merged(made: shards.Merged, wanted: dict[str, str]) -> tuple[dict, dict]:
             submitted[student] = {exercise: made.file(student, name) for exercise, name in entry["answers"].items()
                                   if exercise in wanted}
     return grades, submitted
+
+
+def check_entry(student: str, entry, shard: Path):
+    """Raises UsageError where a shard says of a student what no shard does."""
+    try:
+        one = entry["grade"]
+        right = (type(entry["at"]) is int and isinstance(entry["read"], bool) and one["student"] == student
+                 and isinstance(one["path"], str) and isinstance(one["error"], str | None) and one["alike"] == []
+                 and isinstance(one["handed_in_s"], int | float | None)
+                 and all(isinstance(name, str) for name in [*entry["answers"], *map(shards.safe, entry["answers"].values())]))
+        for result in one["results"]:
+            marks.checked(result, result["exercise"])
+    except (ValueError, TypeError, KeyError, AttributeError):
+        right = False
+    if not right:
+        raise UsageError(f"{shard}: what it holds of {printable(student)} is no grade: make it again")
 
 
 def grade(submissions, judge: Judge) -> list[dict]:
@@ -224,7 +257,7 @@ def judged(submissions, judge: Judge) -> tuple[dict[str, dict], dict[str, dict[s
                 for exercise in judge.wanted:
                     work = (exercise, submitted[one.student].get(exercise))
                     if work not in waiting:
-                        waiting[work] = pool.submit(judge.verdict, *work)
+                        waiting[work] = pool.submit(judge.verdict, *work, one.student)
             for done, one in enumerate(submissions):
                 progress.show(done, len(submissions), one.student)
                 if one.student in submitted:
@@ -250,7 +283,7 @@ def complete(grades: dict[str, dict], submitted: dict[str, dict[str, bytes]], wa
 
 
 def write_files(out: Path, grades: list[dict], wanted: dict[str, str]):
-    write_atomically(out / "grades.json", json.dumps(grades, indent=1, ensure_ascii=True) + "\n")
+    write_atomically(out / "grades.json", json.dumps(grades, indent=1, ensure_ascii=True) + "\n", 0o600)
     text = io.StringIO()
     rows = csv.writer(text, quoting=csv.QUOTE_ALL)
     rows.writerow(["student", "right", "of", *wanted, "error", "alike"])
@@ -260,7 +293,7 @@ def write_files(out: Path, grades: list[dict], wanted: dict[str, str]):
         same = "; ".join(f"{other['student']}: {other['what']}" for other in one["alike"][:MOST_NAMES])
         rows.writerow([cell(one["student"]), one["right"], one["of"], *[given.get(name, "missing") for name in wanted],
                        cell(one["error"] or ""), cell(same)])
-    write_atomically(out / "grades.csv", text.getvalue())
+    write_atomically(out / "grades.csv", text.getvalue(), 0o600)
 
 
 def table(grades: list[dict], named: list[str]) -> list[str]:

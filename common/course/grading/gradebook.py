@@ -22,6 +22,7 @@ from grading.rules import Rules
 from grading.submission import cell, printable
 from tree import chapter_title, write_atomically
 
+MOST_NAME_BYTES = 120  # of a page's file: file systems have 255
 FORMATS = ("moodle", "canvas", "csv", "json")
 CANVAS_COLUMNS = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
 
@@ -46,7 +47,7 @@ class Book:
                                                "hint": None}
             word, points = self.rules.mark(one, result)
             marks[exercise] = {"word": word, "points": points, "of": self.rules.points[exercise],
-                               "said": result["first_failure"] if word in ("wrong", "late", "look at", "not judged") else None,
+                               "said": result["first_failure"] if word in ("wrong", "late", "look at", "not judged", "over budget") else None,
                                "hint": result["hint"] if word in ("wrong", "late") and not result["ok"] else None,
                                "right": bool(result["ok"])}
         name, number = known_as(one["student"])
@@ -102,7 +103,7 @@ def write_books(out: Path, book: Book, formats: list[str]) -> list[str]:
     names = []
     for kind in dict.fromkeys(formats):
         names.append(f"gradebook.{kind}.csv" if kind in ("moodle", "canvas") else f"gradebook.{kind}")
-        write_atomically(out / names[-1], makers[kind](book))
+        write_atomically(out / names[-1], makers[kind](book), 0o600)
     return names
 
 
@@ -120,7 +121,7 @@ def moodle(book: Book) -> str:
         rows = [book.roster.columns]
         for row in book.rows:
             most = re.sub(r"[^\d.]", "", row["identity"].get("Maximum grade", row["identity"].get("Maximum Grade", ""))) or row["of"]
-            points = None if row["points"] is None else round(row["points"] * float(most) / row["of"], 2)
+            points = None if row["points"] is None else round(row["points"] * float(most) / row["of"], 2) if row["of"] else 0.0
             filled = row["identity"] | {"Grade": number(points, ""), "Feedback comments": no_formula(words_of(row)).replace("\n", "<br>")}
             if row["identity"]:  # Moodle knows its own numbers alone
                 rows.append([filled.get(column, "") for column in book.roster.columns])
@@ -173,7 +174,20 @@ def as_json(book: Book) -> str:
 def file_name(student: str) -> str:
     """A student's page: no name leads out of its folder, and no two are one."""
     safe = re.sub(r"[^\w .()-]", "_", printable(student, 100)).strip(". ") or "nobody"
+    safe = safe.encode()[:MOST_NAME_BYTES].decode(errors="ignore")
     return safe if safe == student else f"{safe}.{hash_of(student)}"
+
+
+def page_names(rows: list[dict]) -> list[str]:
+    """A page for each row, whatever they are called: the first of a name has it, be it written large or small."""
+    names, taken = [], set()
+    for number, row in enumerate(rows):
+        name = file_name(row["student"])
+        if name.casefold() in taken:
+            name += f".{hash_of(json.dumps([number, row['student'], row['id']]))}"
+        taken.add(name.casefold())
+        names.append(name)
+    return names
 
 
 def hash_of(text: str) -> str:

@@ -1,5 +1,6 @@
 """Copies the course without its solutions, for students."""
 
+import io
 import json
 import os
 import platform
@@ -8,10 +9,12 @@ import shlex
 import shutil
 import subprocess
 import tempfile
+import zipfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from build.build import configure, is_configured
+from build.build import build
+from check.reset import KEPT
 from check.starters import LIST, as_they_stand, listed
 from progress import Progress
 from tree import BUILD, ROOT, Failure, UsageError, chapters, exercises, files, git, say, warn
@@ -33,6 +36,10 @@ COMPILED = ("tests/*/checks_*.cpp", "chapters/01_obj/scan.cpp", "chapters/01_obj
 LEFT_OUT = ("chapters/*/*truth.h", "tests/*/variants/*", "tests/*/test_stability.cpp", "tests/01_obj/test_exercises.cpp",
             "tests/01_obj/test_floats.cpp", "tests/01_obj/test_loaders.cpp", "tests/common/*grad*.py",
             "tests/common/hostile.py")
+
+
+HEADER = "CMakeFiles/lightwalk.dir/cmake_pch.hxx.gch"  # precompiled, with nothing of a solution in it
+TRUTH = "5truth"  # lightwalk::truth, as compilers write it
 
 
 def add_arguments(parser):
@@ -76,6 +83,7 @@ def what_is_handed_out(sources: bool) -> dict[Path, Path | bytes]:
     committed = starters(names)
     contents |= committed
     contents[LIST] = listed(as_they_stand() | committed).encode()
+    contents[KEPT] = zipped(as_they_stand() | committed)
     if sources:
         return contents
     hidden = [name for name in names if any(name.match(pattern) for pattern in COMPILED)]
@@ -86,6 +94,15 @@ def what_is_handed_out(sources: bool) -> dict[Path, Path | bytes]:
     left_out |= tests_that_include(left_out, contents)
     contents = {name: source for name, source in contents.items() if name not in left_out}
     return contents | ({Path("compiled_for"): f"{platform.machine()}\n".encode()} if hidden else {})
+
+
+def zipped(texts: dict[Path, bytes]) -> bytes:
+    """The starters, for ./course reset: the same bytes each time."""
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as kept:
+        for name, text in sorted(texts.items()):
+            kept.writestr(zipfile.ZipInfo(name.as_posix()), text, zipfile.ZIP_DEFLATED)
+    return out.getvalue()
 
 
 def tests_that_include(left_out: set[Path], contents) -> set[Path]:
@@ -132,8 +149,7 @@ def objects(names: list[Path]) -> dict[Path, bytes]:
     """What each source compiles to in a tree without solutions, without names of this machine."""
     if not names:
         return {}
-    if not is_configured(BUILD):
-        configure("default", BUILD)
+    build([HEADER])
     commands = {entry["file"]: entry for entry in json.loads((BUILD / "compile_commands.json").read_text())}
     with tempfile.TemporaryDirectory() as made, Progress("compiling the checks") as progress, \
             ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -148,13 +164,20 @@ def compile_one(entry: dict, folder: Path) -> bytes:
     words = shlex.split(entry["command"])
     compiled = folder / entry["file"].strip("/").replace("/", ".")
     words[words.index("-o") + 1] = str(compiled)
-    for word in [word for word in words if "cmake_pch" in word]:  # compiled for a tree with solutions
-        words.remove(word)
-    words = [word for word in words if word not in ("-include", "-Winvalid-pch")]
     prefix = f"-ffile-prefix-map={ROOT}=."
-    for command in ([*words, "-DLIGHTWALK_NO_SOLUTION", "-g0", prefix], ["strip", "--strip-unneeded", compiled]):
-        done = subprocess.run(command, cwd=entry["directory"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              text=True, errors="replace")
-        if done.returncode:
-            raise Failure(f"{entry['file']} could not be compiled for the handout: {done.stdout.strip()}")
-    return compiled.read_bytes()
+    # What is right is called from within alone: a name that others can link to would be an answer of one line. A function of
+    # a header is in a group, in which the linker would not find it by a name of its own.
+    whole = compiled.with_suffix(".whole.o")
+    run_tool([*words, "-DLIGHTWALK_NO_SOLUTION", "-g0", prefix], entry)
+    run_tool(["ld", "-r", "--force-group-allocation", "-o", whole, compiled], entry)
+    names = re.findall(rf" [A-TV-Za-tv-z] (\w*9lightwalk{TRUTH}\w*)$", run_tool(["nm", whole], entry), re.M)
+    run_tool(["objcopy", *[f"--localize-symbol={name}" for name in sorted(set(names))], whole], entry)
+    run_tool(["strip", "--strip-unneeded", whole], entry)
+    return whole.read_bytes()
+
+
+def run_tool(command: list, entry: dict) -> str:
+    done = subprocess.run(command, cwd=entry["directory"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+    if done.returncode:
+        raise Failure(f"{entry['file']} could not be compiled for the handout: {done.stdout.strip()}")
+    return done.stdout

@@ -5,25 +5,30 @@ a reference nor the truth. judge_NN, this chapter's checks, asks it for one valu
 question has a number that the answer must repeat. A student's GLSL is data that judge_NN compiles and runs, in a sandbox
 from which that exercise's reference is missing. The random inputs of the checks are shifted by a seed that is drawn for
 the class, and judge_NN's own line is known by a word that is drawn for the run.
+
+What a tool fails at is no verdict. Where something ended that nobody's numbers had ended, the same is done with the
+starter, whose end is known: where that fails too, the machine is not well, and what was asked is tried again. Where it
+does not, and the answer fails once more, the failure is the answer's own.
 """
 
 import contextlib
 import hashlib
 import json
 import os
-import re
 import secrets
 import shlex
-import shutil
 import subprocess
 import tempfile
+import threading
+import time
 from pathlib import Path
 
 from build.build import build
 from check.glsl_answer import Refused, plain
 from grading import sandbox
 from grading.handout import starters
-from grading.judge_picture import EXPECTED, NOT_IN_TIME, THEIRS, DriverEnded, Pictures
+from grading.judge_compile import compile_answer
+from grading.judge_picture import EXPECTED, NOT_IN_TIME, THEIRS, DriverEnded, Pictures, ToolFailed
 from grading.judge_tree import copy_without_answers, library, objects
 from grading.sandbox import Limits, Mounts
 from grading.submission import printable
@@ -31,8 +36,10 @@ from tree import BUILD, ROOT, Failure, exercises, write_atomically
 
 GIB = 1 << 30
 JUDGE_S = 60  # of a whole check, on a busy machine; a call that does not return is found before
+FREE_S = 15  # of each exercise; what it takes beyond that counts against a student's budget
+BUDGET_S = 600
+TRIES_S = (0, 1, 5, 15)  # waits before each try of what a machine that is not well has failed at
 CALL_S = 5  # of one call
-COMPILER = Limits(3 * GIB, 30, processes=True)
 WORDS_MOST = 600
 NOT_DRAWN = "its numbers are right, and there is no picture"
 
@@ -40,12 +47,6 @@ NOT_DRAWN = "its numbers are right, and there is no picture"
 def targets(chapters: list[str]) -> list[str]:
     """What judging these chapters takes of the build."""
     return ["serve_main", *[f"{side}_{chapter}" for side in ("judge", "serve") for chapter in chapters]]
-
-
-def parts(chapter: str) -> list[Path]:
-    """What a student's object is linked with, but for the library. It comes before it: of a function that several objects
-    have, the first one's is taken."""
-    return [*objects("serve_main"), *objects(f"serve_{chapter}")]
 
 
 def picture_path(digest: str) -> Path:
@@ -81,6 +82,7 @@ class Judge:
         self.pictures = Pictures(wanted, self.versions) if pictures else None
         self.kept = contextlib.ExitStack()
         self.running, self.stopped = set(), False
+        self.budget_s, self.spent, self.lock = BUDGET_S, {}, threading.Lock()
 
     def __enter__(self):
         # What is copied and drawn here is read by whom root becomes in the sandbox.
@@ -130,34 +132,76 @@ class Judge:
         stats = [(str(path), path.stat().st_size, path.stat().st_mtime_ns) for path in paths]
         return hashlib.sha256(repr((stats, self.seed, self.call_s, with_pictures)).encode()).hexdigest()
 
-    def verdict(self, exercise: str, data: bytes | None) -> dict:
-        """What is to be said of one file; known ones are not run again. Whatever goes wrong is this file's."""
+    def verdict(self, exercise: str, data: bytes | None, student: str = "") -> dict:
+        """What is to be said of one file; known ones are not run again. Whatever goes wrong is this file's. What it takes is the
+        student's who is asked for first."""
         base = {"exercise": exercise, "chapter": self.wanted[exercise], "ok": False, "passed": 0, "failed": 0,
                 "first_failure": None, "hint": None, "state": "judged"}
         if data is None or same_text(data, self.starters[exercise]):
             return base | {"state": "missing" if data is None else "unchanged",
                            "first_failure": "was not handed in" if data is None else "is as it was handed out"}
+        if self.spent_s(student) > self.budget_s:
+            return base | {"state": "over budget", "first_failure": "was not judged: this student's answers have taken more than "
+                           f"{self.budget_s / 60:g} minutes beyond the {FREE_S} s that each may take"}
         key = hashlib.sha256(f"{self.versions[base['chapter']]} {exercise} ".encode() + data).hexdigest()
         kept = self.verdicts / f"{key}.json"
         if exercise not in self.fresh:
             with contextlib.suppress(OSError, ValueError):
-                return base | json.loads(kept.read_text())
+                found = json.loads(kept.read_text())
+                self.spend(student, found.pop("over_s", 0))
+                return base | found
+        start_s = time.monotonic()
         try:
-            found = self.judge(exercise, data)
-            if found.get("killed"):  # by whom is not known: perhaps the machine had no memory left, or no time
-                found = self.judge(exercise, data)
-            # With these inputs the reference itself may lie beside a bound.
-            if not found["ok"] and found.get("state") != "undecided" and not self.reference_is_right(exercise):
-                found = self.judge(exercise, data, seed=0)
+            found = self.judge_fairly(exercise, data)
             if self.stopped:  # what was ended says nothing
                 raise Failure("grading was stopped")
         except Exception as error:  # this machine's fault, or ours: not kept, said at the end, and no other student's
-            said = clean(str(error) if isinstance(error, (Failure, OSError)) else repr(error))
-            return base | {"state": "failed", "first_failure": f"could not be judged: {said}"}
+            return base | {"state": "failed", "first_failure": f"could not be judged: {words_of(error)}"}
+        over_s = max(0, round(time.monotonic() - start_s - FREE_S))
+        self.spend(student, over_s)
         found = {name: clean(value) for name, value in found.items()
                  if name in ("ok", "passed", "failed", "first_failure", "hint", "note", "state", "picture", "picture_expected")}
-        write_atomically(kept, json.dumps(found))
+        with contextlib.suppress(OSError):  # only slower the next time
+            write_atomically(kept, json.dumps(found | {"over_s": over_s}))
         return base | found
+
+    def spent_s(self, student: str) -> float:
+        with self.lock:
+            return self.spent.get(student, 0)
+
+    def spend(self, student: str, seconds: float):
+        with self.lock:
+            self.spent[student] = self.spent.get(student, 0) + seconds
+
+    def judge_fairly(self, exercise: str, data: bytes) -> dict:
+        """A verdict on the answer. Raises Failure where this machine reaches none."""
+        found, well = {}, False
+        for wait_s in TRIES_S:
+            time.sleep(wait_s)
+            try:
+                found = self.judge(exercise, data)
+                # With these inputs the reference itself may lie beside a bound.
+                if not found["ok"] and "suspect" not in found and found.get("state") != "undecided" and \
+                        not self.reference_is_right(exercise):
+                    found = self.judge(exercise, data, seed=0)
+            except Exception as error:
+                # The same again, and the starter is judged: the answer has found a fault of ours, and somebody looks at it.
+                found = {"ok": False, "suspect": words_of(error), "state": "undecided",
+                         "first_failure": f"the grader fails at it: {words_of(error)}"}
+            if self.stopped or "suspect" not in found:
+                return found
+            if well:
+                return found  # it failed before, and the machine was well in between
+            well = self.is_well(exercise)
+        raise Failure(f"this machine fails at it: {found['suspect']}")
+
+    def is_well(self, exercise: str) -> bool:
+        """Whether the starter is judged here and now, right or wrong."""
+        try:
+            found = self.judge(exercise, self.starters[exercise], pictures=False)
+        except Exception:
+            return False
+        return "suspect" not in found
 
     def reference_is_right(self, exercise: str) -> bool:
         chapter = self.wanted[exercise]
@@ -166,11 +210,14 @@ class Judge:
             done = subprocess.run([self.folder / f"judge_{chapter}", "--exercise", exercise, "--use", "solution"],
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                                   env=os.environ | {"LIGHTWALK_CHECK_SEED": str(self.seed)})
+            if b'"exercise"' not in done.stdout:  # it has not come to a verdict
+                return True
             # Of a trial the reference has no process to run in.
             write_atomically(kept, "right" if done.returncode == 0 or b"no process to ask" in done.stdout else "wrong")
         return kept.read_text() == "right"
 
-    def judge(self, exercise: str, data: bytes, seed: int | None = None) -> dict:
+    def judge(self, exercise: str, data: bytes, seed: int | None = None, pictures: bool = True) -> dict:
+        """A verdict. Where it is "suspect", which says why, the fault may be the machine's."""
         with tempfile.TemporaryDirectory(prefix="lightwalk.grade.") as made:
             source = Path(made) / self.paths[exercise].name
             try:
@@ -178,9 +225,12 @@ class Judge:
             except Refused as why:
                 return {"ok": False, "first_failure": str(why)}
             found = self.numbers(exercise, source, self.seed if seed is None else seed)
-            if found["ok"] and self.pictures:
+            if found["ok"] and self.pictures and pictures:
                 try:
                     why = self.pictures.wrong(exercise, source, self)
+                except ToolFailed as failed:
+                    return found | {"ok": False, "failed": found["failed"] + 1, "suspect": str(failed), "first_failure":
+                                    f"the numbers are right, and there is no picture: {failed}"}
                 except DriverEnded as shots:
                     return found | {"ok": False, "state": "undecided", "first_failure":
                                     f"{NOT_DRAWN} of {shots}, with which the driver crashed",
@@ -188,7 +238,7 @@ class Judge:
                 if why:
                     found |= {"ok": False, "failed": found["failed"] + 1, "first_failure": why,
                               "hint": "every number that was tried is right, so look for an input that only the picture has"}
-                    found |= self.keep_pictures(source.parent) | {"killed": NOT_IN_TIME in why}
+                    found |= self.keep_pictures(source.parent) | ({"suspect": why} if NOT_IN_TIME in why else {})
                 elif why is not None:
                     found["passed"] += 1
             return found
@@ -207,15 +257,21 @@ class Judge:
         """The checks' verdict on a source that is alone in its folder."""
         if source.suffix == ".glsl":
             return self.decide(exercise, seed, source)
-        if why := self.compile(exercise, source):
-            return {"ok": False, "first_failure": why}
+        try:
+            if why := compile_answer(self, exercise, source):
+                return {"ok": False, "first_failure": why}
+        except ToolFailed as failed:
+            return {"ok": False, "first_failure": str(failed), "suspect": str(failed)}
         ends = [*os.pipe(), *os.pipe()]  # questions: read, write; answers: read, write
         draws = self.has_trial(exercise)
         with self.started(["/grade/worker", ends[0], ends[3]], self.worker_mounts(source.parent),
-                          Limits((6 if draws else 2) * GIB, JUDGE_S + 5, device=draws),
+                          Limits((6 if draws else 1) * GIB, JUDGE_S + 5, device=draws),
                           {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_CALL_LIMIT_S": self.call_s},
                           pass_fds=(ends[0], ends[3]), out=False):
-            return self.decide(exercise, seed, None, worker=(ends[1], ends[2]), ours=ends)
+            found = self.decide(exercise, seed, None, worker=(ends[1], ends[2]), ours=ends)
+            if not found["ok"] and "suspect" not in found and " ended the program" in found["first_failure"]:
+                found["suspect"] = "the process with the answer has ended"
+            return found
 
     def library(self, chapter: str) -> list[Path]:
         return [self.libraries[chapter]] if chapter in self.libraries else []
@@ -223,40 +279,6 @@ class Judge:
     def has_trial(self, exercise: str) -> bool:
         path = ROOT / "tests" / self.wanted[exercise] / "trials.h"
         return path.exists() and f'"{exercise}"' in path.read_text()
-
-    def compile(self, exercise: str, source: Path) -> str:
-        """Makes `worker` beside the source; what the compiler says against it."""
-        chapter, place = self.wanted[exercise], self.paths[exercise]
-        words = list(self.commands[str(place)])
-        words[words.index("-o") + 1] = "/grade/student.o"
-        header = next(word for word in words if word.endswith("cmake_pch.hxx"))
-        link = [words[0], *(["-fuse-ld=mold"] if shutil.which("mold") else []), "-o", "/grade/worker",
-                *parts(chapter), "/grade/student.o", *self.library(chapter), f"-L{BUILD}", "-llightwalk", "-lfmt",
-                f"-Wl,-rpath,{BUILD}", "-Wl,--warn-unresolved-symbols"]
-        script = f"{shlex.join([*words, '-DLIGHTWALK_NO_SOLUTION', '-g0'])} && {shlex.join(map(str, link))}"
-        mounts = self.mounts()
-        for path in (BUILD / "visible", header, f"{header}.gch", *parts(chapter), *self.library(chapter)):
-            mounts.read(path)
-        mounts.read(source, place)
-        mounts.write(source.parent, Path("/grade"))
-        with self.started(["/bin/sh", "-c", script], mounts, COMPILER) as running:
-            done = running.finish()
-        name = str(place.relative_to(ROOT))
-        if done.late or done.long:
-            return "it does not compile: the compiler " + ("did not end" if done.late else "complains without an end")
-        lines = done.out.replace(f"{ROOT}/", "").splitlines()
-        # What is not there cannot be called: a reference, the truth, a main of its own.
-        missing = [re.sub(r"^.*undefined (?:symbol|reference to)[: ]*", "", line) for i, line in enumerate(lines)
-                   if "undefined" in line and "student.o" in "".join(lines[max(i - 1, 0):i + 3])]
-        if missing:
-            return f"it does not link: there is no {missing[0]}"
-        if done.code:
-            errors = [line for line in lines if "error" in line]
-            what = errors[0] if errors else lines[-1] if lines else f"the compiler ended with {done.code}, without a word"
-            if any(line.startswith(("mold:", "/usr/bin/ld:", "collect2:")) for line in lines):
-                return f"it does not link: {what}"
-            return f"it does not compile: {name + what.partition(name)[2] if name in what else what}"
-        return ""
 
     def mounts(self) -> Mounts:
         """The tree without answers, at its usual place, and the library that all programs share."""
@@ -297,14 +319,20 @@ class Judge:
             for end in ours:  # so that each side sees the other's end
                 os.close(end)
             done = running.finish()
-        if done.late:  # a busy machine is not the student's fault: once more
-            return {"ok": False, "first_failure": f"its check did not end within {JUDGE_S} s", "killed": True}
+        if done.late:  # a busy machine is not the student's fault
+            return {"ok": False, "first_failure": f"its check did not end within {JUDGE_S} s", "suspect": "there was not enough time"}
         for line in done.out.splitlines():
             with contextlib.suppress(ValueError, RecursionError):
                 found = json.loads(line)
                 if isinstance(found, dict) and found.get("nonce") == nonce and found.get("exercise") == exercise:
                     return found | {"ok": found.get("ok") is True and done.code == 0}
-        return {"ok": False, "first_failure": f"its check ended with {done.code}: {done.said()}", "killed": done.code == 137}
+        # Whatever was printed may be anybody's.
+        return {"ok": False, "first_failure": f"its check ended with {done.code}{sandbox.signal_words(done.code)}",
+                "suspect": f"its check ended with {done.code}"}
+
+
+def words_of(error: Exception) -> str:
+    return clean(str(error) if isinstance(error, (Failure, OSError)) else repr(error))
 
 
 def clean(value):

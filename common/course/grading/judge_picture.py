@@ -1,10 +1,12 @@
 """Judges the picture of an exercise whose numbers are right: a shot that names it, small.
 
 The reference's picture is drawn outside, once for a class. The student's version of this one exercise is drawn in a
-sandbox, with the references of all others, and without its own: a GLSL file is not there, and in C++ the chapter's program
-is linked anew with the student's object, in which the name of the reference means the student's function. What comes out
-is a PNG, which is compared in a sandbox as well: whoever wrote it may have written what no reader expects. It comes out
-through one open file, so that a student's code has no folder of this machine to fill.
+sandbox. Of GLSL, which reads nothing, the references of all other exercises are there. In C++ the chapter's program is
+linked anew with the student's object, in which the name of the reference means the student's function; what the program
+may read, the student's code in it may read, so there is no GLSL at all: the shaders are those that the reference's picture
+took, compiled. What comes out is a PNG, which is compared in a sandbox as well: whoever wrote it may have written what no
+reader expects. It comes out through one open file, so that a student's code has no folder of this machine to fill, and
+nothing that was printed is quoted.
 """
 
 import contextlib
@@ -22,6 +24,7 @@ from pathlib import Path
 from build.build import build
 from check.check import PICTURE_LIMITS
 from grading import sandbox
+from grading.judge_tree import objects
 from grading.sandbox import Limits, Mounts
 from shots.golden import exceeded, unfit
 from shots.rendering import render
@@ -37,6 +40,10 @@ MOST_SHOWN_BYTES = 1 << 20
 NOT_IN_TIME = "it was not drawn within"
 NOT_COMPARED = "it cannot be compared"
 THEIRS, EXPECTED = "wrong.theirs.png", "wrong.expected.png"  # beside the source of what was drawn wrongly
+
+
+class ToolFailed(Exception):
+    """Something ended that no number had ended: perhaps by a fault of the machine's. Its text is what would be said if not."""
 
 
 class DriverEnded(Exception):
@@ -68,7 +75,9 @@ class Pictures:
                 picture, took = folder / f"{name}.png", folder / f"{name}.seconds"
                 if not took.exists():
                     start_s = time.monotonic()
-                    render(chapter, ["--shot", name, "--size", SIZE], picture)
+                    sealed = folder / f"{name}.shaders"
+                    sealed.mkdir(parents=True, exist_ok=True)
+                    render(chapter, ["--shot", name, "--size", SIZE], picture, LIGHTWALK_SHADERS_INTO=str(sealed))
                     write_atomically(took, f"{time.monotonic() - start_s:.3f}\n")
                 times_s[name] = float(took.read_text())
         return [(name, folder / f"{name}.png") for name in sorted(times_s, key=times_s.get)]
@@ -79,8 +88,7 @@ class Pictures:
         program = chapter_program(self.wanted[exercise])
         references, crashed = self.references(exercise), []
         if source.suffix == ".cpp" and references:
-            if why := self.link(exercise, source.parent, judge):
-                return why
+            self.link(exercise, source.parent, judge)
             program = source.parent / "program"
         for name, expected in references:
             try:
@@ -96,11 +104,13 @@ class Pictures:
     def drawn_wrong(self, exercise: str, source: Path, program: Path, shot: str, expected: Path, judge) -> str:
         """What is wrong with one shot; empty for nothing. Raises DriverEnded."""
         picture = source.parent / f"{shot}.png"
-        with picture.open("x+b") as out:
+        surroundings = {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_TIMEOUT_S": PASS_S}
+        if source.suffix == ".cpp":
+            surroundings["LIGHTWALK_SHADERS_FROM"] = "/grade/shaders"
+        with picture.open("w+b") as out:
             with judge.started(["/grade/program", "--shot", shot, "--size", SIZE, "--use",
                                 f"solution,{exercise}=exercise", "--screenshot", f"/dev/fd/{out.fileno()}"],
-                               self.drawing_mounts(exercise, source, program, judge), DRAWING,
-                               {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_TIMEOUT_S": PASS_S},
+                               self.drawing_mounts(exercise, source, program, expected, judge), DRAWING, surroundings,
                                pass_fds=(out.fileno(),)) as running:
                 done = running.finish()
         if done.late:
@@ -108,9 +118,9 @@ class Pictures:
         if done.code == 128 + signal.SIGSEGV and source.suffix == ".glsl":
             raise DriverEnded(shot)
         if done.code:
-            return done.said()
+            raise ToolFailed(f"the program that draws it ended with {done.code}{sandbox.signal_words(done.code)}")
         if not 0 < picture.stat().st_size < MOST_PICTURE_BYTES:
-            return "no picture came out"
+            raise ToolFailed("the program that draws it wrote none")
         why = self.compare(expected, picture, judge)
         # For the student's page: what a reader in a sandbox could read, and no more than a small picture takes.
         if why and not why.startswith(NOT_COMPARED) and picture.stat().st_size < MOST_SHOWN_BYTES:
@@ -118,7 +128,7 @@ class Pictures:
             shutil.copyfile(expected, source.parent / EXPECTED)
         return why
 
-    def drawing_mounts(self, exercise: str, source: Path, program: Path, judge) -> Mounts:
+    def drawing_mounts(self, exercise: str, source: Path, program: Path, expected: Path, judge) -> Mounts:
         mounts = judge.mounts()
         for name in ("assets", "docs"):
             if (ROOT / name).exists():
@@ -130,25 +140,30 @@ class Pictures:
             for name in ("scenes", "data"):
                 if (ROOT / "tests" / chapter / name).is_dir():
                     mounts.read(ROOT / "tests" / chapter / name)
+        cache = ROOT / "build" / "shader_cache"
+        if source.suffix == ".cpp":
+            mounts.read(expected.with_suffix(".shaders"), Path("/grade/shaders"))
+            for baked in SHADER_CACHE.glob("*.occlusion"):
+                mounts.read(baked, cache / baked.name)
+            return mounts
         judge.mount_references(mounts, exercise)
-        if source.suffix == ".glsl":
-            mounts.read(source, judge.paths[exercise])
+        mounts.read(source, judge.paths[exercise])
         if SHADER_CACHE.is_dir():
-            mounts.read(SHADER_CACHE, ROOT / "build" / "shader_cache")
+            mounts.read(SHADER_CACHE, cache)
         return mounts
 
-    def link(self, exercise: str, folder: Path, judge) -> str:
-        """Makes `program` beside the student's object; why that is not possible."""
+    def link(self, exercise: str, folder: Path, judge):
+        """Makes `program` beside the student's object. Raises ToolFailed."""
         chapter, place = self.wanted[exercise], str(judge.paths[exercise].relative_to(ROOT))
         # Newer CMakes have the linker write down what it read, beside the build's objects.
         words = [word for word in self.links[chapter] if not word.startswith("-Wl,--dependency-file")]
         its = next(i for i, word in enumerate(words) if word.endswith(f"/{place}.o"))
         words[its] = "/grade/student.o"
         words[words.index("-o") + 1] = "/grade/program"
-        said = subprocess.run(["nm", folder / "student.o"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-                              errors="replace").stdout
-        for name in set(re.findall(r" [TW] (_ZN9lightwalk8exercise\w+)$", said, re.M)):
-            words.append(f"-Wl,--defsym={name.replace('8exercise', '8solution', 1)}={name}")
+        # Of the names in the student's object those alone that a reference has: it may have thousands more.
+        for name in symbols(folder / "student.o", "8exercise"):
+            if (other := name.replace("8exercise", "8solution", 1)) in references_of(chapter):
+                words.append(f"-Wl,--defsym={other}={name}")
         mounts = judge.mounts()
         for name in ("CMakeFiles", *[path.name for path in BUILD.glob("lib*.a")]):
             mounts.read(BUILD / name)
@@ -156,7 +171,8 @@ class Pictures:
         script = f"cd {shlex.quote(str(BUILD))} && {shlex.join(words)}"
         with judge.started(["/bin/sh", "-c", script], mounts, Limits(3 * GIB, 30, processes=True)) as running:
             done = running.finish()
-        return f"it does not link into the chapter's program: {done.said()}" if done.code else ""
+        if done.code:
+            raise ToolFailed("it does not link into the chapter's program")
 
     def compare(self, expected: Path, actual: Path, judge) -> str:
         mounts = Mounts()
@@ -175,7 +191,19 @@ class Pictures:
                 return ""
             most = metrics["max_diff"]
             return f"{most['pixels']} pixels differ from the reference's, most the one at ({most['x']}, {most['y']})"
-        return f"{NOT_COMPARED}: {done.said()}"
+        return f"{NOT_COMPARED}: it is no PNG that can be read"
+
+
+def symbols(compiled: Path, space: str) -> set[str]:
+    """The functions that an object has in a namespace within lightwalk."""
+    said = subprocess.run(["nm", compiled], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace").stdout
+    return set(re.findall(rf" [TW] (_ZN9lightwalk{space}\w+)$", said, re.M))
+
+
+@functools.cache
+def references_of(chapter: str) -> frozenset[str]:
+    return frozenset(name for compiled in objects(f"chapter_{chapter}") if "/solution/" in str(compiled)
+                     for name in symbols(compiled, "8solution"))
 
 
 @functools.cache

@@ -18,9 +18,9 @@ def keep(file: Path, grades: list[dict], submitted: dict[str, dict[str, bytes]],
     Raises UsageError where the file cannot be read: a grade would be lost."""
     try:
         kept = json.loads(file.read_text()) if file.exists() else {}
-        before = {(student, exercise): (entry["answer"], dict(entry["result"]))
+        before = {(student, exercise): (entry["answer"], checked(dict(entry["result"]), exercise))
                   for student, entries in kept.items() for exercise, entry in entries.items()}
-    except (OSError, ValueError, TypeError, AttributeError, KeyError) as error:
+    except (OSError, ValueError, TypeError, AttributeError, KeyError, RecursionError) as error:
         raise UsageError(f"{file} cannot be read: {error!r}; it holds the marks that were given, so it is not replaced") from None
     changed = []
     for one in grades:
@@ -37,8 +37,20 @@ def keep(file: Path, grades: list[dict], submitted: dict[str, dict[str, bytes]],
                 if old_answer == answer and verdict(old) != verdict(result):
                     changed.append(f"{exercise}: {student}: {verdict(old)} before, {verdict(result)} now")
                 kept.setdefault(student, {})[exercise] = {"answer": answer, "result": result}
-    write_atomically(file, json.dumps(kept, indent=1) + "\n")
+    write_atomically(file, json.dumps(kept, indent=1) + "\n", 0o600)
     return changed
+
+
+def checked(result: dict, exercise: str) -> dict:
+    """A result as the grader writes it. Raises ValueError for any other."""
+    words = ("exercise", "chapter", "state")
+    maybe = ("first_failure", "hint", "note", "picture", "picture_expected")
+    right = (all(isinstance(result.get(key), str) for key in words) and isinstance(result.get("ok"), bool)
+             and all(type(result.get(key)) is int for key in ("passed", "failed")) and result["exercise"] == exercise
+             and all(result.get(key) is None or isinstance(result[key], str) for key in maybe))
+    if not right:
+        raise ValueError(f"what it says of {exercise!r} is no result")
+    return result
 
 
 def verdict(result: dict) -> str:

@@ -10,6 +10,7 @@ or to the row one of whose cells is the submission's name: a login, a number, an
 """
 
 import csv
+import datetime
 import io
 import re
 from pathlib import Path
@@ -24,6 +25,7 @@ IDENTITY = ("identifier", "id", "id number", "idnumber", "sis user id", "sis log
             "email", "email address", "student", "full name", "name", "first name", "last name", "surname", "section", "root account",
             "integration id", "group", "groups", "department", "institution")
 NAMES = ("student", "full name", "name")
+HANDED_IN = ("last modified (submission)",)
 FORMULA = ("=", "+", "-", "@")
 
 
@@ -51,7 +53,10 @@ class Roster:
             raise UsageError(f"{file}: is not UTF-8 text; export the list as CSV (UTF-8)") from None
         first = text.partition("\n")[0]
         separator = max(",;\t", key=first.count)
-        lines = list(csv.reader(io.StringIO(text, newline=""), delimiter=separator))
+        try:
+            lines = list(csv.reader(io.StringIO(text, newline=""), delimiter=separator))
+        except csv.Error as error:
+            raise UsageError(f"{file}: is no CSV: {error}") from None
         if not lines or not any(column.strip().lower() in IDENTITY for column in lines[0]):
             raise UsageError(f"{file}: the first line names no column of a class list, such as ID, Username or Email address")
         columns = [column.strip() for column in lines[0]]
@@ -89,6 +94,16 @@ class Roster:
         whole = next((lower[column] for column in NAMES if lower.get(column)), "")
         return printable(whole or " ".join(filter(None, (lower.get("first name"), lower.get("last name") or lower.get("surname"))))
                          or next((cell for cell in row.values() if cell), "nobody"))
+
+    def handed_in_s(self, student: str) -> float | None:
+        """When the platform says that it was handed in, where the list has that column (Moodle's worksheet, in English)."""
+        text = next((cell for column, cell in self.of(student).items() if column.lower() in HANDED_IN), "").strip()
+        for form in ("%A, %d %B %Y, %I:%M %p", "%d %B %Y, %I:%M %p", "%Y-%m-%d %H:%M:%S", "%Y-%m-%d %H:%M"):
+            try:
+                return datetime.datetime.strptime(text, form).timestamp()
+            except (ValueError, OverflowError):
+                continue
+        return None
 
     def of(self, student: str) -> dict[str, str]:
         return self.found.get(student, {})

@@ -9,7 +9,8 @@
 
 An exercise is worth its weight times its chapter's. A deadline is the most specific one that is written: the student's for
 the exercise, for the chapter, for all ("all"), the exercise's, the chapter's, the course's. Times without an offset are this machine's.
-What was handed in counts from "handed_in"; without it from the time of the archive, or of the newest exercise in the folder.
+What was handed in counts from "handed_in"; without it from the platform's time (Moodle's worksheet as --roster, column "Last
+modified (submission)"); without that from the time of the archive, or of the newest exercise in the folder, which a student can set.
 """
 
 import datetime
@@ -52,15 +53,15 @@ class Rules:
         all_shares = sum(shares.values())
         if not all_shares:
             self.wrong("all weights are 0")
-        self.points = {exercise: share * most / all_shares if most else share for exercise, share in shares.items()}
-        self.most = most or all_shares
+        self.points = {exercise: share if most is None else share * most / all_shares for exercise, share in shares.items()}
+        self.most = all_shares if most is None else most
 
     def read(self, file: Path) -> dict:
         try:
             given = json.loads(file.read_text(encoding="utf-8-sig"))
         except OSError as error:
             raise UsageError(f"{file}: {error.strerror}") from None
-        except ValueError as error:
+        except (ValueError, RecursionError) as error:
             raise UsageError(f"{file} is not JSON: {error}") from None
         self.known(given, "", "")
         return given
@@ -106,7 +107,12 @@ class Rules:
     def handed_in(self, student: str, seconds: float | None) -> datetime.datetime | None:
         """`seconds`: the time of the files."""
         stated = self.students.get(student, ({}, None))[1]
-        return stated or (None if seconds is None else datetime.datetime.fromtimestamp(seconds).astimezone())
+        if stated or seconds is None:
+            return stated
+        try:
+            return datetime.datetime.fromtimestamp(seconds).astimezone()
+        except (ValueError, OverflowError, OSError):  # no calendar has it
+            return None
 
     def mark(self, one: dict, result: dict) -> tuple[str, float | None]:
         """(word, points) of a result: right, wrong, late, missing, look at; None where a word stands in place of points."""
@@ -117,6 +123,8 @@ class Rules:
             return "look at", None
         if state == "failed":
             return "not judged", None
+        if state == "over budget":
+            return "over budget", 0.0
         due, at = self.due_of(one["student"], result["exercise"]), self.handed_in(one["student"], one.get("handed_in_s"))
         if due and at and at > due:
             return "late", None if self.late is None else worth * self.late * result["ok"]

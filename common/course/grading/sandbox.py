@@ -1,27 +1,29 @@
-"""Runs a program that is not trusted, in bubblewrap: no network, a system that cannot be written, a /tmp and process
-numbers of its own, and limits of memory, time, processes and output. Without bubblewrap nothing runs.
+"""Runs a program that is not trusted, in bubblewrap: no network, nothing that can be written, process numbers of its own,
+and limits of memory, time, threads and output. Without bubblewrap nothing runs.
 
 Inside there is what Mounts names and no more; at its end nothing of it is left. It never runs as root: bubblewrap alone
 gives a process of root's another number inside, but to the kernel, which owns /proc/sys and the device nodes, it stays
-root. So where root grades, root makes the sandbox and its program becomes NOBODY before it starts.
+root. So where root grades, root makes the sandbox, and its program becomes somebody who is nobody outside before it
+starts: a compiler NOBODY, a student's code a user of its own, whose threads the kernel can count.
 """
 
 import contextlib
 import dataclasses
 import functools
+import itertools
+import json
 import os
-import platform
-import re
 import selectors
 import shutil
 import signal
-import struct
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
 
-from tree import BUILD, ROOT, Failure
+from grading.cage import Cage
+from tree import BUILD, ROOT, Failure, cores
 
 PACKAGE = "bubblewrap"
 SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/alternatives", "/etc/ld.so.cache", "/etc/vulkan")
@@ -33,19 +35,20 @@ OUTPUT_BYTES = 1 << 20
 FILE_BYTES = 64 << 20
 OPEN_FILES = 64
 
-# Linux system calls by machine: the audit number of the machine, then the calls. A thread may be started, a process not;
-# and nothing that gives a process other rights, or memory that its limits do not count.
-CALLS = {
-    "x86_64": (0xC000003E, {"clone": 56, "fork": 57, "vfork": 58, "clone3": 435, "unshare": 272, "setns": 308,
-                            "mount": 165, "ptrace": 101, "memfd_create": 319, "shmget": 29, "add_key": 248,
-                            "request_key": 249, "keyctl": 250, "bpf": 321, "userfaultfd": 323, "perf_event_open": 298,
-                            "io_uring_setup": 425, "process_vm_readv": 310, "process_vm_writev": 311}),
-    "aarch64": (0xC00000B7, {"clone": 220, "clone3": 435, "unshare": 97, "setns": 268, "mount": 40, "ptrace": 117,
-                             "memfd_create": 279, "shmget": 194, "add_key": 217, "request_key": 218, "keyctl": 219,
-                             "bpf": 280, "userfaultfd": 282, "perf_event_open": 241, "io_uring_setup": 425,
-                             "process_vm_readv": 270, "process_vm_writev": 271}),
-}
-EPERM, ENOSYS, CLONE_THREAD = 1, 38, 0x10000
+# System calls that nobody in a sandbox has: memory that no limit counts, other processes, other rights, other worlds.
+REFUSED = """semget semop semtimedop shmget shmat shmctl msgget msgsnd msgrcv mq_open memfd_secret add_key request_key keyctl bpf
+userfaultfd perf_event_open io_uring_setup inotify_init inotify_init1 fanotify_init timer_create socket socketpair vmsplice tee
+splice mount umount2 pivot_root chroot fsopen fsmount fspick open_tree move_mount mount_setattr unshare setns ptrace
+process_vm_readv process_vm_writev pidfd_getfd process_madvise name_to_handle_at open_by_handle_at personality quotactl acct
+swapon swapoff reboot kexec_load kexec_file_load init_module finit_module delete_module syslog lookup_dcookie nfsservctl
+sched_setattr sched_setaffinity mbind move_pages migrate_pages set_mempolicy kcmp""".split()
+STARTING = ("fork", "vfork", "clone3")  # and clone() without CLONE_THREAD
+CLONE_THREAD, PR_SET_PDEATHSIG = 0x10000, 1
+OWN_USERS = range(2_000_000_000, 2_000_060_000)  # for students' code, one after the other
+NUMBERS = itertools.count()
+THREADS = 64
+SUPERVISOR = Path(__file__).with_name("supervise.py")
+DATA_BYTES = 1 << 30  # of a process that runs a student's code, whatever it reserves
 
 
 @dataclasses.dataclass
@@ -54,7 +57,7 @@ class Limits:
 
     memory_bytes: int
     wall_s: float
-    processes: bool = False  # it may start others
+    processes: bool = False  # a compiler: it may start others, and write in /tmp
     # It draws. Mesa 25 keeps a device's memory in a file without a name (memfd_create), which a process without a device
     # may not have: what is written there and not mapped is counted by no limit but that of a file's size, OPEN_FILES times.
     device: bool = False
@@ -111,8 +114,10 @@ def require():
     """Raises Failure, with what to do, where nothing can be contained on this machine."""
     if not shutil.which("bwrap"):
         raise Failure(f"students' code runs in bubblewrap alone, and it is not there: as root, apt-get install {PACKAGE}")
-    if platform.machine() not in CALLS:
-        raise Failure(f"no list of system calls for {platform.machine()}: there are {', '.join(CALLS)}")
+    try:
+        import seccomp  # noqa: F401
+    except ImportError:
+        raise Failure("students' code runs behind a filter of system calls alone: as root, apt-get install python3-seccomp") from None
     try:
         done = run(["/usr/bin/true"], Mounts(), Limits(1 << 30, 20))
         said = done.said() if done.code else ""
@@ -122,24 +127,29 @@ def require():
         raise Failure(f"bubblewrap cannot contain anything here, and students' code runs in it alone: {said}")
 
 
-def seccomp(limits: Limits) -> bytes:
-    """A filter of system calls, as the kernel takes it (struct sock_filter; see seccomp(2))."""
-    allowed = (("clone", "clone3", "fork", "vfork") if limits.processes else ()) + (("memfd_create",) if limits.device else ())
-    audit, calls = CALLS[platform.machine()]
-    load, equal, at_least, any_bit, give = 0x20, 0x15, 0x35, 0x45, 0x06
-    allow, refuse, kill = 0x7FFF0000, 0x00050000, 0x80000000
-    code = [(load, 0, 0, 4), (equal, 1, 0, audit), (give, 0, 0, kill),
-            (load, 0, 0, 0), (at_least, 0, 1, 0x40000000), (give, 0, 0, kill)]  # no x32
-    for name, number in calls.items():
-        if name in allowed:
-            continue
-        if name == "clone":
-            code += [(equal, 0, 4, number), (load, 0, 0, 16), (any_bit, 1, 0, CLONE_THREAD),
-                     (give, 0, 0, refuse | EPERM), (give, 0, 0, allow)]
-        else:
-            code += [(equal, 0, 1, number), (give, 0, 0, refuse | (ENOSYS if name == "clone3" else EPERM))]
-    code.append((give, 0, 0, allow))
-    return b"".join(struct.pack("<HBBI", *one) for one in code)
+def write_filter(limits: Limits, file):
+    """The filter of system calls, as bubblewrap reads it."""
+    import errno
+
+    import seccomp
+    made = seccomp.SyscallFilter(defaction=seccomp.ALLOW)
+    refused = [*REFUSED, *(() if limits.device else ("memfd_create",)), *(() if limits.processes else STARTING)]
+    for name in refused:
+        with contextlib.suppress(RuntimeError):  # one that this machine's kernel or library does not have
+            # The C library asks for clone() where there is no clone3().
+            made.add_rule(seccomp.ERRNO(errno.ENOSYS if name == "clone3" else errno.EPERM), name)
+    if not limits.processes:
+        made.add_rule(seccomp.ERRNO(errno.EPERM), "clone", seccomp.Arg(0, seccomp.MASKED_EQ, CLONE_THREAD, 0))
+    made.add_rule(seccomp.ERRNO(errno.EPERM), "prctl", seccomp.Arg(0, seccomp.EQ, PR_SET_PDEATHSIG))
+    made.export_bpf(file)
+
+
+def signal_words(code: int) -> str:
+    """Of an exit code: what has ended it, where a signal has."""
+    try:
+        return f", by {signal.Signals(code - 128).name}" if code > 128 else ""
+    except ValueError:
+        return ""
 
 
 @dataclasses.dataclass
@@ -160,18 +170,36 @@ class Running:
     def __init__(self, command, mounts: Mounts, limits: Limits, environment=None, pass_fds=(), out=True):
         self.deadline = time.monotonic() + limits.wall_s
         with tempfile.TemporaryFile() as filter_file:
-            filter_file.write(seccomp(limits))
+            write_filter(limits, filter_file)
             filter_file.seek(0)
-            told, tells = os.pipe()
+            self.told, tells = os.pipe()
+            self.cage = Cage(limits.memory_bytes if limits.processes else DATA_BYTES, 2 * THREADS)
             words = wrapped(command, mounts, limits, environment or {}, filter_file.fileno(), tells)
-            self.process = subprocess.Popen(words, stdin=subprocess.DEVNULL, cwd="/", start_new_session=True,
-                                            pass_fds=(*pass_fds, filter_file.fileno(), tells),
+            # It joins the group by itself, before there is anything to be counted.
+            joining = ["/bin/sh", "-c", 'n=$1; shift; while [ "$n" -gt 0 ]; do echo $$ 2>/dev/null >"$1"; shift; n=$((n - 1)); done; '
+                       'exec "$@"', "sh", str(len(self.cage.joins)), *map(str, self.cage.joins)]
+            lifeline, self.lifeline = os.pipe()
+            supervising = [sys.executable, "-I", "-S", SUPERVISOR, str(lifeline)]
+            self.process = subprocess.Popen([*supervising, *joining, *words], stdin=subprocess.DEVNULL, cwd="/", start_new_session=True,
+                                            pass_fds=(*pass_fds, filter_file.fileno(), tells, lifeline),
                                             stdout=subprocess.PIPE if out else subprocess.DEVNULL,
                                             stderr=subprocess.STDOUT if out else subprocess.DEVNULL)
             os.close(tells)
-            with os.fdopen(told) as words:
-                found = re.search(r'"child-pid": *(\d+)', words.read())
-            self.first = int(found[1]) if found else 0
+            os.close(lifeline)
+        self.said = b""
+        self.first = self.status("child-pid", wait=True)
+
+    def status(self, name: str, wait: bool = False) -> int | None:
+        """What bubblewrap itself says, which nobody inside can: the number of the first process, and, where it had got as far
+        as starting the command, what that ended with."""
+        while True:
+            for line in self.said.splitlines():
+                with contextlib.suppress(ValueError):
+                    if name in (found := json.loads(line)):
+                        return found[name]
+            if not wait or not (got := os.read(self.told, 4096)):
+                return None
+            self.said += got
 
     def finish(self) -> Done:
         """Waits for its end, or for the end of its time or of our patience with its output."""
@@ -197,10 +225,11 @@ class Running:
         except subprocess.TimeoutExpired:
             late = True
         finally:
+            ended = None if late or long else self.status("exit-code", wait=True)
             self.close()
         code, text = self.process.returncode, found.decode("utf-8", "replace")
-        if code == 1 and text.startswith("bwrap: "):
-            raise Failure(f"the sandbox could not be made: {text.strip()}")
+        if code == 1 and ended is None and not late and not long:
+            raise Failure(f"the sandbox could not be made: {text.strip()[:300]}")
         return Done(128 - code if code < 0 else code, text, late, long)
 
     def kill(self):
@@ -218,9 +247,14 @@ class Running:
         if self.process.poll() is None or self.process.returncode < 0:
             self.kill()
             self.process.wait()
-        self.first = 0
+        self.first = None
         if self.process.stdout:
             self.process.stdout.close()
+        if self.told is not None:
+            os.close(self.told)
+            os.close(self.lifeline)
+            self.told = None
+            self.cage.close()
 
 
 def run(command, mounts: Mounts, limits: Limits, environment=None) -> Done:
@@ -229,11 +263,11 @@ def run(command, mounts: Mounts, limits: Limits, environment=None) -> Done:
 
 def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_fd: int, told_fd: int) -> list[str]:
     """The whole command line: limits, then the sandbox, then the command."""
-    words = ["prlimit", f"--as={limits.memory_bytes}", f"--cpu={int(limits.wall_s) + 1}", f"--fsize={FILE_BYTES}",
-             "--core=0", f"--nofile={OPEN_FILES if limits.device else 256}", "--", "bwrap", *own_world(), "--die-with-parent", "--new-session", "--as-pid-1",
-             "--hostname", "grade", "--clearenv"]
-    for name, value in ({"PATH": "/usr/bin:/bin", "HOME": "/tmp", "LANG": "C.UTF-8", "TMPDIR": "/tmp",
-                        "LIGHTWALK_SANDBOXED": "1"} | environment).items():
+    words = ["prlimit", f"--as={limits.memory_bytes}", f"--cpu={int(limits.wall_s) + 1}", f"--fsize={FILE_BYTES}", "--core=0",
+             "--memlock=0", "--msgqueue=0", "--sigpending=256", f"--nofile={OPEN_FILES if limits.device else 256}", "--", "bwrap",
+             *own_world(), "--die-with-parent", "--new-session", "--as-pid-1", "--hostname", "grade", "--clearenv"]
+    for name, value in ({"PATH": "/usr/bin:/bin", "HOME": "/tmp", "LANG": "C.UTF-8", "TMPDIR": "/tmp", "MESA_SHADER_CACHE_DISABLE": "true",
+                         "LP_NUM_THREADS": min(cores(), 8), "LIGHTWALK_SANDBOXED": "1"} | environment).items():
         words += ["--setenv", name, str(value)]
     for path in SYSTEM:
         if os.path.islink(path):
@@ -247,9 +281,10 @@ def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_f
     for path in COVERED:
         if os.path.isdir(path):
             words += ["--size", "4096", "--tmpfs", path, "--remount-ro", path]
-    words += ["--perms", "1777", "--size", str(TMP_BYTES), "--tmpfs", "/tmp"]
-    return words + mounts.words + ["--remount-ro", "/", "--chdir", "/tmp", "--seccomp", str(filter_fd), "--info-fd", str(told_fd), "--",
-                    *becoming_nobody(), *[str(word) for word in command]]
+    # A file without a byte in it takes the kernel's memory all the same: a student's code has no folder to write in.
+    words += ["--perms", "1777", "--size", str(TMP_BYTES), "--tmpfs", "/tmp"] if limits.processes else ["--dir", "/tmp"]
+    return words + mounts.words + ["--remount-ro", "/", "--chdir", "/tmp", "--seccomp", str(filter_fd), "--json-status-fd", str(told_fd),
+                                   "--", *becoming_nobody(limits), *[str(word) for word in command]]
 
 
 def own_world() -> list[str]:
@@ -260,5 +295,19 @@ def own_world() -> list[str]:
     return ["--unshare-all", "--unshare-user", "--uid", "1000", "--gid", "1000", "--cap-drop", "ALL"]
 
 
-def becoming_nobody() -> list[str]:
-    return ["setpriv", f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups"] if drops_root() else []
+def becoming_nobody(limits: Limits) -> list[str]:
+    """How many threads a user may have is counted over all of a user's, in a world of users of its own over those in it."""
+    who = []
+    if drops_root():
+        user = NOBODY if limits.processes else own_user()
+        who = ["setpriv", f"--reuid={user}", f"--regid={user}", "--clear-groups"]
+        if user == NOBODY:
+            return who
+    return [*who, "prlimit", f"--nproc={THREADS}", *(() if limits.processes else (f"--data={DATA_BYTES}",)), "--"]
+
+
+def own_user() -> int:
+    """Nobody's number, and of few sandboxes at a time."""
+    table = Path("/proc/self/uid_map").read_text()
+    user = OWN_USERS[(os.getpid() * 64 + next(NUMBERS)) % len(OWN_USERS)]
+    return user if is_mapped(user, table) and is_mapped(user, Path("/proc/self/gid_map").read_text()) else NOBODY

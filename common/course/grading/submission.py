@@ -1,31 +1,29 @@
-"""Finds and reads what students handed in: folders and archives, none of which is trusted.
+"""Finds and reads what students handed in: folders and archives, none of which is trusted. Every entry of a class becomes a
+submission, be it one that says why it is refused.
+
+An exercise is known by its path in the course, which may lie in folders of its own. Where there is none, a file is one by its
+name alone, and an archive within the submission, as Moodle hands it out, is looked into.
 
 Only regular files are opened, links are followed nowhere, and of an archive the exercises alone are read, as many bytes of
 each as an exercise may have. Whatever is wrong with one submission is that one's Failure.
 """
 
-import bz2
 import dataclasses
-import gzip
 import itertools
-import lzma
-import mmap
 import os
 import re
 import stat
-import tarfile
+import tempfile
 import unicodedata
-import zipfile
 from pathlib import Path
 
+from grading.archives import ENDINGS, MOST_ARCHIVE_BYTES, is_archive, members, open_regular
 from tree import Failure, UsageError
 
-ARCHIVES = (".zip", ".tar", ".tar.gz", ".tgz", ".tar.xz", ".tar.bz2")
 MOST_EXERCISE_BYTES = 1 << 18
-MOST_ARCHIVE_BYTES = 64 << 20
-MOST_UNPACKED_BYTES = 256 << 20
-MOST_MEMBERS = 20000
 MOST_STUDENTS = 5000
+LITTER = {".DS_Store", "Thumbs.db", "desktop.ini", "__MACOSX"}  # of file managers
+LATEST_S = 253_370_764_800  # the year 9999: what a file's time may not lie behind
 
 
 @dataclasses.dataclass
@@ -61,23 +59,25 @@ def _find(path: Path) -> list[Submission]:
     if not stat.S_ISDIR(mode):
         raise UsageError(f"{shown}: is neither a folder nor an archive")
     try:
-        if any((path / name).is_dir() for name in ("chapters", "shaders")):
+        if any(path.glob("chapters/[0-9][0-9]_*/exercise")) or any(path.glob("shaders/[0-9][0-9]_*/exercise")):
             return [Submission(name_of(path), path)]
         children = sorted(os.scandir(path), key=lambda one: one.name)
     except OSError as error:
         raise UsageError(f"{shown}: {error.strerror}") from None
     found = []
     for child in children:
-        if child.name.startswith("."):
+        if child.name in LITTER:
             continue
         where = Path(child.path)
         if child.is_symlink():
             found.append(Submission(name_of(where), where, "is a link, which is not followed"))
         elif child.is_dir(follow_symlinks=False):
             found.append(Submission(name_of(where), where))
-        elif child.name.endswith(ARCHIVES):
-            regular = child.is_file(follow_symlinks=False)
-            found.append(Submission(name_of(where), where, "" if regular else "is not a regular file"))
+        elif not child.is_file(follow_symlinks=False):
+            found.append(Submission(name_of(where), where, "is not a regular file"))
+        else:
+            found.append(Submission(name_of(where), where, "" if is_archive(child.name) or where.suffix in (".glsl", ".cpp") else
+                                    f"is neither a folder nor an archive: one of {', '.join(ENDINGS[:5])} ..."))
     if not found:
         raise UsageError(f"{shown}: there is no submission in it")
     return found
@@ -85,7 +85,7 @@ def _find(path: Path) -> list[Submission]:
 
 def name_of(path: Path) -> str:
     name = path.absolute().name
-    return printable(next((name[:-len(end)] for end in ARCHIVES if name.endswith(end)), name)) or "nobody"
+    return printable(next((name[:-len(end)] for end in sorted(ENDINGS, key=len, reverse=True) if name.lower().endswith(end)), name)) or "nobody"
 
 
 def printable(text: str, most: int = 200) -> str:
@@ -103,15 +103,19 @@ def cell(text: str) -> str:
 
 
 def time_of(path: Path, wanted) -> float | None:
-    """When it was handed in, as far as its files tell: an archive's own time, of a folder that of the newest exercise in it, in
-    whole seconds since 1970. None where there is none."""
+    """When it was handed in, as far as its files tell: an archive's own time, of a folder that of the newest exercise or archive in
+    it, in whole seconds since 1970. They are the student's to set. None where there is none, or none that a calendar has."""
     try:
         if not stat.S_ISDIR(path.lstat().st_mode):
-            return int(path.lstat().st_mtime)
-        tops = [path, *[Path(one.path) for one in os.scandir(path) if one.is_dir(follow_symlinks=False)][:100]]
-        return max((int((top / name).lstat().st_mtime) for top in tops for name in wanted if (top / name).exists()), default=None)
+            times = [path.lstat().st_mtime]
+        else:
+            inside = list(os.scandir(path))[:1000]
+            tops = [path, *[Path(one.path) for one in inside if one.is_dir(follow_symlinks=False)][:100]]
+            times = [(top / name).lstat().st_mtime for top in tops for name in wanted if (top / name).exists()] or \
+                    [one.stat(follow_symlinks=False).st_mtime for one in inside if one.is_file(follow_symlinks=False)]
     except OSError:
         return None
+    return max((int(one) for one in times if 0 <= one < LATEST_S), default=None)
 
 
 def read(submission: Submission, wanted: set[str]) -> dict[str, bytes]:
@@ -133,22 +137,70 @@ def read(submission: Submission, wanted: set[str]) -> dict[str, bytes]:
 
 
 def _exercises(path: Path, wanted: set[str]):
-    """(path in the course, bytes) of each exercise. The course may lie in one folder of its own."""
-    folder = stat.S_ISDIR(os.stat(path).st_mode)
-    for name, read_at_most in _folder(path, wanted) if folder else _archive(path):
-        top, _, rest = name.partition("/")
-        inside = name if name in wanted else rest if rest in wanted and top not in ("", ".", "..") else None
-        if inside:
-            data = read_at_most(MOST_EXERCISE_BYTES + 1)
-            if len(data) > MOST_EXERCISE_BYTES:
-                raise Failure(f"{inside} is larger than {MOST_EXERCISE_BYTES >> 10} KiB")
-            yield inside, data
+    """(path in the course, bytes) of each exercise."""
+    if stat.S_ISDIR(os.stat(path).st_mode):
+        yield from _placed(_folder(path, wanted), wanted)
+    elif is_archive(path.name):
+        with open_regular(path) as file:
+            yield from _placed(members(file, path.name, limits(wanted), printable), wanted)
+    else:  # Canvas puts a name and two numbers before a file's own
+        name = next((one for one in by_name(wanted) if path.name == one or path.name.endswith(f"_{one}")), path.name)
+        yield from _placed([(name, lambda most: read_below(path.parent, path.name, most))], wanted)
+
+
+def _placed(files, wanted: set[str], within: int = 0):
+    """Of (name, reader) those that are exercises by their path; where there is none, by their name alone, and what an archive
+    among them has."""
+    named = by_name(wanted)
+    loose, nested, found = {}, [], False
+    for name, read_at_most in files:
+        last = name.rpartition("/")[2]
+        if inside := place_of(name, wanted):
+            found = True
+            yield inside, bounded(read_at_most, inside)
+        elif last in named and ".." not in name.split("/") and not name.startswith("/"):
+            loose[named[last]] = bounded(read_at_most, last)
+        elif is_archive(last) and not within and len(nested) < 20:
+            nested.append((last, read_at_most(MOST_ARCHIVE_BYTES)))
+    if found:
+        return
+    yield from loose.items()
+    for name, data in nested:
+        with tempfile.TemporaryFile() as file:
+            file.write(data)
+            file.seek(0)
+            yield from _placed(members(file, name, limits(wanted), printable), wanted, within + 1)
+
+
+def place_of(name: str, wanted: set[str]) -> str | None:
+    """The path in the course, whatever folders it lies in."""
+    words = name.removeprefix("./").split("/")
+    if ".." in words or "." in words or not words[0]:
+        return None
+    return next((inside for skipped in range(min(len(words), 5)) if (inside := "/".join(words[skipped:])) in wanted), None)
+
+
+def by_name(wanted: set[str]) -> dict[str, str]:
+    """The exercises whose file's name no other has."""
+    last = [name.rpartition("/")[2] for name in wanted]
+    return {name.rpartition("/")[2]: name for name in wanted if last.count(name.rpartition("/")[2]) == 1}
+
+
+def limits(wanted: set[str]) -> dict[str, int]:
+    return {name.rpartition("/")[2]: MOST_EXERCISE_BYTES for name in wanted} | {end: MOST_ARCHIVE_BYTES // 2 for end in ENDINGS}
+
+
+def bounded(read_at_most, name: str) -> bytes:
+    data = read_at_most(MOST_EXERCISE_BYTES + 1)
+    if len(data) > MOST_EXERCISE_BYTES:
+        raise Failure(f"{printable(name)} is larger than {MOST_EXERCISE_BYTES >> 10} KiB")
+    return data
 
 
 def _folder(path: Path, wanted: set[str]):
-    """Of a folder, and of those directly in it, what may be an exercise; no step of the way is a link."""
-    tops = [""] + [f"{one.name}/" for one in os.scandir(path) if one.is_dir(follow_symlinks=False)
-                   and one.name not in ("chapters", "shaders")][:100]
+    """Of a folder, and of those in it, what may be an exercise, and then what may be one or an archive by its name alone; no
+    step of the way is a link."""
+    tops = folders_in(path)
     for top in tops:
         for name in sorted(wanted):
             try:
@@ -156,6 +208,21 @@ def _folder(path: Path, wanted: set[str]):
                     yield top + name, lambda most, name=top + name: read_below(path, name, most)
             except OSError:
                 raise Failure(f"{printable(top + name)} cannot be read") from None
+    named = by_name(wanted)
+    for top in tops:
+        for one in sorted(itertools.islice(os.scandir(path / top), 2000), key=lambda one: one.name):
+            if (one.name in named or is_archive(one.name)) and not one.is_symlink():
+                yield top + one.name, lambda most, name=top + one.name: read_below(path, name, most)
+
+
+def folders_in(path: Path, most: int = 100, deep: int = 3) -> list[str]:
+    """The ways to those in which a course may lie, "" first, each with a slash."""
+    found = [""]
+    for top in found:
+        if top.count("/") < deep and len(found) < most:
+            found += sorted(f"{top}{one.name}/" for one in itertools.islice(os.scandir(path / top), 2000)
+                            if one.is_dir(follow_symlinks=False) and one.name not in ("chapters", "shaders"))[:most - len(found)]
+    return found
 
 
 def read_below(folder: Path, name: str, most: int) -> bytes:
@@ -177,95 +244,3 @@ def read_below(folder: Path, name: str, most: int) -> bytes:
         return data
     finally:
         os.close(at)
-
-
-class Bounded:
-    """A stream that ends in Failure where it is unpacked to more than an archive of exercises can be."""
-
-    def __init__(self, stream):
-        self.stream, self.left = stream, MOST_UNPACKED_BYTES
-
-    def read(self, count=-1):
-        data = self.stream.read(min(count, 1 << 20) if count >= 0 else 1 << 20)
-        self.left -= len(data)
-        if self.left < 0:
-            raise Failure(f"unpacks to more than {MOST_UNPACKED_BYTES >> 20} MiB")
-        return data
-
-
-def _archive(path: Path):
-    """(name, a function that reads at most so many bytes) of each ordinary file."""
-    handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
-    with os.fdopen(handle, "rb") as file:
-        status = os.fstat(handle)
-        if not stat.S_ISREG(status.st_mode):
-            raise Failure("is not a regular file")
-        if status.st_size > MOST_ARCHIVE_BYTES:
-            raise Failure(f"is larger than {MOST_ARCHIVE_BYTES >> 20} MiB")
-        yield from _zip(file) if path.name.endswith(".zip") else _tar(file)
-
-
-def _zip(file):
-    refuse_many_members(file)
-    with zipfile.ZipFile(file) as archive:
-        left = [MOST_UNPACKED_BYTES]
-        for info in archive.infolist():
-            kind = stat.S_IFMT(info.external_attr >> 16)
-            if not info.is_dir() and kind in (0, stat.S_IFREG):
-                yield info.filename.removeprefix("./"), lambda most, info=info: _start(archive, info, most, left)
-
-
-def _start(archive, info, most: int, left: list[int]) -> bytes:
-    """`left`: how many bytes the members of this archive may still be unpacked to."""
-    # The other methods unpack as much at once as the archive says, whatever it is asked for.
-    if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-        raise Failure(f"{printable(info.filename)} is packed by method {info.compress_type}; a .zip is stored or deflated here")
-    with archive.open(info) as stream:
-        data = stream.read(most)
-    left[0] -= len(data)
-    if left[0] < 0:
-        raise Failure(f"unpacks to more than {MOST_UNPACKED_BYTES >> 20} MiB")
-    return data
-
-
-def refuse_many_members(file):
-    """Before a list of them is made, which can be a thousand times their headers' size."""
-    with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as all_bytes:
-        count, at = 0, all_bytes.find(b"PK\x01\x02")
-        while at >= 0:
-            count, at = count + 1, all_bytes.find(b"PK\x01\x02", at + 4)
-            if count > MOST_MEMBERS:
-                raise Failure(f"holds more than {MOST_MEMBERS} files")
-
-
-def _tar(file):
-    magic = file.read(6)
-    file.seek(0)
-    if magic.startswith(b"\x1f\x8b"):
-        file = gzip.GzipFile(fileobj=file)
-    elif magic.startswith(b"BZh"):
-        file = bz2.BZ2File(file)
-    elif magic.startswith(b"\xfd7zXZ\x00"):
-        file = Unxz(file)
-    with tarfile.open(fileobj=Bounded(file), mode="r|") as archive:
-        for number, info in enumerate(archive):
-            if number >= MOST_MEMBERS:
-                raise Failure(f"holds more than {MOST_MEMBERS} files")
-            if info.isfile():
-                yield re.sub(r"^\./", "", info.name), lambda most, info=info: archive.extractfile(info).read(most)
-
-
-class Unxz:
-    """xz with a limit of memory, which its own header may set to gigabytes."""
-
-    def __init__(self, file):
-        self.file, self.unpacker = file, lzma.LZMADecompressor(lzma.FORMAT_XZ, memlimit=128 << 20)
-
-    def read(self, count):
-        while not self.unpacker.eof:
-            data = self.unpacker.decompress(self.file.read(65536) if self.unpacker.needs_input else b"", count)
-            if data:
-                return data
-            if self.unpacker.needs_input and not self.file.peek(1):
-                raise Failure("cannot be read: it is cut off")
-        return b""

@@ -1,14 +1,15 @@
 """The exercises as a page edits them: one file each, and nothing else can be written."""
 
 import asyncio
-import hashlib
+import contextlib
 import json
 import os
 import signal
+import stat
 import sys
 
 from check.check import TIMEOUT_S, grades, in_order
-from check.starters import untouched
+from check.verdicts import Verdicts, version  # noqa: F401  (the server keeps them)
 from pages.made import cells, made
 from tree import BUILD, ROOT, chapters, exercises, has_solutions, relative, shots, write_atomically
 
@@ -36,15 +37,20 @@ def file_of(exercise: str):
     raise Refused(404, f"there is no exercise {exercise[:60]!r}")
 
 
-def version(data: bytes) -> str:
-    return hashlib.sha256(data).hexdigest()[:16]
+def encoding_of(data: bytes) -> str:
+    """Of an old editor's file every byte is a letter, and is one again when it is written."""
+    try:
+        data.decode("utf-8")
+    except UnicodeDecodeError:
+        return "latin-1"
+    return "utf-8"
 
 
 def read(exercise: str) -> dict:
     chapter, path = file_of(exercise)
     data = path.read_bytes()
     return {"exercise": exercise, "chapter": chapter, "file": relative(path), "version": version(data),
-            "text": data.decode("utf-8", errors="replace")}
+            "text": data.decode(encoding_of(data))}
 
 
 def write(exercise: str, text, base) -> dict:
@@ -52,18 +58,20 @@ def write(exercise: str, text, base) -> dict:
     _, path = file_of(exercise)
     if not isinstance(text, str) or not isinstance(base, str) or "\0" in text:
         raise Refused(400, 'a request to write is {"text": ..., "base": the version that was edited}')
+    there = path.read_bytes()
     try:
         data = text.encode("utf-8")
+        with contextlib.suppress(UnicodeEncodeError):
+            data = text.encode(encoding_of(there))
     except UnicodeEncodeError:
         raise Refused(400, "the text is not Unicode") from None
     if len(data) > MOST_BYTES:
         raise Refused(413, f"an exercise has at most {MOST_BYTES >> 10} KiB")
-    there = path.read_bytes()
     if version(there) != base:
         raise Refused(409, f"{relative(path)} was changed on disk since it was read; nothing was written",
-                      version=version(there), text=there.decode("utf-8", errors="replace"))
+                      version=version(there), text=there.decode(encoding_of(there)))
     if data != there:
-        write_atomically(path, data)
+        write_atomically(path, data, stat.S_IMODE(path.stat().st_mode))
     return {"exercise": exercise, "version": version(data)}
 
 
@@ -77,34 +85,6 @@ def catalogue() -> dict:
     pictures = {name: {"columns": made()[name]["columns"], "cells": cells(name)} for name in made()}
     return {"chapters": {chapter: one(chapter) for chapter in chapters()}, "pictures": pictures, "solutions": has_solutions(),
             "refines": os.environ.get("LIGHTWALK_REFINE") != "off"}
-
-
-class Verdicts:
-    """What the checks said last, for as long as the file is the one that was checked."""
-
-    def __init__(self):
-        self.path = BUILD / "live" / "verdicts.json"
-        try:
-            self.known = json.loads(self.path.read_text())
-            if not isinstance(self.known, dict):
-                raise ValueError
-        except (OSError, ValueError):
-            self.known = {}
-
-    def keep(self, exercise: str, of: str, result: dict):
-        self.known[exercise] = {"version": of, "ok": result["ok"]}
-        write_atomically(self.path, json.dumps(self.known))
-
-    def progress(self) -> dict:
-        """By chapter: how many exercises there are, which are solved, and which are as they were handed out."""
-        new = untouched()
-
-        def is_solved(exercise: str, path) -> bool:
-            said = self.known.get(exercise)
-            return bool(said and said.get("ok") and said.get("version") == version(path.read_bytes()))
-        return {chapter: {"exercises": len(files), "solved": [name for name, path in files.items() if is_solved(name, path)],
-                          "untouched": [name for name in files if name in new]}
-                for chapter in chapters() if (files := exercises(chapter))}
 
 
 async def run(words: list, say, limit_s: float = CHECK_S) -> tuple[int, str]:

@@ -9,6 +9,8 @@ from tornado.web import HTTPError, RequestHandler
 
 # A lesson asks for some sixty files; ten tabs that open at once are below the burst.
 REQUESTS_A_S, REQUESTS_AT_ONCE = 100, 800
+STRANGERS_A_S, STRANGERS_AT_ONCE = 20, 60  # who has no token yet
+MOST_STRANGERS = 100  # connections on which nobody has shown a token
 
 
 class Bucket:
@@ -35,7 +37,8 @@ class Guard:
 
     def __init__(self, token: str | None, hosts: set[str]):
         self.token, self.hosts = token, hosts
-        self.bucket = Bucket(REQUESTS_A_S, REQUESTS_AT_ONCE)
+        # A stranger's requests are counted apart: else they would use up those of whoever has the token.
+        self.bucket, self.strangers = Bucket(REQUESTS_A_S, REQUESTS_AT_ONCE), Bucket(STRANGERS_A_S, STRANGERS_AT_ONCE)
 
     def knows_host(self, request) -> bool:
         return request.host.lower() in self.hosts
@@ -68,18 +71,20 @@ class Guarded(RequestHandler):
 
     def prepare(self):
         guard = self.application.guard
-        if not guard.bucket.take():
+        given = self.get_query_argument("token", "")
+        known = guard.has_token(self.get_cookie(self.cookie_name(), "")) or bool(given) and guard.has_token(given)
+        if not (guard.bucket if known else guard.strangers).take():
             self.set_header("Retry-After", "1")
             raise HTTPError(429, reason="Too many requests: wait a second")
         if not guard.knows_host(self.request):
             raise HTTPError(403, reason="This server does not have that name")
         if not guard.has_token(self.get_cookie(self.cookie_name(), "")):
-            given = self.get_query_argument("token", "")
             if self.request.method != "GET" or not given or not guard.has_token(given):
                 raise HTTPError(403, reason="Open the address that ./course serve printed: it has a token")
             self.set_cookie(self.cookie_name(), given, httponly=True, samesite="Strict")
             self.redirect("/" + self.request.path.lstrip("/"))  # never //elsewhere
             return
+        self.application.waiting.pop(getattr(self.request.connection, "stream", None), None)
         if self.request.method != "GET" and not guard.knows_origin(self.request):
             raise HTTPError(403, reason="Another page may not ask this")
 

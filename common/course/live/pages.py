@@ -127,7 +127,7 @@ class Exercise(Answer):
         try:
             try:
                 request = json.loads(self.request.body)
-            except ValueError:
+            except (ValueError, RecursionError):
                 raise Refused(400, "the request is not JSON") from None
             if not isinstance(request, dict):
                 raise Refused(400, "the request is not an object")

@@ -1,16 +1,19 @@
 """Serves the lessons with pictures that answer."""
 
 import asyncio
+import collections
 import errno
 import logging
 import secrets
+import shutil
 import signal
 import socket
+import subprocess
 from pathlib import Path
 
 from build.build import build
 from pages import docs
-from tree import BUILD, Failure, UsageError, say, warn
+from tree import BUILD, Failure, UsageError, say, warn, write_atomically
 
 HELP = """Serves the lessons with pictures that answer: drag one to orbit, turn the knobs below it, solve the exercises beside it.
 
@@ -76,6 +79,8 @@ def listen(arguments):
         path = Path(arguments.socket)
         if path.exists() and not path.is_socket():
             raise UsageError(f"--socket {path}: is there already, and is no socket")
+        if answers_at(path):
+            raise UsageError(f"--socket {path}: another server answers there")
         try:
             return bind_unix_socket(str(path), mode=0o600), None
         except (OSError, ValueError) as error:
@@ -94,6 +99,16 @@ def listen(arguments):
     return listening, (host, listening.getsockname()[1])
 
 
+def answers_at(path: Path) -> bool:
+    with socket.socket(socket.AF_UNIX) as one:
+        one.settimeout(1)
+        try:
+            one.connect(str(path))
+        except OSError:
+            return False
+        return True
+
+
 def application(folder: Path, guard, can_build: bool):
     import tornado.web
     from live import charts, pages
@@ -108,15 +123,44 @@ def application(folder: Path, guard, can_build: bool):
         (r"/(.*)", pages.Page, {"folder": folder})], websocket_max_message_size=MESSAGE_BYTES, websocket_ping_interval=20,
         websocket_ping_timeout=60)
     made.guard, made.programs, made.verdicts, made.knobs, made.charts, made.closing = guard, Programs(), Verdicts(), {}, {}, False
+    made.waiting = collections.OrderedDict()  # connections on which nobody has shown a token
     made.work = Work(made, can_build)
     made.check = lambda exercise: made.work.start("check", exercise)
     made.written = made.work.written
     return made
 
 
+def server_class():
+    from live.guard import MOST_STRANGERS
+    from tornado.httpserver import HTTPServer
+
+    class Server(HTTPServer):
+        """Of the connections on which nobody has shown a token, the oldest makes room for one more."""
+
+        def handle_stream(self, stream, address):
+            waiting = self.request_callback.waiting
+            for one in [one for one in waiting if one.closed()]:
+                del waiting[one]
+            while len(waiting) >= MOST_STRANGERS:
+                waiting.popitem(last=False)[0].close()
+            waiting[stream] = True
+            super().handle_stream(stream, address)
+    return Server
+
+
+def show(address: str):
+    """Opens the browser, and does not wait for it. What a program is given as arguments every user of this machine can read, so it
+    is given a page of this user's alone that leads to the address."""
+    page = BUILD / "live" / "open.html"
+    write_atomically(page, f'<!doctype html><meta http-equiv="refresh" content="0; url={address}"><title>Lightwalk</title>\n', 0o600)
+    if not shutil.which("xdg-open"):
+        warn("there is no xdg-open to show it with")
+        return
+    subprocess.Popen(["xdg-open", page], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+
+
 async def serve(arguments, listening, where, folder: Path) -> int:
     from live.guard import Guard
-    from tornado.httpserver import HTTPServer
 
     token = None if arguments.socket else secrets.token_urlsafe(24)
     hosts = {arguments.behind.lower()} if arguments.behind else set()
@@ -125,14 +169,14 @@ async def serve(arguments, listening, where, folder: Path) -> int:
     elif not hosts:
         hosts = {"localhost"}
     made = application(folder, Guard(token, hosts), not arguments.no_build)
-    server = HTTPServer(made, max_body_size=BODY_BYTES, max_header_size=1 << 15, body_timeout=30, idle_connection_timeout=120)
+    server = server_class()(made, max_body_size=BODY_BYTES, max_header_size=1 << 15, body_timeout=30, idle_connection_timeout=120)
     server.add_socket(listening)
     address = f"http://{where[0]}:{where[1]}/?token={token}" if where else f"unix:{arguments.socket}"
     say(address)
     if where and where[0] not in ("127.0.0.1", "[::1]", "localhost"):
         warn("whoever reaches this address and has the token can edit and run your exercises; the token travels in plain text")
     if arguments.open and where:
-        docs.show(address)
+        show(address)
     ended = asyncio.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         asyncio.get_running_loop().add_signal_handler(number, ended.set)

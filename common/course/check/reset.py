@@ -1,0 +1,50 @@
+"""Puts an exercise's starter back."""
+
+import itertools
+import os
+import zipfile
+from pathlib import Path
+
+from check.check import select
+from check.starters import LIST, digest
+from tree import ROOT, Failure, UsageError, exercises, git, relative, say, write_atomically
+
+HELP = """Puts an exercise back as it was handed out. Your answer is kept beside it.
+
+  ./course reset 02.phong"""
+KEPT = Path("tests/starters.zip")  # of a handout, which has no history
+
+
+def add_arguments(parser):
+    parser.add_argument("exercise", metavar="NN.NAME")
+
+
+def run(arguments, _rest) -> int:
+    if "." not in arguments.exercise:
+        raise UsageError(f"'{arguments.exercise}' names no exercise; ./course reset 02.phong resets one")
+    [(chapter, exercise)] = select(arguments.exercise)
+    path = exercises(chapter)[exercise]
+    there = path.read_bytes()
+    starter = starter_of(path)
+    if there == starter:
+        say(f"{relative(path)} is as it was handed out")
+        return 0
+    old = next(name for number in itertools.count(1) if not (name := path.with_name(f"{path.name}.{number}.old")).exists())
+    write_atomically(old, there)
+    write_atomically(path, starter, path.stat().st_mode & 0o777)
+    say(f"{relative(path)} is as it was handed out; your answer is {relative(old)}")
+    return 0
+
+
+def starter_of(path: Path) -> bytes:
+    """As it was handed out: of a handout what it has brought along, else the version of the history that the list names."""
+    name = relative(path)
+    wanted = next((line.split()[0] for line in (ROOT / LIST).read_text().splitlines() if line.endswith(f" {name}")), None)
+    if (ROOT / KEPT).exists():
+        with zipfile.ZipFile(ROOT / KEPT) as kept:
+            return kept.read(name)
+    if (ROOT / ".git").exists():
+        for commit in os.fsdecode(git("log", "--format=%H", "--", name)).split():
+            if git("ls-tree", commit, "--", name) and digest(found := git("show", f"{commit}:{name}")) == wanted:
+                return found
+    raise Failure(f"there is no starter of {name} here: neither {KEPT} nor git's history has it")

@@ -1,0 +1,40 @@
+"""What the checks said last of each exercise, for as long as its file is the one that was checked."""
+
+import hashlib
+import json
+
+from check.starters import untouched
+from tree import BUILD, chapters, exercises, write_atomically
+
+
+def version(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()[:16]
+
+
+class Verdicts:
+    def __init__(self):
+        self.path = BUILD / "live" / "verdicts.json"
+        try:
+            self.known = json.loads(self.path.read_text())
+            if not isinstance(self.known, dict):
+                raise ValueError
+        except (OSError, ValueError, RecursionError):
+            self.known = {}
+
+    def keep(self, exercise: str, of: str, result: dict):
+        self.known[exercise] = {"version": of, "ok": result["ok"]}
+        write_atomically(self.path, json.dumps(self.known))
+
+    def is_solved(self, exercise: str, path) -> bool | None:
+        """None where the file has not been checked."""
+        said = self.known.get(exercise)
+        if not isinstance(said, dict) or said.get("version") != version(path.read_bytes()):
+            return None
+        return said.get("ok") is True
+
+    def progress(self) -> dict:
+        """By chapter: how many exercises there are, which are solved, and which are as they were handed out."""
+        new = untouched()
+        return {chapter: {"exercises": len(files), "solved": [name for name, path in files.items() if self.is_solved(name, path)],
+                          "untouched": [name for name in files if name in new]}
+                for chapter in chapters() if (files := exercises(chapter))}

@@ -1,0 +1,175 @@
+"""Tests of what other platforms run: ./course autograder, its results by the published forms, ./course next and reset."""
+
+import json
+import re
+import subprocess
+import sys
+import tarfile
+import tempfile
+import unittest
+import zipfile
+from pathlib import Path
+
+from graded_class import OF, REAL, right, why_not
+from check.starters import digest
+from grading.autograder import packages, results_of
+from grading.rules import Rules
+from small_course import Course
+
+WANTED = {exercise: chapter for exercise, chapter in OF.items() if chapter[:2] == "02"}
+
+
+def gradescope_errors(results) -> list[str]:
+    """Against the published form: gradescope-autograders.readthedocs.io, "Autograder Specifications", "Output Format"."""
+    kinds = {"score": (int, float), "execution_time": (int, float), "output": str, "output_format": str, "test_output_format": str,
+             "test_name_format": str, "visibility": str, "stdout_visibility": str, "extra_data": dict, "tests": list, "leaderboard": list}
+    test_kinds = {"score": (int, float), "max_score": (int, float), "status": str, "name": str, "name_format": str, "number": str,
+                  "output": str, "output_format": str, "tags": list, "visibility": str, "extra_data": dict}
+    seen = {"hidden", "after_due_date", "after_published", "visible"}
+    formats = {"text", "html", "simple_format", "md", "ansi"}
+    found = [] if "tests" in results or "score" in results else ["neither tests nor a score"]
+    for one, allowed in ((results, kinds), *((test, test_kinds) for test in results.get("tests", []))):
+        for key, value in one.items():
+            if key not in allowed or not isinstance(value, allowed[key]) or isinstance(value, bool):
+                found.append(f"{key}: {value!r}")
+            elif key.endswith("visibility") and value not in seen or key.endswith("_format") and value not in formats or \
+                    key == "status" and value not in ("passed", "failed"):
+                found.append(f"{key}: {value!r}")
+    return found
+
+
+class Gradescope(unittest.TestCase):
+    def one(self, **states) -> dict:
+        results = [{"exercise": name, "chapter": chapter, "ok": states.get(name[3:]) == "right", "first_failure": "lambert(...) gave 1, expected 0",
+                    "hint": "a hint", "state": states.get(name[3:], "missing").replace("right", "judged").replace("wrong", "judged")}
+                   for name, chapter in WANTED.items()]
+        return {"student": "submission", "error": None, "right": 1, "of": len(WANTED), "results": results, "alike": []}
+
+    def test_results_have_the_published_form(self):
+        results = results_of(self.one(lambert="right", phong="wrong"), Rules(None, WANTED))
+        self.assertEqual(gradescope_errors(results), [])
+        tests = {test["name"]: test for test in results["tests"]}
+        self.assertEqual((results["score"], tests["02.lambert"]["status"], tests["02.phong"]["status"]), (1.0, "passed", "failed"))
+        self.assertIn("gave 1, expected 0", tests["02.phong"]["output"])
+        self.assertEqual(gradescope_errors({"tests": [{"status": "ok", "score": "1"}], "visibility": "all"}),
+                         ["visibility: 'all'", "status: 'ok'", "score: '1'"])
+
+    def test_what_cannot_be_read_is_said(self):
+        results = results_of({"student": "s", "error": "holds no exercise", "results": [], "right": 0, "of": 5}, Rules(None, WANTED))
+        self.assertEqual((gradescope_errors(results), results["output"], results["score"]), ([], "holds no exercise", 0.0))
+
+    @unittest.skipIf(why_not(), why_not())
+    def test_a_submission_is_graded(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "lambert.glsl").write_text(right("02.lambert"))
+            done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "autograder", "--grade", folder, "--chapter", "02"],
+                                  stdout=subprocess.PIPE, text=True)
+        results = json.loads(done.stdout)
+        self.assertEqual((done.returncode, gradescope_errors(results), results["score"]), (0, [], 1.0), results)
+
+
+class Written(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        made = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(made.cleanup)
+        cls.folder = Path(made.name) / "a"
+        subprocess.run([sys.executable, REAL / "common/course/cli.py", "autograder", cls.folder], check=True, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
+
+    def test_gradescope_finds_its_scripts(self):
+        with zipfile.ZipFile(self.folder / "gradescope.zip") as archive:
+            names = {info.filename: info.external_attr >> 16 & 0o111 for info in archive.infolist()}
+        for script in ("setup.sh", "run_autograder"):
+            self.assertTrue(names[script])
+            subprocess.run(["bash", "-n", self.folder / "gradescope" / script], check=True)
+        with tarfile.open(self.folder / "gradescope/course.tar.gz") as archive:
+            self.assertIn("course", archive.getnames())
+
+    def test_packages_are_those_of_the_commands(self):
+        self.assertTrue({"bubblewrap", "python3-seccomp", "python3-libarchive-c", "cmake"} <= set(packages().split()))
+
+    def test_the_scripts_run_in_a_bare_system(self):
+        """With a package manager that writes down what it is asked, and the course's command likewise."""
+        at = self.folder.parent / "autograder"
+        for name in ("source", "submission", "results", "bin"):
+            (at / name).mkdir(parents=True, exist_ok=True)
+        (at / "source/course.tar.gz").write_bytes(b"")
+        log = at / "log"
+        for name in ("apt-get", "tar"):
+            (at / "bin" / name).write_text(f'#!/bin/sh\necho "{name} $*" >>{log}\n')
+            (at / "bin" / name).chmod(0o755)
+        (at / "course").mkdir(exist_ok=True)
+        (at / "course/course").write_text(f'#!/bin/sh\necho "course $*" >>{log}\necho "{{}}"\n')
+        (at / "course/course").chmod(0o755)
+        for script in ("setup.sh", "run_autograder"):
+            text = (self.folder / "gradescope" / script).read_text().replace("/autograder/", f"{at}/")
+            subprocess.run(["bash", "-c", text], check=True, env={"PATH": f"{at}/bin:/usr/bin:/bin"}, stdout=subprocess.DEVNULL)
+        self.assertEqual((at / "results/results.json").read_text(), "{}\n")
+        said = log.read_text()
+        self.assertRegex(said, r"apt-get install -y --no-install-recommends .*bubblewrap")
+        self.assertIn("course autograder --prepare\n", said)
+        self.assertIn(f"course autograder --grade {at}/submission\n", said)
+
+    def test_the_workflow_is_one_that_classroom_reads(self):
+        text = (self.folder / "classroom/.github/workflows/classroom.yml").read_text()
+        self.assertRegex(text, r"(?m)^name: Autograding Tests$")
+        self.assertRegex(text, r"(?m)^jobs:\n  run-autograding-tests:$")
+        self.assertRegex(text, r"(?m)^permissions:\n  contents: read$")
+        for workflow in (text, (REAL / ".github/workflows/test.yml").read_text()):
+            for used in re.findall(r"uses: (\S+)", workflow):
+                self.assertRegex(used, r"^[\w.-]+/[\w.-]+@[0-9a-f]{40}$")
+            self.assertIn("permissions:", workflow)
+
+    def test_points_are_two_notices(self):
+        file = self.folder.parent / "results.jsonl"
+        file.write_text('{"exercise": "02.a", "ok": true}\nsome words\n{"exercise": "02.b", "ok": false, "first_failure": "gave 1"}\n')
+        done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "autograder", "--classroom", file], stdout=subprocess.PIPE, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("::notice title=Autograding complete::Points 1/2\n", done.stdout)
+        self.assertIn('::notice title=Autograding report::{"totalPoints": 1, "maxPoints": 2}\n', done.stdout)
+        for bad in ("", "{", "[" * 100000, '{"ok": true}'):
+            file.write_text(bad)
+            done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "autograder", "--classroom", file], stderr=subprocess.PIPE,
+                                  stdout=subprocess.PIPE, text=True)
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
+
+
+class Steps(Course):
+    def course(self, *words: str, code: int = 0) -> str:
+        return self.run_program([sys.executable, self.root / "common/course/cli.py", *words], code=code)
+
+    def test_reset_keeps_the_old_answer(self):
+        file = self.root / "chapters/01_obj/exercise/one.cpp"
+        self.restore_afterwards(file)
+        starter = file.read_bytes()
+        with zipfile.ZipFile(self.root / "tests/starters.zip", "w") as kept:  # as a handout has it
+            kept.writestr("chapters/01_obj/exercise/one.cpp", starter)
+        (self.root / "tests/starters.txt").touch()
+        for number, answer in ((1, b"mine"), (2, b"mine too")):
+            file.write_bytes(answer)
+            self.course("reset", "01.one")
+            self.assertEqual((file.read_bytes(), file.with_name(f"one.cpp.{number}.old").read_bytes()), (starter, answer))
+        self.assertIn("is as it was handed out", self.course("reset", "01.one"))
+        for words in (("01.nothing",), ("01",), ("",)):
+            self.course("reset", *words, code=2)
+        for one in file.parent.glob("*.old"):
+            one.unlink()
+
+    def test_what_is_untouched_counts_nothing(self):
+        file = self.root / "chapters/01_obj/exercise/one.cpp"
+        self.restore_afterwards(file)
+        listed = self.root / "tests/starters.txt"
+        listed.write_text(f"{digest(file.read_bytes())} chapters/01_obj/exercise/one.cpp\n")
+        self.assertRegex(self.course("check", "01.one", code=1), r"open  01\.one  0 of [1-9]")
+        file.write_text("begun")
+        self.assertNotRegex(self.course("check", "01.one", code=1), r"open  01\.one  0 of [1-9]")
+        listed.unlink()
+
+    def test_next_is_one_step(self):
+        said = self.course("next")
+        self.assertRegex(said, r"\Anext: 01\.one.*\n  read .*\n  edit .*\n  then   \./course check 01\.one\n\Z")
+
+
+if __name__ == "__main__":
+    unittest.main()
