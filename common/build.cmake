@@ -9,7 +9,14 @@ function(lightwalk_common)
     list(APPEND sources ${found})
   endforeach()
   list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
+  # Reading a command line or JSON happens once in a run: that such a file compiles fast matters more.
+  set(plain options lists json_lines scene_write run_checks)
+  list(JOIN plain "|" plain)
+  set(plain_sources ${sources})
+  list(FILTER plain_sources INCLUDE REGEX "/(${plain})\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "/(${plain})\\.cpp$")
   add_library(lightwalk SHARED ${sources})
+  lightwalk_plain(${plain_sources})
   set_target_properties(lightwalk PROPERTIES DEFINE_SYMBOL "") # programs share its precompiled header
   lightwalk_compiled_together(lightwalk)
   target_include_directories(lightwalk PUBLIC ${PROJECT_SOURCE_DIR})
@@ -19,6 +26,7 @@ function(lightwalk_common)
                         Vulkan::Vulkan)
   target_link_libraries(lightwalk PRIVATE PkgConfig::stb ZLIB::ZLIB glslang::glslang glslang::SPIRV
                         glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS} assimp::assimp glfw
+                        ${MESHOPTIMIZER}
                         PkgConfig::imgui CLI11::CLI11)
   # Each file loads all of it: what most do not need, JSON for one, costs them more than it saves the others.
   target_precompile_headers(lightwalk PRIVATE <algorithm> <array> <filesystem> <functional> <map> <memory> <optional>
@@ -39,10 +47,7 @@ function(lightwalk_common)
     add_library(sanitizer_support SHARED ${PROJECT_SOURCE_DIR}/tests/sanitizer_support.cpp)
     target_link_libraries(lightwalk PUBLIC sanitizer_support)
   endif()
-  # Reading a command line or JSON happens once in a run: that such a file compiles fast matters more.
-  set_source_files_properties(
-    common/app/options.cpp common/app/lists.cpp common/scene/json_lines.cpp common/scene/scene_write.cpp
-    common/check/run_checks.cpp common/measure/compare_main.cpp PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
+  set_source_files_properties(common/measure/compare_main.cpp PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
   if(LIGHTWALK_SANITIZE OR LIGHTWALK_FUZZ)
     # Debian builds glslang without type information, which this check of the undefined-behaviour sanitizer needs.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/common/gpu/compile.cpp PROPERTIES
@@ -56,6 +61,19 @@ function(lightwalk_common)
   endforeach()
   target_link_libraries(compare PRIVATE lightwalk CLI11::CLI11)
   target_link_libraries(menu PRIVATE lightwalk glfw PkgConfig::imgui)
+endfunction()
+
+# Files of the library that are compiled without optimisation, and together: the headers of CLI11 and JSON are their cost.
+function(lightwalk_plain)
+  add_library(lightwalk_plain OBJECT ${ARGN})
+  target_include_directories(lightwalk_plain PRIVATE $<TARGET_PROPERTY:lightwalk,INTERFACE_INCLUDE_DIRECTORIES>)
+  target_include_directories(lightwalk_plain SYSTEM PRIVATE $<TARGET_PROPERTY:lightwalk,INTERFACE_SYSTEM_INCLUDE_DIRECTORIES>)
+  target_compile_definitions(lightwalk_plain PRIVATE $<TARGET_PROPERTY:lightwalk,INTERFACE_COMPILE_DEFINITIONS>)
+  target_link_libraries(lightwalk_plain PRIVATE fmt::fmt glm::glm nlohmann_json::nlohmann_json Vulkan::Vulkan CLI11::CLI11)
+  target_compile_options(lightwalk_plain PRIVATE -O0)
+  set_target_properties(lightwalk_plain PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 2)
+  set_source_files_properties(common/scene/scene_write.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON) # its json keeps the order of keys
+  target_sources(lightwalk PRIVATE $<TARGET_OBJECTS:lightwalk_plain>)
 endfunction()
 
 # One precompiled header for all, which they can share because they share flags and definitions.

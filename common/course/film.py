@@ -125,19 +125,17 @@ def merge(out: Path, made: shards.Merged) -> int:
     whole, and the parts stay."""
     if made.head["ending"] != out.suffix:
         raise UsageError(f"{out}: the parts are {made.head['ending']} files; name the film so")
-    unfinished = out.with_name(f"{out.stem}.part{out.suffix}")
     try:
         with tempfile.TemporaryDirectory(prefix=".film.", dir=existing(out.absolute().parent)) as folder:
             parts = []
             for number in range(1, made.of + 1):
                 parts.append(Path(folder, f"{number:04}{out.suffix}"))
                 parts[-1].write_bytes(made.file(str(number), f"part{out.suffix}"))
-            join(parts, unfinished, made.head["music"], made.head.get("gain_db", 0))
-        unfinished.replace(out)
+            whole = Path(folder, out.name)
+            join(parts, whole, made.head["music"], made.head.get("gain_db", 0))
+            whole.replace(out)
     except OSError as error:
         raise Failure(f"{out} is not joined, its parts are whole: {error.strerror or error}") from None
-    finally:
-        unfinished.unlink(missing_ok=True)
     return 0
 
 

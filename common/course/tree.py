@@ -184,11 +184,14 @@ def relative(path: Path) -> str:
     return str(path.relative_to(ROOT)) if path.is_relative_to(ROOT) else str(path)
 
 
-def write_atomically(path: Path, data: bytes | str):
+def write_atomically(path: Path, data: bytes | str, mode: int | None = None):
     """Writes beside `path` and renames: a reader sees the old file or the whole new one."""
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(f".{path.name}.{os.getpid()}.{threading.get_ident():x}")
     try:
+        if mode is not None:  # before there is anything in it to be read
+            beside.touch(mode)
+            beside.chmod(mode)
         beside.write_bytes(data.encode() if isinstance(data, str) else data)
         os.replace(beside, path)
     finally:

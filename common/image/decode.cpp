@@ -1,7 +1,10 @@
 #include "common/image/decode.h"
 
 #include <stb_image.h>
+#include <strings.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <new>
 
@@ -84,6 +87,16 @@ Decoded read_header(const fs::path& path, const std::string& bytes) {
     return picture;
 }
 
+/// Bit 4 of a TGA's descriptor (byte 17): rows run from the right, which stb takes no notice of.
+bool runs_from_right(const fs::path& path, const std::string& bytes) {
+    return strcasecmp(path.extension().c_str(), ".tga") == 0 && bytes.size() > 17 && (bytes[17] & 0x10) != 0;
+}
+
+template <class Texel>
+void mirror_rows(Texel* texels, int width, int height) {
+    for (int y = 0; y < height; ++y) std::reverse(texels + int64_t{y} * width, texels + int64_t{y + 1} * width);
+}
+
 /// What goes through the guard's pipe: samples, then the header's fields.
 std::string decode_here(const fs::path& path, const std::string& bytes, int wanted, Depth depth) {
     Decoded picture = read_header(path, bytes);
@@ -100,6 +113,10 @@ std::string decode_here(const fs::path& path, const std::string& bytes, int want
     if (width != picture.width || height != picture.height || (source.ran_out && !has_end)) {
         stbi_image_free(pixels);
         reject(path, "is cut off");
+    }
+    if (runs_from_right(path, bytes) && !has_16) {
+        if (wanted == 4) mirror_rows(static_cast<std::array<char, 4>*>(pixels), width, height);
+        if (wanted == 3) mirror_rows(static_cast<std::array<char, 3>*>(pixels), width, height);
     }
     const size_t count = static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(wanted);
     std::string result;
@@ -122,7 +139,10 @@ std::string decode_here(const fs::path& path, const std::string& bytes, int want
 }  // namespace
 
 Decoded decode_picture(const fs::path& path, int wanted, Depth depth) {
-    const std::string bytes = read_file(path);
+    return decode_picture(path, read_file(path), wanted, depth);
+}
+
+Decoded decode_picture(const fs::path& path, const std::string& bytes, int wanted, Depth depth) {
     if (bytes.empty()) reject(path, "is empty");
     if (bytes.size() > size_t(1) << 30) reject(path, "is larger than 1 GiB");
     if (bytes.starts_with("#?")) reject(path, "is a Radiance image, which must be named .hdr");

@@ -21,6 +21,9 @@ struct Decoded {
 /// 16 is rounded. Throws InputError: missing, not an image, broken, cut off, larger than check_image_size() allows.
 Decoded decode_picture(const std::filesystem::path& path, int wanted, Depth depth);
 
+/// The same of a file's bytes; `path` names it in messages.
+Decoded decode_picture(const std::filesystem::path& path, const std::string& bytes, int wanted, Depth depth);
+
 /// Throws InputError: "PATH: WHY; expected ...", for whatever is no picture that can be read.
 [[noreturn]] void reject(const std::filesystem::path& path, const std::string& why);
 

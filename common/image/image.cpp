@@ -136,12 +136,26 @@ ImageRgb read_image_linear(const fs::path& path) {
     return image;
 }
 
-TexelImage read_texels(const fs::path& path, bool keep_16_bits) {
-    const Decoded file = decode_picture(path, 4, keep_16_bits ? Depth::as_stored : Depth::bits8);
+namespace {
+
+TexelImage texels_of(const Decoded& file) {
     TexelImage image{.width = file.width, .height = file.height, .bits = file.bits, .channels = file.channels};
     const auto* begin = reinterpret_cast<const std::byte*>(file.samples.data());
     image.bytes.assign(begin, begin + file.samples.size());
     return image;
+}
+
+Depth depth_of(bool keep_16_bits) { return keep_16_bits ? Depth::as_stored : Depth::bits8; }
+
+}  // namespace
+
+TexelImage read_texels(const fs::path& path, bool keep_16_bits) {
+    return texels_of(decode_picture(path, 4, depth_of(keep_16_bits)));
+}
+
+TexelImage read_texels(const fs::path& path, std::span<const std::byte> bytes, bool keep_16_bits) {
+    const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return texels_of(decode_picture(path, text, 4, depth_of(keep_16_bits)));
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 namespace lightwalk {
@@ -75,6 +76,9 @@ struct TexelImage {
 /// Reads what read_image8 does, undecoded. Throws InputError as it does.
 TexelImage read_texels(const std::filesystem::path& path, bool keep_16_bits);
 
+/// The same of a file's bytes; `path` names it in messages.
+TexelImage read_texels(const std::filesystem::path& path, std::span<const std::byte> bytes, bool keep_16_bits);
+
 /// Throws InputError, naming the file, where a declared size is below 1 or above the limits.
 void check_image_size(const std::filesystem::path& path, int64_t width, int64_t height);
 
@@ -87,7 +91,7 @@ void write_png(const std::filesystem::path& path, const Image8& image);
 void write_pfm(const std::filesystem::path& path, const ImageRgb& image);
 ImageRgb read_pfm(const std::filesystem::path& path);
 
-/// Radiance RGBE, flat or run-length coded, rows from the top; EXPOSURE lines are not applied. Throws InputError.
+/// Radiance RGBE, flat or run-length coded, rows from the top; divided by the EXPOSURE lines before them. Throws InputError.
 ImageRgb read_radiance(const std::filesystem::path& path);
 
 }  // namespace lightwalk

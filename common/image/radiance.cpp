@@ -77,8 +77,12 @@ ImageRgb read_radiance(const std::filesystem::path& path) {
     const std::string bytes = read_file(path);
     Reader in{path, bytes};
     if (!in.rest.starts_with("#?")) in.reject("is not an image");
-    for (std::string text = in.line(); !text.empty(); text = in.line())
+    double exposure = 1;  // by which the numbers were multiplied; each line once more
+    for (std::string text = in.line(); !text.empty(); text = in.line()) {
         if (text.starts_with("FORMAT=") && text != "FORMAT=32-bit_rle_rgbe") in.reject("holds XYZ, not RGB");
+        if (text.starts_with("EXPOSURE=")) exposure *= std::strtod(text.c_str() + 9, nullptr);
+    }
+    if (!(exposure > 1e-12 && exposure < 1e12)) in.reject(fmt::format("has an exposure of {:g}", exposure));
     const std::string size = in.line();
     int width = 0, height = 0, used = 0;
     if (std::sscanf(size.c_str(), "-Y %d +X %d%n", &height, &width, &used) != 2 || size_t(used) != size.size())
@@ -92,7 +96,10 @@ ImageRgb read_radiance(const std::filesystem::path& path) {
         const bool packed = width >= 8 && width < 32768 && first.r == 2 && first.g == 2 && first.b < 128;
         if (packed && (int(first.b) << 8 | first.a) != width) in.reject("has a row of another width");
         packed ? read_packed_row(in, row) : read_flat_row(in, row, first);
-        for (int x = 0; x < width; ++x) image.at(x, y) = decode(row[size_t(x)]);
+        for (int x = 0; x < width; ++x) {
+            image.at(x, y) = decode(row[size_t(x)]);
+            if (exposure != 1) image.at(x, y) /= static_cast<float>(exposure);
+        }
     }
     return image;
 }

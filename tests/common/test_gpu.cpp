@@ -32,7 +32,7 @@ std::vector<float> floats(const std::vector<std::byte>& bytes) {
     return result;
 }
 
-std::string failure_of(const std::function<void(Compute&)>& record, const ComputeAccess& access) {
+std::string refusal_of(const std::function<void(Compute&)>& record, const ComputeAccess& access) {
     Frame frame(check_device());
     frame.begin({4, 4}, 0);
     std::string text;
@@ -83,18 +83,18 @@ TEST_CASE("what a pass does not state it cannot bind; a wrong name lists the rig
     const Pipeline twice = compute({.shader = "doubler", .source = doubler});
     const Buffer in = gpu.upload("in", std::vector<float>{1});
     const Buffer out(gpu.device, {.name = "out", .bytes = 16}), other(gpu.device, {.name = "other", .bytes = 16});
-    CHECK(failure_of([&](Compute& p) { p.use(twice).set("doubled", out); }, {.reads = {out}}) ==
+    CHECK(refusal_of([&](Compute& p) { p.use(twice).set("doubled", out); }, {.reads = {out}}) ==
           "pass 'test' binds 'doubled' without stating it in its writes");
-    CHECK(failure_of([&](Compute& p) { p.use(twice).set("values", other); }, {.writes = {out}}) ==
+    CHECK(refusal_of([&](Compute& p) { p.use(twice).set("values", other); }, {.writes = {out}}) ==
           "pass 'test' binds 'values' without stating it in its reads");
-    CHECK(failure_of([&](Compute& p) { p.use(twice).set("valeus", in); }, {}) ==
+    CHECK(refusal_of([&](Compute& p) { p.use(twice).set("valeus", in); }, {}) ==
           "pass 'test': its shaders have no binding 'valeus'; they have: doubled, scale, values");
-    CHECK(failure_of([&](Compute& p) { p.use(twice).set("scale", 1.0f); }, {}) ==
+    CHECK(refusal_of([&](Compute& p) { p.use(twice).set("scale", 1.0f); }, {}) ==
           "pass 'test': 'scale' is 4 bytes in C++ and 8 in the shader");
     // More than the block has would be lost without a word.
-    CHECK(failure_of([&](Compute& p) { p.use(twice).set("scale", glm::vec4(1)); }, {}) ==
+    CHECK(refusal_of([&](Compute& p) { p.use(twice).set("scale", glm::vec4(1)); }, {}) ==
           "pass 'test': 'scale' is 16 bytes in C++ and 8 in the shader");
-    CHECK(failure_of(
+    CHECK(refusal_of(
               [&](Compute& p) {
                   p.use(twice).set("values", in).dispatch({1, 1, 1});
               },

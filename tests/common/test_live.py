@@ -5,10 +5,28 @@ import json
 import socket
 import subprocess
 import sys
+import tempfile
 import unittest
+from pathlib import Path
+from unittest import mock
 
 from live_case import DRAW, Live
 from live_server import receive
+
+
+class Opening(unittest.TestCase):
+    def test_a_browsers_arguments_have_no_token_and_nobody_waits_for_it(self):
+        from live import serve
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(serve, "BUILD", Path(folder)), \
+                mock.patch.object(serve.shutil, "which", lambda _: "/usr/bin/xdg-open"), \
+                mock.patch.object(serve.subprocess, "Popen") as started:
+            serve.show("http://127.0.0.1:1/?token=secret")
+            [words], options = started.call_args
+            page = Path(words[1])
+            self.assertNotIn("secret", " ".join(map(str, words)))
+            self.assertIn("secret", page.read_text())
+            self.assertEqual((page.stat().st_mode & 0o777, options["start_new_session"]), (0o600, True))
+            started.return_value.wait.assert_not_called()
 
 
 class Words(Live):
@@ -36,6 +54,8 @@ class Words(Live):
         try:
             self.assertEqual(process.stdout.readline(), f"unix:{path}\n")
             self.assertEqual(path.stat().st_mode & 0o777, 0o600)
+            self.assertIn("another server answers there", self.run_program(
+                [sys.executable, self.root / "common/course/cli.py", "serve", "--no-build", "--socket", path], code=2))
             for host, status in (("hub.example", b"200"), ("other.example", b"403")):
                 with socket.socket(socket.AF_UNIX) as one:
                     one.connect(str(path))
@@ -75,6 +95,16 @@ class Guarded(Live):
         self.assertIn("HTTP/1.1 302", said)
         self.assertIn("\r\nLocation: /evil.example/\r\n", said)
         self.assertRegex(said, r"Set-Cookie: lightwalk_\d+=.*HttpOnly; .*SameSite=Strict")
+
+    def test_strangers_take_no_turn_and_no_room_of_the_students(self):
+        """Requests without the token, and connections that say nothing."""
+        for _ in range(900):
+            status = self.server.ask("index.html", Cookie=None)[0]
+            self.assertIn(status, (403, 429))
+        self.assertEqual(self.server.ask("index.html")[0], 200)
+        silent = [socket.create_connection(("127.0.0.1", self.server.port)) for _ in range(500)]
+        self.addCleanup(lambda: [one.close() for one in silent])
+        self.assertEqual(self.server.ask("index.html")[0], 200)
 
     def test_another_host_or_origin_is_refused(self):
         self.assertEqual(self.server.ask("", Host="evil.example")[0], 403)
@@ -120,11 +150,24 @@ class Exercises(Live):
         self.assertEqual((status, file.read_text()), (409, "mine"))
         self.assertEqual(json.loads(said)["text"], "mine")
 
+    def test_its_mode_and_its_letters_stay(self):
+        file = self.root / "chapters/01_obj/exercise/one.cpp"
+        self.restore_afterwards(file)
+        file.write_bytes(b"// \xfcber\n")
+        file.chmod(0o640)
+        read = self.read()
+        self.assertEqual(read["text"], "// \u00fcber\n")
+        status, said = self.server.ask("live/exercise/01.one", "PUT", {"text": read["text"] + "// more", "base": read["version"]})
+        self.assertEqual((status, file.read_bytes(), file.stat().st_mode & 0o777), (200, b"// \xfcber\n// more", 0o640))
+        self.server.ask("live/exercise/01.one", "PUT", {"text": "\u20ac", "base": json.loads(said)["version"]})
+        self.assertEqual(file.read_bytes(), "\u20ac".encode())
+        file.chmod(0o644)
+
     def test_nothing_else_is_written(self):
         version = self.read()["version"]
         for name in ("01.two", "01.one.cpp", "..", "02.one%2f..", "course"):
             self.assertEqual(self.server.ask(f"live/exercise/{name}", "PUT", {"text": "x", "base": version})[0], 404, name)
-        for body, status in ((b"{", 400), ([], 400), ({"text": 1, "base": version}, 400), ({"text": "\0", "base": version}, 400),
+        for body, status in ((b"{", 400), (b"[" * 100000, 400), ([], 400), ({"text": 1, "base": version}, 400), ({"text": "\0", "base": version}, 400),
                              ({"text": "\ud800", "base": version}, 400), ({"text": "x" * 300000, "base": version}, 413)):
             self.assertEqual(self.server.ask("live/exercise/01.one", "PUT", body)[0], status, str(body)[:40])
         for method in ("POST", "DELETE", "PATCH"):

@@ -14,7 +14,7 @@ from part_in_ci import part
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
 from check.variants import Variant, variants  # noqa: E402
-from pages import tables  # noqa: E402
+from pages import in_browser  # noqa: E402
 from tree import BUILD, chapters, write_atomically  # noqa: E402
 
 SITE = ROOT / "common/course/pages/site/run"

@@ -75,7 +75,7 @@ class FirstScreen(unittest.TestCase):
     def test_the_undo_of_18_has_the_bound_of_its_code(self):
         [megabytes] = re.findall(r"undo keeps (\d+) MB", row("18"))
         code = "".join(path.read_text() for path in (ROOT / "chapters/18_playground").glob("*.h"))
-        self.assertRegex(code, rf"\b{megabytes} << 20|\b{megabytes}[' ]?000[' ]?000\b|{float(megabytes) * 1e6:.0e}")
+        self.assertRegex(code, rf"\b{megabytes}\)? << 20|\b{megabytes}[' ]?000[' ]?000\b|{float(megabytes) * 1e6:.0e}")
 
 
 if __name__ == "__main__":

@@ -145,5 +145,25 @@ class Measured(unittest.TestCase):
             self.assertEqual((both["points"][0]["error"], both["points"][0]["time_ms"], both["device"]), ({"x": 2}, {"median": 5}, "d"))
 
 
+class Candidates(unittest.TestCase):
+    # Whole-surface sums, and a path that no method of a frame's is.
+    TOO_DEAR = {"12_skin": "a sum over all texels of the head", "19_ambiance": "a path of 1,024 lengths, which costs nothing in a frame"}
+
+    def test_a_reference_that_is_affordable_is_a_candidate(self):
+        for chapter in chapters():
+            request = study.study_of(chapter)
+            truth = request.get("truth", {})
+            if not truth.get("exact") or chapter in self.TOO_DEAR:
+                continue
+            methods = {one["method"] for one in request.get("candidates", request["curves"])}
+            wanted = {truth["set"].get("method", "")} | set(truth["set"].values())
+            self.assertTrue(methods & wanted, f"{chapter}: {methods} lacks the reference")
+
+    def test_laws_that_bodies_have_are_candidates(self):
+        """Chapter 17's truth has a reference of clouds and rings, beside the law that a scene sets or a body has."""
+        methods = {one["method"] for one in study.study_of("17_planets")["candidates"]}
+        self.assertLessEqual({"own", "hapke"}, methods)
+
+
 if __name__ == "__main__":
     unittest.main()

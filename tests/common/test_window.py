@@ -25,6 +25,12 @@ class Window(WindowTest):
         self.assertTrue(shot.read_bytes() == self.headless(WIDTH, HEIGHT)[0], "not the picture that --screenshot writes")
         self.assert_same(read_png(shot)[2], self.start)
 
+    def test_exercises_take_a_line_each_so_that_the_knobs_are_in_view(self):
+        rows = sorted(area[1] for name, area in self.session.areas.items() if name.startswith("exercise.01."))
+        self.assertGreater(len(rows), 3)
+        self.assertLess(max(below - above for above, below in zip(rows, rows[1:])), 30)
+        self.assertLess(self.session.areas["knob.loader"][3], HEIGHT)
+
     def test_f2_toggles_every_exercise(self):
         since, pressed = self.session.said(), time.monotonic()
         self.session.key("F2")
@@ -231,6 +237,27 @@ class Menu(unittest.TestCase):
                 self.assertEqual(menu.errors, [])
             finally:
                 menu.close()
+
+    def test_a_chapter_that_is_not_built_shows_how_far_it_is_and_a_click_asks_for_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            states = Path(folder, "states")
+            states.write_text("01_obj ready 0 0\n02_lambert_phong building 3 9\n03_attenuation waiting 0 0\n")
+            server = XServer()
+            self.addCleanup(server.close)
+            menu = Session(server, BUILD / "menu", [], Path(folder), LIGHTWALK_MENU=folder)
+            self.addCleanup(menu.close)
+            menu.wait(lambda: "chapter.03_attenuation" in menu.places, "its tile")
+            tile = menu.areas["chapter.02_lambert_phong"]
+            area = tile[0], tile[1], tile[2] - tile[0], tile[3] - tile[1]
+            third = menu.settled(*area)
+            states.write_text("01_obj ready 0 0\n02_lambert_phong building 9 9\n03_attenuation waiting 0 0\n")
+            menu.wait(lambda: menu.pixels(*area) != third, "a longer bar")
+            menu.tap("chapter.03_attenuation")
+            menu.wait_for_line("wanted 03_attenuation", 0)
+            self.assertEqual(Path(folder, "wanted").read_text(), "03_attenuation\n")
+            self.assertFalse([line for line in menu.lines if line.startswith("started")])
+            menu.key("Escape")
+            self.assertEqual(menu.end(), 0)
 
     def test_lesson_leads_to_its_page_and_starts_no_chapter(self):
         with tempfile.TemporaryDirectory() as folder:

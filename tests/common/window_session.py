@@ -27,7 +27,7 @@ class Session:
 
     def __init__(self, server: XServer, program: Path, options: list[str], folder: Path, **environment: str):
         self.server = server
-        self.environment = {**os.environ, "DISPLAY": server.display, "LIGHTWALK_LOG": "1",
+        self.environment = {**os.environ, "DISPLAY": server.display, "LIGHTWALK_LOG": "1", "LIGHTWALK_REFINE": "off",
                             "XDG_STATE_HOME": str(folder / "state"), **environment}
         self.environment.pop("WAYLAND_DISPLAY", None)
         self.lines: list[str] = []
@@ -38,6 +38,7 @@ class Session:
         self.frames = self.pictures = 0  # frames that have been drawn, and those of them with a picture of their own
         self.keys_wait = False  # for the next frame
         self.types = False  # a field has the keyboard
+        self.unfolded: set[str] = set()  # exercises
         self.rests = False  # nothing is drawn until something happens
         self.process = subprocess.Popen([str(program), *options], cwd=folder, env=self.environment, text=True,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -116,7 +117,11 @@ class Session:
         self.settled(0, 0, *self.geometry()[2:])
 
     def tap(self, place: str, button: int = 1, held: str = ""):
-        """`held`: a key that is held meanwhile."""
+        """`held`: a key that is held meanwhile. What belongs to an exercise is in its row, which is unfolded first."""
+        of = re.fullmatch(r"(?:mine|reference|lesson|check|words|hint)\.(\d\d\.\w+)", place)
+        if of and of[1] not in self.unfolded:
+            self.unfolded.add(of[1])
+            self.tap(f"exercise.{of[1]}")
         self.wait(lambda: place in self.places, f"a widget '{place}'")
         at = None
         while at != self.places[place]:  # what has just opened comes to its place in its second frame

@@ -26,6 +26,7 @@ import shlex
 import sys
 import tempfile
 import zipfile
+import zlib
 from pathlib import Path
 
 from tree import BUILD, ROOT, Failure, UsageError, files, relative
@@ -129,6 +130,10 @@ def command_words(words: list[str]) -> str:
     return shlex.join(["./course", *kept])
 
 
+DAMAGED = (OSError, zipfile.BadZipFile, zlib.error, EOFError, KeyError, ValueError, TypeError, AttributeError, NotImplementedError,
+           RuntimeError, MemoryError)  # what reading a file that is no shard, or none any more, ends in
+
+
 class Merged:
     """What all shards made, as one run would have."""
 
@@ -137,8 +142,11 @@ class Merged:
 
     def file(self, entry: str, name: str) -> bytes:
         """A file that was written with an entry."""
-        with zipfile.ZipFile(self.came_from[entry]) as archive:
-            return archive.read(f"files/{name}")
+        try:
+            with zipfile.ZipFile(self.came_from[entry]) as archive:
+                return archive.read(f"files/{name}")
+        except DAMAGED as error:
+            raise UsageError(f"{self.came_from[entry]}: is damaged: {error}") from None
 
     def has_file(self, entry: str, name: str) -> bool:
         with zipfile.ZipFile(self.came_from[entry]) as archive:
@@ -219,8 +227,9 @@ def read(path: Path, kind: str) -> dict:
         with zipfile.ZipFile(path) as archive:
             about = json.loads(archive.read("shard.json"))
         number, of = about["shard"]
-        whole = 1 <= number <= of <= MOST and {"kind", "command", "head", "entries"} <= set(about)
-    except (OSError, zipfile.BadZipFile, KeyError, ValueError, TypeError, NotImplementedError, RuntimeError) as error:
+        whole = (type(number) is type(of) is int and 1 <= number <= of <= MOST and isinstance(about["kind"], str)
+                 and isinstance(about["command"], str) and isinstance(about["head"], dict) and isinstance(about["entries"], dict))
+    except DAMAGED as error:
         raise UsageError(f"{path}: is not a shard: {error}") from None
     if not whole:
         raise UsageError(f"{path}: is not a shard")

@@ -31,8 +31,9 @@ KATEX = Path("/usr/share/javascript/katex")
 LATO = Path("/usr/share/fonts/truetype/lato")
 LANGUAGES = {".frag": "glsl", ".comp": "glsl",
              ".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
-OTHERS = {"keys.md": "Keys", "vulkan.md": "Vulkan without the framework", "serve.md": "Live lessons", "teaching.md": "For instructors",
-          "development.md": "For developers", "elsewhere.md": "Windows and macOS", "publish.md": "Publish the lessons"}
+OTHERS = {"keys.md": "Keys", "vulkan.md": "Vulkan without the framework", "framework.md": "The framework", "serve.md": "Live lessons",
+          "teaching.md": "For instructors", "development.md": "For developers", "elsewhere.md": "Windows and macOS",
+          "publish.md": "Publish the lessons"}
 OWN = Path(__file__).parent / "site"
 
 

@@ -56,7 +56,8 @@ class Site:
         """Where a file of the tree is among the pages. Raises Failure where there is none."""
         if not (ROOT / path).exists():
             raise Failure(f"there is no {path}")
-        inside = path.relative_to("docs") if path.parts[0] == "docs" else Path("tree") / path
+        # mkdocs passes over folders whose names begin with a dot
+        inside = path.relative_to("docs") if path.parts[0] == "docs" else Path("tree", *(part.lstrip(".") for part in path.parts))
         if path.suffix in PICTURES:
             if vector := vector_of(path):  # a chart is sharper so
                 return self.pictures.setdefault(vector, inside.with_suffix(".svg"))

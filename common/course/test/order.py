@@ -11,7 +11,7 @@ from tree import ROOT
 
 ROOMS = ("base", "image", "gpu", "scene", "app", "measure", "study", "check", "judge", "window")
 # What lies beside the packages stands in the order as well.
-PACKAGES = ("tree", "progress", "many", "build", "shots", "charts", "check", "pages", "grading", "live", "test", "gallery", "run", "new", "film", "cli", "__main__")
+PACKAGES = ("tree", "progress", "many", "build", "shots", "charts", "check", "pages", "grading", "live", "test", "gallery", "models", "run", "new", "film", "cli", "__main__")
 
 INCLUDE = re.compile(r'\s*#\s*include\s+"([^"]+)"')
 IMPORT = re.compile(r"\s*(?:from|import) (\w+)")

@@ -1,5 +1,5 @@
 #version 460
-// A Julia set of quaternions: the points that z = z² + c never drives away, found by steps as long as the distance allows.
+// A Julia set of quaternions: the points that z = z² + c never drives away, found by steps of a safe length.
 layout(location = 0) in vec3 ray;  // of the pixel; y points up
 layout(location = 0) out vec4 color;
 layout(push_constant) uniform Frame { vec4 eye, to_sun, c; };
