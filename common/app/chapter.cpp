@@ -8,7 +8,7 @@
 namespace lightwalk {
 namespace {
 
-// What a model needs around it to be looked at.
+// Adds surroundings to a bare model: a camera, light and ground.
 SceneFile furnished(const Chapter& chapter, const std::filesystem::path& file) {
     const Bounds bounds = chapter.scene.bounds;
     SceneFile scene = scene_of_model(file, bounds);

@@ -1,4 +1,4 @@
-// A chapter: its knobs, its modules, its passes and one frame. What it declares as members registers itself.
+// A chapter: knobs, modules, passes and one frame. Members register themselves.
 #pragma once
 #include <functional>
 #include <memory>
@@ -27,7 +27,7 @@ class Chapter : public Module {
     std::string name;                    ///< NN_name
     std::string method_knob = "method";  ///< which knob holds the methods of the study and of --method auto
     std::vector<Command> commands;
-    std::shared_ptr<Subject> subject;  ///< what its study measures where that is no frame (common/study/subject.h)
+    std::shared_ptr<Subject> subject;  ///< the subject of its study, if not a frame (common/study/subject.h)
     Scene scene;
     Camera camera;  ///< the scene's, moved by the window
 
@@ -39,8 +39,8 @@ class Chapter : public Module {
     virtual std::string default_scene() const = 0;
     virtual Model load_model(const std::filesystem::path& file) = 0;
 
-    /// Before a frame at this time is begun: what it needs and was not loaded with the scene is made now. Later times may
-    /// follow where `plays` says so.
+    /// Called before a frame at this time: makes resources that were not loaded with the scene. Later times may
+    /// follow if `plays` is true.
     virtual void make_ready(Gpu& /*gpu*/, glm::uvec2 /*size*/, float /*time_s*/) {}
     bool plays = false;  ///< its clock runs: in a window, or where a film is written
 
@@ -48,23 +48,22 @@ class Chapter : public Module {
 
     bool tries_knobs = false;  ///< the need rule draws: knobs have values that nobody has set
 
-    /// Records one frame; what it leaves in frame.output is the picture.
+    /// Records one frame and leaves the picture in frame.output.
     virtual void frame(Frame& frame) = 0;
 
-    /// What a study looks at of the frame drawn last: linear light, the encoded picture, or a level of an image of
+    /// The image that a study judges after a frame: linear light, the encoded picture, or one level of an image of
     /// either format.
     virtual ImageView judged(const Frame& frame) const { return frame.linear(); }
 
-    /// What the need rule looks at of it: the picture as the program would write it, encoded, rounded, with its tones.
+    /// The image that the need rule judges: the encoded, rounded and tone-mapped picture, as written to a file.
     virtual ImageView written(const Frame& frame) const { return frame.output; }
 
-    /// Errors of the chapter's own for a point of its study: adds numbers by name to `error`, beside those of the
-    /// picture; NaN counts as an error that is not finite, and a name left out as not measured. Called when the point's
-    /// picture of `size` was rendered, with the point's knobs in effect; it may set knobs and render further frames, in
-    /// a Frame of its own, and finds its knobs put back afterwards.
+    /// Adds the chapter's own errors for a point of its study to `error`, by name. NaN counts as a non-finite error,
+    /// an absent name as not measured. Called after the point's picture of `size` was rendered, with its knobs in
+    /// effect. It may set knobs and render more frames in a Frame of its own; knobs are restored afterwards.
     virtual void measure(Gpu& /*gpu*/, glm::uvec2 /*size*/, nlohmann::json& /*error*/) {}
 
-    /// For the error where the picture is not finite: what may have caused that, and what to do.
+    /// Likely cause of a non-finite picture, and the remedy, for its error message.
     virtual std::string why_not_finite() const { return {}; }
 
     bool animated() const override { return scene.moves(); }
@@ -72,7 +71,7 @@ class Chapter : public Module {
 
 using MakeChapter = std::function<std::unique_ptr<Chapter>()>;
 
-/// What is to be done while a scene is loaded: where the need rule chooses.
+/// Called while a scene is loaded, if the need rule chooses the method.
 struct Loading {
     std::function<void()> before;     ///< chapter.scene.file is read, and nothing loaded
     std::function<void(Gpu&)> after;  ///< all is loaded and prepared

@@ -50,7 +50,7 @@ std::vector<Macros> variants(const Chapter& chapter, const std::string& text, bo
     return result;
 }
 
-// Compiles what no earlier state or variant has compiled already.
+// Compiles the variants that no earlier state has compiled.
 int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defaults_only, std::set<std::string>& seen,
                      std::set<std::filesystem::path>& files) {
     std::string text;
@@ -77,8 +77,8 @@ int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defa
 }  // namespace
 
 int compile_all_shaders(Chapter& chapter, const std::string& stamp, bool all) {
-    // Every variant with all references; with all starters, and with one exercise of the chapter swapped at a time, the
-    // default knobs: what swapping can break is the interface between the two. Earlier chapters have tried their own.
+    // Every variant with all references; the default knobs with all starters, and with one exercise of the chapter
+    // swapped at a time, since a swap can only break the interface. Earlier chapters test their own.
     std::vector<std::string> states{"solution", "exercise"};
     for (const std::string& id : Exercises::ids()) {
         if (!all || id.substr(0, 2) != chapter.name.substr(0, 2)) continue;

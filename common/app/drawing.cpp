@@ -66,7 +66,7 @@ void Canvas::enter(Phase phase, const std::string& drawing) {
     phase_ = phase, last_ = drawing;
 }
 
-// New light: whatever tone curve was applied to the image before is gone.
+// New light: discards any tone curve applied to the image before.
 void Canvas::begin_color() {
     if (!color_begun_) color_.image->shown_in = 0;
 }

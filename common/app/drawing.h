@@ -1,4 +1,4 @@
-// Drawings: what draws a picture, into given targets, from a given view.
+// Drawings: they draw a picture into given targets from a given view.
 #pragma once
 #include <functional>
 #include <span>
@@ -26,19 +26,19 @@ const char* name_of(Phase phase);
 // [/phase]
 
 // [canvas]
-/// The targets that drawings share, all of one size. The first pass that draws into one clears it, so that no drawing
-/// clears what another has drawn.
+/// Targets of one size that drawings share. The first pass that draws into one clears it, so no drawing clears
+/// another's result.
 class Canvas {
   public:
-    /// `color`: RGBA16F, linear; `depth`: D32F, reversed, or none where one drawing is the whole picture and finds what
-    /// is nearest without it. `background`: what is seen where nothing is drawn.
+    /// `color`: RGBA16F, linear. `depth`: D32F, reversed, or none if a single drawing needs no depth test.
+    /// `background`: colour where nothing is drawn.
     Canvas(const ImageView& color, const ImageView& depth, const glm::vec4& background = {0.0f, 0.0f, 0.0f, 1.0f})
         : color_(color), depth_(depth), background_(background) {}
 
-    /// Draws into images with several samples a pixel instead, whose mean goes into the canvas after each pass.
+    /// Draws into multisampled images instead; their mean is resolved into the canvas after each pass.
     Canvas& multisampled(const ImageView& colors, const ImageView& depths);
 
-    /// By what transparent surfaces are mixed with what lies behind them; null: drawn back to front, by object.
+    /// Method that blends transparent surfaces with their background; null: back to front, by object.
     Canvas& mixed_by(TransparencyMethod* method);
     TransparencyMethod* mixing() const { return colors_ ? nullptr : mixing_; }  ///< one sample a pixel only
 
@@ -55,12 +55,12 @@ class Canvas {
     const ImageView& color(Frame& frame);
     const ImageView& depth(Frame& frame);
 
-    /// To overwrite whole from compute, whatever is there.
+    /// The target, for a compute pass that overwrites every pixel.
     const ImageView& color_overwritten();
     /// For a pass that writes depth itself.
     const ImageView& depth_overwritten();
 
-    /// A drawing of this phase comes next. Throws Failure where one of a later phase was drawn: it would be overwritten.
+    /// A drawing of this phase comes next. Throws Failure if one of a later phase was drawn: it would be overwritten.
     void enter(Phase phase, const std::string& drawing);
 
     bool has_color() const { return color_begun_; }
@@ -88,19 +88,19 @@ class Drawing : public Module {
 
     virtual Phase drawn_in() const { return Phase::opaque; }
 
-    /// Once a frame, before any drawing is updated: what has a sun gives it to the scene.
+    /// Once a frame, before any update: a drawing with a sun gives it to the scene.
     virtual void shine() {}
 
-    /// The drawing whose sun and air light this one; null: the scene's lights.
+    /// The drawing that provides the sun and air; null: the scene's lights.
     virtual const Drawing* lit_by() const { return nullptr; }
 
-    /// The modules whose knobs, and whose motion, change what it draws.
+    /// The modules with knobs or motion that change the picture.
     virtual std::vector<const Module*> made_of() const { return {this}; }
 
-    /// Once a frame, before it is drawn for the first time: what all views share.
+    /// Once a frame, before the first draw: work shared by all views.
     virtual void update(Frame&) {}
 
-    /// Draws into the canvas what the view sees. Shaders have the block `view` already.
+    /// Draws into the canvas as seen from the view. Shaders already have the block `view`.
     virtual void draw(Frame&, const View&, Canvas&) = 0;
 
     /// Transparent surfaces. They are drawn after all opaque ones, the farthest first.
@@ -111,8 +111,8 @@ class Drawing : public Module {
     };
     virtual std::vector<Transparent> transparent(const View&) const { return {}; }
 
-    /// What their pass is given, and the draw of some of them, in this order. Their fragment shaders end with
-    /// put_surface() of common/put_surface.glsl: what that does with colour and alpha is the method's.
+    /// Bindings of their pass, and the draw of some of them in this order. Their fragment shaders end with
+    /// put_surface() of common/put_surface.glsl, by which the method handles colour and alpha.
     virtual std::vector<With> transparent_with() const { return {}; }
     virtual std::vector<Resource> transparent_reads() const { return {}; }
     virtual void draw_transparent(Raster&, std::span<const Transparent>) const {}
@@ -120,7 +120,7 @@ class Drawing : public Module {
     /// Their triangles one by one, for methods that order those. None: the drawing cannot tell, or has none.
     struct TransparentTriangle {
         float distance_m;     ///< of its middle from the eye
-        uint32_t item;        ///< whose it is
+        uint32_t item;        ///< index of the item it belongs to
         glm::uvec3 vertices;  ///< of the item's mesh
     };
     virtual std::vector<TransparentTriangle> transparent_triangles(const View&) const { return {}; }
@@ -141,13 +141,13 @@ class Drawing : public Module {
 using Drawings = std::vector<std::reference_wrapper<Drawing>>;
 
 // [transparency]
-/// One transparent surface, and whose it is.
+/// One transparent surface and its drawing.
 struct SeenThrough {
     const Drawing* drawing;
     Drawing::Transparent what;
 };
 
-/// Mixes transparent surfaces with what lies behind them, after all that is opaque was drawn. A canvas names it.
+/// Blends transparent surfaces with their background after all opaque drawing. A canvas names it.
 class TransparencyMethod {
   public:
     virtual ~TransparencyMethod() = default;
@@ -157,8 +157,8 @@ class TransparencyMethod {
 /// All transparent surfaces of the drawings, in their order.
 std::vector<SeenThrough> transparent_surfaces(const View& view, const Drawings& drawings);
 
-/// Draws them in this order into the targets, in one pass for neighbours that are of one drawing. `targets`: what all
-/// passes have in common; what it clears is cleared once, also where there is nothing to draw.
+/// Draws them in this order into the targets; neighbours of one drawing share a pass. `targets`: common to all
+/// passes; cleared once, even if there is nothing to draw.
 void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
                    const std::vector<SeenThrough>& surfaces);
 // [/transparency]
@@ -166,16 +166,16 @@ void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
 /// The drawings that are in use, by phase; within a phase in the order given.
 Drawings in_order(const Drawings& drawings);
 
-/// Those of the phases given.
+/// The drawings in the given phases.
 Drawings of_phases(std::initializer_list<Phase> phases, const Drawings& drawings);
 
-/// All suns, then what all views share, unless this frame has had it. Throws Failure for a drawing without its light.
+/// Updates all suns, then the state shared by all views, once per frame. Throws Failure if a drawing lacks its light.
 void update(Frame& frame, const Drawings& drawings);
 
 /// Updates the drawings, draws them by phase, and then their transparent surfaces.
 void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
 
-/// The two halves of draw(), for what comes between them: everything but the transparent surfaces, and these alone.
+/// The two halves of draw(): everything but the transparent surfaces, and these alone.
 void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
 void draw_transparent(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
 

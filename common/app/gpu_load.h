@@ -5,9 +5,9 @@
 
 namespace lightwalk {
 
-/// Work for a GPU whose clock falls when it has little to do. Frames of half a millisecond with the processor's work
-/// between them are measured at half the clock of frames of ten: an H200 took 0.46 ms for the levels of 4096² texels
-/// and 0.31 ms for those of 8192², each beside what else was measured in turn.
+/// Load for a GPU that lowers its clock when idle. Short frames with pauses between them run at half the clock: an
+/// H200 took 0.46 ms for the levels of 4096² texels and 0.31 ms for those of 8192², each interleaved with other
+/// methods.
 class GpuLoad {
   public:
     explicit GpuLoad(Gpu& gpu) : frame_(gpu) {}

@@ -57,7 +57,7 @@ json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter
                           {"q1_ms", q.q1},
                           {"q3_ms", q.q3}});
     }
-    // What is made once is in the first frame alone, which is not among those measured.
+    // One-time work is in the first frame alone, which is not measured.
     json once = json::array();
     for (const PassTime& pass : first_frame)
         if (std::none_of(passes_of.begin(), passes_of.end(),

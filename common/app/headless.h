@@ -4,8 +4,8 @@
 
 namespace lightwalk {
 
-/// Makes the device in `gpu` where there is none yet, which must outlive the chapter, and draws what the options ask
-/// for: --screenshot and --timings. Returns the exit code.
+/// Draws for --screenshot and --timings. Makes the device in `gpu` if there is none; it must outlive the chapter.
+/// Returns the exit code.
 int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu, const Loading& loading);
 
 /// The device that the options name. Throws InputError, also where it cannot render so large a picture.

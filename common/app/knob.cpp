@@ -186,7 +186,7 @@ void Choice::add_macros(Macros& macros) const {
 
 namespace {
 
-// Those that a name alone could mean.
+// The knobs that a name alone could mean.
 KnobList called(const KnobList& knobs, const std::string& name) {
     KnobList same;
     for (KnobBase* knob : knobs) {

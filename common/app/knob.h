@@ -22,19 +22,19 @@ class KnobBase {
 
     /// Takes the text of --set, a scene file or a study. Throws InputError, which says the range or the names.
     virtual void set(const std::string& text) = 0;
-    virtual std::string text() const = 0;  ///< what set() would take back
+    virtual std::string text() const = 0;  ///< the value as set() accepts it
     virtual void reset() = 0;
     virtual void change_default(const std::string& text) = 0;  ///< and its value with it
     virtual nlohmann::json describe() const = 0;
 
-    /// What set() takes and what holds unless it is set, for --help: "{none,hard,pcf} (pcf)", "0..1 m (0.01)".
+    /// Accepted values and the default, for --help: "{none,hard,pcf} (pcf)", "0..1 m (0.01)".
     virtual std::string usage() const = 0;
 
     /// Whether its value is another than the default.
     virtual bool changed() const = 0;
 
-    /// Adds what shaders compare, for knobs that are compiled in: SHADOW_FILTER, SHADOW_FILTER_PCF ... of the knob
-    /// `filter` of a module of the kind `shadow`.
+    /// Adds the macros of compiled-in knobs: SHADOW_FILTER, SHADOW_FILTER_PCF … for the knob `filter` of a module of
+    /// kind `shadow`.
     virtual void add_macros(Macros&) const {}
 
     /// Every setting that gives another compiled variant; empty for uniforms.
@@ -78,7 +78,7 @@ class Knob : public KnobBase {
     const Range<T> range;
 };
 
-/// On or off: compiled in as 1 or 0, so that what is off costs nothing.
+/// On or off, compiled in as 1 or 0: a feature that is off costs nothing.
 template <>
 class Knob<bool> : public KnobBase {
   public:

@@ -65,7 +65,7 @@ std::string maps_of(const Material& material) {
     return text;
 }
 
-// What a loader has read of a file, and what it has left out.
+// Contents of a model file as the loader read them, and the parts left out.
 json model_json(const Model& model) {
     json meshes = json::array(), materials = json::array(), left_out = json::array(), lights = json::array();
     size_t vertices = 0, triangles = 0;

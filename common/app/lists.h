@@ -1,4 +1,4 @@
-// What --list prints.
+// The lists that --list prints.
 #pragma once
 #include "common/app/options.h"
 

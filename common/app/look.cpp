@@ -19,7 +19,7 @@ std::string name_of(const std::pair<std::string, ImageView>& output) {
     return output.first + ": " + output.second.name();
 }
 
-// The place of what is looked at, or the end.
+// Position of the wanted output, or the end.
 size_t find(const Frame& frame, const std::string& wanted) {
     const auto& all = frame.outputs;
     auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return name_of(one) == wanted; });
@@ -71,7 +71,7 @@ void Look::attach(Frame& frame, Image& copy, const Camera& camera, const Bounds&
             if (name_of({pass, view}) == output || (pass == output && find(frame, output) == seen))
                 record(frame, copy, view, camera, bounds);
         }
-        frame.outputs.resize(end);  // without what was recorded here
+        frame.outputs.resize(end);  // drop outputs recorded here
     };
 }
 
@@ -103,7 +103,7 @@ void Look::check(const Frame& frame) const {
 }
 
 const Image& Look::picture(const Frame& frame, const Image& copy) const {
-    // What was chosen a moment ago has no copy yet.
+    // An output chosen just now has no copy yet.
     const bool copied = copy && copy.desc.size == frame.size && find(frame, output) < frame.outputs.size();
     return copied ? copy : frame.output;
 }

@@ -1,4 +1,4 @@
-// Looks at what a pass wrote, before a later pass overwrites it.
+// Shows a pass's output before a later pass overwrites it.
 #pragma once
 #include "common/gpu/frame.h"
 #include "common/scene/camera.h"
@@ -11,7 +11,7 @@ struct Look {
     float stops = 0.0f;  ///< brighter by 2^stops
     int channel = 0;     ///< 0 all, 1 to 4 one of red, green, blue, alpha
 
-    /// What can be looked at in the frame that was recorded last, in order: "pass: image".
+    /// Outputs of the last recorded frame, in order: "pass: image".
     static std::vector<std::string> names(const Frame& frame);
 
     /// Makes the frame copy that output, visibly, into `copy` when its pass has been recorded; `copy` is made where it
@@ -19,10 +19,10 @@ struct Look {
     /// to see.
     void attach(Frame& frame, Image& copy, const Camera& camera, const Bounds& bounds) const;
 
-    /// Throws InputError, which names what there is, where the frame has not recorded what is looked at.
+    /// Throws InputError with the available names if the frame lacks the wanted output.
     void check(const Frame& frame) const;
 
-    /// The picture to show of a recorded frame: its output, or the copy of what is looked at.
+    /// The picture to show for a recorded frame: its output, or the copy of the chosen pass.
     const Image& picture(const Frame& frame, const Image& copy) const;
 
   private:

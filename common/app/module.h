@@ -1,4 +1,4 @@
-// Modules: what one chapter hands to the next, under one name.
+// Modules: the unit that one chapter hands to the next, under one name.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -46,21 +46,21 @@ class Module : public Given {
     /// At the start of a frame: gives targets their size, and turns histories over.
     void begin_frame(Gpu& gpu, glm::uvec2 frame_size);
 
-    /// What was before is not to be used: another scene, another method.
+    /// Invalidates the history, after a change of scene or method.
     void forget_history();
     // [/module]
 
     // [life]
-    // A module's life. A chapter asks all of its modules, each after those that it owns, in the order of declaration;
-    // nobody passes any of this on by hand.
+    // A module's life. A chapter asks all of its modules in order of declaration, each after the modules it owns;
+    // nothing is forwarded by hand.
 
-    /// A scene was loaded, or loaded again: what is made from it is made now, and what was made from another forgotten.
+    /// A scene was loaded or reloaded: rebuild everything made from it.
     virtual void prepare(Gpu&, Scene&) {}
 
     /// Whether its picture changes with time, or gathers samples over frames.
     virtual bool animated() const { return false; }
 
-    /// What prepare() depends on besides the scene, as text: where it changes, the scene is loaded again.
+    /// Dependencies of prepare() other than the scene, as text: a change reloads the scene.
     virtual std::string load_key() const { return {}; }
 
     /// Exercises that run while a scene is loaded: toggling one of them loads it again.
@@ -70,7 +70,7 @@ class Module : public Given {
     /// triangles where the module draws it, too.
     virtual bool stands_for(const std::filesystem::path& /*file*/, Model& /*into*/) const { return false; }
 
-    /// What a window plays beside the picture, from 0 s on; null: nothing. It stays until the next prepare().
+    /// Sound that a window plays with the picture, from 0 s on; null: none. Valid until the next prepare().
     virtual const Sound* sound() const { return nullptr; }
 
     /// Of the last frame, for the panel beside the times and for --timings: a line each; none before it had one.

@@ -55,7 +55,7 @@ void apply_shot(Options& options, Chapter& chapter) {
     throw unknown_name("shot", options.shot, known, "--list shots lists all");
 }
 
-// What to list, and of a model its file.
+// The list asked for, and the file if it is a model's.
 void read_list(const std::vector<std::string>& words, Options& o) {
     if (words.empty()) return;
     const std::vector<std::string> known = {"knobs", "shots", "exercises", "devices", "model"};
@@ -186,7 +186,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     o.size_given = !size.empty();
     if (o.size_given) o.size = parse_size(size);
     if (o.time_given) o.time_s = *o.time_given;
-    Exercises::use("solution");  // what a list does not name; a process may read the options of many pictures
+    Exercises::use("solution");  // toggles not named keep their default; one process may read options of many pictures
     Exercises::use(o.use);
     const std::vector<std::string> ids = Exercises::ids();
     if (app.count("--use") > 0 && ("," + o.use).find(",solution") != std::string::npos && !ids.empty() &&

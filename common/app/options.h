@@ -16,7 +16,7 @@ struct Options {
     std::optional<float> time_given;
     int frames = 1, camera_of_file = 0;
     bool frames_given = false, json = false, validate = false, explain = false;
-    bool default_variants = false;  ///< of what compile_shaders compiles
+    bool default_variants = false;  ///< for compile_shaders
     bool pictures = false;          ///< standard input says which
     bool stream = false;            ///< the same, of one chapter that stays, to standard output
     bool automatic = false;         ///< --method auto: the need rule chooses

@@ -16,8 +16,8 @@ namespace {
 using nlohmann::json;
 using Words = std::vector<std::string>;
 
-// What loading a scene depends on. Of a scene that is written anew between two pictures it is another; the models and
-// textures that one names stay as they are while a list is drawn.
+// Dependencies of a loaded scene. A scene file rewritten between two pictures counts as another; models and textures
+// it names are kept while a list is drawn.
 std::string load_key(const Options& options, const Chapter& chapter) {
     namespace fs = std::filesystem;
     std::string key = options.scene + " " + chapter.load_state();
@@ -27,7 +27,7 @@ std::string load_key(const Options& options, const Chapter& chapter) {
     return fmt::format("{} {} {}", key, written, fs::file_size(options.scene, error));
 }
 
-// The scene of the picture before, and what it was loaded with.
+// The previous picture's scene, and the key it was loaded with.
 struct Loaded {
     std::string key;
     Scene scene;

@@ -7,7 +7,7 @@
 
 namespace lightwalk {
 
-/// What is drawn: how large, when, and of what.
+/// Size, time and sub-pixel shift of a drawn picture.
 struct Picture {
     glm::uvec2 size{960, 540};  ///< pixels
     float time_s = 0;
@@ -17,16 +17,16 @@ struct Picture {
 };
 
 // [render]
-/// Records, submits and waits for chapter.samples frames, each shifted within a pixel; frame.linear() and frame.output
-/// then hold their mean in linear light, and frame.times the sum of each pass's times. Where recording throws, what was
-/// recorded is submitted all the same.
+/// Records, submits and awaits chapter.samples frames, each shifted within a pixel. frame.linear() and frame.output
+/// then hold their mean in linear light, frame.times the sums per pass. If recording throws, the part recorded is
+/// still submitted.
 void render(Chapter& chapter, Frame& frame, const Picture& picture);
 // [/render]
 
 /// Linear light of one more picture with the knobs as they are, at time 0, in a frame of its own: for measure(). Waits.
 ImageRgb render_linear(Chapter& chapter, Gpu& gpu, glm::uvec2 size);
 
-/// Adds times to those of passes of the same names.
+/// Adds times to those of passes with the same name.
 void add_times(std::vector<PassTime>& sum, const std::vector<PassTime>& times);
 
 /// Adds frame.hdr to the mean of linear light over the pictures so far, where there is more than one.

@@ -1,4 +1,4 @@
-// What a module's knobs are set to, as text.
+// A module's knob settings as text.
 #pragma once
 #include <string>
 
@@ -6,7 +6,7 @@
 
 namespace lightwalk {
 
-/// All of its knobs' values and those of its modules: where it changes, what was made with them is made again.
+/// Values of all its knobs and its modules' knobs: a change invalidates derived data.
 std::string settings_of(const Module& module);
 
 }  // namespace lightwalk

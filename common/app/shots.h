@@ -17,7 +17,7 @@ struct Shot {
     std::vector<std::pair<std::string, std::string>> set;
 };
 
-/// Throws InputError where the file is damaged; none where there is no file.
+/// Throws InputError if the file is damaged; none if there is no file.
 std::vector<Shot> read_shots(const std::string& chapter);
 
 /// The same from a text; `file` stands for it in messages.

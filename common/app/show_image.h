@@ -1,4 +1,4 @@
-// Shows an image in place of the picture, as a chapter's knob asks: a table, a map, a step of a method.
+// Shows an image instead of the picture, as a chapter's knob asks: a table, a map, a step of a method.
 #pragma once
 #include "common/gpu/frame.h"
 
@@ -6,7 +6,7 @@ namespace lightwalk {
 
 struct ShowImage {
     glm::vec3 gain{1.0f};    ///< its light is multiplied by this
-    glm::vec4 texels{0.0f};  ///< what is shown of it: where that begins, and how large it is; nothing: all of it
+    glm::vec4 texels{0.0f};  ///< visible part: origin and size; 0: all of it
     float aspect = 0.0f;     ///< width by height, in the middle of the picture and dark around; 0: stretched over it
     const Buffer* words = nullptr;  ///< with `gate`: the picture is black where that word of 32 bits is 0
     uint32_t gate = 0;

@@ -19,7 +19,7 @@ class TargetBase {
     Module& owner_;
 };
 
-/// What Image::Desc says; but the size is in pixels, or 0 and a scale of the frame's.
+/// As Image::Desc, except for the size: in pixels, or 0 and a scale of the frame's.
 struct TargetDesc {
     std::string name;
     VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT;
@@ -27,10 +27,10 @@ struct TargetDesc {
     float scale = 1.0f;
     uint32_t mips = 1, layers = 1;  ///< mips 0: down to 1×1
     bool cube = false;
-    bool kept = false;  ///< what one frame wrote in it, later frames read
+    bool kept = false;  ///< later frames read its contents
 };
 
-/// An image of a module, called path.name: made when a frame begins, and anew where its size has changed.
+/// An image of a module, called path.name: made when a frame begins, and again if its size changes.
 class Target : public TargetBase, public Image {
   public:
     Target(Module& owner, TargetDesc desc);
@@ -44,7 +44,7 @@ class Target : public TargetBase, public Image {
 };
 
 // [history]
-/// Two images that change places from frame to frame: what this frame writes is the next one's `before`.
+/// Two images that swap each frame: this frame's output is the next one's `before`.
 class History : public TargetBase {
   public:
     History(Module& owner, const TargetDesc& desc);

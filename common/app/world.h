@@ -1,4 +1,4 @@
-// Worlds: what a chapter draws, as something that others can hold.
+// Worlds: a chapter's composition, as a member that others can hold.
 #pragma once
 #include "common/app/drawing.h"
 #include "common/scene/scene.h"
@@ -24,10 +24,10 @@ class World : public Module {
 
     /// The scene's light from a view, into a canvas of any size. The scene was placed by animate() before.
     void draw_light(Frame& frame, const View& view, Canvas& canvas);
-    /// The drawings, with all that they need for a view: for whoever draws them in another way.
+    /// The drawings, prepared for a view, for callers that draw them in another way.
     Drawings ready(Frame& frame, const View& view);
 
-    /// What is seen where nothing is drawn.
+    /// Colour where nothing is drawn.
     virtual glm::vec4 background() const { return glm::vec4(scene_->file.background, 1.0f); }
 
     /// Where a picture is taken from.
@@ -38,16 +38,16 @@ class World : public Module {
     /// The camera given, unless the world has one of its own.
     virtual Eye eye(const Frame&, const Camera& given) { return {given}; }
 
-    /// What its light is shown with unless something else is set: knobs by path, such as post.tone.
+    /// Default display settings for its light: knobs by path, such as post.tone.
     virtual std::vector<std::pair<std::string, std::string>> look() const { return {}; }
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
 
   protected:
-    /// Once a frame, before its first view: what all views share besides the drawings' own update().
+    /// Once a frame, before its first view: shared work beyond the drawings' own update().
     virtual void record(Frame&) {}
 
-    /// What a view needs before it is drawn, such as a mirror image.
+    /// Prerequisites of a view, such as a mirror image.
     virtual void record_view(Frame&, const View&) {}
 
     /// draw(), unless something comes between the drawings.
@@ -61,7 +61,7 @@ class World : public Module {
     uint64_t begun_ = 0;  ///< Frame::number()
 };
 
-/// Sets what world.look() says as defaults of the knobs of `shown_by`, which has bloom, tones and the like.
+/// Applies world.look() as default values to the knobs of `shown_by`, which has bloom, tones and the like.
 void set_look(const World& world, const Module& shown_by);
 
 }  // namespace lightwalk

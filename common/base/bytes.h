@@ -1,4 +1,4 @@
-// Values as bytes and back, for what one process of a program hands to another.
+// Values as bytes and back, for messages between two processes of a program.
 #pragma once
 #include <cstring>
 #include <filesystem>
@@ -48,7 +48,7 @@ class ByteWriter {
     }
 };
 
-/// Throws Failure where the bytes end too early. What they say is not believed beyond that: ranges are the caller's.
+/// Throws Failure if the bytes end too early. Nothing else is validated: ranges are the caller's.
 class ByteReader {
   public:
     explicit ByteReader(std::string_view bytes) : rest_(bytes) {}

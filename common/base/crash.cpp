@@ -61,7 +61,7 @@ void on_terminate() {
 
 void say_crashes() {
     if (sanitized) return;
-    static char stack[1 << 16];  // of its own: that of the program may be what overflowed
+    static char stack[1 << 16];  // own stack, since the program's may have overflowed
     const stack_t other{.ss_sp = stack, .ss_flags = 0, .ss_size = sizeof stack};
     sigaltstack(&other, nullptr);
     struct sigaction action = {};

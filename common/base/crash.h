@@ -1,4 +1,4 @@
-// What a program says when it crashes.
+// The message of a program that crashes.
 #pragma once
 
 namespace lightwalk {

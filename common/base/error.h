@@ -8,7 +8,7 @@
 
 namespace lightwalk {
 
-/// Its text is given as it is, or as a format of libfmt and what fills it: Failure("no mip {} in {}", i, name).
+/// Its text is given as is, or as a libfmt format with arguments: Failure("no mip {} in {}", i, name).
 struct FormattedError : std::runtime_error {
     using std::runtime_error::runtime_error;
     template <class... Values>
@@ -16,7 +16,8 @@ struct FormattedError : std::runtime_error {
         : std::runtime_error(fmt::format(format, std::forward<Values>(values)...)) {}
 };
 
-/// Bad input from outside: a file, an option, a value. Exit code 2. The text says what, why, and what would be right.
+/// Bad input from outside: a file, an option, a value. Exit code 2. The text states the fault, the reason and the
+/// remedy.
 struct InputError : FormattedError {
     using FormattedError::FormattedError;
 };

@@ -58,7 +58,7 @@ State& find(std::string_view id) {
     throw unknown_name("exercise", id, known, "--list exercises lists all");
 }
 
-// Where a lesson's heading "### 02.phong (medium)" stands in it; what has none comes last.
+// Position of a lesson's heading "### 02.phong (medium)"; exercises without one come last.
 size_t place_in_lesson(const std::string& id) {
     namespace fs = std::filesystem;
     std::error_code none;  // a copy without lessons
@@ -131,8 +131,8 @@ void Exercises::stand_in(std::string_view id) {
     state.told = true;
 }
 
-// One for each state: two pictures that are drawn in turn, with the student's version and with the reference, each find
-// what they have made.
+// One counter for each state, so that pictures of the starter and of the reference, drawn alternately, each find
+// their own results.
 unsigned Exercises::version() {
     Table& t = table();
     if (t.version) return *t.version;

@@ -9,11 +9,11 @@ namespace lightwalk {
 /// The state of every toggle. An exercise is known by its id, "NN.name".
 class Exercises {
   public:
-    /// True where the reference of `id` is in use. In a tree without solutions it is always false.
+    /// True if the reference of `id` is in use. In a tree without solutions it is always false.
     static bool uses_solution(std::string_view id);
 
-    /// What --use takes: "solution", "exercise", or a list whose later items overrule earlier ones, such as
-    /// "exercise,03.point_attenuation=solution". Throws InputError and lists the ids where one is unknown.
+    /// Parses --use: "solution", "exercise", or a list in which later items overrule earlier ones, such as
+    /// "exercise,03.point_attenuation=solution". Throws InputError and lists the ids if one is unknown.
     static void use(std::string_view which);
     static void set(std::string_view id, bool solution);
 
@@ -26,21 +26,21 @@ class Exercises {
     /// Makes a C++ exercise known; Toggle calls it. `compiles`: whether the student's file did.
     static void declare(std::string_view id, bool has_solution, bool compiles);
 
-    /// False for a C++ exercise whose file did not compile: the reference stands in for it.
+    /// False if the file of a C++ exercise did not compile; the reference replaces it.
     static bool compiles(std::string_view id);
 
     /// For a C++ exercise that is called though its file did not compile: says so, once for each. Without a reference
     /// it throws InputError.
     static void stand_in(std::string_view id);
 
-    /// The state of every toggle as one word, so that what depends on toggles knows which variant it is.
+    /// The state of all toggles as one word, a key for results that depend on them.
     static const std::string& state();
 
     /// Changes with every change of a toggle, and with every edit of a shader.
     static unsigned version();
 
-    /// A file of GLSL has changed while the program runs: version() is another number from now on, so that what was made
-    /// once by a shader (a table, a filtered cube, a shadow map) is made again.
+    /// Notes that a GLSL file changed while the program runs: version() changes, so that results made once by a
+    /// shader (a table, a filtered cube, a shadow map) are recomputed.
     static void shaders_were_edited();
 };
 
@@ -78,7 +78,7 @@ class Toggle<Result(Arguments...)> {
 #endif
 
 /// Declares exercise::name and solution::name and the toggle `name` that calls one of them, within namespace
-/// lightwalk. The exercise is a weak symbol, null where the student's file did not compile.
+/// lightwalk. The exercise is a weak symbol, null if the student's file did not compile.
 ///
 ///     EXERCISE("01.triangulate", void, triangulate, int a, int b);
 #define EXERCISE(id, result, name, ...)     \

@@ -106,7 +106,7 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
 
 namespace {
 
-// Where a write to `path` goes, and what is there already.
+// Destination of a write to `path`, and the file already there.
 struct Place {
     fs::path path;
     bool exists = false;
@@ -140,7 +140,7 @@ void write_all(int descriptor, const fs::path& path, std::string_view bytes) {
     }
 }
 
-// Of "/dev/fd/N" the N, where whoever started this program has left a file open for writing there; else -1.
+// N of "/dev/fd/N" if the parent process left that file open for writing; else -1.
 int open_descriptor(const fs::path& path) {
     const std::string text = path.string(), folder = "/dev/fd/";
     int number = -1;

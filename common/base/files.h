@@ -9,7 +9,7 @@
 namespace lightwalk {
 
 /// The tree's root: $LIGHTWALK_ROOT, else the nearest folder above the executable that holds shaders/common.
-/// Throws Failure where there is none, InputError where the variable names something else.
+/// Throws Failure if there is none, InputError if the variable names something else.
 const std::filesystem::path& course_root();
 
 /// A regular file, open for reading and closed at the end. Anything else is refused before it is opened: a pipe would
@@ -24,23 +24,22 @@ class InputFile {
     size_t bytes = 0;  ///< when it was opened
 };
 
-/// What read_file() reads at most, unless told.
+/// Default size limit of read_file().
 constexpr size_t most_file_bytes = size_t{1} << 31;
 
 /// A regular file's bytes. Throws InputError as InputFile does, where the file is larger than `most`, and where it
 /// becomes shorter while it is read.
 std::string read_file(const std::filesystem::path& path, size_t most = most_file_bytes);
 
-/// True where a file or folder is there; false also where its name is one that no file can have.
+/// True if a file or folder is there; false also where its name is one that no file can have.
 bool file_exists(const std::filesystem::path& path);
 
-/// True where the path, its links followed, is below the folder.
+/// True if the path, its links followed, is below the folder.
 bool lies_below(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-/// Writes beside `path` and renames, so that a reader sees the old file or the whole new one, whenever the program
-/// ends. Links are followed; what is there keeps its permissions, and must be a regular file that may be written.
-/// "/dev/fd/N", a regular file that whoever started the program has left open for writing, is written to as it is.
-/// Throws InputError where it cannot be written.
+/// Writes a file beside `path` and renames it, so that a reader sees the old file or the whole new one, even if the
+/// program ends. Follows links and keeps permissions; an existing file must be regular and writable. "/dev/fd/N", a
+/// regular file opened for writing by the parent process, is written in place. Throws InputError on failure.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// The same, and on the disk when it returns, the folder's entry too: after a power cut there is the old file or the whole

@@ -88,7 +88,7 @@ void confine(const GuardLimits& limits) {
     } catch (const InputError& e) { outcome = Outcome::input_error, text = e.what(); } catch (const std::bad_alloc&) {
         outcome = Outcome::memory;
     } catch (const std::exception& e) { outcome = Outcome::failure, text = e.what(); }
-    // What is large comes first, so that whoever listens need not move it.
+    // Large data first, so that the reader need not move it.
     ByteWriter tail;
     tail(outcome, warnings, text.size());
     tail(tail.bytes.size());
@@ -103,7 +103,7 @@ constexpr int look_every_ms = 50;  // whether anybody still waits for the result
 
 bool is_cancelled() { return progress() && progress()->cancelled; }
 
-// All that the copy says until it closes its end. False where it took too long, says more than it may, or was cancelled.
+// All that the copy says until it closes its end. False if it took too long, says more than it may, or was cancelled.
 bool listen(int from, Clock::time_point until, size_t most, std::string& said) {
     size_t filled = 0;
     for (;;) {
@@ -133,7 +133,7 @@ GuardLimits limits_for(size_t file_bytes) {
     return {.cpu_s = 10 + static_cast<double>(file_bytes) / 5e6, .memory = (size_t{1} << 30) + 40 * file_bytes};
 }
 
-// The grader's sandbox contains what it runs, and lets nobody start a process.
+// The grader's sandbox already contains the process, and forbids starting another.
 bool guards() { return !guarded_already && !std::getenv("LIGHTWALK_SANDBOXED"); }
 
 void stop_guarding() { guarded_already = true; }

@@ -8,7 +8,7 @@ namespace lightwalk {
 
 struct GuardLimits {
     double cpu_s = 10;                ///< of the processor's time; ten times as much on the clock
-    size_t memory = size_t{1} << 30;  ///< bytes, beyond what the program has already; the result counts too
+    size_t memory = size_t{1} << 30;  ///< bytes, in addition to the program's own; includes the result
 };
 
 /// For a reader of a file of so many bytes: 10 s and one for each 5 MB, 1 GiB and 40 bytes for each byte.

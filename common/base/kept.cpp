@@ -16,9 +16,9 @@ namespace lightwalk {
 namespace fs = std::filesystem;
 namespace {
 
-using Count = uint64_t;  // before what is deflated: how many bytes it was; behind it zlib puts a checksum of them
+using Count = uint64_t;  // size before compression, stored first; zlib appends a checksum
 
-// Its time says when it was last used, to a day: what has not been for long is removed when the cache grows too large.
+// The file's time records its last use, to the day: files unused for long are removed when the cache grows too large.
 void mark_used(const fs::path& file) {
     std::error_code error;
     const auto now = fs::file_time_type::clock::now();

@@ -10,7 +10,7 @@
 namespace lightwalk {
 
 // [made]
-/// What a table, a buffer or a picture was made from. Its type declares the inputs, and they are compared as values:
+/// The inputs of a derived table, buffer or picture. Its type declares them, and they are compared as values:
 ///
 ///     Made<uint64_t, int, float> light_made_;  // the field's number, steps, step_m
 ///     if (!light_made_.from(field.number(), steps.value, step_m)) return;
@@ -20,14 +20,14 @@ namespace lightwalk {
 template <class... Inputs>
 class Made {
   public:
-    /// True where an input differs from those of the last call, or nothing was made: it has to be made now.
+    /// True if an input changed since the last call, or nothing was made yet: make it now.
     [[nodiscard]] bool from(const Inputs&... now) {
         if (inputs_ && same(*inputs_, std::tie(now...), std::index_sequence_for<Inputs...>())) return false;
         inputs_.emplace(now...);
         return true;
     }
 
-    /// It is to be made again, whatever its inputs: what holds it is gone, or making it failed.
+    /// Forces the next from() to return true, after a loss or a failure.
     void forget() { inputs_.reset(); }
 
     explicit operator bool() const { return inputs_.has_value(); }

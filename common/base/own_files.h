@@ -4,7 +4,7 @@
 
 namespace lightwalk {
 
-/// $XDG_STATE_HOME/lightwalk, by default ~/.local/state/lightwalk; empty where there is no home.
+/// $XDG_STATE_HOME/lightwalk, by default ~/.local/state/lightwalk; empty if there is no home.
 std::filesystem::path state_folder();
 
 /// For pictures and scenes: the current folder as "", or build/saved, which it makes, where that lies in the course's tree.

@@ -1,4 +1,4 @@
-// A word for whoever waits: how far long work is.
+// A progress message during long work.
 #pragma once
 #include <chrono>
 #include <string>
@@ -9,7 +9,7 @@ namespace lightwalk {
 /// line that is drawn over, and gone at the end.
 class Patience {
   public:
-    /// What is done, and what of: "drawing", "samples".
+    /// Activity and unit: "drawing", "samples".
     Patience(std::string what, std::string of) : what_(std::move(what)), of_(std::move(of)) {}
     ~Patience();
     Patience(const Patience&) = delete;

@@ -1,4 +1,4 @@
-// Progress of long work on another thread, and the wish of whoever waits that it end.
+// Progress of long work on another thread, and the request to cancel it.
 #pragma once
 #include <atomic>
 
@@ -27,8 +27,8 @@ struct Progress {
     float share() const { return float(done) / float(whole); }
 };
 
-/// What the work of this thread reports to; null: nobody waits. A loop that may take seconds reports with
-/// `if (Progress* p = progress()) p->step(…)`; threads that it starts use the pointer that it had.
+/// Receiver of this thread's progress; null: none. A loop that may take seconds reports with `if (Progress* p =
+/// progress()) p->step(…)`; threads that it starts use the same pointer.
 inline Progress*& progress() {
     thread_local Progress* current = nullptr;
     return current;

@@ -41,7 +41,7 @@ std::map<std::string, Starter, std::less<>> read_starters() {
     return found;
 }
 
-// With what its file says now; null for an exercise that the list does not name.
+// The exercise with its current file contents; null if the list does not name it.
 const Starter* find(std::string_view id) {
     static auto starters = read_starters();
     const auto found = starters.find(id);

@@ -5,11 +5,11 @@
 
 namespace lightwalk {
 
-/// A number for what the student's file of exercise `id` says, white space apart; 0 where there is none. Cheap enough to
-/// ask for each picture: a file is read again only where its time or size has changed.
+/// Hash of the student's file of exercise `id`, ignoring white space; 0 if there is none. Cheap enough for each
+/// picture: a file is read again only if its time or size changed.
 uint64_t answer_digest(std::string_view id);
 
-/// True where that is the starter, as tests/starters.txt says; false also where nothing says what was handed out.
+/// True if that matches the starter in tests/starters.txt; false if no starter is recorded.
 bool is_untouched(std::string_view id);
 
 }  // namespace lightwalk

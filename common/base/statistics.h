@@ -1,4 +1,4 @@
-// Median, quartiles, percentiles: for times, which have outliers, and for errors, whose tail matters.
+// Median, quartiles, percentiles: robust for times, which have outliers, and for the tail of errors.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace lightwalk {
 
 /// The value below which `share` (0 to 1) of ascending, finite values lie, linear between neighbours: rank
-/// share (n - 1), Hyndman and Fan's type 7, as numpy's. NaN where there is none.
+/// share (n - 1), Hyndman and Fan's type 7, as numpy's. NaN if there is none.
 template <class Values>
 double percentile_of_sorted(const Values& ascending, double share) {
     if (ascending.empty()) return std::numeric_limits<double>::quiet_NaN();

@@ -1,4 +1,4 @@
-// What is said to a person: text from files and options, made fit for a terminal.
+// Messages to a person: text from files and options, made safe for a terminal.
 #pragma once
 #include <fmt/core.h>
 
@@ -19,12 +19,11 @@ requires(sizeof...(Values) > 0) void warn(fmt::format_string<Values...> format, 
     warn(std::string_view(fmt::format(format, std::forward<Values>(values)...)));
 }
 
-/// The same, but each text once in a program's life: for what is read many times over.
+/// The same, but each text once per run.
 void warn_once(const std::string& text);
 
-/// What a main() does with an exception: "PREFIX: WHY" on stderr, and the exit code, 2 for bad input (one line) and 1
-/// for what failed although the input was fine. A name that the system refuses (too long, links in a circle) is bad
-/// input.
+/// Reports an exception from main(): "PREFIX: WHY" on stderr. Returns the exit code: 2 for bad input (one line), 1
+/// for other failures. A name that the system refuses (too long, links in a circle) is bad input.
 int report_exception(const std::exception& exception, const char* prefix = "error");
 
 /// Where warnings go instead of stderr while this points somewhere: a line each. For run_guarded().

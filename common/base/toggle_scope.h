@@ -5,7 +5,7 @@
 
 namespace lightwalk {
 
-/// Sets toggles for as long as it lives; what was different before is so again afterwards.
+/// Sets toggles during its lifetime and restores them afterwards.
 class ToggleScope {
   public:
     /// These exercises to the reference, where there is one, or to the student's version.
@@ -13,7 +13,7 @@ class ToggleScope {
     ~ToggleScope();
     ToggleScope(const ToggleScope&) = delete;
 
-    /// True where one of them was the other version before.
+    /// True if one of them was the other version before.
     bool changed() const { return !changed_.empty(); }
 
   private:

@@ -6,15 +6,15 @@
 
 namespace lightwalk {
 
-/// GLSL that stands before an exercise. Behind it each barrier() notes in `check_barriers_passed` that this invocation
-/// has come by, and where; and memoryBarrier(), memoryBarrierShared() and their like do nothing. They order what one
-/// invocation writes and wait for nobody, but software that runs a workgroup on one thread may wait there as well, and
-/// an answer that has them in a barrier's place would be right by accident. A check waits with check_barrier(), which
-/// is not noted. No answer that is graded has names with this beginning (common/course/check/glsl_answer.py).
+/// GLSL placed before an exercise. Each later barrier() records in `check_barriers_passed` that this invocation
+/// passed it, and where. memoryBarrier() and its kind do nothing: they order writes and do not wait, but software
+/// that runs a workgroup on one thread may wait there too, and a wrong answer would pass by accident. A check waits
+/// with check_barrier(), which is not recorded. Graded answers have no names with this prefix
+/// (common/course/check/glsl_answer.py).
 std::string traced_barriers();
 
-/// What is wrong with `check_barriers_passed` of a workgroup's invocations, by their index; empty where all have come
-/// to the same barriers in the same order.
+/// The fault in `check_barriers_passed` of a workgroup's invocations, by index; empty if all passed the same barriers
+/// in the same order.
 std::string barriers_wrong(std::span<const uint32_t> passed);
 
 /// For a barriers_wrong().

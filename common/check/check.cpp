@@ -75,7 +75,7 @@ Table Check::probe(const Probe& probe) {
     const size_t outputs = probe.truth(probe.inputs[0]).size();
     const Table results = run_probe(check_device(), probe, outputs);
     if (tables) tables->add(probe, results);
-    // An operation whose result is open is wrong where the function's result depends on it.
+    // An operation with an undefined result is wrong if the function's result depends on it.
     std::map<size_t, const Undefined*> open;
     const std::optional<std::vector<Undefined>> looked_for = run_undefined(check_device(), probe, outputs);
     if (!looked_for)

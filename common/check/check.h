@@ -1,4 +1,4 @@
-// Checks: what an exercise must do, told in words a student understands.
+// Checks: the requirements of an exercise, in words a student understands.
 #pragma once
 #include <functional>
 #include <string>
@@ -10,22 +10,22 @@ namespace lightwalk {
 
 class ProbeTables;
 
-/// Collects what one exercise got right and wrong.
+/// Collects passes and failures of one exercise.
 class Check {
   public:
     int passed = 0, failed = 0;
     int properties = 0;             ///< of the two above
     ProbeTables* tables = nullptr;  ///< that keep each probe
-    std::string first_failure;      ///< empty where all is right
+    std::string first_failure;      ///< empty if all is right
     std::string hint;               ///< for that failure; empty: the exercise's
-    std::string note;               ///< what was not looked at; empty where all was
+    std::string note;               ///< parts that were skipped; empty: none
 
     void expect(bool right, const std::string& otherwise, const std::string& hint_for_it = "");
-    /// Runs `wrong`, which calls the student's C++ and returns what is wrong ("" for nothing). `what` names the call
-    /// where it crashes, does not return, or throws.
+    /// Runs `wrong`, which calls the student's C++ and returns the fault ("" for none). `what` names the call in
+    /// messages about a crash, a time-out or an exception.
     void call(const std::string& what, const std::function<std::string()>& wrong, const std::string& hint_for_it = "");
-    /// Runs the probe and expects every result within its bound, whatever operations give whose result GLSL leaves
-    /// open. Returns the results, for properties.
+    /// Runs the probe and expects every result within its bound, regardless of the values that undefined operations
+    /// return. Returns the results, for properties.
     Table probe(const Probe& probe);
     /// Expects `holds` of every call's input and result; `otherwise` completes "f(...) gave x, ...".
     void property(const Probe& probe, const Table& results, const std::string& otherwise,
@@ -41,13 +41,13 @@ struct ExerciseCheck {
 /// Every check linked into the program, in the order of their ids.
 const std::vector<ExerciseCheck>& all_checks();
 
-/// Runs it on the student's version or the reference; the other exercises are references. A file that does not compile
-/// is a failure whose text is the compiler's. `tables` keep the probes.
+/// Runs it on the student's version or the reference, with references for the other exercises. A file that does not
+/// compile is a failure with the compiler's text. `tables` keep the probes.
 Check run_check(const ExerciseCheck& exercise, bool solution, ProbeTables* tables = nullptr);
 
 /// The device that probes run on: $LIGHTWALK_DEVICE, else the best there is.
 Gpu& check_device();
-/// Ends with the device's destruction; throws Failure where validation has said something.
+/// Ends with the device's destruction; throws Failure if validation has said something.
 void release_check_device();
 
 struct RegisterCheck {

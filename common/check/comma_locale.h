@@ -1,4 +1,4 @@
-// A locale that writes 1.5 as 1,5, as in much of Europe, for C and C++, whatever is installed.
+// A locale that writes 1.5 as 1,5, for C and C++, without an installed one.
 #pragma once
 #include <clocale>
 #include <cstdlib>

@@ -114,7 +114,7 @@ class Rewriter {
                 after_operand = text != "{";
                 if (text == "{") factors = operand = out.size();
             } else if (text == "const" && end + 1 == tokens_.size()) {
-                out += token.space;  // a global whose value is a call is no constant
+                out += token.space;  // a global initialised by a call is not constant
                 ++at_;
             } else if (is_word(text)) {
                 declares_ = after_operand && !product_;  // a type was before it

@@ -1,10 +1,10 @@
-// What a call of a student's C++ in another process ends with where it does not come back.
+// Outcome of a student's C++ call in another process that never came back.
 #pragma once
 #include "common/base/error.h"
 
 namespace lightwalk {
 
-/// The process crashed, gave no answer in time or said what is no answer. The text is a whole sentence.
+/// The process crashed, timed out or sent an invalid answer. The text is a whole sentence.
 struct Lost : Failure {
     using Failure::Failure;
 };

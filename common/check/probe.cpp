@@ -52,7 +52,7 @@ bool is_whole(const std::string& type) {
 // The files that are asked, without the function's call.
 std::string text_of(const Probe& probe) { return probe.before + "#include \"" + probe.include + "\"\n"; }
 
-// What runs the function once for each row: `include` is the text before it, `call` what is done with "CALL".
+// The shader that runs the function once per row: `include` is the text before it, `call` the use of "CALL".
 std::string shader_text(const Signature& s, const std::string& include, const std::string& output, std::string call) {
     std::string text = include + "layout(local_size_x = 64) in;\nstruct ProbeInput {\n";
     for (const Parameter& p : s.parameters) text += "    " + p.type + " " + p.name + ";\n";
@@ -136,7 +136,7 @@ Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs) {
     const Signature s = parse(probe.signature);
     const std::string source = shader_text(s, text_of(probe), "", "    probe_outputs[i].value = CALL;\n");
     const std::vector<uint32_t> words = run(gpu, probe, s, source, outputs * probe.inputs.size());
-    // For tests/mutate.py: whether what a probe returns has changed at all.
+    // For tests/mutate.py: records whether a probe's results changed at all.
     if (const char* log = std::getenv("LIGHTWALK_PROBE_LOG"))
         std::ofstream(log, std::ios::app)
             << s.function << " " << hash_bytes({reinterpret_cast<const char*>(words.data()), 4 * words.size()}) << "\n";

@@ -36,17 +36,17 @@ struct Probe {
     Macros macros;  ///< that the file expects
     /// How a parameter's value, or the result (name ""), is told; an empty text: as numbers.
     std::function<std::string(const std::string& name, std::span<const double>)> words;
-    /// What the specification grants beside the truth, such as any exit before the entry where nothing is met.
+    /// Results that the specification allows besides the truth, such as any exit before the entry on a miss.
     std::function<bool(std::span<const double> input, std::span<const double> got)> grants;
-    /// What to think of where this call gave this; without it, or where it is empty: the exercise's hint.
+    /// Explanation of this call's result; if absent or empty, the exercise's hint.
     std::function<std::string(std::span<const double> input, std::span<const double> got)> hint;
 };
 
 /// The results of each call, flattened. `probe.truth` and `bound` are not needed; `outputs` says how many numbers the
-/// result has. Throws ShaderError where the file does not compile.
+/// result has. Throws ShaderError if the file does not compile.
 Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs);
 
-/// A call that made use of an operation whose result GLSL leaves open.
+/// A call that used an operation with a result undefined in GLSL.
 struct Undefined {
     size_t row;  ///< of the probe's inputs
     int what;    ///< as undefined_words takes it, with its operands
@@ -54,7 +54,7 @@ struct Undefined {
     Row result;  ///< of the call, where that operation gave one of undefined_results
 };
 
-/// Every such call, once for each of undefined_results. Nothing where the shader's text cannot be instrumented: then
+/// Every such call, once for each of undefined_results. Nothing if the shader's text cannot be instrumented: then
 /// nobody has looked.
 std::optional<std::vector<Undefined>> run_undefined(Gpu& gpu, const Probe& probe, size_t outputs);
 
@@ -66,7 +66,7 @@ double excess(const Probe& probe, std::span<const double> truth, std::span<const
 /// "f(a = 0) gave 1, expected 2".
 std::string wrong_text(const Probe& probe, size_t row, std::span<const double> got);
 
-/// The worst input in words a student understands: "f(a = 0, b = (0, 1, 0)) gave NaN, expected 0"; empty where every
+/// The worst input in words a student understands: "f(a = 0, b = (0, 1, 0)) gave NaN, expected 0"; empty if every
 /// result is within its bound.
 std::string worst_of(const Probe& probe, const Table& results);
 
@@ -85,11 +85,10 @@ void append(Row& row, const Vector& v) {
     for (int i = 0; i < Vector::length(); ++i) row.push_back(static_cast<double>(v[i]));
 }
 
-/// What random tables are shifted by: $LIGHTWALK_CHECK_SEED, which the grader chooses so that no answer can know the
-/// inputs beforehand; else 0.
+/// Offset of random tables: $LIGHTWALK_CHECK_SEED, chosen by the grader so that inputs are unpredictable; else 0.
 unsigned check_seed();
 
-/// Reproducible random numbers for tables, rounded to float so that the truth sees what the device sees.
+/// Reproducible random numbers for tables, rounded to float so that truth and device see the same values.
 class Random {
   public:
     explicit Random(unsigned seed = 1) : engine_(seed + check_seed()) {}

@@ -70,7 +70,7 @@ const Sampler& checked(const Sampler& sampler) {
     return sampler;
 }
 
-// What a block of a uniform's bytes is set by: set() takes a type, whose size is known when it is compiled.
+// Sets a uniform block from bytes: set() takes a type, and its size must be known at compile time.
 struct Setting : Pass {
     using Pass::set_bytes;
     using Pass::set_images;
@@ -206,7 +206,7 @@ void Recorder::begins(const std::string& pass, const ComputeAccess& access) {
     if (cast_ && !quiet_) begin(pass, access.reads, access.writes, access.with).is_compute = true;
 }
 
-// Null where nobody asks for it.
+// Null if nobody asks for it.
 RecordedStep* Recorder::add(Kind kind) {
     if (!cast_ || quiet_ || frame_.passes.empty()) return nullptr;
     auto& steps = frame_.passes.back().steps;

@@ -1,4 +1,4 @@
-// A recorded frame as data: what an exercise records in one process is replayed, and judged, in another.
+// A recorded frame as data: recorded by an exercise in one process, replayed and judged in another.
 #pragma once
 #include <functional>
 #include <glm/glm.hpp>
@@ -50,7 +50,7 @@ struct RecordedPass {
 
 struct RecordedFrame {
     std::vector<RecordedPass> passes;
-    std::string error;  ///< what was thrown while it was recorded
+    std::string error;  ///< the exception thrown while recording
 };
 
 /// All that an exercise's passes may name, in one order where they are recorded and where they are replayed.
@@ -58,13 +58,13 @@ struct Cast {
     std::vector<const Image*> images;
     std::vector<const Pipeline*> pipelines;
     std::vector<const Given*> given;
-    std::vector<std::function<void(Raster&)>> calls;  ///< what an exercise is given to draw by
+    std::vector<std::function<void(Raster&)>> calls;  ///< draw functions given to an exercise
 };
 
-/// Writes down what is recorded into the frames that it listens to.
+/// Stores everything recorded into the frames that it listens to.
 class Recorder : public PassListener {
   public:
-    /// `record` records into a frame of this recorder's; what it throws is in the result, under `name`.
+    /// Runs `record` on a frame of this recorder's; an exception is stored in the result, under `name`.
     RecordedFrame listen(const Cast& cast, const std::string& name, const std::function<void()>& record);
     /// The i-th of the cast's calls, as an exercise is given it.
     std::function<void(Raster&)> call(uint32_t i);
@@ -90,12 +90,12 @@ class Recorder : public PassListener {
     RecordedFrame frame_;
 };
 
-/// Records it again, into a frame that has begun, by the images and pipelines of this process. Returns what was thrown,
-/// there or here; empty where nothing was.
+/// Records it again into a frame that has begun, with images and pipelines of this process. Returns the exception
+/// thrown there or here; empty if none.
 std::string replay(Frame& frame, const RecordedFrame& recorded, const Cast& cast);
 
-/// Both frames, which begin with stage.begin(1) and (2): what was thrown, and the second one's compute passes as "first,
-/// second".
+/// Both frames, which begin with stage.begin(1) and (2): the exception thrown, and the second one's compute passes as
+/// "first, second".
 template <class Stage>
 std::pair<std::string, std::string> replay_twice(Stage& stage, const std::vector<RecordedFrame>& recorded) {
     if (recorded.size() != 2) return {"it was not recorded twice", ""};

@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr size_t most_rows = 400, first_rows = 200;
-constexpr double no_bound = 1e6;  // a probe whose results are judged by other means
+constexpr double no_bound = 1e6;  // for probes judged by other means
 
 Json number(double value) {
     if (!std::isfinite(value)) return number_text(value);

@@ -25,7 +25,8 @@ class ProbeTables {
 
 /// Runs the check on the reference, and writes `folder`/NN.name.json; nothing for an exercise without a probe.
 void write_tables(const ExerciseCheck& exercise, const std::string& folder);
-/// What finds undefined operations: {"glsl", "words": [[what, text], ...], "results"}, as `folder`/undefined.json.
+/// Data that finds undefined operations: {"glsl", "words": [[what, text], ...], "results"}, as
+/// `folder`/undefined.json.
 void write_undefined(const std::string& folder);
 
 }  // namespace lightwalk

@@ -14,8 +14,8 @@ struct Operation {
     const char* words;      ///< with A and B for the operands
 };
 
-// GLSL 4.60, chapters 5.9 and 8.1 to 8.5; what any of them makes of a NaN is open too. The first stands for none, the
-// second is an operator.
+// GLSL 4.60, chapters 5.9 and 8.1 to 8.5; their results for NaN are undefined too. The first entry stands for none,
+// the second is an operator.
 constexpr Operation operations[] = {
     {"", 0, "", ""},
     {"divide", 2, "b == 0.0", "divides A by 0"},

@@ -64,7 +64,7 @@ WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run)
     text = text.substr(text.find("#line 1 "));
     replace_all(text, "gl_LocalInvocationIndex", "check_stands_for");
     replace_all(text, "gl_LocalInvocationID", "uvec3(check_stands_for, 0, 0)");
-    // What the check itself waits for is not the exercise's.
+    // Waits of the check itself are not the exercise's.
     static const std::regex wait(R"(\bbarrier\b)");
     const std::string call = hidden(std::regex_replace(run.call, wait, "check_barrier"));
     text = "layout(local_size_x = " + size + ") in;\n" + traced_barriers() + text +

@@ -1,4 +1,4 @@
-// Runs what a whole workgroup does together, with its invocations in several orders.
+// Runs the joint work of a workgroup, with its invocations in several orders.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,9 +12,8 @@ namespace lightwalk {
 /// `workgroup_orders`, in which other invocations are early and late; `local` says which one an invocation stands for.
 struct WorkgroupRun {
     std::string include;  ///< "03_attenuation/tile_lights.glsl": the exercise or the solution, by the toggle
-    std::string
-        before;  ///< GLSL that the file expects: `given[]` has the words below, `case_index` says whose turn it is
-    std::string call;  ///< GLSL: calls its functions for `local`, and says put(i, uint) of what it got
+    std::string before;   ///< GLSL that the file expects: `given[]` has the words below, `case_index` selects the case
+    std::string call;     ///< GLSL: calls its functions for `local` and reports results with put(i, uint)
     std::vector<uint32_t> given;
     uint32_t cases = 1;
     uint32_t puts = 1;    ///< i is below this
@@ -24,8 +23,8 @@ struct WorkgroupRun {
 
 inline constexpr uint32_t workgroup_size = 256, workgroup_orders = 4;
 
-/// What put() was told: for each case, order, invocation (by `local`) and i. Throws ShaderError where the file does not
-/// compile.
+/// Values reported by put(): for each case, order, invocation (by `local`) and i. Throws ShaderError if the file does
+/// not compile.
 class WorkgroupResults {
   public:
     WorkgroupResults(Gpu& gpu, const WorkgroupRun& run);

@@ -1,4 +1,4 @@
-// Memory of one frame: bytes for the device to read, and descriptor sets. Both begin anew with every frame.
+// Memory of one frame: bytes for the device to read, and descriptor sets. Both restart with every frame.
 #pragma once
 #include <span>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace lightwalk {
 
-/// Host-visible buffers that are filled one after the other. One frame is in flight, so that what the last one put
-/// there is free again; what a frame needed once is kept.
+/// Host-visible buffers filled one after the other. Only one frame is in flight, so each frame reuses the previous
+/// one's space.
 class Arena {
   public:
     Arena(Device& device, std::string name) : device_(device), name_(std::move(name)) {}

@@ -9,7 +9,7 @@ bool covers(VkPipelineStageFlags2 stages, VkPipelineStageFlags2 wanted) {
     return stages & VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT || (stages & wanted) == wanted;
 }
 
-// True where a barrier from `from` is needed; updates the history to hold `next`.
+// True if a barrier from `from` is needed; updates the history to hold `next`.
 bool advance(AccessHistory& history, const Access& next, bool image, Access& from) {
     const bool new_layout = image && history.layout != next.layout;
     from = history.last_write;
@@ -79,7 +79,7 @@ void Barriers::add(const ImageView& view, const Access& next) {
         }
         history.each.assign(size_t(mips) * layers, history.all);
     }
-    // First the layers of each mip, then the mips whose layers came out alike.
+    // First the layers of each mip, then mips with equal layers.
     const size_t first = images.size();
     std::vector<VkImageMemoryBarrier2> of_mip;
     for (uint32_t mip = range.baseMipLevel; mip < range.baseMipLevel + range.levelCount; ++mip) {

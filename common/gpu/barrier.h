@@ -1,4 +1,4 @@
-// Barriers from what passes state: those one pass needs, recorded at once.
+// Barriers derived from the statements of a pass, recorded at once.
 #pragma once
 #include <vector>
 
@@ -9,8 +9,8 @@ namespace lightwalk {
 
 class Barriers {
   public:
-    /// What lets `next` follow whatever was done to those mips and layers; nothing where none is needed. Parts of a
-    /// view that were used alike share a barrier.
+    /// Adds the barriers that `next` requires after all earlier accesses to those mips and layers. Parts of a view
+    /// with equal histories share a barrier.
     void add(const ImageView& view, const Access& next);
     void add(const Buffer& buffer, const Access& next);
 

@@ -16,7 +16,7 @@ class Buffer {
         bool host_visible = false;  ///< mapped for its whole life
     };
     Buffer() = default;
-    /// Throws Failure where the device has no such memory, or not as much.
+    /// Throws Failure if the device has no such memory, or not as much.
     Buffer(Device& device, const Desc& desc);
     Buffer(Buffer&& other) noexcept { swap(other); }
     Buffer& operator=(Buffer&& other) noexcept {
@@ -27,7 +27,7 @@ class Buffer {
     ~Buffer();
 
     VkBuffer handle = VK_NULL_HANDLE;
-    VkDeviceSize bytes = 0;     ///< what shaders see of it
+    VkDeviceSize bytes = 0;     ///< visible to shaders
     VkDeviceSize capacity = 0;  ///< bytes that `bytes` may be set to without another allocation
     std::byte* mapped = nullptr;
     std::string name;

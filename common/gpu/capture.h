@@ -4,7 +4,7 @@
 
 namespace lightwalk {
 
-/// Loads RenderDoc's library, which has to be there before a device is made. Throws InputError where there is none, or
+/// Loads RenderDoc's library, which has to be there before a device is made. Throws InputError if there is none, or
 /// where the course was built without its header.
 void load_renderdoc();
 
@@ -18,7 +18,7 @@ class Capture {
     ~Capture();
     Capture(const Capture&) = delete;
 
-    /// Ends the capture and writes it to `file` (.rdc). Throws InputError where that cannot be, Failure where RenderDoc
+    /// Ends the capture and writes it to `file` (.rdc). Throws InputError if that cannot be, Failure if RenderDoc
     /// made none.
     void write(const std::string& file);
 

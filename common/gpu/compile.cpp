@@ -32,13 +32,13 @@ EShLanguage language(Stage stage) {
     return EShLangVertex;
 }
 
-// Line `number` of a shader, for a message about it; nothing where the file is none of the course's shaders: any text
+// Line `number` of a shader, for a message about it; nothing if the file is none of the course's shaders: any text
 // may say "#line 3" and name any file.
 std::string line_of(const std::string& file, int number) {
     const fs::path path = fs::path(file).lexically_normal();
     const std::string room = path.empty() ? "" : path.begin()->string();
     std::error_code error;
-    // Whoever grades shows what is said here to a student, and a mistake may end in a reference that comes after it.
+    // A grader shows this message to students, and a broken line may end in a reference solution that follows it.
     if (std::getenv("LIGHTWALK_SANDBOXED") && std::ranges::count(path, fs::path("solution"))) return "";
     if (path.is_absolute() || (room != "shaders" && room != "tests") ||
         !fs::is_regular_file(course_root() / path, error) || !lies_below(course_root() / path, course_root() / room))

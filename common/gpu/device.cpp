@@ -65,8 +65,8 @@ VkInstance make_instance(const DeviceOptions& options, bool debug_utils) {
                                            .pEnabledValidationFeatures = &synchronisation};
     if (options.validate && !has_layer(validation_layer))
         throw InputError("--validate on needs the Vulkan validation layer: apt install vulkan-validationlayers");
-    // Layers since 1.3.290 leave what shaders read and write out of it, unless they are told. Debian 12's headers do not
-    // know VK_EXT_layer_settings, which would say the same.
+    // Layers since 1.3.290 ignore shader accesses unless told otherwise. Debian 12's headers lack
+    // VK_EXT_layer_settings for the same setting.
     if (options.validate) setenv("VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC", "true", 0);
     const VkInstanceCreateInfo create{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                       .pNext = options.validate ? &features : nullptr,
@@ -124,7 +124,7 @@ void load(VkInstance instance, F& function, const char* name) {
 
 namespace {
 
-// What `ask` says of each device, in the order in which they are preferred.
+// Results of `ask` for each device, in order of preference.
 template <class Ask>
 auto of_all_devices(Ask ask) {
     const VkInstance instance = make_instance({}, false);
@@ -175,7 +175,7 @@ Device::Device(const DeviceOptions& options) : Device() {
         load(instance, create_messenger, "vkCreateDebugUtilsMessengerEXT");
         check(create_messenger(instance, &create, nullptr, &messenger_), "vkCreateDebugUtilsMessengerEXT");
     }
-    timeout_ns();  // refuses what is no time before anything is drawn
+    timeout_ns();  // rejects an invalid time before anything is drawn
     physical = choose(physical_devices(instance), options.name);
     vkGetPhysicalDeviceProperties(physical, &properties);
     const Limits limits(physical);

@@ -17,28 +17,28 @@ void check(VkResult result, const char* what);
 /// As the Vulkan headers spell it, such as "ErrorOutOfDeviceMemory".
 std::string name_of(VkResult result);
 
-/// For tests of what a failure leaves behind: how many more calls of check() succeed before one throws; below 0: all.
+/// For tests of failures: number of calls of check() that still succeed before one throws; below 0: all.
 int& checks_until_failure();
 
 struct DeviceInfo {
     std::string name;    ///< as the driver gives it
     std::string driver;  ///< driver name and version
     std::string type;    ///< discrete, integrated, virtual, software or other
-    std::string lacks;   ///< what the course needs and this device has not; empty: usable
+    std::string lacks;   ///< required features that this device lacks; empty: usable
 };
 
-/// Every Vulkan device on this machine, best first. Throws InputError where no driver is installed.
+/// Every Vulkan device on this machine, best first. Throws InputError if no driver is installed.
 std::vector<DeviceInfo> list_devices();
 
 struct DeviceOptions {
     std::string name;       ///< a part of the wanted device's name, or its type; empty: hardware before software
     bool validate = false;  ///< core and synchronisation validation; every message is kept
-    std::vector<const char*> surface_extensions;  ///< what GLFW asks for; empty: headless, no surface at all
+    std::vector<const char*> surface_extensions;  ///< required by GLFW; empty: headless, no surface at all
 
-    /// How many descriptors a pipeline may have to get them pushed, at most what the device can; 0: none does. Empty: what
-    /// the device can. For tests.
+    /// For tests: most descriptors of a pipeline that are pushed, at most the device's limit; 0: none. Empty: the
+    /// device's limit.
     std::optional<uint32_t> max_push_descriptors;
-    std::function<void(const char*)> on_message;  ///< also told what validation says, to the end of the destruction
+    std::function<void(const char*)> on_message;  ///< also receives validation messages, until destruction ends
 };
 
 /// Objects of one resource, to be destroyed together.
@@ -63,7 +63,7 @@ class Device {
     VkQueue queue = VK_NULL_HANDLE;  ///< graphics and compute
     uint32_t queue_family = 0;
     VkPhysicalDeviceProperties properties{};
-    VkPhysicalDeviceFeatures has{};  ///< enabled: what the device has of what the course may use
+    VkPhysicalDeviceFeatures has{};  ///< optional features that the device has, all enabled
     VkDeviceSize max_buffer_bytes = 0;
     DeviceInfo info;
     PFN_vkCmdPushDescriptorSetKHR push_descriptors = nullptr;
@@ -81,15 +81,15 @@ class Device {
     void check_validation(size_t heard = 0) const;
     size_t validation_message_count() const;
 
-    /// Memory for what `name` is. Throws Failure where no type has the properties or its heap is smaller than that.
+    /// Allocates memory for `name`. Throws Failure if no type has the properties, or its heap is too small.
     VkDeviceMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags properties,
                             const std::string& name) const;
 
     /// How long one pass may take before it counts as endless. $LIGHTWALK_TIMEOUT_S, else 60 s. May throw InputError.
     uint64_t timeout_ns() const;
 
-    /// Between the two a frame is recorded or runs: what destroy() gets meanwhile is destroyed when all frames that
-    /// began before have ended.
+    /// Between the two a frame is recorded or runs: objects given to destroy() meanwhile are destroyed after all
+    /// frames begun before have ended.
     uint64_t begin_use();
     void end_use(uint64_t use);
     bool in_use() const { return !uses_.empty(); }

@@ -8,7 +8,7 @@
 namespace lightwalk {
 namespace {
 
-// Those that some chapter uses, and says where they are missing.
+// Features that some chapter uses; it reports their absence itself.
 #define FEATURE(name) \
     { #name, &VkPhysicalDeviceFeatures::name }
 constexpr std::pair<const char*, VkBool32 VkPhysicalDeviceFeatures::*> optional_core[] = {

@@ -1,4 +1,4 @@
-// What the course asks of a device, in one place.
+// Device features required by the course, in one place.
 #pragma once
 #include <vulkan/vulkan.h>
 
@@ -25,7 +25,7 @@ struct DeviceFeatures {
     std::string lacks;  ///< names of needed features that are absent
 };
 
-/// What a device can at most, beyond VkPhysicalDeviceProperties.
+/// Device limits beyond VkPhysicalDeviceProperties.
 struct Limits {
     explicit Limits(VkPhysicalDevice physical);
     VkPhysicalDeviceVulkan13Properties core13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES};
@@ -34,7 +34,7 @@ struct Limits {
     uint32_t shuffling_lanes = 1;  ///< invocations of the smallest subgroup that compute shaders may run in and shuffle
 };
 
-/// What is used where the device has it, by Vulkan's name. Of a device of Vulkan 1.3.
+/// Optional features of a Vulkan 1.3 device, by Vulkan's names, and whether it has them.
 std::vector<std::pair<std::string, bool>> optional_features(VkPhysicalDevice physical);
 
 /// The same of all devices, in the order of list_devices(); empty for one without Vulkan 1.3.

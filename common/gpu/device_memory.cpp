@@ -1,4 +1,4 @@
-// What lives in the device's memory, and when it may go.
+// Lifetime of objects in device memory.
 #include <algorithm>
 #include <utility>
 

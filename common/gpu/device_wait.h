@@ -4,9 +4,8 @@
 
 namespace lightwalk {
 
-/// The answer of `wait`, which is given Device::timeout_ns() and answers VK_TIMEOUT after that. What a software device
-/// does is done by this process: on a busy machine it is waited for again, ten times in all, until the process was given
-/// as much of the processors' time.
+/// The result of `wait`, called with Device::timeout_ns() as its limit. A software device runs in this process: on a
+/// busy machine the wait is repeated, up to ten times, until the process has received that much processor time.
 VkResult wait_for(const Device& device, const std::function<VkResult(uint64_t most_ns)>& wait);
 
 }  // namespace lightwalk

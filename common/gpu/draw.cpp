@@ -1,4 +1,4 @@
-// What raster and compute passes do once everything is bound.
+// Draws and dispatches of passes, once everything is bound.
 #include "common/base/error.h"
 #include "common/gpu/frame.h"
 

@@ -20,7 +20,8 @@ std::string chapter_of(const std::string& name) {
     return "00";
 }
 
-// $LIGHTWALK_OVERLAY: a folder whose shaders stand in for those of the same path, to try a change without making it.
+// $LIGHTWALK_OVERLAY: a folder of shaders that replace those at the same path, to try a change without editing the
+// tree.
 fs::path overlaid(const fs::path& file) {
     static const char* const overlay = std::getenv("LIGHTWALK_OVERLAY");
     if (!overlay) return file;
@@ -37,8 +38,8 @@ void refuse_line_numbers(const std::string& text, const std::string& shown) {
         if (std::regex_match(line, directive)) throw ShaderError("{}:{}: no shader has a #line", shown, number);
 }
 
-// A test's text, on disk or in its program: it may say `#pragma replaces "05_shadow_maps/x.glsl"`, and that file is then not
-// read where it is included, for what comes before stands in its place.
+// A test's text, on disk or in its program. It may state `#pragma replaces "05_shadow_maps/x.glsl"`: an include of
+// that file then reads nothing, since the text before replaces it.
 bool is_of_tests(const std::string& shown) { return shown.starts_with("tests/") || !shown.starts_with("shaders/"); }
 
 class Flattener {
@@ -56,7 +57,7 @@ class Flattener {
         try {
             text = read_file(overlaid(file));
         } catch (const InputError& e) { throw ShaderError(e.what()); }
-        if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // what an editor may begin UTF-8 with
+        if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // UTF-8 byte order mark
         const std::string shown = fs::relative(file, course_root()).string();
         refuse_line_numbers(text, shown);
         add(text, shown, chapter_of(name));
@@ -100,7 +101,7 @@ class Flattener {
             const auto other = macros_.files().find(name);
             const bool replaced = other != macros_.files().end();
             if (replaced) name = other->second;
-            // ../tests: what a test asks its probe to include.
+            // ../tests: includes of a test's probe.
             const fs::path below = name.starts_with("../tests/") ? name.substr(3) : name;
             if (below.is_absolute() || std::ranges::count(below, fs::path("..")))
                 throw ShaderError("{}:{}: #include \"{}\": an include is a path below shaders/", shown, number, name);
@@ -184,7 +185,7 @@ void refuse_unknown_macros(const std::string& text, const Macros& macros) {
     }
 }
 
-// Only the macros that the text names: what does not concern a shader must not make another variant of it.
+// Defines only the macros that the text names: others must not create another variant.
 FlatShader with_header(FlatShader shader, const Macros& macros) {
     refuse_unknown_macros(shader.text, macros);
     std::string header =

@@ -61,7 +61,7 @@ void Frame::begin(glm::uvec2 size_in_pixels, float time_in_seconds) {
     use_ = gpu.device.begin_use();
 }
 
-// What was recorded has ended, or was given up.
+// Resets all recording state, after a frame has ended or was abandoned.
 void Frame::start_anew() {
     for (const Recorded& pass : passes_) free_commands_.push_back(pass.commands);
     passes_.clear();
@@ -72,7 +72,8 @@ void Frame::start_anew() {
     vkResetQueryPool(gpu.device.handle, queries_, 0, 2 * max_passes);
 }
 
-// For one more pass, before anything is copied for it. Of a lens with a thousand places, what is recorded so far runs.
+// Makes room for one more pass, before anything is copied for it. Long recordings, such as a thousand lens samples,
+// are submitted in parts.
 void Frame::make_room() {
     if (passes_.size() < max_passes) return;
     submit(VK_NULL_HANDLE, VK_NULL_HANDLE);
@@ -153,7 +154,7 @@ bool holds(const ImageView& view, uint64_t frame) {
 }  // namespace
 
 void Frame::check_reads(const std::string& pass, const std::vector<Stated>& stated, const Rendering* targets) const {
-    // What stands in both lists may be written first, by a dispatch of the pass itself.
+    // A resource in both lists may be written first, by a dispatch of the pass itself.
     const auto refuse = [&](const ImageView& view) {
         throw Failure("pass '{}' reads {}, which no pass of this frame wrote", pass, view.name());
     };
@@ -246,7 +247,7 @@ void Frame::transfer(const std::string& name, const ComputeAccess& access,
     barriers.record(commands);
     record_and_end([&] { record(commands); },
                    [&] {
-                       // What every pass may read without saying so must not be left otherwise.
+                       // Resources that every pass may read unstated must keep their layout.
                        for (const auto* list : {&access.reads, &access.writes})
                            for (const Resource& r : *list)
                                if (r.buffer ? r.buffer->constant : r.view.image->constant) add(r, any_read);

@@ -35,34 +35,34 @@ class Frame {
     glm::uvec2 size{0};  ///< pixels
     float time_s = 0;
     unsigned seed = 0;
-    Image hdr;     ///< RGBA16F, linear: what chapters draw into
+    Image hdr;     ///< RGBA16F, linear: the chapters' target
     Image depth;   ///< D32F, reversed: 1 at the near plane, 0 at the far one
     Image output;  ///< RGBA8, sRGB-encoded: the picture
 
     const Given* root = nullptr;  ///< the chapter: its macros and its uniform block go into every pass
     Crop crop;
     struct {
-        int index = 0, count = 1;  ///< of the pictures whose mean is shown
+        int index = 0, count = 1;  ///< among the frames averaged into one picture
     } samples;
 
     /// The picture in linear light: hdr, or the mean of several.
     const Image& linear() const { return samples.count > 1 ? mean_ : hdr; }
 
-    /// A tone curve maps the image's light to what a screen shows, once: throws Failure for a second time in this frame.
+    /// Notes a tone curve, which may be applied once a frame: throws Failure the second time.
     void apply_tones(const std::string& who, const Image& image) const;
-    /// Throws Failure where a tone curve was applied to the image in this frame: `who` needs linear light.
+    /// Throws Failure if a tone curve was applied to the image in this frame: `who` needs linear light.
     void need_light(const std::string& who, const Image& image) const;
 
     /// Another one for each frame that begins; 0 while none is recorded.
     uint64_t number() const { return use_; }
 
-    /// Starts recording; makes the targets anew where the size has changed. Throws Failure where another frame of this
-    /// device is being recorded: it would run after what it records here, and so before what that one needs.
+    /// Starts recording; recreates the targets if the size has changed. Throws Failure if another frame of this
+    /// device is being recorded, since frames that depend on each other must run in order.
     void begin(glm::uvec2 size_in_pixels, float time_in_seconds);
 
-    /// Passes are recorded one after the other, not within each other. One that throws is submitted all the same.
-    /// Throws Failure where a pass reads an image that no pass of this frame wrote, unless it was uploaded or is one
-    /// that keeps what is in it (Image::Desc::kept): it would show a frame before, or whatever lay in memory.
+    /// Passes are recorded one after the other, never nested. One that throws is submitted all the same. Throws
+    /// Failure if a pass reads an image that no pass of this frame wrote, unless it was uploaded or keeps its
+    /// contents (Image::Desc::kept): it would show an earlier frame, or undefined memory.
     void raster(const std::string& name, const RasterTargets& targets, const std::function<void(Raster&)>& record);
     void compute(const std::string& name, const ComputeAccess& access, const std::function<void(Compute&)>& record);
     void transfer(const std::string& name, const ComputeAccess& access,
@@ -82,8 +82,8 @@ class Frame {
     /// A transfer pass that copies views to others of the same format, size, mips and layers: (from, into).
     void copy_images(const std::string& name, const std::vector<std::pair<ImageView, ImageView>>& views);
 
-    /// A transfer pass that fills the whole image, of numbers and not of depths: for what a student's passes may leave
-    /// unwritten and a later pass reads.
+    /// A transfer pass that fills a colour image, in case a student's pass leaves it unwritten before a later pass
+    /// reads it.
     void fill(const std::string& name, const Image& image, glm::vec4 value);
 
     /// A transfer pass after which, when this frame has ended, `into` has the bytes; of a view, the first mip's texels,
@@ -98,10 +98,10 @@ class Frame {
     std::vector<PassTime> times;  ///< of the last frame that ended, in order
     double recording_ms = 0;      ///< processor time that the chapter took to record it
 
-    /// What each pass of this frame wrote, in order, to look at: 2-D images with one sample.
+    /// Outputs of this frame's passes, in order, for viewing: 2-D images with one sample.
     std::vector<std::pair<std::string, ImageView>> outputs;
 
-    /// Called after each pass that wrote an image, before a later pass can overwrite it: for whoever wants to look.
+    /// Called after each pass that wrote an image, before a later pass can overwrite it.
     std::function<void()> after_pass;
 
     /// Uniform blocks that every shader may name: bytes by name.
@@ -112,7 +112,7 @@ class Frame {
     VkDescriptorSet descriptor_set(const BuiltPipeline& pipeline, std::span<VkWriteDescriptorSet> writes) {
         return sets_.make(pipeline, writes);
     }
-    size_t descriptor_sets() const { return sets_.count; }  ///< of this frame: what could not be pushed
+    size_t descriptor_sets() const { return sets_.count; }  ///< for pipelines without push descriptors
 
   private:
     friend class Pass;

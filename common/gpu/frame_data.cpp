@@ -1,4 +1,4 @@
-// What a frame takes from the host and brings back to it.
+// Transfers between host and device within a frame.
 #include "common/base/error.h"
 #include "common/gpu/frame.h"
 

@@ -48,7 +48,7 @@ void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
     read_times();
 }
 
-// For one after the other, so that the clock starts anew with each: a frame of many passes may take its time.
+// For one after the other, so that the clock restarts with each: a frame of many passes may take its time.
 void Frame::wait_for_passes() {
     for (const Recorded& pass : passes_) {
         const uint64_t target = counted_ + 1;

@@ -1,4 +1,4 @@
-// What a module hands to a pass: macros, uniforms, what its shaders read, and the bindings themselves.
+// A module's contribution to a pass: macros, uniforms, resources read, and bindings.
 #pragma once
 #include <vector>
 
@@ -15,21 +15,21 @@ class Given {
   public:
     virtual ~Given() = default;
 
-    /// Whose shaders' macros, blocks and bindings these are: one of a kind goes into a pass.
+    /// Kind that names the macros, blocks and bindings; a pass takes one of each kind.
     virtual const std::string& kind() const = 0;
     virtual Macros macros() const = 0;
 
-    /// The bytes of a uniform block, where it is this one's; else none. Throws Failure where the shader's members do
+    /// The bytes of a uniform block, where it is this one's; else none. Throws Failure if the shader's members do
     /// not fit.
     virtual std::vector<std::byte> block(const Binding& binding) const = 0;
 
-    /// What the pass reads on its behalf.
+    /// Resources that the pass reads on its behalf.
     virtual std::vector<Resource> reads() const;
 
-    /// Sets those of its bindings that the pipeline in use wants; called after each use().
+    /// Sets those of its bindings that the current pipeline uses; called after each use().
     virtual void bind(Pass&) const {}
 
-    /// Adds it and what it brings along.
+    /// Adds it and its dependencies.
     virtual void expand(std::vector<const Given*>& into) const { into.push_back(this); }
 };
 

@@ -23,19 +23,19 @@ struct FlatShader {
     std::string sealed;                        ///< its name where it is sealed (sealed.h)
 };
 
-/// Reads shaders/`name` and its includes. An include is a path below shaders/; "NN_name/f.glsl" that is not there
-/// itself is exercise/f.glsl or solution/f.glsl of that folder, as the toggle "NN.f" says. A file is included once.
-/// Chapter NN may include chapters up to NN, and the files that `macros` put in place of others. Of the macros those that
-/// the text names are defined. Throws ShaderError (missing, later chapter, include within #if, #if of a macro that nobody defines).
+/// Reads shaders/`name` and its includes. An include is a path below shaders/; a missing "NN_name/f.glsl" is
+/// exercise/f.glsl or solution/f.glsl of that folder, as the toggle "NN.f" selects. A file is included once. Chapter
+/// NN may include chapters up to NN, and files that `macros` substitutes. Only macros named in the text are defined.
+/// Throws ShaderError (missing, later chapter, include within #if, #if of an undefined macro).
 FlatShader flatten(const std::string& name, const Macros& macros);
 
-/// The same without macros and without looking at them: what a shader's text may name, with the files that `files` replaces.
+/// The same without evaluating macros: all text that a shader may use, with the substitutions of `files`.
 FlatShader flatten_bare(const std::string& name, const Macros& files = {});
 
-/// True where `text` has `name` as a word of its own: METHOD is not in LIGHTS_METHOD.
+/// True if `text` has `name` as a word of its own: METHOD is not in LIGHTS_METHOD.
 bool names_macro(std::string_view text, std::string_view name);
 
-/// The same for a text that is not on disk, which may include what chapter `chapter` ("99": any) may.
+/// The same for a text in memory, with the include rights of chapter `chapter` ("99": any).
 FlatShader flatten_text(const std::string& text, const std::string& name, const std::string& chapter,
                         const Macros& macros);
 
@@ -44,7 +44,7 @@ FlatShader flatten_text(const std::string& text, const std::string& name, const 
 /// processes: an entry appears whole or not at all, and one that is damaged is rebuilt.
 std::vector<uint32_t> compile(Stage stage, const std::string& flat_text, const std::string& name);
 
-/// What spirv-val says against it for Vulkan 1.3 with scalar block layout; empty: valid.
+/// Message of spirv-val for Vulkan 1.3 with scalar block layout; empty: valid.
 std::string validate_spirv(const std::vector<uint32_t>& spirv);
 
 Stage stage_of(const std::string& file_name);

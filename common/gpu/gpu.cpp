@@ -64,7 +64,7 @@ void Gpu::submit_now(const std::function<void(VkCommandBuffer)>& record) {
                                        static_cast<double>(device.timeout_ns()) / 1e9));
         check(waited, "vkWaitForFences");
     } catch (...) {
-        vkDeviceWaitIdle(device.handle);  // what it used is destroyed next
+        vkDeviceWaitIdle(device.handle);  // resources in use are destroyed next
         vkResetFences(device.handle, 1, fence_.address());
         vkFreeCommandBuffers(device.handle, pool_, 1, &commands);
         throw;

@@ -1,4 +1,4 @@
-// The device with what belongs to it: samplers, pipelines, uploads and read-backs.
+// The device with its samplers, pipelines, uploads and read-backs.
 #pragma once
 #include <functional>
 #include <span>
@@ -31,7 +31,7 @@ class Gpu {
     }
 
     /// Fills level 0 of every layer from tightly packed texels and makes the other mips by repeated halving. Throws
-    /// Failure where the number of bytes is another.
+    /// Failure if the number of bytes is another.
     void upload(Image& image, std::span<const std::byte> texels);
 
     /// Fills every level of an image with one layer: `levels` has as many as the image, tightly packed, from level 0.

@@ -8,7 +8,7 @@ namespace {
 
 VkPipelineColorBlendAttachmentState blend_state(Blend blend, VkColorComponentFlags write) {
     VkPipelineColorBlendAttachmentState state{.blendEnable = blend != Blend::opaque, .colorWriteMask = write};
-    // Of colour and alpha alike: what new and old are multiplied by, and how they meet.
+    // For colour and alpha alike: blend factors and operation.
     const auto set = [&](VkBlendFactor source, VkBlendFactor target, VkBlendOp op = VK_BLEND_OP_ADD) {
         state.srcColorBlendFactor = state.srcAlphaBlendFactor = source;
         state.dstColorBlendFactor = state.dstAlphaBlendFactor = target;
@@ -121,7 +121,7 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
                                             .pColorBlendState = &blend,
                                             .pDynamicState = &dynamic,
                                             .layout = layout};
-    // Said in words: a driver may ignore what it has not, or crash.
+    // Checked here, since a driver may ignore a missing feature, or crash.
     const VkPhysicalDeviceFeatures& has = device.has;
     const auto need = [&](bool wanted, VkBool32 present, const char* what) {
         if (wanted && !present) throw Failure("{} + {}: the device has no {}", desc.vertex, desc.fragment, what);

@@ -19,7 +19,7 @@ void add(Words& to, SpvOp op, std::initializer_list<uint32_t> operands) {
     to.insert(to.end(), operands);
 }
 
-/// What a module's declarations say, as far as it matters here.
+/// The parts of a module's declarations that matter here.
 struct Declared {
     std::map<uint32_t, uint32_t> pointee;   ///< of pointers to uniform blocks
     std::map<uint32_t, uint32_t> block_of;  ///< of variables

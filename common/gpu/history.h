@@ -33,7 +33,7 @@ constexpr Access transfer_read{VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRA
                                VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, false};
 constexpr Access transfer_write{VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true};
-/// By whatever comes: what was uploaded.
+/// By any stage: reads of uploaded data.
 constexpr Access any_read{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT,
                           VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
 constexpr Access host_read{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT, VK_IMAGE_LAYOUT_UNDEFINED, false};

@@ -23,7 +23,7 @@ VkImageUsageFlags usage_of(const Device& device, const Image& image) {
     return usage;
 }
 
-// Throws Failure where the device has no such image.
+// Throws Failure if the device has no such image.
 void check_supported(const Device& device, const VkImageCreateInfo& info, const std::string& name) {
     const auto fail = [&](const std::string& why) { throw Failure("image {}: {}", name, why); };
     VkImageFormatProperties most;

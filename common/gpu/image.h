@@ -12,9 +12,8 @@ namespace lightwalk {
 
 class Image;
 
-/// Some mips and layers of an image: `map.layer(i)`, `chain.mip(m)`, `cube.face(f).mip(m)`. A value, to be used while
-/// the image lives. What an image's name alone means: to sample, all of it; as a target or storage image, its first
-/// mip.
+/// Some mips and layers of an image: `map.layer(i)`, `chain.mip(m)`, `cube.face(f).mip(m)`. A value, valid while the
+/// image lives. An image alone means all of it when sampled, and its first mip as a target or storage image.
 struct ImageView {
     const Image* image = nullptr;
     uint32_t first_mip = 0, mips = 0;
@@ -25,7 +24,7 @@ struct ImageView {
     ImageView() = default;
     ImageView(const Image& whole);
 
-    /// The m-th of the view's mips alone. Throws Failure where there is none.
+    /// The m-th of the view's mips alone. Throws Failure if there is none.
     ImageView mip(uint32_t m) const;
     /// The view with every mip of the image.
     ImageView all_mips() const;
@@ -68,13 +67,13 @@ class Image {
         bool cube = false;
         uint32_t depth = 0;    ///< texels; above 0 it is a volume
         uint32_t samples = 1;  ///< a power of two
-        bool kept = false;     ///< what one frame wrote in it, later frames read
+        bool kept = false;     ///< later frames read its contents
         bool operator==(const Desc&) const = default;
     };
     Image() = default;
-    /// Throws Failure where the device has no such image, or not as much memory.
+    /// Throws Failure if the device has no such image, or not as much memory.
     Image(Device& device, const Desc& desc);
-    /// Makes it anew where it is another one than `wanted`; true where it did, and it holds nothing.
+    /// Recreates it if it differs from `wanted`; true if it did, with undefined contents.
     bool fit(Device& device, const Desc& wanted);
     /// An image that belongs to another, such as a swapchain; its views are this one's.
     static Image borrowed(Device& device, VkImage handle, const Desc& desc);
@@ -90,7 +89,7 @@ class Image {
     Desc desc;
     mutable ImageHistory history;
     mutable bool constant = false;    ///< uploaded, not written since: every pass may read it without saying so
-    mutable uint64_t written_in = 0;  ///< Frame::number() of the frame whose pass wrote it last
+    mutable uint64_t written_in = 0;  ///< Frame::number() of the last frame that wrote it
     mutable uint64_t shown_in = 0;    ///< of the frame that applied a tone curve to it: no longer linear light
     explicit operator bool() const { return handle != VK_NULL_HANDLE; }
     bool is_depth() const { return desc.format == VK_FORMAT_D32_SFLOAT || desc.format == VK_FORMAT_D16_UNORM; }
@@ -114,7 +113,7 @@ class Image {
     mutable std::vector<std::pair<ImageView, VkImageView>> views_;
 };
 
-/// Bytes of one texel. Throws Failure for formats whose texels stand in blocks.
+/// Bytes of one texel. Throws Failure for block-compressed formats.
 uint32_t texel_bytes(VkFormat format);
 
 /// As the Vulkan headers spell it, such as "R8G8B8A8Unorm".

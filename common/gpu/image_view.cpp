@@ -107,7 +107,7 @@ VkImageView ImageView::handle() const {
         if (view == *this) return made;
     const Device& device = *image->device_;
     const bool own = format == VK_FORMAT_UNDEFINED;
-    // What is written through codes() alone, a view in the image's own format cannot be used for.
+    // An image written only through codes() supports no storage view in its own format.
     const VkImageViewUsageCreateInfo without_storage{
         .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO,
         .usage = image->usage_ & ~VkImageUsageFlags(VK_IMAGE_USAGE_STORAGE_BIT)};
@@ -117,7 +117,7 @@ VkImageView ImageView::handle() const {
                                      .viewType = type,
                                      .format = own ? image->desc.format : format,
                                      .subresourceRange = range()};
-    // Its place first, so that the image destroys it whatever happens.
+    // The entry first, so that the image destroys the view even after a failure.
     VkImageView& made = image->views_.emplace_back(*this, VK_NULL_HANDLE).second;
     const VkResult result = vkCreateImageView(device.handle, &info, nullptr, &made);
     if (result == VK_SUCCESS) device.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<uint64_t>(made), name());

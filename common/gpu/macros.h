@@ -1,4 +1,4 @@
-// Macros for shaders, and files that are read in place of others.
+// Macros for shaders, and substitutes for included files.
 #pragma once
 #include <cstdint>
 #include <initializer_list>
@@ -9,8 +9,7 @@
 
 namespace lightwalk {
 
-/// Names and values, files by those that they replace, and a number that differs where any of them do: a variant of a
-/// pipeline is found by it.
+/// Names and values, substituted files, and a hash of both that identifies a variant of a pipeline.
 class Macros {
   public:
     Macros() = default;
@@ -29,7 +28,7 @@ class Macros {
         hash_ += of(file, other);
         return *this;
     }
-    /// Takes all of `other`, over what is here.
+    /// Adds all of `other`; its values take precedence.
     void add(const Macros& other) {
         for (const auto& [name, value] : other.values_) set(name, value);
         for (const auto& [file, replacement] : other.files_) replace_file(file, replacement);

@@ -1,8 +1,8 @@
-// What the Vulkan headers know about their own numbers.
+// The Vulkan headers' knowledge of formats.
 #define VULKAN_HPP_NO_SMART_HANDLE
 #define VULKAN_HPP_NO_STRUCT_CONSTRUCTORS
 #include <vulkan/vulkan.hpp>
-// After it: they do not include what they need.
+// After it: they are not self-contained.
 #include <vulkan/vulkan_format_traits.hpp>
 #include <vulkan/vulkan_to_string.hpp>
 

@@ -1,4 +1,4 @@
-// Owns one Vulkan object: what a constructor has made so far is destroyed when a later line of it throws.
+// Owns one Vulkan object: if a constructor throws, the objects made so far are destroyed.
 #pragma once
 #include <vulkan/vulkan.h>
 

@@ -28,7 +28,7 @@ const char* shape(const ImageView& view) {
                                                                   : shape(view.type);
 }
 
-// The same mips and layers in the shape that a shader declares. False where they do not have it.
+// The same mips and layers in the shape that a shader declares. False if they do not have it.
 bool turn_into(ImageView& view, VkImageViewType wanted) {
     if (view.is_volume()) return wanted == VK_IMAGE_VIEW_TYPE_3D && view.type == wanted;
     const bool is_cube = view.image->desc.cube;
@@ -63,7 +63,7 @@ Pass::Slot Pass::slot(std::string_view binding) const {
     return result;
 }
 
-// Null where there is nothing to set: no pipeline, an empty slot, or a binding that the shaders declare and do not use.
+// Null if there is nothing to set: no pipeline, an empty slot, or a binding that the shaders declare and do not use.
 const Binding* Pass::find(const Name& binding) const {
     if (!pipeline_ || (binding.by_slot && !binding.slot)) return nullptr;
     const Slot found = binding.by_slot ? binding.slot : slot(binding.text);
@@ -107,7 +107,7 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     for (const Macros& macros : macros_) scopes.push_back(&macros);
     scopes.push_back(&variant);
     const BuiltPipeline* const pipeline = frame.gpu.pipelines.get(wanted, formats, scopes);
-    if (pipeline && pipeline == pipeline_) return;  // what was set is bound still
+    if (pipeline && pipeline == pipeline_) return;  // bindings are still valid
     pipeline_ = pipeline;
     point_ = point;
     if (!pipeline) return;
@@ -212,7 +212,7 @@ void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> byte
         throw Failure("pass '{}': '{}' is {} bytes in C++ and {} in the shader", name, binding->name, bytes.size(),
                       binding->bytes);
     Bound& bound = bound_[binding->number];
-    // Compared here: reading back what was written for the device can be slow.
+    // Compared with a host copy: reading device memory back can be slow.
     if (bound.bytes.size() != bytes.size() || std::memcmp(bound.bytes.data(), bytes.data(), bytes.size()) != 0) {
         bound.bytes.assign(bytes.begin(), bytes.end());
         store(*binding, 0, buffer_infos_, frame.copy_to_arena(bytes));

@@ -1,4 +1,4 @@
-// What can be done in a pass while it is recorded.
+// Operations available while a pass is recorded.
 #pragma once
 #include <functional>
 #include <string_view>
@@ -13,7 +13,7 @@ class Frame;
 struct PassListener;
 class Raster;
 
-/// What is drawn by binding things to the pass and calling its draw functions.
+/// An object drawn through the pass's bindings and draw functions.
 struct Drawable {
     virtual ~Drawable() = default;
     virtual void draw(Raster& pass) const = 0;
@@ -31,7 +31,7 @@ class Pass {
     Frame& frame;
     const std::string name;
 
-    /// A binding of the pipeline in use, looked up once, for many set(). False where its shaders have none of that
+    /// A binding of the pipeline in use, looked up once, for many set(). False if its shaders have none of that
     /// name; setting it then does nothing.
     class Slot {
       public:
@@ -44,10 +44,10 @@ class Pass {
     };
     Slot slot(std::string_view binding) const;
 
-    /// True where the pipeline in use has a binding of that name.
+    /// True if the pipeline in use has a binding of that name.
     bool wants(std::string_view binding) const { return static_cast<bool>(slot(binding)); }
 
-    /// What set() takes: a name, which must be one of the shaders', or a slot.
+    /// Argument of set(): a binding's name in the shaders, or a slot.
     struct Name {
         Name(const char* n) : text(n) {}
         Name(const std::string& n) : text(n) {}
@@ -58,8 +58,7 @@ class Pass {
         bool by_slot = false;
     };
 
-    /// For modules, which know neither whether the pass draws nor what its shaders name: set() where there is such a
-    /// binding.
+    /// set() if the pipeline has such a binding; for modules, which know neither the kind of pass nor its shaders.
     void offer(std::string_view binding, const ImageView& view, const Sampler& sampler = linear_repeat) {
         set_images(slot(binding), {&view, 1}, sampler);
     }
@@ -76,12 +75,12 @@ class Pass {
     void set_buffer(const Name& binding, const Buffer& buffer);
     /// As many bytes as the block has.
     void set_bytes(const Name& binding, std::span<const std::byte> bytes);
-    /// Binds what was set and has changed. False where there is no pipeline to draw with.
+    /// Binds changed settings. False if there is no pipeline to draw with.
     bool flush();
-    /// Throws Failure where the pass does not read a buffer that draws, dispatches or indices come from.
+    /// Throws Failure if the pass does not read a buffer that draws, dispatches or indices come from.
     void check_indirect(const Buffer& buffer) const;
     const BuiltPipeline* pipeline_ = nullptr;
-    /// Null where nobody listens, and while modules bind.
+    /// Null if nobody listens, and while modules bind.
     PassListener* listener() const;
 
   private:
@@ -100,7 +99,7 @@ class Pass {
     void mark(const Binding& binding);
     std::vector<Stated> stated_;
     const std::vector<const Given*> given_;
-    std::vector<Macros> macros_;                      ///< of what is given
+    std::vector<Macros> macros_;                      ///< of the modules given
     std::vector<Bound> bound_;                        ///< by binding number
     std::vector<VkDescriptorImageInfo> image_infos_;  ///< by element
     std::vector<VkDescriptorBufferInfo> buffer_infos_;
@@ -120,7 +119,7 @@ class PassSetters : public Pass {
         set_images(binding, {&view, 1}, sampler);
         return self();
     }
-    /// Those of an array, from its first element on; the last view is for the elements that are left.
+    /// Sets an array's elements from the first on; the last view fills the remaining ones.
     Self& set(const Name& binding, std::span<const ImageView> views, const Sampler& sampler = linear_repeat) {
         set_images(binding, views, sampler);
         return self();
@@ -146,12 +145,12 @@ class Raster : public PassSetters<Raster> {
   public:
     using PassSetters::PassSetters;
     TargetFormats formats;
-    /// `variant`: macros for this use alone, over those of the pass.
+    /// `variant`: macros for this use only, taking precedence over the pass's.
     Raster& use(const Pipeline& pipeline, const Macros& variant = {});
 
-    /// Until the next use(): what is drawn was mirrored by its transform, so that its front is clockwise (true).
+    /// Until the next use(): the transform mirrors, so front faces are clockwise (true).
     Raster& mirrored(bool mirrors);
-    /// Until the next use(): nothing is culled (true), or what the pipeline says.
+    /// Until the next use(): no culling (true), or the pipeline's.
     Raster& two_sided(bool both);
 
     Raster& draw(uint32_t vertices, uint32_t instances = 1, uint32_t first_instance = 0);
@@ -186,7 +185,7 @@ class Compute : public PassSetters<Compute> {
     /// As many groups as a VkDispatchIndirectCommand says in a buffer that the pass reads, at byte `offset` (a multiple
     /// of 4).
     Compute& dispatch_indirect(const Buffer& groups, VkDeviceSize offset = 0);
-    /// What is dispatched from now on sees what was written before in this pass.
+    /// Makes earlier writes of this pass visible to later dispatches.
     Compute& wait();
 };
 

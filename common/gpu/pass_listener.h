@@ -10,7 +10,7 @@ namespace lightwalk {
 
 struct Sampler;
 
-/// Hears what is recorded into a frame, in order. Bindings of modules (Given::bind) are not among it.
+/// Receives everything recorded into a frame, in order, except for module bindings (Given::bind).
 struct PassListener {
     virtual ~PassListener() = default;
     virtual void begins(const std::string& pass, const RasterTargets& targets) = 0;
@@ -25,11 +25,11 @@ struct PassListener {
     virtual void does_more(std::string_view what) = 0;
 };
 
-/// What a frame does besides. It is stated where the frame is made: nothing that records into a frame can change it.
+/// Extra behaviour of a frame. Stated when the frame is created: nothing that records into it can change this.
 struct FrameWatch {
     PassListener* listener = nullptr;
-    /// A target that a pass discards gets what nobody takes for a picture. Most devices leave there what was before, and
-    /// who relies on it is right by chance.
+    /// Fills discarded targets with a conspicuous value. Most devices leave the old contents there, so code that
+    /// relies on them works by chance.
     bool shows_discarded = false;
 };
 

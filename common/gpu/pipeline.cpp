@@ -28,7 +28,7 @@ VkShaderStageFlagBits stage_bit(Stage stage) {
     return VK_SHADER_STAGE_ALL;
 }
 
-// What identifies a pipeline apart from toggles and choices.
+// Identity of a pipeline apart from toggles and choices.
 std::string identity(const Pipeline& p, const TargetFormats& formats) {
     std::string key;
     for (const std::string& shader : p.shaders()) key += shader + " ";
@@ -171,7 +171,7 @@ const BuiltPipeline* PipelineLibrary::find(const Pipeline& pipeline, const Targe
     std::string key = same;
     for (const FlatShader& shader : flat) key += fmt::format(" {}", hash_bytes(shader.text));
     Variant& variant = variants_[key];
-    if (!variant.error.empty()) throw ShaderError(variant.error);  // what did not compile will not until it is edited
+    if (!variant.error.empty()) throw ShaderError(variant.error);  // a failed variant stays failed until it is edited
     try {
         if (!variant.built) variant.built = build(pipeline, formats, flat);
     } catch (const ShaderError& e) {

@@ -24,9 +24,9 @@ class Pipeline {
         std::string vertex, geometry, fragment;  ///< below shaders/
         VkCullModeFlags cull = VK_CULL_MODE_BACK_BIT;
         bool depth_test = true, depth_write = true;
-        Compare depth_compare = Compare::greater_or_equal;  ///< a fragment's depth with what is stored
+        Compare depth_compare = Compare::greater_or_equal;  ///< compares a fragment's depth with the stored depth
         DepthBias depth_bias;
-        bool depth_clamp = false;  ///< what lies before the near or behind the far plane is drawn at its depth
+        bool depth_clamp = false;  ///< clamps depth outside the near and far planes instead of clipping
         PerTarget<Blend> blend = Blend::opaque;
         PerTarget<VkColorComponentFlags> color_write = write_rgba;
         bool alpha_to_coverage = false;  ///< with several samples: alpha says how many of them are covered
@@ -57,15 +57,15 @@ class Pipeline {
 inline Pipeline graphics(Pipeline::Graphics desc) { return Pipeline(std::move(desc)); }
 inline Pipeline compute(Pipeline::Compute desc) { return Pipeline(std::move(desc)); }
 
-/// One more number in a hash. Small ones must not cancel each other: of two pipelines whose ids and targets differ in a bit
-/// each, one was drawn as the other. So the first is mixed into 1, and nothing is combined before it is mixed.
+/// Adds a number to a hash. Small inputs must not cancel: two pipelines that differed in one bit each of id and
+/// target were once confused. So the first is mixed into 1, and every number is mixed before it is combined.
 uint64_t mixed(uint64_t hash, uint64_t value);
 
-/// What a graphics pipeline draws into.
+/// Target formats of a graphics pipeline.
 struct TargetFormats {
     std::vector<VkFormat> color;
     VkFormat depth = VK_FORMAT_UNDEFINED;
-    bool depth_read_only = false;  ///< depth is tested against and never written, whatever the pipeline says
+    bool depth_read_only = false;  ///< depth is tested and never written, even if the pipeline writes depth
     uint32_t samples = 1;
     std::optional<Mixing> mixing;  ///< overrules the pipeline's blending and writing of depth
     auto operator<=>(const TargetFormats&) const = default;
@@ -96,22 +96,22 @@ class PipelineLibrary {
 
     /// Window mode: a variant that does not compile leaves the last good one in place, and `errors` says why.
     bool keep_last_good = false;
-    /// By pipeline: file:line: message. Every get() of a variant that did not compile puts it there, so that clearing
-    /// it before a frame leaves the errors of what that frame uses.
+    /// By pipeline: file:line: message. Every get() of a failed variant adds its error, so after clearing it before a
+    /// frame it holds that frame's errors.
     std::map<std::string, std::string> errors;
 
-    /// The variant for the toggles of the moment and for the macros: the pipeline's own overrule the last of `macros`,
-    /// which overrules those before. What the shaders do not name makes no variant. Null where there is none and
-    /// keep_last_good is set. Throws ShaderError otherwise.
+    /// The variant for the current toggles and the macros: the pipeline's own take precedence over the last of
+    /// `macros`, which takes precedence over earlier ones. Macros that the shaders do not name make no variant. Null
+    /// if it failed and keep_last_good is set; else throws ShaderError.
     const BuiltPipeline* get(const Pipeline& pipeline, const TargetFormats& formats,
                              std::span<const Macros* const> macros);
 
-    /// Looks whether a file that was read has changed, and forgets what was built from it. True where one had. A file
-    /// that was written less than `rest` ago may still be written: it is left for a later call; an empty one, which
-    /// most editors make before they write, for two seconds.
+    /// Checks files for changes and discards everything built from changed ones. True if one changed. A file written
+    /// less than `rest` ago may be incomplete and is left for a later call; an empty one, which most editors create
+    /// first, for two seconds.
     bool forget_changed_files(std::chrono::milliseconds rest = {});
 
-    /// Builds everything anew when it is next used, and keeps the last good one where that fails.
+    /// Rebuilds everything on its next use, and keeps the last good one if that fails.
     void rebuild();
 
     /// Forgets all that was built; nothing may be in flight.
@@ -126,7 +126,7 @@ class PipelineLibrary {
         std::unique_ptr<BuiltPipeline> built;
         std::string error;
     };
-    /// What get() was asked, as one number, and what it answered, where that was without an error.
+    /// Hashes of successful get() calls, with their results.
     std::unordered_map<uint64_t, const BuiltPipeline*> known_;
     Device& device_;
     std::map<std::string, Variant> variants_;       ///< by pipeline, formats and the text that was compiled
@@ -137,7 +137,7 @@ class PipelineLibrary {
 VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const TargetFormats& formats,
                            const std::vector<VkPipelineShaderStageCreateInfo>& stages, VkPipelineLayout layout);
 
-/// What in a description makes another pipeline of the same shaders.
+/// State that distinguishes pipelines of the same shaders.
 std::string state_key(const Pipeline::Graphics& desc, const TargetFormats& formats);
 
 /// A pipeline's stages as text, with `macros` and the pipeline's own.
@@ -152,7 +152,7 @@ struct CompiledStages {
 CompiledStages compile_stages(const Pipeline& pipeline, const std::vector<FlatShader>& flat);
 
 /// Numbers the bindings of all stages by name, those in use first, and writes the numbers into the modules. Returns them,
-/// merged, by number. Throws ShaderError where two stages use one name for different things.
+/// merged, by number. Throws ShaderError if two stages use one name for different things.
 std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_size = nullptr);
 
 }  // namespace lightwalk

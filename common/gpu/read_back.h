@@ -1,4 +1,4 @@
-// What a frame brings back to the host, without anybody waiting for it.
+// Asynchronous read-back from a frame to the host.
 #pragma once
 #include <cstring>
 #include <memory>
@@ -19,7 +19,7 @@ class ReadBack {
         return *this ? std::span(state_->staging.mapped, state_->bytes) : std::span<const std::byte>();
     }
 
-    /// The same as numbers or structs; what is left over at the end is dropped.
+    /// The same as numbers or structs; a remainder is dropped.
     template <class T>
     std::vector<T> as() const {
         std::vector<T> result(bytes().size() / sizeof(T));

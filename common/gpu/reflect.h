@@ -1,4 +1,4 @@
-// What a shader wants bound, read from its SPIR-V, so that nobody writes a set or binding number.
+// Bindings of a shader, read from its SPIR-V, so that nobody writes set or binding numbers.
 #pragma once
 #include <vulkan/vulkan.h>
 
@@ -25,14 +25,14 @@ struct Binding {
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_MAX_ENUM;
     uint32_t number = 0;
     uint32_t count = 1;                                 ///< elements of an array
-    uint32_t first = 0;                                 ///< of its elements among those of all the pipeline's bindings
+    uint32_t first = 0;                                 ///< first element among all bindings' elements
     VkImageViewType view_type = VK_IMAGE_VIEW_TYPE_2D;  ///< of an image
     VkFormat format = VK_FORMAT_UNDEFINED;              ///< that a storage image's layout() names; undefined: any
     VkShaderStageFlags stages = 0;
     uint32_t bytes = 0;     ///< of a uniform block
     bool writable = false;  ///< a storage buffer or image without `readonly`
     bool readable = true;   ///< an image without `writeonly`
-    bool used = true;  ///< main() reaches it; a shader may declare what it does not use, and nothing is bound there
+    bool used = true;       ///< reachable from main(); unused declarations are not bound
     std::vector<BlockMember> members;
     uint32_t offset_of_number = 0;  ///< word of the module that holds the binding number
 };
@@ -42,7 +42,7 @@ struct Reflection {
     glm::uvec3 local_size{1};  ///< of a compute shader
 };
 
-/// Throws Failure where the module cannot be read or an array of bindings has no size.
+/// Throws Failure if the module cannot be read or an array of bindings has no size.
 Reflection reflect(const std::vector<uint32_t>& spirv);
 
 }  // namespace lightwalk

@@ -18,11 +18,11 @@ enum class Border { transparent_black, opaque_black, opaque_white };
 struct Sampler {
     Filter filter = Filter::linear;        ///< between the texels of a mip
     Filter mip_filter = Filter::linear;    ///< between mips
-    Compare compare = Compare::off;        ///< for sampler2DShadow and the like: the reference with what is stored
+    Compare compare = Compare::off;        ///< for sampler2DShadow: compares the reference with the stored depth
     Wrap wrap = Wrap::repeat;              ///< outside 0 to 1, in each direction
     std::optional<Wrap> wrap_v{};          ///< along v, where it differs
     Border border = Border::opaque_black;  ///< outside, with Wrap::border
-    float anisotropy = 1;                  ///< samples along a slanted footprint, 1 to 16; what the device has at most
+    float anisotropy = 1;                  ///< samples along a slanted footprint, 1 to 16; at most the device's limit
     float min_lod = 0, max_lod = VK_LOD_CLAMP_NONE;  ///< mips of the bound view
     float lod_bias = 0;                              ///< mips; positive is blurrier
     auto operator<=>(const Sampler&) const = default;

@@ -1,4 +1,4 @@
-// Sealed shaders: what a run compiled, for a run that may not read the text.
+// Sealed shaders: compiled by one run, for another that may not read the source.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -16,8 +16,8 @@ class Slices {
     /// Makes the buffer and fills it. `to` and `bytes` stay where they are until step() has said that nothing is left.
     void add(Buffer& to, const std::string& name, std::span<const std::byte> bytes);
 
-    /// Fills an image with one layer; of the levels that are missing each is halved from the one before, as by
-    /// Gpu::upload(). What is given stays where it is, as above.
+    /// Fills a one-layer image; missing mip levels are each halved from the previous one, as by Gpu::upload(). The
+    /// data must outlive the upload, as above.
     void add(Image& to, const std::vector<std::vector<std::byte>>& levels);
 
     /// In its turn, as a slice of its own: gives back memory that is not needed once those before it are done.
@@ -29,7 +29,7 @@ class Slices {
     /// One slice at least, more until `budget_ms` have passed. True: nothing is left.
     bool step(Gpu& gpu, double budget_ms);
 
-    /// What is done, 0 to 1.
+    /// Fraction done, 0 to 1.
     float share() const { return count_ ? 1.0f - float(waiting_.size()) / float(count_) : 1.0f; }
     // [/slices]
 

@@ -1,4 +1,4 @@
-// What a graphics pipeline does besides its shaders: comparing depth, blending, writing colour.
+// Fixed-function state of a graphics pipeline: depth test, blending, colour writes.
 #pragma once
 #include <vulkan/vulkan.h>
 
@@ -8,7 +8,7 @@
 
 namespace lightwalk {
 
-/// What is compared with what is stored. Reverse depth: nearer is greater. `off` is for samplers alone.
+/// Comparison with the stored value. Reverse depth: nearer is greater. `off` is for samplers only.
 enum class Compare { off, never, less, equal, less_or_equal, greater, not_equal, greater_or_equal, always };
 
 inline VkCompareOp compare_op(Compare compare) {
@@ -54,7 +54,7 @@ class PerTarget {
     std::vector<T> values_;
 };
 
-/// How a pass's fragments meet its targets, whatever its pipelines say: for whoever mixes what others draw.
+/// Blend state that overrides a pass's pipelines, for methods that blend others' draws.
 struct Mixing {
     std::vector<Blend> blend;  ///< one for each colour target
     bool depth_write = false;

@@ -55,7 +55,7 @@ bool contains(const std::vector<Resource>& list, const Resource& wanted) {
 
 bool overlap(const Resource& a, const Resource& b) { return a.view && b.view && a.view.overlaps(b.view); }
 
-// What is drawn into of a view.
+// The part of a view used as a target.
 ImageView target_view(const ImageView& view, uint32_t layers) {
     const ImageView mip = view.mip(0);
     if (layers > 1) return mip.layer_range(0, layers);

@@ -1,4 +1,4 @@
-// What a pass states: the images it draws into, and what it reads and writes besides.
+// The statement of a pass: its targets, and the resources it reads and writes.
 #pragma once
 #include <concepts>
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace lightwalk {
 
-/// An image or a buffer in a pass's statement. Whatever turns into a view does, too.
+/// An image or a buffer in a pass's statement; implicit from anything convertible to a view.
 struct Resource {
     ImageView view;
     const Buffer* buffer = nullptr;
@@ -20,7 +20,8 @@ struct Resource {
     explicit operator bool() const { return view || buffer; }
 };
 
-/// A target, and what it holds when the pass begins. A view's first mip; its first layer, or as many as the pass says.
+/// A target and its contents at the start of the pass. A view's first mip; its first layer, or as many as the pass
+/// states.
 struct Attachment {
     enum class Load { clear, keep, discard, read_only };
     ImageView view;
@@ -33,7 +34,7 @@ struct Attachment {
     requires std::convertible_to<const T&, ImageView> Attachment(const T& image) : view(image) {}
 };
 
-/// Cleared: what a target is that says nothing else.
+/// Cleared: the default of a target.
 Attachment clear(const ImageView& view, const glm::vec4& color = {0.0f, 0.0f, 0.0f, 1.0f});
 Attachment clear(const ImageView& view, float depth);
 /// Drawn over.
@@ -49,9 +50,9 @@ Attachment resolve(Attachment from, const ImageView& into);
 using With = std::reference_wrapper<const Given>;
 
 // [raster_targets]
-/// A raster pass draws into `color` and `depth` and may read and write other resources in its shaders. What it does not
-/// state it cannot bind; what was uploaded needs no statement. A target is cleared unless it says otherwise:
-/// `.color = {clear(f.hdr, sky), keep(normals)}, .depth = read_only(f.depth)`.
+/// A raster pass draws into `color` and `depth`; its shaders may read and write other stated resources. Unstated
+/// resources cannot be bound, except for uploads. A target is cleared by default: `.color = {clear(f.hdr, sky),
+/// keep(normals)}, .depth = read_only(f.depth)`.
 struct RasterTargets {
     std::vector<Attachment> color;
     Attachment depth;
@@ -63,7 +64,7 @@ struct RasterTargets {
 };
 // [/raster_targets]
 
-/// A compute pass; what stands in both lists is read and written.
+/// A compute pass; resources in both lists are read and written.
 struct ComputeAccess {
     std::vector<Resource> reads, writes;
     std::vector<With> with;
@@ -76,9 +77,9 @@ struct Stated {
     bool read, writable;
 };
 
-/// The targets of one pass, checked. Throws Failure, with the pass's name, where they differ in size or samples.
+/// The targets of one pass, checked. Throws Failure, with the pass's name, if they differ in size or samples.
 struct Rendering {
-    /// `shows_discarded`: what is discarded is filled with bright magenta, or with the nearest depth.
+    /// `shows_discarded`: fills discarded targets with bright magenta, or the nearest depth.
     Rendering(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size,
               bool shows_discarded = false);
     void begin(VkCommandBuffer commands) const;
@@ -88,7 +89,7 @@ struct Rendering {
     glm::uvec2 size{0};
     uint32_t layers = 1;
     std::vector<std::pair<ImageView, Access>> accesses;
-    std::vector<ImageView> loaded;  ///< those of whose contents something is kept
+    std::vector<ImageView> loaded;  ///< targets with contents kept
 
   private:
     VkRenderingAttachmentInfo add(const std::string& pass, Attachment target, bool is_depth, bool shows_discarded);
@@ -96,15 +97,15 @@ struct Rendering {
     VkRenderingAttachmentInfo depth_{};
 };
 
-/// All that is given to a pass by the modules it names, and by `root` (may be null). Throws Failure where two are of
+/// All that is given to a pass by the modules it names, and by `root` (may be null). Throws Failure if two are of
 /// one kind: they would share their names in its shaders.
 std::vector<const Given*> all_given(const std::string& pass, const std::vector<With>& with, const Given* root);
 
-/// `reads`, and what was given reads besides.
+/// `reads`, and the reads of the modules given.
 std::vector<Resource> with_given(std::vector<Resource> reads, const std::vector<const Given*>& given);
 
-/// What the shaders of a pass may bind of reads and writes, beside its targets. Throws Failure where parts overlap that
-/// are not the same.
+/// Resources that the shaders of a pass may bind, beside its targets. Throws Failure for overlapping parts that
+/// differ.
 std::vector<Stated> state(const std::string& pass, const std::vector<Resource>& reads,
                           const std::vector<Resource>& writes, const RasterTargets* targets = nullptr);
 

@@ -1,4 +1,4 @@
-// What comes and goes while nothing is drawn: uploads and read-backs that wait.
+// Blocking uploads and read-backs outside of frames.
 #include <cstring>
 
 #include "common/base/error.h"

@@ -43,8 +43,8 @@ void check_png_size(const fs::path& path, const std::string& bytes) {
     check_image_size(path, number(16), number(20));
 }
 
-/// The file as stb asks for it. What it is asked for beyond the file's end it cannot give: stb takes zeros then, and
-/// most formats are whole pictures to it all the same.
+/// The file as an stb source. Reads past its end return nothing; stb then assumes zeros and accepts most truncated
+/// formats.
 struct Source {
     const std::string& bytes;
     size_t at = 0;
@@ -67,8 +67,8 @@ struct Source {
     static constexpr stbi_io_callbacks calls{read, skip, at_end};
 };
 
-/// Throws what stb has against a file: `what` where it gives no reason, and std::bad_alloc where memory ended, of which
-/// the file is innocent.
+/// Throws stb's reason against a file: `what` if it gives none, and std::bad_alloc if memory ran out, which is not
+/// the file's fault.
 [[noreturn]] void reject_as(const fs::path& path, const std::string& what) {
     const char* why = stbi_failure_reason();
     if (why && std::string_view(why) == "outofmem") throw std::bad_alloc();
@@ -97,7 +97,7 @@ void mirror_rows(Texel* texels, int width, int height) {
     for (int y = 0; y < height; ++y) std::reverse(texels + int64_t{y} * width, texels + int64_t{y + 1} * width);
 }
 
-/// What goes through the guard's pipe: samples, then the header's fields.
+/// The message through the guard's pipe: samples, then the header's fields.
 std::string decode_here(const fs::path& path, const std::string& bytes, int wanted, Depth depth) {
     Decoded picture = read_header(path, bytes);
     if (is_cut_jpeg(bytes)) reject(path, "is cut off");

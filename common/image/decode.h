@@ -24,7 +24,7 @@ Decoded decode_picture(const std::filesystem::path& path, int wanted, Depth dept
 /// The same of a file's bytes; `path` names it in messages.
 Decoded decode_picture(const std::filesystem::path& path, const std::string& bytes, int wanted, Depth depth);
 
-/// Throws InputError: "PATH: WHY; expected ...", for whatever is no picture that can be read.
+/// Throws InputError "PATH: WHY; expected ..." for an unreadable picture.
 [[noreturn]] void reject(const std::filesystem::path& path, const std::string& why);
 
 }  // namespace lightwalk

@@ -17,7 +17,7 @@
 
 namespace {
 
-/// For stb's writer, in place of its own, which takes longer and makes larger files than zlib's level 4.
+/// For stb's writer, instead of its own, which takes longer and makes larger files than zlib's level 4.
 unsigned char* deflated_by_zlib(unsigned char* data, int size, int* deflated_size, int) {
     uLongf bound = compressBound(static_cast<uLong>(size));
     auto* const deflated = static_cast<unsigned char*>(std::malloc(bound));

@@ -1,4 +1,4 @@
-// Images in memory, as numbers: what is read from disk, compared, and written back.
+// Images in memory as numbers: read from disk, compared, and written back.
 #pragma once
 #include <cmath>
 #include <cstddef>
@@ -25,7 +25,7 @@ struct ImageRgb {
 /// No channel is NaN or infinite.
 inline bool all_finite(glm::vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-/// sRGB and straight alpha, 8 bits each, rows from the top: what a screenshot holds.
+/// A screenshot's pixels: sRGB and straight alpha, 8 bits each, rows from the top.
 struct Image8 {
     int width = 0, height = 0;  ///< pixels
     std::vector<glm::u8vec4> pixels;
@@ -51,7 +51,7 @@ ImageRgb to_linear(const Image8& image);  ///< Drops alpha.
 /// Clamps to [0, 1], encodes and rounds to the nearest of 256 steps; NaN becomes 0, alpha 255.
 Image8 to_srgb8(const ImageRgb& image);
 
-/// Every colour channel one 8-bit step up (255 goes down): what a chart's line "one 8-bit step" is measured with.
+/// Every colour channel one 8-bit step up (255 goes down): a chart's reference line "one 8-bit step".
 Image8 one_step_away(const Image8& image);
 
 /// True for the names that hold linear floats: .hdr and .pfm, in any case.
@@ -73,16 +73,16 @@ struct TexelImage {
     std::vector<std::byte> bytes;  ///< grey fills r, g and b; a missing alpha is the largest value
 };
 
-/// Reads what read_image8 does, undecoded. Throws InputError as it does.
+/// Reads the files of read_image8, undecoded. Throws InputError likewise.
 TexelImage read_texels(const std::filesystem::path& path, bool keep_16_bits);
 
 /// The same of a file's bytes; `path` names it in messages.
 TexelImage read_texels(const std::filesystem::path& path, std::span<const std::byte> bytes, bool keep_16_bits);
 
-/// Throws InputError, naming the file, where a declared size is below 1 or above the limits.
+/// Throws InputError, naming the file, if a declared size is below 1 or above the limits.
 void check_image_size(const std::filesystem::path& path, int64_t width, int64_t height);
 
-/// Writes a PNG whole or not at all. Throws InputError where it cannot be written.
+/// Writes a PNG whole or not at all. Throws InputError if it cannot be written.
 void write_png(const std::filesystem::path& path, const Image8& image);
 
 /// 32-bit float RGB, exact for every value, NaN included: the Portable FloatMap ("PF", rows from the bottom, a

@@ -19,16 +19,16 @@ struct Plane {
 /// Calls work(y_begin, y_end) over [0, height) from as many threads as there are cores, at most 8.
 void for_row_bands(int height, const std::function<void(int, int)>& work);
 
-/// 1-D weights, 2r + 1 of them, and what they sum to: 1 for a blur, 0 for a derivative.
+/// 1-D weights, 2r + 1 of them, and their sum: 1 for a blur, 0 for a derivative.
 struct Kernel {
     std::vector<float> weights;
     float sum = 1.0f;
 };
 
-/// out(x, y) = sum of weights[r + i] * in(x + i, y), i in [-r, r]; beyond the border the border's value repeats.
-/// Computed as sum * in(x, y) plus the weighted differences from in(x, y), so that a constant stays exactly what it is
-/// and its derivative is exactly 0 (FLIP takes a square root of that). The order of the additions is fixed: the result
-/// does not depend on the number of threads.
+/// out(x, y) = sum of weights[r + i] * in(x + i, y), i in [-r, r], with the border value repeated outside. Computed
+/// as sum * in(x, y) plus weighted differences from in(x, y): a constant stays exactly constant, and its derivative
+/// is exactly 0 (FLIP takes its square root). The order of additions is fixed, so the result does not depend on the
+/// number of threads.
 Plane filter_rows(const Plane& in, const Kernel& kernel);
 /// The same along y.
 Plane filter_columns(const Plane& in, const Kernel& kernel);

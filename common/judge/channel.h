@@ -1,4 +1,4 @@
-// What the grader's check program and the process with the student's code say to each other: a length, then a record.
+// Protocol between the grader's check program and the process with the student's code: a length, then a record.
 #pragma once
 #include "common/judge/wire.h"
 
@@ -19,7 +19,7 @@ struct Reply {
     uint64_t nonce = 0;
     Kind kind = Kind::lost;
     uint32_t exceptions = 0;  ///< floating-point ones, as <cfenv> has them
-    std::string bytes;        ///< the result, or the text of what was thrown
+    std::string bytes;        ///< the result, or the text of an exception
 };
 
 template <class Record>

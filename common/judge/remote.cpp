@@ -94,7 +94,7 @@ class Asking {
         lose(what + " did not return within " + std::to_string(call_limit_s()) + " s: does a loop never end?");
     }
 
-    // Waits until `fd` is ready; false where the time is over.
+    // Waits until `fd` is ready; false if the time is over.
     bool ready(int fd, short events) const {
         for (;;) {
             const auto left =

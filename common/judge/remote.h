@@ -11,8 +11,8 @@
 
 namespace lightwalk {
 
-/// What a call gave: the result and what became of its arguments that are not const.
-/// Throws what the student's code threw (InputError as such, others as std::runtime_error), and Lost.
+/// Result of a call, with the final values of its non-const arguments. Rethrows the student's exceptions (InputError
+/// as such, others as std::runtime_error), and throws Lost.
 std::string ask(const std::string& id, const std::string& arguments);
 
 /// One that cannot be asked for: an argument is a device, a function, a pointer.

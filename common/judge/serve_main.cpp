@@ -37,7 +37,7 @@ void send(const channel::Reply& reply) {
     }
 }
 
-// False where there is no more.
+// False if there is no more.
 bool receive(std::string& bytes, size_t count) {
     bytes.resize(count);
     for (size_t at = 0; at < count;) {

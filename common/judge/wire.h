@@ -1,5 +1,5 @@
-// Values as bytes, to and from another process of the same build. What comes back is not trusted: lengths are looked
-// at, a bool is 0 or 1, and no pointer travels.
+// Values as bytes, to and from another process of the same build. Input is not trusted: lengths are checked, a bool
+// is 0 or 1, and pointers are refused.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -145,7 +145,7 @@ void put(std::string& bytes, const T& value) {
     }
 }
 
-/// What a received argument is kept as: text and lists are their own.
+/// Storage type of a received argument: text and lists own their data.
 template <class T>
 struct kept {
     using type = T;
@@ -159,7 +159,7 @@ struct kept<std::span<T, n>> {
     using type = std::vector<std::remove_const_t<T>>;
 };
 
-/// Throws Failure where the bytes end too early.
+/// Throws Failure if the bytes end too early.
 template <class T>
 void take(std::string_view& bytes, T& value) {
     if constexpr (Number<T> || Numbers<T>) {

@@ -81,7 +81,7 @@ nlohmann::ordered_json as_json(const Options& options, const Comparison& c) {
         {"relative_rmse", c.difference.relative_rmse},
         {"relative_epsilon", relative_epsilon},
         {"max", c.difference.max},
-        {"psnr_db", psnr_db(c.difference.mse)},  // null where infinite
+        {"psnr_db", psnr_db(c.difference.mse)},  // null if infinite
         {"max_diff", {{"steps", c.steps.steps}, {"x", c.steps.x}, {"y", c.steps.y}, {"pixels", c.steps.pixels}}},
         {"nearly_constant", {{"reference", c.constant_reference}, {"test", c.constant_test}}},
         {"nan", {{"reference", c.difference.reference.nan}, {"test", c.difference.test.nan}}},
@@ -108,7 +108,7 @@ void print(const Comparison& c) {
                 c.difference.reference.inf, c.difference.test.nan, c.difference.test.inf);
 }
 
-/// True where every limit is kept; a line on the error stream where not. With any limit, NaN and Inf are over it.
+/// True if every limit is kept; a line on the error stream where not. With any limit, NaN and Inf are over it.
 bool within_limits(const Options& options, const Comparison& c) {
     std::string over;
     const auto check = [&](const char* what, double value, double limit) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Section and equation numbers are those of the 2020 paper.
+/// Sections and equations of the 2020 paper.
 namespace constant {
 constexpr float colour_exponent = 0.7f;      // q_c, 4.1.3
 constexpr float colour_split = 0.4f;         // p_c: this share of the largest colour error ...
@@ -246,7 +246,7 @@ ErrorMap flip_ldr(const ImageRgb& reference, const ImageRgb& test, float pixels_
         t.pixels[i] = glm::clamp(t.pixels[i], 0.0f, 1.0f);
     }
     ErrorMap map{r.width, r.height, std::vector<float>(r.pixels.size())};
-    if (r.pixels != t.pixels) {  // what is equal is filtered to what is equal: its error is exactly 0
+    if (r.pixels != t.pixels) {  // equal inputs are filtered to equal outputs: their error is exactly 0
         const Filtered of_reference = filtered(r, pixels_per_degree), of_test = filtered(t, pixels_per_degree);
         for_row_bands(r.height, [&](int begin, int end) {
             for (size_t i = size_t(begin) * size_t(r.width); i < size_t(end) * size_t(r.width); ++i)

@@ -29,7 +29,7 @@ struct ErrorMap {
 
 /// LDR-FLIP of linear-light images in [0, 1] (values outside are clamped). flip(a, b) equals flip(b, a) bit for bit.
 /// A pixel that is NaN or infinite in either image gets error 1 and does not touch its neighbours' error.
-/// Throws InputError where sizes differ or an image is empty, or pixels_per_degree is not in (0, 1000].
+/// Throws InputError if sizes differ or an image is empty, or pixels_per_degree is not in (0, 1000].
 ErrorMap flip_ldr(const ImageRgb& reference, const ImageRgb& test, float pixels_per_degree = default_pixels_per_degree);
 
 /// The exposures HDR-FLIP looks at, in stops (log2 of the factor), `count` of them evenly from start to stop.
@@ -46,7 +46,7 @@ ExposureRange exposure_range(float start, float stop);
 
 /// The 2021 paper's range: at `start` the reference's brightest luminance, at `stop` its median luminance, tone-maps
 /// to 0.85. Pixels that are NaN or infinite are left out.
-/// Throws InputError where the median is 0 (more than half of it is black: log2(max / 0) is infinite).
+/// Throws InputError if the median is 0 (more than half of it is black: log2(max / 0) is infinite).
 ExposureRange automatic_exposures(const ImageRgb& reference);
 
 /// The tone mapper HDR-FLIP assumes: Narkowicz's ACES fit, https://knarkowicz.wordpress.com/2016/01/06/, with its
@@ -62,7 +62,7 @@ double flip_tone_map_inverse(double level);
 ErrorMap flip_hdr(const ImageRgb& reference, const ImageRgb& test, std::optional<ExposureRange> exposures = {},
                   float pixels_per_degree = default_pixels_per_degree);
 
-/// What one says about a map. Weighted percentiles (2020, section 6) weigh each pixel by its error: half of the total
+/// Summary of an error map. Weighted percentiles (2020, section 6) weigh each pixel by its error: half of the total
 /// error lies in pixels at or above the weighted median.
 struct ErrorSummary {
     double mean = 0, p99 = 0, max = 0;

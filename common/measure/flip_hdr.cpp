@@ -1,4 +1,4 @@
-// HDR-FLIP, and what is said about an error map.
+// HDR-FLIP, and the summary of an error map.
 #include <algorithm>
 #include <array>
 #include <cmath>

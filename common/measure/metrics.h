@@ -26,7 +26,7 @@ struct Difference {
     NonFinite reference, test;  ///< left out of the above
 };
 
-/// Throws InputError where sizes differ.
+/// Throws InputError if sizes differ.
 Difference difference(const ImageRgb& reference, const ImageRgb& test);
 
 /// 10 log10(peak² / mse) in dB: the mean square, not its root, stands under the logarithm. Infinite where mse is 0.
@@ -38,10 +38,10 @@ struct StepDifference {
     int steps = 0, x = 0, y = 0;
     size_t pixels = 0;  ///< that differ at all
 };
-/// Throws InputError where sizes differ.
+/// Throws InputError if sizes differ.
 StepDifference max_step_difference(const Image8& reference, const Image8& test);
 
-/// True where fewer than `share` of the pixels lie more than `steps` 8-bit steps, in any colour channel, away from the
+/// True if fewer than `share` of the pixels lie more than `steps` 8-bit steps, in any colour channel, away from the
 /// image's median colour: a picture on which nothing was drawn. An image without pixels is constant.
 bool is_nearly_constant(const Image8& image, int steps = 4, double share = 0.002);
 

@@ -1,4 +1,4 @@
-// Of many ways to do a thing, those that no other way beats in both time and error.
+// Pareto front of time and error.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ inline std::vector<size_t> pareto_front(std::span<const Cost> points) {
     return front;
 }
 
-/// The cheapest point whose error is at most `budget`; points.size() where there is none.
+/// The cheapest point with an error of at most `budget`; points.size() if there is none.
 inline size_t cheapest_within(std::span<const Cost> points, double budget) {
     size_t best = points.size();
     for (size_t i = 0; i < points.size(); ++i)

@@ -1,4 +1,4 @@
-// Where a scene's items are at a time, and what of that the device has to be told.
+// Placement of a scene's items at a time, and the resulting updates to the device.
 #include <atomic>
 
 #include "common/scene/scene.h"
@@ -34,7 +34,7 @@ Instance instance_of(const DrawItem& item, size_t index) {
     return {item.transform, glm::transpose(glm::inverse(glm::mat3(item.transform))), static_cast<uint32_t>(index)};
 }
 
-// True where it is elsewhere now.
+// True if it is elsewhere now.
 bool Scene::place(DrawItem& item) const {
     const glm::mat4 transform = objects_[item.object].world * item.model->nodes[item.node];
     if (transform == item.transform && !item.bounds.empty()) return false;

@@ -21,7 +21,7 @@ float radius_of(const Bounds& bounds) {
     return bounds.empty() ? 1.0f : std::max(0.5f * glm::length(bounds.extent()), 1e-4f);
 }
 
-// What an upward surface of albedo 1 shows.
+// Radiance of an upward surface of albedo 1.
 glm::vec3 light_from_above(const SceneFile& scene) {
     glm::vec3 sum = scene.ambient;
     for (const Light& light : scene.lights)

@@ -19,7 +19,7 @@ void add_ground(SceneFile& scene, const Model& model, const Bounds& bounds);
 std::string why_invisible(const Model& model, glm::vec3 eye);
 
 /// The camera of that number in the model's file, and the file's lights instead of the scene's where it has any. Throws
-/// InputError where there is no such camera.
+/// InputError if there is no such camera.
 void use_camera_of_file(SceneFile& scene, const Model& model, size_t number);
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// A pinhole camera: where it stands, where it looks, what it sees.
+// A pinhole camera: position, orientation and projection.
 #pragma once
 #include <glm/glm.hpp>
 

@@ -7,7 +7,7 @@
 namespace lightwalk {
 namespace {
 
-/// What the codes 0, 1/2, 1, 3/2 ... 255 mean in linear light.
+/// Linear light of the codes 0, 1/2, 1, 3/2 ... 255.
 std::array<float, 511> linear_of_half_codes() {
     std::array<float, 511> values;
     for (size_t i = 0; i < values.size(); ++i) values[i] = srgb_to_linear(static_cast<float>(i) / 510.0f);

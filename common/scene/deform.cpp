@@ -1,4 +1,4 @@
-// Meshes that a model file deforms: what the device needs for it, and the pass.
+// Deformed meshes: their device buffers, and the pass.
 #include "common/scene/scene.h"
 
 namespace lightwalk {

@@ -8,7 +8,7 @@
 namespace lightwalk {
 namespace {
 
-// Asks the pipeline in use once what of a scene it wants, and then sets what differs from the item before.
+// Queries the current pipeline's bindings once, then sets only those that differ from the previous item's.
 class Bindings {
   public:
     Bindings(Raster& pass, const Scene& scene) : pass_(pass), scene_(scene), vertices_(pass.slot("vertices")) {

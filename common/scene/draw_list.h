@@ -1,4 +1,4 @@
-// What of a scene is drawn, and in what order.
+// A selection of a scene's items, in drawing order.
 #pragma once
 #include "common/gpu/pass.h"
 #include "common/scene/mesh.h"
@@ -15,13 +15,13 @@ class Batch : public Drawable {
     Batch(const Scene& scene, uint32_t first_item, uint32_t items) : first(first_item), count(items), scene_(&scene) {}
     uint32_t first, count;  ///< places in Scene::items
 
-    /// What all of them have in common: mesh, part, textures, which of the material's numbers stand for 'none'.
+    /// Their common state: mesh, part, textures, and absent material properties.
     const DrawItem& item() const;
 
     void draw(Raster& pass) const override;
 
-    /// Binds what draw() does, for a batch that is drawn otherwise: gl_InstanceIndex has to run from `first` to below
-    /// first + count.
+    /// Binds a batch as draw() does, for a custom draw: gl_InstanceIndex must run from `first` to below first +
+    /// count.
     void bind(Raster& pass) const;
 
   private:
@@ -38,20 +38,20 @@ class DrawList : public Drawable {
     /// shaders name, and draws; neighbours of one batch are one call.
     void draw(Raster& pass) const override;
 
-    /// Back to front: the middle of the bounds that is farthest from `eye` (metres, world space) comes first; what is
-    /// equally far stays in its order.
+    /// Back to front: items with the farthest centre of bounds from `eye` (metres, world space) first; equal ones
+    /// keep their order.
     DrawList sorted_from(glm::vec3 eye) const;
 
-    /// Without items whose bounds lie wholly outside of what the matrix shows: -w <= x, y <= w and 0 <= z <= w, in
-    /// whichever direction depth goes and with or without a far plane. An item that shows is never left out; one near
-    /// an edge of the frustum may stay though it does not show.
+    /// Without items fully outside the matrix's clip volume: -w <= x, y <= w and 0 <= z <= w, for either depth
+    /// direction, with or without a far plane. Conservative: a visible item is never dropped; one near an edge may
+    /// stay.
     DrawList inside(const glm::mat4& view_projection) const;
 
     /// Those for which predicate(const DrawItem&) holds.
     template <class Predicate>
     DrawList where(Predicate predicate) const;
 
-    /// For whoever chooses a pipeline or binds something by batch.
+    /// For callers that choose a pipeline or bind resources by batch.
     std::vector<Batch> batches() const;
 
     const std::vector<uint32_t>& items() const { return items_; }

@@ -22,7 +22,7 @@ bool same_role(const GivenRole& a, const GivenRole& b) { return a.object == b.ob
 // [move]
 void Scene::move(std::span<const Move> moves) {
     if (moves.empty()) return;
-    if (first_item_.empty()) {  // which items are whose, found once after each load
+    if (first_item_.empty()) {  // items of each object, found once after each load
         first_item_.assign(objects_.size() + 1, 0);
         for (const DrawItem& item : items) ++first_item_[item.object + 1];
         for (size_t i = 1; i < first_item_.size(); ++i) first_item_[i] += first_item_[i - 1];
@@ -67,7 +67,7 @@ bool Scene::replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::spa
                             const ModelLoader& loader) {
     std::vector<SceneObject> old_objects = std::exchange(file.objects, std::move(objects));
     std::vector<DrawItem> old_items = std::exchange(items, {});
-    // Items are sorted by what is drawn at once: those of an object are listed from its first one to the next object's.
+    // Items are sorted into batches: lists each object's items from its first to the next object's.
     std::vector<uint32_t> first(old_objects.size() + 1, 0), place_of(old_items.size());
     for (const DrawItem& item : old_items) ++first[item.object + 1];
     for (size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
@@ -79,12 +79,12 @@ bool Scene::replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::spa
                same_role(old_objects[old].role, object.role);
     };
     struct Source {
-        uint32_t old = new_object;  ///< object whose items it takes; else it has new ones
+        uint32_t old = new_object;  ///< object that provides its items; else they are new
         size_t begin = 0, end = 0;
     };
     std::vector<Source> sources(file.objects.size());
     std::vector<uint32_t> uses(old_objects.size(), 0);
-    std::unordered_multimap<std::string_view, uint32_t> by_model;  // of what a copy may take its items from
+    std::unordered_multimap<std::string_view, uint32_t> by_model;  // candidates that a copy may take its items from
     size_t count = 0;
     try {
         link_objects();

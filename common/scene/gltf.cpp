@@ -15,7 +15,7 @@ namespace lightwalk {
 namespace {
 using nlohmann::json;
 
-// Extensions that are drawn, and those that say nothing a picture shows.
+// Extensions that are drawn, or have no effect on a picture.
 constexpr std::array<std::string_view, 12> drawn = {"KHR_materials_unlit",
                                                     "KHR_materials_emissive_strength",
                                                     "KHR_materials_pbrSpecularGlossiness",
@@ -141,7 +141,7 @@ class GltfReader {
         model_.materials.pop_back();
     }
 
-    // What is deformed belongs to one node; the rest is shared.
+    // A deformed mesh belongs to one node; others are shared.
     void add_mesh(const json& from, uint32_t node) {
         const size_t number = from.at("mesh").get<size_t>();
         const auto known = shared_.find(number);

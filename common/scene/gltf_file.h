@@ -10,7 +10,7 @@
 
 namespace lightwalk {
 
-/// Throws InputError, with the file's name, for whatever is malformed.
+/// Throws InputError, with the file's name, for malformed content.
 class GltfFile {
   public:
     using json = nlohmann::json;
@@ -32,7 +32,7 @@ class GltfFile {
     /// The bytes of a buffer view, decompressed; good as long as the file.
     std::string_view view(size_t index) const;
 
-    /// What a URI names: the bytes of a data URI, or of a file beside this one.
+    /// The bytes of a data URI, or of a file beside this one.
     std::string read_uri(const std::string& uri) const;
 
     template <class... Values>

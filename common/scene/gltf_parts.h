@@ -8,14 +8,14 @@ namespace lightwalk {
 /// All materials, and the images inside the file that they name.
 void read_gltf_materials(const GltfFile& file, Model& model);
 
-/// A mesh's primitives as one Mesh each; `weights` of morph targets are the mesh's. `default_material`: for those that
-/// name none.
+/// A mesh's primitives as one Mesh each; `weights` of morph targets are the mesh's. `default_material`: for
+/// primitives that name none.
 std::vector<Mesh> read_gltf_mesh(const GltfFile& file, size_t mesh, uint32_t default_material, Model& model);
 
 /// The first animation. `nodes`: of each of the file's nodes the model's, or -1.
 void read_gltf_motions(const GltfFile& file, const std::vector<int>& nodes, Model& model);
 
-/// Names what of the file's extensions is not drawn.
+/// Lists the file's extensions that are not drawn.
 void list_gltf_extensions(const GltfFile& file, Model& model);
 
 }  // namespace lightwalk

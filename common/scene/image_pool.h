@@ -9,10 +9,10 @@
 
 namespace lightwalk {
 
-/// What a texture's numbers mean: sRGB-encoded colour, or linear data such as normals and heights.
+/// Meaning of a texture's numbers: sRGB-encoded colour, or linear data such as normals and heights.
 enum class TextureKind { color, data };
 
-/// What becomes of one texture, or of two, for a slot of a material.
+/// Processing of one texture, or of two, for a slot of a material.
 struct TextureUse {
     enum class As {
         stored,
@@ -25,7 +25,7 @@ struct TextureUse {
     TextureMap metalness{};
     int channels = 1;  ///< that the file must have at least
 
-    /// Equal for what gives equal images.
+    /// Equal keys give equal images.
     std::string key() const;
     const std::filesystem::path& file() const { return map ? map.file : metalness.file; }
 };
@@ -38,7 +38,7 @@ struct DecodedTexture {
         levels;  ///< all of a colour texture's; else the first, and the device makes others
 };
 
-/// What ImagePool::load() reads; on any thread. Throws InputError: missing, empty, damaged.
+/// The decoding part of ImagePool::load(), on any thread. Throws InputError: missing, empty, damaged.
 DecodedTexture decode_texture(const TextureUse& use);
 inline DecodedTexture decode_texture(const std::filesystem::path& file, TextureKind kind) {
     return decode_texture(TextureUse{{.file = file}, kind});
@@ -59,7 +59,7 @@ class ImagePool {
     /// An image that was decoded by decode_texture() and is on the device already, for load() to find.
     void put(const TextureUse& use, const std::shared_ptr<Image>& image, int channels);
 
-    /// What a chapter makes of an image of this pool, by its own name for that; kept as long as the pool's images.
+    /// A chapter's images derived from one of this pool, by name; kept as long as the pool's images.
     std::map<std::pair<const Image*, std::string>, std::shared_ptr<Image>> derived;
 
     /// One texel of that colour, for a slot without a texture.

@@ -78,7 +78,7 @@ Model import_here(const fs::path& path, const std::string& extension) {
         throw InputError("{}: {}", name, first_line(failed.what()));
     }
     const std::string_view wrong = importer.GetErrorString();
-    if (!scene && wrong.find("bad_alloc") != wrong.npos) throw std::bad_alloc();  // it catches what is for the guard
+    if (!scene && wrong.find("bad_alloc") != wrong.npos) throw std::bad_alloc();  // swallowed by the importer
     if (!scene && wrong.find("contains no faces") != wrong.npos)
         throw InputError("{}: a point cloud: it has no triangle, and points are not drawn", name);
     if (!scene) throw InputError("{}: {}", name, first_line(std::string(wrong)));

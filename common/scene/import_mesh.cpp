@@ -46,7 +46,7 @@ glm::vec4 to_linear(const aiColor4D& c) {
     return glm::clamp(glm::vec4(linear(c.r), linear(c.g), linear(c.b), c.a), 0.0f, 1.0f);
 }
 
-// `flat`: normals are those of the triangles, whatever the file says.
+// `flat`: uses the triangles' normals instead of the file's.
 Mesh to_mesh(const aiMesh& from, const std::string& file, bool flat) {
     Mesh to;
     to.name = from.mName.C_Str();

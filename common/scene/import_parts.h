@@ -21,7 +21,7 @@ void add_import_materials(const aiScene& scene, const std::filesystem::path& pat
 /// The tree, in metres and with y up, and the first animation.
 void add_import_nodes(const aiScene& scene, const std::string& extension, Model& model);
 
-/// `extension`: an STL file's normals are those of its triangles. After the nodes, which are joints.
+/// `extension`: an STL file gets flat normals. Called after the nodes, which are joints.
 void add_import_meshes(const aiScene& scene, const std::string& name, const std::string& extension, Model& model);
 
 void add_import_cameras(const aiScene& scene, Model& model);

@@ -15,8 +15,8 @@ struct Light {
     float range_m = 10.0f;                     ///< beyond it a ranged falloff is 0; point and spot; above or equal 0
     float inner_rad = 0.3f, outer_rad = 0.5f;  ///< half angles of a spot's cone, 0 <= inner <= outer <= pi
     float softness = 0.5f;                     ///< 0 linear to 1 soft
-    bool shadow = false;                       ///< what stands in its light casts a shadow
-    float size_m = 0.0f;    ///< diameter of the lamp, a disc that faces what it lights; point and spot
+    bool shadow = false;                       ///< casts shadows
+    float size_m = 0.0f;    ///< diameter of the disc-shaped lamp, which faces the receiver; point and spot
     float size_rad = 0.0f;  ///< how wide the lamp looks from here, as the sun; directional
     std::string name{};     ///< for people; may be empty
     bool locked = false;    ///< not changed in an editor

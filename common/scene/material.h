@@ -20,7 +20,7 @@ struct MapPlace {
     bool operator==(const MapPlace&) const = default;
 };
 
-/// The same place for coordinates whose v grows the other way, as glTF's does; twice is once.
+/// The same place with v reversed, as in glTF; its own inverse.
 MapPlace flipped(const MapPlace& place);
 
 /// The alpha channel of an image that has one, else the luminance.
@@ -54,18 +54,18 @@ struct Material {
     float opacity = 1.0f;                                                    ///< d, or 1 − Tr
     float refraction = 1.5f;                                                 ///< Ni
     float roughness = 0.5f, metalness = 0.0f;                                ///< Pr Pm
-    bool blend = false;       ///< alpha and opacity let through what lies behind, rather than cut holes
+    bool blend = false;       ///< alpha and opacity blend with the background instead of cutting holes
     float alpha_cutoff = -1;  ///< alpha below it is a hole; 0: no holes; below 0: the file does not say
     Sides sides = Sides::unknown;
     bool metallic_roughness = false;  ///< stated by base colour, roughness and metalness
     bool microfacets = false;         ///< stated by roughness: reflects by GGX
     bool has_exponent = false;        ///< stated by Ks and Ns, too: scenes of the course keep to these
-    bool unlit = false;               ///< shows its diffuse colour, whatever the light
+    bool unlit = false;               ///< shows its diffuse colour, unlit
     float normal_scale = 1, occlusion_strength = 1;
     int illumination = 2;  ///< illum, 0 to 10
     TextureMap diffuse_map, specular_map, ambient_map, emissive_map, shininess_map, opacity_map;
     TextureMap bump_map, normal_map, displacement_map, roughness_map, metalness_map;
-    std::vector<std::string> left_out;                 ///< what else the file says of it
+    std::vector<std::string> left_out;                 ///< properties of the file that are not used
     TextureMap occlusion_map, metallic_roughness_map;  ///< red; green and blue times roughness and metalness
 };
 

@@ -28,7 +28,7 @@ std::shared_ptr<Image> load_map(ImagePool& images, const TextureUse& use, const 
 
 }  // namespace
 
-// What MTL has no statement for, only a scene file can name.
+// MTL has no statement for some slots; a scene file can name all.
 const std::array<MapSlotInfo, map_slot_count>& map_slots() {
     static const std::array<MapSlotInfo, map_slot_count> slots{{
         {"diffuse", "diffuse_map", color, 1, &Material::diffuse_map, false},

@@ -27,20 +27,20 @@ enum class MapSlot {
 };
 
 struct MapSlotInfo {
-    std::string name, binding;  ///< "diffuse", and what shaders call it: "diffuse_map"
+    std::string name, binding;  ///< "diffuse", and its binding in shaders: "diffuse_map"
     TextureKind kind;
     int channels;                      ///< that a texture must have at least
-    const TextureMap Material::*from;  ///< what a model's material names; null where only a scene file can
+    const TextureMap Material::*from;  ///< the model's own map; null if only a scene file can name it
     bool is_normal;                    ///< without a texture it is flat; others are white
 };
 
 inline constexpr size_t map_slot_count = 12;
 const std::array<MapSlotInfo, map_slot_count>& map_slots();
 
-/// How a model's material fills that slot; nothing where it does not.
+/// How a model's material fills that slot; nothing if it does not.
 std::optional<TextureUse> texture_use(const Material& material, MapSlot slot);
 
-/// A texture for each slot; null where the material has none.
+/// A texture for each slot; null if the material has none.
 struct MaterialMaps : std::array<std::shared_ptr<Image>, map_slot_count> {
     using array::operator[];
     std::shared_ptr<Image>& operator[](MapSlot slot) { return (*this)[static_cast<size_t>(slot)]; }
@@ -57,9 +57,9 @@ struct MaterialMaps : std::array<std::shared_ptr<Image>, map_slot_count> {
     bool operator==(const MaterialMaps&) const = default;
 };
 
-/// The textures that a model's material names, and those of the scene file in their place. One of the material's that
-/// cannot be read is left out with a warning, said once for each text in `warned`. Throws InputError for one of the
-/// scene file's: an unknown slot, or as ImagePool::load.
+/// The textures named by a model's material, overridden by the scene file's. An unreadable one of the material is
+/// omitted with a warning, once per text in `warned`. Throws InputError for one of the scene file: an unknown slot,
+/// or as ImagePool::load.
 MaterialMaps load_maps(ImagePool& images, const Material& own, const MaterialOverride& with,
                        std::set<std::string>& warned);
 

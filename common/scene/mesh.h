@@ -1,4 +1,4 @@
-// What a loader delivers: meshes, materials and a node tree, on the CPU.
+// The loaders' result: meshes, materials and a node tree, on the CPU.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -33,15 +33,15 @@ struct MorphTarget {
     std::vector<glm::vec3> positions, normals;
 };
 
-/// What moves the vertices of a mesh: morph targets, then the joints of a skin.
+/// Deformations of a mesh: morph targets, then the joints of a skin.
 struct Deformation {
     std::vector<Vertex> rest;  ///< before either; Mesh::vertices is as at 0 s
     std::vector<MorphTarget> targets;
     std::vector<float> weights;            ///< of the targets, where no motion says otherwise
     std::vector<glm::uvec4> joints;        ///< of ModelSkin::joints, for each vertex; empty: no skin
-    std::vector<glm::vec4> joint_weights;  ///< whose sum is 1
+    std::vector<glm::vec4> joint_weights;  ///< they sum to 1
     uint32_t skin = 0;                     ///< of Model::skins; the mesh is then at a node that has no transform
-    uint32_t node = 0;                     ///< whose motion may move the weights
+    uint32_t node = 0;                     ///< its animation may move the weights
     explicit operator bool() const { return !rest.empty(); }
 };
 
@@ -82,7 +82,7 @@ struct TimedValue {
 
 enum class Between { linear, step, cubic };
 
-/// Values in rising time; outside, those of the ends. `slopes` of cubic ones: before and after each value, per second.
+/// Values in rising time; constant outside. `slopes` of cubic ones: before and after each value, per second.
 template <class T>
 struct KeyTrack : std::vector<TimedValue<T>> {
     using std::vector<TimedValue<T>>::vector;
@@ -99,11 +99,11 @@ struct NodeMotion {
     KeyTrack<std::vector<float>> weights;  ///< of the morph targets of the node's mesh; empty: they stay
 };
 
-/// What of a file is not drawn: "KHR_materials_transmission", 2, "material".
+/// Content of a file that is not drawn: "KHR_materials_transmission", 2, "material".
 struct LeftOut {
     std::string what;
     size_t count = 1;
-    std::string unit{};  ///< what was counted, in the singular; empty: it is in the file once
+    std::string unit{};  ///< the counted thing, in the singular; empty: it occurs once
 };
 
 /// A camera or a light of a model file, at a node and looking along the node's -z.
@@ -124,7 +124,7 @@ struct Model {
     std::vector<Material> materials;  ///< never empty: a default stands in where the file names none
     std::vector<Node> nodes;
     std::vector<NodeMotion> motions;
-    float motions_s = 0;  ///< how long they take; then they begin anew. Above 0 where there is one
+    float motions_s = 0;  ///< duration, after which they repeat; above 0 if there is one
     std::vector<ModelSkin> skins;
     std::vector<EncodedImage> images;  ///< PNG or JPEG files inside of the model's
     std::vector<FileCamera> cameras;
@@ -132,7 +132,7 @@ struct Model {
     std::vector<LeftOut> left_out;
 };
 
-/// Counts `what` once more.
+/// Counts one more `what`.
 void leave_out(Model& model, const std::string& what, const std::string& unit = {});
 
 /// "KHR_materials_transmission (2 materials), skin (1)"; "" where nothing was.

@@ -1,4 +1,4 @@
-// A model as bytes, for the process that reads it to hand over, and what is asked of numbers from outside.
+// A model as bytes, handed over by the process that reads it, and validation of outside numbers.
 #pragma once
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@ namespace lightwalk {
 
 std::string to_bytes(const Model& model);
 
-/// Throws Failure, naming `file`, where the bytes are no model: too few of them, or an index out of range.
+/// Throws Failure, naming `file`, if the bytes are no model: too few of them, or an index out of range.
 void read_bytes(std::string_view bytes, const std::string& file, Model& model);
 
 /// Draws numbers of a material that no picture can be made of into their range (colours 0 to 1e4, shininess to 1e5,

@@ -11,7 +11,7 @@ namespace lightwalk {
 
 using ModelLoader = std::function<Model(const std::filesystem::path&)>;
 
-/// What deforms a mesh on the device.
+/// Device buffers that deform a mesh.
 struct DeformBuffers {
     size_t vertices = 0;  ///< that they are made for
     Buffer rest, offsets, weights, joints, joint_weights, matrices, moved;
@@ -23,23 +23,23 @@ struct GpuModel {
     std::vector<Buffer> vertices, indices;
     std::vector<glm::mat4> nodes;  ///< into the model's space, at the time the scene was placed for
 
-    /// What a chapter adds to vertices: by binding, a buffer for each mesh.
+    /// A chapter's additional vertex attributes: by binding, a buffer for each mesh.
     std::map<std::string, std::vector<Buffer>> attributes;
-    std::vector<DeformBuffers> deformed;  ///< of each mesh; empty where none moves
+    std::vector<DeformBuffers> deformed;  ///< of each mesh; empty if none moves
 };
 
 /// The attributes `second_uvs` and `vertex_colors`, where a mesh of the model has them.
 void upload_rare_attributes(Gpu& gpu, GpuModel& model);
 
-/// Throws InputError where the model reaches farther than can be drawn.
+/// Throws InputError if the model reaches farther than can be drawn.
 void check_extent(const Model& model, const std::filesystem::path& file);
 
 /// Models by file.
 class ModelPool {
   public:
-    /// Throws what the loader throws.
+    /// Passes on the loader's exceptions.
     std::shared_ptr<GpuModel> load(Gpu& gpu, const std::filesystem::path& file, const ModelLoader& loader);
-    /// A model whose buffers are filled already, for load() to find; check_extent() has seen it.
+    /// Adds a model with filled buffers for load() to find; check_extent() must have accepted it.
     void put(const std::filesystem::path& file, const std::shared_ptr<GpuModel>& model);
     void clear() { models_.clear(); }
     size_t size() const { return models_.size(); }

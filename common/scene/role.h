@@ -1,4 +1,4 @@
-// Roles: what an object of a scene, or a part of its model, is to the chapters that treat it differently.
+// Roles of a scene's objects and of a model's materials, for chapters that treat them specially.
 #pragma once
 #include <map>
 #include <string>
@@ -8,7 +8,7 @@ namespace lightwalk {
 
 enum class Role { plain, planet, ring, screen, skin, eye, cornea };
 
-/// "planet, ring, screen, skin, eye, cornea"; `of_material`: those that a material may have.
+/// "planet, ring, screen, skin, eye, cornea"; `of_material`: only a material's roles.
 std::string role_names(bool of_material = false);
 
 /// The role of that name; Role::plain where there is none, or none that a material may have.
@@ -21,7 +21,7 @@ const char* name_of(Role role);
 struct GivenRole {
     Role object = Role::plain;
     std::map<std::string, Role> materials;
-    std::string where{};  ///< "file:line: key 'role'", for what is only found when the model is loaded
+    std::string where{};  ///< "file:line: key 'role'", for errors found when the model is loaded
     explicit operator bool() const { return object != Role::plain || !materials.empty(); }
 };
 
@@ -39,7 +39,7 @@ class Roles {
 
     bool is_screen(size_t object) const;
 
-    /// The name of the object whose view a screen shows: its `shows`, in a file without roles "camera NAME".
+    /// The object with the view that a screen shows: its `shows`, in a file without roles "camera NAME".
     std::string shown_by(size_t screen) const;
 
   private:

@@ -229,7 +229,7 @@ std::vector<Light> Scene::lights() const {
     const auto directional = [](const Light& light) { return light.kind == Light::Kind::directional; };
     auto found = std::find_if(all.begin(), all.end(), directional);
     if (found == all.end()) found = all.insert(all.begin(), Light{.shadow = true});
-    // Of a light the files say what a white surface shows that faces it.
+    // Light in the files is the radiance of a white surface that faces it.
     found->direction = -sky_sun_->to_sun, found->color = sky_sun_->light, found->intensity = 1.0f / glm::pi<float>();
     return all;
 }

@@ -16,8 +16,8 @@ struct DrawItem {
     glm::mat4 transform{1.0f};      ///< object to world
     Bounds bounds;                  ///< world space
     bool mirrored = false;          ///< the transform turns counter-clockwise into clockwise
-    /// What lies behind shows through: opacity below 1, or the material says that its alpha blends. Holes that an
-    /// opacity map or a texture's alpha cuts leave an item opaque: what is cut out is not drawn, the rest hides.
+    /// Blends with its background: opacity below 1, or a blending alpha of the material. An item with holes cut by an
+    /// opacity map or alpha texture stays opaque.
     bool transparent = false;
     MaterialMaps maps;
     MaterialMaps loaded_maps;  ///< as the pool has them: modules may put others into `maps`
@@ -27,7 +27,7 @@ struct DrawItem {
     bool two_sided = false;                ///< its back is drawn, too
 };
 
-/// What shaders read of it; `index` is its place in Scene::items.
+/// Its data for shaders; `index` is its position in Scene::items.
 Instance instance_of(const DrawItem& item, size_t index);
 
 /// For Scene::placed.
@@ -36,7 +36,7 @@ uint64_t next_placement();
 /// Directional light and the mean sky, exposed, in the unit of the scene.
 struct Sun {
     glm::vec3 to_sun{0.0f, 1.0f, 0.0f};  ///< unit length, world space
-    glm::vec3 light{0.0f};               ///< what falls on a surface that faces it; its radiance if white, times pi
+    glm::vec3 light{0.0f};               ///< irradiance of a facing surface; its radiance if white, times pi
     glm::vec3 sky{0.0f};                 ///< radiance from everywhere else, in the mean
 };
 
@@ -45,11 +45,11 @@ class Scene : public Drawable {
     SceneFile file;
     Bounds bounds;  ///< world space
 
-    /// Those that can be drawn as instances stand together, the transparent ones at the end; otherwise in the order of
-    /// the file. gl_InstanceIndex is the place in here.
+    /// Items of one batch are adjacent, transparent ones last; otherwise in file order. gl_InstanceIndex is the
+    /// position in here.
     std::vector<DrawItem> items;
 
-    /// The image of the scene file's `environment`: equirectangular, linear RGBA16F with all mips. Null where the file
+    /// The image of the scene file's `environment`: equirectangular, linear RGBA16F with all mips. Null if the file
     /// names none. Its intensity and rotation are in `file`.
     std::shared_ptr<Image> environment;
 
@@ -67,11 +67,10 @@ class Scene : public Drawable {
     /// Places these objects and their children; upload_moved() tells the device.
     void move(std::span<const Move> moves);
 
-    /// Other objects in place of those loaded. `from`: for each the one of file.objects that it was, or `new_object`. Of
-    /// what has the same model, material and role as before nothing is loaded or looked up again; other models and
-    /// textures come from the pools. Throws InputError as load(), and then nothing has changed.
-    /// Returns whether modules have something to prepare: a model or a material that was not there before. Every item's
-    /// maps are then those of the pool again.
+    /// Replaces the objects. `from`: for each its index in file.objects before, or `new_object`. Objects with the
+    /// same model, material and role are not loaded again; other models and textures come from the pools. Throws
+    /// InputError as load(), without any change. Returns whether modules have to prepare again, for a new model or
+    /// material. Afterwards all items' maps are the pool's again.
     bool replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::span<const uint32_t> from,
                          const ModelLoader& loader);
     static constexpr uint32_t new_object = ~0u;
@@ -79,8 +78,8 @@ class Scene : public Drawable {
     /// The environment that `file` names now. Throws InputError.
     void replace_environment(const Environment& other);
 
-    /// One sun for whatever is drawn together: the file's first directional light and its ambient light, unless a sky
-    /// has said otherwise. Black without either.
+    /// The common sun of everything drawn together: the file's first directional light and its ambient light, unless
+    /// a sky replaces it. Black without either.
     Sun sun() const;
     void set_sun(const Sun& sun) { sky_sun_ = sun; }
     void forget_sun() { sky_sun_.reset(); }  ///< there is no sky any more
@@ -100,11 +99,11 @@ class Scene : public Drawable {
     /// Whether animate() has anything to do.
     bool moves() const { return !moving_items_.empty(); }
 
-    /// Another number whenever an item was placed elsewhere, and after load(); no two scenes have the same. For what is
-    /// made from placements and kept.
+    /// Changes whenever an item moves, and after load(); unique to a scene. A key for results derived from
+    /// placements.
     uint64_t placed = 0;
 
-    /// Records the upload of the instances that animate() has moved since the last one; nothing where none has moved.
+    /// Records the upload of the instances that animate() has moved since the last one; nothing if none has moved.
     void upload_moved(Frame& frame);
 
     Buffer instances, materials, placements;  ///< placements: MAP_COUNT for each item, where one is not plain
@@ -144,7 +143,7 @@ class Scene : public Drawable {
     float time_s_ = 0;
     std::optional<Sun> sky_sun_;
     std::vector<std::shared_ptr<GpuModel>> moving_models_;
-    std::set<const GpuModel*> deforming_;  ///< of these, what has meshes to deform
+    std::set<const GpuModel*> deforming_;  ///< the ones with meshes to deform
     bool to_deform_ = false;
     std::vector<uint32_t> moving_items_, batch_of_;
     std::vector<bool> to_upload_;
@@ -155,9 +154,9 @@ class Scene : public Drawable {
     std::set<std::string> warned_;  ///< textures that could not be read: each is said once
 };
 
-/// Places every object and every model's nodes as they are at that time, whatever was shown before; bounds follow.
-/// Objects move by the `motion` of the scene file, nodes by the first animation of their model file; children go with
-/// their parents. What was made from the scene's items (batches, lists' order) has to be rebuilt.
+/// Places every object and every model's nodes for that time, independent of earlier calls; updates bounds. Objects
+/// move by the `motion` of the scene file, nodes by the first animation of their model file; children follow their
+/// parents. Data made from the scene's items (batches, the order of lists) must be rebuilt.
 void animate(Scene& scene, float time_s);
 
 /// Records the passes that put the vertices of a model's deformed meshes where they are at that time; its nodes are there.

@@ -12,8 +12,8 @@ namespace {
 
 constexpr size_t deepest_include = 32, most_includes = 256, most_scene_bytes = size_t{64} << 20;
 
-// Parents first, so that transforms can be multiplied in order: those whose parent stands before them in the file's
-// order, then, in as many rounds as it takes, those whose parent came in the round before.
+// Parents first, for transforms multiplied in order: objects with an earlier parent in file order, then, round by
+// round, the children of the previous round.
 void sort_by_parent(const JsonWithLines& source, std::vector<SceneObject>& objects) {
     constexpr size_t none = SIZE_MAX, unknown = SIZE_MAX, waiting = SIZE_MAX - 1;
     std::map<std::string_view, size_t> places;
@@ -30,7 +30,7 @@ void sort_by_parent(const JsonWithLines& source, std::vector<SceneObject>& objec
         parent[i] = place->second;
     }
     for (size_t i = 0; i < objects.size(); ++i) {
-        // Up to one whose round is known or that has no parent, then back down.
+        // Up to an ancestor with a known round or without a parent, then back down.
         std::vector<size_t> chain;
         size_t at = i;
         for (; round[at] == unknown && parent[at] != none; at = parent[at]) {
@@ -52,7 +52,7 @@ void sort_by_parent(const JsonWithLines& source, std::vector<SceneObject>& objec
     objects = std::move(sorted);
 }
 
-// What a screen shows is an object.
+// A screen shows the view of an object.
 void check_screens(const std::vector<SceneObject>& objects) {
     for (const SceneObject& screen : objects)
         if (!screen.shows.empty() && std::none_of(objects.begin(), objects.end(), [&](const SceneObject& object) {
@@ -90,7 +90,7 @@ void read_included(const fs::path& path, Includes& includes, SceneFile& scene) {
     includes.open.pop_back();
 }
 
-// Adds what the file says to `scene`: objects and lights stand after those already there, other keys replace.
+// Adds the file's content to `scene`: objects and lights after those already there; other keys replace.
 void read(const std::string& text, const fs::path& path, Includes& includes, SceneFile& scene) {
     const JsonWithLines source = parse_json(text, path.string());
     KeyReader r(source, source.root, "");

@@ -2,33 +2,34 @@
 // error.
 //
 //   include      list of scene files, relative to this one, read before it. Objects and lights of all are kept; of
-//                other keys, what was read last.
+//                other keys, the last value read.
 //   camera       position [0, 0, 3] and target [0, 0, 0] in metres, up [0, 1, 0] (each -1 to 1), fov_deg 45.8 (1 to
 //                170, the whole vertical angle), near_m 0.05 (1e-5 to 1e5), far_m 1000 (above near_m, to 1e9)
 //   ambient      [0.05, 0.05, 0.05], linear radiance from everywhere, 0 to 1e4
 //   background   [0.02, 0.02, 0.02], linear, 0 to 1e4
 //   environment  a file name, or
 //     image          .hdr or .pfm, all directions, twice as wide as high; below assets/ or a whole path; required
-//     intensity      1, by what its radiance is multiplied, 0 to 1e6
-//     rotation_deg   0, by what it is turned about +y, counter-clockwise seen from above; -1e6 to 1e6
+//     intensity      1, scale factor of its radiance, 0 to 1e6
+//     rotation_deg   0, rotation about +y, counter-clockwise seen from above; -1e6 to 1e6
 //   music        an Ogg Vorbis file; below assets/ or a whole path; its time 0 is the scene's
 //   objects      list of
 //     name, parent   texts; a parent is another object's name; none
-//     role           what the chapters that know it take the object for: planet, ring (of the planet), screen, skin, eye
+//     role           special meaning in some chapters: planet, ring (of the planet), screen, skin, eye
 //                    or cornea; none. Or {material: role} with skin, eye and cornea for those materials of its model.
 //                    In a file without any role the objects named planet, ring and "screen NAME" (which shows "camera
 //                    NAME") and the materials named skin, eye and cornea have these roles
-//     shows          for a screen: the name of the object whose view it shows, along that object's -z; required
+//     shows          for a screen: the object from which it shows the view, along that object's -z; required
 //     model          a model file, below assets/ or a whole path; none: a group, which places its children
 //     position       [0, 0, 0], metres in the parent's space
 //     rotation_deg   [0, 0, 0], about x, then y, then z
 //     scale          1, or [1, 1, 1]; -1e6 to 1e6 but not 0; an odd number of negative ones mirrors
-//     material       what it says stands in for the model's: diffuse and specular [r, g, b] (linear, 0 to 1), emissive
+//     material       overrides the model's: diffuse and specular [r, g, b] (linear, 0 to 1), emissive
 //                    (0 to 1e4), shininess (0 to 1e5), opacity (0 to 1; below 1 it is transparent), blend (true: alpha
-//                    and the opacity map let through what lies behind; false: they cut holes; what is transparent is
-//                    drawn last, the farthest object first, and casts no shadow), two_sided (true: the back is drawn, too, where the
-//                    model does not say), roughness, metalness (0 to 1), maps {slot: file} (diffuse, specular, emissive, opacity, normal, height, orm, occlusion,
-//                    gloss, detail_normal, displacement, metallic_roughness)
+//                    and the opacity map blend with the background; false: they cut holes; transparent objects are
+//                    drawn last, the farthest first, and cast no shadow), two_sided (true: the back is drawn, too,
+//                    unless the model decides), roughness, metalness (0 to 1), maps {slot: file} (diffuse, specular,
+//                    emissive, opacity, normal, height, orm, occlusion, gloss, detail_normal, displacement,
+//                    metallic_roughness)
 //     hidden         false; true: neither it nor its children are drawn
 //     locked         false; true: the editor (chapter 18) changes neither it nor its children
 //     motion         at least one of
@@ -46,18 +47,18 @@
 //     position       [0, 0, 0], metres; point and spot
 //     range_m        10, 0 to 1e6: beyond it a falloff with an end is 0; point and spot
 //     inner_deg, outer_deg, softness   17.2, 28.6 (half angles, 0 to 180, inner at most outer), 0.5 (0 to 1); spot
-//     shadow         false; true: what stands in its light casts a shadow
+//     shadow         false; true: it casts shadows
 //     size_m         0, diameter of the lamp, 0 to 1e3; point and spot
 //     size_deg       0, how wide the lamp looks (the sun: 0.53), 0 to 90; directional
 //     name           a text; none
 //     hidden         false; true: it is switched off
 //     locked         false; true: the editor does not change it
-//   emission     1, by what all that surfaces emit is multiplied, 0 to 1e4
+//   emission     1, scale factor of all emitted light, 0 to 1e4
 //   bare         false; true: made for a model alone. What its materials state of roughness is drawn even where they
 //                state an exponent, too
-//   knobs        {name: value}, those of the chapter that shows the scene
-//   knobs_of     a chapter, such as 18_playground, whose knobs these are: other chapters leave out those that they do not
-//                have. Without it every chapter refuses a knob that it does not have
+//   knobs        {name: value}, knobs of the chapter that shows the scene
+//   knobs_of     the chapter of these knobs, such as 18_playground: other chapters ignore knobs that they lack. Without
+//                it every chapter refuses a knob that it lacks
 #pragma once
 #include <filesystem>
 #include <map>
@@ -75,12 +76,12 @@ namespace lightwalk {
 
 struct Model;
 
-/// Overrides of a model's materials. What is not given keeps what the model says.
+/// Overrides of a model's materials. Absent properties keep the model's values.
 struct MaterialOverride {
     std::optional<glm::vec3> diffuse, specular, emissive;  ///< linear
     std::optional<float> shininess, opacity, roughness, metalness;
     std::optional<bool> blend;
-    std::optional<bool> two_sided;                      ///< of what the model does not say
+    std::optional<bool> two_sided;                      ///< for materials that leave it open
     std::map<std::string, std::filesystem::path> maps;  ///< by slot, such as "normal" or "height"
 };
 
@@ -94,7 +95,7 @@ struct SceneObject {
     Motion motion{};
     GivenRole role{};
     std::shared_ptr<const Model> made{};  ///< instead of a file's; not written into files
-    std::string shows{};                  ///< of a screen: the name of the object whose view it shows
+    std::string shows{};                  ///< for a screen: name of the object with the view it shows
     bool hidden = false;                  ///< neither it nor its children are drawn
     bool locked = false;                  ///< neither it nor its children are changed in an editor
 };
@@ -110,14 +111,14 @@ struct Environment {
     std::filesystem::path image;  ///< relative to assets/, or absolute; empty: none
     float intensity = 1;
     float rotation_deg = 0;  ///< about +y
-    std::string where{};     ///< "file:line: key 'image'", for what is only found when it is loaded
+    std::string where{};     ///< "file:line: key 'image'", for errors found when it is loaded
     explicit operator bool() const { return !image.empty(); }
 };
 
 /// A piece of music that begins at 0 s.
 struct SceneMusic {
     std::filesystem::path file;  ///< relative to assets/, or absolute; empty: none
-    std::string where{};         ///< "file:line: key 'music'", for what is only found when it is loaded
+    std::string where{};         ///< "file:line: key 'music'", for errors found when it is loaded
     explicit operator bool() const { return !file.empty(); }
 };
 
@@ -132,7 +133,7 @@ struct SceneFile {
     Environment environment;
     SceneMusic music;
     bool bare = false;   ///< made for a model alone
-    float emission = 1;  ///< scale factor for what surfaces emit
+    float emission = 1;  ///< scale factor for emitted light
     std::map<std::string, std::string> knobs;
     std::string knobs_of{};  ///< the chapter that they were set in; empty: whichever shows the scene
 };
@@ -142,19 +143,19 @@ struct SceneFile {
 SceneFile read_scene(const std::filesystem::path& path);
 SceneFile parse_scene(const std::string& text, const std::filesystem::path& path);
 
-/// Writes what read_scene reads back, whole or not at all.
+/// Writes a scene for read_scene, whole or not at all.
 void write_scene(const SceneFile& scene, const std::filesystem::path& path);
 
-/// What write_scene writes. Equal scenes give equal texts; each number is the shortest decimal that is read back as the
-/// same float, of at most nine digits. `includes`: file names as they stand in the file, whose objects and lights are
-/// not among those of `scene`.
+/// The text of write_scene. Equal scenes give equal texts; each number is the shortest decimal, of at most nine
+/// digits, that reads back as the same float. `includes`: file names as written in the file; `scene` omits their
+/// objects and lights.
 std::string scene_text(const SceneFile& scene, const std::vector<std::string>& includes = {});
 
-/// Writes the scene's camera and knobs into a scene file that is there, and leaves all else in it as it is: includes,
-/// the order of keys, what was edited since. Throws InputError where the file does not parse.
+/// Writes the scene's camera and knobs into an existing scene file and preserves the rest: includes, key order, later
+/// edits. Throws InputError if the file does not parse.
 void update_scene(const SceneFile& scene, const std::filesystem::path& path);
 
-/// An asset's path: as given if it exists, else below assets/ or the root. Throws InputError where it is in none.
+/// An asset's path: as given if it exists, else below assets/ or the root. Throws InputError if it is in none.
 std::filesystem::path find_asset(const std::filesystem::path& path);
 
 /// The object's transform into its parent's space at a time: scale, then spin, then rotation, then position.

@@ -86,7 +86,7 @@ void read_scale(KeyReader& r, glm::vec3& scale) {
         if (scale[i] == 0.0f) r.refuse("scale", "is 0: nothing would be left of the object");
 }
 
-// What a keyframe does not say is the object's own.
+// Missing values of a keyframe are the object's own.
 void read_keyframe(KeyReader r, const SceneObject& object, std::vector<Keyframe>& path) {
     Keyframe key{0, object.position, object.rotation_deg, object.scale};
     if (!r.find("time_s")) r.refuse("time_s", "is missing: every keyframe needs its time");
@@ -191,7 +191,7 @@ Light read_light(KeyReader r, bool& hidden) {
     if (light.kind != Light::Kind::point) {
         r.vector("direction", light.direction);
         if (glm::length(light.direction) == 0.0f) r.refuse("direction", "has no length");
-        // What has unit length stays as it is, to the bit: a scene that is read and written again is the same text.
+        // Unit vectors stay unchanged, to the bit: a scene that is read and written again is the same text.
         if (std::abs(glm::length(light.direction) - 1.0f) > 1e-6f) light.direction = glm::normalize(light.direction);
     }
     if (light.kind != Light::Kind::directional) {

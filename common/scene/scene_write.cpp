@@ -21,8 +21,8 @@ double number(float value) {
     return result;
 }
 
-// Angles in the file are in degrees. Of the floats near to what it is in degrees, the one that is read back as the same
-// angle: degrees() and radians() round, each its own way.
+// Converts an angle to degrees. degrees() and radians() both round: of the floats nearby, picks the one that reads
+// back as the same angle.
 double degrees(float rad) {
     const float near = glm::degrees(rad);
     for (const float candidate : {near, std::nextafter(near, 0.0f), std::nextafter(near, 1e9f)})

@@ -1,4 +1,4 @@
-// What the options of a material file make of a texture's numbers.
+// Effects of a material file's options on a texture's numbers.
 #pragma once
 #include "common/image/image.h"
 #include "common/scene/material.h"

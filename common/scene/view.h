@@ -1,4 +1,4 @@
-// What a picture is drawn from: a camera and the part of its picture that is drawn, or any matrix.
+// Viewpoint of a picture: a camera and the drawn part of its picture, or any matrix.
 #pragma once
 #include <map>
 #include <optional>
@@ -20,8 +20,8 @@ struct View {
     /// Where floats are too coarse: the eye in metres of the world that a drawing knows in double precision. `eye` and the
     /// camera then stand at the origin, and directions are that world's.
     std::optional<glm::dvec3> exact_eye{};
-    uint32_t id = 0;       ///< 0: the frame's own; what is kept from frame to frame is kept for each id
-    bool sun_disc = true;  ///< false: for whoever adds the reflection of the sun's disc itself
+    uint32_t id = 0;       ///< 0: the frame's own; histories are kept per id
+    bool sun_disc = true;  ///< false: the caller adds the reflection of the sun's disc
 
     /// The angle of a pixel in the middle of the whole picture, in radians.
     float pixel_rad() const;
@@ -36,8 +36,8 @@ class DerivedViews {
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> ids_;
 };
 
-/// What the camera sees, `size` pixels of it. `world_to_clip` is the camera's, for the whole picture of
-/// `crop.whole` pixels (0: `size`).
+/// The camera's view, `size` pixels of it. `world_to_clip` is the camera's, for the whole picture of `crop.whole`
+/// pixels (0: `size`).
 View camera_view(const Camera& camera, const glm::mat4& world_to_clip, glm::uvec2 size, Crop crop = {});
 
 /// The rays through the pixels of a camera's view.

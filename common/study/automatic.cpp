@@ -1,4 +1,4 @@
-// --method auto: asks the need rule while a scene is loaded, and says what it found.
+// --method auto: applies the need rule while a scene is loaded, and reports the result.
 #include <cstdio>
 
 #include "common/base/error.h"

@@ -1,4 +1,4 @@
-// The need rule's choice among what was measured.
+// The need rule's choice among measured methods.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -11,8 +11,8 @@ struct Measured {
     bool enough = false;  ///< within the budget
 };
 
-/// Number of the most accurate: of those that are enough and, within 2%, as fast as the fastest of these; of all where none
-/// is enough. `all` is not empty.
+/// Index of the most accurate method: of those that suffice and are within 2% of the fastest such one; of all if none
+/// suffices. `all` is not empty.
 inline size_t cheapest(const std::vector<Measured>& all) {
     constexpr double as_fast = 1.02;  // times are known so well
     const Measured* fastest = nullptr;

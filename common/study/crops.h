@@ -1,4 +1,4 @@
-// Crops: small parts of a picture, drawn at its resolution, and what they say of its mean error.
+// Crops: small parts of a picture at full resolution, and the mean error estimated from them.
 #pragma once
 #include <span>
 #include <vector>
@@ -13,8 +13,7 @@ namespace lightwalk {
 constexpr unsigned crop_px = 64, crop_margin_px = 10;
 
 // [crop]
-/// The part of a picture that a crop stands for, and what is drawn to know it. A picture's parts touch one another and
-/// cover it.
+/// The part of a picture that a crop represents, and the crop itself. A picture's parts are adjacent and cover it.
 struct CropPlace {
     glm::uvec2 lower{0}, upper{0};  ///< pixels of the whole picture, upper excluded: errors here count
     glm::uvec2 origin{0};           ///< of the crop_px by crop_px pixels that are drawn
@@ -40,9 +39,9 @@ constexpr double golden_ratio = 0.6180339887498949;
 std::vector<size_t> draw_places(std::span<const double> chances, size_t count, double start);
 
 // [estimate]
-/// A mean over a picture from parts of it. Parts that were drawn with greater chance count less: the mean of
-/// share · error / chance over the draws has the picture's mean as its expected value, whatever the chances are
-/// (M. H. Hansen and W. N. Hurwitz, Annals of Mathematical Statistics 14, 1943).
+/// A picture's mean, estimated from parts of it. Parts drawn with greater probability count less: the mean of share ·
+/// error / probability over the draws has the picture's mean as its expected value (M. H. Hansen and W. N. Hurwitz,
+/// Annals of Mathematical Statistics 14, 1943).
 class Estimate {
   public:
     void add(double error, double share, double chance) { draws_.push_back(share * error / chance); }

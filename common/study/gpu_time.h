@@ -1,4 +1,4 @@
-// What a frame took.
+// GPU time of a frame.
 #pragma once
 #include "common/gpu/frame.h"
 

@@ -8,7 +8,7 @@
 
 namespace lightwalk {
 
-/// A value of the file, and where it stands: what is wrong with it is said with file, line and key.
+/// A value of the file with its position: errors name file, line and key.
 class JsonNode {
   public:
     JsonNode(const JsonWithLines& source, const nlohmann::json& of, std::string pointer)

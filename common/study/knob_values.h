@@ -14,13 +14,13 @@ using KnobValues = std::vector<std::pair<std::string, std::string>>;
 
 void set_knobs(const KnobList& knobs, const KnobValues& values);
 
-/// Whether the knobs have these values, in whatever way they are written.
+/// Whether the knobs have these values, in any notation.
 bool have_values(const KnobList& knobs, const KnobValues& values);
 
 /// As JSON has them: a number where it is one.
 nlohmann::json as_json(const KnobValues& values);
 
-/// Puts every knob back to what it was when this was made.
+/// Restores every knob to its value at construction.
 class KeptKnobs {
   public:
     explicit KeptKnobs(const KnobList& knobs);

@@ -22,7 +22,7 @@ constexpr size_t timing_rounds = 5, most_timed = 6;
 
 struct Candidate {
     size_t number = 0;
-    double rough_ms = 0;  // GPU time of what was drawn of all candidates alike
+    double rough_ms = 0;  // GPU time of everything drawn for all candidates alike
     double lower = 0, upper = INFINITY, error = NAN;
     Estimate estimate{};
     std::vector<double> frames_ms{};
@@ -36,15 +36,15 @@ class NeedRule {
     NeedRule(NeedPictures& pictures, double budget, bool always_crops) : pictures_(pictures), budget_(budget) {
         for (size_t i = 0; i < pictures.candidates.size(); ++i) candidates_.push_back({.number = i});
         const auto start = std::chrono::steady_clock::now();
-        // 1. Where methods differ, and what they cost about: small pictures. Then crops, the more the closer an error
-        //    is to the budget. A budget of 0 is a matter of every pixel.
+        // 1. Small pictures show where methods differ and roughly what they cost. Then crops, more for errors closer
+        //    to the budget. A budget of 0 requires every pixel.
         const bool large = !pictures.places.empty();
         if (large)
             for (Candidate& c : candidates_) c.rough_ms = pictures.small(c.number).ms;
         if (large && budget > 0 && (always_crops || pictures.crops_pay(fewest_crops))) look_at_crops();
-        // 2. What crops leave open, and what they cost too much for: whole pictures, whose errors are exact.
+        // 2. Whole pictures, with exact errors, where crops are inconclusive or too expensive.
         look_at_whole_pictures();
-        // 3. The time of whole pictures, of those that may be the cheapest.
+        // 3. The time of whole pictures, for those that may be the cheapest.
         measure_times();
         choose();
         choosing_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -126,7 +126,7 @@ class NeedRule {
         return std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& c) { return matters(c); });
     }
 
-    // The cheapest first: what is clearly dearer than one that is enough stays as it is.
+    // The cheapest first; candidates clearly slower than a sufficient one are not refined.
     void look_at_whole_pictures() {
         std::vector<Candidate*> order;
         for (Candidate& c : candidates_) order.push_back(&c);
@@ -137,7 +137,7 @@ class NeedRule {
             for (Candidate& c : candidates_) c.rough_ms = pictures_.time(c.number);
     }
 
-    // Interleaved, and each round without those that the round before showed to be slower.
+    // Interleaved; each round omits those that the previous one showed to be slower.
     void measure_times() {
         std::vector<Candidate*> left;
         for (Candidate& c : candidates_)

@@ -1,4 +1,4 @@
-// What the need rule draws: the truth and the candidates, in small, in crops and whole.
+// Pictures of the need rule: the truth and the candidates, in small, in crops and whole.
 #pragma once
 #include "common/app/render.h"
 #include "common/study/crops.h"
@@ -22,8 +22,8 @@ inline bool crops_are_cheaper(size_t crops, DrawTimes truth, DrawTimes candidate
 /// Draws each thing once, however often it is asked for, apart from times. Afterwards all knobs are put back.
 class NeedPictures {
   public:
-    /// Of the plan's candidates those that agree with the chapter's pinned knobs and their own `where`. Throws
-    /// InputError where none does.
+    /// Takes the plan's candidates that agree with the chapter's pinned knobs and their own `where`. Throws
+    /// InputError if none does.
     NeedPictures(Chapter& chapter, Gpu& gpu, const StudyPlan& plan, const Picture& picture, FrameClock clock);
     ~NeedPictures();
 
@@ -34,7 +34,7 @@ class NeedPictures {
 
     std::function<void()> between;  ///< before each picture, where there is one
     std::vector<StudyPoint> candidates;
-    const std::vector<CropPlace> places;      ///< empty where the picture is not large
+    const std::vector<CropPlace> places;      ///< empty if the picture is not large
     double truth_crops_ms = 0, truth_ms = 0;  ///< GPU time of the truth's crops so far, and of its whole picture
 
     /// Large enough for crops: so many of them are at most half of it.
@@ -46,7 +46,7 @@ class NeedPictures {
     Measured crop(size_t candidate, size_t place);
     Measured whole(size_t candidate);
 
-    /// The GPU time of a whole picture, anew.
+    /// The GPU time of a whole picture, measured again.
     double time(size_t candidate);
 
     /// Whether `crops` crops of the truth and of all candidates take less than half the time of their whole pictures. Each
@@ -71,7 +71,7 @@ class NeedPictures {
     std::map<size_t, std::pair<Measured, std::vector<double>>> smalls_;
     std::map<std::pair<size_t, size_t>, Measured> crops_;
     std::map<size_t, Measured> wholes_;
-    std::optional<std::pair<DrawTimes, DrawTimes>> takes_;  // the truth, whose whole picture is estimated; a candidate
+    std::optional<std::pair<DrawTimes, DrawTimes>> takes_;  // the truth's estimated time; a candidate's
 };
 
 /// Crops below which nothing is known well enough.

@@ -75,7 +75,7 @@ class SceneStudy {
     }
 
   private:
-    // What the scene sets is in effect when the chapter prepares, whatever the scene file says.
+    // Applies the scene's settings before the chapter prepares; they override the scene file.
     void load() {
         for (KnobBase* knob : chapter_.all_knobs()) knob->reset();
         std::vector<std::pair<KnobBase*, bool>> pins;
@@ -102,10 +102,11 @@ class SceneStudy {
     }
     ImageRgb render_picture() {
         render(chapter_, frame_, picture_);
-        // With budgets it is the need rule that is studied, by what it looks at.
+        // With budgets the subject is the need rule, so the picture it judges counts.
         return read_linear(frame_.gpu, plan_.budgets.empty() ? chapter_.judged(frame_) : chapter_.written(frame_));
     }
-    // What the chapter itself measures of the picture just rendered. Every picture sets all knobs, whatever this sets.
+    // The chapter's own errors for the picture just rendered. Every picture sets all knobs, so changes here do not
+    // last.
     json measured() {
         json own = json::object();
         chapter_.measure(frame_.gpu, picture_.size, own);
@@ -177,7 +178,7 @@ class SceneStudy {
     Frame& frame_;
     const StudyScene& scene_;
     const Picture picture_;
-    std::vector<StudyPoint> points_;  // those of the plan that are for this scene
+    std::vector<StudyPoint> points_;  // the plan's points for this scene
 };
 
 // The method apart from the other knobs, as docs/study_format.md has it.
@@ -192,7 +193,7 @@ json truth_of(const StudyPlan& plan) {
 
 std::string text_of(glm::uvec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
 
-// What a person types to measure it again.
+// The command that repeats the measurement.
 std::string command_of(const Options& options, const Chapter& chapter) {
     return "./course study " + chapter.name.substr(0, 2) +
            (options.device.empty() ? "" : " --device " + options.device) +

@@ -182,8 +182,8 @@ class PlanReader {
         plan_.scenes.push_back(scene);
     }
 
-    // Whether something else sets a knob of a scene: the truth, or a curve that is for the scene and does not say by
-    // "where" that it means this very knob, whose value in the scene is then the truth's.
+    // Whether something else sets a knob of a scene: the truth, or a curve for the scene without a "where" for this
+    // very knob, which in the scene has the truth's value.
     bool sets_elsewhere(const std::string& name, const KnobValues& by_scene) const {
         const auto sets = [&](const KnobValues& values) {
             return std::any_of(values.begin(), values.end(), [&](const auto& value) { return value.first == name; });

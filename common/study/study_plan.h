@@ -1,4 +1,4 @@
-// What chapters/NN_name/study.json asks for, checked before anything is measured.
+// The request in chapters/NN_name/study.json, checked before anything is measured.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,16 +10,16 @@ namespace lightwalk {
 
 struct StudyScene {
     std::string file;   ///< as load_scene takes it
-    std::string label;  ///< what its points and panels are called; the file's stem where none is given
+    std::string label;  ///< name of its points and panels; default: the file's stem
     KnobValues set;     ///< for every point and for the truth
 };
 
 struct StudyPoint {
-    std::string method;  ///< empty where the chapter has none
+    std::string method;  ///< empty if the chapter has none
     KnobValues set;
     KnobValues where;  ///< only in scenes where these knobs have these values
 
-    KnobValues all() const;  ///< what it sets, the method too
+    KnobValues all() const;  ///< its settings, including the method
 };
 
 /// The sweep of one frame study.
@@ -46,7 +46,7 @@ struct StudyPlan {
     double most_change = 0;
     std::vector<StudyScene> scenes;
     std::vector<StudyPoint> points;      ///< every curve's: the product of the values its knobs list
-    std::vector<StudyPoint> candidates;  ///< what the need rule chooses from; the points, where none are given
+    std::vector<StudyPoint> candidates;  ///< the need rule's candidates; default: the points
     std::vector<double> budgets;         ///< for each of which the need rule is asked in each scene
     bool crops = false;                  ///< it is to draw crops also where whole pictures cost less
     nlohmann::json charts, metrics = nlohmann::json::object();  ///< for the result as they are; charts may be null
@@ -56,9 +56,10 @@ struct StudyPlan {
 /// there, a knob or value that the chapter does not have, a knob set twice, two scenes with one label.
 StudyPlan read_study(const JsonWithLines& source, const KnobList& knobs);
 
-/// Of the study of another chapter what the need rule asks for, with the methods of `method`, a knob of this chapter: metric,
-/// truth and candidates. A knob is first looked for in the method's own module; all are named by their paths. Candidates
-/// with knobs or values that this chapter does not have are left out. Throws InputError where the truth has some.
+/// From another chapter's study, the part that the need rule needs, with the methods of `method`, a knob of this
+/// chapter: metric, truth and candidates. A knob is first looked up in the method's own module; all are named by
+/// path. Candidates with knobs or values absent from this chapter are omitted. Throws InputError if the truth has
+/// some.
 StudyPlan read_study_of(const KnobBase& method, const JsonWithLines& source, const KnobList& knobs);
 
 }  // namespace lightwalk

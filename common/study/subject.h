@@ -1,4 +1,4 @@
-// What a study measures where its subject is no frame.
+// Subjects of studies that are not frames.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,13 +10,12 @@ namespace lightwalk {
 struct Subject {
     virtual ~Subject() = default;
 
-    /// Measures what study.json (as `study`) asks for and puts into `result` the points and what else
-    /// docs/study_format.md asks of such a subject.
+    /// Measures the request of study.json (`study`) and adds the points to `result`, with the fields that
+    /// docs/study_format.md lists for this subject.
     virtual void measure(const nlohmann::json& study, nlohmann::json& result) = 0;
 
-    /// The need rule: sets the cheapest method whose error in this scene is at most `budget`, by measuring. Called when
-    /// chapter.scene.file is read and nothing loaded. Returns what was measured and chosen, as docs/study_format.md
-    /// says.
+    /// The need rule: measures, and sets the cheapest method with an error of at most `budget` in this scene. Called
+    /// after reading chapter.scene.file, before loading. Returns measurements and choice, as in docs/study_format.md.
     virtual nlohmann::json choose(double budget) = 0;
 };
 

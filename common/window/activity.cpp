@@ -38,7 +38,7 @@ void Activity::begin_picture() {
 
 bool Activity::has_settled() const { return steady_s() > until_ && frames_due_ == 0 && !overlay_.input_is_left(); }
 
-// What moves may show what was there a frame before (screens in screens): more pictures are drawn of it.
+// A moving picture may show the previous frame (screens within screens), so it needs further frames.
 bool Activity::picture_is_due(bool moves) const {
     return picture_due_ || (last_picture_due_ && (has_settled() || moves));
 }

@@ -9,8 +9,8 @@ namespace lightwalk {
 
 double steady_s();  ///< seconds of a clock that only goes forward
 
-/// A picture takes a software rasteriser much longer than the panel. The mouse on its way changes none; what is done to the
-/// panel does where the panel says so, and one more is drawn when all is done.
+/// Decides when the picture is drawn, since a software rasteriser takes much longer for it than for the panel. Moving
+/// the mouse draws none; panel actions do if the panel requests it, and one more follows at the end.
 class Activity {
   public:
     explicit Activity(const Overlay& overlay) : overlay_(overlay) {}
@@ -34,7 +34,7 @@ class Activity {
     bool picture_due_ = true, last_picture_due_ = true;  ///< now; once the panel has settled
 };
 
-/// What a window tells, until it has been there for a while.
+/// A message of the window, shown for a while.
 class Notice {
   public:
     static constexpr double shown_s = 5.0;

@@ -12,7 +12,7 @@ struct AutoChoices {
         std::string method;  ///< it stays chosen as long as the knob has this value
         std::string line;    ///< which and why, or why not
     };
-    std::set<std::string> offered;  ///< those that a study compares the methods of
+    std::set<std::string> offered;  ///< the ones compared by a study
     std::set<std::string> without;  ///< methods that none compares
     std::map<std::string, Chosen> chosen;
     float budget = 0.01f;  ///< greatest mean FLIP allowed

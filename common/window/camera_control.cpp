@@ -28,7 +28,7 @@ glm::vec3 turned(glm::vec3 direction, float turn_rad, float tilt_rad) {
     return {std::cos(tilt) * std::sin(turn), std::sin(tilt), std::cos(tilt) * std::cos(turn)};
 }
 
-// What comes near must not be cut off. With reversed depth a near plane close by costs no precision.
+// Near objects must not be clipped. With reversed depth a close near plane costs no precision.
 void keep_near(Camera& camera) {
     camera.near_m = std::min(camera.near_m, 0.05f * glm::distance(camera.position, camera.target));
 }

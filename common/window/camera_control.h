@@ -5,7 +5,7 @@
 
 namespace lightwalk {
 
-/// Angles and shares come from the caller, lengths from the scene: a step is a share of what is looked at.
+/// Angles and fractions come from the caller, lengths from the scene: a step is a fraction of the viewing distance.
 class CameraControl {
   public:
     /// Turns around the target, keeping the horizon level: `turn_rad` about +y, `tilt_rad` up and down to the poles.

@@ -52,7 +52,7 @@ void CameraMouse::fly(const Input& input, double seconds) {
     activity_.stay(0.1);
 }
 
-// While the camera is dragged the tool has nothing below the mouse, but is told of it: what has moved is no click.
+// During a camera drag the tool sees no mouse, but is informed of it: a drag is not a click.
 bool CameraMouse::tool_has_mouse(const Input& input, glm::uvec2 picture) {
     auto* const tool = dynamic_cast<WindowTool*>(&chapter_);
     if (!tool) return false;

@@ -6,7 +6,8 @@
 
 namespace lightwalk {
 
-/// What begins over the panel stays with it, what begins over the picture with the camera, or with the chapter's own tool.
+/// A drag that begins over the panel stays with it; one over the picture goes to the camera, or to the chapter's own
+/// tool.
 class CameraMouse {
   public:
     CameraMouse(Chapter& chapter, Display& display, Activity& activity)

@@ -18,7 +18,7 @@ namespace {
 
 constexpr size_t most_said = 1 << 20;  // bytes that are kept
 
-// What posix_spawn is to do with the child's descriptors and its process group.
+// Settings of posix_spawn for the child's descriptors and process group.
 struct SpawnSettings {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t attributes;
@@ -74,12 +74,12 @@ ChildProcess::~ChildProcess() {
     close(output_);
 }
 
-// Asks first: a build that is interrupted takes its half-written files away. What does not listen is killed.
+// Interrupts first, so that a build removes its half-written files; then kills.
 void ChildProcess::stop() {
     kill(-pid_, SIGTERM);
     for (int tenth = 0; tenth < 20; ++tenth) {
         if (waitpid(pid_, nullptr, WNOHANG) == pid_) {
-            kill(-pid_, SIGKILL);  // whoever of the group is left
+            kill(-pid_, SIGKILL);  // the rest of the group
             return;
         }
         usleep(100000);

@@ -17,7 +17,7 @@ class ChildProcess {
         detached  ///< nobody's: no input, no output, and it goes on without us
     };
 
-    /// A name without a slash is looked for in $PATH. Throws Failure where it cannot be started.
+    /// A name without a slash is looked for in $PATH. Throws Failure if it cannot be started.
     ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& options,
                  Kind kind = Kind::program);
     ~ChildProcess();
@@ -26,10 +26,10 @@ class ChildProcess {
     /// Its exit code, or 128 plus the signal's number, once it has ended.
     std::optional<int> poll();
 
-    /// What it wrote: a program to standard error, a job to both. Complete after the end.
+    /// Its output: standard error of a program, both streams of a job. Complete after the end.
     const std::string& said() const { return said_; }
 
-    /// The last line of that which is not empty.
+    /// The last non-empty line of it.
     std::string last_words() const;
 
   private:
@@ -37,7 +37,7 @@ class ChildProcess {
     void stop();
     Kind kind_;
     pid_t pid_ = -1;
-    int output_ = -1;  ///< the reading end of what it says
+    int output_ = -1;  ///< reading end of the pipe
     std::string said_;
 };
 

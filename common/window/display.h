@@ -1,4 +1,4 @@
-// The window system: one window, and what the person did since the last look.
+// The window system: one window, and the user's input since the last poll.
 #pragma once
 #include <vulkan/vulkan.h>
 
@@ -30,7 +30,7 @@ struct Input {
 
 class Display {
   public:
-    /// Throws InputError where there is no display; `without` says what to do instead.
+    /// Throws InputError if there is no display; `without` suggests an alternative.
     Display(const std::string& title, glm::ivec2 size, const std::string& without);
     ~Display();
     Display(const Display&) = delete;
@@ -40,7 +40,7 @@ class Display {
     static std::vector<const char*> surface_extensions();
     VkSurfaceKHR make_surface(VkInstance instance) const;
 
-    /// What happened since the last call; waits up to `wait_s` for something to happen.
+    /// Input since the last call; waits up to `wait_s` for some.
     Input poll(double wait_s);
 
     /// Files that were dropped on the window since the last call.

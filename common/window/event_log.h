@@ -1,4 +1,4 @@
-// What happened, one line each on standard output, for tests and for whoever wonders. Only with LIGHTWALK_LOG=1.
+// A log of events on standard output, one line each, for tests and debugging. Only with LIGHTWALK_LOG=1.
 #pragma once
 #include <string>
 
@@ -9,8 +9,8 @@ void log_event(const std::string& text);
 /// Logs where the widget drawn last is, in window coordinates, when it has moved: "place NAME left top right bottom".
 void log_place(const std::string& name);
 
-/// Logs what the panel of this frame knows of the mouse when that has changed: "mouse x y buttons wheel", the place in
-/// window coordinates, a bit for each button that is down, and the notches turned since the start.
+/// Logs the panel's mouse state of this frame when it changes: "mouse x y buttons wheel", the position in window
+/// coordinates, a bit for each pressed button, and the notches turned since the start.
 void log_mouse();
 
 /// Logs that a frame was drawn: "frame NUMBER", " keys" where some wait for the next one, " text" where a field has them,

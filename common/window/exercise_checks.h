@@ -9,7 +9,7 @@
 
 namespace lightwalk {
 
-/// What a check has said of an exercise.
+/// Verdict of a check on an exercise.
 struct CheckVerdict {
     enum class State {
         running,
@@ -21,27 +21,27 @@ struct CheckVerdict {
     State state = State::running;
     uint64_t of = 0;  ///< answer_digest() when the check began
     int passed = 0, cases = 0;
-    std::string words;  ///< what is wrong, or why there is no verdict; empty where all is said
-    std::string hint;   ///< empty where there is none
+    std::string words;  ///< the fault, or the reason for a missing verdict; empty: none
+    std::string hint;   ///< empty if there is none
 };
 
 class ExerciseChecks {
   public:
-    /// Starts a check, anew where one is running. It builds first what it needs.
+    /// Starts or restarts a check; it builds its programs first.
     void start(const std::string& exercise);
 
-    /// True where one has ended since the last call.
+    /// True if one has ended since the last call.
     bool poll();
 
-    /// The last check of an exercise; null where there was none.
+    /// The last check of an exercise; null if there was none.
     const CheckVerdict* find(const std::string& exercise) const;
 
   private:
     std::map<std::string, CheckVerdict> checks_;
-    std::map<std::string, std::unique_ptr<ChildProcess>> jobs_;  ///< those that run
+    std::map<std::string, std::unique_ptr<ChildProcess>> jobs_;  ///< running jobs
 };
 
-/// The verdict in what ./course check --json printed for an exercise when it ended with `code`.
+/// Reads the verdict of ./course check --json for an exercise from its output and exit code.
 CheckVerdict read_check(const std::string& exercise, const std::string& said, int code);
 
 }  // namespace lightwalk

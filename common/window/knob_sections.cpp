@@ -35,7 +35,7 @@ std::string cost_of_knob(const KnobBase& knob, const std::vector<PassTime>& time
     return {};
 }
 
-// What the chapter is about: its own knobs, and the module whose method answers to --method alone.
+// The chapter's own subject: its knobs, and the module with the method that --method sets.
 bool is_own(const std::string& path, const KnobList& knobs) {
     return path.empty() || std::any_of(knobs.begin(), knobs.end(), [](const KnobBase* knob) { return knob->alone; });
 }

@@ -9,13 +9,13 @@
 
 namespace lightwalk {
 
-/// Draws a filter field and the sections below it. At first the chapter's own knobs and those of the module that it
-/// teaches are open, and borrowed modules are closed; what a person opens or closes holds for the chapter's next runs too.
+/// Draws a filter field and the sections below it. Initially the chapter's own knobs and the module it teaches are
+/// open, and borrowed modules closed; a person's changes persist in the chapter's next runs.
 class KnobSections {
   public:
     explicit KnobSections(std::string chapter);
 
-    /// True where a knob has changed. `times`: of the passes, for the costs beside sections and knobs.
+    /// True if a knob has changed. `times`: of the passes, for the costs beside sections and knobs.
     bool draw(Chapter& chapter, const std::vector<PassTime>& times, AutoChoices& automatic);
 
   private:

@@ -30,7 +30,7 @@ const char* number_format(float span) {
     return span >= 1000.0f ? "%.0f" : span >= 100.0f ? "%.1f" : span >= 10.0f ? "%.2f" : "%.3f";
 }
 
-// Not every widget keeps what is typed within its range, and none keeps out what is no number: 0 times 1e39.
+// Some widgets accept typed values outside their range, and none rejects non-numbers: 0 times 1e39.
 void keep_in_range(float& value, float before, float lower, float upper) {
     if (value != before) value = std::isnan(value) ? before : std::clamp(value, lower, upper);
 }
@@ -138,7 +138,7 @@ std::string label_of(const KnobBase& knob) {
     return label;
 }
 
-// An arrow that turns back, drawn, because not every font has one. True where it was clicked.
+// An arrow that turns back, drawn, because not every font has one. True if it was clicked.
 bool reset_button(const KnobBase& knob) {
     const float side = ImGui::GetFrameHeight();
     const bool clicked = ImGui::InvisibleButton("##reset", {side, side});

@@ -5,17 +5,17 @@
 
 namespace lightwalk {
 
-/// How wide a column must be for the labels of these knobs, in pixels; those that need more than half of the panel stand
-/// on a line of their own.
+/// Width of a column for the labels of these knobs, in pixels; labels that need more than half of the panel get a
+/// line of their own.
 float label_column(const KnobList& knobs);
 
-/// True where the person has changed it. `beside` stands at the end of its row. Its help is the tooltip. A knob that is
+/// True if the person has changed it. `beside` stands at the end of its row. Its help is the tooltip. A knob that is
 /// not at its default has a mark, and a button that sets the default again; so does a right click. `automatic`: adds the
 /// entry "auto" to the methods that it offers it for.
 bool knob_widget(KnobBase& knob, float label_width, const std::string& beside = "", AutoChoices* automatic = nullptr);
 
 /// Of a choice's help, the part that speaks of one option: "a fixed kernel (pcf)" of "Shadow filter: one comparison
-/// (hard), a fixed kernel (pcf)". Empty where no part says more than the option's name.
+/// (hard), a fixed kernel (pcf)". Empty if no part says more than the option's name.
 std::string option_help(const std::string& help, const std::string& option);
 
 }  // namespace lightwalk

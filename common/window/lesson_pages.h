@@ -1,4 +1,4 @@
-// The lessons' pages, which ./course docs makes, in whatever shows web pages here.
+// Opens the lessons' pages, made by ./course docs, in the system's browser.
 #pragma once
 #include <memory>
 #include <string>
@@ -9,11 +9,11 @@ namespace lightwalk {
 
 class LessonPages {
   public:
-    /// Shows the page of a chapter ("02_lambert_phong") or of an exercise ("02.phong"), at its heading. Returns what
-    /// the person should know: that it opens, or what is missing.
+    /// Shows the page of a chapter ("02_lambert_phong"), or of an exercise ("02.phong") at its heading. Returns a
+    /// message: that it opens, or the missing part.
     std::string open(const std::string& name);
 
-    /// What went wrong since, once; empty where nothing did.
+    /// The failure since the last call; empty: none.
     std::string poll();
 
   private:

@@ -1,4 +1,4 @@
-// A chapter while someone works on it: what fails is said, and what worked last stays.
+// A chapter during editing: failures are reported, and the last working version stays.
 #pragma once
 #include "common/app/render.h"
 #include "common/base/toggle_scope.h"
@@ -18,12 +18,12 @@ class LiveChapter {
     /// The scene again, as the toggles say. Camera and knobs stay; where it fails, so does the old scene.
     void reload();
 
-    /// Loads the scene again where toggles or knobs have changed how it is loaded.
+    /// Reloads the scene if changed toggles or knobs affect loading.
     void follow_toggles() {
         if (loaded_with_ != chapter.load_state()) reload();
     }
 
-    /// Records and submits a frame. Loads the scene anew first where toggles or knobs change how it is loaded.
+    /// Records and submits a frame. Reloads the scene first if toggles or knobs affect loading.
     void draw(Frame& frame, const Picture& picture);
 
     std::string load_error;   ///< of the last load; empty: it went well
@@ -35,14 +35,14 @@ class LiveChapter {
     std::string loaded_with_;
 };
 
-/// The chapter's own exercises, and those of the chapters before it, whose code it uses.
+/// The chapter's own exercises, and those of earlier chapters it uses.
 std::vector<std::string> own_exercises(const Chapter& chapter);
 std::vector<std::string> earlier_exercises(const Chapter& chapter);
 
-/// True where all of them use the reference, or there are none.
+/// True if all of them use the reference, or there are none.
 bool all_reference(const std::vector<std::string>& ids);
 
-/// True where a reference exists for one of them: not in a handout.
+/// True if a reference exists for one of them: not in a handout.
 bool any_reference_exists(const std::vector<std::string>& ids);
 
 }  // namespace lightwalk

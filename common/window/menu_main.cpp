@@ -29,7 +29,7 @@ constexpr glm::uvec2 picture_size{304, 171};  ///< pixels at scale 1
 struct Entry {
     std::string chapter, title;
     fs::path program;
-    Image picture;  ///< none where nothing has been drawn yet
+    Image picture;  ///< none if nothing has been drawn yet
 };
 
 /// The chapter's best picture: as the gallery drew it, with four samples, else as accepted.
@@ -38,7 +38,7 @@ std::optional<fs::path> find_picture(const std::string& chapter, const fs::path&
     try {
         shots = best_first(chapter);
     } catch (const std::exception&) {
-        return std::nullopt;  // its own program says what is wrong with them
+        return std::nullopt;  // the chapter's program reports the error
     }
     for (const Shot& shot : shots)
         for (const fs::path& folder : {build / "gallery" / chapter, course_root() / "tests" / chapter / "golden"})
@@ -46,7 +46,7 @@ std::optional<fs::path> find_picture(const std::string& chapter, const fs::path&
     return std::nullopt;
 }
 
-/// The middle of the image at the size and shape of a tile; the mean in linear light of what each pixel covers.
+/// The middle of the image, resized to a tile: each pixel averages its area in linear light.
 Image8 thumbnail(const Image8& image, glm::uvec2 size) {
     const ImageRgb linear = to_linear(image);
     const float scale = std::min(float(image.width) / float(size.x), float(image.height) / float(size.y));
@@ -217,7 +217,7 @@ class Menu {
                " chapters are built. Click one to start it, or to build it next.";
     }
 
-    /// Over the picture of a chapter that cannot be started yet: what it waits for, and a bar.
+    /// Over a chapter's picture while it cannot be started: its status, and a bar.
     void draw_state(const Entry& entry, ImVec2 corner, ImVec2 end) {
         const ProgramState state = programs_.state(entry.chapter);
         if (state.name == "ready") return;

@@ -18,7 +18,7 @@ class MenuPrograms {
     /// The folder in LIGHTWALK_MENU, through which the build and the menu talk; without it, all chapters are built.
     MenuPrograms();
 
-    /// Reads the states again. True where one has changed.
+    /// Reads the states again. True if one has changed.
     bool poll();
 
     /// Whether some chapter is not ready.

@@ -68,7 +68,7 @@ void set_style(float scale) {
 
 void check_imgui(VkResult result) { check(result, "the panel"); }
 
-// Dear ImGui's Vulkan backend, whose interface changed with its versions 1.90, 1.90.3 and 1.92.4; one sample a pixel.
+// Dear ImGui's Vulkan backend; its interface changed in 1.90, 1.90.3 and 1.92.4. One sample a pixel.
 void start_imgui(ImGui_ImplVulkan_InitInfo& info, VkRenderPass render_pass, [[maybe_unused]] Gpu& gpu) {
 #if IMGUI_VERSION_NUM >= 19240
     info.PipelineInfoMain.RenderPass = render_pass;
@@ -88,7 +88,7 @@ void start_imgui(ImGui_ImplVulkan_InitInfo& info, VkRenderPass render_pass, [[ma
 [[maybe_unused]] GLFWcursorenterfun imgui_cursor_enter = nullptr;
 
 // From 1.87 on ImGui takes a mouse that comes back to be where it last saw it, outside too, until GLFW says that it has
-// moved; and GLFW says nothing where it came back to the pixel that it left.
+// moved; and GLFW says nothing if it came back to the pixel that it left.
 void watch_entering(GLFWwindow* window) {
 #if IMGUI_VERSION_NUM >= 18700
     imgui_cursor_enter = glfwSetCursorEnterCallback(window, [](GLFWwindow* entered, int is_inside) {

@@ -19,7 +19,8 @@ class Overlay {
     /// Draws the widgets over the image acquired, which a transfer has just written, and leaves it ready to present.
     void draw(VkCommandBuffer commands);
 
-    /// Whether input waits for a later frame: since 1.87 Dear ImGui takes what came in one frame over several, in order.
+    /// Whether input waits for a later frame: since 1.87 Dear ImGui may spread one frame's input over several, in
+    /// order.
     bool input_is_left() const;
 
     ImFont* mono = nullptr;   ///< for code
@@ -42,7 +43,7 @@ ImGuiID number_typed_into();
 /// The mouse drags no number any more, though it is still held.
 void stop_dragging();
 
-/// A child window without a border, with padding: Dear ImGui spells that anew since 1.90.
+/// A child window without a border, with padding: Dear ImGui renamed its flags in 1.90.
 inline void begin_padded_child(const char* id, ImVec2 size) {
 #if IMGUI_VERSION_NUM >= 19000
     ImGui::BeginChild(id, size, ImGuiChildFlags_AlwaysUseWindowPadding);
@@ -51,7 +52,7 @@ inline void begin_padded_child(const char* id, ImVec2 size) {
 #endif
 }
 
-/// An invisible button on which items that follow may lie and be clicked; true where it was clicked itself.
+/// An invisible button on which items that follow may lie and be clicked; true if it was clicked itself.
 inline bool button_under_others(const char* id, ImVec2 size) {
 #if IMGUI_VERSION_NUM >= 18970
     ImGui::SetNextItemAllowOverlap();
@@ -63,7 +64,7 @@ inline bool button_under_others(const char* id, ImVec2 size) {
 #endif
 }
 
-/// The course's colours: what is mine, what is the reference, what went wrong and what is right.
+/// The course's colours: student version, reference, failure, success.
 inline const ImVec4 mine_color{0.96f, 0.65f, 0.24f, 1.0f};
 inline const ImVec4 reference_color{0.38f, 0.72f, 0.98f, 1.0f};
 inline const ImVec4 error_color{1.0f, 0.45f, 0.40f, 1.0f};

@@ -1,4 +1,4 @@
-// The panel beside the picture, and what is written over the picture.
+// The panel beside the picture, and text over the picture.
 #pragma once
 #include "common/window/exercise_checks.h"
 #include "common/window/knob_sections.h"
@@ -7,17 +7,17 @@
 
 namespace lightwalk {
 
-/// What a person can ask for in the panel and with keys.
+/// Requests by panel and keys.
 struct Requests {
     bool reload = false, screenshot = false, capture = false, save = false, home = false, frame_scene = false,
          all_toggles = false;
-    bool earlier_toggles = false;  ///< all, and those of earlier chapters
+    bool earlier_toggles = false;  ///< all toggles, and those of earlier chapters
     bool split = false, clock = false, panel = false, changed = false;
-    std::string lesson;  ///< the chapter or the exercise whose lesson to show
+    std::string lesson;  ///< chapter or exercise of the lesson to show
     std::string check;   ///< the exercise to check
 };
 
-/// What the panel shows and changes.
+/// The state that the panel shows and changes.
 struct PanelState {
     Chapter& chapter;
     const Device& device;
@@ -25,7 +25,7 @@ struct PanelState {
     Look& look;
     const ExerciseChecks& checks;
     AutoChoices& automatic;
-    std::vector<std::string> outputs;  ///< what can be looked at
+    std::vector<std::string> outputs;  ///< names of viewable outputs
     std::vector<PassTime> times;       ///< of the last picture
     bool picture_is_new = true;        ///< false: only the panel is drawn again
     double frame_ms = 0;               ///< from one picture to the next, wall clock
@@ -34,7 +34,7 @@ struct PanelState {
     glm::uvec2 picture{0};  ///< pixels
 };
 
-/// What fits on a screen of a text of any length: a compiler may quote a line of megabytes.
+/// A text cut to fit the screen: a compiler may quote a line of megabytes.
 std::string shortened(const std::string& text);
 
 /// A tooltip over the widget drawn last.
@@ -53,11 +53,11 @@ class Panel {
 
     Requests draw(PanelState& state, float scale);
 
-    /// Over the picture, `left` pixels from its left edge: what failed, in red, and a message that goes away.
+    /// Over the picture, `left` pixels from its left edge: errors in red, and a message that fades.
     void draw_messages(const std::vector<std::string>& errors, const std::string& notice, glm::uvec2 picture,
                        float left);
 
-    /// The divider to drag and the names of the two sides. True where it was moved.
+    /// The divider to drag and the names of the two sides. True if it was moved.
     bool draw_divider(SplitView& split, glm::uvec2 picture);
 
   private:

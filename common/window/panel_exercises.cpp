@@ -25,7 +25,7 @@ bool half_switch(const char* label, bool lit, const ImVec4& color) {
     return clicked && !lit;
 }
 
-// mine | reference. True where it was switched.
+// mine | reference. True if it was switched.
 bool toggle(const std::string& id) {
     if (!Exercises::has_solution(id)) {
         ImGui::AlignTextToFramePadding();
@@ -69,7 +69,7 @@ Verdict verdict(const std::string& id) {
     return {is_untouched(id) ? "untouched" : "not checked", quiet_color};
 }
 
-// What the check says, as high as it needs but no higher than ten lines, and its hint behind a fold of its own.
+// The check's words, as high as needed but at most ten lines, and its hint in a fold.
 void check_words(const std::string& id, const CheckVerdict& check) {
     if (check.words.empty() && check.hint.empty()) return;
     const bool open = ImGui::TreeNodeEx("what it says", ImGuiTreeNodeFlags_DefaultOpen);
@@ -100,7 +100,7 @@ void log_state(const std::string& id, const std::string& state) {
     if (std::string& before = last[id]; before != state) log_event("state " + id + " " + (before = state));
 }
 
-// The toggle of an exercise, its lesson and its check, and what that has said. True where it was switched.
+// An exercise's toggle, lesson and check, with its verdict. True if it was switched.
 bool unfolded_row(const std::string& id, const CheckVerdict* check, float right, Requests& requests) {
     const bool switched = toggle(id);
     ImGui::SameLine(right - width_of("lesson") - width_of("check") - gap);
@@ -116,7 +116,7 @@ bool unfolded_row(const std::string& id, const CheckVerdict* check, float right,
 }
 
 // A line for each exercise: its name, in the colour of the version in use, and the verdict. Unfolded also its toggle, its
-// lesson, its check and the words of that. True where it was switched.
+// lesson, its check and the words of that. True if it was switched.
 bool exercise_row(const std::string& id, const CheckVerdict* check, Requests& requests) {
     ImGui::PushID(id.c_str());
     const bool mine = !Exercises::uses_solution(id);

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr size_t most_bytes = 1 << 16;
 
-// Empty where there is no home.
+// Empty if there is no home.
 fs::path memory_file(const std::string& chapter) {
     const fs::path folder = state_folder();
     return folder.empty() ? folder : folder / (chapter + ".panel.json");

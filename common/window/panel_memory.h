@@ -5,7 +5,7 @@
 
 namespace lightwalk {
 
-/// By section; empty where nothing was remembered or the file cannot be read. It lies in
+/// By section; empty if nothing was remembered or the file cannot be read. It lies in
 /// $XDG_STATE_HOME/lightwalk, by default ~/.local/state/lightwalk.
 std::map<std::string, bool> read_panel_memory(const std::string& chapter);
 

@@ -15,7 +15,7 @@ namespace lightwalk {
 int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make) {
     say_crashes();
     try {
-        std::unique_ptr<Gpu> gpu;  // before the chapter, whose images and buffers it must outlive
+        std::unique_ptr<Gpu> gpu;  // before the chapter, since it must outlive its images and buffers
         const std::unique_ptr<Chapter> chapter = make();
         chapter->name = name;
         const std::optional<Options> options = read_options(argc, argv, *chapter);

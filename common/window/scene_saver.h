@@ -11,8 +11,8 @@ class SceneSaver {
   public:
     SceneSaver(const Chapter& chapter, std::filesystem::path scene, Notice& notice);
 
-    /// A scene file of one's own keeps everything else; where it is not what was read, or another file is in the way, the
-    /// key has to be pressed twice.
+    /// Saves a person's scene file and preserves the rest of it; if it changed since it was read, or another file
+    /// exists there, the key must be pressed twice.
     void save();
     void remember();  ///< the file was read again
 

@@ -12,10 +12,10 @@
 namespace lightwalk {
 
 #if IMGUI_VERSION_NUM >= 18700
-// Of its queue a frame takes what it may, but a modifier's change together with the keys before it.
+// Releases queued input up to a modifier's change, together with the keys before it.
 namespace {
 
-ImVector<ImGuiInputEvent> later;  // what comes after a modifier's change that has to wait
+ImVector<ImGuiInputEvent> later;  // events after a modifier's change that must wait
 
 bool changes_modifier(const ImGuiInputEvent& event) {
     if (event.Type != ImGuiInputEventType_Key) return false;
@@ -55,7 +55,7 @@ namespace {
 
 struct KeyEvent {
     int key, scancode, action, mods;
-    unsigned character = 0;  ///< what was typed, in place of a key
+    unsigned character = 0;  ///< typed character, instead of a key
 };
 
 GLFWwindow* keyboard_of = nullptr;

@@ -22,7 +22,7 @@ double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock:
 
 }  // namespace
 
-// The callback runs in a thread of SDL's; what both use is guarded.
+// SDL calls the callback in a thread of its own; shared data is guarded.
 struct SoundPlayer::Device {
     // SDL is loaded when it is needed, not with each program: its 40 libraries take 12 ms to load, and most runs draw a
     // picture without a window.

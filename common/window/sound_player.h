@@ -6,8 +6,8 @@
 
 namespace lightwalk {
 
-/// Plays a sound, and is the clock of the picture beside it: the time is the count of the samples that were played. So
-/// the two cannot drift apart, whatever the device's idea of 48,000 samples a second is, and however long a frame takes.
+/// Plays a sound and is the picture's clock: the time is the number of samples played. The two cannot drift apart, at
+/// any actual device rate or frame time.
 class SoundPlayer {
   public:
     SoundPlayer();

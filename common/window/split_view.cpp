@@ -12,7 +12,7 @@ namespace {
 
 constexpr int greatest_compared_width = 640;
 
-// The mean of squares of `shrink` pixels a side, in linear light; what is left over at the edges is dropped.
+// Mean of blocks of `shrink` × `shrink` pixels, in linear light; partial blocks at the edges are dropped.
 ImageRgb shrunk(const ImageRgb& image, int shrink) {
     ImageRgb result(std::max(image.width / shrink, 1), std::max(image.height / shrink, 1));
     for (int y = 0; y < result.height; ++y)

@@ -23,16 +23,16 @@ class SplitView {
     bool on() const { return live_ != nullptr; }
     bool drawn() const { return on() && frame_->output; }  ///< there is a picture of the reference
 
-    /// Throws InputError where even the reference cannot load the scene.
+    /// Throws InputError if even the reference cannot load the scene.
     void turn_on(const Chapter& chapter);
     void turn_off();
 
-    /// Forgets the scene, which the next frame loads anew.
+    /// Forgets the scene; the next frame reloads it.
     void reload();
 
     /// Draws the reference with the camera and the knobs of `chapter`.
     void draw(const Chapter& chapter, const Look& look, const Picture& picture);
-    /// Of the reference, to show: what `look` looks at.
+    /// The reference's picture as chosen by `look`.
     const Image& picture(const Look& look) const { return look.picture(*frame_, viewed_); }
     std::string error() const;
 

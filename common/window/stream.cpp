@@ -24,7 +24,7 @@ constexpr size_t most_warm = 3;     // a page shows several pictures of a chapte
 constexpr int most_frames = 16;     // of a shot that lets its picture settle
 constexpr int moving_quality = 85;  // of a JPEG
 
-// What a line of words loaded, and how it was before requests turned it.
+// A loaded command line, and its state before requests changed it.
 struct Warm {
     Words words;
     std::unique_ptr<Chapter> chapter;
@@ -96,7 +96,7 @@ glm::uvec2 size_of(const json& request, const Options& options) {
     return size;
 }
 
-// Knobs and camera, each time from what was loaded: a request says all there is to know.
+// Applies knobs and camera, always starting from the loaded state: a request is complete in itself.
 void Stream::turn(Warm& warm, const json& request) const {
     Chapter& chapter = *warm.chapter;
     const KnobList knobs = chapter.all_knobs();

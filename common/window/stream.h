@@ -4,22 +4,22 @@
 
 namespace lightwalk {
 
-/// Draws what each line of standard input asks for, on one device, which it makes in `gpu`, and writes the picture to
-/// standard output. What was loaded for the last few shots stays, so that a knob or the camera is all that changes from
-/// one picture to the next. A line is a JSON object, of which all but "words" may be left out:
+/// Draws a picture for each line of standard input, on one device, which it makes in `gpu`, and writes it to standard
+/// output. The last few shots stay loaded, so that only a knob or the camera changes between pictures. A line is a JSON
+/// object; all keys but "words" are optional:
 ///
-///     {"words": ["--shot", "lamp"],                 what is loaded, as on the command line
+///     {"words": ["--shot", "lamp"],                 the command line to load
 ///      "use": "solution,05.pcf=exercise",           --use, for this picture
 ///      "set": {"shadow.filter": "vsm"},             knobs; the others are as the words have them
-///      "turn_rad": 0.1, "tilt_rad": 0, "notches": 2, "pan": [0.1, 0],   from the scene's camera: around its target,
-///                                                   closer, and along with the picture in shares of its height
+///      "turn_rad": 0.1, "tilt_rad": 0, "notches": 2, "pan": [0.1, 0],   from the scene's camera: orbit, zoom in,
+///                                                   and shift in fractions of the picture's height
 ///      "size": [480, 270], "time_s": 0.5,           the time is counted from the shot's own
 ///      "look": "shade", "still": true}              whole frames as a PNG, instead of one frame as a JPEG
 ///
-/// The answer is a line, {"code": 0, "error": "", "bytes": 20000, "size": [480, 270], ...}, and so many bytes behind it:
-/// the picture, or none where it failed. It tells the times of the passes, what can be looked at, what did not compile
-/// (a list of "file:line: message"; the picture is that of the last version that did), and "changed" where a file of the
-/// shaders was edited since the picture before. Throws InputError where there is no device.
+/// The answer is a line, {"code": 0, "error": "", "bytes": 20000, "size": [480, 270], ...}, followed by that many bytes:
+/// the picture, or none after a failure. It lists the times of the passes, viewable outputs, compile errors (as
+/// "file:line: message"; the picture uses the last version that compiled), and "changed" if a shader file was edited
+/// since the previous picture. Throws InputError without a device.
 int stream_pictures(const Options& options, const std::string& name, const MakeChapter& make,
                     std::unique_ptr<Gpu>& gpu);
 

@@ -128,8 +128,7 @@ const Image* Swapchain::acquire() {
     }
     if (result != VK_SUBOPTIMAL_KHR) check(result, "vkAcquireNextImageKHR");
     outdated_ = result == VK_SUBOPTIMAL_KHR;
-    // What it held is of no interest; writing has to wait for the semaphore, which Frame::end waits for with all
-    // stages.
+    // Contents are discarded; writing has to wait for the semaphore, which Frame::end awaits with all stages.
     images_[index_].history = {.all = {.last_write = {.stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT}}, .each = {}};
     return &images_[index_];
 }

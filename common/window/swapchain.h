@@ -18,10 +18,10 @@ class Swapchain {
     glm::uvec2 size{0};              ///< pixels
     std::vector<VkImageView> views;  ///< of its images, which own them
 
-    /// Brings the size up to date. False where there is nothing to draw on: minimised.
+    /// Brings the size up to date. False if there is nothing to draw on: minimised.
     bool ready();
 
-    /// The next image, or null where the window changed meanwhile. `acquired()` is signalled when it may be written.
+    /// The next image, or null if the window changed meanwhile. `acquired()` is signalled when it may be written.
     const Image* acquire();
     uint32_t index() const { return index_; }
     VkSemaphore acquired() const { return acquired_; }
@@ -30,7 +30,7 @@ class Swapchain {
     /// Shows the image once `rendered()` is signalled.
     void present();
 
-    /// Counts how often the images were made, for those who keep something per image.
+    /// Number of times the images were created, for per-image data.
     int generation() const { return generation_; }
 
   private:

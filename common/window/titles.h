@@ -1,4 +1,4 @@
-// What a chapter is called.
+// Titles of chapters.
 #pragma once
 #include <string>
 

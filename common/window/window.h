@@ -40,7 +40,7 @@ class Window {
     void watch_programs();
     void draw();
     void draw_picture(glm::uvec2 size);
-    bool refines() const;                  ///< what is shown rests, and samples are missing
+    bool refines() const;                  ///< the picture rests, and samples are missing
     void refine_picture(glm::uvec2 size);  ///< one more sample, shifted within a pixel
     bool picture_is_due() const;           ///< false: the panel is drawn beside the picture that is there
     bool is_still() const;                 ///< nothing is drawn: neither time nor input changes the picture
@@ -70,10 +70,10 @@ class Window {
     int asked_auto_ = 0;  ///< frames that were drawn when the need rule was asked for
     LessonPages lessons_;
     SoundPlayer sound_;
-    Image viewed_;    ///< of what is looked at in frame_
+    Image viewed_;    ///< viewed part of frame_
     Image composed_;  ///< both sides of the split view
     Frame frame_;     ///< the chapter's
-    Frame screen_;    ///< what the window adds: its passes are not the chapter's
+    Frame screen_;    ///< the window's own passes, not the chapter's
     bool clock_runs_, close_ = false, compared_ = false;
     bool rests_ = false;  ///< until something happens
     float time_s_;

@@ -84,7 +84,7 @@ void Window::obey(const Requests& requests) {
     if (any) activity_.stay(0.3);
 }
 
-// What goes on beside the picture, and what it has to say.
+// Runs the tool's background work and takes its messages.
 void Window::ask_tool() {
     if (const auto files = display_.take_dropped(); !files.empty()) {
         tool_->on_drop(files);
@@ -94,7 +94,7 @@ void Window::ask_tool() {
     tool_->steer(clock);
     if (clock.time_s != time_s_ || clock.runs != clock_runs_) activity_.stay(0.3);
     time_s_ = clock.time_s, clock_runs_ = clock.runs;
-    if (tool_->is_busy()) activity_.stay_panel(0.1);  // its panels say what changes the picture
+    if (tool_->is_busy()) activity_.stay_panel(0.1);  // its panels report changes of the picture
     if (tool_->wants_to_close()) close_ = true;
     if (const std::string notice = tool_->take_notice(); !notice.empty()) {
         notice_.tell(notice);
@@ -143,7 +143,7 @@ void Window::switch_split() {
     log_event(split_.on() ? "split on" : "split off");
 }
 
-// The need rule measures what is drawn now, once: the method stays until another is chosen, whatever else changes.
+// The need rule measures the current picture once: the method stays until another is chosen.
 void Window::choose_automatically() {
     KnobBase& method = find_knob(chapter_.all_knobs(), std::exchange(automatic_.wanted, ""));
     std::string line;

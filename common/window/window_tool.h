@@ -1,4 +1,4 @@
-// What a chapter may add to its window: panels, tools for the mouse, keys, its own way to save.
+// A chapter's additions to its window: panels, mouse tools, keys, its own saving.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -36,7 +36,7 @@ class WindowTool {
     virtual bool may_close() = 0;       ///< false: it asks first, and closes itself when wants_to_close()
     virtual bool wants_to_close() = 0;  ///< the answer was yes
     virtual bool is_busy() = 0;  ///< asked once per frame: something goes on beside the picture, the panels show it
-    virtual std::string take_notice() = 0;  ///< what to tell, once; empty: nothing
+    virtual std::string take_notice() = 0;  ///< a one-time message; empty: none
 
     /// Before each frame: may set the clock, start and stop it.
     virtual void steer(WindowClock& /*clock*/) {}
