@@ -39,7 +39,7 @@ void copy_floats(const Array<float>& from, size_t begin, size_t end, Array<float
 }
 
 // [resolve]
-// False where the index is out of range. A relative index becomes absolute: `base` counts what stands before the piece.
+// False if the index is out of range. Makes a relative index absolute; `base` counts the elements before the piece.
 bool resolve(uint32_t& index, size_t base, size_t count) {
     if (index < count) return true;
     if (!is_relative(index)) return false;

@@ -18,8 +18,8 @@ struct NameLine {
     std::string name;
 };
 
-/// What one thread has read. An index that the file counts from the end stays relative to its piece's start until the
-/// pieces before it are counted: see relative_index.
+/// The result of one thread. Indices counted from the end stay relative to the start of the piece until earlier
+/// pieces are counted: see relative_index.
 struct Collected {
     Array<float> positions, uvs, normals;
     Array<ColoredPosition> colors;  ///< by number within this Collected
@@ -51,8 +51,8 @@ inline uint32_t relative_index(int64_t from_piece_start) {
 /// takes more than CuttingTime allows; `name` stands for the file in messages.
 bool assemble(std::span<const Piece> pieces, unsigned threads, const std::string& name, ObjData& data, bool& absent);
 
-/// What cutting a file's larger polygons may take in all. Spirals have few ears, and a student's version need not stop
-/// looking for them.
+/// Total time allowed for cutting a file's larger polygons. Spirals have few ears, and a student's version may search
+/// for them forever.
 class CuttingTime {
   public:
     explicit CuttingTime(const std::string& file, double most_s = 5 * slower) : file_(file), most_s_(most_s) {}

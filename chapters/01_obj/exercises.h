@@ -11,17 +11,17 @@
 
 namespace lightwalk {
 
-/// exercise/parse_vertex_line.cpp says what it must do.
+/// Specification: exercise/parse_vertex_line.cpp.
 EXERCISE("01.parse_vertex_line", glm::vec3, parse_vertex_line, std::string_view line);
 
-/// exercise/parse_face.cpp says what it must do.
+/// Specification: exercise/parse_face.cpp.
 EXERCISE("01.parse_face", std::vector<Corner>, parse_face, std::string_view line, const Counts& so_far,
          const Counts& total);
 
-/// exercise/triangulate.cpp says what it must do.
+/// Specification: exercise/triangulate.cpp.
 EXERCISE("01.triangulate", std::vector<glm::uvec3>, triangulate, std::span<const glm::vec3> polygon);
 
-/// exercise/view_projection.cpp says what it must do.
+/// Specification: exercise/view_projection.cpp.
 EXERCISE("01.view_projection", glm::mat4, view_projection, const Camera& camera, float aspect);
 
 }  // namespace lightwalk

@@ -7,7 +7,7 @@
 
 namespace lightwalk {
 
-// All of these read up to 32 bytes from `at`, whatever stands there; a zero byte ends every number.
+// All of these may read up to 32 bytes past `at`; a zero byte ends every number.
 
 /// The next eight characters, the first one in the lowest byte.
 inline uint64_t load_eight(const char* at) {
@@ -25,8 +25,8 @@ inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 // [leading_digits]
 /// How many of the eight characters, from the first on, are decimal digits.
 inline unsigned leading_digits(uint64_t word) {
-    // '0' to '9' become 0 to 9, everything else 10 or more; adding 0x76 takes those to the top bit. A carry into the
-    // next byte comes only from a character that is no digit, and what lies behind the first one does not count.
+    // '0' to '9' become 0 to 9, everything else 10 or more; adding 0x76 sets its top bit. Only a non-digit carries
+    // into the next byte, and bytes behind the first non-digit do not matter.
     const uint64_t value = word ^ zeros;
     const uint64_t other = (value | (value + 0x7676767676767676ull)) & 0x8080808080808080ull;
     return static_cast<unsigned>(std::countr_zero(other)) / 8;

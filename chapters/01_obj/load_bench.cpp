@@ -76,7 +76,7 @@ void run_here(const std::filesystem::path& path, const ObjData* expected, Loader
     } catch (const InputError& error) { result.error = error.what(); }
 }
 
-// The public parsers are measured within their guarded process: what the guard takes is not theirs.
+// The public parsers are timed inside their guarded process, without the guard's overhead.
 void run_once(const std::filesystem::path& path, size_t bytes, const ObjData* expected, LoaderFigures& result) {
     if (result.loader != Loader::tinyobjloader && result.loader != Loader::assimp)
         return run_here(path, expected, result);
@@ -143,7 +143,7 @@ double LoaderFigures::quantile(double share) const {
 
 std::vector<LoaderFigures> measure_loaders(const std::filesystem::path& path, int runs, size_t& bytes) {
     if (runs < 1) throw InputError("the load bench needs at least 1 run, got {}", runs);
-    parse_obj(path, Loader::scan);  // whatever is wrong with the file is said here
+    parse_obj(path, Loader::scan);  // reports errors in the file
     std::vector<LoaderFigures> results;
     for (const std::string_view name : loader_names()) results.emplace_back().loader = loader_from_name(name);
     {

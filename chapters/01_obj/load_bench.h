@@ -7,7 +7,7 @@
 
 namespace lightwalk {
 
-/// What one loader did with a file.
+/// Measurements of one loader on a file.
 struct LoaderFigures {
     Loader loader = Loader::textbook;
     std::string error;       ///< why it cannot read the file; empty: it can
@@ -30,12 +30,12 @@ std::vector<LoaderFigures> measure_loaders(const std::filesystem::path& path, in
 /// where the reference cannot read the file.
 int run_load_bench(const std::filesystem::path& path, int runs, bool json);
 
-/// Prints what a loader makes of a model file, as JSON: counts, bounds, materials, and a checksum of the positions,
-/// FNV-1a 64 over their floats' bits as little-endian bytes in the order of the file (for a format other than OBJ: of
-/// the vertices, mesh after mesh). Two loaders that read the same positions print the same checksum.
+/// Prints a loader's result for a model file as JSON: counts, bounds, materials, and a checksum of the positions,
+/// FNV-1a 64 over their floats' bits as little-endian bytes in file order (for formats other than OBJ: of the
+/// vertices, mesh after mesh). Equal positions give equal checksums.
 void dump_mesh(const std::filesystem::path& path, Loader loader);
 
-/// What dump_mesh prints.
+/// The text of dump_mesh.
 std::string describe_mesh(const std::filesystem::path& path, Loader loader);
 
 }  // namespace lightwalk

@@ -13,7 +13,7 @@ struct LoaderSubject : Subject {
     /// study["rounds"] times each.
     void measure(const nlohmann::json& study, nlohmann::json& result) override;
 
-    /// The loader that reads the scene's .obj files in the least time, among those whose error is at most `budget` ULP.
+    /// The fastest loader for the scene's .obj files with an error of at most `budget` ULP.
     nlohmann::json choose(double budget) override;
 
     const SceneFile& scene;

@@ -12,11 +12,11 @@ ObjData parse_textbook(std::string_view text, const std::string& name);
 ObjData parse_scan(std::string_view text, const std::string& name);
 /// `text` must be followed by at least 64 readable zero bytes.
 ObjData parse_parallel(std::string_view text, const std::string& name, ParseOptions options);
-/// parse_tinyobjloader() or parse_assimp() in a guarded process, and what it read checked.
+/// parse_tinyobjloader() or parse_assimp() in a guarded process, with its result checked.
 ObjData parse_guarded(std::string_view text, const std::string& name, Loader loader);
 /// Without objects and groups, which it does not tell apart; splits a quadrilateral along its shorter diagonal.
 ObjData parse_tinyobjloader(std::string_view text, const std::string& name);
-/// Positions, uvs and normals are those of Assimp's joined vertices, so that the three indices of a corner are equal.
+/// Positions, uvs and normals are Assimp's joined vertices, so the three indices of a corner are equal.
 ObjData parse_assimp(std::string_view text, const std::string& name);
 
 }  // namespace lightwalk

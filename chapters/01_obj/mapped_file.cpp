@@ -71,7 +71,7 @@ MappedFile::MappedFile(const std::filesystem::path& path) : path_(path), file_(p
     const auto fail = [&](int error) {
         throw InputError("{}: cannot be opened: {}", path.string(), std::strerror(error));
     };
-    // Zero pages first, then the file over them: what lies past its end reads as zeros and not as a bus error.
+    // Zero pages first, then the file over them: reads past its end give zeros instead of a bus error.
     reserved_ = (size_ + page_bytes() - 1) / page_bytes() * page_bytes() + page_bytes();
     memory_ = mmap(nullptr, reserved_, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (memory_ == MAP_FAILED) fail(errno);

@@ -8,9 +8,9 @@
 
 namespace lightwalk {
 
-/// A whole regular file, read-only in memory, followed by at least 64 zero bytes, so that a parser may look ahead
-/// without asking where the end is. Where another program makes the file shorter meanwhile, what is gone reads as zeros
-/// (without care it would end this one with SIGBUS), and check() says so. Throws InputError as InputFile does.
+/// A whole regular file, read-only in memory, followed by at least 64 zero bytes for parsers that look ahead. If
+/// another program shortens it meanwhile, the missing part reads as zeros instead of raising SIGBUS, and check()
+/// reports it. Throws InputError as InputFile does.
 class MappedFile {
   public:
     explicit MappedFile(const std::filesystem::path& path);

@@ -7,7 +7,7 @@
 
 namespace lightwalk {
 
-/// What material files leave open.
+/// Interpretation of ambiguous material files.
 struct MtlReading : Module {
     using Module::Module;
     Choice tr{*this,
@@ -37,7 +37,7 @@ class ModelChapter : public Chapter {
     virtual Loader loader() const { return Loader::parallel; }
 
     // [view]
-    /// Places what moves, and gives the shaders of this frame the uniform block `view`: what the camera sees.
+    /// Places moving objects, and sets this frame's uniform block `view`, the camera's view.
     View set_view(Frame& frame) { return set_view(frame, camera); }
     View set_view(Frame& frame, const Camera& from) {
         animate(scene, frame.time_s);

@@ -98,7 +98,7 @@ TextureMap take_map(std::string_view rest, const fs::path& folder, std::vector<s
                 throw InputError("{} after -imfchan, expected one of r g b m l z", shown(channel));
             map.channel = channel[0];
         } else
-            break;  // a file whose name starts with a dash
+            break;  // a file name starting with a dash
         rest = trim(after);
     }
     if (rest.empty()) throw InputError("a texture map without a file");
@@ -107,7 +107,7 @@ TextureMap take_map(std::string_view rest, const fs::path& folder, std::vector<s
     return map;
 }
 
-// What the statements of one material have said.
+// Statements seen in one material.
 struct Said {
     std::optional<float> d, tr;
     bool ns = false, ks = false, pr = false, pm = false;
@@ -159,7 +159,7 @@ struct Reader {
         }
     }
 
-    // After a material's last statement: what several of them say together.
+    // After a material's last statement: combines statements that depend on each other.
     void finish() {
         if (materials.empty()) return;
         Material& m = materials.back();
@@ -176,7 +176,7 @@ struct Reader {
         if (m.ambient_map && m.ambient_map.file != m.diffuse_map.file) m.left_out.push_back("map_Ka");
     }
 
-    // Programs disagree on what Tr is; d is clear.
+    // Programs disagree on the meaning of Tr; d is unambiguous.
     void set_opacity(Material& m) const {
         if (said.d) m.opacity = *said.d;
         if (said.d || !said.tr) return;

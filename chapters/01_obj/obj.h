@@ -51,7 +51,7 @@ struct Run {
     bool operator==(const Run&) const = default;
 };
 
-/// What an OBJ file says, triangulated and otherwise as it stands: nothing welded, scaled or reordered.
+/// Contents of an OBJ file, triangulated but not welded, scaled or reordered.
 struct ObjData {
     Array<float> positions;              ///< x y z each, in file order
     Array<float> uvs;                    ///< u v each; a missing v is 0, a third number is dropped
@@ -62,21 +62,21 @@ struct ObjData {
     std::vector<std::string> objects;    ///< names after `o`, in order of first use
     std::vector<std::string> groups;     ///< after `g`
     std::vector<std::string> materials;  ///< after `usemtl`
-    std::vector<std::string> left_out;   ///< what else the file holds: "lines", "free-form curves"
-    std::vector<std::string> libraries;  ///< what follows each `mtllib`: one name, or several
+    std::vector<std::string> left_out;   ///< other contents of the file: "lines", "free-form curves"
+    std::vector<std::string> libraries;  ///< text after each `mtllib`: one name, or several
     size_t triangles() const { return corners.size() / 3; }
 };
 
 /// A face has at most so many corners, for how long a polygon takes to cut grows faster than it does.
 inline constexpr size_t most_corners = 100000;
 
-/// Reads the file. All floats are the decimal text correctly rounded (assimp and tinyobjloader do not promise that).
-/// A uv or normal that a face names and the file does not have is left out, with a warning. Throws InputError, with
-/// file, line and reason, for whatever is not an OBJ file that holds at least one face. tinyobjloader and assimp run in
-/// a guarded process (common/base/guarded.h).
+/// Reads the file. All floats are the decimal text correctly rounded (assimp and tinyobjloader do not guarantee
+/// that). References to missing uvs or normals are dropped with a warning. Throws InputError, with file, line and
+/// reason, for anything other than an OBJ file with at least one face. tinyobjloader and assimp run in a guarded
+/// process (common/base/guarded.h).
 ObjData parse_obj(const std::filesystem::path& path, Loader loader = Loader::parallel);
 
-/// For tests: `chunk_bytes` and `threads` (0: one for each core) do not change what Loader::parallel returns.
+/// For tests: `chunk_bytes` and `threads` (0: one for each core) do not affect the result of Loader::parallel.
 struct ParseOptions {
     size_t chunk_bytes = size_t{1} << 20;
     unsigned threads = 0;

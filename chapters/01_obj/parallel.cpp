@@ -36,7 +36,7 @@ const char* numbers_line(const char* at, Array<float>& into) {
     return at;
 }
 
-// A face whose corners all have the form of the first one, with positive indices.
+// A face with all corners in the first one's form, with positive indices.
 template <bool has_uv, bool has_normal>
 const char* read_corners(const char* at, Collected& into) {
     size_t count = 0;

@@ -17,7 +17,7 @@ class Scanner {
     /// One trimmed statement that is not empty. Throws InputError with the reason alone.
     void statement(std::string_view text);
 
-    /// What has been read since the constructor.
+    /// Everything read since the constructor.
     Piece piece();
 
     /// How many corners of the faces so far named a uv or a normal that the file does not have. Counted with `total`.
@@ -42,7 +42,7 @@ int read_floats(std::string_view rest, int least, int most, float* values, std::
 /// statements that the course has no use for, and programs add their own.
 void check_keyword(std::string_view keyword);
 
-/// What such a statement holds that would be seen: "lines", "points", "free-form curves and surfaces"; else "".
+/// Visible content of an unsupported statement: "lines", "points", "free-form curves and surfaces"; else "".
 std::string_view left_out_of(std::string_view keyword);
 
 /// The number of the group after `s`; 0: off.

@@ -40,7 +40,7 @@ std::vector<float> numbers(const std::string& line, size_t least, size_t most) {
     return values;
 }
 
-// A statement: a line and those that a backslash joins to it. Counts the lines; false at the end.
+// A statement: a line and its continuations after backslashes. Counts the lines; false at the end.
 bool read_statement(std::istream& in, std::string& statement, size_t& line, size_t& next_line) {
     if (line = next_line; !std::getline(in, statement)) return false;
     ++next_line;
@@ -140,7 +140,7 @@ class Reader {
     }
 
   private:
-    // A student's parse_face may return anything; what it returns is used as an index.
+    // A student's parse_face may return anything, and its result is used as an index.
     std::vector<Corner> checked(std::vector<Corner> corners) {
         const auto leave_out = [this](uint32_t& index, size_t count) {
             if (index == none || index < count) return;

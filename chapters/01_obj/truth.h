@@ -15,8 +15,7 @@
 
 namespace lightwalk::truth {
 
-/// The float nearest to a decimal text: the C library's strtof, whose conversion glibc computes exactly, in the C
-/// locale whatever the program's is.
+/// The float nearest to a decimal text: the C library's strtof, exact in glibc, always in the C locale.
 inline float nearest_float(const std::string& text) {
     static const locale_t c_locale = newlocale(LC_ALL_MASK, "C", nullptr);
     return strtof_l(text.c_str(), nullptr, c_locale);

@@ -156,7 +156,7 @@ std::vector<glm::dvec3> smooth_normals(const ObjData& data) {
     return sums;
 }
 
-// One stretch for each run, those of a mesh and a material next to each other, in order of first use.
+// One stretch for each run, grouped by mesh and material, in order of first use.
 std::vector<Stretch> stretches_by_mesh(const ObjData& data, Model& model, const std::string& name) {
     std::vector<uint32_t> mesh_of(data.objects.size() + 1, none);
     std::vector<Stretch> stretches;

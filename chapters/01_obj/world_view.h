@@ -5,8 +5,8 @@
 
 namespace lightwalk {
 
-/// Places what moves in the scene, and gives the shaders of this frame the uniform block `view`: what the world's eye sees,
-/// which is the camera given unless the world has its own.
+/// Places moving objects in the scene, and sets this frame's uniform block `view`: the given camera's view, unless
+/// the world has a camera of its own.
 inline View look_at(World& world, Frame& frame, Scene& scene, const Camera& camera) {
     animate(scene, frame.time_s);
     scene.upload_moved(frame);

@@ -8,19 +8,19 @@
 
 namespace lightwalk {
 
-/// What 12.blur_irradiance has to work with.
+/// Inputs of 12.blur_irradiance.
 struct BlurPasses {
     /// Compute: for each texel of its image `into` it sums up its texture `from` around it, along the block `blur`'s
     /// direction; the texture `stretch` says how many texels a millimetre is.
     const Pipeline& line;
     const Image& irradiance;                  ///< not blurred; to be read alone
     const Image& stretch;                     ///< to be read alone
-    const Image& between;                     ///< for what is blurred in one direction
+    const Image& between;                     ///< result of the blur in one direction
     const std::vector<const Image*>& levels;  ///< one for each Gaussian, of the size of the others
     const std::vector<Gaussian>& sum;         ///< those Gaussians, narrow ones first
 };
 
-/// exercise/blur_irradiance.cpp says what it must do.
+/// Specification: exercise/blur_irradiance.cpp.
 EXERCISE("12.blur_irradiance", void, blur_irradiance, Frame& frame, const BlurPasses& passes);
 
 }  // namespace lightwalk

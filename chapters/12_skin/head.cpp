@@ -17,7 +17,7 @@ void Head::draw(Frame& frame, const View& view, Canvas& canvas) {
     // 2. The light on the skin's map, and how it spreads there.
     skin.record(frame, *scene_, view, lit);
 
-    // 3. What surrounds it, where nothing else was drawn; then the head.
+    // 3. The surroundings, unless something was drawn; then the head.
     if (!canvas.has_color() && !canvas.has_depth()) {
         const ImageView behind = canvas.color_overwritten();
         frame.compute("backdrop", {.writes = {behind}, .with = {environment_}}, [&](Compute& pass) {

@@ -10,8 +10,8 @@ namespace lightwalk {
 /// out exactly.
 class PictureBlur {
   public:
-    Image light;  ///< what is blurred; a: how far away, in metres, 0 where there is nothing
-    Image after;  ///< by what it is then multiplied
+    Image light;  ///< image to blur; a: distance in metres, 0 for none
+    Image after;  ///< factor applied afterwards
 
     /// Before something is drawn into the two.
     void fit(Device& device, glm::uvec2 size);

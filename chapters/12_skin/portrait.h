@@ -12,7 +12,7 @@ struct Portrait : World {
         objects.shaded.reset();  // the skin shades them
     }
 
-    LitScene objects{*this, "objects"};  // its lights and maps; the head is what is drawn
+    LitScene objects{*this, "objects"};  // its lights and maps; only the head is drawn
     EnvironmentLight environment{*this, "environment"};
     Head head{*this, "head", objects, environment};
 

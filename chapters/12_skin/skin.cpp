@@ -88,7 +88,7 @@ void Skin::record(Frame& frame, const Scene& scene, const View& view, const Lit&
     if (empty_ = !skin; empty_) return;
     make_tables(frame);
 
-    // 1. What the sky lights, once: from a small map, and rays from each of its texels.
+    // 1. Sky light, once: from a small map, and rays from each of its texels.
     const bool other_rays = std::exchange(sky_rays_, sky_rays.value) != sky_rays.value;
     if (coarse_.record(frame, scene, lit.maps, *skin, static_cast<uint32_t>(sky_size)) || other_rays)
         coarse_.trace_sky(frame, lit.rays, static_cast<uint32_t>(sky_rays));

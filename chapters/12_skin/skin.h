@@ -50,7 +50,7 @@ struct Skin : Module {
 
     void prepare(Gpu& gpu, Scene& scene) override;
 
-    /// What lights it: modules that give 03's lights, 05's shadows and rays, and what surrounds it.
+    /// Its lighting: modules for 03's lights, 05's shadows and rays, and the surroundings.
     struct Lit {
         const Maps& maps;
         const SceneRays& rays;
@@ -65,7 +65,7 @@ struct Skin : Module {
     std::vector<Resource> reads() const override;
     std::vector<std::string> status() const override;
 
-    /// Of the frame recorded last, for whoever looks: the light that enters, a level of the blur, what leaves.
+    /// Of the last frame recorded, for viewing: light that enters, a level of the blur, light that leaves.
     const Image& irradiance() const { return irradiance_; }
     const Image& occlusion() const { return coarse_.occlusion; }
     const Image& level(size_t i) const { return spread_.level(i); }
@@ -98,7 +98,7 @@ struct Skin : Module {
     Image irradiance_;
     Image facets_, reflected_, preintegrated_;
     bool empty_ = true, spread_out_ = false;  ///< in this frame
-    int shown_ = -1;                          ///< what draw() shows in place of the picture, as skin.frag counts
+    int shown_ = -1;  ///< image shown by draw() instead of the picture, numbered as in skin.frag
     float tables_f0_ = -1;
     unsigned tables_toggles_ = 0;
     int sky_rays_ = 0;

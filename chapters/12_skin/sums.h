@@ -12,9 +12,9 @@ struct Gaussian {
 };
 
 // [gaussians_of]
-/// The best sums of 1, 2, 3, 4 or 6 of the profile's Gaussians. One has each channel's variance; of more those are kept
-/// that leave the least error at a step edge (test_profile.cpp looks at all), and what is left out counts for the one
-/// that is nearest to it in the logarithm of the variance. Throws Failure for another number.
+/// The best sums of 1, 2, 3, 4 or 6 of the profile's Gaussians. One matches each channel's variance; larger sums keep
+/// the Gaussians with the smallest error at a step edge (test_profile.cpp tries all), and each omitted one adds its
+/// weight to the one nearest in the logarithm of the variance. Throws Failure for another number.
 std::vector<Gaussian> gaussians_of(int count);
 // [/gaussians_of]
 
@@ -25,8 +25,8 @@ std::vector<Gaussian> merged(const std::vector<size_t>& kept);
 /// step response of a sum, for each channel.
 glm::dvec3 step_edge(const std::vector<Gaussian>& sum, double x_mm);
 
-/// Weights (rgb) and offsets in mm (w) of a blur along a line: what a line of light becomes, cut into `side` pieces on
-/// each side out to 8.2 mm, narrow ones first. They add up to 1 in each channel.
+/// Weights (rgb) and offsets in mm (w) of a blur along a line: the line-spread function, cut into `side` pieces on
+/// each side out to 8.2 mm, narrow ones first. They sum to 1 in each channel.
 std::vector<glm::vec4> line_kernel(int side);
 
 }  // namespace lightwalk

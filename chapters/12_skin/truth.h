@@ -47,8 +47,8 @@ inline double kelemen_szirmay_kalos(glm::dvec3 n, glm::dvec3 l, glm::dvec3 v, do
     return glm::dot(n, l) * beckmann(glm::dot(n, h), m) * schlick(glm::dot(v, h), f0) / square;
 }
 
-/// What a direction's light becomes that is reflected: the integral of the BRDF times the cosine over the hemisphere,
-/// by a sum over `steps` times four times as many directions. m above about 0.1: a sharper one falls between them.
+/// Reflected share of light from a direction: the integral of the BRDF times the cosine over the hemisphere, by a sum
+/// over `steps` times four times as many directions. m above about 0.1: a sharper lobe falls between them.
 inline double reflected(double cosine, double m, double f0, int steps = 400) {
     const glm::dvec3 n(0, 0, 1), v(std::sqrt(1 - cosine * cosine), 0, cosine);
     double sum = 0;
@@ -60,14 +60,14 @@ inline double reflected(double cosine, double m, double f0, int steps = 400) {
     return sum * 2 * skin_pi / (4.0 * steps * steps);
 }
 
-/// A texel of the map: where it lies in mm, how large it is in mm², what light enters it; chart 0 is none.
+/// A texel of the map: position in mm, area in mm², entering light; chart 0 is none.
 struct SkinTexel {
     glm::dvec3 place_mm{0}, light{0};
     double area_mm2 = 0;
     int chart = 0;
 };
 
-/// What a texel of a square map shows: the sum over all of them, each Gaussian's weights divided by their sum.
+/// Diffused light of a texel of a square map: the sum over all texels, each Gaussian's weights divided by their sum.
 inline glm::dvec3 diffused(const std::vector<SkinTexel>& map, size_t at) {
     glm::dvec3 all(0);
     for (size_t i = 0; i < SKIN_GAUSSIANS; ++i) {

@@ -9,8 +9,8 @@
 namespace lightwalk {
 
 // [unwrapped]
-/// Of one item of a scene: where each texel of a square map lies, and what is there. Charts, the connected pieces of
-/// the layout, are numbered and grow by two texels. A texel that is none's has a position with w = 0.
+/// Position and contents of each texel of a square map over one item of a scene. Charts, the connected pieces of the
+/// layout, are numbered and grow by two texels. Unused texels have a position with w = 0.
 class Unwrapped {
   public:
     Image position;   ///< metres, world space; w: the chart, from 1

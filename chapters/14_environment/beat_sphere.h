@@ -28,8 +28,8 @@ struct BeatLook : Module {
 };
 
 // [beat_sphere]
-/// A drawing of a sphere whose vertices are displaced along its normal, in the vertex shader: by the logarithm of the
-/// surroundings' brightness, and by waves of three spatial frequencies whose heights are the levels of the music.
+/// A sphere with vertices displaced along its normal in the vertex shader: by the logarithm of the surroundings'
+/// brightness, and by waves of three spatial frequencies with heights set by the levels of the music.
 struct BeatSphere : Drawing {
     BeatSphere(Module& owner, std::string name, const ImageLight& light, Music& music);
 
@@ -95,7 +95,7 @@ struct Geodesic {
     std::vector<uint32_t> indices;
 };
 
-/// An icosahedron whose edges are divided into `parts` (1 to 1000): 20 parts^2 triangles, each vertex once.
+/// An icosahedron with each edge divided into `parts` (1 to 1000): 20 parts^2 triangles, each vertex once.
 Geodesic geodesic_sphere(uint32_t parts);
 
 }  // namespace lightwalk

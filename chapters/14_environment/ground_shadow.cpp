@@ -8,7 +8,7 @@
 namespace lightwalk {
 namespace {
 
-// What the middle of a texel looks at: unit length.
+// Direction through the middle of a texel: unit length.
 glm::dvec3 direction_of(int column, int row, const ImageRgb& picture) {
     const double pi = glm::pi<double>();
     const double phi = pi * (2.0 * (column + 0.5) / picture.width - 1.0), theta = pi * (row + 0.5) / picture.height;
@@ -73,7 +73,7 @@ void GroundShadow::record(Frame& frame, const Scene& scene, const EnvironmentSca
     if (lights.empty()) lights.emplace_back();
     frame.upload(path() + " lights", lights_, lights);
 
-    // As far around as what stands there is high, and half as wide again.
+    // It extends around the objects by their height, and by half their width.
     const Bounds& box = scene.bounds;
     const float margin = 0.5f + 1.0f * std::max(box.extent().y, 0.0f);
     state_ = {.corner = glm::vec2(box.lower.x, box.lower.z) - margin,

@@ -1,4 +1,4 @@
-// What objects take away of the surroundings' light on a plane below them, as a module.
+// Occlusion of the surroundings' light by objects on a plane below them, as a module.
 #pragma once
 #include "05_shadow_maps/rays.h"
 #include "14_environment/ground_shadow_data.h"
@@ -21,7 +21,7 @@ struct GroundShadow : Module {
     Knob<int> resolution{*this, "resolution", 128, {8, 1024}, "Width and height of the map", "texels"};
     SceneRays rays{*this, "rays"};
     Image arriving;              ///< made by record()
-    const Maps* maps = nullptr;  ///< of what stands there: what holes are cut by; null: by an alpha below 0.5, at rest
+    const Maps* maps = nullptr;  ///< of the objects: maps that cut holes; null: alpha below 0.5, at rest
     // [/ground_shadow]
 
     void prepare(Gpu& gpu, Scene& scene) override;

@@ -131,7 +131,7 @@ void ImageLight::bind(Pass& pass) const {
     state.levels = static_cast<float>(cubes.prefiltered.desc.mips);
     state.texels = static_cast<float>(LightCubes::face_texels);
     pass.offer("image_light_state", state);
-    // What was drawn has the scene's turn and intensity in it already.
+    // A drawn cube already includes the scene's rotation and intensity.
     pass.offer("environment_scale", now_ == &drawn ? EnvironmentScale{.cosine = 1.0f, .sine = 0.0f, .intensity = 1.0f}
                                                    : environment_scale(*scene_, intensity, turn_deg));
 }

@@ -1,4 +1,4 @@
-// Light from all around as a module: an environment as a cube, and what diffuse and glossy surfaces need of it.
+// Image-based light as a module: an environment as a cube, and its filtered forms for diffuse and glossy surfaces.
 #pragma once
 #include <array>
 
@@ -22,7 +22,7 @@ struct Prefilter : Module {
                      "levels"};
 };
 
-/// One set of surroundings: radiance, and what is made from it.
+/// One set of surroundings: radiance, and images derived from it.
 struct LightCubes : Module {
     static constexpr uint32_t face_texels = 256;
     using Module::Module;
@@ -98,8 +98,8 @@ struct ImageLight : Module {
     /// and texels are filled in.
     void record_drawn(Frame& frame, const ImageLightState& box);
 
-    /// True: only radiance and its levels are made, for passes that look along single directions, radiance_along(). What is
-    /// filtered from them costs far more.
+    /// True: only radiance and its mip levels, for passes that sample single directions, radiance_along(). Filtering
+    /// costs far more.
     bool radiance_alone = false;
 
     /// Which of the two shaders get from now on. record() and record_drawn() choose their own.

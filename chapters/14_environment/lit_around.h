@@ -9,7 +9,7 @@
 namespace lightwalk {
 
 // [lit_around]
-/// LitScene, whose ambient light is an ImageLight: the owner records that before it draws.
+/// LitScene with an ImageLight as ambient light: the owner records the ImageLight before drawing.
 struct LitAround : LitScene {
     LitAround(Module& owner, std::string name, const ImageLight& light);
 

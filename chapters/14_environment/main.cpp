@@ -22,7 +22,8 @@ struct EnvironmentChapter : ModelChapter {
     void frame(Frame& frame) override {
         const View view = set_view(frame, world);
 
-        // 1. The light of the surroundings, or of a probe; then the surroundings and what stands in them (surroundings.cpp).
+        // 1. The light of the surroundings, or of a probe; then the surroundings and their objects
+        //    (surroundings.cpp).
         Canvas canvas(frame.hdr, frame.depth, world.background());
         world.draw_light(frame, view, canvas);
 

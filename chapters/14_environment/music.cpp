@@ -10,8 +10,8 @@ namespace lightwalk {
 namespace {
 
 constexpr int window_samples = 2048;
-constexpr float softest = 1e-4f;  // -80 dB: what is below is not made visible
-constexpr float rest = 1e-5f;     // of the loudest: what is left of a decay and no longer kept
+constexpr float softest = 1e-4f;  // -80 dB: the quietest visible level
+constexpr float rest = 1e-5f;     // of the loudest: decays below it are dropped
 
 // The root of the mean square under a Hann window: A / sqrt(2) of a steady tone of amplitude A.
 float loudness(const std::vector<float>& samples) {

@@ -28,7 +28,7 @@ LevelTable measure_levels(const Sound& sound);
 /// is done (0: at once). From the first entry on, and beyond the last until all is below 1e-5 of `most`.
 LevelTable smooth_levels(const LevelTable& table, double attack_s, double release_s);
 
-/// The scene's `music`, as levels for whatever moves to it.
+/// The scene's `music`, as levels for moving objects.
 struct Music : Module {
     Music(Module& owner, std::string name) : Module(owner, std::move(name), "music") {}
     Knob<float> attack_ms{*this, "attack_ms", 10.0f, {0.0f, 5000.0f}, "Time constant of rising levels", "ms"};
@@ -41,7 +41,7 @@ struct Music : Module {
     std::vector<std::string> load_exercises() const override { return {"14.spectrum_bands"}; }
     const Sound* sound() const override { return animated() && !sound_.samples.empty() ? &sound_ : nullptr; }
 
-    /// What prepare() does: the file's `music`, or none.
+    /// Loads the file's `music`, if any; the core of prepare().
     void load(const SceneFile& scene);
 
     /// Sound from elsewhere in place of a file's.

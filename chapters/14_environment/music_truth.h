@@ -36,7 +36,7 @@ inline std::vector<double> amplitudes(const std::vector<float>& samples,
     return found;
 }
 
-/// What 14.spectrum_bands must give, of any even number of samples.
+/// Truth of 14.spectrum_bands, for any even number of samples.
 inline glm::dvec3 spectrum_bands(const std::vector<float>& samples, double rate_hz) {
     constexpr std::array<double, 4> edges_hz{20, 250, 4000, 20000};
     const std::vector<double> found = amplitudes(samples);

@@ -8,8 +8,8 @@
 namespace lightwalk {
 
 // [paint]
-/// Gives shaders paint_brdf(), paint_albedo() and flake_light() of 14_environment/paint.glsl, for surfaces whose material is
-/// called "paint". record() before the first pass that states it in `.with`.
+/// Gives shaders paint_brdf(), paint_albedo() and flake_light() of 14_environment/paint.glsl, for surfaces with a
+/// material called "paint". record() before the first pass that states it in `.with`.
 struct CarPaint : Module {
     CarPaint(Module& owner, std::string name) : Module(owner, std::move(name), "paint") {}
 

@@ -38,7 +38,7 @@ void SceneProbe::draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, 
 }
 // [/face]
 
-// What is drawn depends on the knobs of the drawings and of what they read; on time where one of these is animated.
+// The probe depends on the knobs of the drawings and of their inputs, and on time if one of these is animated.
 void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, const Drawings& drawings) {
     const Drawings drawn = in_order(distant ? of_phases({Phase::sky, Phase::air}, drawings) : drawings);
     std::vector<const Module*> made_of;

@@ -8,7 +8,7 @@
 namespace lightwalk {
 
 // [probe]
-/// Draws six views of a list of drawings into light.drawn, filters it in the same frame, and makes it what shaders get.
+/// Draws six views of a list of drawings into light.drawn, filters it in the same frame, and binds it for shaders.
 /// In a frame, after light.record():
 ///
 ///     probe.record(frame, scene, light, {objects});
@@ -30,7 +30,7 @@ struct SceneProbe : Module {
     Knob<glm::vec3> upper{*this, "upper", glm::vec3(5), {glm::vec3(-1e4f), glm::vec3(1e4f)}, "Upper corner of that box",
                           "m"};
     // [/probe]
-    bool distant = false;  ///< what is drawn is the sky alone, infinitely far away: there is no box
+    bool distant = false;  ///< only the sky is drawn, infinitely far away, so there is no box
     Knob<float> near_m{*this, "near_m", 0.05f, {1e-4f, 100.0f}, "Near plane of the six views", "m"};
 
     void record(Frame& frame, const Scene& scene, ImageLight& light, const Drawings& drawings);
@@ -52,7 +52,7 @@ struct SceneProbe : Module {
     Pipeline to_face_ = compute({.shader = "14_environment/probe_face.comp"});
 };
 
-/// The camera that sees what a cube's face shows, mirrored from left to right; its picture is square.
+/// The camera of a cube's face, mirrored from left to right; its picture is square.
 Camera face_camera(uint32_t face, glm::vec3 center, float near_m, float far_m);
 
 }  // namespace lightwalk

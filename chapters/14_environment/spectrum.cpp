@@ -17,7 +17,7 @@ struct Free {
 
 std::vector<std::complex<float>> spectrum_of(std::span<const float> samples) {
     if (samples.empty() || samples.size() % 2) throw Failure("a spectrum of {} samples", samples.size());
-    // What kissfft works out for a length is kept for the next call. One plan must not run twice at once.
+    // kissfft's plan for a length is kept for the next call. One plan must not run twice at once.
     thread_local std::unique_ptr<kiss_fftr_state, Free> plan;
     thread_local size_t planned = 0;
     if (planned != samples.size()) {

@@ -1,4 +1,4 @@
-// What a model's materials say of surfaces beyond chapter 04's numbers, as a module.
+// Properties of a model's materials beyond chapter 04's numbers, as a module.
 #pragma once
 #include "common/app/module.h"
 #include "common/scene/scene.h"

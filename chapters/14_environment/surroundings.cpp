@@ -11,8 +11,7 @@ Surroundings::Surroundings(Module& owner, Music* heard)
 
 // [frame]
 void Surroundings::record(Frame& frame) {
-    // Cubes of light from the picture of the surroundings, where they are not there already; or from the scene itself: six
-    // views of what stands in it.
+    // Cubes of light, made once from the picture of the surroundings, or from six views of the scene itself.
     light.record(frame, scene());
     probe.record(frame, scene(), light, {backdrop, objects});
 }

@@ -10,7 +10,7 @@ namespace lightwalk {
 
 // [surroundings]
 struct Surroundings : World {
-    /// `heard`: what the sphere moves to; null: the scene's own music.
+    /// `heard`: the sphere's music; null: the scene's own.
     explicit Surroundings(Module& owner, Music* heard = nullptr);
 
     ImageLight light{*this, "environment"};

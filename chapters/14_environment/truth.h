@@ -10,13 +10,14 @@ namespace lightwalk::truth {
 
 constexpr double around = 6.28318530717958647693;  ///< a whole turn, in radians
 
-/// Where a direction lies in an equirectangular picture whose middle is -z; (1/2, 0) and (1/2, 1) at the poles.
+/// Texture coordinates of a direction in an equirectangular picture centred on -z; (1/2, 0) and (1/2, 1) at the
+/// poles.
 inline glm::dvec2 equirect(glm::dvec3 d) {
     const double across = std::hypot(d.x, d.z);
     return {across > 0 ? 0.5 + std::atan2(d.x, -d.z) / around : 0.5, std::atan2(across, d.y) / (0.5 * around)};
 }
 
-/// What a place in that picture looks at: unit length.
+/// Direction of a point in that picture: unit length.
 inline glm::dvec3 direction_at(glm::dvec2 uv) {
     const double phi = (uv.x - 0.5) * around, theta = 0.5 * around * uv.y;
     return {std::sin(phi) * std::sin(theta), std::cos(theta), -std::cos(phi) * std::sin(theta)};
@@ -63,8 +64,8 @@ inline double ggx_visibility(double n_dot_l, double n_dot_v, double alpha) {
                   n_dot_l * std::sqrt(n_dot_v * n_dot_v * (1 - a) + a));
 }
 
-/// What a surface with Schlick's Fresnel sends to the eye under light of radiance `light(l)`, by a sum over `steps`²
-/// half vectors, whose density is D n·h: single scattering alone.
+/// Light reflected to the eye by a surface with Schlick's Fresnel under radiance `light(l)`, by a sum over `steps`²
+/// half vectors with density D n·h: single scattering alone.
 inline double reflected(double n_dot_v, double alpha, double f0, const std::function<double(glm::dvec3)>& light,
                         int steps = 512) {
     const glm::dvec3 v(std::sqrt(1 - n_dot_v * n_dot_v), 0, n_dot_v);

@@ -15,7 +15,7 @@ glm::ivec2 most_cells(const CityPlan& plan) {
     return glm::ivec2(plan.radius_m / (glm::vec2(block_x_m, block_z_m) + street_m)) + 1;
 }
 
-/// Random numbers of one block: the same whatever was built before.
+/// Random numbers of one block, independent of earlier blocks.
 class Dice {
   public:
     Dice(int seed, int x, int z) : random_(static_cast<uint32_t>(seed * 7919 + x * 131071 + z * 524287)) {}

@@ -31,7 +31,7 @@ struct CityBlock {
 std::vector<CityBlock> plan_city(const CityPlan& plan, std::vector<CityBox>& boxes);
 
 // [city]
-/// Comes after the ground. What would stand in water, below a height of 1 m, is left out.
+/// Comes after the ground. Buildings in water, below a height of 1 m, are omitted.
 struct City : Drawing, SunCaster, SunReceiver {
     City(Module& owner, std::string name, const Ground& ground, const Atmosphere& atmosphere)
         : Drawing(owner, std::move(name), "city"), ground_(ground), atmosphere_(atmosphere) {}

@@ -10,11 +10,11 @@ namespace lightwalk {
 
 // Water and transparent surfaces.
 
-/// exercise/sort_back_to_front.cpp says what it must do. Metres, world space; the result: places in `middles`.
+/// Specification: exercise/sort_back_to_front.cpp. Metres, world space; the result: indices into `middles`.
 EXERCISE("15.sort_back_to_front", std::vector<uint32_t>, sort_back_to_front, const std::vector<glm::vec3>& middles,
          glm::vec3 eye);
 
-/// exercise/mirror_view.cpp says what it must do. World to clip space, of the mirror image in the level `water_m`.
+/// Specification: exercise/mirror_view.cpp. World to clip space, of the mirror image in the level `water_m`.
 EXERCISE("15.mirror_view", glm::mat4, mirror_view, const glm::mat4& view_projection, float water_m);
 
 }  // namespace lightwalk

@@ -10,8 +10,8 @@
 namespace lightwalk {
 
 // [ground]
-/// Made of the scene's object whose model is a height map. A pass that states it in `.with` includes
-/// 15_terrain_water/ground.glsl and asks for heights and normals. Level 0 is sea level or that of a lake: datum_m.
+/// Made from the scene's object with a height map as model. A pass that states it in `.with` includes
+/// 15_terrain_water/ground.glsl and queries heights and normals. Level 0 is sea level or a lake's level: datum_m.
 struct Ground : Module {
     Ground(Module& owner, std::string name) : Module(owner, std::move(name), "ground") {}
 
@@ -53,7 +53,7 @@ struct Ground : Module {
     void prepare(Gpu& gpu, Scene& scene) override;
     std::string load_key() const override { return precision.text(); }
 
-    /// Makes what has changed since the last frame, and nothing without a height map.
+    /// Updates everything that changed since the last frame; does nothing without a height map.
     void record(Frame& frame, bool with_errors);
     bool exists() const { return source_.width > 0; }
     const LandMap& map() const { return map_; }
@@ -86,7 +86,7 @@ struct Ground : Module {
     Pipeline make_errors_ = compute({.shader = "15_terrain_water/make_errors.comp"});
 };
 
-/// For a pipeline whose pass is given SunShadow's maps.
+/// For pipelines in passes with SunShadow's maps.
 inline Macros shadowed_by_houses() {
     return Macros().replace_file("15_terrain_water/no_sun_shadow.glsl", "15_terrain_water/sun_shadow.glsl");
 }

@@ -22,7 +22,7 @@ float random_at(int x, int y, int period, uint32_t seed) {
     return static_cast<float>((h ^ (h >> 15)) >> 8) / 16777216.0f;
 }
 
-/// Octaves of smooth noise along a row of a tile: what the row's places share is made once.
+/// Octaves of smooth noise along a row of a tile; values shared by the whole row are computed once.
 class Octaves {
   public:
     Octaves(int period, int octaves, float gain, uint32_t seed) {
@@ -106,7 +106,7 @@ class Crowns {
     std::vector<Tree> trees_;
 };
 
-/// What lies on the ground: albedo and height at places of one row after the other.
+/// Ground cover: albedo and height at points of one row after the other.
 struct Grass {
     Octaves patches{4, 4, 0.6f, 11}, blades{64, 3, 0.8f, 23};
     void to_row(float v) { patches.to_row(v), blades.to_row(v); }

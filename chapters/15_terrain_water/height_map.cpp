@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What a .json beside the picture may say.
+/// Contents of a .json beside the picture.
 struct Scale {
     double low_m = 0, high_m = 1000, x_m = 30, y_m = 30;
 };

@@ -11,8 +11,8 @@
 namespace lightwalk {
 
 // [land]
-/// Comes before what stands on it or lies behind it. All methods find the same thing, how far away the ground is in each
-/// pixel; one pass shades what they have found.
+/// Drawn before objects on it or behind it. All methods find the same result, the distance to the ground in each
+/// pixel; one pass shades it.
 struct Land : Drawing, SunReceiver {
     Land(Module& owner, std::string name, Ground& ground, const Atmosphere& atmosphere)
         : Drawing(owner, std::move(name), "land"), ground_(ground), atmosphere_(atmosphere) {}
@@ -78,8 +78,8 @@ struct Land : Drawing, SunReceiver {
 
     /// Of the view drawn last: metres along the view, R32F, 0 where there is no ground.
     const Image& found() const { return *found_last_; }
-    /// Triangles that the view drawn last gave to the device; with method chunks those of the frame before, once
-    /// `count` says so. Rays: 0.
+    /// Triangles submitted for the last view; with method chunks those of the previous frame, once `count` is read
+    /// back. Rays: 0.
     uint64_t triangles() const;
     bool count = false;
 

@@ -30,8 +30,8 @@ struct TerrainWater : ModelChapter {
     void frame(Frame& frame) override {
         const View view = set_view(frame, shore);
 
-        // 1. Ground and what stands on it, the planet and the stars behind, the water, and the air and the fog before all of
-        //    it; then transparent surfaces (shore.cpp).
+        // 1. Ground with its buildings and objects, then planet and stars behind, the water, and air and fog in
+        //    front; then transparent surfaces (shore.cpp).
         Canvas canvas(frame.hdr, frame.depth, shore.background());
         shore.draw_light(frame, view, canvas);
 

@@ -38,7 +38,7 @@ void Mirror::record(Frame& frame, const View& view, float level_m, const Drawing
     View clipped = plain;
     clipped.view_projection = mirror_view(view.view_projection, level_m);
 
-    // 2. What is opaque, clipped at the water. Its light comes through the air, which is drawn later.
+    // 2. Opaque surfaces, clipped at the water. Their light comes through the air, which is drawn later.
     update(frame, in_order(drawings));
     Canvas below(color_, oblique_);
     draw_opaque(frame, clipped, below, solid);
@@ -52,8 +52,7 @@ void Mirror::record(Frame& frame, const View& view, float level_m, const Drawing
         pass.set("mirror_rays", view_rays(plain)).draw(3);
     });
 
-    // 4. The sky behind it and the air before it; then transparent surfaces, back to front by object,
-    //    whatever method the picture has for them.
+    // 4. The sky behind it and the air in front; then transparent surfaces, always back to front by object.
     Canvas canvas(color_, depth_);
     canvas.color_overwritten(), canvas.depth_overwritten();
     if (!air.empty()) draw_opaque(frame, plain, canvas, air);

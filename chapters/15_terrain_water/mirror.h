@@ -1,12 +1,12 @@
-// Mirror module: the mirror image of what stands on a level water surface.
+// Mirror module: the mirror image of a scene in a level water surface.
 #pragma once
 #include "common/app/world.h"
 
 namespace lightwalk {
 
 // [mirror]
-/// record() before the water is drawn; then image() shows at each pixel, counted from the other edge, what the level water
-/// reflects there. Water among the drawings is left out: a mirror does not see itself.
+/// record() before the water is drawn; then image() holds the reflection of the level water at each pixel, counted
+/// from the opposite edge. Water among the drawings is omitted: a mirror does not see itself.
 struct Mirror : Module {
     Mirror(Module& owner, std::string name) : Module(owner, std::move(name), "mirror") {}
 
@@ -32,7 +32,7 @@ struct Mirror : Module {
                                       .depth_compare = Compare::always});
 };
 
-/// The camera below the water that sees what the one above sees mirrored, turned from left to right.
+/// The camera below the water that sees the mirrored view, flipped left to right.
 Camera mirrored_camera(const Camera& camera, float level_m);
 
 }  // namespace lightwalk

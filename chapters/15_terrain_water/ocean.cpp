@@ -69,7 +69,7 @@ std::vector<OceanWave> Ocean::waves(int part) const {
     return all;
 }
 
-// What is made once, until a knob changes.
+// One-time setup, repeated when a knob changes.
 void Ocean::make(Frame& frame) {
     const auto fit = [&](Image& image, const char* name, VkFormat format, uint32_t layers, uint32_t mips) {
         image.fit(frame.gpu.device, {.name = path() + name,

@@ -1,4 +1,4 @@
-// Reflected ray module: what water reflects, found by rays through ground, houses and objects.
+// Reflected ray module: reflections in water, found by rays through ground, houses and objects.
 #pragma once
 #include "05_shadow_maps/rays.h"
 #include "15_terrain_water/city.h"
@@ -22,7 +22,7 @@ struct ReflectedRays : Module, WaterRays {
           atmosphere_(atmosphere) {}
 
     SceneRays objects{*this, "objects"};
-    const Maps* maps = nullptr;  ///< of the scene's objects: what holes are cut by; null: as SceneRays has it
+    const Maps* maps = nullptr;  ///< of the scene's objects: maps that cut holes; null: as in SceneRays
 
     void prepare(Gpu& gpu, Scene& scene) override;
     void record(Frame& frame, const View& view, const Image& rays, const Image& met) override;

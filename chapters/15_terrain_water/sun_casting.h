@@ -1,4 +1,4 @@
-// What drawings have to do with shadows in the sun's light: some cast them, some receive them.
+// Sun shadows of drawings: casters and receivers.
 #pragma once
 #include "common/app/drawing.h"
 #include "common/scene/mesh.h"

@@ -24,7 +24,7 @@ struct SunShadow : Module {
 };
 // [/sun_shadow]
 
-/// Adds the shadow's maps to what a pass is given. False: there are none, and its shaders include no_sun_shadow.glsl.
+/// Adds the shadow's maps to a pass. False: there are none, and its shaders include no_sun_shadow.glsl.
 bool add_shadow(const SunShadow* shadow, std::vector<With>& with);
 
 }  // namespace lightwalk

@@ -6,7 +6,7 @@
 
 namespace lightwalk {
 
-// What replaces the end of surfaces' fragment shaders in one pass, and what that reads.
+// Replacement for the end of surfaces' fragment shaders in one pass, and its resources.
 class Transparency::Stage : public Given {
   public:
     Stage(std::string file, TransparencyNow now) : file_(std::move(file)), now_(now) {}

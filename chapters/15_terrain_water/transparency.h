@@ -13,7 +13,7 @@ namespace lightwalk {
 ///
 ///     canvas.mixed_by(&transparency);
 ///
-/// Then the transparent surfaces of whatever is drawn into that canvas, by draw(), are mixed by the method chosen.
+/// Then draw() blends transparent surfaces in that canvas by the chosen method.
 struct Transparency : Module, TransparencyMethod {
     Transparency(Module& owner, std::string name) : Module(owner, std::move(name), "transparency") {}
 

@@ -192,7 +192,7 @@ void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
     now_ = now(frame, view);
     const bool mirrored = now_.mirrored == 1u, below = now_.eye_depth_m > 0;
 
-    // 1. What is behind the water, and how far.
+    // 1. The picture behind the water, with its distance.
     behind_.fit(frame.gpu.device, {.name = path() + " behind", .size = canvas.size()});
     behind_depth_.fit(frame.gpu.device,
                       {.name = path() + " behind depth", .format = VK_FORMAT_R32_SFLOAT, .size = canvas.size()});
@@ -203,7 +203,7 @@ void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
                       pass.set("kept", behind_).set("kept_depth", behind_depth_).dispatch_threads(canvas.size());
                   });
 
-    // 2. The surface. Where there is no mirror image, its place takes what is behind.
+    // 2. The surface. Without a mirror image, the picture behind is bound instead.
     const bool by_rays = reflection.is("rays") && tracer && !below;
     if (by_rays) follow_rays(frame, view, canvas);
     const ImageView mirror_image = mirrored ? ImageView(mirror.image()) : ImageView(by_rays ? met_ : behind_);

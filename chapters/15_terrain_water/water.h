@@ -7,9 +7,9 @@
 
 namespace lightwalk {
 
-/// Follows reflected rays, for Water: `rays` has in each pixel a direction and the metres along the view to where its ray
-/// begins (0: no ray). Writes into `met` (RGBA16F, as large) the light of what it meets, and what share of the light from
-/// behind that is hidden.
+/// Follows reflected rays, for Water: `rays` has in each pixel a direction and the metres along the view to the ray's
+/// origin (0: no ray). Writes into `met` (RGBA16F, same size) the light of the hit, and the share of background light
+/// that it hides.
 struct WaterRays {
     virtual ~WaterRays() = default;
     virtual void record(Frame& frame, const View& view, const Image& rays, const Image& met) = 0;
@@ -21,7 +21,7 @@ struct WaterRays {
 ///     water.reflect(frame, view, drawings);
 ///     draw(frame, view, canvas, drawings);
 ///
-/// `light` is what surrounds it, for rays that leave the picture: the owner records that before.
+/// `light`: the surroundings, for rays that leave the picture; the owner records it before.
 struct Water : Drawing {
     Water(Module& owner, std::string name, const ImageLight& light)
         : Drawing(owner, std::move(name), "water"), light_(light) {}

@@ -6,14 +6,14 @@
 namespace lightwalk {
 
 // [arrival]
-/// Uploads what a thread has read, a few milliseconds in each frame; then it is given to a scene's pools, and loading the
-/// model there finds everything done.
+/// Uploads a model read by a thread, a few milliseconds per frame, and gives it to a scene's pools, where loading
+/// then finds it complete.
 class Arrival {
   public:
     Arrival(Gpu& gpu, std::filesystem::path file, LoadedModel read);
     Arrival(const Arrival&) = delete;  // the slices know where everything is
 
-    /// Before the first one: a driver compiles what halves a texture when one is halved first, 50 ms that no frame has.
+    /// Before the first one: the driver compiles the shaders for halving textures, 50 ms that no frame can spare.
     static void rehearse(Gpu& gpu);
 
     bool step(double budget_ms) { return slices_.step(gpu_, budget_ms); }  ///< true: all of it is there

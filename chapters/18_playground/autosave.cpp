@@ -74,7 +74,7 @@ fs::path SceneStore::autosave_name(int number) const {
 
 fs::path SceneStore::autosave_file() const { return own_ ? own_->file : autosave_name(1); }
 
-// Not one that another editor holds. What an earlier crash has left there, which was not offered, keeps another name.
+// A name that no other editor holds. An earlier crash's file that was not offered keeps another name.
 fs::path SceneStore::free_autosave_file(Said* said) const {
     bool others = false;
     for (int i = 1;; ++i) {
@@ -128,7 +128,7 @@ bool SceneStore::has_recovery(Said* said) {
 
 namespace {
 
-// Takes out of a scene what it names and nobody has any more, and names it: an object keeps its place and its children.
+// Removes missing files from a scene and names them: an object keeps its place and its children.
 std::string drop_gone_files(nlohmann::json& scene) {
     std::string gone;
     const auto drop = [&](nlohmann::json& from, const std::string& key) {

@@ -47,7 +47,7 @@ void BackgroundLoad::start(const std::filesystem::path& file) {
     const auto shared = std::make_shared<Progress>();
     now_.emplace(Now{file, shared, std::async(std::launch::async, [file, shared] {
                          progress() = shared.get();
-                         setpriority(PRIO_PROCESS, 0, 10);  // of this thread and those that it starts
+                         setpriority(PRIO_PROCESS, 0, 10);  // of this thread and its children
                          LoadedModel read{load_model(file), {}, {}};
                          check_extent(read.model, file);
                          read.frames = frame_model(read.model);

@@ -9,14 +9,14 @@
 
 namespace lightwalk {
 
-/// A texture that the model's materials name; of a normal map also what chapter 04 makes of it.
+/// A texture named by the model's materials; for a normal map also chapter 04's derived images.
 struct LoadedTexture {
     TextureUse use;
     DecodedTexture texels;
     std::vector<std::vector<std::byte>> normal_levels;
 };
 
-/// A model with what chapter 04 computes from it, and its textures; those that cannot be read are left out.
+/// A model with chapter 04's derived data and its textures; unreadable ones are omitted.
 struct LoadedModel {
     Model model;
     std::vector<std::vector<TangentFrame>> frames;  ///< of each mesh
@@ -30,9 +30,9 @@ class BackgroundLoad {
   public:
     ~BackgroundLoad() { cancel(); }
 
-    /// In place of what is being loaded.
+    /// Replaces the load in progress.
     void start(const std::filesystem::path& file);
-    /// At once, whatever the thread is doing: it ends when it reports next, and nobody looks at what it has read.
+    /// Immediate: the thread ends at its next report, and its result is discarded.
     void cancel();
     bool busy() const { return now_.has_value(); }
 

@@ -130,7 +130,7 @@ Said remove(Document& document, const std::vector<EntryId>& ids) {
     document.begin(chosen.size() == 1 ? "delete " + document.at(chosen[0]).name()
                                       : fmt::format("delete {} entries", chosen.size()));
     document.remove(chosen);
-    for (const EntryId id : with_children(document, root_entry))  // a screen whose object is gone shows nothing
+    for (const EntryId id : with_children(document, root_entry))  // a screen without its object is blank
         if (const SceneObject* screen = document.at(id).object();
             screen && !screen->shows.empty() && !document.has_name(screen->shows))
             document.edit(id).object()->shows.clear();
@@ -280,7 +280,7 @@ Said rename(Document& document, EntryId id, const std::string& name) {
     }
     document.begin("rename " + before);
     document.rename(id, wanted);
-    if (document.at(id).object() && !before.empty())  // screens name what they show
+    if (document.at(id).object() && !before.empty())  // screens refer to names
         for (const EntryId other : with_children(document, root_entry))
             if (const SceneObject* object = document.at(other).object(); object && object->shows == before)
                 document.edit(other).object()->shows = wanted;

@@ -1,4 +1,4 @@
-// What a person does to the document: each function is a step that undo() takes back.
+// Commands on the document: each function is a step that undo() reverts.
 #pragma once
 #include <set>
 
@@ -15,13 +15,13 @@ struct Selection {
     void toggle(EntryId id);
     void clear() { set({}); }
     EntryId active() const { return ids.empty() ? no_entry : ids.back(); }
-    void drop_missing(const Document& document);  ///< after undo(): what is not there any more
+    void drop_missing(const Document& document);  ///< after undo(): ids that no longer exist
 
   private:
     std::set<EntryId> members_;
 };
 
-/// What a step has to say to the person; empty where all went as asked.
+/// A command's message to the person; empty on success.
 using Said = std::string;
 
 /// Text as UTF-8: every byte that is not part of it becomes U+FFFD; control characters, a space.
@@ -40,7 +40,7 @@ std::string free_name(const Document& document, const std::string& name, const s
 bool is_locked(const Document& document, EntryId id);
 bool is_hidden(const Document& document, EntryId id);
 
-/// Those of `ids` that are there, are not locked and hang below no other of them; in the tree's order.
+/// The existing, unlocked ones of `ids` without a selected ancestor, in tree order.
 std::vector<EntryId> movable(const Document& document, const std::vector<EntryId>& ids);
 
 // [commands]
@@ -50,18 +50,17 @@ EntryId add_light(Document& document, const Light& light);
 std::vector<EntryId> scatter(Document& document, const Bounds& where, int count, unsigned seed);
 Said remove(Document& document, const std::vector<EntryId>& ids);
 std::vector<EntryId> duplicate(Document& document, const std::vector<EntryId>& ids);
-/// A new parent for those of them that are objects, below the parent that all of them have, or else below the scene. Its own
-/// place, about which it turns, is the middle of `around`, what they fill in the world; of nothing: of their places.
-/// no_entry: there is none among them.
+/// A new parent for the objects among them, below their common parent, or else below the scene. Its pivot is the
+/// middle of `around`, their bounds in the world; if empty, of their positions. no_entry: none is an object.
 EntryId group(Document& document, const std::vector<EntryId>& ids, const std::string& name, const Bounds& around = {});
 /// Their places in the world stay. Refuses cycles, parents that are no object, and lights.
 Said reparent(Document& document, const std::vector<EntryId>& ids, EntryId parent, size_t place = SIZE_MAX);
 Said rename(Document& document, EntryId id, const std::string& name);
 void set_hidden(Document& document, const std::vector<EntryId>& ids, bool hidden);
 void set_locked(Document& document, const std::vector<EntryId>& ids, bool locked);
-/// Why the scene file would refuse this place: a scale of 0, what is not finite or too large.
+/// Why the scene file would refuse this placement: a zero scale, or values that are not finite or too large.
 Said cannot_be_placed(const Placement& placement);
-/// Refuses what cannot be placed there.
+/// Refuses an invalid placement.
 Said place(Document& document, EntryId id, const Placement& placement, uint64_t gesture = 0);
 /// Knobs of the chapter that have another value than the document says.
 void set_knobs(Document& document, const std::map<std::string, std::string>& knobs, uint64_t gesture);

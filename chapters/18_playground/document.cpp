@@ -108,7 +108,7 @@ void Document::begin(std::string name, uint64_t group) {
     open_ = Step{std::move(name), {group, 0}, {}, state_, state_};
 }
 
-// The first touch in a step keeps what is there and goes on with a copy.
+// The first touch in a step keeps the old entry and continues with a copy.
 Document::Slot& Document::touch(EntryId id) {
     if (!open_) throw Failure("the document is changed outside of a step");
     Slot& slot = slots_[id];
@@ -155,7 +155,7 @@ Document::Step Document::joined(Step first, Step then) const {
     std::unordered_map<uint32_t, std::shared_ptr<Entry>> versions;
     std::unordered_map<EntryId, const Kept*> found;
     for (const Kept& kept : first.kept) found[kept.id] = &kept;
-    for (Kept& kept : then.kept) {  // what is as it was is that version again
+    for (Kept& kept : then.kept) {  // unchanged entries are that version again
         const auto before = found.find(kept.id);
         if (before == found.end() || !kept.after || !before->second->before) continue;
         if (same_entry(*kept.after, *before->second->before)) kept.after_version = before->second->before_version;

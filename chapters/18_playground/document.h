@@ -1,4 +1,4 @@
-// The scene as the editor keeps it: entries whose ids never change, and steps that can be undone.
+// The editor's scene: entries with constant ids, and undoable steps.
 #pragma once
 #include <deque>
 #include <memory>
@@ -13,7 +13,7 @@ namespace lightwalk {
 using EntryId = uint32_t;
 inline constexpr EntryId no_entry = 0, root_entry = 1;
 
-/// What a scene file says of the scene as a whole.
+/// Scene-wide values of a scene file.
 struct SceneSettings {
     Camera camera;
     glm::vec3 ambient{0.05f}, background{0.02f};
@@ -65,7 +65,7 @@ class Document {
     /// `group`: steps of one gesture have the same; 0: a step for itself.
     void begin(std::string name, uint64_t group = 0);
     Entry& edit(EntryId id);                           ///< all but its name
-    void rename(EntryId id, const std::string& name);  ///< whatever others are called
+    void rename(EntryId id, const std::string& name);  ///< duplicate names are allowed
     /// Returns the new entry's id. `place`: among the parent's children; beyond the last one: at the end.
     EntryId add(EntryId parent, Entry entry, size_t place = SIZE_MAX);
     void remove(const std::vector<EntryId>& ids);  ///< with their children; none of them below another
@@ -103,8 +103,8 @@ class Document {
     /// Another number after each change, and the same one again where undo() and redo() come back to it.
     uint64_t state() const { return state_; }
 
-    /// Children that were passed or moved so far to change lists of them. Commands keep it in proportion to what they change:
-    /// taking 100,000 entries out of one list one by one would pass 5,000,000,000.
+    /// Children passed or moved so far while changing lists. Commands keep it proportional to their changes: removing
+    /// 100,000 entries one by one from one list would pass 5,000,000,000.
     uint64_t children_passed() const { return children_passed_; }
 
     /// Entries that were touched since the last call, each once; whether some were added, removed or have another parent.
@@ -113,7 +113,7 @@ class Document {
         bool structure = false;
     };
     Changes take_changes();
-    void mark_all_changed();  ///< for whoever shows it and has to begin again
+    void mark_all_changed();  ///< for views that must restart
 
   private:
     struct Slot {
@@ -152,13 +152,13 @@ class Document {
     Changes changes_;
 };
 
-/// Whether two entries are the same to the bit, but for what only loading fills in.
+/// Whether two entries are equal to the bit, except for fields filled by loading.
 bool same_entry(const Entry& a, const Entry& b);
 
 /// Everything of an object but its place.
 bool same_but_placed(const SceneObject& a, const SceneObject& b);
 
-/// About what an entry takes, in bytes.
+/// Approximate size of an entry, in bytes.
 uint64_t bytes_of(const Entry& entry);
 
 /// The entries below `id`, each before its children, in the tree's order; `id` itself is the first.

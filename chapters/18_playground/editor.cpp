@@ -20,11 +20,11 @@ bool is_no_setting(const KnobBase& knob) {
 }  // namespace
 
 void Editor::loaded(Chapter& chapter) {
-    end_drag(true);  // what has been dragged so far is a change like others
-    // Another scene could not be loaded, and what was shown before is back.
+    end_drag(true);  // the drag so far counts as a change
+    // Another scene could not be loaded, and the previous one is shown again.
     if (std::exchange(shown_instances_, chapter.scene.instances.handle) == chapter.scene.instances.handle)
         return void(shown_ = &chapter.scene);
-    // Toggles of exercises and F5 load the window's first scene again: what is being edited may be another one.
+    // Toggles of exercises and F5 reload the window's first scene; the edited one may be another.
     const std::filesystem::path file = chapter.scene.file.file;
     const bool again = shown_ && !file.empty() && (file == first_file_ || file == store.path);
     const bool other = again && store.path != file;
@@ -61,7 +61,7 @@ void Editor::open(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file,
     Scene kept = std::exchange(chapter.scene, Scene());
     const Camera camera = chapter.camera;
     shown_ = nullptr;
-    // What the scene before has set is not this one's; what the command line has set holds for all.
+    // The previous scene's settings do not carry over; those of the command line hold for all.
     std::vector<std::pair<KnobBase*, std::string>> knobs;
     for (KnobBase* knob : chapter.all_knobs())
         if (!is_no_setting(*knob) && !knob->pinned) knobs.emplace_back(knob, knob->text()), knob->reset();

@@ -1,4 +1,4 @@
-// The editor without its window: a document, what is selected, and how both meet a chapter and its scene.
+// The editor without its window: a document, a selection, and their connection to a chapter and its scene.
 #pragma once
 #include "18_playground/gizmo.h"
 #include "18_playground/live_scene.h"
@@ -19,24 +19,24 @@ class Editor {
     std::optional<GizmoDrag> drag;
     Handle hot;            ///< under the mouse
     uint64_t gesture = 1;  ///< another one for each press of a button or key
-    std::string notice;    ///< what the person should know; empty: nothing
+    std::string notice;    ///< message to the person; empty: none
 
     /// A scene was loaded: a new document. Where a scene was loaded again, and the document has changes that are not saved
     /// or is that of another file, it stays, and update() brings it into the scene.
     void loaded(Chapter& chapter);
 
-    /// Opens the document's scene in the chapter. Throws InputError, and nothing has changed.
-    /// `give`: fills the new scene's pools with what is there already.
+    /// Opens the document's scene in the chapter. Throws InputError, with nothing changed. `give`: fills the new
+    /// scene's pools with loaded resources.
     void open(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file,
               const std::function<void(Scene&)>& give = {});
     void open_document(Chapter& chapter, Document next);
-    /// What a crash has left of this scene. Where it cannot be shown, update() brings back what was there, and keeps the
-    /// file under another name.
+    /// Restores this scene's state from a crash. If it cannot be shown, update() reverts to the previous state and
+    /// keeps the file under another name.
     void recover(Chapter& chapter);
 
-    /// Between frames: knobs that were changed in the panel become steps, and the document's changes are shown. What cannot
-    /// be shown is undone, and `notice` says why. Where a file that an earlier step needs can no longer be read, nothing is
-    /// undone: the picture is drawn without it.
+    /// Between frames: turns knob changes in the panel into steps, and shows the document's changes. Changes that
+    /// cannot be shown are undone, and `notice` says why; if an earlier step's file is no longer readable, nothing is
+    /// undone and the picture omits it.
     LiveScene::Done update(Chapter& chapter, Gpu& gpu);
     bool loads = false;  ///< of the last update(): modules have something to prepare
 
@@ -53,15 +53,15 @@ class Editor {
         if (drag && !document.in_step()) drag.reset();
     }
 
-    /// An item of the scene, as picking found it. `add`: to what is selected, or away from it.
+    /// An item of the scene, from picking. `add`: toggles it in the selection.
     void select_item(const Scene& scene, std::optional<uint32_t> item, bool add);
     std::optional<EntryId> light_at(const View& view, glm::vec2 cursor_px) const;
     std::vector<uint32_t> selected_items(const Scene& scene) const;  ///< 1 for each item that is
     Bounds selected_bounds(const Scene& scene) const;                ///< empty where nothing is selected
     void remove_selected();
-    void group_selected(const Scene& scene);  ///< about the middle of what is drawn of them
+    void group_selected(const Scene& scene);  ///< about the middle of their drawn bounds
 
-    /// A model in front of the camera, on what the scene stands on.
+    /// A model in front of the camera, on the scene's ground.
     EntryId add_model(const Chapter& chapter, const std::filesystem::path& model);
     EntryId add_light(const Chapter& chapter, Light::Kind kind);
     void export_to(const Scene& scene, const std::filesystem::path& file);
@@ -77,8 +77,8 @@ class Editor {
     std::vector<std::string> without_;           ///< why the picture has not all of the document; said once
     VkBuffer shown_instances_ = VK_NULL_HANDLE;  ///< of the scene that is shown: another one has others
     const Scene* shown_ = nullptr;
-    std::optional<std::pair<Document, SceneStore>> recovered_from_;  ///< until what came instead has been shown
-    std::filesystem::path first_file_;  ///< of the scene that whoever shows the chapter loads
+    std::optional<std::pair<Document, SceneStore>> recovered_from_;  ///< until the recovered scene has been shown
+    std::filesystem::path first_file_;                               ///< of the scene that the chapter's host loads
 };
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// The ball that shows the material of what is selected.
+// The ball that shows the selection's material.
 #pragma once
 #include "18_playground/editor_part.h"
 #include "18_playground/preview.h"

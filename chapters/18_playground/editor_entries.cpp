@@ -1,4 +1,4 @@
-// The editor's entries: which are selected, what is drawn of them, and new ones.
+// The editor's entries: selection, drawn items, and new entries.
 #include "18_playground/editor.h"
 #include "18_playground/gltf.h"
 #include "common/base/files.h"

@@ -13,8 +13,8 @@ namespace {
 
 constexpr const char* dash = "—";  // for a number that is not the same in all
 
-// Over the field that was drawn last, whose own text has all digits: it is what somebody types over, and to that Dear ImGui
-// would round what it drags.
+// Over the last drawn field, which itself has all digits: a person edits the full value, since Dear ImGui would round
+// a dragged one to the text.
 void draw_short(float value) {
     const ImVec2 lower = ImGui::GetItemRectMin(), upper = ImGui::GetItemRectMax();
     const float room = upper.x - lower.x - 4.0f;  // a sign and a point are narrower than a digit
@@ -37,9 +37,9 @@ void EditorFields::take_drag_back() {
     stops_drag_ = true, drags_ = false;
 }
 
-// Dear ImGui changes a number with each digit that is typed. Here what is typed counts once, when its field is left by
-// Enter, Tab or a click, and Escape takes it back: what is refused then was never there. Dragging counts at once.
-// `has_list`: whether fields of a list that the widget has opened are its own, too.
+// Dear ImGui applies each typed digit. Here a typed value counts once, when its field is left by Enter, Tab or a
+// click; Escape reverts it, and a refused value leaves no trace. Dragging counts at once. `has_list`: whether fields
+// of a list opened by the widget are its own, too.
 bool EditorFields::once_left(uint32_t field, float* values, int count, const std::function<bool()>& widget,
                              const std::function<bool()>& has_list) {
     const auto copy = [&](const float* from, float* to) { std::copy(from, from + count, to); };
@@ -98,7 +98,7 @@ bool EditorFields::three_numbers(glm::vec3& value, float right, float speed, flo
     return changed;
 }
 
-// What is typed has no range of its own: 1e39 is infinite, and 0 times that is no number.
+// A typed value has no range of its own: 1e39 is infinite, and 0 times that is not a number.
 bool EditorFields::takes(const char* label, float* values, int count, const float* before, float lower, float upper) {
     for (int i = 0; i < count; ++i)
         if (!(values[i] >= lower && values[i] <= upper)) {

@@ -1,4 +1,4 @@
-// Fields of the editor's panels: what is typed into them counts once, when they are left.
+// Fields of the editor's panels: a typed value counts once, when the field is left.
 #pragma once
 #include <map>
 
@@ -6,7 +6,7 @@
 
 namespace lightwalk {
 
-/// Numbers, colours, switches and lists. `mixed`: a dash stands for what is not the same in several entries. True where the
+/// Numbers, colours, switches and lists. `mixed`: a dash stands for differing values of several entries. True if the
 /// value was changed.
 class EditorFields : public EditorPart {
   public:
@@ -20,7 +20,7 @@ class EditorFields : public EditorPart {
     bool check(const char* label, const char* help, bool& on, bool mixed);
     bool choice(const char* label, std::initializer_list<const char*> names, float& index, bool mixed);
 
-    /// What was refused is told once while a number is dragged over it: it is asked in each frame.
+    /// A refusal is reported once while a number is dragged, although it recurs each frame.
     void refuse(const Said& said) {
         if (std::exchange(refused_, said) != said) say(said);
     }

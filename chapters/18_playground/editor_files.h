@@ -1,4 +1,4 @@
-// Files that the editor writes: the scene, its export, and what a crash has left; and the questions before.
+// Files written by the editor: scene, export, autosave; and their confirmation questions.
 #pragma once
 #include "18_playground/editor_part.h"
 
@@ -11,10 +11,10 @@ class SceneFiles : public EditorPart {
     void save(bool overwrite = false);
     void save_as() { saves_as_ = true, save(); }  ///< to the file that `name` says
     void ask_export();
-    void export_due();  ///< when the scene shows what the document has: two keys may come in one frame
+    void export_due();  ///< when the scene matches the document: two keys may come in one frame
     bool may_close();
     bool closes() const { return closes_; }
-    void keep_time();  ///< once per frame: looks for what a crash has left, and saves by itself every 30 s
+    void keep_time();  ///< once per frame: looks for a crash's autosave, and saves every 30 s
 
     bool asks() const { return asked_.what != Question::nothing; }
     void answer(int key) { asked_.key = key; }  ///< GLFW_KEY_..., pressed since it was asked
@@ -35,7 +35,7 @@ class SceneFiles : public EditorPart {
         int key = 0;
     } asked_;
     bool saves_as_ = false, exports_ = false, closes_ = false;
-    std::filesystem::path exported_;                ///< what was written last, and may be written over
+    std::filesystem::path exported_;                ///< last export, which may be overwritten
     std::optional<std::filesystem::path> checked_;  ///< the scene of which a crash may have left something
     double next_autosave_ = 0;
 };

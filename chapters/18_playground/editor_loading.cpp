@@ -53,7 +53,7 @@ void LoadingPanel::note_pace(double start, double own_s) {
     pace_.reset();
 }
 
-// What it needs is found out now: what cannot be found is said at once.
+// Resolves dependencies now, so that missing files are reported at once.
 void LoadingPanel::want(const fs::path& file, bool adds) {
     try {
         if (!adds && editor.store.has_unsaved(editor.document))
@@ -102,7 +102,7 @@ void LoadingPanel::carry_on_loading(Gpu& gpu) {
     }
     if (loading_.busy() || (!now.arrived.empty() && !now.arrived.back()->step(upload_ms))) return;
     if (!now.models.empty()) return loading_.start(now.models.front());
-    if (editor.drag) return;  // what is shown stays as it is under the mouse
+    if (editor.drag) return;  // the scene stays unchanged under the mouse
     Wanted done = std::move(now);
     wanted_.pop_front();
     view_.chapter.arrived = std::move(done.arrived);

@@ -17,7 +17,7 @@ class LoadingPanel : public EditorPart {
     /// Once per frame, also of those in which the window draws its panels only.
     void carry_on();
     void draw(float scale);
-    void was_shown();  ///< the frame that begins shows what was loaded
+    void was_shown();  ///< this frame shows the loaded model
 
   private:
     /// A file that was asked for, and the models that it still needs.
@@ -27,11 +27,11 @@ class LoadingPanel : public EditorPart {
         std::vector<std::filesystem::path> models;
         std::vector<std::unique_ptr<Arrival>> arrived;
     };
-    /// What loading costs the frames that are drawn meanwhile, up to the first one that shows all of it.
+    /// Cost of loading for frames drawn meanwhile, up to the first complete one.
     struct Pace {
         double since = 0, last = 0, longest_s = 0, own_longest_s = 0;
         int frames = 0;
-        bool shown = false;  ///< the frame before has shown what was loaded
+        bool shown = false;  ///< the previous frame showed the loaded model
     };
     void carry_on_loading(Gpu& gpu);
     void stop(const std::string& why);

@@ -1,4 +1,4 @@
-// What the parts of the editor's window share.
+// Shared state of the parts of the editor's window.
 #pragma once
 #include <functional>
 
@@ -7,7 +7,7 @@
 
 namespace lightwalk {
 
-/// The picture that the panels stand beside, and what each of them may ask of the window.
+/// The picture beside the panels, and the panels' requests to the window.
 struct EditorView {
     Playground& chapter;
     Gpu* gpu = nullptr;  ///< of the frames
@@ -15,7 +15,7 @@ struct EditorView {
     float covered_px = 0;                        ///< of the picture, by the panel on the left
     bool changed = false;                        ///< the picture has to be drawn again
     AutoChoices* automatic;                      ///< the window's, for knobs in panels
-    std::function<void(const KeyPress&)> press;  ///< what a key does, by a menu
+    std::function<void(const KeyPress&)> press;  ///< a key's action, for menus
 };
 
 /// A part of the window. It owns its state; the document and the scene belong to the editor.

@@ -32,7 +32,7 @@ bool EditorPointer::move(const Input& input, glm::vec2 cursor_px, bool over_pict
     }
     editor.drop_drag_of_closed_step();
     if (editor.drag) return drag(input, cursor_px, released);
-    if (std::exchange(dragged_, dragged_ && input.left)) return true;  // what ended the drag is no reason to orbit
+    if (std::exchange(dragged_, dragged_ && input.left)) return true;  // the click that ended the drag must not orbit
     if (released && pressed_on_picture_ && over_picture && moved_px_ < click_px) choose_at(cursor_px, input.shift);
     return false;
 }
@@ -40,7 +40,7 @@ bool EditorPointer::move(const Input& input, glm::vec2 cursor_px, bool over_pict
 bool EditorPointer::drag(const Input& input, glm::vec2 cursor_px, bool released) {
     if (input.left) editor.drag->move(view_.chapter.view_now, cursor_px, input.shift);
     const bool clicked = released && moved_px_ < click_px;
-    if (clicked) {  // nobody has dragged: what lies below the handle is meant
+    if (clicked) {  // no drag happened: pick below the handle
         editor.end_drag(false);
         choose_at(cursor_px, input.shift);
     } else if (released) {
@@ -62,7 +62,7 @@ void EditorPointer::take_picked() {
     view_.changed = true;
 }
 
-// A light's circle, or what the next frame finds there.
+// A light's circle, or the next frame's pick.
 void EditorPointer::choose_at(glm::vec2 cursor_px, bool add) {
     view_.changed = true;
     const auto light_id = editor.light_at(view_.chapter.view_now, cursor_px);

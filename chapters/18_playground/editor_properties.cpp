@@ -1,4 +1,4 @@
-// What is selected, as numbers, colours and files. An edit is of all selected entries of the active one's kind.
+// The selection as numbers, colours and files. An edit applies to all selected entries of the active one's kind.
 #include "18_playground/editor_properties.h"
 
 #include <fmt/core.h>
@@ -22,7 +22,7 @@ void PropertiesPanel::draw() {
         return;
     }
     begin_padded_child("properties", {0.0f, 0.0f});
-    ImGui::PushID(static_cast<int>(id));  // what is being typed belongs to this entry, or to those selected with it
+    ImGui::PushID(static_cast<int>(id));  // text being typed belongs to this entry, or to its group
     together_ = edited_together(editor.document, editor.selection);
     if (id == root_entry) {
         wants_keyboard = false;
@@ -177,7 +177,7 @@ void PropertiesPanel::edit(const Property& property,
     const SharedValue shared = shared_value(editor.document, together_, property);
     if (shared.ids.empty()) return;
     glm::vec3 value = shared.value;
-    // The active entry's own number may be typed over a dash: it has to differ from what stands there.
+    // Typing the active entry's own number over a dash must count, although it equals the old value.
     for (int i = 0; i < 3; ++i)
         if (shared.mixed[i]) value[i] = std::nextafter(value[i], INFINITY);
     const glm::vec3 before = value;

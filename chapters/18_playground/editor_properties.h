@@ -1,4 +1,4 @@
-// What is selected, as numbers, colours and files.
+// The selection as numbers, colours and files.
 #pragma once
 #include "18_playground/editor_ball.h"
 #include "18_playground/editor_settings.h"
@@ -21,7 +21,7 @@ class PropertiesPanel : public EditorPart {
     void draw_object(EntryId id);
     void draw_material(EntryId id);
     void draw_light(EntryId id);
-    /// A field of a property of together_: what is edited there is set in all of them.
+    /// A field of a property of together_: an edit applies to all of them.
     void edit(const Property& property, const std::function<bool(glm::vec3& value, glm::bvec3 mixed)>& field);
     void edit_number(const Property& property, const char* label, const char* help, float speed, float lower,
                      float upper);
@@ -31,7 +31,7 @@ class PropertiesPanel : public EditorPart {
     EditorFields& fields_;
     SettingsPanel& settings_;
     TreePanel& tree_;
-    std::vector<EntryId> together_;  ///< whose properties are edited; the active entry is the last
+    std::vector<EntryId> together_;  ///< entries being edited; the active one is the last
 };
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// What the scene has once: its view_.chapter.camera, its surroundings, its water and its fog, as entries of the tree.
+// Scene-wide entries of the tree: camera, surroundings, water and fog.
 #include "18_playground/editor_settings.h"
 
 #include "18_playground/widgets.h"
@@ -12,7 +12,7 @@ namespace {
 struct Facet {
     const char* name;
     const char* help;
-    std::vector<std::string> modules;  ///< whose knobs it has
+    std::vector<std::string> modules;  ///< modules with its knobs
 };
 
 const std::vector<Facet>& facets() {
@@ -32,7 +32,7 @@ std::vector<std::string> SettingsPanel::names() {
     return names;
 }
 
-// Whether the picture has it now; what it has not is grey.
+// Whether the picture has it now; absent ones are grey.
 bool SettingsPanel::is_there(const std::string& facet) const {
     if (facet == "environment") return bool(scene.file.environment);
     if (facet == "sky") return view_.chapter.bench.air.is("sky");
@@ -55,7 +55,7 @@ void SettingsPanel::draw_rows() {
     }
 }
 
-// The knobs of the modules that make it: the steps of the document follow them, whoever turns them.
+// The knobs of its modules: the document records every change as a step.
 void SettingsPanel::draw_knobs() {
     for (const Facet& facet : facets()) {
         if (chosen != facet.name) continue;

@@ -1,4 +1,4 @@
-// What the scene has once: its camera, its surroundings, its water and its fog.
+// Scene-wide entries: camera, surroundings, water and fog.
 #pragma once
 #include "18_playground/editor_fields.h"
 #include "18_playground/editor_files.h"

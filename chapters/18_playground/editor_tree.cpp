@@ -33,7 +33,7 @@ void TreePanel::draw() {
     }
     settings_.draw_rows();
     const std::vector<TreeRow> rows = editor.tree.rows(editor.document);
-    // What was picked in the picture, or by a key, comes into sight.
+    // Scrolls to an entry picked in the picture or by a key.
     if (const EntryId active = editor.selection.active(); std::exchange(followed_, active) != active) {
         const auto row = std::find_if(rows.begin(), rows.end(), [&](const TreeRow& one) { return one.id == active; });
         if (row != rows.end()) scroll_to_row(static_cast<size_t>(row - rows.begin()));
@@ -113,7 +113,7 @@ void TreePanel::drag_and_drop(EntryId id, const std::string& shown_as) {
     if (ImGui::BeginDragDropTarget()) {
         if (ImGui::AcceptDragDropPayload("entries")) {
             say(reparent(editor.document, editor.selection.ids, id));
-            editor.tree.unfold(id, true);  // it shows what has come
+            editor.tree.unfold(id, true);  // shows newly added children
         }
         ImGui::EndDragDropTarget();
     }
@@ -123,7 +123,7 @@ void TreePanel::drag_and_drop(EntryId id, const std::string& shown_as) {
 void TreePanel::begin_renaming(EntryId id) {
     renaming_.id = id, renaming_.text = editor.document.at(id).name(), renaming_.begins = true;
     editor.tree.show(editor.document, id);
-    followed_ = no_entry;  // its line comes into sight, whatever is being searched
+    followed_ = no_entry;  // scrolls to its line, even during a search
     const std::vector<TreeRow>& rows = editor.tree.rows(editor.document);
     if (std::none_of(rows.begin(), rows.end(), [&](const TreeRow& row) { return row.id == id; }))
         search_.clear(), editor.tree.search("");
@@ -149,7 +149,7 @@ void TreePanel::draw_menu(EntryId id) {
     ImGui::EndPopup();
 }
 
-// What the scene has once stands in the tree too, before all others.
+// Scene-wide entries come first in the tree.
 void TreePanel::walk(int by) {
     std::vector<EntryId> ids{root_entry};
     std::vector<std::string> names{""};

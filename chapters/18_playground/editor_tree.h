@@ -30,7 +30,7 @@ class TreePanel : public EditorPart {
         std::string text;
         bool begins = false;
     } renaming_;
-    EntryId last_clicked_ = no_entry, followed_ = no_entry;  ///< followed_: whose row was scrolled to last
+    EntryId last_clicked_ = no_entry, followed_ = no_entry;  ///< followed_: last row scrolled to
 };
 
 }  // namespace lightwalk

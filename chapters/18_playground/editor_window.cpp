@@ -92,7 +92,7 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
             return !in_files && (tree_.unfold_chosen(key == GLFW_KEY_RIGHT), true);
         case GLFW_KEY_ENTER:
         case GLFW_KEY_KP_ENTER:
-            editor.end_drag(true);  // else it would go on below what is typed
+            editor.end_drag(true);  // else it would continue below the text field
             return !in_files && (properties_.wants_keyboard = true);
         case GLFW_KEY_1:
             editor.tool = Tool::move;
@@ -124,7 +124,7 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
     }
 }
 
-// What it ends first is what was begun last.
+// Ends the latest action first.
 bool EditorWindow::on_escape() {
     if (editor.drag) {
         editor.end_drag(false);
@@ -154,7 +154,7 @@ void EditorWindow::bring_up_to_date(Gpu& gpu) {
     loading_.was_shown();
 }
 
-// Besides, time goes by here: files are loaded, and what is not saved is written beside the file.
+// Called each frame: also loads files and autosaves.
 bool EditorWindow::is_busy() {
     files_.keep_time();
     loading_.carry_on();

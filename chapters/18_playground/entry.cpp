@@ -1,4 +1,4 @@
-// What entries are, one by one: their names, their sizes, whether two are the same.
+// Single entries: names, sizes, equality.
 #include "18_playground/document.h"
 
 namespace lightwalk {

@@ -12,16 +12,16 @@
 namespace lightwalk {
 
 // [pick_ray_types]
-/// What lies behind a pixel: metres, world space; `direction` has unit length.
+/// The ray behind a pixel: metres, world space; `direction` has unit length.
 struct PickRay {
     glm::vec3 origin{0.0f}, direction{0.0f, 0.0f, -1.0f};
 };
 // [/pick_ray_types]
 
-/// exercise/pick_ray.cpp says what it must do.
+/// Specification: exercise/pick_ray.cpp.
 EXERCISE("18.pick_ray", PickRay, pick_ray, const glm::mat4& clip_to_world, glm::vec2 cursor_px, glm::uvec2 size);
 
-/// exercise/drag_on_axis.cpp says what it must do.
+/// Specification: exercise/drag_on_axis.cpp.
 EXERCISE("18.drag_on_axis", float, drag_on_axis, const PickRay& ray, glm::vec3 pivot, glm::vec3 axis);
 
 // [turned_types]
@@ -32,7 +32,7 @@ struct Pose {
 };
 // [/turned_types]
 
-/// exercise/rotate_about_pivot.cpp says what it must do.
+/// Specification: exercise/rotate_about_pivot.cpp.
 EXERCISE("18.rotate_about_pivot", Pose, rotate_about_pivot, const Pose& pose, glm::vec3 pivot, glm::vec3 axis,
          float angle_rad);
 
@@ -49,14 +49,14 @@ struct UndoSize {
     uint64_t bytes = 0;
 };
 
-/// What is done with a new step.
+/// Decision on a new step.
 struct Pushed {
     bool joins = false;      ///< it becomes a part of the last one
     uint32_t forgotten = 0;  ///< how many of the oldest steps go
 };
 // [/undo_types]
 
-/// exercise/undo_stack.cpp says what they must do.
+/// Specification: exercise/undo_stack.cpp.
 EXERCISE("18.undo_stack", Pushed, push_step, std::span<const UndoSize> done, const UndoSize& step, bool has_undone,
          uint64_t most_bytes);
 EXERCISE("18.undo_stack", std::vector<Replaced>, join_steps, std::span<const Replaced> first,
@@ -75,7 +75,7 @@ struct TreeMove {
 };
 // [/tree_types]
 
-/// exercise/sort_tree_moves.cpp says what it must do.
+/// Specification: exercise/sort_tree_moves.cpp.
 EXERCISE("18.sort_tree_moves", std::optional<std::vector<TreeMove>>, sort_tree_moves, std::span<const TreeNode> nodes,
          std::span<const uint32_t> selected, int32_t new_parent);
 

@@ -1,4 +1,4 @@
-// The file browser: folders, what can be opened in them, files opened last, and a path that is typed.
+// The file browser: folders, files that can be opened, recent files, and a typed path.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace lightwalk {
 
-/// What the browser lists, without a window.
+/// The browser's list, without a window.
 struct Listing {
     std::filesystem::path folder;
     struct File {
@@ -27,14 +27,14 @@ Listing list_folder(const std::filesystem::path& folder, const std::string& filt
 /// Whether the editor opens it: .json, and the endings of models.
 bool can_be_opened(const std::filesystem::path& file);
 
-/// Files opened last, the newest first, kept in $XDG_STATE_HOME; at most ten, each once, those that are gone left out.
+/// Recent files, the newest first, kept in $XDG_STATE_HOME; at most ten, each once, existing ones only.
 std::vector<std::filesystem::path> recent_files();
 void remember_file(const std::filesystem::path& file);
 
 class FileBrowser {
   public:
     bool shown = false;
-    /// Of what was chosen; the flag says whether it is to be added to the scene.
+    /// Called with the chosen file; the flag means adding it to the scene.
     std::function<void(const std::filesystem::path&, bool)> chosen;
     void draw(float scale, float left_px);
     Thumbnails thumbnails;

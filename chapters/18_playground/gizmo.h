@@ -1,4 +1,4 @@
-// The gizmo's mathematics: handles, which of them is under the mouse, and what a drag does to what is selected.
+// The gizmo's mathematics: handles, the one under the mouse, and a drag's effect on the selection.
 #pragma once
 #include "18_playground/commands.h"
 #include "common/scene/view.h"
@@ -28,7 +28,7 @@ struct GizmoSizes {
     float arrow = 90, plane = 28, reach = 7;
 };
 
-/// The gizmo for what is selected: in the middle of it, along the world's axes or those of the active object.
+/// The gizmo of the selection: in its middle, along the world's axes or those of the active object.
 std::optional<GizmoPlace> gizmo_place(const Document& document, const Selection& selection, const View& view, Tool tool,
                                       bool local);
 
@@ -60,7 +60,7 @@ class GizmoDrag {
     void cancel();  ///< as it was
     const std::string& words() const {
         return words_;
-    }  ///< what has been done so far: "1.25 m along x"
+    }  ///< the drag so far: "1.25 m along x"
        // [/gizmo_drag]
 
   private:

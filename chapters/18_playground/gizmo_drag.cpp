@@ -48,7 +48,7 @@ GizmoDrag::GizmoDrag(Document& document, const std::vector<EntryId>& ids, const 
     last_angle_ = angle_on(view, cursor_px).value_or(0.0f);
 }
 
-// The window has another size, or shows another view: what is being dragged stays where it is, under a mouse that rests.
+// The window changed its size or view: dragged objects stay in place under a resting mouse.
 void GizmoDrag::follow(const View& view) {
     start_on_axis_ += place_on_axis(view, last_px_) - place_on_axis(view_, last_px_);
     start_place_ += place_on(view, last_px_) - place_on(view_, last_px_);

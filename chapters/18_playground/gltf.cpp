@@ -165,7 +165,7 @@ class Exporter {
         return item.maps[MapSlot::opacity] || (color && scene_.images()->has_alpha(*color));
     }
 
-    // A URI: what is no letter, digit or -._~/ as %NN.
+    // A URI: characters other than letters, digits and -._~/ as %NN.
     static std::string escaped(const std::string& text) {
         std::string uri;
         for (const unsigned char c : text)
@@ -175,7 +175,7 @@ class Exporter {
         return uri;
     }
 
-    // What fills a slot: the scene file's texture, or the model's.
+    // A slot's texture: the scene file's, or the model's.
     static std::optional<TextureUse> use_of(const DrawItem& item, const SceneObject& object, MapSlot slot) {
         if (!item.loaded_maps[slot]) return {};
         const MapSlotInfo& info = map_slots()[static_cast<size_t>(slot)];
@@ -184,8 +184,8 @@ class Exporter {
         return TextureUse{.map = {.file = find_asset(given->second)}, .kind = info.kind};
     }
 
-    // As chapter 14 takes them: the scene's numbers, the model's, or what follows from the exponent, 2 / alpha² - 2 with
-    // alpha the square of roughness (Karis, 2013).
+    // As in chapter 14: the scene's numbers, the model's, or values from the exponent, 2 / alpha² - 2 with alpha the
+    // square of roughness (Karis, 2013).
     static glm::vec2 metalness_and_roughness(const DrawItem& item) {
         const Material& m = item.material;
         const bool stated = m.metallic_roughness || m.microfacets || m.roughness != Material{}.roughness;
@@ -281,7 +281,7 @@ class Exporter {
         return all;
     }
 
-    // An object's node with those of its model's nodes that have meshes below it, then its children.
+    // An object's node with those of its model's nodes that contain meshes, then its children.
     int add(EntryId id) {
         const Entry& entry = document_.at(id);
         if (entry.hidden) return -1;
@@ -321,7 +321,7 @@ class Exporter {
         json own{{"name", clean_name(light.name)},
                  {"type", kinds[static_cast<int>(light.kind)]},
                  {"color", list(light.color)},
-                 {"intensity", glm::pi<float>() * light.intensity}};  // lux, candela: ours is what white shows
+                 {"intensity", glm::pi<float>() * light.intensity}};  // lux, candela; ours is the radiance of white
         if (light.kind != Light::Kind::directional && light.range_m > 0) own["range"] = light.range_m;
         if (light.kind == Light::Kind::spot)
             own["spot"] = {{"innerConeAngle", std::min(light.inner_rad, 0.999f * std::min(light.outer_rad, 1.5707f))},

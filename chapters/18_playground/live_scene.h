@@ -9,8 +9,8 @@
 namespace lightwalk {
 
 // [live_scene]
-/// Brings a loaded scene up to date with a document, doing as little as a change asks for: what was moved is placed anew;
-/// lights are copied; other objects, models, materials and what is hidden go through Scene::replace_objects().
+/// Updates a loaded scene from a document with minimal work: moves items; copies lights; other objects, models,
+/// materials and hidden entries go through Scene::replace_objects().
 class LiveScene {
   public:
     /// The scene shows this document from now on; it was loaded with exported(document).scene.

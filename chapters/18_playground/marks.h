@@ -1,4 +1,4 @@
-// What the editor draws over the finished picture: outlines of what is selected, the gizmo, lights and their cones.
+// The editor's marks over the finished picture: outlines of the selection, the gizmo, lights and their cones.
 #pragma once
 #include "18_playground/gizmo.h"
 #include "18_playground/mark_data.h"
@@ -32,8 +32,8 @@ struct Marks : Module {
 
 /// The gizmo's lines; `hot` is drawn brighter.
 void add_gizmo(std::vector<MarkLine>& lines, const GizmoPlace& place, const View& view, const Handle& hot);
-/// A symbol of constant size for each light, and of those that are selected the cone or the range; of more than a hundred
-/// only that of the active one.
+/// A symbol of constant size for each light, and the cone or range of selected ones; above a hundred only the active
+/// one's.
 void add_lights(std::vector<MarkLine>& lines, const Document& document, const Selection& selection, const View& view);
 
 }  // namespace lightwalk

@@ -42,7 +42,7 @@ std::optional<double> hit_triangle(const glm::dvec3& origin, const glm::dvec3& d
 
 namespace {
 
-// Items whose box the ray meets, the nearest first.
+// Items with a box hit by the ray, the nearest first.
 std::vector<Hit> boxes_on(const Scene& scene, const PickRay& ray) {
     std::vector<Hit> found;
     for (uint32_t i = 0; i < scene.items.size(); ++i)

@@ -18,8 +18,8 @@ std::optional<float> hit_box(const PickRay& ray, const Bounds& box);
 std::optional<double> hit_triangle(const glm::dvec3& origin, const glm::dvec3& direction, const glm::vec3& a,
                                    const glm::vec3& b, const glm::vec3& c);
 
-/// The nearest box, or the nearest triangle: of items whose box the ray meets, the nearest box first, until no box is
-/// nearer than what was hit. Textures cut no holes for it.
+/// The nearest box, or the nearest triangle: tests items by box distance, until no box is nearer than the hit.
+/// Ignores holes cut by textures.
 std::optional<Hit> pick_box(const Scene& scene, const PickRay& ray);
 std::optional<Hit> pick_triangle(const Scene& scene, const PickRay& ray);
 

@@ -26,12 +26,12 @@ struct Picker : Module {
     /// Numbers of items, by the exercise 18.id_buffer's code; 0: nothing.
     Target ids{*this, {.name = "ids", .format = VK_FORMAT_R32_UINT}};
 
-    /// Fills `ids` for the view, whose picture has the frame's size.
+    /// Fills `ids` for the view at the frame's size.
     void record(Frame& frame, const View& view, const Scene& scene, const Maps& maps);
 
-    /// Asks what is under this pixel, or within reach of it; the frame that records it answers when it has ended.
+    /// Requests the item at or near this pixel; the recording frame answers after it has ended.
     void pick(Frame& frame, glm::ivec2 pixel);
-    /// Of the last pick() whose frame has ended. True once for each.
+    /// Result of the last completed pick(). True once for each.
     bool poll();
     std::optional<uint32_t> item;  ///< of Scene::items; none: nothing is there
                                    // [/picker]

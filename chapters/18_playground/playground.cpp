@@ -13,7 +13,7 @@ Playground::Playground() {
     objects.maps.in_use = [this] { return maps_due_; };
 }
 
-// The document's changes, before anything is drawn. What a step adds has to be prepared, as after loading.
+// Applies the document's changes before drawing. New resources are prepared, as after loading.
 void Playground::bring_up_to_date(Gpu& gpu) {
     const auto give = [this](Scene& to) {
         for (const auto& one : arrived) one->give(to);
@@ -24,7 +24,7 @@ void Playground::bring_up_to_date(Gpu& gpu) {
     give(scene);
     arrived.clear();
     const LiveScene::Done done = editor.update(*this, gpu);
-    bench.light.prepare(gpu, scene);  // it keeps what it has where surroundings and ambient light are as they were
+    bench.light.prepare(gpu, scene);  // unchanged surroundings and ambient light are kept
     if (done != LiveScene::Done::replaced) return;
     const bool updates = std::exchange(updates_, false);
     maps_due_ = editor.loads;
@@ -39,7 +39,7 @@ void Playground::frame(Frame& frame) {
     bring_up_to_date(frame.gpu);
     const View view = view_now = set_view(frame, bench);
 
-    // 1. What is in which pixel, where somebody clicks or something is selected.
+    // 1. Item ids per pixel, after a click or with a selection.
     const bool asks = click.has_value(), marked = marks.on && (!editor.selection.ids.empty() || select >= 0);
     if (asks || marked || show.is("ids")) picker.record(frame, view, scene, objects.maps);
     if (asks) picker.pick(frame, *std::exchange(click, std::nullopt));

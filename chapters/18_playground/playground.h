@@ -1,4 +1,4 @@
-// The playground: a workbench, what is picked and marked on it, and the document behind it.
+// The playground: a workbench, picking and marks on it, and the document behind it.
 #pragma once
 #include "01_obj/model_chapter.h"
 #include "08_bloom/bloom.h"
@@ -24,7 +24,7 @@ struct Playground : ModelChapter {
 
     Editor editor;
     std::optional<std::filesystem::path> opens;     ///< a scene that the next frame shall open
-    std::vector<std::unique_ptr<Arrival>> arrived;  ///< models for what the next frame adds or opens
+    std::vector<std::unique_ptr<Arrival>> arrived;  ///< models for the next frame to add or open
     std::optional<glm::ivec2> click;                ///< a pixel that the next frame shall pick
 
     Playground();

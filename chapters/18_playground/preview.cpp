@@ -136,7 +136,7 @@ bool Thumbnails::carry_on(Gpu& gpu, Preview& preview) {
             if (!error) write_png(kept, picture);
         }
         return settle(std::move(picture));
-    } catch (const InputError&) { return settle({}); }  // what cannot be shown is listed all the same
+    } catch (const InputError&) { return settle({}); }  // files that cannot be shown are still listed
 }
 // [/thumbnails]
 

@@ -33,14 +33,14 @@ class Thumbnails {
 
     /// Null where there is none yet: it is then drawn when its turn comes.
     const Image8* of(const std::filesystem::path& file);
-    /// Between frames: carries on with what was asked for. True where a picture has come.
+    /// Between frames: continues requested previews. True if a picture arrived.
     bool carry_on(Gpu& gpu, Preview& preview);
     bool busy() const { return !wanted_.empty(); }
 
   private:
     void begin(const std::filesystem::path& file);
     std::map<std::filesystem::path, Image8> pictures_;  ///< without pixels: there can be none
-    std::vector<std::filesystem::path> wanted_;         ///< the last one is next: what is on the screen now
+    std::vector<std::filesystem::path> wanted_;         ///< the last one is next: currently on the screen
     std::vector<std::filesystem::path> models_;         ///< that the next one still needs
     std::optional<SceneFile> scene_;
     int drawn_ = 0;

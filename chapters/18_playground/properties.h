@@ -1,4 +1,4 @@
-// Properties of the entries that are selected: what they have in common, and edits of all of them that are one step.
+// Properties of the selection: common values, and edits of all entries in one step.
 #pragma once
 #include "18_playground/commands.h"
 
@@ -12,9 +12,9 @@ struct Property {
     std::function<void(Entry&, const glm::vec3&)> set;
 };
 
-/// What several entries have in common.
+/// A common value of several entries.
 struct SharedValue {
-    std::vector<EntryId> ids;  ///< those that have the property
+    std::vector<EntryId> ids;  ///< entries with the property
     glm::vec3 value{0.0f};     ///< of the last of them, which is the active entry
     glm::bvec3 mixed{false};   ///< which numbers are not the same in all
 };
@@ -36,15 +36,15 @@ std::string short_number(float value, const std::function<bool(const std::string
 /// A format of printf() with the fewest digits, six or more, that are read back as the same float.
 std::string exact_format(float value);
 
-/// Those that are edited together: what is selected and of the active entry's kind, objects or lights; the active one is
-/// the last.
+/// Entries edited together: the selected ones of the active entry's kind, objects or lights; the active one is the
+/// last.
 std::vector<EntryId> edited_together(const Document& document, const Selection& selection);
 
 SharedValue shared_value(const Document& document, const std::vector<EntryId>& ids, const Property& property);
 
-/// Sets the numbers that `which` names, of all that have the property: "colour of 12 entries". Each keeps its other numbers.
-/// What is locked stays as it is, and is said. Nothing has changed where one of them would be refused by the scene file, which
-/// lies at `file`.
+/// Sets the numbers that `which` names, of all entries with the property: "colour of 12 entries". Each keeps its
+/// other numbers; locked entries stay, with a message. Changes nothing if the scene file at `file` would refuse one
+/// of them.
 Said set_property(Document& document, const std::vector<EntryId>& ids, const Property& property, const glm::vec3& value,
                   glm::bvec3 which = glm::bvec3(true), uint64_t gesture = 0, const std::filesystem::path& file = {});
 

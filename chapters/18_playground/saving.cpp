@@ -37,7 +37,7 @@ Said cannot_be_saved(const Entry& entry, const fs::path& file) {
     const fs::path scene = file.empty() ? fs::path("scene.json") : file;
     try {
         parse_scene(scene_text(alone), scene);
-    } catch (const InputError& e) {  // file:line: what is wrong; nobody has written that line
+    } catch (const InputError& e) {  // file:line: message; the line exists only in memory
         const std::string said = e.what();
         const size_t place = said.find(": ", std::min(said.size(), scene.string().size()));
         return place == said.npos ? said : said.substr(place + 2);
@@ -68,7 +68,7 @@ Exported exported(const Document& document) {
 
 namespace {
 
-// Objects and lights alone of entries that are included, or of those that are not.
+// Objects and lights of included entries only, or of the others.
 SceneFile part_of(const Document& document, bool included) {
     Exported all = exported(document);
     SceneFile part = std::move(all.scene);
@@ -116,7 +116,7 @@ Document SceneStore::open(const fs::path& given) {
         base = parse_scene(nlohmann::json{{"include", includes}}.dump(), file);
     }
     Document document(scene);
-    // What is included stands before the file's own; children stand below their parents here, wherever they come from.
+    // Included entries come before the file's own; children follow their parents here, in either part.
     std::map<std::string, bool> names;
     for (const SceneObject& object : base.objects) names[object.name] = true;
     size_t lights = base.lights.size() + base.hidden_lights.size(), unnamed = 0;
@@ -177,7 +177,7 @@ std::string SceneStore::text(const Document& document, Said* said) const {
 Said SceneStore::save(const Document& document) {
     Said said;
     const std::string bytes = text(document, &said);
-    parse_scene(bytes, path);  // what cannot be read back is not written
+    parse_scene(bytes, path);  // verifies that the text can be read back
     write_file_to_disk(path, bytes);
     hash_ = hash_bytes(bytes);
     saved_state_ = document.state();

@@ -39,11 +39,11 @@ class SceneStore {
 
     bool has_unsaved(const Document& document) const { return document.state() != saved_state_; }
 
-    // Beside the file: what was not saved yet. It is locked while its editor lives, so that no other one offers it, writes
-    // it or takes it away; each has its own. It goes when the document is saved.
+    // Autosave beside the file: unsaved changes. Locked while its editor lives, so that no other one offers, writes
+    // or removes it; each has its own. Removed when the document is saved.
     std::filesystem::path autosave_file() const;
-    /// Writes it where something has changed since the last time; false where nothing had to be written. Throws. What lies
-    /// there keeps another name. `said`: that, or that another editor has the scene open.
+    /// Writes it if something changed since the last time; false if there was nothing to write. Throws. An existing
+    /// file keeps another name. `said`: that, or that another editor has the scene open.
     bool autosave(const Document& document, Said* said = nullptr);
     void forget_autosave();
     /// A file that a crash has left: no editor holds it, and it is newer than the scene file. It is this editor's then.
@@ -51,7 +51,7 @@ class SceneStore {
     bool has_recovery(Said* said = nullptr);
     /// Throws InputError where it cannot be read. `said`: which files that it names are gone; the rest is there.
     Document recover(Said* said = nullptr);
-    /// Gives what a crash has left a name that nothing is written to: its path; empty where nothing is left.
+    /// Renames a crash's autosave so that nothing overwrites it; returns its path, empty if there is none.
     std::filesystem::path set_aside();
     void forget_recovery();
 
@@ -62,9 +62,9 @@ class SceneStore {
     struct HeldFile;
     std::filesystem::path autosave_name(int number) const;
     std::filesystem::path free_autosave_file(Said* said) const;
-    std::shared_ptr<HeldFile> own_, left_;  ///< what this editor writes; what a crash has left, until that is decided
+    std::shared_ptr<HeldFile> own_, left_;  ///< this editor's autosave; a crash's, until decided
     std::vector<std::string> includes_;
-    std::string included_;  ///< text of what they hold
+    std::string included_;  ///< text of the included files
     uint64_t hash_ = 0, saved_state_ = 0, autosaved_state_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// The lines of the tree as they stand on the screen: what is unfolded, or what a search finds.
+// The visible lines of the tree: unfolded entries, or search results.
 #pragma once
 #include <functional>
 #include <unordered_set>
@@ -28,10 +28,10 @@ class Tree {
     /// Words that must all be in a name, case aside; empty: no search. With a search, the rows are those found, and flat.
     void search(const std::string& words);
 
-    /// Rebuilt where the document, what is unfolded or the search has changed; else what was there.
+    /// Rebuilt if the document, the unfolded entries or the search changed.
     const std::vector<TreeRow>& rows(const Document& document);
 
-    /// Entries from one row to another, both included, in this order: what Shift and a click select.
+    /// Entries from one row to another, inclusive and in order: a Shift-click's selection.
     std::vector<EntryId> between(EntryId first, EntryId last) const;
 
   private:
@@ -41,7 +41,7 @@ class Tree {
     Made<uint64_t> made_;  ///< Document::structure()
 };
 
-/// What a person reads of an entry that has no name: "spot light", "model.obj".
+/// Displayed name of an unnamed entry: "spot light", "model.obj".
 std::string shown_name(const Entry& entry);
 
 }  // namespace lightwalk

@@ -37,8 +37,8 @@ inline void focus_next(bool& wanted) {
     ImGui::SetKeyboardFocusHere();
 }
 
-/// A field for a text. True where it was changed and left, or Enter was pressed; Escape takes back what was typed. `text`
-/// may be another string in each frame: what is being typed is kept here. `hint`: what an empty field is for.
+/// A text field. True if it was changed and left, or Enter was pressed; Escape reverts it. `text` may be another
+/// string in each frame, since the edited text is kept here. `hint`: shown while empty.
 inline bool text_field(const char* label, std::string& text, const char* hint = "", bool at_once = false,
                        ImGuiInputTextFlags more = 0) {
     static std::map<ImGuiID, std::string> typed;  // where one field is left for another, both are there for a frame
@@ -90,7 +90,7 @@ inline void draw_pixels(const Image8& picture, ImVec2 at, float pixel) {
         }
 }
 
-/// A button whose place tests know.
+/// A button with a position logged for tests.
 inline bool tool_button(const char* label, const char* help, bool pressed = false, ImVec2 size = {0, 0}) {
     if (pressed) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4{0.24f, 0.47f, 0.70f, 1.0f});
     const bool clicked = ImGui::Button(label, size);

@@ -35,7 +35,7 @@ std::vector<Light> Workbench::all_lights(const Frame& frame) {
 void Workbench::record(Frame& frame) {
     light.record(frame, scene());
     paint.record(frame);
-    // A sky has its sun: what is reflected is this sky, and not the scene's environment.
+    // A sky has its sun: reflections show this sky instead of the scene's environment.
     if (probe.in_use()) probe.record(frame, scene(), light, drawings());
 }
 // [/workbench_record]

@@ -38,7 +38,7 @@ void main() {
     vec2 per_mm = texelFetch(stretch, texel, 0).xy;
     vec3 sigma = blur.sigma_mm * dot(per_mm, vec2(blur.direction));
     float widest = max(sigma.x, max(sigma.y, sigma.z));
-    // What was blurred by sigma texels can be read at every sigma-th texel, with an error of at most 2 exp(-2 pi²).
+    // A blur by sigma texels can be sampled at every sigma-th texel, with an error of at most 2 exp(-2 pi²).
     int radius = int(ceil(3.0 * widest));
     int stride = int(min(blur.smooth_mm * dot(per_mm, vec2(blur.direction)), finest * widest));
     stride = max(max(stride, 1), (radius + most_taps - 1) / most_taps);

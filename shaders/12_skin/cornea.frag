@@ -1,4 +1,4 @@
-// The wet, clear skin of the eye: what it reflects is added to what is seen through it.
+// The wet, clear skin of the eye: its reflection is added to the picture behind it.
 #include "03_attenuation/lighting.glsl"
 #include "04_surface_maps/surface_maps.glsl"
 #include "05_shadow_maps/shadow.glsl"
@@ -13,7 +13,7 @@ const float f0 = 0.025, rough = 0.1;
 void main() {
     MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
     vec3 n = m.facing, v = m.surface.to_eye, mirrored = reflect(-v, n), sum = vec3(0.0);
-    // What lids and brows hide is not mirrored.
+    // Lids and brows block the mirror image.
     if (dot(n, v) > 0.0 && !any_hit(Ray(above(m.position, n), 0.0, mirrored, on_and_on)))
         sum += schlick_fresnel(dot(n, v), f0) * surroundings_mirrored(mirrored, rough);
     for (uint i = 0u; i < lights_data.length(); ++i) {

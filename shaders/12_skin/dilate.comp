@@ -1,4 +1,4 @@
-// Charts grow by two texels, so that what is read between texels at a border finds the chart alone.
+// Charts grow by two texels, so that filtered reads at a border see the chart alone.
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D position, normal, albedo, stretch;
 layout(rgba32f) writeonly uniform image2D wide_position;
@@ -17,7 +17,7 @@ void main() {
     imageStore(wide_position, texel, texelFetch(position, nearest, 0));
     imageStore(wide_normal, texel, texelFetch(normal, nearest, 0));
     imageStore(wide_albedo, texel, texelFetch(albedo, nearest, 0));
-    // What has grown has no surface of its own.
+    // Grown texels have no surface of their own.
     vec4 scale = texelFetch(stretch, nearest, 0);
     imageStore(wide_stretch, texel, vec4(scale.xy, nearest == texel ? scale.z : 0.0, scale.w));
 }

@@ -1,4 +1,4 @@
-// The truth: what every texel within 9 mm sends here, by the distance in space and the surface that it stands for.
+// The truth: light from every texel within 9 mm, by distance in space and represented area.
 #include "12_skin/charts.glsl"
 #include "12_skin/profile.h"
 

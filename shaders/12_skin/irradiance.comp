@@ -1,4 +1,4 @@
-// The light that goes into the skin in each texel of the map: what a matt white surface would show.
+// Light entering the skin in each texel of the map: the radiance of a matt white surface.
 #include "common/structs.h"
 #include "03_attenuation/lighting.glsl"
 #include "05_shadow_maps/shadow.glsl"

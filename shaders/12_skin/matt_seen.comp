@@ -1,4 +1,4 @@
-// What is no skin, shaded where it is seen.
+// Surfaces other than skin, shaded at the visible point.
 #include "05_shadow_maps/shade_seen.glsl"
 #include "12_skin/matt.frag"
 

@@ -1,5 +1,6 @@
-// E. Penner and G. Borshukov, "Pre-Integrated Skin Shading", GPU Pro 2, 2011: what a sphere of skin shows of one light, over
-// the cosine to it along u and the sphere's curvature along v. They integrate along a circle; here over the sphere.
+// E. Penner and G. Borshukov, "Pre-Integrated Skin Shading", GPU Pro 2, 2011: the radiance of a sphere of skin in one
+// light, over the cosine to it along u and the sphere's curvature along v. They integrate along a circle; here over
+// the sphere.
 #include "12_skin/gaussian_profile.glsl"
 #include "12_skin/profile.h"
 

@@ -14,7 +14,7 @@ const vec3 skin_weight[6] = {vec3(0.233f, 0.455f, 0.649f), vec3(0.100f, 0.336f, 
                              vec3(0.113f, 0.007f, 0.007f), vec3(0.358f, 0.004f, 0.0f),   vec3(0.078f, 0.0f, 0.0f)};
 // [/profile]
 
-// Some of them: what a method adds up.
+// A method's subset of them.
 struct SkinSum {
     vec3 weight[6];
     uint count;
@@ -24,7 +24,7 @@ struct SkinSum {
 struct SkinBlur {
     ivec2 direction;  // (1, 0) along u, (0, 1) along v
     vec3 sigma_mm;    // of this blur, for each channel
-    float smooth_mm;  // the sigma of what is read: it has no detail that is finer, so that not every texel need be read
+    float smooth_mm;  // sigma of the input: it has no finer detail, so texels can be skipped
 };
 
 #ifndef __cplusplus

@@ -8,7 +8,7 @@ layout(scalar) uniform F0Block { float f0; };
 
 const int facets_u = 32, facets_v = 16;
 
-// Facets are taken by their number: then the estimate is F(v·h) n·l / (v·h n·h), whatever m is.
+// Facets are sampled by their density: then the estimate is F(v·h) n·l / (v·h n·h) for any m.
 float reflected(float cosine, float m) {
     vec3 v = vec3(sqrt(max(1.0 - cosine * cosine, 0.0)), 0.0, cosine);
     float sum = 0.0;

@@ -19,7 +19,7 @@ void main() {
         for (int i = 0; i < blur.taps; ++i) {
             vec2 at = (vec2(pixel) + 0.5 + kernel[i].w * pixels * vec2(blur.direction)) / vec2(size);
             vec4 other = textureLod(from, at, 0.0);
-            // What is no skin, or far before or behind, gives the pixel's own light instead.
+            // Samples off the skin, or at a very different depth, use the pixel's own light instead.
             float apart = other.a > 0.0 ? clamp(1000.0 * abs(other.a - own.a) / blur.edge_mm, 0.0, 1.0) : 1.0;
             sum += kernel[i].rgb * mix(other.rgb, own.rgb, apart);
         }

@@ -9,7 +9,7 @@
 #include "12_skin/skin.glsl"
 #include "12_skin/transmittance.glsl"
 
-// What DIFFUSE says.
+// Values of DIFFUSE.
 #define BY_LAMBERT 0
 #define BY_WRAP 1
 #define BY_TABLE 2
@@ -23,8 +23,8 @@ layout(scalar) uniform ShownBlock { int shown; };
 uniform sampler2D skin_occlusion, skin_diffused, skin_stretch, skin_position, skin_preintegrated;
 
 // [thickness]
-// How far light has gone through the surface to come out here, in mm: from where the light's map has its nearest surface.
-// The point is moved inwards, so that at an edge the map does not show what is beside it. Below 0: no map.
+// Path of the light through the tissue to this point, in mm: from the nearest surface in the light's map. The point
+// is moved inwards, so that at an edge the map does not show its neighbourhood. Below 0: no map.
 float thickness_mm(uint index, vec3 position, vec3 facing, float inwards_m) {
 #if SHADOW_METHOD == SHADOW_METHOD_NONE
     return -1.0;
@@ -42,7 +42,7 @@ float thickness_mm(uint index, vec3 position, vec3 facing, float inwards_m) {
 // [/thickness]
 
 // [diffuse]
-// What of a light's radiance a white surface with that cosine sends out, near the point itself.
+// Share of a light's radiance that a white surface with that cosine emits, near the point itself.
 vec3 entering(float cosine, float curvature) {
 #if DIFFUSE == BY_WRAP
     // Reddest where it is farthest from the light; divided so that as much light comes back as went in.
@@ -58,7 +58,7 @@ vec3 entering(float cosine, float curvature) {
 }
 // [/diffuse]
 
-// What leaves the skin towards the eye, linear; BY_SCREEN: without `light`, which is to be blurred (a: how far away, in
+// Light leaving the skin towards the eye, linear; BY_SCREEN: without `light`, which is blurred (a: distance in
 // metres) and then multiplied by `after_blur`.
 void shade_skin(out vec4 color, out vec4 light_before, out vec4 after_blur) {
     light_before = after_blur = vec4(0.0);
@@ -86,7 +86,7 @@ void shade_skin(out vec4 color, out vec4 light_before, out vec4 after_blur) {
 #if DIFFUSE != BY_MAP
         diffuse += seen * entering(cosine, curvature) * way_in(max(cosine, 0.0), rough, scale);
 #endif
-        // The lights' radiance is what a white surface shows: the irradiance is pi times that.
+        // The lights' radiance is that of a white surface: the irradiance is pi times that.
         if (cosine > 0.0) specular += 3.14159265 * scale * kelemen_szirmay_kalos(n, light.to_light, v, rough, skin.f0) * seen;
         // Light on the far side is taken to arrive as steeply as it would from behind here.
         float mm = thickness_mm(i, position, m.facing, 0.001 * skin.inwards_mm);
@@ -129,7 +129,7 @@ void shade_skin(out vec4 color, out vec4 light_before, out vec4 after_blur) {
 layout(location = 0) out vec4 color;
 #if DIFFUSE == BY_SCREEN
 layout(location = 1) out vec4 light_out;  // to be blurred
-layout(location = 2) out vec4 after_out;  // by what it is then multiplied
+layout(location = 2) out vec4 after_out;  // factor after the blur
 #endif
 
 void main() {

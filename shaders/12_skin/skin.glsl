@@ -1,4 +1,4 @@
-// What a skin's surface reflects and lets through: what the module Skin gives to shaders.
+// Reflection and transmission of a skin's surface: the module Skin for shaders.
 #include "12_skin/beckmann.glsl"
 #include "12_skin/schlick_fresnel.glsl"
 
@@ -8,7 +8,7 @@ layout(scalar) uniform SkinBlock {
     float wrap, inwards_mm, translucency;
 } skin;
 
-// What of the specular terms is in a table, where the knob says so.
+// Tabulated specular terms, if the knob says so.
 #if SKIN_SPECULAR == SKIN_SPECULAR_TABLES
 uniform sampler2D skin_facets;  // x: the distribution over n·h along u and m along v, encoded; y: the rise of Schlick's F
 #endif
@@ -43,7 +43,7 @@ float fresnel_of(float cosine, float f0) {
 #endif
 }
 
-// What facets reflect does not go into the skin, and on its way out light meets them again.
+// Light reflected by facets does not enter the skin, and leaving light meets them again.
 uniform sampler2D skin_reflected;  // x: over the cosine along u, over m along v; y: the mean over all directions
 
 vec2 reflected_share(float cosine, float m) {
@@ -52,8 +52,8 @@ vec2 reflected_share(float cosine, float m) {
 }
 
 // [coupling]
-// C. Kelemen and L. Szirmay-Kalos, 2001: with these two factors a white surface sends back all light, whatever `scale` of
-// the specular reflection and whatever roughness m it has.
+// C. Kelemen and L. Szirmay-Kalos, 2001: with these two factors a white surface returns all light, for any `scale` of
+// the specular reflection and any roughness m.
 float way_in(float cosine, float m, float scale) {
     vec2 share = scale * reflected_share(cosine, m);
     return (1.0 - share.x) / max(1.0 - share.y, 1e-3);

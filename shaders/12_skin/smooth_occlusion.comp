@@ -1,4 +1,4 @@
-// The mean over three by three texels of a chart: what few rays leave as noise goes, and corners stay dark.
+// Mean over three by three texels of a chart: removes the noise of few rays, keeps corners dark.
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D from;
 layout(rgba16f) writeonly uniform image2D into;

@@ -1,4 +1,4 @@
-// What of the surface lies in a texel of the map.
+// Attributes of the surface in a texel of the map.
 #include "04_surface_maps/surface_maps.glsl"
 
 layout(location = 9) flat in uint chart;

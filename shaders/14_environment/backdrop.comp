@@ -1,4 +1,4 @@
-// The surroundings behind, and the ground below, on which what was photographed there is projected.
+// The surroundings behind, and the ground below with the photographed ground projected on it.
 #include "11_fractals/cubic_picture.glsl"
 #include "11_fractals/environment.glsl"
 #include "14_environment/backdrop_data.h"
@@ -22,8 +22,8 @@ void main() {
     float t = direction.y < 0.0 ? (now.ground_y - rays.eye.y) / direction.y : -1.0;
     bool on_ground = now.has_ground == 1u && t > 0.0;
     vec3 place = rays.eye + t * direction;
-    // As the camera saw it that took the picture, from its height above the ground.
-    // Beyond the radius it goes over into what is infinitely far away: things stand there that are no ground.
+    // As seen by the photographing camera, from its height above the ground. Beyond the radius it blends into
+    // infinite distance, since objects stand there.
     if (on_ground) {
         vec3 projected = normalize(place - vec3(0.0, now.ground_y + now.camera_m, 0.0));
         seen = mix(projected, direction, smoothstep(now.radius_m, 2.5 * now.radius_m, length(place.xz)));

@@ -1,4 +1,4 @@
-// How the surroundings are shown behind what stands in them.
+// Display of the surroundings behind the scene.
 #pragma once
 #include <common/shared.h>
 

@@ -18,7 +18,7 @@ void main() {
     vec3 n = normalize(normal), to_eye = normalize(view.eye - position);
     float most = max(dot(beat_now.heights, vec3(1.0)), 1e-6), share = raised / most;
     float moved = smoothstep(0.0, 0.15, most);
-    // What stands around a valley hides a part of the surroundings: a rule of thumb.
+    // Mountains around a valley hide part of the surroundings: a rule of thumb.
     float open = mix(1.0, 0.3 + 0.7 * smoothstep(0.0, 0.35, share), moved);
 
     vec3 f0 = mix(beat_look.valley, beat_look.peak, smoothstep(0.0, 0.4, share));

@@ -1,5 +1,5 @@
-// Waves on a sphere, and the normal of a sphere that they displace. What has a height is a vec4: w is the height over the
-// sphere, as a share of its radius, xyz its gradient there, in the space around.
+// Waves on a sphere, and the normal of the displaced sphere. A wave is a vec4: w is its height over the sphere, as a
+// share of the radius, xyz its gradient there, in the space around.
 
 // [waves]
 // Plane waves along the six axes of an icosahedron: their sum has its symmetry on the sphere, and no pole. Heights are 0

@@ -4,7 +4,7 @@
 #include "14_environment/paint_model.glsl"
 #include "14_environment/substance_data.h"
 
-// Bumps of a surface without texture coordinates: noise in space, whose gradient turns the normal.
+// Bumps of a surface without texture coordinates: the gradient of noise in space turns the normal.
 
 float bump_corner(ivec3 cell) { return lattice(cell.xy + ivec2(7919, 104729) * cell.z); }
 
@@ -37,7 +37,7 @@ layout(scalar) readonly buffer SubstancesBuffer { SubstanceData substances[]; };
 struct CoatedSurface {
     MappedSurface m;
     vec3 albedo;  // of the body, in the light of the scene's lights; 0 for car paint, which has a table for them
-    vec3 f0;      // what the coat reflects when looked at straight on
+    vec3 f0;      // the coat's reflectance at normal incidence
     float alpha;  // of the coat: GGX, the square of roughness
     bool is_paint;
 };

@@ -13,7 +13,7 @@ void main() {
     float size = float(imageSize(cube).x);
     if (any(greaterThanEqual(texel.xy, uvec2(imageSize(cube).xy)))) return;
     vec2 texels = vec2(textureSize(picture, 0));
-    // A face is a quarter of the way around. The level whose texels are as wide as a quarter of this one.
+    // A face spans a quarter turn. The level with texels as wide as a quarter of this one's.
     float lod = max(log2(texels.x / (8.0 * size)), 0.0);
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < 4u; ++i) {

@@ -1,4 +1,4 @@
-// Light from all around: what the module ImageLight gives to shaders.
+// Image-based light: the module ImageLight for shaders.
 #include "11_fractals/environment.glsl"
 #include "14_environment/box_project.glsl"
 #include "14_environment/ggx.glsl"
@@ -17,7 +17,7 @@ struct LitFromAround {
     vec3 position;  // metres, world space
     vec3 normal;    // unit length, world space
     vec3 to_eye;    // unit length, world space
-    vec3 f0;        // what it reflects when looked at straight on
+    vec3 f0;        // reflectance at normal incidence
     float alpha;    // GGX; the square of roughness
 };
 
@@ -53,7 +53,7 @@ vec3 sh_irradiance(vec3 n) {
 }
 // [/sh9]
 
-// Irradiance over pi: what a white matt surface shows.
+// Irradiance over pi: the radiance of a white matt surface.
 vec3 diffuse_light(vec3 position, vec3 normal) {
     vec3 n = environment_space(normal);
 #if IMAGE_LIGHT_DIFFUSE == IMAGE_LIGHT_DIFFUSE_CONSTANT
@@ -83,13 +83,13 @@ vec3 dominant_direction(vec3 normal, vec3 mirrored, float alpha) {
 
 struct FromAround {
     vec3 specular;       // radiance towards the eye
-    vec3 diffuse_share;  // of what enters the surface beneath: 1 less what is reflected
+    vec3 diffuse_share;  // share of light that enters the surface: 1 less the reflected share
     vec3 multiple;       // of `specular`: light that left the microfacets after more than one of them
 };
 
 // [multiscatter]
-// What GGX loses because light that hits a second microfacet is dropped: C. Fdez-Aguera, "A Multiple-Scattering Microfacet
-// Model for Real-Time Image-based Lighting", JCGT 8(1), 2019. Of irradiance over pi.
+// Energy that GGX loses by dropping second microfacet hits: C. Fdez-Aguera, "A Multiple-Scattering Microfacet Model
+// for Real-Time Image-based Lighting", JCGT 8(1), 2019. In units of irradiance over pi.
 vec3 multiple_scattering(vec3 f0, vec2 ab) {
     float missing = 1.0 - ab.x - ab.y;
     vec3 single = f0 * ab.x + ab.y, mean = f0 + (1.0 - f0) / 21.0;
@@ -109,7 +109,7 @@ FromAround reflected_from_around(LitFromAround s) {
     r.specular = fresnel * radiance_along(s.position, mirrored, 0.0);
     r.diffuse_share = 1.0 - fresnel;
 #elif IMAGE_LIGHT_METHOD == IMAGE_LIGHT_METHOD_BOX_MIPS
-    // The level whose texels are as wide as the lobe: half of its light lies within atan(alpha) of half vectors.
+    // The level with texels as wide as the lobe: half of its light lies within atan(alpha) of half vectors.
     vec3 fresnel = schlick_roughness(n_dot_v, s.f0, roughness);
     float level = log2(max(2.0 * atan(s.alpha) * image_light_state.texels / (0.5 * pi), 1.0));
     r.specular = fresnel * radiance_along(s.position, mirrored, level);

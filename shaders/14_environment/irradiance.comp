@@ -1,5 +1,5 @@
-// Irradiance over pi, for each normal the sum over all texels of a small level of the cube: what a white matt surface
-// shows. There are fewer normals than a GPU has lanes, so a workgroup shares the sum of one.
+// Irradiance over pi, for each normal the sum over all texels of a small level of the cube: the radiance of a white
+// matt surface. There are fewer normals than GPU lanes, so a workgroup shares the sum of one.
 #include "11_fractals/environment_map.glsl"
 #include "14_environment/cube_texel.glsl"
 #include "common/structs.h"
@@ -28,6 +28,6 @@ void main() {
         barrier();
         if (lane < half_way) sums[lane] += sums[lane + half_way];
     }
-    // The weights of a few texels do not add up to pi; those of all texels do.
+    // The weights of a few texels do not sum to pi; those of all texels do.
     if (lane == 0u) imageStore(irradiance, ivec3(texel), vec4(min(sums[0].rgb / sums[0].w, LARGEST_HALF), 1.0));
 }

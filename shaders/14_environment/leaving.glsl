@@ -1,5 +1,5 @@
-// What leaves a surface beside what it reflects of the scene's lights: light of its surroundings, and what it emits.
-// Whoever includes it says what stands in the way of light: unoccluded.glsl or occluded.glsl.
+// Light leaving a surface, except for reflections of the scene's lights: reflected surroundings and emission. The
+// includer selects occlusion: unoccluded.glsl or occluded.glsl.
 #include "03_attenuation/lighting.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "14_environment/coated.glsl"
@@ -7,7 +7,7 @@
 #include "14_environment/paint.glsl"
 
 // [paint_lights]
-// What the scene's lights leave of paint, by its table; each light's radiance is what a matt white surface shows.
+// Paint under the scene's lights, by its table; each light's radiance is that of a matt white surface.
 vec3 paint_lights(MappedSurface m, float n_dot_v) {
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < lights_data.length(); ++i) {
@@ -22,7 +22,7 @@ vec3 paint_lights(MappedSurface m, float n_dot_v) {
 // [/paint_lights]
 
 // [leaving]
-// Radiance towards the eye, of what lies below the coat and of the coat itself.
+// Radiance towards the eye, below the coat and of the coat itself.
 struct Leaving {
     vec3 body, coat;
 };

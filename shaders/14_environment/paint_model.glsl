@@ -14,7 +14,7 @@ float below_coat(float cosine) {
     return sqrt(1.0 - (1.0 - cosine * cosine) / (coat_index * coat_index));
 }
 
-// The pigment: what light goes through on its way in and out tints it twice, the more the more it slants.
+// The pigment tints light twice, on its way in and out, more strongly on slanted paths.
 vec3 pigment_brdf(float n_dot_l, float n_dot_v) {
     float way = 0.5 * (1.0 / below_coat(n_dot_l) + 1.0 / below_coat(n_dot_v)) - 1.0;  // 0 to 0.34
     return mix(paint.color, paint.edge_color, clamp(3.0 * way, 0.0, 1.0)) / pi;
@@ -34,7 +34,7 @@ float flake_brdf(float n_dot_l, float n_dot_v) {
     return ggx_visibility(l, v, alpha) * sum / (float(angles) * coat_index * coat_index);
 }
 
-// What of the light gets through the coat, in and out.
+// Transmittance of the coat, in and out.
 float through_coat(float n_dot_l, float n_dot_v) {
     return (1.0 - coat_f0) * (1.0 - schlick_power(n_dot_l)) * (1.0 - coat_f0) * (1.0 - schlick_power(n_dot_v));
 }

@@ -1,5 +1,5 @@
-// Car paint over (n·l, n·v): its BRDF per steradian, a texel for each pair of cosines, and below it, in two more rows, what
-// pigment and flakes send back in all to each n·v.
+// Car paint over (n·l, n·v): its BRDF per steradian, a texel for each pair of cosines, and below it, in two more
+// rows, the albedo of pigment and flakes for each n·v.
 #include "14_environment/paint_data.h"
 #include "14_environment/paint_model.glsl"
 #include "14_environment/importance_sample_ggx.glsl"

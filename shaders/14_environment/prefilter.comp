@@ -1,4 +1,5 @@
-// One face of one level of the prefiltered cube: what a surface of that roughness reflects, looked at along its normal.
+// One face of one level of the prefiltered cube: the reflection of a surface of that roughness, viewed along its
+// normal.
 #include "11_fractals/environment_map.glsl"
 #include "14_environment/ggx.glsl"
 #include "14_environment/importance_sample_ggx.glsl"
@@ -12,9 +13,9 @@ layout(scalar) uniform PrefilterBlock { int samples; float bias; } prefilter;
 layout(rgba16f) writeonly uniform image2D face_level;
 
 // [prefilter]
-// B. Karis, "Real Shading in Unreal Engine 4", 2013: normal and view are taken for equal, and samples are weighed by n·l.
-// M. Colbert and J. Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007: each is read from the level whose texels
-// are as large as the solid angle that it stands for.
+// B. Karis, "Real Shading in Unreal Engine 4", 2013: assumes normal and view equal, and weighs samples by n·l. M.
+// Colbert and J. Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007: each is read from the level with texels
+// as large as its solid angle.
 vec3 filtered(vec3 normal, float alpha, uint samples, float bias) {
     mat3 frame = frame_around(normal);
     float texels = float(textureSize(radiance, 0).x), texel_rad2 = 4.0 * pi / (6.0 * texels * texels);

@@ -1,5 +1,5 @@
-// A face of a cube from a picture that was drawn of it. Pictures show what lies to the right on the right; the faces of a
-// cube are seen from outside (Vulkan 1.3, 16.5.4), and so mirrored.
+// A face of a cube from a picture drawn of it. Faces of a cube are seen from outside (Vulkan 1.3, 16.5.4), and so
+// mirrored.
 #include "common/light.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

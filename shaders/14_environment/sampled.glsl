@@ -3,8 +3,8 @@
 #include "14_environment/cube_texel.glsl"
 #include "14_environment/importance_sample_ggx.glsl"
 
-// Whether light from a direction (unit length, world space) arrives at a place. Whoever lights says so: by
-// 14_environment/unoccluded.glsl, for which everything arrives, or by rays.
+// Whether light from a direction (unit length, world space) reaches a point. Defined by the includer: by
+// 14_environment/unoccluded.glsl, without occlusion, or by rays.
 bool light_arrives(vec3 position, vec3 direction);
 
 uniform sampler2DArray image_light_texels;  // image_light_radiance as six layers

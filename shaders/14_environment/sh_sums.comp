@@ -1,4 +1,4 @@
-// An environment as nine colours, from a small level of the cube: one workgroup, whose threads each have some texels.
+// An environment as nine colours, from a small level of the cube: the threads of one workgroup share the texels.
 #include "11_fractals/environment_map.glsl"
 #include "14_environment/cube_texel.glsl"
 

@@ -4,8 +4,8 @@
 #ifndef SPLIT_SUM_GIVEN  // checks have samples of their own
 const uint split_sum_threads = 256u;
 
-// A half vector among those that `to_eye` sees: E. Heitz, "Sampling the GGX Distribution of Visible Normals", JCGT 7(4),
-// 2018. At grazing angles others are mostly hidden.
+// A half vector among those visible from `to_eye`: E. Heitz, "Sampling the GGX Distribution of Visible Normals", JCGT
+// 7(4), 2018. At grazing angles others are mostly hidden.
 vec3 visible_half_vector(vec2 random, vec3 to_eye, float alpha) {
     vec3 eye = normalize(vec3(alpha * to_eye.xy, to_eye.z));  // where the surface is a half sphere
     float r = sqrt(random.x), phi = 2.0 * pi * random.y;

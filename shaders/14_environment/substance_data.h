@@ -1,4 +1,4 @@
-// What a model's material says of its surface beyond chapter 04's numbers, for each of the scene's items.
+// Surface properties of a model's material beyond chapter 04's numbers, for each of the scene's items.
 #pragma once
 #include <common/shared.h>
 

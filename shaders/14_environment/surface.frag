@@ -1,3 +1,3 @@
-// A surface in the light of its surroundings. For what rays find hidden, occluded.glsl is read in place of unoccluded.glsl.
+// A surface in the light of its surroundings. For occlusion by rays, occluded.glsl replaces unoccluded.glsl.
 #include "14_environment/surface.glsl"
 #include "14_environment/unoccluded.glsl"

@@ -1,5 +1,5 @@
-// A surface with all its maps, lit by the scene's lights and by its surroundings. Car paint is a layer below a clear coat.
-// Whoever includes it says what stands in the way of light: unoccluded.glsl or occluded.glsl.
+// A surface with all its maps, lit by the scene's lights and by its surroundings. Car paint is a layer below a clear
+// coat. The includer selects occlusion: unoccluded.glsl or occluded.glsl.
 #include "14_environment/leaving.glsl"
 #include "04_surface_maps/reflection.glsl"
 #include "common/put_surface.glsl"
@@ -13,7 +13,7 @@ void main() {
     light.body += c.albedo * lit.diffuse;
     light.coat += c.m.substance.mixed.specular * lit.specular;
 #ifdef TRANSPARENT
-    // What is reflected covers what lies behind; the rest lets it through as far as alpha says.
+    // Reflections cover the background; alpha lets the rest through.
     float n_dot_v = clamp(dot(c.m.surface.normal, c.m.surface.to_eye), 1e-3, 1.0);
     float covered = mix(max(c.f0.r, max(c.f0.g, c.f0.b)), 1.0, schlick_power(n_dot_v));
     float opacity = max(1.0 - (1.0 - c.m.alpha) * (1.0 - covered), 1e-3);

@@ -1,4 +1,4 @@
-// The next layer behind those that were peeled off.
+// The next layer behind the peeled ones.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2D layer;

@@ -4,12 +4,12 @@
 uniform sampler2D land_errors;
 layout(scalar) uniform ChunkViewBlock {
     mat4 to_clip;
-    vec3 from;           // metres, world space: what distances count from
+    vec3 from;           // metres, world space: origin of distances
     float metres_per_m;  // error that is allowed, for each metre of distance
     int fixed_level;     // draw this level everywhere; -1: by the error
 } chunk_view;
 
-// Of a place whose samples are counted from the map's corner.
+// A point by samples from the map's corner.
 vec3 chunk_point(ivec2 at) {
     return vec3(land_map.corner.x + land_map.spacing_m * float(at.x), texelFetch(land_heights, at, 0).r,
                 land_map.corner.y + land_map.spacing_m * float(at.y));

@@ -16,7 +16,7 @@ layout(scalar) uniform CityLightBlock { vec2 city_light; };  // radiance of a li
 
 void main() {
     CityBox box = city_boxes[gl_InstanceIndex];
-    // Faces: four walls, then the roof. Along u and v, whose cross product points outwards.
+    // Faces: four walls, then the roof. Along u and v, with a cross product pointing outwards.
     int face = gl_VertexIndex / 6, corner = gl_VertexIndex % 6;
     vec2 uv = vec2(corner == 1 || corner == 2 || corner == 4 ? 1.0 : -1.0, corner == 2 || corner == 4 || corner == 5 ? 1.0 : -1.0);
     vec3 out_of = face == 0 ? vec3(0, 0, 1) : face == 1 ? vec3(1, 0, 0) : face == 2 ? vec3(0, 0, -1) : face == 3 ? vec3(-1, 0, 0) : vec3(0, 1, 0);

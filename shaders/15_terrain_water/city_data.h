@@ -12,7 +12,7 @@ struct CityBox {
     vec3 half_size;  // metres; y is half its height
     float base_m;    // of its foot over the ground
     uint kind;       // CITY_HOUSE, CITY_TOWER or CITY_LAMP
-    uint number;     // what its colour and its windows are chosen by
+    uint number;     // seed of its colour and windows
 };
 
 // The blocks of a city as a grid over level ground, for rays. All boxes are turned by the same angle.

@@ -41,7 +41,7 @@ void meet_box(uint index, vec3 from, vec3 along, inout CityHit hit) {
 // The nearest box that a ray meets within `most` times its direction.
 CityHit city_hit(vec3 origin, vec3 direction, float most) {
     CityHit hit = CityHit(-1.0, 0u, vec3(0.0), vec3(0.0));
-    // In the axes of the blocks, whose middles lie at multiples of the pitch.
+    // In the axes of the blocks, centred at multiples of the pitch.
     float c = cos(city_grid.yaw), s = sin(city_grid.yaw);
     vec2 away = origin.xz - city_grid.middle;
     vec3 from = vec3(c * away.x - s * away.y, origin.y, s * away.x + c * away.y);

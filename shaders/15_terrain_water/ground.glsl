@@ -1,4 +1,4 @@
-// The ground's heights and slopes at a place of the world. The module Ground gives a pass what this file names.
+// The ground's heights and slopes at a point of the world. The module Ground provides the names used here.
 #include "15_terrain_water/land_data.h"
 
 layout(scalar) uniform LandMapBlock { LandMap land_map; };

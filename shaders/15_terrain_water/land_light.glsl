@@ -17,7 +17,7 @@ LandSurface land_seen(vec3 position, vec3 ray, float footprint, out vec3 normal)
 // [/surface]
 
 // [light]
-// The sun where nothing hides it; the sky, less of it in valleys and on walls; and what sunny ground opposite sends.
+// Unoccluded sun; the sky, less of it in valleys and on walls; and light from sunny ground opposite.
 vec3 land_light(LandSurface surface, vec3 normal, vec3 position, float footprint, vec3 to_sun) {
     Path here = path_from(position, to_sun, to_sun);
     Place place = Place(max(here.height, 0.0), here.sun);

@@ -23,7 +23,7 @@ float meet_cell(ivec2 cell, vec3 at, vec3 step_t, vec2 t) {
         }
         float over = at.y - plane.x - dot(plane.yz, from), rate = step_t.y - dot(plane.yz, step_t.xz);
         float first = over + part.x * rate, last = over + part.y * rate;
-        // What is below the ground by more than rounding was there before: it does not come down here.
+        // A point below the ground by more than rounding was there before: it does not descend here.
         if (last <= 0.0 && first >= -1e-3 * (1.0 + abs(at.y) * 1e-2)) return clamp(rate < 0.0 ? -over / rate : part.x, part.x, part.y);
     }
     return -1.0;

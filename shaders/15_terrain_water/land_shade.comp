@@ -1,4 +1,4 @@
-// What the ground looks like where it was found.
+// Shading of the ground where it was found.
 #include "15_terrain_water/no_sun_shadow.glsl"
 #include "15_terrain_water/land_light.glsl"
 #include "15_terrain_water/chunks.glsl"

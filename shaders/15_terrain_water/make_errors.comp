@@ -15,8 +15,8 @@ shared float greatest[64];
 float height_at(ivec2 at) { return texelFetch(heights, at, 0).r; }
 
 // [error]
-// From the plane of one of the two triangles of a cell, whose common edge runs from its upper right to its lower left
-// corner. On a wall that is far less than the distance straight up, which nobody sees from before the wall.
+// From the plane of one of the two triangles of a cell, with the common edge from its upper right to its lower left
+// corner. On a wall that is far less than the vertical distance, which is invisible from in front.
 float distance_from_cell(ivec2 at, ivec2 corner, int cell) {
     vec2 t = vec2(at - corner) / float(cell);
     float a = height_at(corner), b = height_at(corner + ivec2(cell, 0));

@@ -1,4 +1,4 @@
-// Heights of the ground: the source between its samples, and what it is too coarse to show.
+// Heights of the ground: the source between its samples, and added detail.
 #include "15_terrain_water/land_data.h"
 #include "11_fractals/eroded_fbm.glsl"
 
@@ -53,7 +53,7 @@ void main() {
     float slope = land_source.height_scale * length(from.yz * land_source.step) / land_source.spacing_m;
 
     // [detail]
-    // Slopes erode to gullies and ribs, level ground does not: it is what they have filled.
+    // Slopes erode to gullies and ribs; level ground is filled by sediment.
     float steep = smoothstep(0.03, 0.4, slope);
     if (land_source.detail_m > 0.0) {
         float octaves = clamp(log2(900.0 / (2.0 * land_source.spacing_m)) / 1.161, 1.0, 8.0);

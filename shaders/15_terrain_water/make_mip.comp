@@ -1,4 +1,4 @@
-// A level of a picture: the mean of 2x2 texels of the one before, of what lies there where its size is odd.
+// A mip level: the mean of 2x2 texels of the previous one, or of those that exist if its size is odd.
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D finer;
 layout(rgba16f) writeonly uniform image2D result;

@@ -29,7 +29,7 @@ void main() {
         places[to] = next - 1u;
     }
 
-    // 2. Front to back: what is left of the light goes on.
+    // 2. Front to back, with the remaining transmittance.
     vec3 sum = vec3(0.0);
     float left = 1.0;
     for (int i = 0; i < count; ++i) {

@@ -11,7 +11,7 @@ void main() {
     float all = texelFetch(absorbance, at, 0).r;
     if (all == 0.0) return;
     vec4 dimmed = texelFetch(sum, at, 0);
-    // The sum's own alpha is what it hides by its own account; what all surfaces hide is known exactly.
+    // The sum's own alpha only weighs it; the opacity of all surfaces is known exactly.
     float behind = exp(-all);
     vec4 before = imageLoad(picture, at);
     vec3 mixed = behind * before.rgb + (1.0 - behind) * dimmed.rgb / max(dimmed.a, 1e-5);

@@ -1,4 +1,4 @@
-// The depth that moments are taken of, and the absorbance whose moments they are.
+// The depth used for moments, and the absorbance they measure.
 #include "15_terrain_water/transparency_data.h"
 
 layout(scalar) uniform TransparencyNowBlock { TransparencyNow transparency_now; };
@@ -10,5 +10,5 @@ float moment_depth() {
     return 2.0 * log(distance_m / near_m) / log(far_m / near_m) - 1.0;
 }
 
-// What an alpha of 1 absorbs is infinite; 2^-20 is left.
+// An alpha of 1 has infinite absorbance; 2^-20 remains.
 float absorbance_of(float alpha) { return -log(max(1.0 - alpha, 9.5e-7)); }

@@ -1,4 +1,4 @@
-// The depth of a mirror image, whose near plane is the water, as the depth of its camera's own near plane.
+// The depth of a mirror image, with the water as near plane, as the depth of its camera's own near plane.
 #include "common/view_rays.h"
 
 layout(scalar) uniform MirrorRaysBlock { ViewRays mirror_rays; };

@@ -2,7 +2,7 @@
 // N. Thibieroz, "Real-Time Concurrent Linked List Construction on the GPU", EGSR 2010.
 #include "15_terrain_water/transparency_data.h"
 
-layout(early_fragment_tests) in;  // or what lies behind something opaque would be listed as well
+layout(early_fragment_tests) in;  // else surfaces behind opaque ones would be listed
 
 layout(scalar) uniform TransparencyNowBlock { TransparencyNow transparency_now; };
 layout(scalar) buffer ListHeadsBuffer { uint list_heads[]; };

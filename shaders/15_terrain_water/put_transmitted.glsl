@@ -1,4 +1,4 @@
-// Moment-based transparency, second pass: each surface dimmed by what the moments say of those before it.
+// Moment-based transparency, second pass: each surface dimmed by the transmittance from the moments.
 #include "15_terrain_water/moment_depth.glsl"
 
 // Transmittance before a depth from four power moments of absorbance.

@@ -1,5 +1,5 @@
-// Weighted, blended order-independent transparency: what each surface adds to the sums. M. McGuire and L. Bavoil,
-// "Weighted Blended Order-Independent Transparency", JCGT 2(2), 2013.
+// Weighted, blended order-independent transparency: each surface's contribution to the sums. M. McGuire and L.
+// Bavoil, "Weighted Blended Order-Independent Transparency", JCGT 2(2), 2013.
 #include "15_terrain_water/wboit_weight.glsl"
 
 layout(location = 0) out vec4 weighted;  // added up

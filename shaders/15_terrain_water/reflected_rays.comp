@@ -1,4 +1,4 @@
-// What reflected rays meet: the ground, houses and objects, each lit as it is where the camera sees it.
+// Hits of reflected rays: ground, houses and objects, lit as in the camera's view.
 #include "15_terrain_water/no_sun_shadow.glsl"
 #include "05_shadow_maps/bvh.glsl"
 #include "15_terrain_water/land_light.glsl"
@@ -16,7 +16,7 @@ layout(scalar) uniform WaterRaysBlock { ViewRays water_rays; };
 layout(scalar) uniform ToSunBlock { vec3 to_sun; };
 layout(scalar) uniform RaysMeetBlock { uvec3 rays_meet; };  // 1: ground, houses, objects
 
-// Of what is left after `t` metres of air at a height: as if the air were as dense all the way.
+// Transmittance of `t` metres of air at a height, with constant density along the path.
 vec3 left_by_air(float height, float t) { return exp(-t * extinction(density_at(max(height, 0.0)))); }
 
 vec3 house_light(CityHit hit, vec3 position, float seen_m) {
@@ -52,7 +52,7 @@ void main() {
     float nearest = 1e30;
     vec4 light = vec4(0.0);
     if (ray.w > 0.0) {
-        // 1. The nearest of what it meets.
+        // 1. The nearest hit.
         float ground = rays_meet.x == 1u ? march(origin, direction) : -1.0;
         if (ground > 0.0) nearest = ground;
         CityHit house = CityHit(-1.0, 0u, vec3(0.0), vec3(0.0));
@@ -63,7 +63,7 @@ void main() {
         if (rays_meet.z == 1u) is_object = closest_hit(Ray(origin, 1e-3, direction, nearest), object);
         if (is_object) nearest = object.t;
 
-        // 2. Its light, and what of it the air lets through.
+        // 2. Its light, and the transmittance of the air.
         if (nearest < 1e30) {
             vec3 position = origin + nearest * direction, shown;
             float seen_m = nearest + length(begins - water_rays.eye);

@@ -1,5 +1,5 @@
-// What houses and objects leave of the sun's light: what the module SunShadow gives to shaders. Where it gives nothing,
-// no_sun_shadow.glsl stands in its place.
+// Sun shadows of houses and objects: the module SunShadow for shaders. Without it, no_sun_shadow.glsl is included
+// instead.
 #include "05_shadow_maps/shadow.glsl"
 
 float sun_left_by_houses(vec3 position, vec3 normal, vec3 to_sun) { return light_visibility(0u, position, normal, to_sun).r; }

@@ -1,4 +1,4 @@
-// What fragments of transparent surfaces know of the picture, and what a list holds.
+// Picture data for fragments of transparent surfaces, and the entry of a list.
 #pragma once
 #include <common/shared.h>
 

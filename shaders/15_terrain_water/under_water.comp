@@ -1,4 +1,4 @@
-// What an eye below the surface sees: everything through water.
+// The view from below the surface: everything through water.
 #include "common/view_rays.h"
 #include "15_terrain_water/water_data.h"
 

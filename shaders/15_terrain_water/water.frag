@@ -1,4 +1,4 @@
-// A water surface from above or from below: what it reflects, what shows through it, and its foam.
+// A water surface from above or from below: reflection, refraction and foam.
 #include "common/view_rays.h"
 #include "14_environment/image_light.glsl"
 #include "15_terrain_water/fresnel_water.glsl"
@@ -32,9 +32,9 @@ vec3 through_water(vec3 normal, vec3 to_eye, float distance_m, out float depth_m
 // [/refraction]
 
 // [glitter]
-// The sun in facets whose slopes are normally distributed with `variance` (both axes together). R. Cook and K. Torrance's
-// model with P. Beckmann's distribution; C. Bruneton et al., "Real-time Realistic Ocean Lighting using Seamless Transitions
-// from Geometry to BRDF", Eurographics 2010.
+// The sun in facets with normally distributed slopes of `variance` (both axes together). R. Cook and K. Torrance's
+// model with P. Beckmann's distribution; C. Bruneton et al., "Real-time Realistic Ocean Lighting using Seamless
+// Transitions from Geometry to BRDF", Eurographics 2010.
 vec3 glitter(vec3 normal, vec3 to_eye, float variance) {
     vec3 middle = to_eye + water_now.to_sun;
     if (dot(middle, middle) < 1e-8 || water_now.to_sun.y <= 0.0) return vec3(0.0);
@@ -63,7 +63,7 @@ void main() {
     float fresnel = fresnel_water(facet.cosine, below ? WATER_INDEX : 1.0, below ? 1.0 : WATER_INDEX);
     if (!below) fresnel = rough_reflectance(fresnel, facet.cosine, sqrt(0.5 * facet.variance));
 
-    // 3. What is reflected, and what comes through.
+    // 3. Reflected and transmitted light.
     float depth_m;
     vec3 through, reflected;
     if (below) {

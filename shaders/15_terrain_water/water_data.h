@@ -1,4 +1,4 @@
-// What shaders know of a water surface.
+// Shader data of a water surface.
 #pragma once
 #include <common/shared.h>
 
@@ -15,11 +15,11 @@ struct WaveData {
 struct WaterNow {
     vec2 center;               // x and z below the camera: the middle of the rings
     float level_m;             // of the water at rest
-    float first_m, growth;     // radius of the first ring, and by what each is larger than the one before
+    float first_m, growth;     // radius of the first ring, and growth factor per ring
     float from_rad, wide_rad;  // the sector that is seen
     float pixel_rad;           // of the view
     vec3 absorption;           // 1/m
-    vec3 turbid;               // what deep water sends back of the light that falls on it
+    vec3 turbid;               // diffuse albedo of deep water
     vec3 to_sun, sun, sky;     // as Scene::sun() has it
     float roughness;           // standard deviation of the slopes of ripples that no wave stands for
     float refraction;          // 0: straight through
@@ -43,8 +43,8 @@ const uint OCEAN_TEXELS = 256u;
 
 // One wave of the ocean's spectrum.
 struct OceanWave {
-    vec2 forward;   // complex amplitude in metres of what runs along k
-    vec2 backward;  // of what runs against it, conjugated
+    vec2 forward;   // complex amplitude in metres of the wave along k
+    vec2 backward;  // of the wave against it, conjugated
     vec2 k;         // 1/m
     float cycles;   // in the time after which all repeats: a whole number
 };

@@ -1,4 +1,4 @@
-// The water surface in a pixel: its normal as finely as the pixels are, and the variance of what is finer.
+// The water surface in a pixel: its normal at the pixel's resolution, and the variance of finer detail.
 #include "15_terrain_water/water_surface.glsl"
 
 struct Facet {
@@ -21,7 +21,7 @@ Facet facet_at(vec2 at_rest, vec3 to_eye, bool below) {
     return Facet(normal, cosine, p.hidden + 2.0 * water_now.roughness * water_now.roughness, spacing, p.slopes);
 }
 
-// What arrives at the eye comes from there, if it was reflected once; never from below the horizon.
+// Direction of the reflected light seen at the eye, after one reflection; never below the horizon.
 vec3 mirrored_direction(Facet facet, vec3 to_eye) {
     vec3 mirrored = reflect(-to_eye, facet.normal);
     return vec3(mirrored.x, abs(mirrored.y), mirrored.z);

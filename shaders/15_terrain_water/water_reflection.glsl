@@ -1,4 +1,5 @@
-// What a water surface reflects: the surroundings from a cube, the picture itself, the scene drawn from below, or rays.
+// Reflections in a water surface: the surroundings from a cube, the picture itself, the scene drawn from below, or
+// rays.
 #include "common/structs.h"
 #include "common/view_rays.h"
 
@@ -6,9 +7,9 @@ layout(scalar) uniform ViewBlock { CameraView view; };
 layout(scalar) uniform WaterRaysBlock { ViewRays water_rays; };
 uniform sampler2D behind;        // the picture without the water
 uniform sampler2D behind_depth;  // reversed
-uniform sampler2D mirror;        // the scene as the water shows it, turned from left to right; method rays: what was met
+uniform sampler2D mirror;        // the mirror image, flipped left to right; method rays: the hits
 
-// Along the view, of what lies at a pixel; at least a nanometre deep, so that the sky is far but finite.
+// Along the view, of a pixel's surface; depth at least a nanometre, so that the sky is far but finite.
 float distance_at(vec2 pixel) {
     float depth = texelFetch(behind_depth, ivec2(pixel), 0).r;
     return distance_along_view(water_rays, max(depth, 1e-7));
@@ -18,13 +19,13 @@ float distance_at(vec2 pixel) {
 float distance_m_of_ray(vec2 pixel) { return length(ray_through(water_rays, pixel)); }
 
 vec3 sky_along(vec3 from, vec3 direction, float deviation) {
-    // Facets spread what they reflect over twice their angle.
+    // Facets spread reflections over twice their angle.
     float level = log2(max(2.0 * atan(2.0 * deviation) * image_light_state.texels / 1.5708, 1.0));
     return radiance_along(from, direction, min(level, 4.0));  // beyond it texels of the cube would be seen
 }
 
 // [screen_space]
-// Where the picture shows what a ray meets: steps that grow with the distance, then halved. w: 0 where it does not.
+// The ray's hit within the picture: steps that grow with the distance, then halved. w: 0 if there is none.
 vec4 screen_space(vec3 from, vec3 direction, float distance_m) {
     float t = 0.05 * distance_m, before = 0.0;
     vec2 size = vec2(textureSize(behind, 0));
@@ -35,7 +36,7 @@ vec4 screen_space(vec3 from, vec3 direction, float distance_m) {
         if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, size))) return vec4(0.0);
         float there = distance_at(pixel);
         if (clip.w > there) {
-            // Behind what is seen: by little it was met, by much the ray went past it.
+            // Behind the visible surface: slightly means a hit, far means the ray passed behind it.
             float low = before, high = t;
             for (int k = 0; k < 6; ++k) {
                 float middle = 0.5 * (low + high);
@@ -57,8 +58,8 @@ vec4 screen_space(vec3 from, vec3 direction, float distance_m) {
 // [/screen_space]
 
 // [planar]
-// The mirror image at this pixel, counted from the other edge. A normal tilted by an angle turns what is reflected by twice
-// that angle in the plane of view, and sideways by the less the flatter the view is. Exact for what is far away.
+// The mirror image at this pixel, counted from the opposite edge. A normal tilted by an angle turns the reflection by
+// twice that angle in the plane of view, and less sideways at flatter views. Exact for distant objects.
 vec3 planar(vec3 normal, vec3 to_eye) {
     vec2 size = vec2(textureSize(behind, 0));  // the mirror image may have fewer pixels
     vec3 forward = normalize(vec3(-to_eye.x, 0.0, -to_eye.z) + vec3(1e-6, 0.0, 0.0));
@@ -80,7 +81,7 @@ vec3 reflected_light(vec3 from, vec3 normal, vec3 to_eye, vec3 direction, float 
     vec4 met = screen_space(from, direction, distance_m);
     return mix(sky_along(from, direction, deviation), met.rgb, met.a);
 #elif WATER_REFLECTION == WATER_REFLECTION_RAYS
-    // What the pixel's ray met, as much of it as the air lets through; behind that the air and the sky.
+    // The hit of the pixel's ray through the air; behind it air and sky.
     vec4 met = texelFetch(mirror, ivec2(gl_FragCoord.xy), 0);
     return met.rgb + (1.0 - met.a) * sky_along(from, direction, deviation);
 #else

@@ -1,4 +1,4 @@
-// The water's surface: where what rests at a place is now, its slopes, and what of them is too fine to be seen.
+// The water's surface: displaced positions, slopes, and the variance of slopes too fine to resolve.
 #include "15_terrain_water/gerstner.glsl"
 #include "15_terrain_water/gerstner_normal.glsl"
 #include "15_terrain_water/water_data.h"
@@ -17,7 +17,7 @@ struct WaterPoint {
 float drawn_share(float wavelength, float spacing) { return smoothstep(2.0, 4.0, wavelength / max(spacing, 1e-6)); }
 
 // [water_at]
-// What rests at `at` = (x, z), where the surface is sampled every `spacing` metres.
+// The point that rests at `at` = (x, z), with the surface sampled every `spacing` metres.
 WaterPoint water_at(vec2 at, float spacing) {
     WaterPoint p = WaterPoint(vec3(0.0), mat3(0.0), 0.0);
 #if WATER_METHOD == WATER_METHOD_SINES || WATER_METHOD == WATER_METHOD_GERSTNER

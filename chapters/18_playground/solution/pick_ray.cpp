@@ -2,7 +2,7 @@
 
 namespace lightwalk::solution {
 
-// In double precision: the near plane may be a hundred thousandth of the distance to what is picked.
+// Double precision, since the near plane may be at a hundred thousandth of the picked distance.
 PickRay pick_ray(const glm::mat4& clip_to_world, glm::vec2 cursor_px, glm::uvec2 size) {
     const glm::dvec2 clip = 2.0 * glm::dvec2(cursor_px) / glm::dvec2(size) - 1.0;
     const auto at_depth = [&](double depth) {

@@ -3,7 +3,8 @@
 namespace lightwalk::solution {
 namespace {
 
-// For each node, whether it or one above it is selected: walks up to what is known, then writes that down on the way back.
+// For each node, whether it or an ancestor is selected: walks up to a known node, then fills in the results on the
+// way back.
 std::vector<char> covered(std::span<const TreeNode> nodes, const std::vector<char>& is_selected) {
     constexpr char unknown = 2;
     std::vector<char> known(nodes.size(), unknown);
