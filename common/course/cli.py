@@ -1,7 +1,7 @@
-"""What ./course does once its packages are there: finds the command's module and runs it.
+"""The ./course command, once its packages are there: finds the command's module and runs it.
 
-Each command is a module with HELP, `add_arguments(parser)` and `run(arguments, rest) -> exit code`, where rest is what
-the parser does not know; a module without PASSES_OPTIONS refuses it. One with `run_words(words)` parses for itself.
+Each command is a module with HELP, `add_arguments(parser)` and `run(arguments, rest) -> exit code`, where rest holds
+unknown arguments; a module without PASSES_OPTIONS refuses it. One with `run_words(words)` parses for itself.
 Of a module that says ALONE, two at once in one tree run one after the other; with SHARDS_APART, two shards do not wait.
 Exit codes: 0; 1 it failed; 2 it was asked wrongly; 130 it was interrupted, 143 it was ended.
 """
@@ -77,12 +77,12 @@ def main(words: list[str]) -> int:
 
 
 def on_one_line(message: str) -> str:
-    """What is no character of a line, in a name that was given, as an escape."""
+    """Escapes control characters in a given name."""
     return "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in message)
 
 
 class Ended(BaseException):
-    """SIGTERM: what was started is ended on the way out, as after Ctrl+C."""
+    """SIGTERM: children are ended on the way out, as after Ctrl+C."""
 
 
 def end(*_):

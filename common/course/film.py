@@ -121,8 +121,8 @@ def write(out: Path, options: list[str]) -> int:
 
 
 def merge(out: Path, made: shards.Merged) -> int:
-    """The parts' pictures as they are, and the film's sound in one piece. What is there under this name stays until the film is
-    whole, and the parts stay."""
+    """The parts' pictures unchanged, and the film's sound in one piece. An existing file of this name stays until the film
+    is complete, and the parts stay."""
     if made.head["ending"] != out.suffix:
         raise UsageError(f"{out}: the parts are {made.head['ending']} files; name the film so")
     try:
@@ -174,7 +174,7 @@ def read_systems(names: list[str]) -> list[dict]:
 
 
 def table(systems: list[dict]) -> str:
-    """One row for each scene: mean and 99th percentile of GPU milliseconds on each system, and what anti-aliasing adds."""
+    """One row for each scene: mean and 99th percentile of GPU milliseconds on each system, and the cost of anti-aliasing."""
     heads = [f"{one['device']}, {one['size'][0]}×{one['size'][1]}" for one in systems]
     lines = ["| scene | " + " | ".join(f"{head}: mean | p99 | MLAA | processor" for head in heads) + " |",
              "|---|" + "---:|" * (4 * len(systems))]

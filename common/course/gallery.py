@@ -85,7 +85,7 @@ def merge_gallery(paths: list[Path]) -> int:
 def draw_gallery() -> int:
     """Builds the programs and draws every picture that is not drawn yet as things stand. Exit code 1 where one failed."""
     folder, pictures = BUILD / "gallery", gallery_pictures()
-    build([chapters()[0]])  # and with it what all chapters share
+    build([chapters()[0]])  # and with it the shared library
     known, start_s = read_drawn(folder), time.monotonic()
     drawer = Drawer(folder, pictures, [], known)
     stale = drawer.draw_all(Programs(drawer.page_changed))
@@ -157,7 +157,7 @@ class Drawer:
         return self.total
 
     def plan(self, chapter: str):
-        """Queues what is to be drawn of a chapter whose program stands."""
+        """Queues a chapter's pictures once its program is built."""
         self.keys[chapter] = key_of(chapter)
         mine = [picture for picture in self.pictures if picture["chapter"] == chapter]
         stale = [picture for picture in mine if self.known.get(picture["image"]) != self.keys[chapter]
@@ -234,7 +234,7 @@ class Drawer:
         self.page_changed(picture)
 
     def page_changed(self, picture: dict | None = None):
-        """Writes the page of what there is, the first time as soon as there is a picture."""
+        """Writes the page of the available pictures, initially after the first one."""
         if not self.programs:
             return
         with self.lock:
@@ -258,7 +258,7 @@ class Drawer:
 
 
 def read_drawn(folder: Path) -> dict:
-    """What each picture was drawn from, as noted when it was drawn."""
+    """Sources of each picture, as noted when it was drawn."""
     try:
         return json.loads((folder / "drawn.json").read_text())
     except (OSError, ValueError):
@@ -266,7 +266,7 @@ def read_drawn(folder: Path) -> dict:
 
 
 def key_of(chapter: str) -> str:
-    """Changes with whatever a chapter's pictures are made of: program, shots, shaders, assets, driver."""
+    """A hash of everything that affects a chapter's pictures: program, shots, shaders, assets, driver."""
     paths = [chapter_program(chapter), ROOT / "tests" / chapter / "shots.json"]
     for folder in ("shaders", "assets"):
         paths += sorted(path for path in (ROOT / folder).rglob("*") if path.is_file())

@@ -25,7 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser):
 
 
 class Picture:
-    """What the program made of a file: its exit code, what it said, and the picture as rows of (r, g, b)."""
+    """A program's result for a file: exit code, message, and the picture as rows of (r, g, b)."""
 
     def __init__(self, case: dict, folder: Path, name: str):
         import numpy
@@ -97,12 +97,12 @@ def wrong(case: dict, draw) -> str:
 
 
 def picture_behind(draw):
-    """What is seen where a model has a hole."""
+    """The background seen through a hole in a model."""
     return draw({"file": "single_sided.gltf", "options": ["--camera-of-file", "1"]}).at(0.5, 0.5)
 
 
 def wrong_thing(case: dict, picture: Picture, draw) -> str:
-    """The same for what is asked of the bare view."""
+    """The same for the bare view."""
     import numpy
     for word, right in (("like", lambda d: d < 1), ("unlike", lambda d: d > 0.4)):
         if word in case:

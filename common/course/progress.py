@@ -7,7 +7,7 @@ QUIET_S = 10  # at most, elsewhere than on a terminal
 
 
 class Progress:
-    """with Progress("building") as progress: progress.show(done, total, "what just ended")"""
+    """with Progress("building") as progress: progress.show(done, total, "the last step")"""
 
     def __init__(self, label: str, stream=sys.stderr):
         self.label, self.stream = label, stream

@@ -17,7 +17,7 @@ SHADER_CACHE = Path(os.environ.get("LIGHTWALK_CACHE", ROOT / "build" / "shader_c
 
 
 class UsageError(Exception):
-    """What the person typed cannot be done: one line that says what would be right. Exit code 2."""
+    """An impossible command: one line with the remedy. Exit code 2."""
 
 
 class Failure(Exception):
@@ -145,7 +145,7 @@ def is_edited(path: Path) -> bool:
 
 
 def git(*words: str) -> bytes:
-    """What git prints. Raises Failure with its first line."""
+    """Output of git. Raises Failure with its first line."""
     try:
         done = subprocess.run(["git", "-C", ROOT, *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE)
@@ -161,7 +161,7 @@ def git(*words: str) -> bytes:
 
 
 def files() -> list[Path]:
-    """The files of the course, relative to the root: what git knows or would add, without what is built."""
+    """The files of the course, relative to the root: those that git tracks or would add, without the build."""
     if (ROOT / ".git").exists():
         listed = os.fsdecode(git("ls-files", "-z", "--cached", "--others", "--exclude-standard")).split("\0")
         return sorted(Path(name) for name in listed if name and (ROOT / name).is_file())
@@ -169,7 +169,7 @@ def files() -> list[Path]:
 
 
 def walk(root: Path) -> list[Path]:
-    """The files below a folder, relative to it, without what is built."""
+    """The files below a folder, relative to it, without the build."""
     found = []
     for folder, folders, names in os.walk(root):
         built = ("__pycache__", ".git", *(["build"] if Path(folder) == root else []))
@@ -203,7 +203,7 @@ def has_display() -> bool:
 
 
 def cores() -> int:
-    """How many threads this process may keep busy: what Slurm gave it, else the processors it may run on."""
+    """Number of threads this process may keep busy: Slurm's limit, else its processors."""
     given = os.environ.get("SLURM_CPUS_PER_TASK", "")
     return int(given) if given.isdigit() and int(given) else len(os.sched_getaffinity(0))
 

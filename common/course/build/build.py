@@ -12,7 +12,7 @@ from tree import ROOT, SHADER_CACHE, Failure, UsageError, relative, warn
 
 
 class BuildFailure(Failure):
-    """The build failed; `said` is what the compiler printed."""
+    """The build failed; `said` is the compiler's output."""
 
     said = ""
 
@@ -20,7 +20,7 @@ class BuildFailure(Failure):
 STATUS = re.compile(r"\[(\d+)/(\d+)\] ")
 
 
-# What CMake, ninja, ccache or the linker take for their own in a path.
+# Characters with special meaning to CMake, ninja, ccache or the linker in a path.
 SPECIAL = "$;#\"\\,\n"
 
 
@@ -40,9 +40,9 @@ def alone(folder: Path, what: str = "build"):
 
 def build(targets: list[str] = (), preset: str = "default", show=None, give_way=lambda: False,
           started=lambda ninja: None) -> Path | None:
-    """Builds the targets (all without any) of a preset and returns its folder. Raises Failure. show(done, total, what) takes
-    the place of the bar; where give_way() is true behind a step, the build ends there, and None is returned. started(ninja) has
-    the process."""
+    """Builds the targets (all if none is given) of a preset and returns its folder. Raises Failure. show(done, total,
+    what) replaces the bar; if give_way() is true after a step, the build ends there and None is returned.
+    started(ninja) has the process."""
     folder = ROOT / "build" / ("" if preset == "default" else preset)
     if special := sorted(set(str(ROOT)) & set(SPECIAL)):
         raise UsageError(f"the course lies in {str(ROOT)!r}: a build takes {' and '.join(map(repr, special))} in a path for a "
@@ -56,11 +56,11 @@ def build(targets: list[str] = (), preset: str = "default", show=None, give_way=
     return folder if ended else None
 
 
-CACHE_BYTES = 2**28  # deflated; a build of nineteen chapters with its tests, and what edits had left behind, held 230 MiB
+CACHE_BYTES = 2**28  # deflated; a build of nineteen chapters with its tests, and leftovers of edits, held 230 MiB
 
 
 def trim(cache: Path, most: int = CACHE_BYTES):
-    """Removes from a cache that is larger than `most` bytes what was used longest ago, until three quarters are left."""
+    """Trims a cache above `most` bytes: removes the least recently used files until three quarters are left."""
     try:
         entries = [(entry.stat(), entry.path) for entry in os.scandir(cache)]
     except OSError:
@@ -103,8 +103,8 @@ def configure(preset: str, folder: Path, lock: int | None = None):
 
 
 def run_ninja(folder: Path, targets: list[str], lock: int, show, give_way, started) -> tuple[bool, bool]:
-    """Whether there was something to do, and whether it is done. Whatever ends us, two ninjas never build in one folder: one that outlives us
-    has the lock."""
+    """Whether there was something to do, and whether it is done. Two ninjas never build in one folder, even if we are
+    killed: a ninja that outlives us holds the lock."""
     said = []
     ninja = subprocess.Popen(["ninja", "-C", folder, *targets], env=dict(os.environ, NINJA_STATUS="[%f/%t] "), text=True,
                              errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -131,7 +131,7 @@ def run_ninja(folder: Path, targets: list[str], lock: int, show, give_way, start
                     said.append(line)
                     progress.say(line.rstrip())
     except BaseException:
-        ninja.terminate()  # and it ends what it has started
+        ninja.terminate()  # and it ends its own children
         raise
     finally:
         code = ninja.wait()

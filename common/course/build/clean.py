@@ -1,4 +1,4 @@
-"""Removes what was built."""
+"""Removes the build."""
 
 import shutil
 
@@ -26,7 +26,7 @@ def run(_arguments, _rest) -> int:
 
 
 def is_ours(folder) -> bool:
-    """What the course or cmake has made here; what else LIGHTWALK_BUILD may name stays."""
+    """True for folders made by the course or cmake; others that LIGHTWALK_BUILD may name stay."""
     if folder == (ROOT / "build").resolve() or (folder.is_relative_to(ROOT / "build")):
         return True
     cache = folder / "CMakeCache.txt"

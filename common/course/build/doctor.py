@@ -1,4 +1,4 @@
-"""What this machine has and lacks."""
+"""Capabilities of this machine, and missing ones."""
 
 import os
 import shutil

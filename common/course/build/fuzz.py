@@ -1,7 +1,7 @@
-"""Feeds broken files to what reads files, with libFuzzer under the sanitizers.
+"""Feeds broken files to the readers, with libFuzzer under the sanitizers.
 
 A target is tests/FOLDER/fuzz/fuzz_NAME.cpp; its program is build/fuzz/tests/fuzz_NAME. Its seeds are
-tests/FOLDER/corpus/NAME, which the ordinary tests replay; what it learns stays in build/fuzz/corpus/NAME.
+tests/FOLDER/corpus/NAME, which the ordinary tests replay; new inputs stay in build/fuzz/corpus/NAME.
 """
 
 import subprocess

@@ -21,7 +21,7 @@ class State:
 
 
 def unbuilt() -> list[str]:
-    """The chapters whose programs are not there as things stand. The build folder is configured."""
+    """The chapters without an up-to-date program. The build folder is configured."""
     done = subprocess.run(["ninja", "-C", ROOT / "build", "-n", "programs"], stdin=subprocess.DEVNULL, text=True,
                           errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     linked = set(LINKED.findall(done.stdout))
@@ -44,7 +44,7 @@ class Programs:
         self.thread.start()
 
     def stop(self):
-        """Ends what is being built; what is compiled stays."""
+        """Ends the build; compiled files stay."""
         self.stopping.set()
         if self.ninja:
             self.ninja.terminate()

@@ -59,7 +59,7 @@ def with_palette(png: io.BytesIO) -> bytes:
 
 
 def place_of(file: Path, shown: set[str]) -> Path:
-    """Where a drawn file goes: what no lesson shows leaves the tree."""
+    """Where a drawn file goes: out of the tree, unless a lesson shows it."""
     return BUILD / "charts" / file.name if file.parent.resolve() == STUDIES and file.name not in shown else file
 
 
@@ -92,7 +92,7 @@ def build_figure(chart: Chart, made: list | None = None):
 
 
 def heading(figure, chart: Chart, height: float, says: list[str], measured: list[str]):
-    """What it is, what one sees, where it was measured, and how to measure it again."""
+    """Subject, statement, device, and the command that measures it again."""
     figure.text(0.022, 1 - 0.33 / height, chart.title, fontsize=15, weight="bold", va="center")
     for i, line in enumerate(says):
         figure.text(0.022, 1 - (0.64 + 0.24 * i) / height, line, fontsize=11.5, va="center")
@@ -102,7 +102,7 @@ def heading(figure, chart: Chart, height: float, says: list[str], measured: list
 
 
 def notes_of(chart: Chart) -> list[str]:
-    """What a reader has to know of the points, a sentence each."""
+    """Notes about the points for the reader, a sentence each."""
     d, kinds = chart.study.data, (chart.x.kind, chart.y.kind)
     notes = ["Points: median, bars: quartiles."] if "time" in kinds else []
     if d.get("truth") and "error" in kinds:
@@ -137,7 +137,7 @@ def below(chart: Chart) -> str:
 
 
 def truth_note(chart: Chart) -> str:
-    """What the errors are measured against, and how sure that is."""
+    """The reference of the errors, and its own uncertainty."""
     truth = chart.study.data["truth"]
     knobs = ", ".join(f"{name} {value}" for name, value in truth.get("knobs", {}).items())
     named = f'Truth: {truth["method"]} ({knobs})' if truth["method"] and knobs else f'Truth: {truth["method"] or knobs}'

@@ -1,4 +1,4 @@
-"""The axes of a chart: what lies where on one, and how it is called. Nothing here draws."""
+"""The axes of a chart: positions and labels. Nothing here draws."""
 import math
 
 from charts.study_file import METRICS, StudyError, number
@@ -7,7 +7,7 @@ LOG_FROM = 10  # a knob's axis is logarithmic where its largest value is at leas
 
 
 class Axis:
-    """What one axis shows: "time", a metric (`kind` "error") or "knob NAME"."""
+    """Quantity of one axis: "time", a metric (`kind` "error") or "knob NAME"."""
 
     def __init__(self, study, text, points, scale=None, words=None, added=""):
         self.study, self.text, self.words, self.added = study, text, words, added
@@ -51,8 +51,8 @@ class Axis:
         return math.isfinite(value) and (value > 0 or not self.log or (value == 0 and (self.kind != "time" or bool(self.added))))
 
     def is_zero(self, point):
-        """True where the value has no place on a log axis and stands in a strip of its own: 0, and an error of less than a
-        tenth of what the truth is not sure of, which is no more known to differ from 0."""
+        """True for values in a strip beside a log axis: 0, and errors below a tenth of the truth's uncertainty, which are
+        indistinguishable from 0."""
         if not self.log or self.kind == "time" and not self.added:
             return False
         doubt = self.study.doubling_change(point.scene, self.name) or 0 if self.kind == "error" else 0
@@ -60,7 +60,7 @@ class Axis:
 
     @property
     def zero_text(self):
-        """What stands at the strip."""
+        """The label of the strip."""
         return "≈ 0" if any(self.is_zero(p) and self.value(p) for p in self.study.points if self.has(p)) else "0"
 
     def label(self, upright=False):

@@ -16,12 +16,12 @@ ANGLES = tuple(math.radians(angle) for angle in (0, 180, 90, 270, 30, 330, 150, 
                                                    15, 345, 165, 195, 45, 315, 135, 225, 75, 285, 105, 255))  # best first
 POINT_RADIUS = 7  # of a marker with its ring, in points
 PASSES = 8
-TRIED = 60  # places of a label at one anchor whose lines are looked at
+TRIED = 60  # positions of a label tried at one anchor before giving up
 OWN = 1.7  # how many times farther than its own the next point of another curve has to be from a value
 
 
 class Label:
-    """What is to be written, its places, and the one it has taken."""
+    """A text, its possible positions, and the chosen one."""
 
     def __init__(self, text, colour, size, weight, must):
         self.text, self.colour, self.size, self.weight, self.must = text, colour, size, weight, must
@@ -83,7 +83,7 @@ class Labels:
             self.wanted.append((Label(text, colour, size, weight, must), anchors))
 
     def write(self):
-        """Writes what is wanted: what must be first, the rest into the room that is left."""
+        """Writes the labels: required ones first, the rest into the space left."""
         self.fixed = np.array([box.extents for box in self.boxes]).reshape(-1, 4)
         self.line = np.array(self.samples).reshape(-1, 2)
         must = [self.with_places(label, anchors) for label, anchors in self.wanted if label.must]
@@ -120,7 +120,7 @@ class Labels:
                              gid="label")
 
     def with_places(self, label, anchors):
-        """Measures the text once and lists its places, with what each costs for itself."""
+        """Measures the text once and lists its positions, each with its own cost."""
         sample = self.figure.text(0, 0, label.text, fontsize=label.size, weight=label.weight)
         extent = sample.get_window_extent(self.renderer)
         sample.remove()
@@ -148,7 +148,7 @@ class Labels:
         return label
 
     def costs(self, boxes):
-        """Of each box (rows x0, y0, x1, y1) 0 where it covers nothing; what it covers, and how far it leaves the panel."""
+        """For each box (rows x0, y0, x1, y1) the cost of covered marks, and of leaving the panel; 0 if free."""
         around = boxes + np.array([-1.5, -1.5, 1.5, 1.5]) * self.scale
         x0, y0, x1, y1 = around.T
         frame = self.frame
@@ -163,11 +163,11 @@ class Labels:
         return 10 * covered + 1.5 * np.sum(on_curve, axis=1) + 2 * outside
 
     def cost_of_line(self, leader, at):
-        """What a label's line to its point at `at` runs over."""
+        """Marks crossed by a label's line to its point at `at`."""
         x, y = leader.T[:, :, None]
         on = (self.fixed[:, 0] < x) & (x < self.fixed[:, 2]) & (self.fixed[:, 1] < y) & (y < self.fixed[:, 3])
         on &= ~((self.fixed[:, 0] < at[0]) & (at[0] < self.fixed[:, 2]) & (self.fixed[:, 1] < at[1]) &
-                (at[1] < self.fixed[:, 3]))  # what is at the point itself is no hindrance
+                (at[1] < self.fixed[:, 3]))  # marks at the point itself do not count
         cost = 0.5 + 1.5 * int(np.sum(on.any(axis=1)))
         if len(self.line):
             gaps = np.min(np.linalg.norm(self.line[None] - leader[:, None], axis=2), axis=1)
@@ -202,7 +202,7 @@ class Labels:
 
 
 def best_among(places, others, scale):
-    """The place that costs least; places are sorted by what they cost without others."""
+    """The cheapest position; positions are sorted by their own cost."""
     best, least = None, math.inf
     for place in places:
         if place[0] >= least:
@@ -214,7 +214,7 @@ def best_among(places, others, scale):
 
 
 def among(place, others, scale):
-    """What a place costs where labels stand at `others`."""
+    """Cost of a position with labels at `others`."""
     _, box, _, _, _, leader = place
     padded, cost = box.padded(2 * scale), 0.0
     for _, other, _, _, _, line in others:

@@ -19,7 +19,7 @@ class Limits:
 
 
 def room_beside(chart):
-    """The room for labels left and right of the curves, as shares of what they span: over a knob all stand right."""
+    """Space for labels left and right of the curves, as shares of their span: over a knob all labels are on the right."""
     if chart.y.kind == "method":
         longest = max(len(line) for p in chart.drawable for line in chart.row_text(p).split("\n"))
         label = min((14 + 5.4 * longest) / (600 / chart.columns), 0.6)
@@ -55,8 +55,8 @@ def widened(low: float, high: float, below: float, above: float) -> tuple[float,
 
 
 def lines_of(chart, scenes, axis):
-    """(what one 8-bit step makes, below what the truth is not sure, whether the step was measured) of a panel on an axis
-    that is an error: over several scenes the least step and the largest doubt. None where there is none."""
+    """(error of one 8-bit step, truth's uncertainty, whether the step was measured) of a panel with an error axis: over
+    several scenes the smallest step and the largest uncertainty. None if there is none."""
     if axis.kind != "error":
         return None, None, False
     steps = [(chart.enough["at"], True) if chart.enough else chart.study.one_step(scene, axis.name)

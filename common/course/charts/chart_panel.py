@@ -1,4 +1,4 @@
-"""One panel of a chart: its axes, with a strip for what is 0, its curves, and what stands at them."""
+"""One panel of a chart: axes with a strip for 0, curves, and their labels."""
 import math
 
 from matplotlib.gridspec import GridSpecFromSubplotSpec
@@ -15,7 +15,7 @@ INK, QUIET, FRONT = "#1d2129", "#66707d", "#f0b429"
 
 
 class Panel:
-    """A pair of axes for the points that lie on both, and strips for those that are 0 on a log axis."""
+    """A pair of axes for points on both, and strips for values of 0 on a log axis."""
 
     def __init__(self, figure, place, chart, scenes: list, limits: Limits):
         self.chart, self.scenes, self.limits = chart, scenes, limits
@@ -94,7 +94,7 @@ class Panel:
         return 0 if x.is_zero(point) else x.value(point), 0 if y.is_zero(point) else y.value(point)
 
     def anchor(self, point):
-        """What chart_labels needs to stay clear of a point and its bars."""
+        """Obstacles for chart_labels around a point: the point and its bars."""
         ends = []
         for axis in (self.chart.x, self.chart.y):
             low, value, high = (0, 0, 0) if axis.is_zero(point) else axis.spread(point)
@@ -127,7 +127,7 @@ class Panel:
                           capsize=3, markeredgecolor="white", markeredgewidth=0.8, zorder=3)
 
     def draw_lines(self, points: list) -> list:
-        """The error that one 8-bit step makes, and the truth's own uncertainty. Returns what is written there."""
+        """The error of one 8-bit step, and the truth's own uncertainty. Returns their labels."""
         if not self.main:
             return []
         notes = []
@@ -184,7 +184,7 @@ class Panel:
         return at, between
 
     def label(self, curves: list, front: list, notes: list, enough):
-        """Methods at an end of their curve, knob values at the points where there is room, and what is enough."""
+        """Methods at an end of their curve, knob values at points with space, and the sufficient method."""
         labels = Labels(list(self.cells.values()))
         labels.avoid_texts(notes)
         if self.step:
@@ -205,7 +205,7 @@ class Panel:
         labels.write()
 
     def label_ends(self, curves: list):
-        """Over a knob: what each curve is, right of its end."""
+        """Over a knob: each curve's name, right of its end."""
         Labels(list(self.cells.values())).column(
             [(self.chart.name_of(curve[0]), self.anchor(curve[-1]), colour) for _, curve, colour in curves])
 
@@ -229,7 +229,7 @@ class Panel:
                                textcoords="offset points", gid="label")
 
     def label_rows(self, points: list):
-        """What each row says, right of its point."""
+        """Each row's text, right of its point."""
         for p in points:
             right = self.chart.x.spread(p)[2]
             self.axis_of(p).annotate(self.chart.row_text(p), (right, self.chart.y.value(p)), xytext=(11, 0),

@@ -24,7 +24,7 @@ def shown_by_lessons() -> set[str]:
 
 
 def study_of(chart: str) -> Path | None:
-    """The JSON of the study whose chart this is, "05_shadow_maps.h200.acne" or a file's name; the longest name that fits."""
+    """The JSON of this chart's study, "05_shadow_maps.h200.acne" or a file's name; the longest name that fits."""
     found = [path for path in STUDIES.glob("*.json") if f"{chart}.".startswith(f"{path.stem}.")]
     return max(found, key=lambda path: len(path.stem), default=None)
 

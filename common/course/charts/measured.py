@@ -1,7 +1,7 @@
-"""The version of the sources that a study measured, so that a page can say when it is an earlier one.
+"""The version of the sources that a study measured, so that a page can mark an outdated one.
 
-A study's JSON keeps under "measured" a hash of what its methods are: the C++ and GLSL of its chapter, its study.json and
-its scenes. Modules that it borrows are those of other studies. Comments, blanks, help texts and exercises do not count.
+A study's JSON keeps under "measured" a hash of its methods' sources: the C++ and GLSL of its chapter, its study.json
+and its scenes. Borrowed modules belong to other studies. Comments, blanks, help texts and exercises do not count.
 """
 
 import hashlib
@@ -20,7 +20,7 @@ Reader = Callable[[str], str]
 
 
 def sources(listed: list[str], chapter: str) -> list[str]:
-    """The files that decide what a chapter's methods do, of those listed."""
+    """The listed files that determine a chapter's methods."""
     return sorted(name for name in listed if name.split("/")[:2] in (["chapters", chapter], ["shaders", chapter]) and
                   Path(name).suffix in SOURCES and "/exercise/" not in name)
 
@@ -67,7 +67,7 @@ def at_commit(commit: str, chapter: str) -> str:
 
 
 def is_of_earlier(study: Path) -> bool:
-    """True where a study's JSON measured other sources than those that are here. False where it does not say."""
+    """True if a study's JSON measured other sources than the current ones. False if it does not say."""
     try:
         said = json.loads(study.read_text())
         return "measured" in said and (ROOT / "chapters" / said["chapter"]).is_dir() and said["measured"] != here(said["chapter"])

@@ -1,4 +1,4 @@
-"""What a chart says, in a sentence that stands over it: the study's own ("says"), or one that follows from its points."""
+"""A chart's statement, a sentence above it: the study's own ("says"), or one derived from its points."""
 from collections import Counter
 
 from charts.study_file import METRICS
@@ -63,7 +63,7 @@ def knob_said(chart) -> str:
 
 
 def between(least: tuple[float, str], most: tuple[float, str]) -> str:
-    """What happens to a value that changes by factors, each with whose it is, from the least to the most."""
+    """Effects on a value, by factors, from the smallest to the largest, each with its owner."""
     if (kind(least[0]), amount(least[0])) == (kind(most[0]), amount(most[0])):
         return f"{kind(least[0])}{amount(least[0])}"
     if kind(least[0]) == kind(most[0]):

@@ -1,13 +1,12 @@
 """Measures what chapters teach and draws the charts: time against error.
 
-chapters/NN_name/study.json says what to measure (common/study/study.h); two of its keys are for this file:
+chapters/NN_name/study.json lists the measurements (common/study/study.h); two of its keys are for this file:
 
     "scenes": ["build/study/grid.obj", ...],
     "generate": {"build/study/grid.obj": ["tests/01_obj/make_big_obj.py", "104"]}
 
-A file under "generate" that is not there is made by `python3 SCRIPT ARGUMENTS... FILE`, once. Measured is into
-build/study, where what an interrupted study has done waits for the next call, and from there the result goes to the
-folder of the charts as NN_name.DEVICE.json, .svg, .png and .md.
+A missing file under "generate" is made by `python3 SCRIPT ARGUMENTS... FILE`, once. Results go
+to build/study, where an interrupted study waits for the next call, and are then copied to the folder of the charts as NN_name.DEVICE.json, .svg, .png and .md.
 """
 
 import json
@@ -40,7 +39,7 @@ HELP = """Measures the time and the error of every method of a chapter, and draw
 The files are docs/studies/NN_name.DEVICE.json and .md, with the charts that a lesson shows as PNG; all charts are in
 build/charts, as SVG and PNG, those after the first with their names before .svg and .png. An interrupted study continues where it stopped when it is started again. Times are meaningful only on a machine that
 does nothing else; those of a software driver are labelled as the CPU's."""
-# What a device's name says beside the device.
+# Parts of a device's name that do not identify it.
 NOISE = {"nvidia", "geforce", "amd", "radeon", "intel", "graphics", "apple", "mesa"}
 
 
@@ -118,7 +117,7 @@ def merge(paths: list[Path], named: list[str], out: Path) -> int:
 
 
 def study_of(chapter: str) -> dict:
-    """What the chapter's study.json says; {} where it has none. Raises Failure where it cannot be used."""
+    """Contents of the chapter's study.json; {} without one. Raises Failure for an unusable one."""
     path = ROOT / "chapters" / chapter / "study.json"
     try:
         return json.loads(path.read_text())
@@ -155,8 +154,8 @@ def generate(files: dict):
 
 
 def measure(chapter: str, device: str | None = None, size: str | None = None, study: Path | None = None, part: str = "") -> Path:
-    """Runs the study, whose progress goes to the terminal, and returns the file of its result. `study`: in place of the
-    chapter's own study.json, for a part that is called `part`."""
+    """Runs the study with its progress on the terminal, and returns the file of its result. `study`: replaces the
+    chapter's own study.json, for a part called `part`."""
     key = part + ("." + re.sub(r"[^a-z0-9]+", "_", device.lower()) if device else "")
     file = BUILD / "study" / f"{chapter}{key}.json"
     file.parent.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""What each chart of a study shows: its axes, its panels and the curves in them. Nothing here draws.
+"""Contents of each chart of a study: axes, panels and curves. Nothing here draws.
 
 docs/study_format.md has the keys of "charts". A study without them has one chart, its time against its error_metric.
 """
@@ -13,7 +13,7 @@ KEYS = ("name", "title", "says", "x", "y", "scenes", "methods", "knobs", "x_scal
 
 
 class Chart:
-    """One chart. `points` are those it is about, `drawable` those that have a place on both axes."""
+    """One chart. `points` are its subject, `drawable` the ones with a position on both axes."""
 
     def __init__(self, study, entry):
         self.study, self.entry = study, entry
@@ -35,7 +35,7 @@ class Chart:
         if entry.get("x_scale", "log") not in ("log", "linear"):
             raise StudyError(f'"x_scale" is "{entry["x_scale"]}", expected "log" or "linear"')
         self.title = entry.get("title", study.data["title"])
-        # Over a knob that scenes set: those that set it.
+        # Over a knob that scenes set: only scenes that set it.
         knob = str(entry.get("x", "")).partition("knob ")[2]
         default = [scene for scene in study.scenes if knob in study.set_by(scene)] or study.scenes
         self.scenes = [scene for scene in study.scenes if scene in entry.get("scenes", default)]
@@ -57,14 +57,14 @@ class Chart:
 
     @property
     def added(self):
-        """What the time axis says of a time that is not the whole frame's; empty where it is."""
+        """The time axis's note about times other than the whole frame's; else empty."""
         if "over" in self.entry:
             return f'beyond {self.entry["over"]}'
         return f'of {", ".join(self.entry["passes"])}' if "passes" in self.entry else ""
 
     def timed(self, points):
-        """The points with what the method adds in place of the whole frame's time: beyond that of another method in the
-        same scene ("over"), or of the passes whose names begin with one of "passes"."""
+        """The points with the method's added time instead of the whole frame's: beyond that of another method in the same
+        scene ("over"), or of the passes with names starting with one of "passes"."""
         if not self.added:
             return points
         if self.study.unit != "ms" or {"over", "passes"} <= set(self.entry):
@@ -91,7 +91,7 @@ class Chart:
                 for name, values in self.entry.get("knobs", {}).items()}
 
     def keep(self, name):
-        """Leaves out the points that set the knob to another value; those that do not set it stay."""
+        """Removes points that set the knob to another value; points that do not set it stay."""
         for value in self.kept[name]:
             if not any(p.knobs.get(name) == value for p in self.points):
                 raise StudyError(f'no point sets the knob "{name}" to {value}')
@@ -109,7 +109,7 @@ class Chart:
 
     @cached_property
     def point_knobs(self):
-        """The knobs whose values tell points of one panel apart, without the one on the x axis."""
+        """The knobs that distinguish points of one panel, without the one on the x axis."""
         panels = [[p.knobs for p in self.points if p.scene in scenes] for scenes in self.panels]
         names = dict.fromkeys(name for p in self.points for name in p.knobs
                               if self.over_scenes or name not in self.study.scene_knobs)
@@ -126,19 +126,19 @@ class Chart:
                          for name, value in short.items())
 
     def name_of(self, point):
-        """What tells a point's curve, or its row, from the others: its method, unless all have one and knobs tell them
-        apart, and the values of these knobs where each has a curve of its own."""
+        """Name of a point's curve or row: its method, unless all share one and knobs distinguish them, and the values of
+        knobs with a curve for each value."""
         label = self.label_of(point) if self.apart else ""
         return ", ".join(word for word in ("" if label and self.one_method else point.method, label) if word)
 
     @cached_property
     def one_method(self):
-        """True where what differs are values of knobs, which all points have."""
+        """True if only knob values differ, and all points have these knobs."""
         return len({p.method for p in self.points}) == 1 and all(self.label_of(p) for p in self.points)
 
     @cached_property
     def names(self):
-        """Those of all curves or rows, in order."""
+        """Names of all curves or rows, in order."""
         ordered = sorted(self.points, key=lambda p: self.methods.index(p.method))
         return list(dict.fromkeys(self.name_of(p) for p in ordered))
 
@@ -175,14 +175,14 @@ class Chart:
         return min(len(self.panels), 2)
 
     def panel_title(self, scenes):
-        """What a panel shows: "panel" with the scene's name put in, the name alone without it."""
+        """A panel's title: "panel" with the scene's name inserted, else the name alone."""
         if len(self.panels) == 1:
             return ""
         knobs = next(p.knobs for p in self.points if p.scene == scenes[0])
         return self.entry.get("panel", "{scene}").format(scene=scenes[0], **knobs)
 
     def row_text(self, point):
-        """What a row says of its point: its time and its error, what lies on the axis first."""
+        """A row's text for its point: time and error, the axis's own quantity first."""
         if self.x.kind == "error":
             return f"{figures(self.x.value(point))}\n{figures(point.time[1])} {self.study.unit}"
         unit = "ULP" if self.study.metric == "ulp" else self.study.metric_label(self.study.metric)
@@ -194,9 +194,9 @@ class Chart:
         return self.enough["text"] if self.enough else ""
 
     def enough_of(self, points):
-        """The fastest point whose error is at most the chart's own "enough", or without it below that of one 8-bit step: a
-        mean FLIP hides what is wrong in few pixels, so its 99th percentile has to be, too. None where neither is known,
-        or the axes are not time and error."""
+        """The fastest point with an error of at most the chart's own "enough", or by default below that of one 8-bit step:
+        a mean FLIP hides errors in few pixels, so its 99th percentile must be, too. None if neither is known, or the
+        axes are not time and error."""
         if (self.x.kind, self.y.kind) == ("time", "method"):
             metrics = [self.study.metric]
         elif {self.x.kind, self.y.kind} == {"time", "error"}:

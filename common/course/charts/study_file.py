@@ -1,4 +1,4 @@
-"""Studies: reading and checking the JSON that `--study` writes, and what follows from its points.
+"""Studies: reading and checking the JSON of `--study`, and values derived from its points.
 
 docs/study_format.md has the format. Nothing here draws.
 """
@@ -7,7 +7,7 @@ import math
 import pathlib
 from functools import cached_property
 
-METRICS = {  # key in a point's "error": (how an axis calls it, what one 8-bit step at mid grey makes of it)
+METRICS = {  # key in a point's "error": (label on an axis, value for one 8-bit step at mid grey)
     "flip_mean": ("FLIP, mean", 0.0299),
     "flip_p99": ("FLIP, 99th percentile", 0.0299),
     "rmse": ("RMSE, linear light", 0.00367),
@@ -19,7 +19,7 @@ SOFTWARE = ("llvmpipe", "lavapipe", "swiftshader", "softpipe")
 
 
 class StudyError(Exception):
-    """A study that cannot be used; the text is one line that says why and what would be right."""
+    """An unusable study; the text is one line with the fault and the remedy."""
 
 
 class Point:
@@ -76,10 +76,10 @@ class Study:
         return self.data["subject"] == "frame" and any(name in names for name in SOFTWARE)
 
     def size_text(self, before):
-        """", 960 × 540", after what stands before it; empty where the study does not say."""
+        """", 960 × 540", after `before`; empty if the study does not say."""
         return f"{before}{self.data['size'][0]} × {self.data['size'][1]}" if "size" in self.data else ""
 
-    # What points say is asked for thousands of times by a chart.
+    # Cached, since a chart reads them thousands of times.
     @cached_property
     def scenes(self):
         return list(dict.fromkeys(p.scene for p in self.points))
@@ -95,7 +95,7 @@ class Study:
 
     @cached_property
     def metrics(self):
-        """The errors that points have, those of pictures first."""
+        """The points' errors, those of pictures first."""
         measured = dict.fromkeys(name for p in self.points for name in p.data["error"])
         own = [name for name in measured if name not in METRICS and name not in ("nan", "inf")]
         return [name for name in METRICS if name in measured] + own
@@ -155,8 +155,8 @@ def number(value):
 
 
 def methods_beside(path):
-    """The methods of the studies of the same chapter in the same folder, in the order of the files' names; what cannot be read
-    has none."""
+    """The methods of the studies of the same chapter in the same folder, in the order of the files' names; unreadable ones
+    have none."""
     names = []
     for file in sorted(path.parent.glob(f"{path.name.split('.')[0]}.*json")):
         try:
@@ -189,9 +189,9 @@ def figures(value, digits=3):
 
 
 def markdown_table(study):
-    """The points as a Markdown table: scene, method, knobs, time and errors; what is on the Pareto front is marked."""
+    """The points as a Markdown table: scene, method, knobs, time and errors; with marks for the Pareto front."""
     loader = study.data["subject"] == "loader"
-    # A loader's errors besides those of METRICS are no distances from the truth.
+    # A loader's errors other than METRICS are not distances from the truth.
     keys = [study.metric] + [k for k in study.metrics if k != study.metric and (k in METRICS or not loader)]
     time = "MB/s" if loader and study.higher_is_faster else ("CPU ms" if study.software else
                                                            "ms" if loader else "GPU ms")

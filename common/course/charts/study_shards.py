@@ -10,7 +10,7 @@ from charts.study_file import SOFTWARE
 from many import shards
 from tree import BUILD, Failure, UsageError, write_atomically
 
-# What a measured study says of itself, and each of its pieces as well.
+# Descriptive fields of a measured study, repeated in each of its pieces.
 OF_ALL = ("title", "subject", "device", "driver", "stage", "size", "command", "truth", "error_metric", "metrics", "time_unit")
 
 
@@ -42,7 +42,7 @@ def part_of(chapter: str, study: dict, taken_labels: list[str], shard: shards.Sh
 
 
 def entries(chapter: str, measured: dict) -> dict[str, dict]:
-    """What is kept of each piece."""
+    """The fields kept of each piece."""
     of_all = {key: measured[key] for key in OF_ALL if key in measured} | {"machine": machine(measured)}
     if measured.get("subject") == "loader":
         return {f"{chapter}/": {"study": of_all, "whole": measured}}
@@ -52,7 +52,7 @@ def entries(chapter: str, measured: dict) -> dict[str, dict]:
 
 
 def machine(measured: dict) -> str:
-    """What times depend on: the device and its driver, and of a software driver the processor."""
+    """Conditions of a time: the device and its driver, and of a software driver the processor."""
     device = f"{measured.get('device', '')}, {measured.get('driver', '')}".strip(", ")
     if device and not any(name in device.lower() for name in SOFTWARE):
         return device

@@ -1,4 +1,4 @@
-"""Says which exercises are right, what is wrong with the others, and how far a student is.
+"""Reports right exercises, the faults of the others, and a student's progress.
 
 A chapter's checks are a program, build/tests/check_NN_name, which tests/NN_name is to give:
 
@@ -10,20 +10,20 @@ per exercise on a line of its own:
     {"exercise": "02.phong", "ok": false, "passed": 11, "failed": 3,
      "first_failure": "phong(n·h = 0, shininess = 0) gave NaN, expected 0", "hint": "a sentence"}
 
-first_failure and hint are null or missing where there is nothing to say; "note" says what was not looked at. A file
+first_failure and hint are null or missing if there is none; "note" lists skipped parts. A file
 that does not compile is a failure like any other; first_failure then holds the compiler's line. Exit code 0 if all are
 right, 1 if not, 2 if there is no such exercise. A program that prints nothing, or dies, or runs for more than half a minute per exercise, counts as open.
 
-The numbers come first. Where they are right the exercise's pictures are drawn too, those shots that name it in
-"exercises" (shots.py), twice: with the student's version of this one exercise, and with the references alone. Both are
-drawn here and now, so that no processor and no driver makes a difference. The limits are wide: what a right answer may
-choose, such as which side a doubtful case is rounded to, shows in a picture too.
+The numbers come first. If they are right the exercise's pictures are drawn too (shots that name it in
+"exercises", shots.py), twice: with the student's version of this one exercise, and with the references alone. Both are
+drawn here and now, so that no processor and no driver makes a difference. The limits are wide: a right answer's
+choices, such as the rounding of a doubtful case, show in a picture too.
 
-GLSL cannot crash a driver without a fault of the driver's own: what does is judged by its numbers, and the note says so.
+GLSL cannot crash a driver without a fault of the driver's own: after a crash the numbers decide, and the note says so.
 
 In a handout there is no reference to draw with. There a picture shows the student's version of every exercise of the
 chapter and the earlier ones. It is compared with the golden, within the same limits, once the numbers of all of those
-are right; until then the numbers decide, and what is waited for is said.
+are right; until then the numbers decide, and the open exercises are named.
 """
 
 import functools
@@ -54,7 +54,7 @@ HELP = """Checks your exercises: lists the solved ones, and the first error of e
 
 Exit code 1 while an exercise is unsolved."""
 TIMEOUT_S = 30  # of a whole check; a call that does not return is found after 5 s
-# Of a picture whose numbers are right. A light more or less per object, which 03.light_reaches_box leaves open, is
+# For a picture with correct numbers. A light more or less per object, which 03.light_reaches_box leaves open, is
 # 0.0018 and 0.055; of the starters' pictures the nearest to the reference is 0.013.
 PICTURE_LIMITS = {"flip_mean": 0.01, "flip_p99": 0.25}
 
@@ -118,7 +118,7 @@ def in_order(chapter: str) -> list[str]:
 
 
 def check(chapter: str, exercise: str, use: str = "exercise", root=ROOT) -> dict:
-    """What is to be said of one exercise: the protocol's object, with "file" and "chapter"."""
+    """The verdict on one exercise: the protocol's object, with "file" and "chapter"."""
     result = {"exercise": exercise, "ok": False, "passed": 0, "failed": 0, "first_failure": None, "hint": None}
     result |= check_numbers(chapter, exercise, use, root)
     if use == "exercise" and (said := compiler_said(chapter, exercise, root)):
@@ -126,7 +126,7 @@ def check(chapter: str, exercise: str, use: str = "exercise", root=ROOT) -> dict
     if result["ok"] and use == "exercise" and root == ROOT:
         note_what_grading_refuses(exercises(chapter)[exercise], result)
         check_pictures(chapter, exercise, result)
-    if use == "exercise" and root == ROOT and exercise in untouched():  # what the starter passes is nobody's work
+    if use == "exercise" and root == ROOT and exercise in untouched():  # results of the starter are nobody's work
         result |= {"passed": 0, "failed": result["failed"] + result["passed"]}
     return result | {"chapter": chapter, "file": relative(exercises(chapter)[exercise])}
 
@@ -153,7 +153,7 @@ def compiler_said(chapter: str, exercise: str, root: Path) -> str:
 
 def check_numbers(chapter: str, exercise: str, use: str = "exercise", root=ROOT, program: Path | None = None,
                   **environment) -> dict:
-    """The protocol's object, or what stands in for it where the program (the chapter's own) gave none."""
+    """The protocol's object, or a substitute if the program (the chapter's own) gave none."""
     program = program or (BUILD if root == ROOT else root / "build") / "tests" / f"check_{chapter}"
     try:
         done = subprocess.run([program, "--exercise", exercise, "--use", use], cwd=root, stdin=subprocess.DEVNULL,
@@ -182,7 +182,7 @@ def numbers_are_right(chapter: str, exercise: str) -> bool:
 
 
 def still_open(chapter: str, exercise: str) -> list[str]:
-    """What else a picture of this chapter shows that is not right yet: in a handout nothing stands in for it."""
+    """Other unfinished exercises visible in a picture of this chapter: a handout has no references to replace them."""
     return [other for earlier in chapters() if earlier <= chapter for other in exercises(earlier)
             if other != exercise and not numbers_are_right(earlier, other)]
 
@@ -204,7 +204,7 @@ def check_pictures(chapter: str, exercise: str, result: dict):
     if not wanted:
         return
     if not has_solutions():
-        new = untouched()  # what is as it was handed out need not be built to be known
+        new = untouched()  # untouched exercises are known without a build
         waiting = [other for earlier in chapters() if earlier <= chapter for other in exercises(earlier) if other in new]
         if not waiting:
             build([f"check_{earlier}" for earlier in chapters() if earlier <= chapter])
@@ -237,8 +237,8 @@ def checked_path(chapter: str, name: str, size: str) -> Path:
 
 
 def wrong_picture(chapter: str, exercise: str, shot: dict, overlay: str = "", size: str = "", **environment) -> str:
-    """What is wrong with the exercise's picture; empty where nothing is. `overlay` is the folder of another answer than the
-    student's, `size` WxH in place of the shot's own. Raises Crashed."""
+    """The fault in the exercise's picture; empty if none. `overlay` is the folder of another answer than the student's,
+    `size` WxH overrides the shot's own. Raises Crashed."""
     picture = checked_path(chapter, f"{shot['name']}.{exercise}", size)
     heatmap = picture.with_suffix(".flip.png")
     try:
@@ -254,7 +254,7 @@ def wrong_picture(chapter: str, exercise: str, shot: dict, overlay: str = "", si
 
 
 def picture_words(name: str, metrics: dict, picture: Path, heatmap: Path) -> str:
-    """What is wrong with a picture, in words; empty where nothing is."""
+    """The fault in a picture, in words; empty if none."""
     look = f"look at {relative(picture)} and, for where it differs, {relative(heatmap)}"
     wrong = unfit(metrics)
     if wrong:

@@ -1,9 +1,9 @@
-"""Reads an exercise in GLSL as the compiler will, and refuses what would change or tell what it is checked with.
+"""Reads an exercise in GLSL as the compiler will, and refuses text that could change or reveal its check.
 
-An answer is compiled together with its check. So that both read the same, what is compiled is not the file that was handed
-in but plain() of it: without comments, continued lines and other line ends, in which "#define" could hide. In that text an
-answer defines no macro that others use, names nothing of a check's (all of which begin with check_, probe_ or undefined_)
-and no macro that only checks define, declares no buffers, and includes what its starter or the framework does.
+An answer is compiled together with its check. So that both read the same, the compiler gets plain() of
+the file: without comments, continued lines and other line ends, in which "#define" could hide. In that text an
+answer defines no macro that others use, uses no name of a check (check_, probe_ or undefined_ in front)
+and no macro that only checks define, declares no buffers, and includes only files that its starter or the framework does.
 """
 
 import functools
@@ -16,14 +16,14 @@ WORD = re.compile(r"[A-Za-z_]\w*")
 RESERVED = re.compile(r"check_|probe_|undefined_|Probe[A-Z]")
 INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"\s*')
 DIRECTIVES = ("define", "undef", "if", "ifdef", "ifndef", "elif", "else", "endif", "include", "")
-# What would reach memory that an answer was not given, by its binding or its address.
+# Keywords that reach memory by binding or address.
 DECLARING = ("uniform", "buffer", "layout", "subroutine", "buffer_reference")
-# Of GLSL itself, what a check's text is made of.
+# GLSL's own names in a check's text.
 LANGUAGE = set("""main void bool int uint float double if else for while do return break continue discard switch case default
 struct const in out inout uniform buffer shared layout readonly writeonly coherent volatile restrict true false""".split())
 
 
-# Every character belongs to one of these, and none is looked at twice: a text of a megabyte is whoever's.
+# Every character belongs to one of these, and none is scanned twice: a hostile text may have a megabyte.
 PIECE = re.compile(r'//[^\n]*|/\*|"[^"\n]*["\n]?|[\t\n -!#-.0-\[\]-~]+|/|.', re.S)
 LONGEST_NAME = 200
 
@@ -85,7 +85,7 @@ def without_comments(text: str) -> str:
             out.append(" " + "\n" * text.count("\n", at, end))
             at = end + 2
         elif not piece.startswith("//"):
-            # Between quotes is the name of an #include, whose line is looked at later; what begins in it is no comment.
+            # Quotes contain an #include's name, checked later by its line; comments cannot begin in it.
             if piece[0] != '"' and not (piece[0] in "\t\n" or (" " <= piece[0] <= "~" and piece[0] != "\\")):
                 raise Refused(f"line {text.count(chr(10), 0, at) + 1}: unexpected token: U+{ord(piece[0]):04X} is no letter of GLSL")
             out.append(piece)
@@ -164,7 +164,7 @@ def files_behind(names: tuple[str, ...]) -> set[Path]:
 
 @functools.cache
 def written_buffers(path: Path) -> frozenset[str]:
-    """The names in the buffers that what this exercise includes declares, and does not only read."""
+    """Written members of the buffers that this exercise's includes declare."""
     names = set()
     for text in (code_of(file.read_text(errors="replace")) for file in files_behind(tuple(includes_of(given(path)[0])))):
         for before, inside in re.findall(r"([^;{}]*)\bbuffer\s+\w+\s*\{([^}]*)\}", text):
@@ -175,7 +175,7 @@ def written_buffers(path: Path) -> frozenset[str]:
 
 @functools.cache
 def macros_of_checks() -> frozenset[str]:
-    """What the checks define and no module does: a handout has no list of them."""
+    """Macros defined only by checks: a handout has no list of them."""
     named, asked = set(), set()
     for source in (*(ROOT / "tests").glob("*/checks_*.cpp"), *(ROOT / "tests").glob("*/*.h")):
         text = source.read_text(errors="replace")

@@ -56,7 +56,7 @@ def matched(program: str, part: str) -> list[str]:
 
 
 def named_in(lesson: Path) -> list[Named]:
-    """What a lesson names, in its order."""
+    """The names in a lesson, in its order."""
     text = (ROOT / lesson).read_text()
     own = next((f"test_{chapter}" for chapter in chapters() if chapter[:2] == lesson.stem[:2]), "")
     found = [(match.start(), match[1], match[2]) for match in COMMAND.finditer(text)]

@@ -37,7 +37,7 @@ def run(arguments, _rest) -> int:
 
 
 def starter_of(path: Path) -> bytes:
-    """As it was handed out: of a handout what it has brought along, else the version of the history that the list names."""
+    """The starter: from the handout's own copy, else the version in the history that the list names."""
     name = relative(path)
     wanted = next((line.split()[0] for line in (ROOT / LIST).read_text().splitlines() if line.endswith(f" {name}")), None)
     if (ROOT / KEPT).exists():

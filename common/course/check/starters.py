@@ -13,7 +13,7 @@ LIST = Path("tests/starters.txt")
 
 @functools.lru_cache(1024)
 def digest(data: bytes) -> str:
-    """FNV-1a of 64 bits of what is not white space, as common/base/starters.cpp computes it."""
+    """FNV-1a of 64 bits, ignoring white space, as common/base/starters.cpp computes it."""
     found = 14695981039346656037
     for byte in b"".join(data.split()):
         found = (found ^ byte) * 1099511628211 & (1 << 64) - 1

@@ -5,12 +5,12 @@ tests/NN_name/stretch.json:
     {"exercise": "02.blinn_phong", "task": "a sentence",
      "options": ["--scene", "assets/scenes/statue.json", "--size", "960x540"],
      "truth": ["--method", "exact"],   -- more options, for the picture that errors are measured against; default: none
-     "pass": "shade",                  -- whose time counts
+     "pass": "shade",                  -- the timed pass
      "error": 0.001,                   -- FLIP's mean, at most; where it is missing: the reference's own
      "margin": 0.9}                    -- of the reference's time, at most
 
 The error is of pictures drawn here and now, and the same each time. The time is the median over ROUNDS rounds of both versions,
-drawn in turns, and the margin is wider than what two runs of one version differ by on a machine that does little else.
+drawn alternately, and the margin exceeds the difference of two runs of one version on a quiet machine.
 """
 
 import json
@@ -89,7 +89,7 @@ def measure(chapter: str, task: dict, rounds: int = ROUNDS, frames: int = FRAMES
 
 
 def missing(task: dict, found: dict) -> str:
-    """What keeps the task from being reached, in words; empty: nothing."""
+    """The reason the task is not reached, in words; empty: none."""
     budget = task.get("error", found["reference"]["error"])
     if not found["yours"]["error"] <= budget:
         return f"its error is {found['yours']['error']:.6f}, at most {budget:.6f} is allowed"

@@ -1,11 +1,11 @@
 """Variants: right and wrong answers to each exercise, with the verdict that its check must reach (tests/NN_name/variants).
 
-A variant is either a whole file, EXERCISE.WHAT.glsl or EXERCISE.WHAT.cpp, whose first line is its verdict:
+A variant is either a whole file, EXERCISE.VARIANT.glsl or EXERCISE.VARIANT.cpp, with its verdict in the first line:
 
     // right
     // right, in its pictures too     every shot that shows the exercise is drawn with it as well
     // wrong: WORDS                   the check's first failure must contain these words; with WORDS | OTHERS either,
-                                      where drivers do different things with what GLSL leaves undefined
+                                      where drivers differ on undefined operations
 
 or an entry in EXERCISE.changes, which lists the few lines in which it differs from the solution:
 
@@ -33,8 +33,8 @@ DRAWN = "right, in its pictures too"
 
 @dataclass(frozen=True)
 class Variant:
-    name: str  # EXERCISE.WHAT.glsl or .cpp
-    where: str  # FILE:LINE that says what it is
+    name: str  # EXERCISE.VARIANT.glsl or .cpp
+    where: str  # FILE:LINE of its verdict
     verdict: str
     text: str
 
@@ -48,7 +48,7 @@ class Variant:
 
     @property
     def words(self) -> str:
-        """What the check must say; empty where it is right."""
+        """Required words of the check; empty for a right answer."""
         return self.verdict.partition("wrong: ")[2]
 
 
@@ -74,7 +74,7 @@ def whole(path: Path) -> Variant:
 
 
 def listed(chapter: str, path: Path, mistakes: list[str]) -> list[Variant]:
-    """Those of one list; of one that does not fit, a line goes to `mistakes`."""
+    """The variants of one list; each that does not fit adds a line to `mistakes`."""
     exercise = exercises(chapter).get(f"{chapter[:2]}.{path.stem}")
     if not exercise:
         raise Failure(f"{relative(path)}:1: there is no exercise {chapter[:2]}.{path.stem}")
@@ -98,7 +98,7 @@ Change = tuple[int, list[str], list[str]]  # the line of the list where it begin
 
 
 def entries(text: str, name: str) -> list[tuple[int, str, str, list[Change]]]:
-    """A list's answers: the line where each begins, what it is, its verdict, its changes. Raises Failure."""
+    """A list's answers: line, name, verdict and changes of each. Raises Failure."""
     found, before = [], "=="
     for number, line in enumerate(text.splitlines(), 1):
         if not line or line.startswith("#"):

@@ -1,4 +1,4 @@
-"""What the checks said last of each exercise, for as long as its file is the one that was checked."""
+"""The checks' last verdict on each exercise, valid while its file is unchanged."""
 
 import hashlib
 import json

@@ -1,8 +1,8 @@
 """Points out submissions that are alike: a hint to look, and no verdict.
 
-Short answers are alike because there is one way to write them. So what counts is what an answer adds to the starter, as
-words of code without comments and spaces, in runs of five; a pair is named where the whole of what two students added is
-the same or nearly so, and where one exercise of some length is the same letter by letter, comments and all.
+Short answers are alike because there is one way to write them. So only additions to the starter count, as words of code
+without comments and spaces, in runs of five; a pair is named if the additions of two students are equal or nearly so,
+and if one exercise of some length is identical, comments included.
 """
 
 import functools
@@ -14,13 +14,13 @@ from itertools import combinations
 # A comment or a text that does not end is one all the same: to find that out at each of its letters would take minutes.
 TOKEN = re.compile(rb"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\[^\n])*\"?|[A-Za-z_]\w*|\d[\w.]*|[^\s\w]", re.S)
 RUN = 5
-NEARLY = 0.9  # the share of runs that both have, of those that either has
+NEARLY = 0.9  # shared runs over all runs of either
 LEAST_RUNS = 150  # over all exercises: about 200 words of code
 LEAST_BYTES = 200  # of an exercise that is the same with its comments, beyond the starter
 
 
 def alike(submitted: dict[str, dict[str, bytes]], starters: dict[str, bytes]) -> list[tuple[str, str, str]]:
-    """(student, student, what is alike) of what each handed in, by exercise."""
+    """(student, student, similarity) of the submissions, by exercise."""
     runs, texts, numbers, seen = {}, {}, {}, {}
     for student, answers in submitted.items():
         runs[student] = set()

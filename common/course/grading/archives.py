@@ -61,7 +61,7 @@ def zipped(file, say):
 
 def start(archive, info, most: int, left: list[int], say) -> bytes:
     """`left`: how many bytes the members of this archive may still be unpacked to."""
-    # The other methods unpack as much at once as the archive says, whatever it is asked for.
+    # The other methods unpack as much at once as the archive says, regardless of the requested size.
     if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         raise Failure(f"{say(info.filename)} is packed by method {info.compress_type}; a .zip is stored or deflated here")
     with archive.open(info) as stream:

@@ -1,4 +1,5 @@
-"""Writes what other platforms run: an autograder for Gradescope, and a starter repository's workflow for GitHub Classroom."""
+"""Writes integrations for other platforms: an autograder for Gradescope, and a starter repository's workflow for GitHub
+Classroom."""
 
 import json
 import os

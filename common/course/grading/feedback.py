@@ -1,6 +1,5 @@
-"""A page for each student that needs no network: what is right, what is wrong with the rest in words, and where it shows, the
-picture that came out beside the one that should have. No reference is on it.
-"""
+"""A page for each student that needs no network: the right exercises, the faults of the others in words, and for pictures
+the student's beside the expected one. It contains no reference."""
 
 import re
 from pathlib import Path
@@ -10,7 +9,7 @@ from grading.judge import picture_path
 from pages.page import data_uri, page
 from tree import write_atomically
 
-# What a check says of numbers: common/check/probe.h.
+# A check's message about numbers: common/check/probe.h.
 NUMBERS = re.compile(r"(?P<input>.+?\)) gave (?P<theirs>.+), expected (?P<expected>.+)", re.S)
 MOST_SHOWN = 20000  # characters of an answer
 

@@ -1,8 +1,8 @@
-"""Checks what students handed in and writes the grades: a table, CSV and JSON.
+"""Checks submissions and writes the grades: a table, CSV and JSON.
 
-Of a submission the exercise files alone are read (chapters/NN_name/exercise/*, shaders/NN_name/exercise/*), so that a
-student's checks and framework count for nothing. Each exercise is judged by itself (judge.py), in a sandbox (sandbox.py);
-what was judged before, for whomever, is not judged again.
+Only the exercise files of a submission are read (chapters/NN_name/exercise/*, shaders/NN_name/exercise/*), so that a
+student's checks and framework have no effect. Each exercise is judged by itself (judge.py), in a sandbox (sandbox.py);
+an identical answer is judged once.
 """
 
 import csv
@@ -51,7 +51,7 @@ students, references or checks, and limits on time, memory and output. Without b
 space, no memory) is tried again, then said as "not judged" and never kept. The exit code is 0 for any grades."""
 
 MOST_NAMES = 12  # on one line
-UNTOUCHED = ("missing", "unchanged")  # states of what a student has not begun
+UNTOUCHED = ("missing", "unchanged")  # states of exercises not begun
 
 
 def add_arguments(parser):
@@ -121,7 +121,7 @@ def out_folder(arguments) -> Path:
 
 
 def finish(arguments, grades: dict[str, dict], submitted: dict[str, dict[str, bytes]], wanted: dict[str, str]) -> int:
-    """What is made of the grades of a whole class, wherever they were found. The exit code."""
+    """Processes the grades of a whole class, from any source. Returns the exit code."""
     out, named = out_folder(arguments), list(dict.fromkeys(wanted.values()))
     changed = marks.keep(out / "marks.json", list(grades.values()), submitted, set(arguments.regrade))
     grades = complete(grades, submitted, wanted)
@@ -220,7 +220,7 @@ def merged(made: shards.Merged, wanted: dict[str, str]) -> tuple[dict, dict]:
 
 
 def check_entry(student: str, entry, shard: Path):
-    """Raises UsageError where a shard says of a student what no shard does."""
+    """Raises UsageError for an entry that no shard writes."""
     try:
         one = entry["grade"]
         right = (type(entry["at"]) is int and isinstance(entry["read"], bool) and one["student"] == student
@@ -240,7 +240,7 @@ def grade(submissions, judge: Judge) -> list[dict]:
 
 
 def judged(submissions, judge: Judge) -> tuple[dict[str, dict], dict[str, dict[str, bytes]]]:
-    """Each student's results, and what those whose submission could be read have handed in."""
+    """Each student's results, and the contents of readable submissions."""
     submitted, grades, waiting = {}, {}, {}
     with Progress("grading") as progress, ThreadPoolExecutor(min(cores(), 8)) as pool:
         try:
@@ -272,7 +272,7 @@ def judged(submissions, judge: Judge) -> tuple[dict[str, dict], dict[str, dict[s
 
 
 def complete(grades: dict[str, dict], submitted: dict[str, dict[str, bytes]], wanted: dict[str, str]) -> list[dict]:
-    """With what follows from the class as a whole: who is alike, and how many are right."""
+    """Adds class-wide results: similar submissions, and the number of right answers."""
     for a, b, what in alike(submitted, starters_of(wanted)):
         grades[a]["alike"].append({"student": b, "what": what})
         grades[b]["alike"].append({"student": a, "what": what})
@@ -297,7 +297,7 @@ def write_files(out: Path, grades: list[dict], wanted: dict[str, str]):
 
 
 def table(grades: list[dict], named: list[str]) -> list[str]:
-    """A line for each student: how many are right, by chapter, and what is to be said."""
+    """A line for each student: right answers by chapter, and notes."""
     width = min(max([7, *[len(one["student"]) for one in grades]]), 40)
     lines = [f"{'student':{width}}  right  " + " ".join(f"{chapter[:2]:>5}" for chapter in named)]
     for one in grades:

@@ -1,12 +1,12 @@
 """Writes grades as other systems import them: gradebook.moodle.csv, gradebook.canvas.csv, gradebook.csv, gradebook.json, and for
-each student a page that says what is wrong: feedback/NAME.html.
+each student a page of feedback: feedback/NAME.html.
 
     moodle   the columns of the class list (or of the grading worksheet), points per chapter and in all, feedback as text
     canvas   Student, ID, SIS User ID, SIS Login ID, Section, a column for each chapter; a second line with the points possible
-    csv      a column for each exercise with its points, or the word that stands in their place: late, missing, look at
+    csv      a column for each exercise with its points, or a word instead: late, missing, look at
     json     the same, with the words of each failure
 
-In Moodle's and Canvas's columns, which hold numbers alone, a chapter of which nothing was handed in is "-" or empty: no grade,
+In Moodle's and Canvas's numeric columns, a chapter without a submission is "-" or empty: no grade,
 where a 0 would be one. A name that a spreadsheet would take for a formula gets an apostrophe; an identifier never changes.
 """
 
@@ -28,7 +28,7 @@ CANVAS_COLUMNS = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
 
 
 class Book:
-    """A class with its marks. `rows`: a student's, in the order of the grades, then those who handed in nothing."""
+    """A class with its marks. `rows`: a student's, in the order of the grades, then students without a submission."""
 
     def __init__(self, grades: list[dict], rules: Rules, roster: Roster):
         self.rules, self.roster = rules, roster
@@ -142,7 +142,7 @@ def no_formula(text: str) -> str:
 
 
 def guarded(column: str, text: str) -> str:
-    """What identifies is kept to the letter; what only names is no formula."""
+    """Identifiers stay exact; names are escaped against formulas."""
     return cell(text) if column.lower() in IDENTITY and "name" in column.lower() or column.lower() == "student" else text
 
 
@@ -179,7 +179,7 @@ def file_name(student: str) -> str:
 
 
 def page_names(rows: list[dict]) -> list[str]:
-    """A page for each row, whatever they are called: the first of a name has it, be it written large or small."""
+    """A page for each row, even for equal names: the first of a name keeps it, ignoring case."""
     names, taken = [], set()
     for number, row in enumerate(rows):
         name = file_name(row["student"])

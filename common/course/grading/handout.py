@@ -32,7 +32,8 @@ same kind of processor and the same release of the system as this one. --sources
 COMPILED = ("tests/*/checks_*.cpp", "chapters/01_obj/scan.cpp", "chapters/01_obj/load_bench.cpp",
             "chapters/07_mipmaps/level_view.cpp", "chapters/07_mipmaps/texels.cpp",
             "chapters/09_post_effects/white_point.cpp")
-# Not handed out: what the above includes, what tests those (and whatever test includes it), and answers with their verdicts.
+# Not handed out: files that the above includes, tests of those (and tests that include them), and answers with their
+# verdicts.
 LEFT_OUT = ("chapters/*/*truth.h", "tests/*/variants/*", "tests/*/test_stability.cpp", "tests/01_obj/test_exercises.cpp",
             "tests/01_obj/test_floats.cpp", "tests/01_obj/test_loaders.cpp", "tests/common/*grad*.py",
             "tests/common/hostile.py")
@@ -77,7 +78,7 @@ def run(arguments, _rest) -> int:
 
 
 def what_is_handed_out(sources: bool) -> dict[Path, Path | bytes]:
-    """Each file, by its place in the copy: where it is copied from, or what it holds."""
+    """Each file by its path in the copy: its source, or its contents."""
     names = [name for name in tracked() if "solution" not in name.parts[:-1]]
     contents = {name: ROOT / name for name in names}
     committed = starters(names)
@@ -106,7 +107,7 @@ def zipped(texts: dict[Path, bytes]) -> bytes:
 
 
 def tests_that_include(left_out: set[Path], contents) -> set[Path]:
-    """Tests that would not compile without what is left out, nor without one of these."""
+    """Tests that do not compile without the omitted files, directly or through another such test."""
     found = set()
     while more := {name for name in contents if name.parts[0] == "tests" and name.suffix in (".cpp", ".h")
                    and name not in left_out | found
@@ -120,7 +121,7 @@ def includes(text: str) -> list[str]:
 
 
 def meant_by(name: Path, include: str) -> set[Path]:
-    """The files of the course that a file may mean by what it includes."""
+    """Files of the course that an include may refer to."""
     return {Path(os.path.normpath(folder / include))
             for folder in (name.parent, *map(Path, ("chapters", "tests", "shaders", ".")))}
 
@@ -146,7 +147,7 @@ def starters(names: list[Path]) -> dict[Path, bytes]:
 
 
 def objects(names: list[Path]) -> dict[Path, bytes]:
-    """What each source compiles to in a tree without solutions, without names of this machine."""
+    """Each source compiled in a tree without solutions and without this machine's paths."""
     if not names:
         return {}
     build([HEADER])
@@ -165,8 +166,8 @@ def compile_one(entry: dict, folder: Path) -> bytes:
     compiled = folder / entry["file"].strip("/").replace("/", ".")
     words[words.index("-o") + 1] = str(compiled)
     prefix = f"-ffile-prefix-map={ROOT}=."
-    # What is right is called from within alone: a name that others can link to would be an answer of one line. A function of
-    # a header is in a group, in which the linker would not find it by a name of its own.
+    # Reference functions are local symbols: a global name would be an answer of one line. A header's function is in a
+    # group, by which the linker would not find it under a name of its own.
     whole = compiled.with_suffix(".whole.o")
     run_tool([*words, "-DLIGHTWALK_NO_SOLUTION", "-g0", prefix], entry)
     run_tool(["ld", "-r", "--force-group-allocation", "-o", whole, compiled], entry)

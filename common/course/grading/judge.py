@@ -6,9 +6,8 @@ question has a number that the answer must repeat. A student's GLSL is data that
 from which that exercise's reference is missing. The random inputs of the checks are shifted by a seed that is drawn for
 the class, and judge_NN's own line is known by a word that is drawn for the run.
 
-What a tool fails at is no verdict. Where something ended that nobody's numbers had ended, the same is done with the
-starter, whose end is known: where that fails too, the machine is not well, and what was asked is tried again. Where it
-does not, and the answer fails once more, the failure is the answer's own.
+A tool's failure is no verdict. If a process ended without a result, the starter runs too, and its result is known: if it
+fails as well, the machine is at fault, and the request is repeated. If only the answer fails again, the failure is its own.
 """
 
 import contextlib
@@ -36,16 +35,16 @@ from tree import BUILD, ROOT, Failure, exercises, write_atomically
 
 GIB = 1 << 30
 JUDGE_S = 60  # of a whole check, on a busy machine; a call that does not return is found before
-FREE_S = 15  # of each exercise; what it takes beyond that counts against a student's budget
+FREE_S = 15  # per exercise; time beyond that counts against a student's budget
 BUDGET_S = 600
-TRIES_S = (0, 1, 5, 15)  # waits before each try of what a machine that is not well has failed at
+TRIES_S = (0, 1, 5, 15)  # waits before retries after a machine fault
 CALL_S = 5  # of one call
 WORDS_MOST = 600
 NOT_DRAWN = "its numbers are right, and there is no picture"
 
 
 def targets(chapters: list[str]) -> list[str]:
-    """What judging these chapters takes of the build."""
+    """Build targets for judging these chapters."""
     return ["serve_main", *[f"{side}_{chapter}" for side in ("judge", "serve") for chapter in chapters]]
 
 
@@ -61,9 +60,9 @@ def starters_of(wanted: dict[str, str]) -> dict[str, bytes]:
 
 
 class Judge:
-    """What is the same for all students. Raises Failure where nothing can be contained here."""
+    """Shared state for all students. Raises Failure if nothing can be contained here."""
 
-    fresh = frozenset()  # exercises that are judged whatever was said of them before
+    fresh = frozenset()  # exercises to judge again despite a known verdict
 
     def __init__(self, wanted: dict[str, str], call_s: int = CALL_S, pictures: bool = True):
         self.wanted, self.call_s = wanted, call_s  # chapter by exercise
@@ -85,7 +84,7 @@ class Judge:
         self.budget_s, self.spent, self.lock = BUDGET_S, {}, threading.Lock()
 
     def __enter__(self):
-        # What is copied and drawn here is read by whom root becomes in the sandbox.
+        # Files copied and drawn here are read by root's replacement user in the sandbox.
         self.kept.callback(os.umask, os.umask(0o022))
         self.tree = Path(self.kept.enter_context(tempfile.TemporaryDirectory(prefix="lightwalk.grade.")))
         sandbox.require_readable([BUILD / "liblightwalk.so", *[self.folder / f"judge_{name}" for name in self.chapters]])
@@ -98,7 +97,7 @@ class Judge:
         self.kept.close()
 
     def stop(self):
-        """Ends what runs in sandboxes now, and starts no more."""
+        """Ends running sandboxes, and starts no more."""
         self.stopped = True
         for one in list(self.running):
             one.kill()
@@ -126,15 +125,15 @@ class Judge:
         return int(path.read_text())
 
     def version(self, chapter: str, with_pictures: bool) -> str:
-        """Changes with whatever a verdict of this chapter depends on, but for the submission."""
+        """A hash of everything that affects verdicts of this chapter, except for the submission."""
         paths = [self.folder / f"judge_{chapter}", BUILD / "liblightwalk.so", *sorted((ROOT / "common/course").rglob("*.py")),
                  *sorted((ROOT / "shaders").rglob("*.*")), *sorted(objects(f"serve_{chapter}"))]
         stats = [(str(path), path.stat().st_size, path.stat().st_mtime_ns) for path in paths]
         return hashlib.sha256(repr((stats, self.seed, self.call_s, with_pictures)).encode()).hexdigest()
 
     def verdict(self, exercise: str, data: bytes | None, student: str = "") -> dict:
-        """What is to be said of one file; known ones are not run again. Whatever goes wrong is this file's. What it takes is the
-        student's who is asked for first."""
+        """The verdict on one file; known ones are not run again. Every failure is this file's. Time counts for the first
+        student with this answer."""
         base = {"exercise": exercise, "chapter": self.wanted[exercise], "ok": False, "passed": 0, "failed": 0,
                 "first_failure": None, "hint": None, "state": "judged"}
         if data is None or same_text(data, self.starters[exercise]):
@@ -153,7 +152,7 @@ class Judge:
         start_s = time.monotonic()
         try:
             found = self.judge_fairly(exercise, data)
-            if self.stopped:  # what was ended says nothing
+            if self.stopped:  # an aborted run gives no verdict
                 raise Failure("grading was stopped")
         except Exception as error:  # this machine's fault, or ours: not kept, said at the end, and no other student's
             return base | {"state": "failed", "first_failure": f"could not be judged: {words_of(error)}"}
@@ -244,7 +243,7 @@ class Judge:
             return found
 
     def keep_pictures(self, folder: Path) -> dict:
-        """What was drawn and what should have been, for the student's page: named by what is in them."""
+        """Student's and expected picture, for the student's page, named by their contents."""
         kept = {}
         for key, name in (("picture", THEIRS), ("picture_expected", EXPECTED)):
             if (folder / name).is_file():
@@ -326,7 +325,7 @@ class Judge:
                 found = json.loads(line)
                 if isinstance(found, dict) and found.get("nonce") == nonce and found.get("exercise") == exercise:
                     return found | {"ok": found.get("ok") is True and done.code == 0}
-        # Whatever was printed may be anybody's.
+        # Printed text is not trustworthy.
         return {"ok": False, "first_failure": f"its check ended with {done.code}{sandbox.signal_words(done.code)}",
                 "suspect": f"its check ended with {done.code}"}
 

@@ -12,19 +12,19 @@ from tree import BUILD, ROOT
 
 GIB = 1 << 30
 COMPILER = Limits(3 * GIB, 30, processes=True)
-# What tools say of a machine that has no more to give. An answer may say so too.
+# Tools' messages on a machine out of resources. An answer may print them too.
 MACHINE = re.compile("No space left on device|Killed|[Oo]ut of memory|virtual memory exhausted|Cannot allocate memory|Too many open "
                      "files|Resource temporarily unavailable|Input/output error|quota exceeded|internal compiler error|Bus error")
 
 
 def parts(chapter: str) -> list[Path]:
-    """What a student's object is linked with, but for the library. It comes before it: of a function that several objects
-    have, the first one's is taken."""
+    """Objects linked with a student's object, except for the library. They precede it: of several definitions, the linker
+    takes the first."""
     return [*objects("serve_main"), *objects(f"serve_{chapter}")]
 
 
 def compile_answer(judge, exercise: str, source: Path) -> str:
-    """Makes `worker` beside the source; what the compiler says against it. Raises ToolFailed."""
+    """Makes `worker` beside the source; returns the compiler's error. Raises ToolFailed."""
     chapter, place = judge.wanted[exercise], judge.paths[exercise]
     words = list(judge.commands[str(place)])
     words[words.index("-o") + 1] = "/grade/student.o"
@@ -48,7 +48,7 @@ def compile_answer(judge, exercise: str, source: Path) -> str:
             raise ToolFailed(said)
         return said
     lines = done.out.replace(f"{ROOT}/", "").splitlines()
-    # What is not there cannot be called: a reference, the truth, a main of its own.
+    # Missing symbols cannot be called: a reference, the truth, a main of its own.
     missing = [re.sub(r"^.*undefined (?:symbol|reference to)[: ]*", "", line) for i, line in enumerate(lines)
                if "undefined" in line and "student.o" in "".join(lines[max(i - 1, 0):i + 3])]
     if missing:

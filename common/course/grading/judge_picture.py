@@ -2,11 +2,10 @@
 
 The reference's picture is drawn outside, once for a class. The student's version of this one exercise is drawn in a
 sandbox. Of GLSL, which reads nothing, the references of all other exercises are there. In C++ the chapter's program is
-linked anew with the student's object, in which the name of the reference means the student's function; what the program
-may read, the student's code in it may read, so there is no GLSL at all: the shaders are those that the reference's picture
-took, compiled. What comes out is a PNG, which is compared in a sandbox as well: whoever wrote it may have written what no
-reader expects. It comes out through one open file, so that a student's code has no folder of this machine to fill, and
-nothing that was printed is quoted.
+linked with the student's object, which defines the student's function under the reference's name. The student's code can
+read all files of the program, so there is no GLSL at all: the shaders are the reference picture's, compiled. The result is
+a PNG, compared in a sandbox as well, since a hostile file may attack its reader. It comes out through one open file, so
+that a student's code has no folder of this machine to fill, and printed text is not quoted.
 """
 
 import contextlib
@@ -39,11 +38,11 @@ MOST_PICTURE_BYTES = 16 << 20
 MOST_SHOWN_BYTES = 1 << 20
 NOT_IN_TIME = "it was not drawn within"
 NOT_COMPARED = "it cannot be compared"
-THEIRS, EXPECTED = "wrong.theirs.png", "wrong.expected.png"  # beside the source of what was drawn wrongly
+THEIRS, EXPECTED = "wrong.theirs.png", "wrong.expected.png"  # beside the source of a wrong picture
 
 
 class ToolFailed(Exception):
-    """Something ended that no number had ended: perhaps by a fault of the machine's. Its text is what would be said if not."""
+    """A process ended without a verdict: perhaps by a fault of the machine. Its text is the message otherwise."""
 
 
 class DriverEnded(Exception):
@@ -53,7 +52,7 @@ class DriverEnded(Exception):
 
 
 class Pictures:
-    """What is the same for all students. `version` is a word by chapter that changes with what pictures depend on."""
+    """Shared state for all students. `version` is a word by chapter that changes with the pictures' dependencies."""
 
     def __init__(self, wanted: dict[str, str], versions: dict[str, str]):
         self.wanted, self.versions = wanted, versions
@@ -83,8 +82,7 @@ class Pictures:
         return [(name, folder / f"{name}.png") for name in sorted(times_s, key=times_s.get)]
 
     def wrong(self, exercise: str, source: Path, judge) -> str | None:
-        """What is wrong with the picture; empty where nothing is, None where there is none. The source is alone in its
-        folder. Raises DriverEnded."""
+        """The fault in the picture; empty if right, None without one. The source is alone in its folder. Raises DriverEnded."""
         program = chapter_program(self.wanted[exercise])
         references, crashed = self.references(exercise), []
         if source.suffix == ".cpp" and references:
@@ -102,7 +100,7 @@ class Pictures:
         return None
 
     def drawn_wrong(self, exercise: str, source: Path, program: Path, shot: str, expected: Path, judge) -> str:
-        """What is wrong with one shot; empty for nothing. Raises DriverEnded."""
+        """The fault in one shot; empty for none. Raises DriverEnded."""
         picture = source.parent / f"{shot}.png"
         surroundings = {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_TIMEOUT_S": PASS_S}
         if source.suffix == ".cpp":
@@ -122,7 +120,7 @@ class Pictures:
         if not 0 < picture.stat().st_size < MOST_PICTURE_BYTES:
             raise ToolFailed("the program that draws it wrote none")
         why = self.compare(expected, picture, judge)
-        # For the student's page: what a reader in a sandbox could read, and no more than a small picture takes.
+        # For the student's page: readable in a sandbox, and at most the size of a small picture.
         if why and not why.startswith(NOT_COMPARED) and picture.stat().st_size < MOST_SHOWN_BYTES:
             picture.replace(source.parent / THEIRS)
             shutil.copyfile(expected, source.parent / EXPECTED)
@@ -155,7 +153,7 @@ class Pictures:
     def link(self, exercise: str, folder: Path, judge):
         """Makes `program` beside the student's object. Raises ToolFailed."""
         chapter, place = self.wanted[exercise], str(judge.paths[exercise].relative_to(ROOT))
-        # Newer CMakes have the linker write down what it read, beside the build's objects.
+        # Newer CMakes have the linker write its dependencies beside the build's objects.
         words = [word for word in self.links[chapter] if not word.startswith("-Wl,--dependency-file")]
         its = next(i for i, word in enumerate(words) if word.endswith(f"/{place}.o"))
         words[its] = "/grade/student.o"

@@ -1,4 +1,4 @@
-"""What of the course a student's code may see while it is judged: what the handout has as source."""
+"""The part of the course visible to a student's code while it is judged: the handout's sources."""
 
 import functools
 import json
@@ -30,7 +30,7 @@ def library(folder: Path, chapter: str) -> Path:
 
 @functools.cache
 def object_files() -> list[Path]:
-    """All that the build compiles to: what an earlier build has left lies there, too."""
+    """All compiled objects, including leftovers of an earlier build."""
     found = []
     for entry in json.loads((BUILD / "compile_commands.json").read_text()):
         words = shlex.split(entry["command"])
@@ -45,7 +45,7 @@ def objects(target: str) -> list[Path]:
 
 
 def is_answer(compiled: Path) -> bool:
-    """Whether an object is of a reference, or of what the handout has without its source."""
+    """Whether an object belongs to a reference, or to a part without source in the handout."""
     name = str(compiled).partition(".dir/")[2].removesuffix(".o")
     return "/solution/" in name or "/exercise/" in name or any(Path(name).match(pattern) for pattern in COMPILED)
 

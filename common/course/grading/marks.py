@@ -1,7 +1,7 @@
-"""Keeps what was once said of an answer: marks.json beside the grades. Whoever grades again, with other checks, another driver or
-another number for the random inputs, gives the same answer the same mark, unless --regrade names its exercise.
+"""Keeps verdicts on answers: marks.json beside the grades. Grading again with other checks, another driver or another
+number for the random inputs gives the same answer the same mark, unless --regrade names its exercise.
 
-    {"ann": {"02.phong": {"answer": the SHA-256 of what was handed in, "result": {...}}}}
+    {"ann": {"02.phong": {"answer": the SHA-256 of the answer, "result": {...}}}}
 """
 
 import hashlib
@@ -14,8 +14,8 @@ FINAL = ("judged", "undecided")  # states that are an answer's own
 
 
 def keep(file: Path, grades: list[dict], submitted: dict[str, dict[str, bytes]], regraded: set[str]) -> list[str]:
-    """Puts kept results in place of new ones, keeps those that are new, and says which mark of a regraded exercise changed.
-    Raises UsageError where the file cannot be read: a grade would be lost."""
+    """Replaces new results by kept ones, keeps new answers' results, and reports changed marks of a regraded exercise.
+    Raises UsageError for an unreadable file: a grade would be lost."""
     try:
         kept = json.loads(file.read_text()) if file.exists() else {}
         before = {(student, exercise): (entry["answer"], checked(dict(entry["result"]), exercise))

@@ -1,12 +1,12 @@
 """The list of a class as a learning platform exports it: --roster FILE.csv. Its columns are kept as they are, so that the file
 ./course grade writes can be imported there.
 
-A submission belongs to the row whose number stands in the submission's name, as these platforms name what they collect,
+A submission belongs to the row with the number in the submission's name, as these platforms write it,
 
     Moodle   Ann Example_123456_assignsubmission_file       "Participant 123456" in the column Identifier
     Canvas   exampleann_4711_987654_lightwalk.zip           4711 in the column ID (exampleann_LATE_4711_... where it was late)
 
-or to the row one of whose cells is the submission's name: a login, a number, an address, a full name.
+or to the row with the submission's name in a cell: a login, a number, an address, a full name.
 """
 
 import csv
@@ -20,7 +20,7 @@ from tree import UsageError
 
 MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_")
 CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<id>\d+)_\d+_")
-# What tells one person from another; grades are none of it.
+# Columns that identify a person; never grades.
 IDENTITY = ("identifier", "id", "id number", "idnumber", "sis user id", "sis login id", "login id", "username", "user name",
             "email", "email address", "student", "full name", "name", "first name", "last name", "surname", "section", "root account",
             "integration id", "group", "groups", "department", "institution")
@@ -110,7 +110,7 @@ class Roster:
 
 
 def known_as(student: str) -> tuple[str, str]:
-    """(name, number) of what a platform called a submission; the submission's own name and nothing elsewhere."""
+    """(name, number) of a submission named by a platform; elsewhere the submission's own name and nothing."""
     for pattern in (MOODLE, CANVAS):
         if match := pattern.match(student):
             return match["name"], match["id"]

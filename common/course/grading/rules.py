@@ -1,7 +1,7 @@
-"""What an instructor decides about marks: --rules FILE, a JSON file in which every key may be left out.
+"""An instructor's rules for marks: --rules FILE, a JSON file with optional keys.
 
     {"points": 100,                                    of the whole course; without it one for each exercise
-     "late": 0.5,                                      what a late answer counts; without it: nothing, and the cell says late
+     "late": 0.5,                                      the value of a late answer; without it: nothing, and the cell says late
      "due": "2027-02-12 23:59",
      "chapters": {"02": {"weight": 2, "due": "2027-01-15 23:59"}},
      "exercises": {"02.phong": {"weight": 3}},
@@ -9,7 +9,7 @@
 
 An exercise is worth its weight times its chapter's. A deadline is the most specific one that is written: the student's for
 the exercise, for the chapter, for all ("all"), the exercise's, the chapter's, the course's. Times without an offset are this machine's.
-What was handed in counts from "handed_in"; without it from the platform's time (Moodle's worksheet as --roster, column "Last
+A submission's time is "handed_in"; without it from the platform's time (Moodle's worksheet as --roster, column "Last
 modified (submission)"); without that from the time of the archive, or of the newest exercise in the folder, which a student can set.
 """
 

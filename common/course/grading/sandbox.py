@@ -1,7 +1,7 @@
 """Runs a program that is not trusted, in bubblewrap: no network, nothing that can be written, process numbers of its own,
 and limits of memory, time, threads and output. Without bubblewrap nothing runs.
 
-Inside there is what Mounts names and no more; at its end nothing of it is left. It never runs as root: bubblewrap alone
+Inside there are only the files named by Mounts; at its end nothing of it is left. It never runs as root: bubblewrap alone
 gives a process of root's another number inside, but to the kernel, which owns /proc/sys and the device nodes, it stays
 root. So where root grades, root makes the sandbox, and its program becomes somebody who is nobody outside before it
 starts: a compiler NOBODY, a student's code a user of its own, whose threads the kernel can count.
@@ -48,7 +48,7 @@ OWN_USERS = range(2_000_000_000, 2_000_060_000)  # for students' code, one after
 NUMBERS = itertools.count()
 THREADS = 64
 SUPERVISOR = Path(__file__).with_name("supervise.py")
-DATA_BYTES = 1 << 30  # of a process that runs a student's code, whatever it reserves
+DATA_BYTES = 1 << 30  # of a process with a student's code, including reserved memory
 
 
 @dataclasses.dataclass
@@ -58,13 +58,13 @@ class Limits:
     memory_bytes: int
     wall_s: float
     processes: bool = False  # a compiler: it may start others, and write in /tmp
-    # It draws. Mesa 25 keeps a device's memory in a file without a name (memfd_create), which a process without a device
-    # may not have: what is written there and not mapped is counted by no limit but that of a file's size, OPEN_FILES times.
+    # It draws. Mesa 25 keeps a device's memory in a file without a name (memfd_create), which a process without a
+    # device may not have: unmapped data in it escapes all limits but that of a file's size, OPEN_FILES times.
     device: bool = False
 
 
 class Mounts:
-    """What there is beside the system, in order: a later one may lie in an earlier one."""
+    """The files beside the system, in order: a later one may lie in an earlier one."""
 
     def __init__(self):
         self.words = []
@@ -74,13 +74,13 @@ class Mounts:
         self.words += [*parents(seen or where), "--ro-bind", str(where), str(seen or where)]
 
     def write(self, where: Path, seen: Path):
-        """A folder that can be written. It is given to whoever writes there."""
+        """A writable folder, owned by the sandbox's user."""
         if drops_root():
             os.chown(where, NOBODY, NOBODY)
         self.words += [*parents(seen), "--bind", str(where), str(seen)]
 
     def empty(self, seen: Path):
-        """A folder that is empty, whatever lies there."""
+        """An empty folder, hiding any contents."""
         self.words += [*parents(seen), "--size", str(1 << 20), "--tmpfs", str(seen)]
 
 
@@ -102,7 +102,7 @@ def is_mapped(number: int, table: str) -> bool:
 
 
 def require_readable(paths):
-    """Raises Failure where what is to be seen in a sandbox can be read by root alone."""
+    """Raises Failure if root alone can read a path meant for a sandbox."""
     for path in paths if drops_root() else ():
         wanted = 0o005 if path.is_dir() else 0o004
         if path.stat().st_mode & wanted != wanted:
@@ -111,7 +111,7 @@ def require_readable(paths):
 
 
 def require():
-    """Raises Failure, with what to do, where nothing can be contained on this machine."""
+    """Raises Failure, with the remedy, if nothing can be contained on this machine."""
     if not shutil.which("bwrap"):
         raise Failure(f"students' code runs in bubblewrap alone, and it is not there: as root, apt-get install {PACKAGE}")
     try:
@@ -145,7 +145,7 @@ def write_filter(limits: Limits, file):
 
 
 def signal_words(code: int) -> str:
-    """Of an exit code: what has ended it, where a signal has."""
+    """The signal in an exit code, if any."""
     try:
         return f", by {signal.Signals(code - 128).name}" if code > 128 else ""
     except ValueError:
@@ -190,8 +190,8 @@ class Running:
         self.first = self.status("child-pid", wait=True)
 
     def status(self, name: str, wait: bool = False) -> int | None:
-        """What bubblewrap itself says, which nobody inside can: the number of the first process, and, where it had got as far
-        as starting the command, what that ended with."""
+        """bubblewrap's own status, which nobody inside can forge: the number of the first process, and the command's exit
+        code once it had started."""
         while True:
             for line in self.said.splitlines():
                 with contextlib.suppress(ValueError):
@@ -233,9 +233,9 @@ class Running:
         return Done(128 - code if code < 0 else code, text, late, long)
 
     def kill(self):
-        """Its first process takes all others with it, and not all of them end with bubblewrap: whoever becomes another
-        user, or asks the kernel to, is forgotten by --die-with-parent. For any thread: whoever waits for its output sees
-        the end of it."""
+        """Its first process takes all others with it. Not all of them end with bubblewrap: --die-with-parent forgets a
+        process that becomes another user, or asks the kernel to. For any thread: readers of its output see the end of
+        it."""
         if self.process.returncode is None or self.process.returncode < 0:
             with contextlib.suppress(ProcessLookupError):
                 if self.first:
@@ -288,7 +288,7 @@ def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_f
 
 
 def own_world() -> list[str]:
-    """Namespaces. Root needs none of users, in which it would stay root; it keeps what it takes to become somebody."""
+    """Namespaces. Root needs no user namespace, in which it would stay root; it keeps the capabilities to change its user."""
     if drops_root():
         return ["--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup-try",
                 "--cap-drop", "ALL", "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"]

@@ -1,11 +1,11 @@
-"""Finds and reads what students handed in: folders and archives, none of which is trusted. Every entry of a class becomes a
-submission, be it one that says why it is refused.
+"""Finds and reads submissions: untrusted folders and archives. Every entry of a class becomes a submission, or a reason for
+its refusal.
 
 An exercise is known by its path in the course, which may lie in folders of its own. Where there is none, a file is one by its
 name alone, and an archive within the submission, as Moodle hands it out, is looked into.
 
 Only regular files are opened, links are followed nowhere, and of an archive the exercises alone are read, as many bytes of
-each as an exercise may have. Whatever is wrong with one submission is that one's Failure.
+each as an exercise may have. A fault of one submission is that one's Failure.
 """
 
 import dataclasses
@@ -23,7 +23,7 @@ from tree import Failure, UsageError
 MOST_EXERCISE_BYTES = 1 << 18
 MOST_STUDENTS = 5000
 LITTER = {".DS_Store", "Thumbs.db", "desktop.ini", "__MACOSX"}  # of file managers
-LATEST_S = 253_370_764_800  # the year 9999: what a file's time may not lie behind
+LATEST_S = 253_370_764_800  # the year 9999: latest valid time of a file
 
 
 @dataclasses.dataclass
@@ -96,7 +96,7 @@ def printable(text: str, most: int = 200) -> str:
 
 
 def cell(text: str) -> str:
-    """Text that no spreadsheet takes for a formula, whatever it takes for the end of a cell."""
+    """Text that no spreadsheet takes for a formula, for any cell separator."""
     def guarded(found):
         return found[0] + "'" * (unicodedata.normalize("NFKC", found[2]) in "=+-@\u2212|%")
     return re.sub(r"""((?:^|[;,|"'\t\n])\s*)(?=(\S))""", guarded, text)
@@ -129,7 +129,7 @@ def read(submission: Submission, wanted: set[str]) -> dict[str, bytes]:
             found[name] = data.removeprefix(b"\xef\xbb\xbf")
     except Failure:
         raise
-    except Exception as error:  # of a library that unpacks: whatever it is, it is this archive's
+    except Exception as error:  # of a library that unpacks: any failure is this archive's
         raise Failure(printable(f"cannot be read: {error or type(error).__name__}")) from None
     if not found:
         raise Failure("holds no exercise")
@@ -149,8 +149,7 @@ def _exercises(path: Path, wanted: set[str]):
 
 
 def _placed(files, wanted: set[str], within: int = 0):
-    """Of (name, reader) those that are exercises by their path; where there is none, by their name alone, and what an archive
-    among them has."""
+    """Of (name, reader) the exercises by path; without any, by name alone, and the contents of an archive among them."""
     named = by_name(wanted)
     loose, nested, found = {}, [], False
     for name, read_at_most in files:
@@ -173,7 +172,7 @@ def _placed(files, wanted: set[str], within: int = 0):
 
 
 def place_of(name: str, wanted: set[str]) -> str | None:
-    """The path in the course, whatever folders it lies in."""
+    """The path in the course, below any folders."""
     words = name.removeprefix("./").split("/")
     if ".." in words or "." in words or not words[0]:
         return None
@@ -181,7 +180,7 @@ def place_of(name: str, wanted: set[str]) -> str | None:
 
 
 def by_name(wanted: set[str]) -> dict[str, str]:
-    """The exercises whose file's name no other has."""
+    """The exercises with unique file names."""
     last = [name.rpartition("/")[2] for name in wanted]
     return {name.rpartition("/")[2]: name for name in wanted if last.count(name.rpartition("/")[2]) == 1}
 
@@ -198,8 +197,8 @@ def bounded(read_at_most, name: str) -> bytes:
 
 
 def _folder(path: Path, wanted: set[str]):
-    """Of a folder, and of those in it, what may be an exercise, and then what may be one or an archive by its name alone; no
-    step of the way is a link."""
+    """Candidates of a folder and its subfolders: exercises by path, then exercises or archives by name alone; links are
+    never followed."""
     tops = folders_in(path)
     for top in tops:
         for name in sorted(wanted):

@@ -1,6 +1,6 @@
-"""Starts a sandbox and ends it with whoever has asked for it: supervise.py LIFELINE COMMAND...
+"""Starts a sandbox and ends it with its caller: supervise.py LIFELINE COMMAND...
 
-LIFELINE is the end of a pipe whose other end the grader alone has: it is closed when the grader ends, be it by SIGKILL. Then
+LIFELINE is the end of a pipe; the grader alone has the other end, which closes when the grader ends, even by SIGKILL. Then
 bubblewrap's child is killed before bubblewrap itself, which alone has it: one that is on its way into its own world has not
 asked yet to die with its parent. Nothing is imported that takes time.
 """

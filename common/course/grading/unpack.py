@@ -1,8 +1,8 @@
 """Reads the exercises out of an archive of any kind, inside of a sandbox: unpack.py FD OUT_FD WANTED, which is JSON: how many bytes
 a file of such a name, or of such an ending, may have.
 
-Writes, for each of those, a line of JSON {"name", "bytes"} and its bytes (-1: it has more); at the end {"end": ""}, or what is
-wrong. The archive is whoever's: memory and time are the sandbox's to limit, and a member's size is looked at before its bytes.
+Writes, for each of those, a line of JSON {"name", "bytes"} and its bytes (-1: it has more); at the end {"end": ""}, or the
+fault. The archive is not trusted: memory and time are the sandbox's to limit, and a member's size is looked at before its bytes.
 """
 
 import ctypes
@@ -37,7 +37,7 @@ def words_of(error: Exception) -> str:
 
 
 def walk(archive, wanted: dict[str, int], endings: dict[str, int], tell) -> str:
-    """Tells of each file that is wanted. What is wrong; empty for nothing."""
+    """Reports each wanted file. Returns the fault; empty for none."""
     more = f"unpacks to more than {MOST_UNPACKED_BYTES >> 20} MiB"
     try:
         for number, entry in enumerate(archive):

@@ -76,7 +76,7 @@ def write(exercise: str, text, base) -> dict:
 
 
 def catalogue() -> dict:
-    """What the pages know of the course: shots and exercises by chapter, and the lessons' other pictures."""
+    """The pages' data about the course: shots and exercises by chapter, and the lessons' other pictures."""
     def one(chapter: str) -> dict:
         return {"shots": {shot["name"]: {key: shot[key] for key in ("caption", "size", "time_s", "set", "exercises")
                                          if key in shot} for shot in shots(chapter)},
@@ -113,12 +113,12 @@ def course(*words: str) -> list:
 
 
 async def check(exercise: str, say, build: bool = True) -> dict:
-    """What ./course check says of an exercise: its protocol's object, with "version", the file's that was checked."""
+    """Runs ./course check on an exercise: its protocol's object, with "version", that of the checked file."""
     chapter, path = file_of(exercise)
     of = version(path.read_bytes())
     if build:
         code, out = await run(course("check", exercise, "--json"), say)
-    else:  # the numbers alone, by what is built
+    else:  # the numbers alone, by programs already built
         program = BUILD / "tests" / f"check_{chapter}"
         if program.exists():
             code, out = await run([program, "--exercise", exercise, "--use", "exercise"], say, TIMEOUT_S)

@@ -17,7 +17,7 @@ DRAW_S = 120
 
 
 def study_of(chart: str) -> Path:
-    """The study whose chart it is. Raises Refused."""
+    """The study of a chart. Raises Refused."""
     for path in STUDIES.glob("*.json"):
         if chart == path.stem or chart.startswith(f"{path.stem}."):
             return path

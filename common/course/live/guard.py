@@ -30,14 +30,15 @@ class Bucket:
 
 
 class Guard:
-    """What a request must bring: the name of this server as its host, and the token; from a page also the page's origin.
+    """Requirements on a request: this server's name as its host, and the token; from a page also the page's origin.
 
-    The host is looked at because a foreign page may give a name of its own this machine's address. On a Unix socket, whose
-    file is its user's alone, and where something else has looked who asks, there is no token."""
+    The host is checked because a foreign page may point a name of its own at this machine. On a Unix socket, readable
+    by its user alone, and behind an authenticating proxy, there is no token.
+    """
 
     def __init__(self, token: str | None, hosts: set[str]):
         self.token, self.hosts = token, hosts
-        # A stranger's requests are counted apart: else they would use up those of whoever has the token.
+        # Strangers' requests are counted apart, so that they cannot use up the budget of token holders.
         self.bucket, self.strangers = Bucket(REQUESTS_A_S, REQUESTS_AT_ONCE), Bucket(STRANGERS_A_S, STRANGERS_AT_ONCE)
 
     def knows_host(self, request) -> bool:

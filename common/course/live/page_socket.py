@@ -1,4 +1,4 @@
-"""The socket of a page: pictures are asked for and sent, checks run, and what changes on disk is told."""
+"""The socket of a page: requests and pictures, checks, and changes on disk."""
 
 import asyncio
 import json
@@ -152,7 +152,7 @@ def words_of_shot(chapter: str, shot) -> list[str]:
 
 
 def words_of_cell(chapter: str, picture) -> list[str]:
-    """What a cell of a picture of docs/images/pictures.json is drawn from; its knobs are the page's to turn."""
+    """Command line for a cell of docs/images/pictures.json; its knobs are the page's to turn."""
     name, i = picture if isinstance(picture, list) and len(picture) == 2 else (None, None)
     known = cells(name) if isinstance(name, str) and name in made() else []
     if isinstance(i, bool) or not isinstance(i, int) or not 0 <= i < len(known) or known[i]["chapter"] != chapter:
@@ -241,7 +241,7 @@ class Work:
             self.start("build", exercise)
 
     def look_at_disk(self):
-        """Tells each page what changed on disk of what it shows."""
+        """Tells each page about changed files that it shows."""
         for socket in list(Socket.sockets):
             for exercise, known in list(socket.watched.items()):
                 try:

@@ -1,4 +1,4 @@
-"""What the server hands out: the pages of ./course docs with a script more, and what the script asks for."""
+"""The server's contents: the pages of ./course docs with one more script, and that script's data."""
 
 import asyncio
 import json
@@ -21,12 +21,12 @@ SCRIPTS = ["client.js", "picture.js", "knobs.js", "panel.js", "exercise.js", "ch
 STYLES = ["live.css"]
 OURS = {f"cm/{name}": CODEMIRROR / name for name in EDITOR} | {name: SITE / name for name in [*SCRIPTS, *STYLES]}
 LIST_S = 60
-# What edits and draws where there is no server: its names are those of our scripts.
+# Scripts that edit and draw without a server, named like ours.
 ALONE = re.compile(rb'<script src="[^"]*assets/run/[^"]*"></script>')
 
 
 def head(depth: int) -> str:
-    """What a page has more where the server answers; without it the page is the one on disk."""
+    """Additions to a page where the server answers; without them it equals the one on disk."""
     up = "../" * depth
     names = [*(f"cm/{name}" for name in EDITOR), *STYLES, *SCRIPTS]
     return "".join(f'<link rel="stylesheet" href="{up}live/{name}">' if name.endswith(".css") else
@@ -69,7 +69,7 @@ class Ours(Guarded):
 
 
 class Golden(Guarded):
-    """The accepted picture of a shot: what a picture shows until its chapter draws it."""
+    """The accepted picture of a shot: shown until its chapter draws it."""
 
     def get(self, chapter: str, shot: str):
         if chapter not in chapters() or shot not in [one["name"] for one in shots(chapter)] or \
@@ -115,7 +115,7 @@ class Knobs(Answer):
 
 
 class Exercise(Answer):
-    """An exercise's file: read, and written where it is still what the page has read."""
+    """An exercise's file: read, and written if it is unchanged since the page read it."""
 
     def get(self, exercise: str):
         try:

@@ -102,8 +102,8 @@ class Program:
 
 
 class Programs:
-    """All programs, and what is waiting for them. A newer question of the same place on a page takes the older one's
-    turn: what a hand has dragged on from is not drawn."""
+    """All programs, and their waiting requests. A newer request from the same place on a page replaces the older one:
+    intermediate positions of a drag are not drawn."""
 
     def __init__(self):
         self.programs, self.waiting, self.tasks, self.used_s = {}, {}, {}, {}
@@ -118,13 +118,13 @@ class Programs:
             self.tasks[chapter] = asyncio.ensure_future(self.work(chapter))
 
     def forget(self, client):
-        """A client has gone, and so has what it asked."""
+        """A client has gone, and so have its requests."""
         for waiting in self.waiting.values():
             for place in [place for place in waiting if place[0] is client]:
                 del waiting[place]
 
     async def work(self, chapter: str):
-        """Draws what is waiting for a chapter, in turn."""
+        """Draws a chapter's waiting requests, in order."""
         program = self.programs.setdefault(chapter, Program(chapter))
         try:
             while self.waiting.get(chapter):
@@ -151,7 +151,7 @@ class Programs:
             await self.programs[min(others, key=lambda one: self.used_s.get(one, 0))].end()
 
     async def end_idle(self):
-        """Ends what has not been asked for a minute; called now and then."""
+        """Ends programs that were idle for a minute; called now and then."""
         for chapter, program in list(self.programs.items()):
             if program.process and chapter not in self.tasks and time.monotonic() > self.used_s.get(chapter, 0) + IDLE_S:
                 await program.end()

@@ -149,8 +149,8 @@ def server_class():
 
 
 def show(address: str):
-    """Opens the browser, and does not wait for it. What a program is given as arguments every user of this machine can read, so it
-    is given a page of this user's alone that leads to the address."""
+    """Opens the browser, and does not wait for it. Every user of this machine can read a program's arguments, so it gets a
+    page of this user's alone that leads to the address."""
     page = BUILD / "live" / "open.html"
     write_atomically(page, f'<!doctype html><meta http-equiv="refresh" content="0; url={address}"><title>Lightwalk</title>\n', 0o600)
     if not shutil.which("xdg-open"):

@@ -1,17 +1,17 @@
-"""Cuts long work into shards that know nothing of each other, and merges what they made by name.
+"""Cuts long work into independent shards, and merges their results by name.
 
-A shard is the part K of N of a command's work: `--shard 3/16`. What belongs to it follows from the name of each piece alone
-(a submission's file, a frame, a scene of a study), so that neither the order of the pieces nor those that come later move
-another one from shard to shard. What a shard made is one file, KIND.3-of-16.zip, which is written when all of it is done:
+A shard is the part K of N of a command's work: `--shard 3/16`. A piece's shard follows from its name alone
+(a submission's file, a frame, a scene of a study), so that neither the order of the pieces nor later additions move
+another one from shard to shard. A shard's result is one file, KIND.3-of-16.zip, which is written when all of it is done:
 
     shard.json   {"kind", "shard": [3, 16], "command", "head", "entries": {name: value}}
-    files/...    whatever goes with the entries: pictures, answers
+    files/...    files of the entries: pictures, answers
 
-`head` is what all shards must have in common (the class, the size, the seed); a merge refuses shards that differ in it.
+`head` must be equal in all shards (the class, the size, the seed); a merge refuses shards that differ in it.
 The same shard of the same input gives the same bytes where its entries hold no times.
 
     add_arguments(parser)                      --shard, --merge
-    shard.takes(name), shard.takes_number(i)   what belongs to it
+    shard.takes(name), shard.takes_number(i)   whether a piece belongs to it
     write(file_of(out, kind, shard), ...)      at the end of a shard
     merge(paths, kind)                         a Merged: head, entries, file(name)
 """
@@ -119,7 +119,7 @@ def write(file: Path, kind: str, shard: Shard, head: dict, entries: dict, files:
 
 
 def command_words(words: list[str]) -> str:
-    """What a person types to make a shard again, but for its number."""
+    """The command that makes a shard again, without its number."""
     kept, words = [], list(words)
     while words:
         word = words.pop(0)
@@ -131,11 +131,11 @@ def command_words(words: list[str]) -> str:
 
 
 DAMAGED = (OSError, zipfile.BadZipFile, zlib.error, EOFError, KeyError, ValueError, TypeError, AttributeError, NotImplementedError,
-           RuntimeError, MemoryError)  # what reading a file that is no shard, or none any more, ends in
+           RuntimeError, MemoryError)  # results of reading a damaged or foreign file
 
 
 class Merged:
-    """What all shards made, as one run would have."""
+    """Results of all shards, as of one run."""
 
     def __init__(self, of: int):
         self.of, self.head, self.entries, self.came_from = of, {}, {}, {}
@@ -154,8 +154,8 @@ class Merged:
 
 
 def merge(paths: list[Path], kind: str, per_shard=()) -> Merged:
-    """Reads shards of one kind. Keys of the head in `per_shard` may differ; they are lists of what each shard has then.
-    Raises UsageError where they do not belong together, and Failure where one is missing: it says what makes it."""
+    """Reads shards of one kind. Keys of the head in `per_shard` may differ; they become lists by shard. Raises UsageError
+    for shards that do not belong together, and Failure for a missing one, with the command that makes it."""
     found = {}
     for path in files_in(paths, kind):
         about = read(path, kind)
@@ -194,7 +194,7 @@ def merge(paths: list[Path], kind: str, per_shard=()) -> Merged:
 
 
 def safe(digest: str) -> str:
-    """A digest that a shard names a file by. Raises UsageError for what would lead elsewhere."""
+    """A digest that a shard names a file by. Raises UsageError if it could lead elsewhere."""
     if not re.fullmatch(r"[0-9a-f]{1,64}", digest):
         raise UsageError(f"'{digest}' is no file of a shard")
     return digest
@@ -206,7 +206,7 @@ def short(value) -> str:
 
 
 def files_in(paths: list[Path], kind: str) -> list[Path]:
-    """The files themselves, and of folders those that are called as shards of this kind. Raises UsageError."""
+    """The files themselves, and shards of this kind in folders. Raises UsageError."""
     found = []
     for path in paths:
         if path.is_dir():
@@ -222,7 +222,7 @@ def files_in(paths: list[Path], kind: str) -> list[Path]:
 
 
 def read(path: Path, kind: str) -> dict:
-    """What a shard says of itself. Raises UsageError."""
+    """A shard's contents. Raises UsageError."""
     try:
         with zipfile.ZipFile(path) as archive:
             about = json.loads(archive.read("shard.json"))
@@ -243,8 +243,7 @@ def digest(words: list[str]) -> str:
 
 
 def course_version() -> str:
-    """Changes with any source of the course but a student's, wherever the tree lies: what shards of two machines must have
-    in common."""
+    """A hash of the course's sources except for students' files, independent of its folder: it must agree between machines."""
     kinds = (".py", ".cpp", ".h", ".glsl", ".vert", ".frag", ".comp", ".geom", ".json", ".cmake")
     names = [name for name in files() if name.suffix in kinds and name.parts[0] in ("common", "chapters", "shaders", "tests")
              and "golden" not in name.parts and "exercise" not in name.parts]

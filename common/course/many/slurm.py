@@ -1,8 +1,8 @@
 """Runs the shards of a command (shards.py) as an array job of Slurm, as universities have it. No scheduler of our own.
 
 `--slurm[=OPTIONS]` writes KIND.sbatch, a script that a person can read and submit, into the folder of the shards, submits it,
-waits with a line of progress, and merges. The folder and the course must lie where all nodes see them. What happens to the
-job is Slurm's: a task whose node failed is queued again, one that waits for a drained node goes to another. A part that died is
+waits with a line of progress, and merges. The folder and the course must lie where all nodes see them. The job is
+Slurm's: a task whose node failed is queued again, one that waits for a drained node goes to another. A part that died is
 submitted once more; one that died again is named, and the same command goes on from there. So it does after Ctrl+C, which
 leaves the job in the queue.
 """
@@ -22,7 +22,7 @@ from tree import BUILD, ROOT, Failure, UsageError, relative, warn, write_atomica
 POLL_S = 1.0
 ATTEMPTS = 2  # a part that dies twice has a reason
 SHARDS = 16
-# What each task asks for, unless OPTIONS say otherwise.
+# Resources of each task, unless OPTIONS override them.
 ASKS = {"cpus-per-task": "2", "mem": "8G", "time": "04:00:00"}
 OURS = ("--array", "-a", "--output", "-o", "--error", "-e", "--chdir", "-D", "--wrap", "--parsable")
 WAITING = ("PENDING", "CONFIGURING", "REQUEUED", "REQUEUE_HOLD", "REQUEUE_FED", "SUSPENDED", "RESIZING", "SPECIAL_EXIT", "STOPPED")
@@ -35,7 +35,7 @@ def add_arguments(parser):
 
 
 def check_arguments(arguments):
-    """Raises UsageError, with what sbatch would need."""
+    """Raises UsageError with sbatch's requirements."""
     if arguments.slurm is None:
         if arguments.shards is not None:
             raise UsageError("--shards says how many parts --slurm makes: give both")
@@ -116,8 +116,8 @@ def without(words: list[str], *names: str) -> list[str]:
 
 
 def run(kind: str, arguments, words: list[str], prepare=lambda: None) -> Path:
-    """Has Slurm make all shards of a command and returns their folder, to be merged. `words`: the command's own. `prepare` is
-    called before the first task runs: what each would else build for itself. Raises Failure with the parts that died."""
+    """Has Slurm make all shards of a command and returns their folder, to be merged. `words`: the command's own. `prepare`
+    is called before the first task runs, for shared builds. Raises Failure with the parts that died."""
     of = arguments.shards or SHARDS
     given, folder = options(arguments.slurm), BUILD / "slurm" / kind
     check_writable(folder)
@@ -157,7 +157,7 @@ def finished(kind: str):
 
 
 def goes_on(folder: Path, about: dict) -> dict | None:
-    """The job of the same command on the same course whose shards were not merged: it may still run."""
+    """The unmerged job of the same command on the same course: it may still run."""
     try:
         job = json.loads((folder / "job.json").read_text())
     except (OSError, ValueError):

@@ -18,7 +18,7 @@ HELP = """Makes one PDF of all lessons: build/book/lightwalk.pdf, with contents,
   ./course book                 all chapters
   ./course book 02 05           some of them
   ./course book --out FILE"""
-# Debian's Chromium without windows (its command in /usr/bin is a script that outlives what it starts), or any with them.
+# Debian's Chromium without windows (its command in /usr/bin is a script that outlives its child), or any with them.
 BROWSERS = ("/usr/lib/chromium/chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
 PRINTING_S = 1800
 MOST_PRINTINGS = 4  # two, unless the numbers themselves move a page
@@ -82,7 +82,7 @@ def page(book: list[dict], places: dict[str, int]) -> str:
 
 def print_pdf(browser: str, file: Path, out: Path):
     with tempfile.TemporaryDirectory(prefix="lightwalk.browser.") as profile:
-        # In a container, and as root, Chromium has no sandbox of its own; what it prints is ours.
+        # In a container, and as root, Chromium has no sandbox of its own; the printed pages are ours.
         command = [browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
                    f"--user-data-dir={profile}", "--no-pdf-header-footer", "--generate-pdf-document-outline",
                    f"--print-to-pdf={out}", file.as_uri()]
@@ -136,7 +136,7 @@ def short(number: str) -> str:
 
 
 def without_answers(text: str, number: str) -> tuple[str, list[str]]:
-    """The lesson with each folded answer as a number, and those answers. What else is folded stands open."""
+    """The lesson with each folded answer as a number, and those answers. Other folds stay open."""
     answers = []
 
     def answer(found):

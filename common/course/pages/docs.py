@@ -66,8 +66,8 @@ def show(page: Path):
 
 
 def make(folder: Path, then=None) -> int:
-    """Writes the pages to a folder, which it replaces. Returns how many there are. The same tree gives the same bytes.
-    `then` changes what was made before it is there."""
+    """Writes the pages to a folder, which it replaces. Returns their number. The same tree gives the same bytes. `then`
+    changes the result before it is moved into place."""
     folder.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix=".docs.", dir=folder.parent) as beside:
         source, made = Path(beside, "source"), Path(beside, "made")
@@ -83,7 +83,7 @@ def make(folder: Path, then=None) -> int:
 
 
 def write_sources(folder: Path):
-    """What mkdocs reads: texts, the pictures they show, the sources they name."""
+    """The input of mkdocs: texts, their pictures, and the sources they name."""
     draw_charts(filter(None, map(study_of, shown_by_lessons())))
     site = Site()
     for text in [*lessons(), Path("README.md"), Path("docs/study_format.md"), *[Path("docs") / name for name in OTHERS]]:
@@ -117,7 +117,7 @@ def write_sources(folder: Path):
 
 
 def about(order: list[Path], lesson: Path) -> str:
-    """The line below a lesson's title: how long it takes, how many exercises it has, where it is in the course, what is next."""
+    """The line below a lesson's title: reading time, number of exercises, position in the course, next lesson."""
     exercises = len(re.findall(r"^### \d\d\.\w+ \(", (ROOT / lesson).read_text(encoding="utf-8"), re.M))
     at = order.index(lesson)
     parts = [f"{minutes(lesson):.0f} minutes to read", *[f"{exercises} exercises"] * (exercises > 0), f"page {at + 1} of {len(order)}"]
@@ -128,7 +128,7 @@ def about(order: list[Path], lesson: Path) -> str:
 
 
 def source_page(path: Path) -> str:
-    """A file that a text names, to read; of a folder, what is in it."""
+    """A file that a text names, to read; for a folder, its listing."""
     head = f"---\nhide:\n  - toc\n---\n\n# {path}\n\n"
     if (ROOT / path).is_dir():
         return head + "\n".join(f"- `{one.name}`" for one in sorted((ROOT / path).iterdir())) + "\n"
@@ -139,7 +139,7 @@ def source_page(path: Path) -> str:
 
 
 def whole_page(path: Path) -> str:
-    """A shader with all that it includes; of exercises what is handed out, so that no page tells an answer."""
+    """A shader with all includes; exercises as handed out, so that no page reveals an answer."""
     text = whole(str(path.relative_to("shaders")), "exercise")
     return (f"---\nhide:\n  - toc\nsearch:\n  exclude: true\n---\n\n# {path}\n\n"
             f"The whole shader, as `./course shader {path.relative_to('shaders')} --use exercise` prints it without knobs.\n\n"
@@ -179,7 +179,7 @@ def nav() -> list:
 
 
 def build_site(source: Path, made: Path):
-    """Runs mkdocs. Raises Failure with what it complains of."""
+    """Runs mkdocs. Raises Failure with its warnings."""
     os.environ["SOURCE_DATE_EPOCH"] = "0"  # else today is in the pages
     try:
         from mkdocs.commands import build
@@ -208,7 +208,7 @@ SEARCH = """{
 
 
 def finish(made: Path):
-    """What a server would need goes; the search's index and worker become a script, which a page from a file may read."""
+    """Removes parts that need a server; the search's index and worker become a script, which a page from a file may read."""
     for name in ("404.html", "sitemap.xml", "sitemap.xml.gz"):
         (made / name).unlink(missing_ok=True)
     index = json.loads((made / "search" / "search_index.json").read_text(encoding="utf-8"))
@@ -237,7 +237,7 @@ def script(value) -> str:
 
 
 class Complaints(logging.Handler):
-    """Keeps what mkdocs warns of."""
+    """Collects the warnings of mkdocs."""
 
     def __init__(self, kept: list[str]):
         super().__init__(logging.WARNING)

@@ -1,5 +1,5 @@
-"""Charts of chapter 19's film: what each scene costs on each system, on a page; and what is saved where each scene is drawn by the
-cheapest way that is enough.
+"""Charts of chapter 19's film: each scene's cost on each system, on a page; and the savings if each scene is drawn by the cheapest
+sufficient way.
 
     ./course film --page PAGE.html A.json B.json          benchmarks (chapter 19's --benchmark)
     python3 common/course pages.film_page WAYS.json OUT  OUT.svg and OUT.png of chapter 19's --ways

@@ -24,7 +24,7 @@ def write_gallery(shots: list[dict], out: Path, states: dict | None = None):
 
 
 def waits(shots: list[dict], state) -> str:
-    """What is still to come of a chapter; empty where all is there."""
+    """The missing part of a chapter; empty if complete."""
     if state.name == "failed":
         return "it does not compile"
     if state.name == "waiting":

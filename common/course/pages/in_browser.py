@@ -1,8 +1,8 @@
-"""Tables of checks for the pages: which exercises a browser can check, and what it needs for it.
+"""Tables of checks for the pages: exercises that a browser can check, with their data.
 
 A chapter's check program writes the probes of its exercises (check_NN_name --tables FOLDER): inputs, truths in double precision,
 bounds and hints. From them come tables/NN.name.js: the GLSL around an answer, as OpenGL ES 3.00, which WebGL 2 takes, and the
-table. An exercise has one where its check is probes alone and the reference compiles as ES; tables/list.json names them, and says
+table. An exercise has one if its check is probes alone and the reference compiles as ES; tables/list.json names them, and says
 of each other one why it has none.
 """
 
@@ -29,7 +29,7 @@ class Unfit(Exception):
 
 
 def made() -> dict[str, dict]:
-    """The tables by exercise, from the check programs that are built. Those of others are missing."""
+    """The tables by exercise, from the check programs that are built; others are missing."""
     found = {}
     for chapter in chapters():
         program = BUILD / "tests" / f"check_{chapter}"
@@ -78,7 +78,7 @@ def write(folder: Path) -> list[str]:
 
 
 def table(exercise: str, path: Path, recorded: dict) -> dict:
-    """What the page needs of one exercise. Raises Unfit."""
+    """The data for one exercise. Raises Unfit."""
     if recorded["others"]:
         raise Unfit("its check asks for more than a function's results")
     solution = path.parent.parent / "solution" / path.name
@@ -120,7 +120,7 @@ def ported(probe: dict, answer: str) -> dict:
 
 
 def around(text: str, answer: str) -> tuple[str, str]:
-    """The text before and behind the answer's file, as ES: what that file includes comes first."""
+    """The text before and after the answer's file, as ES: its includes come first."""
     parts = re.split(r'^#line \d+ "([^"]*)"\n', text, flags=re.M)
     defines = "".join(re.findall(r"^#define .*\n", parts[0], re.M))
     pieces = list(zip(parts[1::2], parts[2::2]))
@@ -175,7 +175,7 @@ def constructed(kind: str, structs: dict[str, str], words: list[str]) -> str:
 
 
 def main(signature: str, inputs: list, result: str, structs: dict[str, str]) -> str:
-    """What calls the function once for each row: PROBE_TURNS times, with other results of undefined operations in each."""
+    """Calls the function once for each row: PROBE_TURNS times, with other results of undefined operations in each."""
     words = [f"probe_word(probe_at + {i})" for i in range(sum(len(one) for _, _, one in inputs))]
     stride = len(words)
     arguments = ", ".join(constructed(kind, structs, words) for _, kind, _ in inputs)
@@ -210,7 +210,7 @@ void main() {{
 
 
 def place(numbers: list[str]) -> tuple[int, str]:
-    """How many targets hold the numbers, and what writes them."""
+    """Number of targets for the numbers, and the code that writes them."""
     padded = numbers + ["0u"] * (-len(numbers) % 4)
     return len(padded) // 4, " ".join(f"probe_out[{i // 4}] = uvec4({', '.join(padded[i:i + 4])});" for i in range(0, len(padded), 4))
 

@@ -1,4 +1,4 @@
-"""What the report and the gallery share: one self-contained page, light or dark as the reader's system is."""
+"""Shared parts of report and gallery: one self-contained page, light or dark as the reader's system is."""
 
 import base64
 import io
@@ -22,7 +22,7 @@ POLICY = ("default-src 'none'; script-src 'self' 'unsafe-inline' blob:; style-sr
           "img-src 'self' data: blob:; connect-src 'self' blob:; worker-src 'self' blob:; form-action 'none'; base-uri 'none'; "
           "frame-ancestors 'self'")
 
-# What a value lacks is left out: results have optional keys.
+# Missing values are skipped: results have optional keys.
 TEMPLATES = Environment(loader=FileSystemLoader(Path(__file__).parent / "templates"), autoescape=True, trim_blocks=True,
                         lstrip_blocks=True, keep_trailing_newline=True)
 

@@ -1,6 +1,6 @@
 """A lesson's Markdown as mkdocs wants it, from Markdown that reads well where it lies.
 
-What a page has more than a forge shows:
+Additions of a page to a forge's rendering:
 
     <!-- compare -->                  the two pictures of the table that follows, under one slider; the head of the
     | flat | normal map |             table names them
@@ -12,7 +12,7 @@ What a page has more than a forge shows:
     ### 02.phong (medium)             the address #02.phong as well, and how hard it is as a mark
     <details>                         Markdown inside, in a list too
 
-Links lead to where the pages put what they name: Site.target() says where, and notes what has to be there.
+Links lead to the pages' copies: Site.target() gives the address, and notes the required file.
 """
 
 import html
@@ -56,7 +56,7 @@ class Site:
         """Where a file of the tree is among the pages. Raises Failure where there is none."""
         if not (ROOT / path).exists():
             raise Failure(f"there is no {path}")
-        # mkdocs passes over folders whose names begin with a dot
+        # mkdocs ignores folders with names that begin with a dot
         inside = path.relative_to("docs") if path.parts[0] == "docs" else Path("tree", *(part.lstrip(".") for part in path.parts))
         if path.suffix in PICTURES:
             if vector := vector_of(path):  # a chart is sharper so
@@ -95,7 +95,7 @@ def convert(site: Site, text: Path) -> str:
 
 
 def titled(fence: str, source: str) -> str:
-    """The head of a block that quotes a file. What an exercise asks for is prose: its lines are broken, not cut."""
+    """The head of a block that quotes a file. A specification is prose: its lines wrap."""
     mark, language = re.match(r"(\s*[`~]+)(.*)", fence).groups()
     if Path(source).parent.name != "exercise":
         return f'{fence} title="{source}"'
@@ -103,7 +103,7 @@ def titled(fence: str, source: str) -> str:
 
 
 def indented(lines: list[str]) -> list[str]:
-    """With four spaces for each level of a list, which is what this Markdown asks for; forges take two or three."""
+    """With four spaces for each level of a list, as this Markdown requires; forges take two or three."""
     out, columns, fence = [], [], None  # where the text of each list's item begins
     for line in lines:
         indent = len(line) - len(line.lstrip())
@@ -173,7 +173,7 @@ def convert_line(site: Site, text: Path, line: str) -> str:
 
 
 def with_versions(text: Path, line: str) -> str:
-    """A line with a mark behind each table of a study that measured other sources than those of this tree."""
+    """A line with a mark behind each table of a study that measured outdated sources."""
     def marked(found: re.Match) -> str:
         study = ROOT / text.parent / found[2]
         return found[0] + EARLIER if is_of_earlier(study.with_name(study.name + ".json")) else found[0]

@@ -1,6 +1,6 @@
 """The pages as a site for any static host: ./course docs --site FOLDER.
 
-To what ./course docs writes it adds: small pictures, loaded as they come into view; a start page with a short film; a service
+To the output of ./course docs it adds: small pictures, loaded as they come into view; a start page with a short film; a service
 worker, which keeps the site for reading without a network; a policy that lets a page load nothing from elsewhere."""
 
 import hashlib
@@ -26,7 +26,7 @@ FILM = ["--size", "480x270", "--fps", "24", "--frames_from", "1320", "--frames_t
 
 
 def write(folder: Path, film: bool = True) -> int:
-    """Builds what the pages need and writes the site. Raises UsageError for a folder with other files in it."""
+    """Builds the pages' programs and writes the site. Raises UsageError for a folder with other files in it."""
     if folder.exists() and not (folder.is_dir() and ((folder / MARK).exists() or not any(folder.iterdir()))):
         raise UsageError(f"--site {folder}: it has other files in it; name a folder that is empty, or that does not exist")
     if not folder.parent.is_dir():
@@ -122,7 +122,7 @@ def finish(made: Path, clip: Path | None):
 
 
 def smaller_fonts(made: Path):
-    """The faces with the letters that texts have, as WOFF2: a twentieth of what the package has."""
+    """The faces with only the letters used in texts, as WOFF2: a twentieth of the package's size."""
     import logging
 
     from fontTools import subset
@@ -175,12 +175,12 @@ def renamed(found: re.Match, page: Path, smaller: dict[Path, Path | None]) -> st
 
 
 def meta_policy() -> str:
-    """serve's, without what only a server can say."""
+    """serve's policy, without directives that need a server."""
     return "; ".join(part for part in POLICY.split("; ") if not part.startswith("frame-ancestors")) + "; media-src 'self'"
 
 
 def kept(made: Path) -> str:
-    """What the service worker keeps at the first visit, and a version that changes with any file."""
+    """Files that the service worker keeps at the first visit, and a version that changes with any file."""
     files = sorted(path for path in made.rglob("*") if path.is_file() and path.name not in (MARK, ".nojekyll", "worker.js"))
     version = hashlib.sha256()
     for path in files:

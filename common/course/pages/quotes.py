@@ -24,7 +24,7 @@ HELP = ("Fills the code that lessons quote (<!-- quote: FILE#MARKER --> before a
 QUOTE = re.compile(r"\s*<!-- quote: (\S+?)#(\S+) -->\s*$")
 FENCE = re.compile(r"\s*(```+|~~~+)")
 MARKER = re.compile(r"\s*(?://|#) \[(/?)([\w.-]+)\]\s*$")
-# A picture may be what one clicks on: [![words](picture)](page), in which the page's address follows a ")".
+# A picture may be a link: [![words](picture)](page), in which the page's address follows a ")".
 LINK = re.compile(r"(?:!?\[[^\]]*|(?<=\))[^\[\]()]*)\]\(<?([^)\s>]+)>?[^)]*\)|(?:src|href)=[\"']([^\"']+)[\"']")
 
 

@@ -1,6 +1,6 @@
 """The report of a test run on one page, self-contained: build/report/index.html.
 
-It is made of all that lies in a folder of results:
+It is made from a folder of results:
 
     *.xml    ctest's JUnit files
     *.json   one result each, an object with "kind" and "chapter":
@@ -11,15 +11,15 @@ It is made of all that lies in a folder of results:
      "rows": [{"case": "02.phong", "inputs": "4096 random, 12 by hand", "worst": "2 ULP", "bound": "4 ULP",
                "ok": bool, "text": "one sentence, as a student reads it"}]}
 
-where each cell may be text, a number or null. "test" is the ctest that wrote it, where that is not called like the
-result (KIND.NN.NAME): a failure is told once; "title" stands over the table in place of the kind's. Charts of studies,
+where each cell may be text, a number or null. "test" is the ctest that wrote it, if its name differs from the
+result's (KIND.NN.NAME): a failure is told once; "title" replaces the kind's title. Charts of studies,
 paths counted from the root:
 
     {"kind": "chart", "chapter", "name", "title", "picture": path of a PNG or null, "table": path of a Markdown table or null,
      "again": a command}
 
-Charts in docs/studies/NN_name*.png are shown with or without a result. What failed stands first, in full, and says
-what to type to look closer. A file that cannot be read is a failure of its own.
+Charts in docs/studies/NN_name*.png are shown with or without a result. Failures come first, in full, with
+the command that shows more. A file that cannot be read is a failure of its own.
 """
 
 import re
@@ -84,7 +84,7 @@ def chapter(name: str, results: list[dict]) -> dict:
 
 
 def again(result: dict, picture: dict | None) -> str:
-    """What to type to look closer."""
+    """The command that shows more."""
     lines = [result["again"]] if result.get("again") else []
     if picture and picture.get("expected") and picture.get("actual"):
         lines.append(f"build/compare {picture['expected']} {picture['actual']} --heatmap error.png")
@@ -104,7 +104,7 @@ def last_lines(output: str) -> str:
 
 
 def charts(chapter_name: str, results: list[dict]) -> list[dict]:
-    """The chapter's studies: those that this run made, and those in docs/studies. Without a picture where none lies in the tree."""
+    """The chapter's studies: those of this run, and those in docs/studies. Without a picture if the tree has none."""
     named = {result["name"]: result for result in results if result["kind"] == "chart"}
     for path in sorted((ROOT / "docs" / "studies").glob(f"{chapter_name}*.png")):
         named.setdefault(path.stem, {"name": path.stem, "picture": relative(path)})
@@ -125,8 +125,8 @@ def charts(chapter_name: str, results: list[dict]) -> list[dict]:
 
 
 def markdown_table(text: str) -> dict:
-    """The rows of a Markdown file's table, the head first, and which columns are numbers; what chart.py writes, no more
-    of Markdown than that."""
+    """The rows of a Markdown file's table, the head first, and which columns are numbers; supports only the Markdown of
+    chart.py."""
     lines = [line.strip() for line in text.splitlines() if line.strip().startswith("|")]
     if len(lines) < 3:
         return {}

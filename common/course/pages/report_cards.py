@@ -1,4 +1,4 @@
-"""What the report shows of a picture and its error: expected, actual, heat map, and the figures beside their limits."""
+"""The report's card of a picture and its error: expected, actual, heat map, and the figures beside their limits."""
 
 import json
 from pathlib import Path
@@ -18,7 +18,7 @@ class Pictures:
         self.count = 0
 
     def image(self, path: str | None, alt: str, lossless: bool) -> dict:
-        """alt, and uri and id, or an error that says what is missing."""
+        """alt, and uri and id, or an error that names the missing file."""
         try:
             if not path:
                 raise OSError("there is none")

@@ -1,4 +1,5 @@
-"""What lets a page run programs and check exercises by itself: our scripts, the packaged editor, tables of checks, scenes."""
+"""Resources for running programs and checking exercises within a page: our scripts, the packaged editor, tables of checks,
+scenes."""
 
 import json
 import shutil

@@ -44,7 +44,7 @@ def run(arguments, _rest) -> int:
 
 
 def names() -> list[str]:
-    """What can be included, and the stages: paths below shaders/, an exercise without its folder."""
+    """Includable files and stages: paths below shaders/, an exercise without its folder."""
     found = {path.relative_to(ROOT / "shaders") for path in (ROOT / "shaders").rglob("*") if path.suffix in SHADERS}
     return sorted({str(one.parent.parent / one.name) if one.parent.name in ("exercise", "solution") else str(one)
                    for one in found})
@@ -103,7 +103,7 @@ def add(name: str, use: str, lines: list[str], seen: set[str], asked: str = "./c
 
 
 def header(chapter: str, text: str) -> str:
-    """What stands before a shader: the macros of those of the chapter's knobs that it names, as they are by default."""
+    """The lines before a shader: the macros of the chapter's knobs that it names, at their defaults."""
     build([chapter])
     said = subprocess.run([chapter_program(chapter), "--list", "knobs", "--json"], cwd=ROOT, stdout=subprocess.PIPE, text=True)
     if said.returncode:

@@ -1,6 +1,5 @@
-"""Makes slides of a lesson: one HTML file that needs no network. What a lecturer says stays in the lesson; on a slide are the first
-sentence of each paragraph, the pictures, the formulas, the code and the charts, and each question before its answer.
-"""
+"""Makes slides of a lesson: one HTML file that needs no network. Spoken text stays in the lesson; on a slide are the first
+sentence of each paragraph, the pictures, the formulas, the code and the charts, and each question before its answer."""
 
 import math
 import re
@@ -17,7 +16,7 @@ HELP = """Makes slides of a chapter's lesson: build/slides/NN_name.html, one fil
 
 Without a chapter, it makes those of all lessons."""
 MOST_BULLETS = 5
-SHORT_LINES = 14  # of code below what is said about it
+SHORT_LINES = 14  # of code below its explanation
 LEFT_OUT = ("further reading",)
 SENTENCE = re.compile(r"(?<=[.!?])[\"')*]*(?=\s+[^\s])")
 
@@ -46,7 +45,7 @@ def page(chapter: str, slides: list[dict]) -> str:
 
 
 def make(chapter: str) -> list[dict]:
-    """Each slide: kind, title, over (the section it belongs to), and what is on it."""
+    """Each slide: kind, title, over (its section), and contents."""
     charts = set()  # which have letters of their own, and a slide each
 
     def picture(path: Path) -> str:
@@ -102,7 +101,7 @@ def balanced(text: str) -> bool:
 
 
 def section(heading: str, over: str, part: list, charts: set[str]) -> list[dict]:
-    """The slides of what stands under one heading."""
+    """The slides of the text under one heading."""
     bullets, beside, alone = [], [], []
     for tag, attributes, text in part:
         kind = attributes.get("class", "") or ""

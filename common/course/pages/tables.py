@@ -1,7 +1,7 @@
 """Figures that lessons take from a study's JSON: rows of tables, and numbers in running text.
 
-A table's rows are written by ./course quote. A comment before the table has what all cells have in common, then a line
-with what each column has, then a line for each row; the first column stays as it is.
+A table's rows are written by ./course quote. A comment before the table has the settings of all cells, then a line with
+those of each column, then a line for each row; the first column stays as it is.
 
     <!-- table: docs/studies/13_mlaa.lavapipe.json#value=edge_rmse; format=.3f
     method=none | method=mlaa
@@ -180,7 +180,7 @@ def table_rows(source: str, common: str, body: list[str], old: list[list[str]]) 
 
 
 def check_tables(lesson: Path, lines: list[str], write: bool = False) -> tuple[list[str], list[str]]:
-    """What is wrong with a lesson's tables, and its lines with them filled."""
+    """The faults in a lesson's tables, and its lines with them filled."""
     wrong, out, i = [], [], 0
     while i < len(lines):
         match = TABLE.match(lines[i])
@@ -238,7 +238,7 @@ def figures(text: str) -> list[tuple[int, str, str, str]]:
 
 
 def check_figures(lesson: Path) -> list[str]:
-    """Numbers in running text whose source is a JSON file."""
+    """Numbers in running text with a JSON file as their source."""
     wrong = []
     text = (ROOT / lesson).read_text()
     for line, number, unit, source in figures(text):

@@ -12,7 +12,7 @@ from shots.rendering import render, render_shot
 from shots.squeeze import squeezed
 from tree import BUILD, Failure, UsageError, find_shots, relative, say, write_atomically
 
-# llvmpipe held to what an older processor can do. Another device passes over it.
+# llvmpipe limited to an older processor. Other devices ignore it.
 PROCESSORS = {name: {"GALLIUM_OVERRIDE_CPU_CAPS": name} for name in ("avx", "sse4.1")}
 SECOND = "LIGHTWALK_SECOND_DRIVER"
 
@@ -72,7 +72,7 @@ def run(arguments, _rest) -> int:
 
 
 def other_drivers() -> dict:
-    """What to draw with beside the usual driver: a name, and what its environment has. Says so where there is no second."""
+    """Drivers to compare with the usual one: a name, and its environment. Reports if there is no second."""
     manifest = os.environ.get(SECOND)
     if not manifest:
         say(f"{SECOND} is not set: no second driver is measured (./course accept --help)")
@@ -83,7 +83,7 @@ def other_drivers() -> dict:
 
 
 def judge(chapter: str, shot: dict) -> tuple[str, Path, bool]:
-    """Renders a shot: (what is new about it, the picture, whether it differs from the golden). Raises Failure."""
+    """Renders a shot: (novelty, the picture, whether it differs from the golden). Raises Failure."""
     golden = golden_path(chapter, shot["name"])
     picture = BUILD / "accept" / chapter / f"{shot['name']}.png"
     render_shot(chapter, shot, picture)
@@ -114,7 +114,7 @@ def measure(chapter: str, name: str, picture: Path, drivers: dict, is_new: bool)
     distances = {} if is_new else dict(measured_distances(chapter).get(name, {}))
     for driver, environment in drivers.items():
         other = picture.with_suffix(f".{driver.replace(' ', '_')}.png")
-        # A driver may keep its compiled shaders without regard to what we hold it to.
+        # A driver may keep its compiled shaders regardless of the processor limit.
         render(chapter, ["--shot", name], other, MESA_SHADER_CACHE_DISABLE="true", **environment)
         metrics = compare(picture, other)
         if unfit(metrics):

@@ -1,13 +1,13 @@
-"""Draws what the tests of a chapter's shots and teeth compare, as a test that comes before them:
+"""Draws the pictures for the tests of a chapter's shots and teeth, as a test that comes before them:
 
     python3 common/course shots.draw_shots NN_name
 
-Where a run of ./course test takes a part of its tests, it has no teeth: only what the shots are compared with is drawn.
+A partial run of ./course test has no teeth: only the shots are drawn.
 
-All pictures of a program are drawn by one process (rendering.render_many). What went wrong with one is for its own test to
-say, which finds it in build/shots/NN_name/drawn.json:
+All pictures of a program are drawn by one process (rendering.render_many). A picture's failure is reported by its own
+test, which finds it in build/shots/NN_name/drawn.json:
 
-    {"run": $LIGHTWALK_RUN, "pictures": {path from the root: what went wrong, or ""}}
+    {"run": $LIGHTWALK_RUN, "pictures": {path from the root: its failure, or ""}}
 
 The run is one of ./course test; a test that is run alone, or after another such run, draws for itself.
 """
@@ -24,12 +24,12 @@ RUN = "LIGHTWALK_RUN"
 
 
 def picture_path(chapter: str, name: str, wrong: int | None = None) -> Path:
-    """Of a shot, or of what its golden must reject."""
+    """Of a shot, or of a picture that its golden must reject."""
     return BUILD / "shots" / chapter / (f"{name}.png" if wrong is None else f"{name}.wrong{wrong}.png")
 
 
 def right_picture(chapter: str, shot: dict) -> tuple[str, str, list, Path]:
-    """(what it is, the chapter that draws it, its options, the file) of the reference's picture."""
+    """(description, the chapter that draws it, its options, the file) of the reference's picture."""
     return shot["name"], chapter, ["--shot", shot["name"], "--use", "solution"], picture_path(chapter, shot["name"])
 
 
@@ -61,7 +61,7 @@ def drawn_path(chapter: str) -> Path:
 
 
 def drawn_in_this_run(chapter: str) -> dict[str, str]:
-    """What went wrong ("" for nothing) with each picture that this run of ./course test has drawn, by its path from the root."""
+    """The failure ("" for none) of each picture drawn in this run of ./course test, by its path from the root."""
     run, path = os.environ.get(RUN), drawn_path(chapter)
     drawn = json.loads(path.read_text()) if run and path.exists() else {"run": None}
     return drawn["pictures"] if run and drawn["run"] == run else {}
@@ -78,7 +78,7 @@ def render_unless_drawn(chapter: str, program: str, options: list, picture: Path
 
 def main(chapter: str, teeth: bool) -> list[str]:
     by_program, found, start = {}, {}, time.monotonic()
-    # Those of one scene one after the other: it is read once.
+    # Grouped by scene, which is then read once.
     for _, shot in sorted(find_shots(chapter), key=lambda entry: entry[1].get("scene", "")):
         wrong = wrong_pictures(chapter, shot) if teeth else []
         for _, program, options, picture in [right_picture(chapter, shot), *wrong]:

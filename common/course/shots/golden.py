@@ -1,4 +1,4 @@
-"""Goldens: what a shot's picture is compared with, and how far it may differ.
+"""Goldens: the accepted pictures of shots, and the allowed difference.
 
 tests/NN_name/shots.json lists a chapter's shots. The chapter's executable reads it for --shot, Python for the tests:
 
@@ -6,7 +6,7 @@ tests/NN_name/shots.json lists a chapter's shots. The chapter's executable reads
      "shots": [{
         "name": "bunny",                        the golden is tests/NN_name/golden/bunny.png
         "caption": "One sentence.",             for the gallery and the report
-        "scene": "assets/models/bunny.obj",     what --scene takes, from the root; without it the chapter's own
+        "scene": "assets/models/bunny.obj",     for --scene, from the root; without it the chapter's own
         "size": [960, 540],                     pixels
         "time_s": 0, "frames": 1,               as --time and --frames
         "set": {"method": "phong"},             knobs
@@ -20,12 +20,12 @@ tests/NN_name/shots.json lists a chapter's shots. The chapter's executable reads
 Only "name" and "caption" are required.
 
 How much a picture may differ nobody writes: FLIP's mean and 99th percentile, and the most that any channel of any pixel
-differs, in steps of 1/255, have the limits LIMITS, or MARGIN times what `./course accept` measured between drivers where
-that is more. It keeps what it measured in tests/NN_name/golden/distances.json:
+differs, in steps of 1/255, have the limits LIMITS, or MARGIN times the difference between drivers measured by `./course accept`
+if that is more. Its measurements are in tests/NN_name/golden/distances.json:
 
     {"SHOT": {"sse4.1": {"flip_mean": 0.0001, "flip_p99": 0.002, "max_diff": 3}}}
 
-A picture that differs by NEVER_FAILS steps at most is right, whatever FLIP says: so much do the roundings of two makers'
+A picture that differs by NEVER_FAILS steps at most is right, for any FLIP: so much do the roundings of two makers'
 processors differ.
 """
 
@@ -50,7 +50,7 @@ def distances_path(chapter: str) -> Path:
 
 
 def measured_distances(chapter: str) -> dict:
-    """What ./course accept measured, by shot and driver. Empty where it did not."""
+    """Measurements of ./course accept, by shot and driver. Empty without any."""
     path = distances_path(chapter)
     try:
         return json.loads(path.read_text()) if path.exists() else {}
@@ -64,7 +64,7 @@ def limits_of(chapter: str, name: str) -> dict:
 
 
 def compare(expected: Path, actual: Path, heatmap: Path | None = None) -> dict:
-    """What build/compare --json says of two pictures. Raises Failure where they cannot be compared."""
+    """Output of build/compare --json for two pictures. Raises Failure if they cannot be compared."""
     if heatmap:
         heatmap.parent.mkdir(parents=True, exist_ok=True)
     done = run_program([BUILD / "compare", expected, actual, "--json", *(["--heatmap", heatmap] if heatmap else [])])
@@ -74,7 +74,7 @@ def compare(expected: Path, actual: Path, heatmap: Path | None = None) -> dict:
 
 
 def unfit(metrics: dict) -> list[str]:
-    """Why a picture can be no golden and equal none, whatever it is compared with."""
+    """Why a picture can be no golden and equal none."""
     why = []
     if metrics["nearly_constant"]["test"]:
         why.append("the picture is nearly one colour: nothing was drawn")

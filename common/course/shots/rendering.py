@@ -18,8 +18,8 @@ class Crashed(Failure):
 
 
 TIMEOUT_S = 300  # under a sanitizer; a picture takes a second or two
-# The C library fills what it hands out with a byte: on lavapipe, whose images are memory like any other, a picture that
-# reads what was never written shows NaN, where it would mostly be black.
+# The C library fills allocated memory with a byte: on lavapipe, with images in ordinary memory, a picture that reads
+# unwritten texels shows NaN, where it would mostly be black.
 UNWRITTEN = {"MALLOC_PERTURB_": "1"}
 
 
@@ -58,7 +58,7 @@ def render_shot(chapter: str, shot: dict, picture: Path, use: str = "solution", 
 
 class Drawing:
     """A chapter's program that draws one picture after the other: draws() as often as wanted, then close(). With more in
-    its environment. Not for what only a process of its own shows: what it prints, how it ends."""
+    its environment. Not for tests of output and exit."""
 
     def __init__(self, chapter: str, validate: str = "on", **environment):
         self.chapter, self.stderr = chapter, tempfile.TemporaryFile("w+", errors="replace")
@@ -90,7 +90,7 @@ class Drawing:
         return self.program.poll() is None
 
     def draw(self, options: list, picture: Path) -> tuple[int, str, str]:
-        """(exit code, what was wrong, what was said on stderr)."""
+        """(exit code, error, text on stderr)."""
         begin = self.stderr.seek(0, os.SEEK_END)
         try:
             self.program.stdin.write(json.dumps([*map(str, options), "--screenshot", str(picture)]) + "\n")
@@ -107,7 +107,7 @@ class Drawing:
 
 
 def render_many(chapter: str, pictures: list[tuple[list, Path]], **environment) -> list[str]:
-    """Draws (options, picture) each, and says of each what went wrong, in the program's words."""
+    """Draws (options, picture) each, and returns each one's error, in the program's words."""
     wrong, drawing = [], None
     for options, picture in pictures:
         drawing = drawing or Drawing(chapter, **environment)

@@ -1,7 +1,7 @@
 """Tests the checks themselves: check_teeth.py NN_name. A failure is exit code 1 and a line that says why.
 
-The reference of each exercise passes its check. What was handed out does not, nor do GLSL functions whose bodies are
-empty or only return zero. An exercise that was edited since the last commit is passed over: somebody works on it.
+The reference of each exercise passes its check. The starter does not, nor do GLSL functions with empty bodies or bodies
+that only return zero. An exercise that was edited since the last commit is skipped: somebody works on it.
 """
 
 import json
@@ -40,7 +40,7 @@ def with_bodies(glsl: str, body: str) -> str:
 
 
 def passed_with_bodies(chapter: str, body: str) -> dict[str, bool]:
-    """What passes in a tree of links to this one, in which the GLSL exercises have other bodies."""
+    """The exercises that pass in a tree of links to this one with other bodies in the GLSL exercises."""
     glsl = {exercise: path for exercise, path in exercises(chapter).items() if path.suffix == ".glsl"}
     if not glsl:
         return {}

@@ -14,16 +14,16 @@ from check.check import check_numbers, wrong_picture
 from check.variants import DRAWN, Variant, variants
 from tree import BUILD, ROOT, Failure, exercises, run_on_chapter, shots
 
-SIZE = "320x240"  # of pictures: a right answer draws what the reference does at any size, and landscapes take seconds at theirs
+SIZE = "320x240"  # of pictures: a right answer matches the reference at any size, and landscapes take seconds at full size
 drawing = threading.Lock()  # the pictures of an exercise have one place
 
 
 def drawn_wrong(chapter: str, exercise: str, overlay: str) -> str:
-    """What is wrong with its pictures; empty where nothing is. One at a time."""
+    """The fault in its pictures; empty if none. One at a time."""
     for shot in shots(chapter):
         if exercise in shot.get("exercises", []):
             try:
-                # What makes shaders of checks compile fast makes those of pictures slow.
+                # Options that compile checks' shaders fast make pictures slow.
                 why = wrong_picture(chapter, exercise, shot, overlay, SIZE, GALLIVM_PERF="")
             except Failure as failure:
                 why = str(failure)
@@ -33,7 +33,7 @@ def drawn_wrong(chapter: str, exercise: str, overlay: str) -> str:
 
 
 def run_variant(chapter: str, variant: Variant, known: dict[str, Path]) -> str:
-    """What is wrong with the check's verdict on it; empty where nothing is."""
+    """The fault in the check's verdict; empty if none."""
     exercise = f"{chapter[:2]}.{variant.exercise}"
     if exercise not in known:
         return f"{variant.where}: there is no exercise {exercise}"

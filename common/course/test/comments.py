@@ -1,4 +1,4 @@
-"""How comments read: the share that names a thing by a clause ("what ...", "whose ...") where a noun would do, and their length.
+"""Statistics of comments: the share that names a thing by a clause where a noun would do, and their length.
 
 As a program it prints both for each folder, and the longest and the clausal comments of the folders that it is given.
 """

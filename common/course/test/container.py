@@ -2,7 +2,7 @@
 
 The system is debootstrap's smallest; bubblewrap makes its folder the root of a process that sees nothing else of this
 machine but the network. ./course installs there what it needs, as on a student's machine. All of it stays in
-build/on/SYSTEM, packages, compiler cache and build folder, so that the next run builds what changed.
+build/on/SYSTEM, packages, compiler cache and build folder, so that the next run builds only changes.
 """
 
 import filecmp
@@ -19,8 +19,8 @@ TREE = "/srv/lightwalk"  # the course, in there
 
 
 def test_on(system: str, words: list[str]) -> int:
-    """Runs what a newcomer runs, each command with its own packages and those of the ones before, or, with words (a pattern,
-    ctest's options), that test alone. Its exit code."""
+    """Runs a newcomer's commands, each with only its own packages and earlier ones, or, with words (a pattern, ctest's
+    options), that test alone. Its exit code."""
     require(system)
     root = BUILD / "on" / system / "root"
     if not root.exists():
@@ -63,7 +63,7 @@ def make_system(system: str, root: Path):
 
 
 def copy_tree(to: Path):
-    """Makes `to` the course as it is here, what is not committed included; what is the same there is not touched."""
+    """Makes `to` the course as it is here, including uncommitted files; equal files are not touched."""
     if (ROOT / ".git").exists():
         if not (to / ".git").exists():
             shutil.rmtree(to, ignore_errors=True)

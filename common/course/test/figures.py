@@ -1,4 +1,4 @@
-"""Runs what lessons name, and compares what it prints with what the lessons say.
+"""Runs the commands that lessons name, and compares their output with the lessons.
 
 Three kinds of figures: tables and numbers whose source is a JSON file (pages/tables.py); tests that a lesson names
 (check/lesson_tests.py), whose output is printed beside the lesson's line; and numbers whose source is such a command,
@@ -104,7 +104,7 @@ def check(lesson: Path, only_list: bool) -> int:
 
 
 def compared(lines: list[str], at: int, output: str) -> tuple[list[str], list[str]]:
-    """The numbers of the paragraph at a line, and of a table that follows it: those that the output has, and the others."""
+    """The numbers of the paragraph at a line, and of a table that follows it: those found in the output, and the others."""
     begin = end = at
     while begin > 0 and lines[begin - 1].strip() and not lines[begin - 1].lstrip().startswith("|"):
         begin -= 1
@@ -123,7 +123,7 @@ def compared(lines: list[str], at: int, output: str) -> tuple[list[str], list[st
 
 
 def ran(command: str) -> tuple[str, int]:
-    """What a command prints, and its exit code."""
+    """Output and exit code of a command."""
     words = shlex.split(command)
     words[0] = str(BUILD / Path(words[0]).relative_to("build"))
     done = subprocess.run(words, cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -140,7 +140,7 @@ def printed(output: str, pattern: str) -> float | None:
 
 
 def test_of(chapter: str) -> list[str]:
-    """As a test, of a chapter whose programs are built: a line where a figure is wrong."""
+    """As a test, of a chapter with built programs: a line for each wrong figure."""
     wrong = sum(check(lesson, False) for lesson in lesson_tests.of_chapters(lessons()) if lesson.stem.startswith(chapter[:2]))
     return [f"{wrong} figures of chapter {chapter} are wrong; ./course figures {chapter[:2]} shows them"] if wrong else []
 

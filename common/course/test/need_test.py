@@ -8,8 +8,8 @@ where a scene is written as in study.json: a file, or {"scene": FILE, "set": {KN
 process, a study, the chapter chooses for each scene and budget, and every candidate is drawn and timed. The error of the
 choice's whole picture may be above the budget only where the rule said that none would do, and none would. The time of
 the choice over that of the cheapest candidate that would have done is asserted in the median: times on a machine that
-does other things too are noisy. LIGHTWALK_NEEDS=all adds "more_scenes", for which a suite has not the time. Under "large" the rule may not draw whole pictures where crops decide. What the command line
-says (--explain --json) is asked for the first scene.
+does other things too are noisy. LIGHTWALK_NEEDS=all adds "more_scenes", too slow for a suite. Under "large" the rule may not draw whole pictures where crops decide. The first
+scene also tests --explain --json.
 """
 
 import itertools
@@ -30,7 +30,7 @@ SAME = 1e-6   # a mean FLIP: how far a picture drawn anew may be from the one th
 
 
 def sweep(study: dict, key: str = "curves", scene: dict | None = None) -> list[dict]:
-    """The study's points, each as the knobs that it sets; without those that are not for a scene that sets `scene`."""
+    """The study's points as the knobs they set, without points for other scenes than `scene`."""
     points = []
     for curve in study[key]:
         if any((scene or {}).get(name, value) != value for name, value in curve.get("where", {}).items()):
@@ -51,7 +51,7 @@ def set_options(knobs: dict) -> list[str]:
 
 
 def measure(chapter: str, needs: dict, crops: bool) -> dict:
-    """The study of the scenes of `needs`: all candidates, and what the rule chooses for each budget."""
+    """The study of the scenes of `needs`: all candidates, and the rule's choice for each budget."""
     study = study_of(chapter)
     asked = {**study, "size": needs["size"], "scenes": needs["scenes"], "budgets": needs["budgets"], "crops": crops,
              "curves": study.get("candidates", study["curves"]), "error_metric": "flip_mean",
@@ -114,7 +114,7 @@ def median_row(rows: list[dict]) -> dict:
 
 
 def command_line_row(chapter: str, needs: dict) -> dict:
-    """--method auto --explain --json chooses what it says, and the picture is of that error."""
+    """--method auto --explain --json reports its actual choice, and the picture has that error."""
     scene, budget = SceneEntry(needs["scenes"][0]), needs["budgets"][-1]
     folder = BUILD / "needs" / chapter
     folder.mkdir(parents=True, exist_ok=True)

@@ -24,14 +24,14 @@ def selected(folder: Path, selection: list[str]) -> list[tuple[str, str]]:
 
 
 def targets(folder: Path, tests: list[str]) -> list[str]:
-    """The targets of `tests`: of those that do not say, what a plain build makes."""
+    """The targets of `tests`; by default those of a plain build."""
     needs = {words[0]: words[1:] for words in map(str.split, (folder / "tests.needs").read_text().splitlines())}
     return sorted({target for test in tests for target in needs.get(test, ["all"])}) or NOTHING
 
 
 def build_for(selection: list[str], shard_options, preset: str = "default", also: list[str] = ()) -> tuple[Path, list[str]]:
-    """Builds what the selected tests need, of them those that shard_options(folder, selection) leaves, and `also`. Returns the
-    build's folder and ctest's options."""
+    """Builds the programs of the selected tests, limited to those that shard_options(folder, selection) leaves, and
+    `also`. Returns the build's folder and ctest's options."""
     folder = build(NOTHING, preset)
     options = selection + shard_options(folder, selection)
     build([*targets(folder, [name for _, name in selected(folder, options)]), *also], preset)

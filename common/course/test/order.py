@@ -10,7 +10,7 @@ from pathlib import Path
 from tree import ROOT
 
 ROOMS = ("base", "image", "gpu", "scene", "app", "measure", "study", "check", "judge", "window")
-# What lies beside the packages stands in the order as well.
+# Modules beside the packages have a position in the order as well.
 PACKAGES = ("tree", "progress", "many", "build", "shots", "charts", "check", "pages", "grading", "live", "test", "gallery", "models", "run", "new", "film", "cli", "__main__")
 
 INCLUDE = re.compile(r'\s*#\s*include\s+"([^"]+)"')
@@ -20,7 +20,7 @@ CHAPTER = re.compile(r"\d\d_\w+")
 
 
 def check_order(names: list[Path]) -> list[str]:
-    """One "file:line: what" for each #include or import of a later part, and for each part without a place in the order."""
+    """One "file:line: message" for each #include or import of a later part, and for each part without a position in the order."""
     rooms = {name.parts[1] for name in names if name.suffix in CODE and name.parts[0] == "common"}
     wrong = [f"common/{room}: not a room in the order {', '.join(ROOMS)} (common/course/test/order.py)"
              for room in sorted(rooms - set(ROOMS))]
@@ -45,7 +45,7 @@ def later_parts(name: Path, pattern: re.Pattern, problem) -> list[str]:
 
 
 def later_include(user: Path, used: str) -> str:
-    """What is wrong with an #include, or ""."""
+    """The fault of an #include, or ""."""
     mine, theirs = place(user), place(included(user, used))
     if theirs is None:
         return f"'{used}' leads to no part of the tree that code may include"
@@ -92,7 +92,7 @@ def place(name: Path) -> tuple[str, int] | None:
 
 
 def later_import(user: Path, used: str) -> str:
-    """What is wrong with an import, or ""."""
+    """The fault of an import, or ""."""
     mine = Path(user.parts[2]).stem
     if used not in PACKAGES or mine not in PACKAGES or PACKAGES.index(used) <= PACKAGES.index(mine):
         return ""

@@ -19,7 +19,7 @@ from shots.rendering import run_program
 from charts.drawn import shown_by_lessons
 from tree import BUILD, ROOT, Failure, exercises, relative, say, warn, write_atomically
 
-# What stands over a table where report.py's own words for its kind do not fit.
+# Table titles that replace report.py's default for their kind.
 TITLES = {"study": "The study, run quickly", "need": "The need rule on other scenes"}
 
 
@@ -86,7 +86,7 @@ def case_row(case, counts: dict[str, int]) -> dict:
 
 
 def charts() -> list[str]:
-    """One result for each study, and what is wrong with them."""
+    """One result for each study, and its faults."""
     said, shown = [], shown_by_lessons()
     for path in sorted((ROOT / "docs" / "studies").glob("*.json")):
         why, chapter, again = [], path.name.split(".")[0], ""

@@ -1,4 +1,4 @@
-"""Builds what the tests need, runs them, writes the report."""
+"""Builds the tests' programs, runs them, writes the report."""
 
 import os
 import re
@@ -102,8 +102,8 @@ def run(arguments, rest) -> int:
 
 
 def part() -> list[str]:
-    """ctest's options for the tests of a run without --all: those of wrong answers from one chapter of SHARE, which the commit
-    decides."""
+    """ctest's options for the tests of a run without --all: those of wrong answers from one chapter of SHARE, chosen by
+    the commit."""
     try:
         commit = int(git("rev-parse", "HEAD"), 16)
     except (Failure, ValueError):

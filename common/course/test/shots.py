@@ -3,12 +3,12 @@
     python3 common/course test.shots check NN_name SHOT    the reference's picture against the golden
     python3 common/course test.shots teeth NN_name SHOT    the golden against pictures that it must reject
 
-Each writes what it found to build/results/shot.NN.SHOT.json or teeth.NN.SHOT.json, from which the report is made:
+Each writes its result to build/results/shot.NN.SHOT.json or teeth.NN.SHOT.json, from which the report is made:
 
     {"kind": "shot" | "teeth", "chapter", "name", "caption", "ok": bool, "why": [lines], "again": a command,
      "seconds", "limits", "pictures": [{"name", "ok", "expected", "actual", "heatmap", "metrics"}]}
 
-where metrics is what `compare --json` printed, or null, and paths count from the root. A shot has one picture, called
+where metrics is the output of `compare --json`, or null, and paths count from the root. A shot has one picture, called
 like the shot; teeth have one for each picture to be rejected ("02.phong as handed out", "drawn by 01_obj").
 """
 

@@ -58,7 +58,7 @@ def rows_of(chapter: str) -> list[dict]:
 
 
 def whole_row(chapter: str) -> dict:
-    """That study.json can be read with the scenes that this test leaves out: what refuses no rounds has read it."""
+    """study.json can be read with the scenes that this test omits: the study refuses zero rounds only after reading."""
     done = run_program([chapter_program(chapter), "--study", BUILD / "study" / f"whole.{chapter}.json"],
                        LIGHTWALK_STUDY_ROUNDS="0")
     read = "LIGHTWALK_STUDY_ROUNDS is 0" in done.stderr
@@ -92,7 +92,7 @@ def frame_rows(study: dict, measured: dict) -> list[dict]:
 
 
 def point_key(knobs: dict) -> str:
-    """The same for the same values, in whatever order and however they were written."""
+    """Equal for equal values, in any order and notation."""
     return " ".join(f"{name}={text(value)}" for name, value in sorted(knobs.items()))
 
 

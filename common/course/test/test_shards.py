@@ -1,6 +1,5 @@
-"""./course test in shards, for a CI's matrix: a chapter's pictures and all tests that compare them stay together, because one
-process draws them; every other test is a piece of its own. What a shard keeps are the results and their pictures.
-"""
+"""./course test in shards, for a CI's matrix: a chapter's pictures and all tests that compare them stay together, because
+one process draws them; every other test is a piece of its own. A shard keeps its results and their pictures."""
 
 import json
 import re
@@ -16,13 +15,13 @@ PICTURES = re.compile(r"(?:pictures|shot|teeth)\.(\d\d)(?:\.|$)")
 
 
 def piece(test: str) -> str:
-    """What is not cut apart."""
+    """The unit that is never split."""
     found = PICTURES.match(test)
     return f"pictures.{found[1]}" if found else test
 
 
 def words(folder: Path, selection: list[str], shard: shards.Shard | None) -> list[str]:
-    """What ctest is given to run a shard's tests of a selection alone; nothing without a shard."""
+    """ctest's options for a shard's tests of a selection; nothing without a shard."""
     if not shard:
         return []
     listed = needs.selected(folder, selection)
@@ -32,7 +31,7 @@ def words(folder: Path, selection: list[str], shard: shards.Shard | None) -> lis
     if not mine:  # a selection of few tests, cut into many
         return ["-E", "."]
     chosen = folder / f"tests.{shard.number}-of-{shard.of}"
-    # START, END, STRIDE, then numbers: from a number behind the last one, so that only those that are named run.
+    # START, END, STRIDE, then numbers: the start lies behind the last one, so that only the named tests run.
     chosen.write_text(",".join(["1", "0", "1", *mine]) + "\n")
     return ["-I", str(chosen)]
 
@@ -79,6 +78,6 @@ def merge(paths: list[Path]) -> int:
 
 
 def closing_line(total: int, failed: int) -> str:
-    """As ctest ends, which is what a CI reads, over all its runs."""
+    """ctest's closing line over all runs, for a CI to read."""
     percent = round(100 * (total - failed) / max(total, 1))
     return f"{min(percent, 99) if failed else 100}% tests passed, {failed} tests failed out of {total}"

@@ -1,6 +1,6 @@
-"""Checks what is written: lessons' quotes, links, lengths and diagrams, credits, what each chapter must have, the layout of the code.
+"""Checks the texts: lessons' quotes, links, lengths and diagrams, credits, the parts of each chapter, the layout of the code.
 
-As a program it prints what is wrong, one "file:line: what" each, and ends with 1 if there is any.
+As a program it prints the faults, one "file:line: fault" each, and ends with 1 if there is any.
 """
 
 import contextlib
@@ -72,7 +72,7 @@ def check_links(name: Path) -> list[str]:
 
 
 def check_chapters() -> list[str]:
-    """Each chapter has a lesson and tests; its shots name what exists; one of them rejects an earlier chapter."""
+    """Each chapter has a lesson and tests; its shots name existing files; one of them rejects an earlier chapter."""
     wrong = []
     known = {exercise for chapter in chapters() for exercise in exercises(chapter)}
     for number, chapter in enumerate(chapters()):
@@ -93,7 +93,7 @@ def check_chapters() -> list[str]:
             wrong.append(f"{file}: no golden has to reject the picture of an earlier chapter")
         goldens = sorted(path.stem for path in (ROOT / "tests" / chapter / "golden").glob("*.png"))
         wrong += [f"tests/{chapter}/golden/{name}.png: no shot has this name" for name in goldens if name not in names]
-        # Limits are what was measured, and nothing else.
+        # Limits are measured values only.
         measured = measured_distances(chapter)
         wrong += [f"{file}: {shot['name']} says its own limits; ./course accept measures them" for shot in found
                   if "limits" in shot]
@@ -137,7 +137,7 @@ def check_lesson(chapter: str) -> list[str]:
 
 
 def check_figures() -> list[str]:
-    """docs/images/NAME.svg is what docs/figures/NAME.py draws, and a lesson shows it."""
+    """docs/images/NAME.svg is the drawing of docs/figures/NAME.py, and a lesson shows it."""
     folder, wrong = ROOT / "docs/figures", []
     shown = "".join((ROOT / name).read_text() for name in lessons())
     scripts = {path.stem: path for path in sorted(folder.glob("*.py")) if re.search(r"^def draw\(", path.read_text(), re.M)}
@@ -154,7 +154,7 @@ def check_figures() -> list[str]:
             with contextlib.redirect_stdout(sys.stderr):
                 spec.loader.exec_module(module)
                 drawn = module.draw().svg()
-        except Exception as error:  # whatever a figure's script may do wrong
+        except Exception as error:  # any failure of a figure's script
             wrong.append(f"docs/figures/{name}.py: {error}")
             continue
         if not (ROOT / image).exists() or (ROOT / image).read_text(encoding="utf-8") != drawn:
@@ -164,7 +164,7 @@ def check_figures() -> list[str]:
 
 
 def check_generated() -> list[str]:
-    """What a program draws lies in the tree only where a text shows it: charts as PNG, ./course docs draws the others."""
+    """Generated files are in the tree only if a text shows them: charts as PNG; ./course docs draws the others."""
     texts = "".join((ROOT / name).read_text(encoding="utf-8") for name in files() if name.suffix == ".md" and name.parts[0] in ("docs", "README.md"))
     return [f"{name}: no text shows it; ./course docs draws charts from their JSON" for name in files()
             if (name.parts[:2] == ("docs", "studies") and name.suffix in (".png", ".svg") or
