@@ -1,4 +1,4 @@
-// The tests' main (Catch2 2 wants one from us; Catch2 3 links its own), and a count of what each case has checked.
+// The tests' main (Catch2 2 wants one from us; Catch2 3 links its own), and a count of each case's assertions.
 #include <cstdio>
 #include <cstdlib>
 #if __has_include(<catch2/catch_all.hpp>)

@@ -51,7 +51,7 @@ TIMEOUT_S = 300
 
 
 def mutants(chapter: str, only: str):
-    """(file, line number, what was done, the whole changed text)"""
+    """(file, line number, the change, the whole changed text)"""
     folder = ROOT / "shaders" / chapter
     for path in sorted(p for kind in ("*.glsl", "*.frag", "*.vert", "*.comp", "solution/*.glsl") for p in folder.glob(kind)):
         if only not in path.name:
@@ -106,14 +106,14 @@ class Bench:
         return ("" if done.returncode == 0 else done.stderr.strip()), picture
 
     def test(self, program, words):
-        """(what failed, what the probes returned)"""
+        """(failures, the probes' results)"""
         done = self.run([self.build / "tests" / program, *words])
         said = [line for line in done.stdout.splitlines() if '"ok":false' in line or "FAILED" in line]
         failed = (said or [done.stderr.strip() or "failed"])[0] if done.returncode else ""
         return failed, (self.folder / "probes").read_text()
 
     def judge(self, file: pathlib.Path, text: str, everything: bool):
-        """(verdict, by what) of a shader's change."""
+        """(verdict, its source) of a shader's change."""
         changed = self.overlay / file
         changed.parent.mkdir(parents=True, exist_ok=True)
         changed.write_text(text)
@@ -123,7 +123,7 @@ class Bench:
             changed.unlink()
 
     def verdict(self, everything: bool = False):
-        """(verdict, by what) of what is drawn and tested now."""
+        """(verdict, its source) of the current pictures and tests."""
         differs, caught = [], []
         for program, words in self.programs():
             failed, probes = self.test(program, words)

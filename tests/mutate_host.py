@@ -30,7 +30,7 @@ LIBRARY = "liblightwalk.so"
 
 
 def mutants(only: str):
-    """(file, line number, what was done, the changed line, the whole changed text)"""
+    """(file, line number, the change, the changed line, the whole changed text)"""
     for path in sorted(p for folder in FOLDERS for p in (ROOT / folder).rglob("*.cpp")):
         file = path.relative_to(ROOT)
         if only not in str(file) or path.stem.endswith("_main") or path.parent.name in ("exercise", "solution"):
@@ -47,7 +47,7 @@ class HostBench:
 
     def __init__(self, names: list[str], folder: pathlib.Path):
         self.names, self.folder, self.build = names, folder, folder / "build"
-        self.compile = {}  # of each file: the command, and what it compiles, which may be several files at once
+        self.compile = {}  # of each file: the command, and its inputs, possibly several files
         for entry in json.loads((BUILD / "compile_commands.json").read_text()):
             unit = pathlib.Path(entry["file"]).resolve()
             together = re.findall('#include "(.*)"', unit.read_text()) if "Unity" in unit.parts else [unit]
@@ -118,12 +118,12 @@ class HostBench:
         return True
 
     def common_fails(self):
-        """What fails of common's own tests, or ""."""
+        """Failures of common's own tests, or ""."""
         failed, _ = next(iter(self.benches.values())).test("test_common", ["--abort", "~*speed*"])
         return failed
 
     def judge(self, file: pathlib.Path, text: str):
-        """(verdict, by what)"""
+        """(verdict, its source)"""
         try:
             if not self.make(file, text):
                 return "invalid", ""

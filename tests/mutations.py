@@ -16,7 +16,7 @@ HOST = ({" + ": " - ", " - ": " + ", " * ": " / ", " += ": " -= ", " == ": " != 
 
 
 def arguments_of(text: str, start: int):
-    """(the arguments of the call whose '(' is at start, the index after its ')'); None if it ends on another line."""
+    """(the arguments of the call with '(' at start, the index after its ')'); None if it ends on another line."""
     depth, parts, begin = 0, [], start + 1
     for at in range(start, len(text)):
         if text[at] in "([":
@@ -32,7 +32,7 @@ def arguments_of(text: str, start: int):
 
 
 def changes(line: str):
-    """(what was done, the changed line), once each, for a line of GLSL."""
+    """(the change, the changed line), once each, for a line of GLSL."""
     code = line.split("//")[0].rstrip()
     if not code.strip() or code.lstrip().startswith(("#", "layout", "struct")):
         return
@@ -70,7 +70,7 @@ def changes(line: str):
 
 
 def host_changes(line: str):
-    """(what was done, the changed line), once each, for a line of C++."""
+    """(the change, the changed line), once each, for a line of C++."""
     code = line.split("//")[0].rstrip()
     if not code.strip() or re.match(r"\s*(#|using |namespace |template|static_assert|class |struct |enum |\*|/\*)", code):
         return

@@ -1,4 +1,4 @@
-"""The two processors, their memories, and what lies in the GPU's.
+"""The two processors, their memories, and the contents of the GPU's.
 
 python3 docs/figures/00_memory.py writes docs/images/00_memory.svg.
 """

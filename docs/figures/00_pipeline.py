@@ -1,4 +1,4 @@
-"""What a GPU does to a triangle: the stages of the graphics pipeline.
+"""A triangle on its way through the GPU: the stages of the graphics pipeline.
 
 python3 docs/figures/00_pipeline.py writes docs/images/00_pipeline.svg.
 """

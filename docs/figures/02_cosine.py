@@ -11,7 +11,7 @@ WIDTH = 1.3
 
 
 def beam(p, angle: float, area: str):
-    """A beam that comes from `angle` degrees beside the normal, and what it covers of the ground."""
+    """A beam at `angle` degrees to the normal, and its footprint on the ground."""
     half = WIDTH / 2 / cos(radians(angle))
     reach = 1.55 / cos(radians(angle))
     top = [polar(reach, 90 + angle, (x, 0)) for x in (half, -half)]

@@ -1,4 +1,4 @@
-"""Blinn–Phong's normalisation: the exact factor, the common one, and what numerical integration says of both.
+"""Blinn–Phong's normalisation: the exact factor, the common one, and numerical integrals of both.
 
 python3 docs/figures/02_normalisation.py
 """

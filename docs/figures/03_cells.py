@@ -5,7 +5,7 @@ python3 docs/figures/03_cells.py writes docs/images/03_cells.svg.
 
 from drawing import BLUE, GREY, INK, LIGHT, PALE_BLUE, PALE_GREY, PALE_ORANGE, SMALL, THIN, Drawing
 
-NEAR, FAR = 1.0, 7.4  # depths of what a tile sees, in units
+NEAR, FAR = 1.0, 7.4  # depth range of a tile, in units
 SLOPES = (-0.07, 0.0, 0.15)  # the tiles' sides
 LOW, HIGH = SLOPES[1:]  # of the tile in question
 LIGHTS = [(1.45, 0.1, 0.22), (2.35, 0.3, 0.24), (3.5, 0.45, 0.28), (4.45, 0.3, 0.28), (6.9, 0.55, 0.33)]

@@ -1,4 +1,4 @@
-"""Falloffs with an end, against the inverse square: what is kept, and how far a light reaches down to a threshold.
+"""Falloffs with an end, against the inverse square: the share kept, and a light's reach down to a threshold.
 
 python3 docs/figures/03_windows.py
 """

@@ -1,4 +1,4 @@
-"""A ray against a height field: what offset, steep, occlusion and relief take for the hit, and where it is.
+"""A ray against a height field: the hits of offset, steep, occlusion and relief, and the true one.
 
 python3 docs/figures/04_ray.py writes docs/images/04_ray.svg.
 """

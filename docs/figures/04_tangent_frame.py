@@ -1,4 +1,4 @@
-"""A triangle in texture space and in the world: tangent and bitangent are what u and v become.
+"""A triangle in texture space and in the world: tangent and bitangent are the images of u and v.
 
 python3 docs/figures/04_tangent_frame.py writes docs/images/04_tangent_frame.svg.
 """

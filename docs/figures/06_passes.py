@@ -1,4 +1,4 @@
-"""The passes of a frame, and what goes from one to the next.
+"""The passes of a frame, and the images between them.
 
 python3 docs/figures/06_passes.py writes docs/images/06_passes.svg.
 """

@@ -1,4 +1,4 @@
-"""The single pass: tiles of 64x64 texels, what each workgroup makes of one, and who makes the rest.
+"""The single pass: tiles of 64x64 texels, each workgroup's output, and the last workgroup's.
 
 python3 docs/figures/07_tiles.py writes docs/images/07_tiles.svg.
 """

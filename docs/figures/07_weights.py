@@ -1,4 +1,4 @@
-"""Seven texels become three: what 2x2 means take, and what three taps take.
+"""Seven texels become three: the weights of 2x2 means, and of three taps.
 
 python3 docs/figures/07_weights.py writes docs/images/07_weights.svg.
 """

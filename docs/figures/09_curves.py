@@ -1,4 +1,4 @@
-"""Tone curves over stops: what a screen shows of grey light, as codes, at equal middle grey.
+"""Tone curves over stops: displayed codes of grey light, at equal middle grey.
 
 python3 docs/figures/09_curves.py writes docs/images/09_curves.svg.
 """
@@ -7,7 +7,7 @@ from math import log2
 
 from drawing import BLUE, FAINT, GREEN, GREY, INK, ORANGE, PURPLE, RED, SMALL, THIN, Drawing
 
-# By what light is multiplied so that 0.18 is as bright as the reference shows it: build/tests/test_09_post_effects "[figures]".
+# Gain for each curve that maps 0.18 to the reference's brightness: build/tests/test_09_post_effects "[figures]".
 GAINS = {"clamp": 0.578, "reinhard": 0.645, "hill": 0.990, "neutral": 0.800, "agx": 0.450}
 
 

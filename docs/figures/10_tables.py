@@ -1,4 +1,4 @@
-"""Four tables: what each is made from, and when it must be made again.
+"""Four tables: the inputs of each, and the changes that rebuild it.
 
 python3 docs/figures/10_tables.py writes docs/images/10_tables.svg.
 """

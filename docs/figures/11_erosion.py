@@ -9,7 +9,7 @@ from drawing import BLUE, FAINT, INK, RED, SMALL, THIN, Drawing
 
 
 def heights(x: float, erosion: float, octaves: int = 7) -> float:
-    """Waves in place of noise: what is shown is what the weight does."""
+    """Waves instead of noise: only the weight's effect is shown."""
     total, slope, amplitude, frequency = 0.0, 0.0, 1.0, 1.0
     for k in range(octaves):
         phase = frequency * x + 1.3 * k

@@ -1,4 +1,4 @@
-"""Rings of a grid around the eye, and what is done where two of them meet.
+"""Rings of a grid around the eye, and the seam where two of them meet.
 
 python3 docs/figures/11_rings.py writes docs/images/11_rings.svg.
 """

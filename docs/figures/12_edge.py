@@ -1,4 +1,4 @@
-"""An edge of light on skin: what of red, green and blue lies how far in the shadow.
+"""An edge of light on skin: the spread of red, green and blue into the shadow.
 
 python3 docs/figures/12_edge.py writes docs/images/12_edge.svg.
 """

@@ -1,4 +1,4 @@
-"""How far a line goes on, by recursive doubling: each pass adds what is known where the stretch ends.
+"""Line lengths by recursive doubling: each pass adds the distance stored at the end of the stretch.
 
 python3 docs/figures/13_doubling.py writes docs/images/13_doubling.svg.
 """
@@ -9,7 +9,7 @@ LINE = 11  # pixels
 
 
 def passes():
-    """What is known after linking neighbours and after each pass of two reads."""
+    """Distances known after linking neighbours and after each pass of two reads."""
     known = [1 if i + 1 < LINE else 0 for i in range(LINE)]
     yield list(known)
     for _ in range(3):
@@ -28,7 +28,7 @@ def draw() -> Drawing:
             p.box((i, y), (i + 1, y + 0.8), GREY, 1, fill=PALE_BLUE if known[i] else PALE_GREY)
             p.text((i + 0.5, y + 0.4), str(known[i]), INK, rim=False, offset=(0, -1))
         p.text((-0.3, y + 0.4), ("neighbours", "pass 1", "pass 2", "pass 3")[row], (GREEN, BLUE, BLUE, BLUE)[row], anchor="end")
-    for known, y, into in zip(rows, heights, heights[1:]):  # what the first pixel adds up
+    for known, y, into in zip(rows, heights, heights[1:]):  # summands of the first pixel
         for source in (0, known[0]):
             p.arrow((source + 0.5, y - 0.05), (0.5 if source == 0 else 0.75, into + 0.85), ORANGE, width=2)
     return drawing

@@ -1,4 +1,4 @@
-"""What may stand across the end of a line of edges, and to which side the outline then turns.
+"""Crossing edges at the end of a line, and the side to which the outline then turns.
 
 python3 docs/figures/13_ends.py writes docs/images/13_ends.svg.
 """

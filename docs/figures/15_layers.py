@@ -1,4 +1,4 @@
-"""Layers of glass along a ray: what each lets through, and what reaches the camera.
+"""Layers of glass along a ray: each one's transmittance, and the light that reaches the camera.
 
 python3 docs/figures/15_layers.py writes docs/images/15_layers.svg.
 """

@@ -1,4 +1,4 @@
-"""The camera below the water, whose near plane is the water.
+"""The camera below the water, with the water as near plane.
 
 python3 docs/figures/15_mirror.py writes docs/images/15_mirror.svg.
 """

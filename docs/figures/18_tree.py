@@ -1,4 +1,4 @@
-"""A selection in a tree: what moves, what moves along, and which parents are refused.
+"""A selection in a tree: moved entries, entries moved along, and refused parents.
 
 python3 docs/figures/18_tree.py writes docs/images/18_tree.svg.
 """

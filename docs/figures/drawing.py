@@ -88,7 +88,7 @@ def _tspans(text: str) -> str:
 
 
 class Drawing:
-    """A picture of width × height pixels. `title` says in a sentence what it shows, to whom cannot see it."""
+    """A picture of width × height pixels. `title` describes it in a sentence, for screen readers."""
 
     def __init__(self, width: int, height: int, title: str):
         self.width, self.height, self.title = width, height, title
@@ -219,7 +219,7 @@ class Panel:
         self.line([a, (a[0] + b[0] - corner[0], a[1] + b[1] - corner[1]), b], color, THIN)
 
     def ground(self, left: float, right: float, y: float = 0.0, depth_px: float = 22):
-        """The surface that everything stands on: a line and what is below it."""
+        """The ground: a line with hatching below it."""
         d = depth_px / self.scale
         self.line([(left, y), (right, y), (right, y - d), (left, y - d)], None, fill=SURFACE)
         self.line([(left, y), (right, y)], INK)

@@ -19,7 +19,7 @@ from window_session import BUILD, Session, XServer  # noqa: E402
 
 
 def editor(session: Session):
-    """The workbench: its statue moved by an arrow, and what it is made of."""
+    """The workbench: its statue moved by an arrow, and its material."""
     since = session.said()
     session.move(682, 262)
     session.press()

@@ -7,7 +7,7 @@
 
 namespace lightwalk {
 
-/// What a loader makes of a text: data, or the place of its first error.
+/// A loader's result for a text: data, or the position of its first error.
 struct Outcome {
     ObjData data;
     std::string error;  ///< the whole message; empty where it read the text
@@ -15,8 +15,8 @@ struct Outcome {
 };
 Outcome outcome_of(std::string_view text, Loader loader, ParseOptions options = {});
 
-/// The first difference between what the loaders make of the text, with chunks of several sizes and one to three
-/// threads; empty where they agree. Throws whatever else than InputError a loader throws.
+/// The first difference between the loaders' results for the text, with chunks of several sizes and one to three
+/// threads; empty if they agree. Passes on exceptions other than InputError.
 std::string disagreement(std::string_view text);
 
 }  // namespace lightwalk

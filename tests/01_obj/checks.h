@@ -1,5 +1,4 @@
-// What an exercise of chapter 01 must do, as checks of any version of it. They run fixed inputs, in well under a
-// second.
+// Requirements of chapter 01's exercises, as checks of any version. They run fixed inputs, in well under a second.
 #pragma once
 #include "01_obj/exercises.h"
 #include "common/check/check.h"

@@ -20,7 +20,7 @@ std::string place_text(const glm::dvec3& v) {
     return text;
 }
 
-// What is probably wrong with a point that is not where it should be.
+// Probable cause of a misplaced point.
 std::string hint_for(const glm::dvec4& clip, const glm::dvec3& got, const glm::dvec3& right) {
     const auto near = [](double a, double b) { return std::abs(a - b) <= 5e-4; };
     if (!(clip.w > 0)) return "w must be the distance in front of the camera, -z in its space, and above 0 there";

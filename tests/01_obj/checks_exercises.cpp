@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 01.
+// Checks of chapter 01.
 #include "01_obj/truth.h"
 #include "checks.h"
 #include "common/check/check.h"
@@ -37,7 +37,7 @@ Row random_matrix(Random& random, int count) {
     return row;
 }
 
-// A matrix by what it does, where that is simple.
+// A matrix by its effect, if simple.
 std::string words(const std::string&, std::span<const double> v) {
     const size_t side = v.size() == 16 ? 4 : v.size() == 9 ? 3 : 0;
     if (side == 0) return "";
@@ -99,7 +99,7 @@ CHECK_EXERCISE("01.transform",
         return std::fabs(length - 1) > 1e-4 ? "stretching changes a normal's length: make it 1 again"
                                             : "the normal matrix stands left of the normal";
     };
-    // What can be followed on paper comes first.
+    // Cases that can be followed on paper come first.
     const Row identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, identity3{1, 0, 0, 0, 1, 0, 0, 0, 1};
     const auto with = [](Row matrix, const Row& changes, const Row& vector) {
         for (size_t i = 0; i + 1 < changes.size(); i += 2) matrix[static_cast<size_t>(changes[i])] = changes[i + 1];

@@ -18,8 +18,7 @@ glm::dvec3 area_vector(const Polygon& polygon) {
     return sum;
 }
 
-// What a triangulation of any polygon has: n - 2 triangles of corners that exist. What is wrong with it, "" for
-// nothing.
+// Form of any triangulation of a polygon: n - 2 triangles of existing corners. Returns the fault, "" for none.
 std::string form(const std::vector<glm::uvec3>& got, const Polygon& polygon, const std::string& call) {
     if (got.size() != polygon.size() - 2)
         return call + " gave " + std::to_string(got.size()) + " triangles, expected " +

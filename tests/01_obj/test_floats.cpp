@@ -122,7 +122,7 @@ TEST_CASE("floats: a million random ones and the points half-way between neighbo
             more[more.find('e') - 1] = '1';
             check_number(more);
         }
-        // What files hold.
+        // Typical numbers in files.
         const double y = (static_cast<double>(random()) / 2147483648.0 - 1.0) * std::pow(10.0, random() % 6);
         for (int decimals : {3, 4, 5, 6, 7, 8, 9, 12}) check_number(print("%.*f", decimals, y));
     }

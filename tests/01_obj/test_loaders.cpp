@@ -1,4 +1,4 @@
-// What the loaders read, that they agree, and what they refuse and where.
+// The loaders' results, their agreement, and the inputs they refuse.
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -1,6 +1,5 @@
-"""The need rule of chapter 01, which measures: what it picks reads every float within the budget, and takes about as long
-as the fastest loader that does. LIGHTWALK_BUILD names the build folder where it is not build/ in the tree.
-"""
+"""The need rule of chapter 01, by measuring: its choice reads every float within the budget, and takes about as long as
+the fastest such loader. LIGHTWALK_BUILD names the build folder, by default build/ in the tree."""
 import json
 import pathlib
 import statistics

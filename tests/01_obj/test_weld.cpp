@@ -80,7 +80,7 @@ TEST_CASE("weld: one position with very many uvs takes no longer than as many po
     REQUIRE(model.meshes.size() == 1);
     const Mesh& mesh = model.meshes[0];
     CHECK(mesh.vertices.size() == count + 2);
-    for (uint32_t i = 0; i < count; ++i) {  // the second time finds what the first has made
+    for (uint32_t i = 0; i < count; ++i) {  // the second run finds the first one's file
         if (mesh.indices[3 * i] == mesh.indices[3 * (count + i)] && mesh.vertices[mesh.indices[3 * i]].uv.x == float(i))
             continue;
         FAIL("uv " << i);

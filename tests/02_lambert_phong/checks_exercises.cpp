@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 02: values against double precision, then properties.
+// Checks of chapter 02: values against double precision, then properties.
 #include "02_lambert_phong/truth.h"
 #include "common/check/check.h"
 

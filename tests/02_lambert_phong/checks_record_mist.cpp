@@ -1,4 +1,4 @@
-// What ./course check runs for 02.record_mist: two frames, and whose colours they show.
+// Checks of 02.record_mist: two frames, with the colours of each.
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
@@ -14,7 +14,7 @@ std::string color_text(glm::vec3 c) {
     return "(" + number_text(double(c.x)) + ", " + number_text(double(c.y)) + ", " + number_text(double(c.z)) + ")";
 }
 
-// What a wrong colour says.
+// Meaning of a wrong colour.
 std::string words_for(glm::vec3 got, bool scene) {
     if (got.x > 100 || !(got.x == got.x)) return "hdr holds what a pass has discarded: what is drawn over must be kept";
     if (got.y > 0.9f && !(scene && got.x > 0))
@@ -27,7 +27,7 @@ std::string words_for(glm::vec3 got, bool scene) {
 }
 
 struct MistFrame {
-    std::string error;                  // what it threw; then nothing else is known
+    std::string error;                  // the exception; then nothing else is known
     std::string passes;                 // "sky (compute), shade (raster), ..."
     glm::vec3 left{0.0f}, right{0.0f};  // linear light, of a pixel in either half
 };

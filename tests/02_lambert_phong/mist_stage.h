@@ -1,4 +1,4 @@
-// What 02.record_mist is tried on: images, pipelines and a scene of one quad, over what a frame before has left.
+// Test stage of 02.record_mist: images, pipelines and a scene of one quad, over leftovers of the previous frame.
 #pragma once
 #include "02_lambert_phong/exercises.h"
 #include "common/check/recorded.h"

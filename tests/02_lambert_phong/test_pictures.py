@@ -44,7 +44,7 @@ class PicturesTest(ChapterPictures):
         return [[image[x, y] for x in range(scale * WIDTH)] for y in range(scale * HEIGHT)]
 
     def test_samples_are_the_average_of_smaller_pixels(self):
-        """Pictures shifted within a pixel, and a larger picture whose pixels lie there: their means agree."""
+        """Pictures shifted within a pixel, and a larger picture with pixels at the same points: their means agree."""
         got, fine, one = self.draw(1, "--samples", "256"), self.draw(SAMPLES), self.draw(1)
         worst = moved = 0
         for y in range(HEIGHT):

@@ -81,7 +81,7 @@ TEST_CASE("a normal whose length has rounded to just above 1 makes no highlight 
 
 TEST_CASE("no highlight leaks where the light is behind the surface, though the half vector says there is one") {
     const glm::dvec3 below = glm::normalize(glm::dvec3(1, -0.05, 0)), eye = glm::normalize(glm::dvec3(-0.6, 0.8, 0));
-    REQUIRE(std::pow(glm::dot(above, glm::normalize(below + eye)), 8) > 0.05);  // what would leak
+    REQUIRE(std::pow(glm::dot(above, glm::normalize(below + eye)), 8) > 0.05);  // light that would leak
     CHECK(evaluate("blinn_phong", row(above, below, eye, 8)) == 0);
     CHECK(evaluate("phong", row(above, below, eye, 8)) == 0);
 }

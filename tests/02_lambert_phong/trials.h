@@ -1,4 +1,4 @@
-// What the check of 02.record_mist has recorded where the student's C++ runs.
+// The recording of 02.record_mist's check, made in the student's process.
 #pragma once
 #include <vector>
 

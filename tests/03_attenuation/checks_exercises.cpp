@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 03: values against double precision, then properties.
+// Checks of chapter 03: values against double precision, then properties.
 #include "03_attenuation/exercises.h"
 #include "03_attenuation/truth.h"
 #include "common/check/check.h"
@@ -8,7 +8,7 @@ using namespace lightwalk;
 
 namespace {
 
-// What both falloffs are told by.
+// Hints for both falloffs.
 std::string falloff_hint(std::span<const double> in, std::span<const double> got) {
     if (in[1] == 0) return "a light of range 0 lights nothing: ask that before you divide by the range";
     if (in[0] >= in[1] && got[0] != 0)
@@ -86,7 +86,7 @@ CHECK_EXERCISE("03.spot_cone",
                            {-0.5, -0.2, -0.8, 0.3},
                            {-0.9, -1, -1, 0.5}},
                 .truth = [](std::span<const double> in) { return Row{truth::spot_cone(in[0], in[1], in[2], in[3])}; },
-                // The division magnifies what rounding does to the difference of two cosines.
+                // The division magnifies the rounding error of a difference of cosines.
                 .bound = {.absolute = 2e-4},
                 .hint = [](auto in, auto got) -> std::string {
                     if (in[1] == in[2]) return "the angles are equal: a hard edge, with 1 inside and 0 outside";

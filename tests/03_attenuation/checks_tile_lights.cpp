@@ -1,4 +1,4 @@
-// What ./course check runs for 03.tile_lights: tiles and lights from a table, in several orders of the invocations.
+// Checks of 03.tile_lights: tiles and lights from a table, in several orders of the invocations.
 #include <bit>
 
 #include "common/check/barriers.h"
@@ -100,7 +100,7 @@ const char* const hint_barrier =
 
 enum class Saw { right, wrong, nothing };
 
-// `saw` says what an invocation saw in one order. Where only some saw what is wrong, a barrier is missing.
+// `saw` holds an invocation's values in one order. If only some saw a wrong one, a barrier is missing.
 template <class Function>
 void judge(Check& check, const std::string& wrong_words, const char* hint, const Function& saw) {
     uint32_t count[3] = {}, order = 0, local = 0;

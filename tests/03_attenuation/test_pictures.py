@@ -1,6 +1,4 @@
-"""Pictures of chapter 03: those of every method of culling are equal to the last bit, and pixels are what double precision
-says.
-"""
+"""Pictures of chapter 03: all methods of culling agree to the last bit, and pixels match double precision."""
 import json
 import math
 import os
@@ -48,7 +46,7 @@ class PicturesTest(ChapterPictures):
         return [[image[x, y] for x in range(size[0])] for y in range(size[1])]
 
     def errors(self, scenes, size):
-        """{(label, method): errors} of a study of these, whose pictures are compared before they are rounded to codes."""
+        """{(label, method): errors} of a study of these, with pictures compared before rounding to codes."""
         root = self.folder / "root"
         if not root.exists():
             (root / "chapters" / "03_attenuation").mkdir(parents=True)
@@ -186,7 +184,7 @@ class PicturesTest(ChapterPictures):
                 self.assertEqual(self.draw(scene, "--method", method, size=(16, 12)), dark)
 
     def test_the_count_of_lights(self):
-        """What 0, 1, 4 ... lights look like on a floor that faces up, and half-way between two of them."""
+        """Display of 0, 1, 4 ... lights on a floor that faces up, and half-way between two of them."""
         colors = {0: (0, 0, 0), 1: (0, 0.05, 0.8), 2: (0, 0.325, 0.8), 4: (0, 0.6, 0.8), 16: (0, 0.6, 0.05),
                   64: (0.8, 0.7, 0), 256: (0.8, 0.05, 0), 1024: (1, 1, 1), 1500: (1, 1, 1)}
         for count, color in colors.items():
@@ -232,7 +230,7 @@ class PicturesTest(ChapterPictures):
             self.assertEqual([p["name"] for p in timings["passes"] if p["frames"] == 6][-1], "encode_srgb")
 
     def test_lights_that_move_are_those_of_the_last_frame(self):
-        """Whatever the frames before have left in the buffers: the picture is that of its time alone."""
+        """The picture depends on its time alone, not on earlier frames' buffers."""
         scene = self.scene("moving", [point(0.3 * i - 3, 0.5, 4 - 0.2 * i, intensity=5) for i in range(20)])
         for method in METHODS:
             moving = ("--moving", "on", "--method", method, "--validate", "on")

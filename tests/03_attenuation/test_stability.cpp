@@ -197,7 +197,7 @@ TEST_CASE("the buffer is packed when a light changes in anything, and only then"
     lights.pop_back();
     CHECK(update(lights));
     CHECK(buffer.buffer.bytes == 2 * sizeof(LightData));
-    const auto on_device = check_device().read_back(buffer.buffer);  // what the last of all those uploads has left
+    const auto on_device = check_device().read_back(buffer.buffer);  // result of the last upload
     const std::vector<LightData> packed{pack(lights[0]), pack(lights[1])};
     CHECK(std::memcmp(on_device.data(), packed.data(), sizeof(LightData) * 2) == 0);
     lights.clear();

@@ -1,4 +1,4 @@
-// What ./course check runs for 04.alpha_scale: levels from a table, in several orders of the invocations.
+// Checks of 04.alpha_scale: levels from a table, in several orders of the invocations.
 #include <algorithm>
 #include <bit>
 

@@ -1,4 +1,4 @@
-// What ./course check runs for the shaders of chapter 04: values against double precision, then properties.
+// Checks of the shaders of chapter 04: values against double precision, then properties.
 #include "04_surface_maps/truth.h"
 #include "common/check/check.h"
 

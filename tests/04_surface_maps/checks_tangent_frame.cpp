@@ -1,4 +1,4 @@
-// What ./course check runs for 04.tangent_frame.
+// Checks of 04.tangent_frame.
 #include <cfenv>
 
 #include "04_surface_maps/exercises.h"
@@ -10,7 +10,7 @@ namespace {
 
 std::string show(glm::vec3 v) {
     for (int i = 0; i < 3; ++i)
-        if (std::fabs(v[i]) < 1e-6f) v[i] = 0;  // what rounding leaves of it
+        if (std::fabs(v[i]) < 1e-6f) v[i] = 0;  // rounding residue
     char text[96];
     std::snprintf(text, sizeof text, "(%.4g, %.4g, %.4g)", double(v.x), double(v.y), double(v.z));
     return text;
@@ -35,7 +35,7 @@ bool is_unit_and_perpendicular(const TangentFrame& frame, glm::vec3 normal) {
 
 }  // namespace
 
-// Calls it and looks whether the processor has noted a division by 0, whatever was then made of the result.
+// Calls it and checks whether the processor flagged a division by 0, even if the result was unused.
 static TangentFrame frame_of(Check& check, const std::string& what, const Vertex& a, const Vertex& b, const Vertex& c) {
     TangentFrame frame{};
     check.call(
@@ -66,7 +66,7 @@ CHECK_EXERCISE("04.tangent_frame", "two edges are two equations for dP/du and dP
         on_plane("a normal that leans, as a smooth one does", {0, 0, 0}, x, y, {0.3f, -0.2f, 1})};
     for (const Case& c : cases) {
         const TangentFrame frame = frame_of(check, c.what, c.a, c.b, c.c);
-        // What is asked for, from the construction.
+        // Expected frame, by construction.
         const glm::mat2 uv(c.b.uv - c.a.uv, c.c.uv - c.a.uv);
         const glm::mat2x3 edges(c.b.position - c.a.position, c.c.position - c.a.position);
         const glm::mat2x3 per = edges * glm::inverse(uv);

@@ -1,4 +1,4 @@
-// For tests of 04.parallax_occlusion: fields whose intersections are known.
+// For tests of 04.parallax_occlusion: fields with known intersections.
 float depth_at(vec2 uv) {
 #if FIELD == 1
     return fract(uv.x);                          // a ramp

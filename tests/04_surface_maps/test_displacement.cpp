@@ -1,4 +1,4 @@
-// Displacement maps: the shift in numbers, and what its limit is for.
+// Displacement maps: the shift in numbers, and the purpose of its limit.
 #include <cmath>
 
 #include "catch.h"
@@ -8,7 +8,7 @@ using namespace lightwalk;
 
 namespace {
 
-// As surface_maps.glsl's [displacement] calls it, for rows that begin with what the map holds.
+// As surface_maps.glsl's [displacement] calls it, for rows that begin with the map's value.
 Table shifts(Table inputs) {
     for (Row& row : inputs) row[0] = 0.5 - row[0];
     return run_probe(check_device(),
@@ -18,8 +18,8 @@ Table shifts(Table inputs) {
                      2);
 }
 
-// How many of the places along the view show a place of the texture that one before them has shown, for a swell
-// 0.1 sin(10 u) / 2, whose slope is at most 0.5. `divide`: without the limit.
+// Number of points along the view that show a texture position already shown by an earlier one, for a swell 0.1
+// sin(10 u) / 2 with slopes of at most 0.5. `divide`: without the limit.
 int seen_twice(double angle_deg, bool divide) {
     const double sine = std::sin(glm::radians(angle_deg)), cosine = std::cos(glm::radians(angle_deg));
     Table inputs;

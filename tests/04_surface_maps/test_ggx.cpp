@@ -1,4 +1,4 @@
-// Lights on microfacets: the formulas of the literature in double precision, and what no surface may do.
+// Lights on microfacets: published formulas in double precision, and physical limits.
 #include <glm/gtc/constants.hpp>
 
 #include "catch.h"

@@ -13,7 +13,7 @@ from pictures import BUILD, LINEAR, ROOT, ChapterPictures  # noqa: E402
 
 SCENES = ROOT / "assets" / "scenes"
 TEXTURES = ROOT / "assets" / "textures"
-WHITE_TEXELS = 32  # what SHOW draws as white
+WHITE_TEXELS = 32  # SHOW draws white
 
 
 class PicturesTest(ChapterPictures):
@@ -91,7 +91,7 @@ class PicturesTest(ChapterPictures):
                 self.assertLess(errors["exact"], 0.25 * errors["normal"], errors)
 
     def test_the_outline_is_the_mesh_s_and_not_the_height_map_s(self):
-        """Intersection over union of what covers the background: the same for all parallax, less for the truth."""
+        """Intersection over union of the covered background: the same for all parallax, less for the truth."""
         def covered(*options):
             picture = Image.open(self.draw("column", "--show", "normal", *options, size="320x180")).convert("RGB")
             background = picture.getpixel((1, 90))
@@ -235,7 +235,7 @@ class PicturesTest(ChapterPictures):
         self.assertLessEqual(self.most(self.leaning(0, depth=0.1, name="both"), self.leaning(0, 0)), 2)
 
     def test_a_white_displacement_map_shifts_by_half_of_its_range(self):
-        """Against a mesh whose texture coordinates are shifted so; from far away, at 45 degrees."""
+        """Against a mesh with shifted texture coordinates; from far away, at 45 degrees."""
         def far(shift, maps, name):
             (self.folder / "wall.obj").write_text("".join(
                 [f"v {x} {y} 0\n" for x in (-0.5, 0.5) for y in (-0.5, 0.5)] +
@@ -287,7 +287,7 @@ class PicturesTest(ChapterPictures):
     # --- lights
 
     def test_lights_that_are_culled_light_as_all_of_them_do(self):
-        """Chapter 03's lights as this chapter uses them: behind holes, and on what stands out of the mesh."""
+        """Chapter 03's lights as this chapter uses them: behind holes, and on displaced surfaces."""
         lamps = [{"type": "point", "position": [0.6 * x, 0.5 * y, 0.3], "range_m": 0.9, "intensity": 0.4}
                  for x in range(-3, 4) for y in range(-2, 3)]
         wall = self.wall({"diffuse": str(TEXTURES / "castle_wall_albedo.jpg"),

@@ -252,7 +252,7 @@ TEST_CASE("the smallest levels of a cutout are as covered as so many texels can 
         for (size_t i = 1; i < kept.size(); ++i) {
             Level level = kept[i];
             for (glm::vec4& texel : level.texels) texel.a = std::round(255.0f * texel.a) / 255.0f;
-            // Texels whose alphas are alike can but all be kept or none: half of those at the border may be too many.
+            // Texels with similar alphas are kept or dropped together: half of those at the border may be too many.
             std::vector<float> alphas;
             for (const glm::vec4& texel : averaged[i].texels) alphas.push_back(texel.a);
             std::sort(alphas.begin(), alphas.end(), std::greater<>());

@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 05: values against double precision, then properties.
+// Checks of chapter 05: values against double precision, then properties.
 #include "05_shadow_maps/exercises.h"
 #include "05_shadow_maps/truth.h"
 #include "common/check/check.h"
@@ -68,7 +68,7 @@ CHECK_EXERCISE("05.light_clip_position", "multiply, test w, divide by w, and map
     Random random;
     const auto add = [&](const glm::mat4& m, glm::vec3 position) {
         const float w = (m * glm::vec4(position, 1.0f)).w;
-        if (w != 0.0f && std::fabs(w) < 0.05f) return;  // whose side rounding decides
+        if (w != 0.0f && std::fabs(w) < 0.05f) return;  // near the edge, where rounding decides
         Row row;
         for (int column = 0; column < 4; ++column) append(row, m[column]);
         append(row, position);

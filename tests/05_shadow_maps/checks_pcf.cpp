@@ -1,4 +1,4 @@
-// What ./course check runs for 05.pcf: maps whose depths are known, and how many texels were read.
+// Checks of 05.pcf: maps with known depths, and how many texels were read.
 #include "05_shadow_maps/truth.h"
 #include "common/check/check.h"
 

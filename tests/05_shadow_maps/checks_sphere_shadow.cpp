@@ -1,4 +1,4 @@
-// What ./course check runs for 05.sphere_shadow.
+// Checks of 05.sphere_shadow.
 #include "05_shadow_maps/ray_truth.h"
 #include "common/check/check.h"
 

@@ -1,4 +1,4 @@
-// For the check of 05.pcf: maps whose depths are known, and how many texels were read.
+// For the check of 05.pcf: maps with known depths, and how many texels were read.
 #include "05_shadow_maps/shadow_data.h"
 
 const int field_texels = 64;

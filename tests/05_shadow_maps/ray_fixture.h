@@ -1,4 +1,4 @@
-// What the tests of rays share: triangles, and rays through them on the device.
+// Shared by the tests of rays: triangles, and rays through them on the device.
 #pragma once
 #include <chrono>
 #include <limits>
@@ -21,7 +21,7 @@ struct TestHit {
     float t;  ///< `most` where nothing is hit
     uint32_t triangle;
     glm::vec3 weights;
-    uint32_t found, any;  ///< 0 or 1: what closest_hit() and any_hit() say
+    uint32_t found, any;  ///< 0 or 1: results of closest_hit() and any_hit()
 };
 
 inline RayTriangle triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c) { return {a, b, c, NO_CUTOUT}; }

@@ -1,4 +1,4 @@
-// What the tests of shadow maps share: a scene with lights, and their visibility at points, asked as shaders ask.
+// Shared by the tests of shadow maps: a scene with lights, and their visibility at points, asked as shaders ask.
 #pragma once
 #include "05_shadow_maps/shadow.h"
 #include "catch.h"
@@ -96,7 +96,7 @@ void main() {
     }
 };
 
-/// A sun whose way makes this angle with the normal of what faces +z.
+/// A sun at this angle to the normal of a surface facing +z.
 inline Light sun_at(double degrees, double turn_deg = 45) {
     const double angle = glm::radians(degrees), turn = glm::radians(turn_deg);
     return {.kind = Light::Kind::directional,

@@ -1,5 +1,4 @@
-// The hierarchy itself: every triangle once, boxes that hold what is below them, a bound on its depth, whatever comes
-// in.
+// The hierarchy itself: every triangle once, boxes that contain their children, a bounded depth, for any input.
 #include <cmath>
 
 #include "05_shadow_maps/ray_fixture.h"
@@ -14,7 +13,7 @@ bool holds(const BvhNode& node, glm::vec3 p) {
     return glm::all(glm::lessThanEqual(node.lower, p)) && glm::all(glm::lessThanEqual(p, node.upper));
 }
 
-// Says what is wrong; nothing where all is right.
+// Returns the fault; empty if none.
 std::string wrong_in(const Bvh& bvh, size_t triangles) {
     std::vector<int> seen(bvh.triangles().size());
     struct Visit {
@@ -125,7 +124,7 @@ TEST_CASE("a refit puts every triangle where it moved, in the tree that was") {
     auto after = before;
     for (RayTriangle& t : after)
         for (glm::vec3* p : {&t.a, &t.b, &t.c}) *p = glm::vec3(-p->z, 3.0f * p->y, p->x + 10.0f);
-    for (RayTriangle& t : after) t.cutout = NO_CUTOUT;  // of what is cut out nothing is said again
+    for (RayTriangle& t : after) t.cutout = NO_CUTOUT;  // cut-outs are excluded from the comparison
     const size_t nodes = bvh.nodes().size();
     bvh.refit(after);
     CHECK(wrong_in(bvh, after.size()) == "");

@@ -1,4 +1,4 @@
-// Moments: where light leaks through them, and what their formats hold.
+// Moments: light leaks, and the limits of their formats.
 #include "shadow_fixture.h"
 
 using namespace lightwalk;
@@ -40,7 +40,7 @@ TEST_CASE("two occluders, at 0 and 0.9, above a receiver at 1: VSM lets 40% of t
     four.insert(four.end(), {1.0, 1e-5});
     const float msm = ask("msm", "float msm(vec4 moments, float z, float bias)", four);
     INFO("msm " << msm);
-    CHECK(msm < 0.01f);  // two depths are just what four moments can tell apart
+    CHECK(msm < 0.01f);  // four moments resolve exactly two depths
     const auto evsm = [&](double exponent, double negative, const char* format) {
         Row row(4, 0.0);
         for (const double depth : {0.0, 0.9}) {
@@ -60,7 +60,7 @@ TEST_CASE("two occluders, at 0 and 0.9, above a receiver at 1: VSM lets 40% of t
 }
 
 TEST_CASE("an even occluder has no variance: the least one says how much light is left behind it, in vsm and evsm") {
-    // In evsm the least variance is one of depth: in what is warped it is as much as the warp's slope makes of it.
+    // In evsm the smallest variance is one of depth: the warp scales it by its slope.
     for (const double least : {1e-5, 1e-3})
         for (const double behind : {0.003, 0.02}) {
             const double at = 0.6, a = 8, b = 3, w = std::exp(a * (2 * at - 1)), n = -std::exp(-b * (2 * at - 1));

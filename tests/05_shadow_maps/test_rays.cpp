@@ -24,7 +24,7 @@ Found exact_hit(const RayTriangle& triangle, const TestRay& ray) {
     return {glm::dot(e2, q) / det, std::min({v, w, 1 - v - w})};
 }
 
-// What is wrong with a hit; "" where it is right. Where the nearest triangles' edges decide it, either is.
+// The fault of a hit; "" if none. Where the nearest triangles' edges decide it, either is.
 std::string wrong_hit(const std::vector<RayTriangle>& triangles, const TestRay& ray, const TestHit& hit) {
     constexpr double edge = 1e-4;
     double inside = INFINITY, nearby = INFINITY;  // the nearest that is surely hit, and that may be
@@ -47,7 +47,7 @@ size_t count_differences(const std::vector<TestHit>& one, const std::vector<Test
     return different;
 }
 
-// Towards what decides most: the corners of triangles, and points on their edges.
+// Towards critical points: the corners of triangles, and points on their edges.
 std::vector<TestRay> grazing_rays(const std::vector<RayTriangle>& triangles, glm::vec3 from, size_t count) {
     Random random;
     std::vector<TestRay> rays;
@@ -99,7 +99,7 @@ TEST_CASE("rays hit what they hit in double precision") {
     for (size_t i = 0; i < rays.size(); ++i) ++wrong[wrong_hit(bvh.triangles(), rays[i], hits[i])];
     CHECK(wrong.size() == 1);
     CHECK(wrong[""] == rays.size());
-    // What it tells of a hit is the point on the ray.
+    // A hit is identified by its point on the ray.
     double worst = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
         if (!hits[i].found) continue;
@@ -155,7 +155,7 @@ TEST_CASE("how long a hierarchy takes, and its rays") {
         bvh.refit(triangles);
         const double refitted = now_ms();
         const auto rays = random_rays(bounds_of(triangles), 50000);
-        trace(gpu, bvh, {rays[0]});  // what compiles the shader is not timed
+        trace(gpu, bvh, {rays[0]});  // the shader's compilation is not timed
         double ms = 0;
         size_t found = 0;
         for (const TestHit& hit : trace(gpu, bvh, rays, false, &ms)) found += hit.found;

@@ -1,4 +1,4 @@
-// The module Rays over scenes: it follows what moves, and rays go through holes.
+// The module Rays over scenes: it follows motion, and rays go through holes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -81,7 +81,7 @@ TEST_CASE("rays meet what is placed where it is now, mirrored and from either si
     glass.material.opacity = 0.5f;
     glass.material.maps["diffuse"] = "textures/grass_cutout.png";
     RayScene test({mover, mirrored, glass});
-    CHECK(test.rays.bvh().triangles().size() == 4);  // what is seen through casts no shadow
+    CHECK(test.rays.bvh().triangles().size() == 4);  // transparent surfaces cast no shadow
     CHECK(test.blocked() == Approx(0.5 + 0.125).margin(0.01));
     animate(test.scene, 1);
     CHECK(test.blocked() == Approx(0.25 + 0.125 - 0.0625).margin(0.01));

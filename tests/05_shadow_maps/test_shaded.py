@@ -1,4 +1,4 @@
-"""Pictures of chapter 05 that are shaded in compute over a visibility buffer, beside those of fragment shaders."""
+"""Pictures of chapter 05 shaded in compute over a visibility buffer, beside those of fragment shaders."""
 import pathlib
 import sys
 import unittest

@@ -1,4 +1,4 @@
-// What kind of wrong a shadow is: the definition, case by case, and the truth around a point by rays.
+// Kinds of shadow errors: the definition, case by case, and the truth around a point by rays.
 #include "03_attenuation/light_data.h"
 #include "05_shadow_maps/rays.h"
 #include "05_shadow_maps/shadow_data.h"

@@ -79,7 +79,7 @@ TEST_CASE("cascades hold all that the camera sees as far as they reach, and a sm
 
 // [cube_edges]
 TEST_CASE("a point light's shadow goes across a cube's twelve edges without a seam") {
-    // A ball on the way through each edge, and a shell of points behind it: rays decide what is in shadow.
+    // A ball on the path through each edge, and a shell of points behind it: rays decide which are in shadow.
     for (const char* method : {"hard", "pcf", "pcss", "vsm", "evsm", "msm"}) {
         std::vector<SceneObject> objects;
         std::vector<glm::vec3> balls;

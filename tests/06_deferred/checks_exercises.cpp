@@ -1,4 +1,4 @@
-// What ./course check runs for the shaders of chapter 06 that can be called one by one.
+// Checks of the shaders of chapter 06 that can be called one by one.
 #include "06_deferred/truth.h"
 #include "common/check/check.h"
 
@@ -194,7 +194,7 @@ CHECK_EXERCISE("06.pack_material",
     constexpr const char* names[] = {"diffuse red",  "diffuse green",  "diffuse blue",  "gloss",
                                      "specular red", "specular green", "specular blue", "occlusion"};
     probe.truth = [](auto) { return Row{0, 0}; };
-    probe.bound = {.absolute = 1e30};  // whatever comes out is looked at below, byte by byte
+    probe.bound = {.absolute = 1e30};  // compared below, byte by byte
     const Table results = check.probe(probe);
     for (size_t i = 0; i < results.size(); ++i) {
         const Row& in = probe.inputs[i];

@@ -1,4 +1,4 @@
-// What ./course check runs for what finds lights: a workgroup of pixels, and the volume of a light.
+// Checks of light culling: a workgroup of pixels, and the volume of a light.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -16,10 +16,10 @@ using namespace lightwalk;
 
 namespace {
 
-// Four tiles of 256 invocations. Each has a cell of its own; of every 16 invocations one has no surface. Beside what
-// the exercise gives stands what a plain loop gives, and how often the exercise asked about a light. Which lights reach
-// a cell only this check knows: an answer that does not ask cannot find out by itself. What decides stands before the
-// answer, in names that no answer may have.
+// Four tiles of 256 invocations. Each has a cell of its own; of every 16 invocations one has no surface. The
+// exercise's result is compared with a plain loop's, and its queries per light are counted. Only this check knows
+// which lights reach a cell, so an answer must query. The decision is made before the answer, in names that no answer
+// may have.
 constexpr const char* harness = R"(
 layout(local_size_x = 16, local_size_y = 16) in;
 #include "02_lambert_phong/reflection.glsl"
@@ -158,7 +158,7 @@ CHECK_EXERCISE("06.accumulate_lights",
             const std::string wrong = barriers_wrong(passed);
             check.expect(wrong.empty(), fmt::format("with {} lights, of a tile's 256 {}", lights, wrong), barrier_hint);
         }
-        if (check.failed) return;  // what asks too often takes seconds with more lights
+        if (check.failed) return;  // too many queries take seconds with more lights
     }
 }
 

@@ -54,7 +54,7 @@ class PicturesTest(ChapterPictures):
     # --- methods
 
     def test_every_method_shows_what_forward_shows(self):
-        """Within what its bits lose: fat one step, packed colours of 8 bits two."""
+        """Within the precision of its bits: fat one step, packed colours of 8 bits two."""
         for name, scene in (("lamps", self.lamps()), ("courtyard", "hundred_lamps")):
             truth = self.draw(scene, "--method", "forward", "--lights.method", "every_light", name="truth")
             for method, most in (("fat", 0.004), ("depth", 0.006), ("packed", 0.012), ("tiled", 0.012)):
@@ -63,7 +63,7 @@ class PicturesTest(ChapterPictures):
                     self.assertLess(self.flip(truth, picture), most)
 
     def test_forward_shading_in_compute_draws_the_same_picture(self):
-        """Over a visibility buffer, with what else the chapter does to surfaces; at edges the mip levels differ."""
+        """Over a visibility buffer, with the chapter's other surface effects; at edges the mip levels differ."""
         for scene, options in (("hundred_lamps", ("--lights.method", "tiled")), ("control_room", ("--overdraw", "3")),
                                ("field", ("--prepass", "on"))):
             with self.subTest(scene=scene):
@@ -113,7 +113,7 @@ class PicturesTest(ChapterPictures):
         self.assertEqual(self.steps(*pictures)[0], 0)
 
     def test_half_of_the_picture_has_no_surface(self):
-        """The background is the background, in every method, and nothing reads what nobody wrote."""
+        """Every method leaves the background alone, and nothing reads unwritten texels."""
         scene = self.lamps(position=[0, 0.3, 4], target=[0, 0.5, 0])
         for method in ("forward", "fat", "depth", "packed", "tiled"):
             with self.subTest(method=method):
@@ -134,7 +134,7 @@ class PicturesTest(ChapterPictures):
             {"model": "models/teapot.obj", "position": [0, 0.5, -1.5], "scale": [1, 1, -1]}]
         fixed = self.draw(scene, "--cull", "fixed", name="fixed")
         self.assertLessEqual(self.steps(fixed, self.draw(scene, "--cull", "geometry"))[0], 1)
-        # What glows is drawn once more without that shader, and must find itself in the depth buffer.
+        # Emissive objects are drawn once more without that shader, and must match the depth buffer.
         yard = self.draw("hundred_lamps", "--cull", "fixed", name="yard")
         self.assertLessEqual(self.steps(yard, self.draw("hundred_lamps", "--cull", "geometry"))[1], 3)
         # An open mesh shows its inside where nothing is culled: culling does something.
@@ -146,7 +146,7 @@ class PicturesTest(ChapterPictures):
     # --- materials
 
     def test_roughness_0_and_specular_above_1_do_not_run_over(self):
-        """Packed as whole bytes: neighbours stay what they are."""
+        """Packed as whole bytes: neighbours stay unchanged."""
         scene = self.lamps()
         scene["objects"][1]["material"] = {"diffuse": [0.2, 0.9, 0.1], "roughness": 0, "metalness": 0.5}
         truth = self.draw(scene, "--method", "forward", name="truth")
@@ -202,7 +202,7 @@ class PicturesTest(ChapterPictures):
         self.assertFalse((self.folder / "no.png").exists())
 
     def test_what_is_decoded_is_what_was_written(self):
-        """Twelve bytes show what forty show, within two steps."""
+        """Twelve bytes show the same as forty, within two steps."""
         for show, most in (("diffuse", 2), ("normal", 2), ("occlusion", 2)):
             with self.subTest(show=show):
                 fat = self.draw("hundred_lamps", "--show", show, "--method", "fat", name="fat")

@@ -1,4 +1,4 @@
-// What tests of levels share: an image from numbers, its levels by a method.
+// Shared by the tests of levels: an image from numbers, its levels by a method.
 #pragma once
 #include <algorithm>
 
@@ -47,7 +47,7 @@ struct OnChain : OnModules {
     truth::Texels level(const ImageView& image, uint32_t m) { return read_texels(gpu, image.mip(m)); }
     glm::dvec4 last(const ImageView& image) { return level(image, image.mips - 1).values[0]; }
 
-    /// The share of a level's texels whose alpha reaches the cutoff.
+    /// The share of a level's texels with an alpha above the cutoff.
     double covered(const ImageView& image, uint32_t m, double cutoff) {
         const truth::Texels found = level(image, m);
         const auto count = std::ranges::count_if(found.values, [&](glm::dvec4 texel) { return texel.a >= cutoff; });

@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 07's functions: values against double precision, then properties.
+// Checks of chapter 07's functions: values against double precision, then properties.
 #include "07_mipmaps/exercises.h"
 #include "07_mipmaps/truth.h"
 #include "common/check/check.h"

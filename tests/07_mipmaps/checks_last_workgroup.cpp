@@ -1,4 +1,4 @@
-// What ./course check runs for 07.last_workgroup: the whole single pass, and the order of its barriers.
+// Checks of 07.last_workgroup: the whole single pass, and the order of its barriers.
 #include <cstring>
 #include <functional>
 #include <map>
@@ -14,7 +14,7 @@ namespace {
 
 struct Owner : Module {};
 
-// Levels from the seventh on of a noisy image, made twice, beside those that a dispatch a level makes.
+// Levels from the seventh on of a noisy image, made twice, compared with one dispatch per level.
 void compare(Check& check, Gpu& gpu, glm::uvec2 size, uint32_t layers) {
     Owner owner;
     MipChain chain(owner, "mips");
@@ -63,7 +63,7 @@ void compare(Check& check, Gpu& gpu, glm::uvec2 size, uint32_t layers) {
     }
 }
 
-// The instructions of a function of the compiled shader in the order in which they stand, what it calls included.
+// The instructions of a function of the compiled shader in order, including its callees.
 class Order {
   public:
     explicit Order(const std::vector<uint32_t>& spirv) : words_(spirv) {
@@ -144,7 +144,7 @@ void check_order(Check& check) {
         "reads can come early, too: the second memoryBarrierBuffer() holds them back");
 }
 
-// What each thread of each workgroup is told, layer by layer, and which barriers it came to.
+// Inputs of each thread of each workgroup, layer by layer, and the barriers it reached.
 constexpr const char* harness = R"(
 layout(local_size_x = 256) in;
 #include "07_mipmaps/last_workgroup.glsl"

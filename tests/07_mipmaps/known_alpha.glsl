@@ -1,4 +1,4 @@
-// For the check of 07.keep_coverage: levels whose texels are known.
+// For the check of 07.keep_coverage: levels with known texels.
 #pragma replaces "07_mipmaps/alpha_count.glsl"
 
 uint texels_with(int code) {

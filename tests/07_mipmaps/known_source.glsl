@@ -1,4 +1,4 @@
-// For the check of 07.box_2x2: a level whose texels are known; one outside has no value.
+// For the check of 07.box_2x2: a level with known texels; one outside has no value.
 #pragma replaces "07_mipmaps/source.glsl"
 #include "07_mipmaps/content.glsl"
 

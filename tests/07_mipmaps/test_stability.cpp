@@ -149,7 +149,7 @@ TEST_CASE_METHOD(OnChain,
 }
 
 TEST_CASE_METHOD(OnChain, "a counter that holds any number, as a broken run leaves it, does no harm") {
-    // No run takes its count back: each of these finds what the one before has left.
+    // No run resets its counter: each of these starts with the previous one's.
     for (const glm::uvec2 size : {glm::uvec2{256, 192}, {130, 257}, {256, 192}, {512, 64}, {256, 256}}) {
         const Image noisy = image(size, one_float, noise, 2);
         fill(noisy, "box");
@@ -172,7 +172,7 @@ TEST_CASE_METHOD(OnChain, "opposite normals cancel: a direction all the same, an
             CHECK(texel.a == Approx(1).margin(method == "kaiser" ? 0.2 : 1e-3));
         }
     }
-    // What chapter 04 makes of the same map on the host.
+    // Chapter 04's result for the same map on the host.
     const Image slopes = image({64, 64}, VK_FORMAT_R8G8B8A8_UNORM, [](uint32_t, uint32_t x, uint32_t y) {
         const glm::dvec3 n = glm::normalize(glm::dvec3(std::sin(0.4 * x), std::cos(0.9 * y), 1.5));
         return glm::dvec4(0.5 + 0.5 * n, 0);
@@ -202,7 +202,7 @@ TEST_CASE_METHOD(OnChain, "NaN and infinity in one texel stay in the texels that
                 size_t outside = 0;
                 for (uint32_t y = 0; y < found.size.y; ++y)
                     for (uint32_t x = 0; x < found.size.x; ++x) {
-                        // Two texels more for the wide filter, and what each level adds; one for a device's blits.
+                        // Two more texels for the wide filter, plus each level's own; one for a device's blits.
                         const double reach = method == "kaiser"                           ? 4.5
                                              : method == "box" || method == "single_pass" ? 0
                                                                                           : 1;

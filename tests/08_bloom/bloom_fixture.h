@@ -1,4 +1,4 @@
-// What tests of the bloom share: a picture from numbers, and what the module makes of it.
+// Shared by the tests of the bloom: a synthetic picture, and the module's result.
 #pragma once
 #include <cmath>
 #include <glm/gtc/packing.hpp>

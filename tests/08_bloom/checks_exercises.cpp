@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 08's functions: values against double precision, then properties.
+// Checks of chapter 08's functions: values against double precision, then properties.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -163,10 +163,10 @@ CHECK_EXERCISE(
     for (const float sigma : {0.5f, 2.0f, 7.0f, 20.0f}) {
         std::vector<float> weights;
         for (int d = 0; d <= int(3 * sigma); ++d) weights.push_back(std::exp(-0.5f * float(d * d) / (sigma * sigma)));
-        for (float& weight : weights) weight /= 2.6f * sigma;  // about what a Gaussian's add up to
+        for (float& weight : weights) weight /= 2.6f * sigma;  // approximate sum of a Gaussian
         tables.push_back(weights);
     }
-    for (const float sigma : {2.0f, 7.0f})  // far beyond what a Gaussian has above 0 in a float
+    for (const float sigma : {2.0f, 7.0f})  // far beyond the float range of a Gaussian
         for (const int reach : {5, 16}) {
             std::vector<float> weights;
             for (float d = 0; d <= float(reach) * sigma; ++d)

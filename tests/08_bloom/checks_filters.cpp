@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 08's filters: what becomes of one bright texel, and a whole workgroup.
+// Checks of chapter 08's filters: the response to one bright texel, and a whole workgroup.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ CHECK_EXERCISE(
                         [](std::span<const double>) {
                             return Row{0, 0, 0};
                         },
-                    .bound = {.absolute = 1e9},  // many filters are right: what follows says which
+                    .bound = {.absolute = 1e9},  // many filters are right: later checks decide
                     .macros = {{"IMPULSE_X", std::to_string(impulse.x)}, {"IMPULSE_Y", std::to_string(impulse.y)}}};
         for (int y = 0; y <= 8; ++y)
             for (int x = 0; x <= 8; ++x) probe.inputs.push_back({double(x), double(y)});
@@ -45,7 +45,7 @@ CHECK_EXERCISE(
             "texel above must get the same, wherever it lies");
         check.expect(least > -1e-6, fmt::format("{} gets a weight of {:.4f}, below 0", which, least));
     }
-    // Over the four places that a texel can have in a square of two by two, whose shares are a quarter each.
+    // Mean over the four positions of a texel in a square of two by two, a quarter each.
     check.expect(glm::length(mean) < 0.02,
                  fmt::format("bright texels are moved by ({:.2f}, {:.2f}) of the level above", mean.x, mean.y),
                  "offsets are from the middle of `at`: to each there is one on the other side");
@@ -59,12 +59,12 @@ CHECK_EXERCISE(
 
 namespace {
 
-// Four workgroups on a line that is known, each beside what a plain loop gives.
+// Four workgroups on a known line, each compared with a plain loop.
 constexpr const char* harness = R"(
 layout(local_size_x = 256) in;
 #include "../tests/08_bloom/known_line.glsl"
 layout(scalar) uniform RadiusBlock { int radius; };
-// Before the answer: whatever it calls by the names of GLSL's own, this is what they mean here.
+// Before the answer: replacements for GLSL's own functions that it may call.
 void check_begin() {
     check_base = 256 * int(gl_WorkGroupID.x);
     for (int slot = int(gl_LocalInvocationIndex); slot < most_kept; slot += threads) keep_texel(slot, vec3(-777.0));

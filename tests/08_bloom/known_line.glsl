@@ -1,4 +1,4 @@
-// For the check of 08.blur_line: a line whose texels are known, and how often each was read.
+// For the check of 08.blur_line: a line with known texels, and how often each was read.
 #include "08_bloom/line_source.glsl"
 
 layout(scalar) buffer CountBuffer { uint check_counts[]; };

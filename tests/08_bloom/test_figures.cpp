@@ -13,7 +13,8 @@ struct Flicker {
     double peak = 0, l2 = 0;  ///< of the brightest pixel over its mean; of all pixels over the truth's
 };
 
-// A lone bright pixel that moves over two pixels in steps of a tenth, and what of the change is not the truth's.
+// A lone bright pixel that moves over two pixels in steps of a tenth, and the part of the change that the truth does
+// not have.
 Flicker flicker(OnBloom& on, const std::string& method, float sigma) {
     double brightest = 0, darkest = 1e9, mean = 0, off = 0, all = 0;
     std::vector<ImageRgb> differences;
@@ -96,7 +97,7 @@ TEST_CASE("what truncation loses: 8.9, 2.5, 0.54 and 0.013 percent in a square; 
                    100 * truth::lost_outside_disc(t));
         CHECK(truth::lost_outside_square(t) == Approx(square).epsilon(0.006));
         CHECK(truth::lost_outside_disc(t) > truth::lost_outside_square(t));
-        // The same of weights at pixels: what a double sum over a wide square has outside of a smaller one.
+        // The same of weights at pixels: the part of a double sum over a wide square outside of a smaller one.
         double inside = 0, all = 0;
         for (int d = -600; d <= 600; ++d) {
             const double weight = std::exp(-0.5 * d * d / 1e4);

@@ -84,7 +84,7 @@ TEST_CASE_METHOD(OnBloom, "sigma from 0.1 to 200 pixels: finite, and no light is
             for (const std::string& method : blurs) {
                 if (method == "window" && sigma > 3) continue;  // a million reads a pixel
                 bloom.shape.set(shape);
-                bloom.border.set("mirror");  // what leaves on one side comes back
+                bloom.border.set("mirror");  // light leaving on one side returns
                 const ImageRgb found = spread_of(method, sigma, {64, 48}, spot_at(32, 24));
                 INFO(method << " " << shape << " " << sigma);
                 CHECK(is_finite(found));
@@ -166,7 +166,7 @@ TEST_CASE_METHOD(OnBloom, "nothing above the threshold: no blur runs, and the pi
         for (const float dim : {0.0f, 0.5f}) {
             const ImageRgb after = spread_of(method, 4, {40, 30}, [&](int, int) { return dim; });
             INFO(method << " " << dim);
-            CHECK(largest_difference(after, lit) == 0);  // what the frame before has left: nobody wrote
+            CHECK(largest_difference(after, lit) == 0);  // unwritten image: result of the previous frame
             CHECK(sum(picture()) == Approx(double(dim) * 40 * 30));
         }
         CHECK(sum(spread_of(method, 4, {40, 30}, spot_at(20, 15))) > 900);  // and at once when there is light

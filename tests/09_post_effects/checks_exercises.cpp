@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 09's functions of one pixel: values against double precision, then properties.
+// Checks of chapter 09's functions of one pixel: values against double precision, then properties.
 #include <fmt/core.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 09's noises: grain, and the thresholds of a dither.
+// Checks of chapter 09's noises: grain, and the thresholds of a dither.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -31,8 +31,8 @@ std::vector<double> grain(Check& check, size_t count, const std::function<Row(in
     return numbers;
 }
 
-// Evenly distributed: as many numbers in each sixteenth of -1 to 1. The sum of squares over what is expected has a mean
-// of 15 and a standard deviation of 5.5.
+// Evenly distributed: as many numbers in each sixteenth of -1 to 1. The normalised sum of squares has a mean of 15
+// and a standard deviation of 5.5.
 void expect_even(Check& check, const std::string& when, const std::vector<double>& numbers) {
     constexpr int parts = 16;
     double counts[parts] = {}, sum = 0;
@@ -76,7 +76,7 @@ void expect_no_repetition(Check& check, double frame) {
         const std::vector<double> own = numbers(0), next = numbers(1);
         if (own.empty() || next.empty() || check.failed) return;
         for (const bool beside : {false, true}) {
-            std::vector<std::pair<int, double>> alike;  // lag, correlation of numbers whose mean square is 1/3
+            std::vector<std::pair<int, double>> alike;  // lag, correlation of numbers with a mean square of 1/3
             for (int lag = beside ? -most : 1; lag <= most; ++lag) {
                 const size_t back = lag < 0 ? size_t(-lag) : 0, on = lag < 0 ? 0 : size_t(lag);
                 double sum = 0;

@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 09's functions that look at more than a pixel: kernels, a whole workgroup.
+// Checks of chapter 09's functions that look at more than a pixel: kernels, a whole workgroup.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -93,7 +93,7 @@ CHECK_EXERCISE("09.sharpen", "Two loops of three; clamp each neighbour into the 
 
 namespace {
 
-// Four workgroups whose threads come in another order each, and whose shared memory is full of something else.
+// Four workgroups with threads in different orders, and with garbage in shared memory.
 constexpr const char* harness = R"(
 layout(local_size_x = 256) in;
 #include "../tests/09_post_effects/known_bins.glsl"

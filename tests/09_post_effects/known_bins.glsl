@@ -1,4 +1,4 @@
-// For the check of 09.histogram_bin: how often each bin was added to, behind what was added.
+// For the check of 09.histogram_bin: how often each bin was incremented, after the previous counts.
 #pragma replaces "09_post_effects/histogram_source.glsl"
 #include "09_post_effects/histogram_buffer.glsl"
 

@@ -1,4 +1,4 @@
-// What tests of the effects share: a picture from numbers, and what a module makes of it.
+// Shared by the tests of the effects: a synthetic picture, and a module's result.
 #pragma once
 #include <cmath>
 
@@ -18,7 +18,7 @@ struct OnPost : OnModules {
         for (KnobBase* effect : post.effects()) effect->set("off");
     }
 
-    /// What the module makes of a picture of value(x, y), a vec3 or a number.
+    /// The module's result for a picture of value(x, y), a vec3 or a number.
     template <class Value>
     ImageRgb shown(glm::uvec2 size, const Value& value, float time_s = 0) {
         const auto record = [&] {

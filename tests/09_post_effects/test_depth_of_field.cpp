@@ -1,4 +1,4 @@
-// Depth of field: where it must hold, and how far what was first taught is off.
+// Depth of field: exact cases, and the error of the method first taught.
 #include <fmt/core.h>
 
 #include "01_obj/camera_view.h"
@@ -118,7 +118,7 @@ TEST_CASE_METHOD(
     // The share of a disc behind a straight edge: at the edge a half, half a radius outside 0.196.
     CHECK(light_at(gathered, half_disc / 2) == Approx(0.196).margin(0.07));
     CHECK(light_at(gathered, half_disc + 4) < 0.02);
-    CHECK(light_at(blurred, 2) == 0);  // what is in focus takes nothing from the blurred picture
+    CHECK(light_at(blurred, 2) == 0);  // areas in focus take nothing from the blurred picture
 }
 
 TEST_CASE_METHOD(OnLens, "what is in focus gives no light to what is behind it; a blur of the whole picture does",

@@ -263,7 +263,7 @@ TEST_CASE_METHOD(OnPost,
         } else {
             CHECK(std::fabs(sum) < 0.04);  // and 16 thresholds are a 32nd of a code apart; half floats 0.05
             CHECK(worst < 0.1);
-            // What is stored is a code: encoded again it is the same one.
+            // The stored value is a code: encoding it again gives the same one.
             for (const glm::vec3& c : found.pixels) {
                 const double code = 255 * truth::encode_srgb(double(c.g));
                 CHECK(std::fabs(code - std::round(code)) < 0.15);
@@ -316,7 +316,7 @@ TEST_CASE_METHOD(OnPost,
     }
     for (int i = 31; i <= 240; ++i) exposed(0.64f, 0.1f + float(i) / 60.0f);
     CHECK(exposed(0.64f, 4.2f) == Approx(0.18).epsilon(0.04));
-    // Black says nothing, and what is not finite says it once.
+    // Black gives no message, and a non-finite value exactly one.
     post.tone.set("clamp");
     CHECK(is_finite(shown({64, 36}, all_of(glm::vec3(0)), 4.3f)));
     CHECK(is_finite(shown(

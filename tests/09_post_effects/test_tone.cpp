@@ -1,4 +1,4 @@
-// Tone curves against their closed forms, and against the reference; and what white is.
+// Tone curves against their closed forms, and against the reference; and the white point.
 #include <fmt/core.h>
 
 #include "09_post_effects/tone_truth.h"

@@ -1,4 +1,4 @@
-// What tests of the air share: a picture of nothing but air, and how two of them differ.
+// Shared by the tests of the air: a picture of nothing but air, and how two of them differ.
 #pragma once
 #include <cmath>
 

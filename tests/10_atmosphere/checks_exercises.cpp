@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 10: values against double precision, then properties.
+// Checks of chapter 10: values against double precision, then properties.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ CHECK_EXERCISE("10.ray_sphere", "c = (height - shell)(2 radius + height + shell)
     }
     for (int i = 0; i < 200; ++i)
         probe.inputs.push_back({random.logarithmic(2e5, 5e7), random.uniform(-1, -0.99), earth, edge});
-    // What grazes within rounding may meet or miss: ask for what does neither nearly.
+    // Grazing rays may hit or miss by rounding: test only clear cases.
     std::erase_if(probe.inputs, [](const Row& in) {
         const double b = (in[2] + in[0]) * in[1], c = (in[0] - in[3]) * (2 * in[2] + in[0] + in[3]), d = b * b - c;
         return d != 0 && std::fabs(d) < 1e-3 * b * b;

@@ -1,4 +1,4 @@
-// What ./course check runs for 10.optical_depth: the integral itself, then the formula to its last digit.
+// Checks of 10.optical_depth: the integral itself, then the formula to its last digit.
 #include <cmath>
 
 #include "10_atmosphere/truth.h"
@@ -41,7 +41,7 @@ CHECK_EXERCISE("10.optical_depth",
                    {0, 0, earth, 0},
                    {4000, -0.02, earth, 0}},
         .truth = [](std::span<const double> in) { return Row{truth::optical_depth(in[0], in[1], in[2], in[3], 1500)}; },
-        // The fit is good to 0.3%; below level what is left is a difference of two.
+        // The fit is good to 0.3%; below level the result is a difference of two.
         .bound = {.absolute = 1e-3, .relative = 0.012},
         .hint = [](auto in, auto) -> std::string {
             if (in[3] == 0) return "A scale height of 0 means that there is nothing.";

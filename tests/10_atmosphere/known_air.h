@@ -28,7 +28,7 @@ inline Air earth_air() {
             .ground = glm::vec3(0.1f)};
 }
 
-/// GLSL that stands before whatever includes 10_atmosphere/air.glsl.
+/// GLSL inserted before 10_atmosphere/air.glsl.
 inline const char* const with_known_air = "#include \"../tests/10_atmosphere/known_air.glsl\"\n";
 
 /// The air for it; with the phase function that Atmosphere's knob says by default.

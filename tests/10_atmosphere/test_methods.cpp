@@ -1,4 +1,4 @@
-// What the methods have in common: what gets through, views down, and the formula's own values.
+// Common to the methods: transmittance, views down, and the formula's own values.
 #include "10_atmosphere/height_fog.h"
 #include "10_atmosphere/preetham.h"
 #include "10_atmosphere/truth.h"
@@ -32,7 +32,7 @@ glm::dvec3 preetham(glm::dvec3 direction, glm::dvec3 to_sun, double t) {
     glm::dvec3 zenith(
         0, 0, (4.0453 * t - 4.9710) * std::tan((4.0 / 9 - t / 120) * (truth::pi - 2 * s)) - 0.2155 * t + 2.4192);
     for (int of = 0; of < 2; ++of)
-        for (const auto& row : zenith_of[of])  // a polynomial of t, whose coefficients are polynomials of s
+        for (const auto& row : zenith_of[of])  // a polynomial of t with polynomials of s as coefficients
             zenith[of] = zenith[of] * t + ((row[0] * s + row[1]) * s + row[2]) * s + row[3];
     for (int of = 0; of < 3; ++of) zenith[of] *= perez(of, direction.y, angle) / perez(of, 1, s);
     return zenith;

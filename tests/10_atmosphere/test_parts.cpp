@@ -1,4 +1,4 @@
-// Paths whose loops turn too often for one dispatch: nothing of their light is lost.
+// Paths with too many iterations for one dispatch: no light is lost.
 #include <fmt/core.h>
 
 #include "10_atmosphere/path_parts.h"

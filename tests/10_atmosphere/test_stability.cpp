@@ -196,7 +196,7 @@ TEST_CASE_METHOD(OnAtmosphere, "the sky's table: no band at the horizon, and not
         fmt::print("sky at the horizon from {} m: tables off by {:.2f}% at most\n", height, 100 * worst);
         INFO(height);
         CHECK(worst < 0.02);
-        CHECK(leaked <= 1);  // what lies beyond the air, through it, and no more
+        CHECK(leaked <= 1);  // background light through the air, and no more
     }
 }
 

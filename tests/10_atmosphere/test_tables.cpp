@@ -1,4 +1,5 @@
-// What the tables' light lacks of the truth's, with all orders of scattering, over heights, suns and directions.
+// The tables' missing light, compared with the truth's, with all orders of scattering, over heights, suns and
+// directions.
 #include <fmt/core.h>
 
 #include "atmosphere_fixture.h"

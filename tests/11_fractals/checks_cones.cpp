@@ -1,4 +1,4 @@
-// What ./course check runs for 11.record_cones: what the two dispatches have left in their images.
+// Checks of 11.record_cones: both dispatches' results in their images.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@ using namespace lightwalk;
 namespace {
 
 struct ConesSeen {
-    std::string error;              // what it threw; then nothing else is known
-    std::string passes;             // those of compute: "first, second"
+    std::string error;              // the exception; then nothing else is known
+    std::string passes;             // compute passes: "first, second"
     std::vector<glm::vec4> starts;  // texel by texel, from the second of two frames
     std::vector<glm::vec4> found;
     std::string validation;  // its first message
@@ -46,7 +46,7 @@ CHECK_EXERCISE("11.record_cones",
                      what + fmt::format("the compute passes are \"{}\", expected one, \"julia march\"", seen.passes));
         const glm::ivec2 tiles = (size + 7) / 8;
         const auto groups = [](glm::ivec2 threads) { return float(((threads.x + 7) / 8) * ((threads.y + 7) / 8)); };
-        // The first that is not as it should be, by what is wrong with it.
+        // The first wrong texel, by its kind of fault.
         const auto look = [&](const std::vector<glm::vec4>& texels, glm::ivec2 extent, int per_tile,
                               const char* dispatch, const char* image) {
             std::string wrong;

@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 11's Julia sets: values against double precision, then properties.
+// Checks of chapter 11's Julia sets: values against double precision, then properties.
 #include <fmt/core.h>
 
 #include <bit>
@@ -38,7 +38,7 @@ struct Balls {
         int steps, ended;
         double doubt;  ///< how near a comparison was to going the other way
     };
-    /// What a march by whole distances asks.
+    /// Queries of a march by whole distances.
     Walk walk(double t, double end, double epsilon, double slope, int most) const {
         Walk walk{.t = t, .distance = 0, .steps = 0, .ended = 2, .doubt = 1};
         while (walk.steps < most && walk.ended == 2) {
@@ -195,7 +195,7 @@ CHECK_EXERCISE("11.march", "Remember the distance at the previous point and the 
                 }
             }
             if (check.failed) return;
-            if (in[3] > 0.04) continue;  // a wide cone: what it passes by and still touches is each march's own
+            if (in[3] > 0.04) continue;  // a wide cone: grazing touches differ between marches
             if (in[5] < 10) {
                 check.expect(ended == 2 || steps <= int(in[5]), said() + ", more than it may ask for");
                 check.expect(ended != 2 || steps == int(in[5]), said() + ": it had distances left");
@@ -224,7 +224,7 @@ CHECK_EXERCISE("11.march", "Remember the distance at the previous point and the 
             if (check.failed) return;
         }
     }
-    // What relaxation is for: along an edge, fewer distances.
+    // The point of relaxation: fewer distances along an edge.
     Probe edge{.include = "../tests/11_fractals/march_counted.glsl",
                .signature =
                    "MarchCounted march_counted(float start, float end, float epsilon, float slope, float relaxation, "

@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 11's terrain: values against double precision, then properties.
+// Checks of chapter 11's terrain: values against double precision, then properties.
 #include <fmt/core.h>
 
 #include "11_fractals/noise.h"
@@ -11,8 +11,7 @@ namespace {
 
 glm::ivec2 cell_of(std::span<const double> in) { return {int(in[0]), int(in[1])}; }
 
-// Cells near and far, below 0 and at the ends of what a whole number holds; places in them, corners and edges among
-// them.
+// Cells near and far, below 0 and at the ends of the integer range; points in them, corners and edges among them.
 Table places(int count) {
     Table rows;
     Random random(11);

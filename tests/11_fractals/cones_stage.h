@@ -1,4 +1,4 @@
-// What 11.record_cones is tried on: two images, a module, and shaders that write down where they have been.
+// Test stage of 11.record_cones: two images, a module, and shaders that write down where they have been.
 #pragma once
 #include <cstring>
 
@@ -9,9 +9,9 @@
 
 namespace lightwalk {
 
-/// Frames of so many pixels, with a texel of `starts` for each 8x8 of them. Before each, both images hold -9. A cone
-/// writes (its frame, x, y, groups of threads that were dispatched), a march what its tile's start holds, but for the
-/// last number, in which it has its own groups.
+/// Frames of that many pixels, with a texel of `starts` for each 8x8 of them. Before each, both images hold -9. A
+/// cone writes (its frame, x, y, groups of threads dispatched), a march its tile's start, with its own groups as the
+/// last number.
 struct ConesStage {
     explicit ConesStage(glm::ivec2 size, PassListener* listener = nullptr)
         : size_(size), frame(gpu, {.listener = listener}) {

@@ -1,4 +1,4 @@
-// What tests of Julia sets share: the module on a device, without a picture around it.
+// Shared by the tests of Julia sets: the module on a device, without a picture around it.
 #pragma once
 #include <cmath>
 

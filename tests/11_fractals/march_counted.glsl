@@ -1,4 +1,4 @@
-// For the check of 11.march: march() along balls that are known, and what it asked.
+// For the check of 11.march: march() along known balls, and its queries.
 #include "11_fractals/march_along.glsl"
 
 // Each as (where its middle is along the ray, how far beside it, radius).

@@ -1,4 +1,4 @@
-"""Landscapes that are shaded in compute over a visibility buffer, beside those of fragment shaders."""
+"""Landscapes shaded in compute over a visibility buffer, beside those of fragment shaders."""
 import pathlib
 import sys
 import unittest

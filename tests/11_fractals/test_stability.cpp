@@ -35,7 +35,7 @@ struct Cloud {
 struct Overstep {
     double mean = 0;  ///< bound, in ways to the set
     double share = 0,
-           worst = 0;  ///< of points whose bound is longer than the way to the set; the longest, in such ways
+           worst = 0;  ///< of points with a bound beyond the distance to the set; the longest, relative to it
 };
 
 Overstep overstep(const Cloud& cloud, glm::dvec4 c, double escape, int points) {
@@ -86,7 +86,7 @@ TEST_CASE("the distance bound: at an escape radius of 2 it oversteps, from 4 on 
 }
 
 TEST_CASE("the distance bound of a set that falls to dust oversteps at any escape radius", "[figures]") {
-    const Cloud cloud(dust, 0.0125, 60);  // what has not escaped after 60 turns: the points around the dust
+    const Cloud cloud(dust, 0.0125, 60);  // points that have not escaped after 60 iterations: those around the dust
     for (const double escape : {2.0, 8.0, 64.0}) {
         double worst = 0;
         Random random(3);
@@ -113,7 +113,7 @@ TEST_CASE_METHOD(OnJulia, "|z'|² leaves the floats after 32 turns at |z| = 2; t
     int turns = 0;
     for (; std::isfinite(naive); ++turns) naive *= 4.0f * 4.0f;
     CHECK(turns == 32);
-    CHECK(std::isnan(0.0f * naive));  // what a later z = 0 makes of it
+    CHECK(std::isnan(0.0f * naive));  // effect of a later z = 0
     Probe probe{.include = "11_fractals/julia_distance.glsl",
                 .signature = "float julia_distance(vec4 z, vec4 c, int iterations, float escape)",
                 .inputs = {{2, 0, 0, 0, -2, 0, 0, 0, 200, 8},

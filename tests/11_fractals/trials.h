@@ -1,4 +1,4 @@
-// What the check of 11.record_cones has recorded where the student's C++ runs.
+// The recording of 11.record_cones's check, made in the student's process.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>

@@ -1,4 +1,4 @@
-// What 12.blur_irradiance is tried on: a chain of images, and lines that add up what they were told.
+// Test stage of 12.blur_irradiance: a chain of images, and lines that record their arguments.
 #pragma once
 #include <cstring>
 #include <glm/gtc/packing.hpp>
@@ -9,9 +9,9 @@
 
 namespace lightwalk {
 
-/// A chain of `count` Gaussians over 20x12 texels. Each line adds half of the variance it is told to red, green and
-/// blue, so that both directions together add all of it; and to alpha 1 for u, 32 for v, 1024 where smooth_mm is not
-/// what the texels say of themselves, 4096 where the stretch is not the stretch. Levels held -9 in alpha before.
+/// A chain of `count` Gaussians over 20x12 texels. Each line adds half of its variance argument to red, green and
+/// blue, so that both directions together add all of it; and to alpha 1 for u, 32 for v, 1024 for a smooth_mm that
+/// differs from the texels', 4096 for a wrong stretch. Levels held -9 in alpha before.
 struct BlurStage {
     explicit BlurStage(int count, PassListener* listener = nullptr)
         : sum(gaussians_of(count)), frame(gpu, {.listener = listener}) {

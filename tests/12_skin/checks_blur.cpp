@@ -1,4 +1,4 @@
-// What ./course check runs for 12.blur_irradiance: chains of several lengths, and what their levels hold.
+// Checks of 12.blur_irradiance: chains of several lengths, and the contents of their levels.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using namespace lightwalk;
 namespace {
 
 struct SkinChain {
-    std::string error;              // what it threw; then nothing else is known
+    std::string error;              // the exception; then nothing else is known
     int passes = 0;                 // compute passes called "skin blur"
     std::vector<glm::vec4> levels;  // two texels of each, the first and the last
     glm::vec4 irradiance{0.0f};     // its first texel
@@ -37,7 +37,7 @@ SkinChain seen_of(int count, const RecordedFrame& recorded) {
     return seen;
 }
 
-// What is wrong with a level; empty for nothing.
+// The fault of a level; empty if none.
 std::string wrong(glm::vec4 got, const Gaussian& wanted, size_t i) {
     const std::string which = fmt::format("level {} ", i);
     if (!(got.a == got.a) || got.a < 0) return which + "was never written: it holds what was there before";

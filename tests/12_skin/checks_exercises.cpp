@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 12's shader functions: values against double precision, then properties.
+// Checks of chapter 12's shader functions: values against double precision, then properties.
 #include <fmt/core.h>
 
 #include <cmath>

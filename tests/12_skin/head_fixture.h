@@ -1,4 +1,4 @@
-// What tests of the whole of skin share: a scene, its lights, and its picture in linear light.
+// Shared by the tests of the whole of skin: a scene, its lights, and its picture in linear light.
 #pragma once
 #include <cmath>
 

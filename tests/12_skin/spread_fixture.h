@@ -1,4 +1,4 @@
-// What tests of the spread of light share: maps from numbers, and what becomes of them.
+// Shared by the tests of the spread of light: synthetic maps, and their results.
 #pragma once
 #include <cmath>
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace lightwalk {
 
-/// A map as numbers: for each texel where it lies, and what enters it. per_mm: texels per mm along u and v.
+/// A map as numbers: each texel's position and entering light. per_mm: texels per mm along u and v.
 struct FlatMap {
     glm::uvec2 size{64, 64};
     glm::vec2 per_mm{4, 4};

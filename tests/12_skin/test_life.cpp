@@ -1,4 +1,4 @@
-// Whether what this chapter is made of moves, and what loads its scene again.
+// Whether the chapter's modules move, and the changes that reload its scene.
 #include "../common/scene_fixture.h"
 #include "12_skin/head.h"
 #include "catch.h"

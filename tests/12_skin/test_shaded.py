@@ -1,4 +1,4 @@
-"""Portraits that are shaded in compute over a visibility buffer, beside those of fragment shaders."""
+"""Portraits shaded in compute over a visibility buffer, beside those of fragment shaders."""
 import pathlib
 import sys
 import unittest

@@ -1,4 +1,4 @@
-// Tables that the device makes once: what a sphere of skin shows, and what facets reflect.
+// Tables made once on the device: a sphere of skin, and the facets' reflection.
 #include "12_skin/truth.h"
 #include "spread_fixture.h"
 

@@ -1,4 +1,4 @@
-// What the check of 12.blur_irradiance has recorded where the student's C++ runs.
+// The recording of 12.blur_irradiance's check, made in the student's process.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>

@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 13's functions: values against double precision, then properties.
+// Checks of chapter 13's functions: values against double precision, then properties.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ struct End {
     bool near, far, beyond;
 };
 
-// What stands at an end of a line; `x`, `y`: the near pixel behind which it lies, and the one beyond it.
+// The crossing edges at an end of a line; `x`, `y`: the near pixel, and the one beyond it.
 End end_at(int x, int y, int beyond_x, int beyond_y, bool horizontal) {
     return {known_edge(x, y, horizontal), known_edge(x + !horizontal, y + horizontal, horizontal),
             known_edge(beyond_x, beyond_y, !horizontal)};
@@ -66,7 +66,7 @@ CHECK_EXERCISE("13.lab_distance", "Apply f() to each component first; then compu
                         const glm::dvec3 lab = truth::to_lab(three(in));
                         return Row{lab.x, lab.y, lab.z};
                     },
-                .bound = {.absolute = 0.03, .relative = 1e-4},  // 500 times what pow() may be off
+                .bound = {.absolute = 0.03, .relative = 1e-4},  // 500 times the error of pow()
                 .hint = [](auto in, auto) -> std::string {
                     if (std::max({in[0], in[1], in[2]}) < 0.01)
                         return "Below (6/29)^3 f is a straight line, and f(0) = 4/29.";

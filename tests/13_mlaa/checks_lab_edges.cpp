@@ -1,4 +1,4 @@
-// What ./course check runs for 13.lab_edges: whole workgroups on pixels that are known, in several orders.
+// Checks of 13.lab_edges: whole workgroups on pixels that are known, in several orders.
 #include <fmt/core.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// For the check of 13.propagate_distance: what is known along a line of pixels, whose last number goes on. Whoever asks too
-// often is told nonsense.
+// For the check of 13.propagate_distance: known distances along a line of pixels; the last number repeats. Too many
+// queries return nonsense.
 #pragma replaces "13_mlaa/known_distance.glsl"
 
 const uint check_distances[] = uint[](KNOWN_DISTANCES);

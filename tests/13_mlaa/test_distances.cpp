@@ -1,4 +1,4 @@
-// How long edges are: recursive doubling against counting, and what happens beyond the reach.
+// Lengths of edges: recursive doubling against counting, and behaviour beyond the reach.
 #include <fmt/core.h>
 
 #include "mlaa_fixture.h"
@@ -168,7 +168,7 @@ TEST_CASE_METHOD(OnMlaa, "smaa_like drops an edge less than half as strong as on
 
 TEST_CASE_METHOD(OnMlaa, "a picture turned or mirrored is mixed as the picture was", "[figures]") {
     constexpr int side = 48;
-    // A triangle and a disc, whose outlines are lines and staircases that begin and end in many ways.
+    // A triangle and a disc: their outlines are lines and staircases with many kinds of ends.
     const auto shapes = [](glm::ivec2 p) {
         const bool triangle = p.y > 4 && p.x > 3 && p.x - p.y < 8.4 && 0.83 * p.x + p.y < 43.7;
         return triangle || glm::distance(glm::dvec2(p), {34.2, 33.6}) < 9.3 ? 1.0f : 0.0f;

@@ -1,4 +1,4 @@
-// What ./course check runs for 14.prefilter_faces: what its dispatches have left in every face of every level.
+// Checks of 14.prefilter_faces: its dispatches' results in every face of every level.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ using namespace lightwalk;
 namespace {
 
 struct FacesSeen {
-    std::string error;              // what it threw; then nothing else is known
-    std::string passes;             // those of compute: "first, second"
+    std::string error;              // the exception; then nothing else is known
+    std::string passes;             // compute passes: "first, second"
     std::vector<glm::vec4> texels;  // level by level, face by face, row by row
     std::string validation;         // its first message
 };

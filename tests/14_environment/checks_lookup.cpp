@@ -1,4 +1,4 @@
-// What ./course check runs for the exercises about directions and reflectances: values against double precision.
+// Checks of the exercises about directions and reflectances: values against double precision.
 #include <fmt/core.h>
 
 #include "14_environment/truth.h"
@@ -195,7 +195,7 @@ CHECK_EXERCISE("14.box_project",
         check.expect(right, wrong_text(probe, i, got[i]) + " or another length", hint);
         if (!right) return;
     }
-    // What GLSL leaves open, such as a division by 0, is looked for by the probe itself.
+    // Undefined operations, such as a division by 0, are found by the probe itself.
     probe.truth = [got, inputs = probe.inputs](auto in) -> Row {
         for (size_t i = 0; i < inputs.size(); ++i)
             if (std::equal(in.begin(), in.end(), inputs[i].begin())) return got[i];

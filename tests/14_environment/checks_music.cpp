@@ -1,4 +1,4 @@
-// What ./course check runs for 14.spectrum_bands.
+// Checks of 14.spectrum_bands.
 #include <fmt/core.h>
 
 #include "14_environment/exercises.h"

@@ -1,4 +1,4 @@
-// What ./course check runs for the exercises that sum: 14.sh_project, and 14.split_sum_table with a whole workgroup.
+// Checks of the exercises that sum: 14.sh_project, and 14.split_sum_table with a whole workgroup.
 #include <fmt/core.h>
 
 #include <bit>

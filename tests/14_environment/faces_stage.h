@@ -1,4 +1,4 @@
-// What 14.prefilter_faces is tried on: two cubes, a module, and a filter that writes down where it has been.
+// Test stage of 14.prefilter_faces: two cubes, a module, and a filter that writes down where it has been.
 #pragma once
 #include "14_environment/exercises.h"
 #include "common/app/module.h"
@@ -7,8 +7,8 @@
 
 namespace lightwalk {
 
-/// Frames with a cube of so many texels and levels, which before each holds -9. The filter writes (1 + face, roughness,
-/// groups of threads, what `radiance` holds: the frame's light).
+/// Frames with a cube of that many texels and levels, filled with -9 before each. The filter writes (1 + face,
+/// roughness, groups of threads, the frame's light from `radiance`).
 struct FacesStage {
     FacesStage(uint32_t texels, uint32_t levels, PassListener* listener = nullptr)
         : texels_(texels), levels_(levels), frame(gpu, {.listener = listener}) {

@@ -1,4 +1,4 @@
-// What tests of this chapter share: an environment, and what surfaces in it show.
+// Shared by the tests of this chapter: an environment, and surfaces in it.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -17,7 +17,7 @@ struct LookedAt {
     float alpha;
 };
 
-/// What a white matt surface of its normal shows, what it reflects, and how much of the light enters it.
+/// Radiance of a white matt surface of its normal, its reflection, and its share of entering light.
 struct Shown {
     glm::vec3 diffuse, specular, diffuse_share;
 };
@@ -37,13 +37,13 @@ struct OnLight : OnDevice {
     /// Of a picture that is given by its radiance along each direction.
     void load(int width, int height, const std::function<glm::dvec3(glm::dvec3)>& radiance);
 
-    /// The picture into the cube of `light.drawn`, and what is made of it: as if its radiance had been drawn.
+    /// Copies the picture into the cube of `light.drawn` and filters it, as if its radiance had been drawn.
     void draw_picture();
 
     std::vector<Shown> shown(const std::vector<LookedAt>& surfaces);
     /// The same without record(): in the light that is chosen. Ends the frame and begins another.
     std::vector<Shown> shown_now(const std::vector<LookedAt>& surfaces);
-    /// What a white matt surface of each normal shows.
+    /// Radiance of a white matt surface of each normal.
     std::vector<glm::vec3> diffuse(const std::vector<glm::vec3>& normals);
 };
 

@@ -48,7 +48,7 @@ def cymbal(seconds: float, decay: float):
 
 
 def bright(samples, share: float):
-    """Takes away a share of the sample before: what is left are high frequencies."""
+    """Subtracts a share of the previous sample, which leaves high frequencies."""
     return samples - share * numpy.concatenate(([0], samples[:-1]))
 
 

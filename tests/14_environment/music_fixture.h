@@ -1,4 +1,4 @@
-// What tests of music share: sounds from formulas, and files made of them.
+// Shared by the tests of music: sounds from formulas, and files made of them.
 #pragma once
 #include <vorbis/vorbisenc.h>
 

@@ -123,6 +123,6 @@ TEST_CASE("the normal is that of the displaced surface, to 0.01 degrees, and the
         worst = std::max(worst, glm::degrees(glm::length(got - right)));
         steepest = std::max(steepest, glm::degrees(std::acos(std::min(glm::dot(n, right), 1.0))));
     }
-    CHECK(steepest > 50);  // what the undisplaced normal would be off
+    CHECK(steepest > 50);  // error of the undisplaced normal
     CHECK(worst < 0.01);
 }

@@ -1,6 +1,5 @@
 """Drawings of many chapters in one frame (compositions/everything.cpp), at the first try: a cold start, an odd size,
-validation. Whatever is drawn first, twice, on a screen within the picture or into a cube, the picture is the same.
-"""
+validation. The picture is the same for any order, drawn twice, on a screen within the picture or into a cube."""
 # Builds: 14_environment everything everything_deferred compare
 import sys
 import tempfile
@@ -14,7 +13,7 @@ from window_session import Session, XServer  # noqa: E402
 
 SCENES = Path(__file__).resolve().parent / "compositions"
 PROGRAMS = ("everything", "everything_deferred")
-# What is made before the first frame, and has nothing to do with what is compared.
+# Reduces one-time work before the first frame, unrelated to the comparison.
 CHEAP = ("shadow.resolution=256", "environment.prefilter.samples=4", "atmosphere.table_scale=0.25")
 # The set draws its surroundings only where it is the first drawing.
 NO_SURROUNDINGS = ("bloom.method=none", "around.intensity=0")
@@ -29,7 +28,7 @@ class Compositions(unittest.TestCase):
         cls.drawings = {program: Drawing(BUILD / "tests" / program) for program in PROGRAMS}
         for drawing in cls.drawings.values():
             cls.addClassCleanup(drawing.close)
-        cls.pictures = {}  # by what is drawn: each once
+        cls.pictures = {}  # by subject: each once
 
     def draw(self, program: str, scene: str, *options) -> Path:
         key = (program, scene, *options)
@@ -66,7 +65,7 @@ class Compositions(unittest.TestCase):
                     self.assertEqual(steps(once, twice), 0)
 
     def test_a_screen_shows_it_again(self):
-        """A camera that sees what the picture's camera sees: nothing else of the picture changes with the screen's size."""
+        """A camera with the picture camera's view: nothing else of the picture changes with the screen's size."""
         small, large = (self.draw("everything", "everything", *sets("bloom.method=none", f"screens.width={width}"))
                         for width in (64, 480))
         self.assertGreater(steps(small, large), 5)

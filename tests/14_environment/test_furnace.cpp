@@ -42,7 +42,7 @@ struct InFurnace : OnModules {
 }  // namespace
 
 TEST_CASE_METHOD(InFurnace, "in a white furnace no material of any scene sends out more than arrives", "[14.furnace]") {
-    // A scene for each model and each material of its own: those that chapters 01 to 19 load.
+    // A scene for each model and material of its own loaded by chapters 01 to 19.
     std::set<std::string> drawn;
     for (const auto& entry : std::filesystem::directory_iterator(find_asset("scenes"))) {
         SceneFile file = read_scene(entry.path());

@@ -7,7 +7,7 @@ using namespace lightwalk;
 
 namespace {
 
-/// For TEST_CASE_METHOD: a cube whose levels hold their own numbers, so that what is read says where it was read.
+/// For TEST_CASE_METHOD: a cube with its level numbers as contents, so that reads reveal their level.
 struct OnLevels : OnLight {
     Pipeline fill = compute_pipeline("fill a level", R"(
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -68,7 +68,7 @@ glm::dvec3 half_vector(uint32_t i, uint32_t count, double alpha) {
     return {s * std::cos(phi), s * std::sin(phi), std::sqrt(c2)};
 }
 
-/// The level of a cube of 256 texels a side whose texels are as large as a sample's share of the sphere.
+/// The level of a cube of 256 texels a side with texels as large as a sample's share of the sphere.
 double level_of(double density, uint32_t count, double bias) {
     const double texel = 2 * truth::around / (6.0 * 256 * 256);
     return std::clamp(0.5 * std::log2(1 / (count * density * texel)) + bias, 0.0, 8.0);

@@ -79,15 +79,15 @@ TEST_CASE_METHOD(OnLight, "coefficients that the device sums are those of 14.sh_
 
 namespace {
 
-/// What a white environment sends to the eye by GGX with Schlick's Fresnel: an integral over directions to the light in
-/// the angles about the mirrored direction, fine where the lobe is narrow. None of the table's samples.
+/// A white environment's reflection by GGX with Schlick's Fresnel: an integral over directions to the light in the
+/// angles about the mirrored direction, fine where the lobe is narrow. Independent of the table's samples.
 double integral(double n_dot_v, double alpha, double f0) {
     const glm::dvec3 v(std::sqrt(1 - n_dot_v * n_dot_v), 0, n_dot_v), mirrored(-v.x, 0, v.z), side(0, 1, 0);
     const glm::dvec3 up = glm::cross(mirrored, side);
     double sum = 0;
     const int steps = 1200, turns = 400;
     for (int i = 0; i < steps; ++i) {
-        // Half angles whose tangents grow evenly in a power: dense within the lobe and out to the whole sphere.
+        // Half angles with tangents that grow evenly in a power: dense within the lobe and out to the whole sphere.
         const double s = (i + 0.5) / steps, from = std::pow(s, 3) * 0.5 * truth::around;
         const double width = 3 * s * s * 0.5 * truth::around / steps;
         for (int j = 0; j < turns; ++j) {

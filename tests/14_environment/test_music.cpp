@@ -64,7 +64,7 @@ TEST_CASE("a file's samples come back as the mean of its channels, at its own ra
         INFO(rate << " Hz, " << count << " samples, " << channels << " channels");
         const Sound wanted = made(rate, (count + 0.5) / rate, [](double t) { return 0.4 * tone(500, t); });
         std::vector<std::vector<float>> given(size_t(channels), wanted.samples);
-        if (channels == 2)  // what cancels in the mean
+        if (channels == 2)  // part that cancels on average
             for (size_t i = 0; i < given[0].size(); ++i) {
                 const auto side = static_cast<float>(0.2 * tone(900, double(i) / rate));
                 given[0][i] += side, given[1][i] -= side;

@@ -1,4 +1,4 @@
-// What the lesson says of windows, bands and smoothing, measured.
+// The lesson's figures on windows, bands and smoothing, measured.
 #include <cmath>
 
 #include "../catch.h"

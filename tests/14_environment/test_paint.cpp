@@ -1,4 +1,4 @@
-// Car paint: its table against integrals, and what the scene's lights leave of it against matt white.
+// Car paint: its table against integrals, and its reflection of the scene's lights against matt white.
 #include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"
 #include "14_environment/lit_around.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double coat_f0 = 0.04, coat_index = 1.5;
 
-/// What of the light goes through the coat at that cosine: Schlick's formula.
+/// Transmittance of the coat at that cosine: Schlick's formula.
 double through(double cosine) { return (1 - coat_f0) * (1 - std::pow(1 - cosine, 5)); }
 
 double below_coat(double cosine) { return std::sqrt(1 - (1 - cosine * cosine) / (coat_index * coat_index)); }

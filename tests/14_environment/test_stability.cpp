@@ -7,7 +7,7 @@ using namespace lightwalk;
 
 namespace {
 
-/// What nine coefficients of a lone sun along +y show at an angle from it; facing it the truth is 1.
+/// Nine coefficients' reconstruction of a lone sun along +y, at an angle from it; facing it the truth is 1.
 double lone_sun(double angle_deg, size_t window) {
     const auto factors = sh_window(window);
     std::vector<double> sun = truth::harmonics({0, 1, 0});
@@ -23,7 +23,7 @@ double mean_error(const std::vector<glm::dvec3>& found, const std::vector<glm::d
     return away / sum;
 }
 
-/// What the prefiltered cube ought to hold: samples weighed by n·l, in the limit of every texel of a picture.
+/// Expected contents of the prefiltered cube: samples weighed by n·l, in the limit of every texel of a picture.
 std::vector<glm::dvec3> true_prefiltered(const ImageRgb& picture, const std::vector<glm::vec3>& normals, double alpha) {
     std::vector<glm::dvec3> sums(normals.size(), glm::dvec3(0));
     std::vector<double> weights(normals.size(), 0);
@@ -90,7 +90,7 @@ TEST_CASE_METHOD(OnLight, "prefiltering at roughness 0.5: samples read from leve
             for (int i = 0; i < 3; ++i) {
                 light.prefilter.bias.value = float(biased), light.prefilter.samples.value = 16 << (2 * i);
                 load("environments/" + name + ".hdr");
-                // Level 3 of 7 has roughness 0.5; f0 1 and n·v 1, over what the table says of it.
+                // Level 3 of 7 has roughness 0.5; f0 1 and n·v 1, over the table's value.
                 light.method.set("prefiltered");
                 std::vector<LookedAt> surfaces;
                 for (const glm::vec3 n : normals) surfaces.push_back({n, n, glm::vec3(1), 0.25f});

@@ -1,4 +1,4 @@
-// What the check of 14.prefilter_faces has recorded where the student's C++ runs.
+// The recording of 14.prefilter_faces's check, made in the student's process.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>

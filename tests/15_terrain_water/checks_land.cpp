@@ -1,4 +1,4 @@
-// What ./course check runs for the exercises about the ground.
+// Checks of the exercises about the ground.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What ./course check runs for the exercises about water and transparent surfaces.
+// Checks of the exercises about water and transparent surfaces.
 #include <fmt/core.h>
 
 #include <chrono>
@@ -262,7 +262,7 @@ CHECK_EXERCISE("15.mirror_view",
             const glm::dmat4 got(mirror_view(forward, one.water_m)), right(forward);
             const glm::dmat4 back = glm::inverse(right);
             for (int i = 0; i < 200; ++i) {
-                // What the camera sees mirrored: a ray into the water, and up again.
+                // The mirrored view of the camera: a ray into the water, and up again.
                 const glm::dvec4 near = back * glm::dvec4(random.uniform(-1, 1), random.uniform(-1, 1), 1, 1);
                 const glm::dvec3 from(near / near.w), eye(one.camera.position);
                 const double t = random.logarithmic(1, 300);

@@ -1,4 +1,4 @@
-// What tests of the ground share: a map, its methods, and what they find.
+// Shared by the tests of the ground: a map, its methods, and their results.
 #pragma once
 #include <zlib.h>
 

@@ -14,7 +14,7 @@ struct Asked {
 
 TEST_CASE_METHOD(
     OnDevice, "a roof sees the whole sky, a wall about half of it, and the street a third of that; no glass on roofs") {
-    // A sun of irradiance 3 and a sky of 1, whatever the air; the sun stands along the normal or behind it.
+    // A sun of irradiance 3 and a sky of 1, for any air; the sun stands along the normal or behind it.
     const Pipeline look = compute_pipeline("city light", R"(
 #include "10_atmosphere/ground_light.glsl"
 #include "10_atmosphere/view_path.glsl"
@@ -47,7 +47,7 @@ void main() {
         frame.begin({4, 4}, 0);
         return result;
     };
-    // Between windows: the share of the sky follows from what the sun adds.
+    // Between windows: the sky's share follows from the sun's contribution.
     for (const glm::vec3 normal : {glm::vec3(0, 1, 0), glm::vec3(1, 0, 0), glm::vec3(0, 0, -1)})
         for (const float height : {0.2f, 3.35f, 31.0f, 60.0f}) {
             const auto light = found({{normal, {2.95f, height, 80}, 1}, {normal, {2.95f, height, 80}, -1}});

@@ -10,7 +10,7 @@ using namespace lightwalk;
 
 namespace {
 
-/// For TEST_CASE_METHOD: ground of 32 x 32 cells, each 62.5 m wide, whose heights are known as numbers.
+/// For TEST_CASE_METHOD: ground of 32 x 32 cells, each 62.5 m wide, with known heights.
 struct OnCells : OnLand {
     std::vector<float> heights;
 
@@ -30,7 +30,7 @@ struct OnCells : OnLand {
                 double(map.corner.y) + double(map.spacing_m) * z};
     }
 
-    /// What the shader `text` writes for each row of numbers: `outputs` floats. It has in_at() and `result[]`.
+    /// Output of the shader `text` for each row of numbers: `outputs` floats. It has in_at() and `result[]`.
     std::vector<float> run(
         const std::string& text, const std::vector<float>& rows, size_t outputs, size_t row_floats,
         const std::function<void(Compute&)>& set = [](Compute&) {}) {
@@ -192,7 +192,7 @@ void main() {
 }
 
 TEST_CASE_METHOD(OnCells, "ground at a low angle is read as finely as the pixel is long on it, up to 17 times") {
-    // In place of textures what land_seen() asks for.
+    // Substitutes for the textures of land_seen().
     std::vector<float> rows;
     for (int i = 0; i < 200; ++i) {
         const float angle = 0.0157f * float(i) / 2;
@@ -223,7 +223,7 @@ void main() {
         const int x = 3 + int(i) % 20, z = 5 + int(i) / 20;
         const glm::dvec3 across = point(x + 1, z) - point(x - 1, z), down = point(x, z + 1) - point(x, z - 1);
         CHECK(glm::length(normal - glm::normalize(glm::cross(down, across))) < 5e-3);
-        // The side of a square as large as what the pixel covers.
+        // The side of a square with the pixel's area on the ground.
         CHECK(double(found[4 * i]) == Approx(2 / std::sqrt(std::max(cosine, 0.06))).epsilon(2e-3));
         (cosine > 0.06 ? stretched : held) += 1;
     }

@@ -1,4 +1,4 @@
-// Mistakes of whoever composes a picture: each is put right, or ends in one clear line.
+// Composition mistakes: each is corrected, or ends in one clear line.
 #include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"
 #include "08_bloom/bloom.h"
@@ -45,7 +45,7 @@ struct Composed : OnModules {
         frame.end();
         return read_linear(gpu, frame.hdr);
     }
-    /// In a frame whose picture is the land under its sky.
+    /// In a frame that shows the land under its sky.
     template <class Finish>
     void finish(const Finish& record) {
         begin(size);

@@ -1,4 +1,4 @@
-// Reflections in waves against rays: from each pixel to the water, and from there to what it shows.
+// Reflections in waves against rays: from each pixel to the water, and from there to the reflected point.
 #include <fmt/core.h>
 
 #include <cmath>

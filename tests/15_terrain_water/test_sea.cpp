@@ -10,7 +10,7 @@ using namespace lightwalk;
 
 namespace {
 
-/// What of a sea does not depend on the draw of its waves.
+/// Properties of a sea that are independent of its random waves.
 struct Statistics {
     double height_m = 0;    ///< significant: four standard deviations
     double slope = 0;       ///< root of the mean square of the steepness, both axes
@@ -122,7 +122,7 @@ TEST_CASE_METHOD(OnSea, "an open sea as statistics: two draws and two times are 
         for (const int waves : {4, 8, 16}) {
             const Statistics found = of_waves(method, waves);
             print(fmt::format("{} {}", method, waves), found);
-            // JONSWAP's significant height and slopes are not what a few waves of one steepness have.
+            // JONSWAP's significant height and slopes differ from those of a few waves of one steepness.
             CHECK(std::fabs(found.height_m / sea.height_m - 1) > 0.2);
         }
     // The height is JONSWAP's, by an integral over its frequencies.

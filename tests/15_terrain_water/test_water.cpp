@@ -15,7 +15,7 @@ namespace {
 
 constexpr double in_degrees = 180 / M_PI;
 
-// `count` waves of equal steepness k A, whose sum of Q k A is `steepness`; directions within 60 degrees of +x.
+// `count` waves of equal steepness k A with a sum of Q k A equal to `steepness`; directions within 60 degrees of +x.
 std::vector<WaveData> random_waves(Random& random, int count, double steepness) {
     std::vector<WaveData> all;
     for (int i = 0; i < count; ++i) {
@@ -276,7 +276,7 @@ TEST_CASE_METHOD(OnWater, "level water shows a wall upside down where the wall i
         const glm::uvec2 p(pixel_of(place));
         return double(seen.pixels[p.y * size.x + p.x].r);
     };
-    // What is mirrored in the level water is seen where the place's mirror image would be.
+    // A reflection in level water is seen at the mirror image of the point.
     CHECK(red_at({-4, -3.0f, -40}) > 0.2);  // of the wall 3 m above the water
     CHECK(red_at({-7, -5.0f, -40}) > 0.2);
     CHECK(red_at({-4, -8.0f, -40}) < 0.1);  // higher than the wall
@@ -296,7 +296,7 @@ TEST_CASE_METHOD(OnWater, "level water shows a wall upside down where the wall i
         CHECK(found == Approx(right).epsilon(0.02));
     }
     CHECK(depth_at({4, 3, -40}).first == 0);
-    // The mirror image has nothing of what is below the water: seen from above it would stand before the sky.
+    // The mirror image omits everything below the water: from above it would stand before the sky.
     wall.bottom = -3, wall.top = -0.5f;
     water.absorption.value = glm::vec3(20);  // nothing shows through
     const ImageRgb sunk = picture("flat", "planar", 0, {wall});

@@ -74,7 +74,7 @@ TEST_CASE_METHOD(OnWater, "in the picture a reflected ray is halved until it mis
     size = {24, 2048};
     camera.position = {0, 4, 0}, camera.target = {0, 3, -20};
     water.roughness.value = 0, water.refraction.value = 0;
-    // A wall 40 m away whose light grows with the height, in steps of 2.5 cm.
+    // A wall 40 m away with light that grows with the height, in steps of 2.5 cm.
     Quads wall(owner, "steps");
     for (int i = 0; i < 480; ++i) {
         const float from = 0.025f * float(i), to = from + 0.025f;

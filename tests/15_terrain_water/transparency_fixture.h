@@ -1,4 +1,4 @@
-// What tests of transparency share: rectangles as transparent surfaces before a background.
+// Shared by the tests of transparency: rectangles as transparent surfaces before a background.
 #pragma once
 #include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"

@@ -1,4 +1,4 @@
-// What tests of water share: water before a background, and a wall that it shows.
+// Shared by the tests of water: water before a background, and a wall that it shows.
 #pragma once
 #include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"

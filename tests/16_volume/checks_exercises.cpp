@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 16's functions: values against double precision, then properties.
+// Checks of chapter 16's functions: values against double precision, then properties.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ CHECK_EXERCISE("16.ray_shell",
         add(origin, (i % 7 == 0 ? -1.0 : 1.0) * (to - origin), radius);
     }
     const Table results = check.probe(probe);
-    // A ray that just touches it, give or take rounding: no bound says what it returns, but that they are numbers.
+    // A ray that just touches it, up to rounding: only finite numbers are required.
     Probe tangent = probe;
     tangent.inputs.clear();
     for (int i = -20; i <= 20; ++i) tangent.inputs.push_back({1 + i * 6e-8, 0, 3, 0, 0, -1, 1});

@@ -1,4 +1,4 @@
-// What ./course check runs for 16.skip_empty: a volume whose blocks' ranges are known, and the barriers.
+// Checks of 16.skip_empty: a volume with known block ranges, and the barriers.
 #include <fmt/core.h>
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// Borders: of a simplex, of a moment, of a box. What lies on both sides must meet there.
+// Borders: of a simplex, of a moment, of a box. Both sides must meet there.
 #include <fmt/core.h>
 
 #include "volume_fixture.h"

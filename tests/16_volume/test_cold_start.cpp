@@ -1,4 +1,4 @@
-// What was made once is made again where anything it depends on has changed: the picture is that of a cold start.
+// Cached results are remade after any change of their inputs: the picture is that of a cold start.
 #include "common/base/toggle_scope.h"
 #include "volume_fixture.h"
 

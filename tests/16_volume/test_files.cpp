@@ -1,4 +1,4 @@
-// Files of volumes and lathes that are not what they should be, and the cache of baked occlusion.
+// Malformed files of volumes and lathes, and the cache of baked occlusion.
 #include <set>
 
 #include "16_volume/finish.h"
@@ -182,7 +182,7 @@ TEST_CASE_METHOD(OnDevice, "a tube's occlusion: none outside, inside what the op
             hidden += row < 32 && open < 255;
         }
         if (row < 32) continue;
-        // What a place inside a cylinder sees of a disc at its end, `way` diameters away.
+        // Share of the view from inside a cylinder covered by the disc at its end, `way` diameters away.
         const auto opening = [](double way) { return (way * way + 0.5) / std::sqrt(way * way + 1) - way; };
         const double high = (row - 32 + 0.5) / 16;
         INFO("height " << high);

@@ -45,7 +45,7 @@ TEST_CASE_METHOD(OnVolume, "a hash by sine differs between float and double, eve
             const double way = std::fabs(one - other);
             apart += std::min(way, 1 - way);
         }
-    // Chance: 0.25. Within 10 of 0 sines by float are off by 1e-7 or less of what is multiplied by 43,758.
+    // Chance: 0.25. Within 10 of 0 float sines are off by at most 1e-7 of the product with 43,758.
     fmt::print("hash by sine: float and double are {:.3f} apart in the mean; chance is 0.25\n", apart / count);
     CHECK(apart / count > 1e-4);
     Probe probe{.include = "16_volume/lattice_4d.glsl", .signature = "float lattice_4d(ivec4 cell)", .inputs = {}};

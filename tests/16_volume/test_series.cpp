@@ -1,4 +1,4 @@
-// The reference's two series, where a float has rounded what is asked for away.
+// The reference's two series, for arguments lost to float rounding.
 #include "volume_fixture.h"
 
 using namespace lightwalk;

@@ -40,7 +40,7 @@ TEST_CASE_METHOD(OnVolume,
         for (const glm::vec3& pixel : seen.pixels) sum += double(pixel.g);
         CHECK(sum > 1);
     }
-    // b² - c with floats: at 1,000 m what is subtracted has steps of 1/16, and a ball of 1 m is lost in them.
+    // b² - c with floats: at 1,000 m the subtrahend has steps of 1/16, and a ball of 1 m is lost in them.
     const float b = 1000.0f, c = b * b - 1.0f;
     CHECK(std::fabs((b * b - c) - 1.0f) < 0.07f);
     CHECK(std::nextafter(b * b, 2e6f) - b * b == 0.0625f);

@@ -1,4 +1,4 @@
-// What tests of volumes share: the module on a device, and volumes in files whose light is known.
+// Shared by the tests of volumes: the module on a device, and volumes in files with known light.
 #pragma once
 #include <unistd.h>
 
@@ -89,7 +89,7 @@ struct OnVolume {
     glm::vec3 middle() { return picture().pixels[size_t(size.y / 2) * size.x + size.x / 2]; }
 };
 
-/// Of the transfer function `even` at density 1: the opacity of 0.01 m, and what a way through it adds and lets through.
+/// Of the transfer function `even` at density 1: the opacity of 0.01 m, and emission and transmittance of a path.
 constexpr double even_opacity = 0.2;
 inline double even_light(double way_m, double density) {
     return truth::correct_opacity(even_opacity, density * way_m / double(REFERENCE_M));

@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 17's functions in C++.
+// Checks of chapter 17's functions in C++.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ CHECK_EXERCISE("17.camera_relative", "subtract in double precision, then round t
         const double scale = random.uniform(0.5, 2);
         matrix[0] = glm::dvec4(scale * x, 0), matrix[1] = glm::dvec4(y, 0), matrix[2] = glm::dvec4(glm::cross(x, y), 0);
         matrix[3] = glm::dvec4(camera + offset, 1);
-        const glm::dvec3 right = glm::dvec3(matrix[3]) - camera;  // what the doubles hold
+        const glm::dvec3 right = glm::dvec3(matrix[3]) - camera;  // exact content of the doubles
         const std::string what =
             fmt::format("camera_relative(a body {:.4g} m before a camera {:.4g} m from the Sun)", away, sun);
         check.call(what, [&]() -> std::string {

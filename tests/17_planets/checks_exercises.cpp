@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 17's functions in GLSL: values against double precision, then properties.
+// Checks of chapter 17's functions in GLSL: values against double precision, then properties.
 #include <fmt/core.h>
 
 #include "17_planets/truth.h"

@@ -1,4 +1,4 @@
-// For tests of what a pixel covers: a body whose maps give that, in place of colours.
+// For tests of a pixel's footprint: a body with maps that return it as colour.
 #pragma replaces "10_atmosphere/ground_light.glsl"
 #pragma replaces "17_planets/body_inputs.glsl"
 #pragma replaces "17_planets/limb_fade.glsl"

@@ -1,4 +1,4 @@
-// What tests of planets share: the modules on a device, a body and a camera.
+// Shared by the tests of planets: the modules on a device, a body and a camera.
 #pragma once
 #include <cmath>
 
@@ -26,7 +26,7 @@ struct OnPlanets {
     glm::uvec2 size{96, 64};
     bool with_stars = false, with_planets = true;
     Crop crop{};     ///< which part of a larger picture is drawn
-    float wall = 0;  ///< reversed depth of what stands before every body; 0: nothing does
+    float wall = 0;  ///< reversed depth of an object before every body; 0: none
 
     ~OnPlanets() { CHECK_NOTHROW(gpu.device.check_validation()); }
 

@@ -1,4 +1,4 @@
-// What lies around a body: its air from within, clouds from below, the soft shadow of rings.
+// The surroundings of a body: its air from within, clouds from below, the soft shadow of rings.
 #include "planets_fixture.h"
 #include "with_air.h"
 

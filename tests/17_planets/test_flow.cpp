@@ -1,4 +1,4 @@
-// What moves on a body: Jupiter's clouds by its winds, the Sun's granules.
+// Motion on a body: Jupiter's clouds by its winds, the Sun's granules.
 #include <fmt/core.h>
 
 #include "planets_fixture.h"
@@ -7,7 +7,7 @@ using namespace lightwalk;
 
 namespace {
 
-// A map whose texels are its coordinates.
+// A map with its coordinates as texels.
 const std::string flow_before =
     "#define textureSize(map, level) ivec2(2048, 1024)\n"
     "#define textureLod(map, at, level) vec4(at, level, 1.0)\n"
@@ -100,7 +100,7 @@ TEST_CASE_METHOD(DeviceTest, "the Sun's network changes a tenth as fast as its g
                 .truth = {},
                 .bound = {},
                 .macros = {}};
-    // Light of the same 300 places at a moment; what a pixel of that angle shows.
+    // Light of the same 300 points at a moment, averaged over a pixel of that angle.
     const auto light = [&](double moment, double footprint) {
         probe.inputs.clear();
         Random random(5);

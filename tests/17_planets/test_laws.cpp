@@ -86,7 +86,7 @@ TEST_CASE_METHOD(DeviceTest, "laws at 0: no NaN, no infinity, 0 where the sun is
     probe.truth = [](auto in) { return Row{truth::hapke(in[0], in[1], in[2])}; };
     probe.bound = {.absolute = 2e-5, .relative = 2e-4};
     CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
-    // Each law by its number, over what it gives with the sun and the camera overhead.
+    // Each law by its number, over its value with the sun and the camera overhead.
     Probe by = probe;
     by.before =
         probe.before +
@@ -168,8 +168,8 @@ TEST_CASE_METHOD(DeviceTest,
 
 namespace {
 
-// Light that a layer of ring particles sends towards `eye` after one scattering and after any number, by random walks whose
-// every scattering looks at the eye. The sun stands above the layer; its light comes down.
+// Light that a layer of ring particles sends towards `eye` after one scattering and after any number, by random walks
+// that sample the eye at every scattering. The sun stands above the layer; its light comes down.
 struct Scattered {
     double once = 0, often = 0;
 };
@@ -351,7 +351,7 @@ TEST_CASE("rings: how far single scattering with a fit of the rest is from rando
 }
 
 TEST_CASE("in a white furnace no body of its own law sends out more than arrives", "[17.furnace]") {
-    // The albedo of a place is what it sends back with the sun and the eye overhead. Light from all around, seen at mu.
+    // The albedo of a point is its reflectance with the sun and the eye overhead. Light from all around, seen at mu.
     const auto sent = [](const SurfaceLaw& s, double mu) {
         double sum = 0;
         const int steps = 200, turns = 64;
@@ -372,7 +372,7 @@ TEST_CASE("in a white furnace no body of its own law sends out more than arrives
         const SurfaceLaw& surface = traits(static_cast<BodyId>(i)).surface;
         double all = 0;  // of the light that falls on the ground, over the albedo of its places
         for (int k = 0; k < 50; ++k) all += 2 * (k + 0.5) / 50 / 50 * sent(surface, (k + 0.5) / 50);
-        // Rock's map says how bright it is overhead; Hapke's law has how much that is of what arrives.
+        // Rock's map holds the brightness overhead; Hapke's law gives its ratio to the incident light.
         if (surface.law == LAW_HAPKE) all *= truth::hapke(1, 1, 1);
         fmt::print("furnace: {} sends {:.2f} times the albedo of its places, {:.2f} at the limb\n", body_names()[i],
                    all, sent(surface, 0.04));

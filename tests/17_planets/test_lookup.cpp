@@ -1,4 +1,4 @@
-// How maps of bodies are read: no row beyond the poles, and levels by what a pixel covers.
+// Reading maps of bodies: no row beyond the poles, and levels by the pixel's footprint.
 #include "planets_fixture.h"
 #include "with_air.h"
 
@@ -37,7 +37,7 @@ double covered_rad(double pixel, double mu) {
     return std::sqrt(along * 2 * std::asin(0.5 * pixel));
 }
 
-// `covered` is what a pixel of a share of the radius shows at a cosine.
+// `covered` is the footprint of a pixel, a share of the radius, at a cosine.
 Probe slanting(const std::string& kind, const std::string& covered) {
     Probe probe{.include = "common/srgb.glsl",
                 .before = std::string(with_known_air) + kind + "#include \"../tests/17_planets/known_body.glsl\"\n" +

@@ -1,4 +1,4 @@
-// What a scene has to model, by how large it is: in pixels, in degrees, in kilometres.
+// Required detail of a scene by its size: in pixels, in degrees, in kilometres.
 #include <fmt/core.h>
 
 #include "planets_fixture.h"
@@ -86,7 +86,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Mercury's wide sun moves n.l by 0.0026 at most: it is no reason to wrap the light") {
-    // Over the disc, with half its angle: the mean of what is above the horizon, against its middle.
+    // Over the disc, with half its angle: the mean of the part above the horizon, against its middle.
     const double half = glm::radians(0.5 * 1.377);
     double worst = 0;
     for (double middle = -0.03; middle < 0.03; middle += 1e-4) {

@@ -1,4 +1,4 @@
-// What stands before what: bodies before the sky and behind walls, stars on the edges of a picture.
+// Depth order: bodies before the sky and behind walls, stars on the edges of a picture.
 #include <fmt/core.h>
 
 #include "common/scene/image_pool.h"

@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 18: rays, drags, turns, and the image of numbers.
+// Checks of chapter 18: rays, drags, turns, and the image of numbers.
 #include <fmt/core.h>
 
 #include <cmath>

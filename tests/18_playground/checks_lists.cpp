@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 18: the list of steps, and the tree.
+// Checks of chapter 18: the list of steps, and the tree.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -146,7 +146,7 @@ CHECK_EXERCISE("18.sort_tree_moves",
                "inverse(new parent's world) times the node's world; skip what has a selected node above it; refuse a "
                "parent below one.") {
     Random random(6);
-    // 0 has 1 and 2; 1 has 3; 4 is alone; 5, whose parent 6 stands after it.
+    // 0 has 1 and 2; 1 has 3; 4 is alone; 5 has a parent, 6, that follows it.
     std::vector<TreeNode> nodes{{-1}, {0}, {0}, {1}, {-1}, {6}, {-1}};
     for (TreeNode& node : nodes) node.world = somewhere(random);
     std::vector<TreeNode> flat = nodes;

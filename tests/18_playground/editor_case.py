@@ -1,4 +1,4 @@
-"""The editor in a window, validated, with a scene of its own: what its tests do with it."""
+"""The editor in a window, validated, with a scene of its own: the tests' actions on it."""
 import json
 import shutil
 import sys

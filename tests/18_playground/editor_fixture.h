@@ -1,4 +1,4 @@
-// What the tests of the editor share: random commands, a document as one text, a folder of their own.
+// Shared by the tests of the editor: random commands, a document as one text, a folder of their own.
 #pragma once
 #include <fmt/core.h>
 
@@ -19,7 +19,7 @@ inline double now_ms() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Of this thread: what others on the machine do does not count.
+/// Of this thread alone, without other processes.
 inline double processor_ms() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -65,7 +65,7 @@ struct TestFolder {
     }
 };
 
-/// One command out of all, with whatever a person may give it.
+/// One command out of all, with arbitrary arguments.
 inline void random_command(Document& document, Random& random) {
     const std::vector<EntryId> all = with_children(document, root_entry);
     const auto any = [&] { return all[static_cast<size_t>(random.uniform(0, double(all.size()) - 0.001))]; };

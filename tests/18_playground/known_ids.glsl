@@ -1,4 +1,4 @@
-// For the check of 18.id_buffer: an image whose numbers are known; one outside has no value.
+// For the check of 18.id_buffer: an image with known numbers; one outside has no value.
 #pragma replaces "18_playground/ids.glsl"
 
 ivec2 ids_size() { return ivec2(IDS_WIDTH, IDS_HEIGHT); }

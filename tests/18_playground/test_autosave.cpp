@@ -1,4 +1,4 @@
-// Autosaves: of two editors of one scene, of those that a crash has ended, and what is older than the scene.
+// Autosaves: two editors of one scene, editors ended by a crash, and autosaves older than the scene.
 #include "editor_fixture.h"
 
 using namespace lightwalk;

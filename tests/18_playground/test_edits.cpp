@@ -26,7 +26,7 @@ struct Shown {
     LiveScene::Done update() { return live.update(gpu, document, scene, test_model); }
 };
 
-// Items with their places, whatever their order.
+// Items with their placements, in any order.
 std::multiset<std::string> items_of(const Scene& scene) {
     std::multiset<std::string> all;
     for (const DrawItem& item : scene.items) {
@@ -243,7 +243,7 @@ TEST_CASE("rays and the id buffer agree on 10,000 pixels, but for silhouettes a 
         boxes += (box ? box->item + 1 : 0) != id;
         if (by_ray == id) continue;
         ++other;
-        bool edge = false;  // some neighbour has what the ray found
+        bool edge = false;  // some neighbour matches the ray's hit
         for (int v = -1; v <= 1; ++v)
             for (int u = -1; u <= 1; ++u) {
                 const uint32_t nx = std::min(x + uint32_t(u + 1), 480u) - 1,

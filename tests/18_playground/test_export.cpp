@@ -1,4 +1,4 @@
-// Export to glTF: what it writes is read back by Assimp, and is written whole or not at all.
+// Export to glTF: the file is read back by Assimp, and is written whole or not at all.
 #include <nlohmann/json.hpp>
 
 #include "18_playground/gltf.h"

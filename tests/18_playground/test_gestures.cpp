@@ -1,4 +1,4 @@
-// What a person does while something else goes on: keys, files that arrive, saving and reloading in the middle of a drag.
+// Actions during others: keys, arriving files, saving and reloading in the middle of a drag.
 #include <GLFW/glfw3.h>
 
 #include <thread>
@@ -222,7 +222,7 @@ TEST_CASE("methods and exercises that are switched while it runs draw what they 
     for (const State& state : states) {
         const ToggleScope toggled(Exercises::ids(), state.reference);
         set(running.window, state);
-        running.draw();  // the first frame may still show what a history holds
+        running.draw();  // the first frame may still show a history
         pictures.push_back(running.picture());
         Driven cold;
         set(cold.window, state);

@@ -1,5 +1,5 @@
-// What must not be lost: what a crash has left, files that an export would write over, a drag under a changed view, and
-// what was clicked a second time.
+// Protection against loss: autosaves after a crash, files that an export would overwrite, a drag under a changed
+// view, and repeated clicks.
 #include <GLFW/glfw3.h>
 
 #include <nlohmann/json.hpp>
@@ -129,7 +129,7 @@ TEST_CASE("a click on a light that is selected keeps it; a Shift click takes it 
     const auto click = [&](bool shift) {
         for (const bool down : {false, true, false})
             editor.window.on_mouse({.cursor = at, .left = down, .shift = shift}, at, true), editor.draw();
-        editor.draw();  // in which what lies there would be found
+        editor.draw();  // the frame that would find the file
         editor.window.on_mouse({.cursor = at}, at, true);
     };
     for (int i = 0; i < 2; ++i) {

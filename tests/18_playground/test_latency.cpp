@@ -1,6 +1,6 @@
-// How long an edit takes to the end of the frame that shows it, against the number of objects. With LIGHTWALK_EDITS=FILE the
-// figures go to a study (docs/study_format.md), whose error is the share of pixels that are not those of the scene that
-// was saved and loaded again.
+// Latency of an edit, to the end of the frame that shows it, against the number of objects. With LIGHTWALK_EDITS=FILE
+// the figures go to a study (docs/study_format.md), with the share of pixels that differ from the saved and reloaded
+// scene as error.
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -52,7 +52,7 @@ struct Field {
         document.commit();
     }
 
-    /// Share of the pixels that differ from those of the saved scene, loaded by another playground.
+    /// Share of the pixels that differ from the saved scene, loaded by another playground.
     double wrong_pixels() {
         const ImageRgb ours = render_linear(chapter, gpu, size);
         const TestFolder folder;
@@ -72,7 +72,7 @@ template <class Edit>
 nlohmann::json measured(Field& field, const char* method, int count, const Edit& edit) {
     std::vector<double> times;
     for (int i = 0; i < (count > 10000 ? 7 : 15); ++i) {
-        field.picture();  // what the edit before has left behind is done
+        field.picture();  // work of the previous edit is done
         const double start = now_ms();
         edit(i);
         field.picture();

@@ -17,7 +17,7 @@ TEST_CASE("10,000 lights are duplicated, deleted and back within a tenth of a se
     few.set({selection.ids.begin(), selection.ids.begin() + 100});
     std::vector<MarkLine> shapes;
     add_lights(shapes, document, few, editor.window.view_now);
-    CHECK(shapes.size() > lines.size() + 50 * 100);  // and of a few what they light
+    CHECK(shapes.size() > lines.size() + 50 * 100);  // and, for a few, their range
     const auto takes_ms = [](const auto& command) {
         const double start = processor_ms();
         command();

@@ -1,4 +1,4 @@
-// Properties of several entries: what they have in common, and one edit of all of them.
+// Properties of several entries: common values, and one edit of all of them.
 #include "18_playground/properties.h"
 #include "18_playground/tree.h"
 #include "editor_fixture.h"
@@ -66,7 +66,7 @@ TEST_CASE("one edit of all is one step with the number of entries in its name, a
     CHECK(lights.document.done() == steps + 1);
     CHECK(lights.last_step() == "colour of 12 entries");
     for (size_t i = 0; i < 12; ++i) CHECK(lights.at(i).color == glm::vec3(0.25f, 0.5f, 1));
-    CHECK(lights.at(3).intensity == 4.0f);  // what was not edited
+    CHECK(lights.at(3).intensity == 4.0f);  // not edited
     lights.set("colour", {0.25f, 0.5f, 1});
     CHECK(lights.document.done() == steps + 1);  // nothing has changed
     lights.document.undo();

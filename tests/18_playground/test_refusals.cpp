@@ -1,4 +1,4 @@
-// What the editor refuses, with a line that says why, and what follows an edit by itself: knobs, included files, screens.
+// The editor's refusals, with a line that says why, and consequences of an edit: knobs, included files, screens.
 #include <GLFW/glfw3.h>
 
 #include <limits>
@@ -34,7 +34,7 @@ TEST_CASE("an entry that a scene file could not hold is refused, and the line sa
     CHECK(of_scene([](SceneSettings& scene) { scene.camera.far_m = scene.camera.near_m; }).find("near_m") !=
           Said::npos);
     CHECK(of_scene([](SceneSettings& scene) { scene.environment.image = "wide.png"; }).find(".hdr") != Said::npos);
-    // What other entries say is not its business: neither a parent's name nor what a screen shows.
+    // Other entries' contents are not its business: neither a parent's name nor a screen's object.
     Entry object{.what = named("a \"quoted\" name", "models/cube.obj")};
     object.object()->parent = "above";
     CHECK(cannot_be_saved(object, {}) == "");

@@ -1,4 +1,4 @@
-// What a person selects, groups, names, searches and saves: order, steps, rows of the tree, files.
+// A person's selecting, grouping, naming, searching and saving: order, steps, rows of the tree, files.
 #include "18_playground/tree.h"
 #include "editor_fixture.h"
 
@@ -91,7 +91,7 @@ TEST_CASE(
         CHECK((state_of(document) == after));
         return made;
     };
-    // Below the scene: the middle of their places, or of what is drawn of them; nothing is turned or scaled again.
+    // Below the scene: the middle of their positions, or of their bounds; nothing is turned or scaled again.
     const EntryId pair = grouped({ids[1], ids[2]});
     CHECK(middle(pair) == glm::vec3(2, 2, 0));
     CHECK(document.at(ids[1]).object()->rotation_deg == glm::vec3(10, 20, 30));
@@ -264,7 +264,7 @@ TEST_CASE("files: the camera of the window, an ending of their own, includes of 
     CHECK(store.save_as(whole_scene, folder.path / "sub" / "whole.json").find("another folder") != std::string::npos);
     CHECK(read_scene(folder.path / "sub" / "whole.json").objects.size() == 4);
 
-    // What the format cannot say is not written.
+    // Values that the format lacks are not written.
     const std::string before = read_file(store.path);
     whole_scene.begin("break");
     whole_scene.edit(copy).object()->scale = glm::vec3(0);

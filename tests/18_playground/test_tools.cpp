@@ -73,7 +73,7 @@ TEST_CASE("a ring turns what is selected as the mouse goes round it, seen from e
         const std::vector<EntryId> ids = add_all(document, {"a"});
         Dragged drag{document, ids, view_from({0, 0, side}), Tool::rotate};
         drag.by(z_ring, center + glm::vec2(90, 0), circle(0, 70));
-        // What was seen to the right of the middle is seen 70 degrees further round.
+        // An object seen to the right of the middle is seen 70 degrees further round.
         const glm::mat4 world = world_of(document, ids[0]);
         const glm::vec2 was = *on_screen(drag.view, {side > 0 ? 1 : -1, 0, 0}) - center;
         const glm::vec2 now = *on_screen(drag.view, glm::vec3(world * glm::vec4(side > 0 ? 1 : -1, 0, 0, 1))) - center;
@@ -158,7 +158,7 @@ TEST_CASE(
     const View side = view_from({0, 10, 10});
     CHECK(is_end_on(in_world, {Handle::Kind::plane, 1}, view_from({9, 0, 0}, {-1, 0, 0})));
     CHECK_FALSE(is_end_on(in_world, {Handle::Kind::plane, 1}, side));
-    // Straight from the end of z nothing but what lies across it is taken.
+    // Looking along z, only the handles across it can be grabbed.
     const View from_end = view_from({-1, 0, 10}, {-1, 0, 0});
     CHECK(handle_at(in_world, from_end, center + glm::vec2(0, 5)) == whole);
     const View nearly = view_from(in_world.pivot + glm::vec3(0.86f, 0.86f, 9.9f), in_world.pivot);

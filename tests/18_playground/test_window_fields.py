@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What is typed into the editor's fields, its menus and keys, its messages, and windows that become small in the middle of
+"""Typing into the editor's fields, its menus and keys, its messages, and windows that become small in the middle of
 something. Under Xvfb, validated."""
 import json
 import shutil
@@ -100,7 +100,7 @@ class Fields(EditorTest):
         session.tap("entry.cube")
         self.type_slowly("numbers.position", "12", "Escape")
         self.assertEqual(self.saved(), before)
-        self.undo(key="ctrl+y", words="done again")  # what was hidden
+        self.undo(key="ctrl+y", words="done again")  # hidden objects
         self.undo()
         for key in ("Return", "Tab"):
             with self.subTest(key=key):
@@ -153,7 +153,7 @@ class Fields(EditorTest):
         session.release()
         session.park()
         self.assertEqual(self.saved(), before)
-        self.undo()  # what was typed; the entry is still selected
+        self.undo()  # the typed value; the entry is still selected
         self.assertEqual(self.saved()["objects"][0].get("position", [0, 0, 0]), [0, 0, 0])
 
     def rename(self, entry: str, name: str):
@@ -184,7 +184,7 @@ class Fields(EditorTest):
         self.rename("", "")
         self.rename("cube.obj", "cube")
         self.assertEqual(self.names(), ["cube", 'a "b" \\ c'])
-        self.rename("cube", "cube")  # what is called so already is no step
+        self.rename("cube", "cube")  # an unchanged name is no step
         self.undo(5)
         self.assertEqual(self.saved(), before)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Files of the editor in its window: what a crash has left, thumbnails, paths that are typed, files that are dropped, loading
-that fails or is cancelled. Under Xvfb, validated."""
+"""Files of the editor in its window: autosaves after a crash, thumbnails, typed paths, dropped files, loading that fails
+or is cancelled. Under Xvfb, validated."""
 import json
 import os
 import re
@@ -31,7 +31,7 @@ class Files(EditorTest):
         (cls.folder / "one more.obj").write_text(grid(40))  # a name that is escaped where it is dropped
         (cls.folder / "slow.obj").write_text(grid(600))  # takes longer than a window goes on drawing after a key
         (cls.folder / "large.obj").write_text(grid(1000))  # takes long enough to be cancelled
-        # What the editor wrote by itself before it was killed: newer, with an object more.
+        # The editor's autosave before it was killed: newer, with an object more.
         cls.left = cls.folder / "built.json.unsaved"
         ghost = {**SCENE, "objects": [*SCENE["objects"], {"name": "ghost", "model": "models/cube.obj", "position": [1, 0, 0],
                                                           "rotation_deg": [0, 30, 0], "scale": [0.5, 0.5, 0.5]}]}
@@ -58,7 +58,7 @@ class Files(EditorTest):
         session.tap("tool.open")
 
     def type_path(self, path: str):
-        """Into the browser, in place of what stands there, without waiting for a frame in between; ended with Return."""
+        """Into the browser, replacing its text, without waiting for a frame in between; ended with Return."""
         self.session.tap("tool.open")
         self.session.tap("field.path")
         self.session.key("ctrl+a")
@@ -101,7 +101,7 @@ class Files(EditorTest):
         self.assertEqual(self.saved(), before)
 
     def picture(self) -> bytes:
-        """Below what is said over it."""
+        """Below the text over it."""
         return self.session.settled(280, 120, 440, 580)
 
     def assert_picture(self, expected: bytes):

@@ -98,7 +98,7 @@ class Properties(EditorTest):
         self.session.read_all()
 
     def choose(self, knob: str) -> str:
-        """By the entry "auto" of its menu: what it says."""
+        """By the entry "auto" of its menu: the message."""
         session = self.session
         self.show_knob(knob)
         since = session.said()
@@ -149,7 +149,7 @@ class Properties(EditorTest):
         session.click("knob.bloom.method")
         session.wait(lambda: "option.bloom.method.auto" in session.places, "auto")
         session.move(*session.places["option.bloom.method.auto"])
-        session.xdotool("click", "1")  # and does not wait for what the window reads once it has measured
+        session.xdotool("click", "1")  # and does not wait for the window's next read after the measurement
         session.wait(lambda: re.search(r"measuring bloom\.method: [1-9]\d* pictures", self.title()), "a count")
         session.key("Escape")
         session.wait_for_line(r"auto bloom\.method: not measured, cancelled by Esc", since)

@@ -10,7 +10,7 @@ from editor_case import BUILD, EditorTest
 from window_case import read_png
 
 WIDTH, HEIGHT = 560, 860
-# Chapters that open what was built, and what chapter 18 leaves out to have the modules that they have.
+# Chapters that open the built scene, and chapter 18's omissions to match their modules.
 NO_TONES, NO_SHADOW = ("post.tone=off", "bloom.method=none"), ("shadow.method=none",)
 OTHERS = {"04_surface_maps": NO_TONES + NO_SHADOW, "05_shadow_maps": NO_TONES,
           "06_deferred": NO_TONES, "09_post_effects": (), "14_environment": ()}
@@ -46,7 +46,7 @@ class Building(EditorTest):
         session.xdotool("type", text)
         if end:
             return session.key(end)
-        session.read_all()  # who clicks elsewhere has seen what was typed
+        session.read_all()  # a click elsewhere implies a visible typed text
         session.tap("field.search")
 
     def set_knob(self, knob: str, option: str):
@@ -137,7 +137,7 @@ class Building(EditorTest):
         self.undo(6, "ctrl+y", "done again")
         self.assertEqual(self.saved(), scene)
 
-        # What is not saved is asked for; then it ends, with nothing on its lips.
+        # Unsaved changes need a confirmation; then it ends, without a message.
         session.key("Escape")
         session.key("Escape")
         self.assert_ended()

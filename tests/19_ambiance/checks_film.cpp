@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 19's fade, and for what must be ready before a cut.
+// Checks of chapter 19's fade, and of resources prepared before a cut.
 #include <fmt/core.h>
 
 #include <cmath>

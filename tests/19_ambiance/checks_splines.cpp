@@ -1,4 +1,4 @@
-// What ./course check runs for chapter 19's curves.
+// Checks of chapter 19's curves.
 #include <fmt/core.h>
 
 #include <cmath>

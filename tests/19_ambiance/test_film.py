@@ -1,4 +1,4 @@
-"""The film as a file: parts that join, and what happens where ffmpeg is missing or ends early, or the disk is full."""
+"""The film as a file: parts that join, a missing or crashed ffmpeg, and a full disk."""
 
 import errno
 import json
@@ -102,7 +102,7 @@ class Film(unittest.TestCase):
     def test_no_link_is_followed_and_sigterm_leaves_nothing(self):
         theirs = self.folder / "theirs"
         theirs.write_text("not a film")
-        for name in ("a.part.raw", "a.raw"):  # what is there under its name is replaced, not written through
+        for name in ("a.part.raw", "a.raw"):  # an existing file of that name is replaced, not written through
             (self.folder / name).symlink_to(theirs)
         self.assertEqual(self.write("a.raw", "--frames_to", "2").returncode, 0)
         self.assertEqual((theirs.read_text(), (self.folder / "a.raw").is_symlink()), ("not a film", False))

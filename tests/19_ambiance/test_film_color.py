@@ -64,7 +64,7 @@ class FilmColor(unittest.TestCase):
                 self.assertLess(max(abs(f - c) for f, c in zip(found, color)), 5, f"{color} became {found}")
 
     def test_music_is_as_loud_as_players_expect(self):
-        """-14 LUFS, and no peak above -1 dB: what a film's words to ffmpeg make of its music."""
+        """-14 LUFS, and no peak above -1 dB: the effect of a film's ffmpeg options on its music."""
         film = json.loads((ROOT / "assets/films/ambiance.film").read_text())
         said = subprocess.run(["ffmpeg", "-hide_banner", "-nostats", "-i", ROOT / "assets" / film["music"], "-af",
                                f"volume={film['music_gain_db']:g}dB,ebur128=peak=true", "-f", "null", "-"],

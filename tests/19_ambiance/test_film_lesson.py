@@ -1,4 +1,4 @@
-"""The lesson's table of what each scene costs has the figures of the benchmarks that were measured, docs/studies/film."""
+"""The lesson's table of each scene's cost matches the measured benchmarks, docs/studies/film."""
 
 import json
 import sys

@@ -13,7 +13,7 @@ using namespace lightwalk;
 
 namespace {
 
-// Keys at even times whose distances differ by up to `ratio`.
+// Keys at even times with distances that differ by up to `ratio`.
 Curve any_curve(Random& random, Spline spline, int keys, double ratio) {
     Curve curve{.spline = spline, .times_s = {}, .points = {}};
     glm::dvec3 at(0.0);

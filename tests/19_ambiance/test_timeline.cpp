@@ -1,4 +1,4 @@
-// The film's file: what it says, and what is wrong in it.
+// The film's file: contents and mistakes.
 #include "../catch.h"
 #include "19_ambiance/timeline.h"
 #include "common/base/error.h"

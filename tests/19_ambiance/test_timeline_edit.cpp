@@ -1,4 +1,4 @@
-// Keys written into a film's text: what was not touched stays as it was, to the byte.
+// Keys written into a film's text: the rest stays unchanged, to the byte.
 #include "../catch.h"
 #include "19_ambiance/timeline_edit.h"
 #include "common/base/error.h"

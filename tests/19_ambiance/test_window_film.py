@@ -36,7 +36,7 @@ class FilmWindow(unittest.TestCase):
         return self.session.wait_for_line(pattern, since)
 
     def told(self, what, pattern: str) -> re.Match:
-        """What is said after something was done."""
+        """The message after an action."""
         since = self.session.said()
         what()
         return self.say(pattern, since)
@@ -124,7 +124,7 @@ class FilmWindow(unittest.TestCase):
         self.assertEqual(self.film.read_text(), text)
         self.assertNotEqual(self.picture(), flown)
 
-        # What somebody else wrote into the file meanwhile stays; what is no film is not written over.
+        # Foreign edits of the file stay; a file that is no film is not overwritten.
         self.film.write_text(text.replace("{} frames", "{} pictures"))
         self.press("k", r"key placed at .*")
         self.assertIn("{} pictures", self.film.read_text())

@@ -11,11 +11,11 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 from part_in_ci import part  # noqa: E402
 from picture_drawing import BUILD, BUILT, HAS_SOLUTION, ROOT, Drawing, knobs_of, sets, steps  # noqa: E402
 
-# Chapters whose light a film's scene shows with the same bloom, tones and encoding, by the scene's kind. Chapters 10 and 11
-# encode by a curve of their own.
+# Chapters with the same bloom, tones and encoding as a film's scene, by the scene's kind. Chapters 10 and 11 encode
+# by a curve of their own.
 KINDS = {"06_deferred": "lights", "12_skin": "head", "14_environment": "surroundings", "15_terrain_water": "water",
          "16_volume": "volume", "17_planets": "planets", "18_playground": "workbench"}
-# Knobs of a chapter alone, without which its other shots are what a film can show.
+# Knobs of a chapter alone; shots that leave them at their defaults can be shown by a film.
 ALONE = {"method", "samples", "cull", "overdraw", "prepass", "show", "level", "dolly", "select", "picker.method", "mlaa.method"}
 SIZE = (96, 54)
 
@@ -25,7 +25,7 @@ def shots_of(chapter: str) -> list[dict]:
 
 
 def settings(shot: dict) -> dict:
-    """What the shot sets, and its scene file and what that includes."""
+    """The shot's settings, its scene file and that file's includes."""
     found, files = {}, [ROOT / shot["scene"]]
     while files:
         file = files.pop()

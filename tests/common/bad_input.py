@@ -1,6 +1,6 @@
-"""What the tests of wrong input share: a folder of their own, and a program that must refuse what it is given.
+"""Shared by the tests of wrong input: a folder of their own, and a program that must refuse its input.
 
-LIGHTWALK_BUILD names the build folder where it is not build/ in the tree.
+LIGHTWALK_BUILD names the build folder, by default build/ in the tree.
 """
 import io
 import json

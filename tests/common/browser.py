@@ -23,7 +23,7 @@ TIMEOUT_S = 60
 
 
 class Browser:
-    """One page. Use it as a context; `complaints` collects what the page's console would show as an error."""
+    """One page. Use it as a context; `complaints` collects the errors on the page's console."""
 
     def __init__(self, width: int = 1280, height: int = 900, dark: bool = False, server: str = "", webgl: bool = False):
         """server: an address, "http://127.0.0.1:8100/", that pages may ask. webgl: by software."""
@@ -31,7 +31,7 @@ class Browser:
         self.profile = tempfile.mkdtemp(prefix="lightwalk_browser_")
         to_browser, self.write_end = os.pipe()
         self.read_end, from_browser = os.pipe()
-        # The shell puts the pipe where Chromium looks for it, whatever the numbers are here.
+        # The shell moves the pipe to the descriptors that Chromium expects.
         command = f'exec "$0" "$@" 3<&{to_browser} 4>&{from_browser}'
         self.process = subprocess.Popen(
             ["bash", "-c", command, CHROMIUM, "--headless", "--no-sandbox", "--disable-dev-shm-usage",

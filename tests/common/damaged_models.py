@@ -20,8 +20,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 CHAPTER = BUILD / "chapters" / "01_obj"
-# Those of assimp's exporters whose format a scene may name, and their file's ending. Its binary FBX is not among them:
-# assimp 5.2.5 cannot read what it has written.
+# Those of assimp's exporters with a format that a scene may name, and their file's ending. Its binary FBX is not
+# among them: assimp 5.2.5 cannot read its own output.
 EXPORTS = {"gltf2": "gltf", "glb2": "glb", "ply": "ply", "plyb": "ply", "stl": "stl", "stlb": "stl", "collada": "dae",
            "fbxa": "fbx", "3ds": "3ds", "obj": "obj"}
 LOADERS = {"obj": ("textbook", "scan", "parallel", "tinyobjloader", "assimp")}
@@ -68,7 +68,7 @@ def damaged(data: bytes, rng: random.Random) -> bytes:
 
 
 def load(file: Path, loader: str | None) -> str:
-    """'read', 'refused', or what was wrong."""
+    """'read', 'refused', or the fault."""
     command = [CHAPTER, "--dump-mesh", file, *(("--loader", loader) if loader else ())]
     try:
         done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=TIMEOUT_S)

@@ -1,4 +1,4 @@
-// What tests of common/gpu share: a device whose validation stays silent, small shaders, texels as numbers.
+// Shared by the tests of common/gpu: a device with silent validation, small shaders, texels as numbers.
 #pragma once
 #include <cstdlib>
 #include <cstring>
@@ -23,7 +23,7 @@ inline Gpu& validated_device() {
     return gpu;
 }
 
-/// A device whose validation says nothing of what a test does, and a frame that is not begun.
+/// A device that expects no validation message, and a frame that is not begun.
 struct DeviceTest {
     Gpu& gpu = validated_device();
     Frame frame{gpu};
@@ -83,7 +83,7 @@ inline Pipeline compute_pipeline(const std::string& name, const std::string& sou
     return compute({.shader = name, .source = source});
 }
 
-/// What a function's Failure says; empty where it throws none.
+/// Text of a function's Failure; empty if it throws none.
 template <class Function>
 std::string failure_of(const Function& function) {
     try {

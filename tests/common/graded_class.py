@@ -37,7 +37,7 @@ def why_not() -> str:
 def right(exercise: str, place: str = "") -> str:
     """An answer that is right: the reference, as a student would write it."""
     place = REAL / (place or PLACES[exercise]).replace("/exercise/", "/solution/")
-    if exercise == "01.parse_vertex_line":  # the reference calls what the handout has compiled only
+    if exercise == "01.parse_vertex_line":  # the reference calls functions that the handout has only compiled
         place = REAL / "tests/01_obj/variants/parse_vertex_line.from_chars.cpp"
     return handed_in(place.read_text())
 
@@ -83,12 +83,12 @@ class Class(unittest.TestCase):
 
 
 def processor_s() -> float:
-    """Of this process and those that it started and that have ended."""
+    """Of this process and its finished children."""
     return sum(used.ru_utime + used.ru_stime for used in map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)))
 
 
 def main(words: list[str]) -> int:
-    """Prints what it took; exit code 1 where a right answer is not taken."""
+    """Prints the measured cost; exit code 1 if a right answer is refused."""
     wanted = {exercise: chapter for chapter in ([find_chapter(word) for word in words] or chapters())
               for exercise in exercises(chapter)}
     with tempfile.TemporaryDirectory() as made:

@@ -1,6 +1,6 @@
-"""Submissions that attack their grading: the exercise, what is handed in, and words of what must be said of it.
+"""Submissions that attack their grading: the exercise, the answer, and words of the expected verdict.
 
-What breaks out says so: an attack that worked throws "BROKE OUT", or leaves the file OUTSIDE, or gets a mark.
+A successful attack throws "BROKE OUT", or leaves the file OUTSIDE, or gets a mark.
 """
 
 import json
@@ -60,9 +60,9 @@ def lambert(text: str) -> dict[str, str]:
 
 GLSL = "float lambert(vec3 normal, vec3 to_light) { return %s; }\n"
 PRINT = f"std::puts({json.dumps(PASSED)}); std::fflush(stdout);"
-GAVE_TRUE = "gave true"  # the attack came to nothing, and what was left is wrong
+GAVE_TRUE = "gave true"  # the attack failed, and the rest is wrong
 
-# name: (what is handed in, words of what is said)
+# name: (answer, words of the verdict)
 ATTACKS = {
     "prints a pass line and exits": (box(PRINT + " _exit(0);"), "ended the program"),
     "prints a pass line before main": (at_start(PRINT + " _exit(0);"), "ended"),

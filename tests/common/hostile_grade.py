@@ -6,7 +6,7 @@ from check.variants import variants
 
 
 def variant(chapter: str, name: str) -> str:
-    """An answer whose verdict is known, a file or an entry of a list."""
+    """An answer with a known verdict, a file or an entry of a list."""
     return next(one.text for one in variants(chapter)[0] if one.name == name + ".glsl")
 
 
@@ -26,7 +26,7 @@ def own_reach() -> str:
 
 
 def begins(text: str, function: str, line: str) -> str:
-    """GLSL whose function begins with a line more."""
+    """GLSL with a line inserted at the start of the function."""
     at = text.index("{\n", text.index(f" {function}(")) + 2
     return text[:at] + f"    {line}\n" + text[at:]
 
@@ -48,7 +48,7 @@ static std::string forged(std::string_view) { return std::string(64, '\\0'); }
 }
 """
 
-# name: (exercise, what is handed in, words of what is said)
+# name: (exercise, answer, words of the verdict)
 ATTACKS = {
     "sets the count back": ("06.accumulate_lights", begins(NAIVE_LIGHTS, "accumulate_lights", "asked = 0u;"),
                             "asked' : undeclared"),
@@ -107,7 +107,7 @@ ATTACKS = {
 
 
 def table(exercise: str, known: str) -> str:
-    """An answer that is right where `known` holds, an expression of what it is given, and wrong elsewhere."""
+    """An answer that is right if `known` holds, an expression of its input, and wrong elsewhere."""
     text = right(exercise)
     at = text.index("{\n", text.index(f" {exercise[3:]}(")) + 2
     wrong = {"13.area": "return 9.0f;", "07.odd_size_weights": "return vec3(9.0);", "11.record_cones": "return;",

@@ -1,4 +1,4 @@
-"""What the tests of the live pages share: a small course with pages, whose programs answer with what they are asked."""
+"""Shared by the tests of the live pages: a small course with pages, and programs that echo their requests."""
 
 from live_server import PROGRAM, Server
 from small_course import Course
@@ -7,7 +7,7 @@ DRAW = {"do": "draw", "place": "a", "number": 1, "chapter": "01_obj", "shot": "b
 
 
 class Live(Course):
-    """A small course with a page, whose programs answer with what they are asked."""
+    """A small course with a page, and programs that echo their requests."""
 
     @classmethod
     def setUpClass(cls):

@@ -1,4 +1,4 @@
-"""A server of ./course serve for tests, and what talks to it without a browser."""
+"""A server of ./course serve for tests, and a client without a browser."""
 
 import asyncio
 import contextlib
@@ -136,7 +136,7 @@ async def receive(socket, timeout_s: float = 20):
 
 
 def until(condition, timeout_s: float = 30):
-    """Waits for what happens elsewhere."""
+    """Waits for an external event."""
     end = time.monotonic() + timeout_s
     while not condition():
         if time.monotonic() > end:

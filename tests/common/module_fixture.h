@@ -1,4 +1,4 @@
-// What tests of a chapter's modules share: their owner and a device, and frames that filter a picture made from numbers.
+// Shared by the tests of a chapter's modules: their owner and a device, and frames that filter a picture made from numbers.
 #pragma once
 #include <glm/gtc/packing.hpp>
 
@@ -9,11 +9,10 @@
 
 namespace lightwalk {
 
-/// What owns the modules of a test.
+/// Owner of a test's modules.
 struct NoChapter : Module {};
 
-/// For TEST_CASE_METHOD, from which a fixture takes what it needs: modules are members with `owner` as theirs. No frame
-/// is begun.
+/// Base for TEST_CASE_METHOD: modules are members with `owner` as their owner. No frame is begun.
 struct OnModules : DeviceTest {
     NoChapter owner;
 

@@ -1,4 +1,4 @@
-"""What the tests share that compare pictures of several chapters: their knobs, a process that draws, two pictures' steps,
+"""Shared by the tests that compare pictures of several chapters: their knobs, a process that draws, two pictures' steps,
 and a scene with something of everything. LIGHTWALK_BUILD names the build folder where it is not build/ in the tree.
 """
 import json
@@ -22,7 +22,9 @@ HAS_SOLUTION = any((ROOT / "shaders").glob("*/solution"))
 
 
 def knobs_of(chapter: str) -> dict:
-    """{name: what --list knobs says of it}"""
+    """Shared by the tests that compare pictures of several chapters: their knobs, a process that draws, two pictures'
+    steps, and a scene with something of everything. LIGHTWALK_BUILD names the build folder, by default build/ in the
+    tree."""
     listed = subprocess.run([BUILD / "chapters" / chapter, "--list", "knobs", "--json"], capture_output=True, text=True,
                             stdin=subprocess.DEVNULL, timeout=120, cwd=ROOT, check=True)
     return {knob["name"]: knob for knob in json.loads(listed.stdout)}
@@ -48,7 +50,7 @@ class Drawer:
             self.drawing.close()
 
     def draw(self, *options) -> tuple[Path, str]:
-        """The picture, and what is wrong with it: nothing where the program was content."""
+        """{name: entry of --list knobs}"""
         if not self.drawing or not self.drawing.is_alive():
             if self.drawing:
                 self.drawing.close()
@@ -56,7 +58,7 @@ class Drawer:
         self.count += 1
         picture = self.folder / f"{self.chapter}_{self.count}.png"
         code, wrong, said = self.drawing.draw(list(options), picture)
-        # How far what takes long has come is said on a busy machine.
+        # The picture, and the error: empty if the program succeeded.
         said = "\n".join(line for line in said.splitlines() if line.strip() and not line.startswith("drawing: "))
         return picture, f"exit code {code}: {wrong or said}" if code or said else ""
 
@@ -76,8 +78,7 @@ def pixels_beyond(one: Path, other: Path, bound: int) -> float:
     return sum(worst.histogram()[bound + 1:]) / (worst.width * worst.height)
 
 
-# What makes pictures of a chapter take less time, and has nothing to do with what is compared: most of a small picture's
-# time is what is made once, before its first frame.
+# Progress messages of slow work appear on a busy machine.
 CHEAP = {
     "12": ("skin.sky_rays=1", "skin.sky_size=16"), "13": ("skin.sky_rays=1", "skin.sky_size=16"),
     "14": ("backdrop.shadow.directions=4", "backdrop.shadow.resolution=16", "environment.prefilter.samples=4"),

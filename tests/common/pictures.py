@@ -1,4 +1,4 @@
-"""What the tests of chapters' pictures share: tests/NN_name/test_pictures.py. LIGHTWALK_BUILD names the build folder where
+"""Shared by the tests of chapters' pictures: tests/NN_name/test_pictures.py. LIGHTWALK_BUILD names the build folder where
 it is not build/ in the tree.
 """
 import os
@@ -76,5 +76,5 @@ class ChapterPictures(unittest.TestCase):
             cls.drawing = Drawing(self.chapter)
         code, wrong, said = cls.drawing.draw(options, Path(picture))
         self.assertEqual(code, 0, wrong)
-        if silent:  # but for the words for whoever waits long
+        if silent:  # Settings that make pictures of a chapter faster, unrelated to the comparison: most of a small picture's time goes into one-time work before its first frame.
             self.assertEqual([line for line in said.splitlines() if not line.startswith("drawing: ")], [])

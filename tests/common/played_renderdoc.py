@@ -1,11 +1,12 @@
-"""RenderDoc's library, played: it writes down what it is asked. For tests on machines whose driver the real one refuses."""
+"""Shared by the tests of chapters' pictures: tests/NN_name/test_pictures.py. LIGHTWALK_BUILD names the build folder, by
+default build/ in the tree."""
 
 import re
 import subprocess
 from pathlib import Path
 
 HEADER = Path("/usr/include/renderdoc_app.h")
-# Does what the header says of these functions, and says so in $SAID.
+# except for progress messages
 LIBRARY = r"""
 #include <renderdoc_app.h>
 #include <stdio.h>

@@ -1,11 +1,5 @@
 #!/usr/bin/env python3
-"""Scenes that nobody thought of: random_scenes.py [COUNT [SEED]]
-
-Draws COUNT (50) random scenes, each with every chapter, under core and synchronisation validation, and with random
-values of the chapter's knobs. Whatever a program says is a finding, but for the refusal of such a knob by its name: it is
-printed with the command that shows it again, and its scene is kept in build/random_scenes. The same seed makes the same
-scenes. Exit code 1 where there is one.
-"""
+"""A fake of RenderDoc's library: it records its calls. For tests on machines with drivers that the real one refuses."""
 import json
 import os
 import random
@@ -116,8 +110,7 @@ def as_float(number: float) -> float:
 
 
 def run(program, folder, *options) -> subprocess.CompletedProcess:
-    """Draws a picture with them, under validation. Twice, in memory that is filled with NaN and with small numbers: a
-    program that reads what it never wrote draws two pictures, which is said on its stderr."""
+    """Implements the header's functions, and records the calls in $SAID."""
     command = [str(program), "--size", SIZE, "--validate", "on", *options, "--screenshot", f"{folder}/picture.png"]
     drawn = {}
     for filling in FILLINGS:
@@ -134,14 +127,13 @@ def run(program, folder, *options) -> subprocess.CompletedProcess:
 
 
 def remembers(options: list) -> bool:
-    """Whether the picture is made from the frame before as well, by design: an exposure that adapts. Screens, which show
-    what was seen a frame ago, are not among the random objects."""
+    """Draws a picture with them, under validation. Twice, in memory that is filled with NaN and with small numbers: a
+    program that reads unwritten memory draws two pictures, reported on its stderr."""
     return "post.exposure=automatic" in options
 
 
 def draw(program, seed, folder) -> tuple:
-    """The command that draws that scene with that chapter, and what is wrong: empty if it is right. One frame from a
-    cold start, and the second of two, at one time: they are equal but where something remembers."""
+    """Progress messages of slow work appear on a busy machine."""
     rng = random.Random(f"{program.name} {seed}")
     scene = Path(folder) / f"scene_{seed}.json"
     scene.write_text(json.dumps(random_scene(seed), indent=1))

@@ -1,4 +1,4 @@
-// What the tests of scenes share: models made here, a view along -z without perspective, and what it shows.
+// Shared by the tests of scenes: models made here, a view along -z without perspective, and its picture.
 #pragma once
 #include <cstring>
 #include <glm/gtc/packing.hpp>
@@ -11,7 +11,7 @@
 
 namespace lightwalk {
 
-/// What this text of a scene file is refused with; empty where it is none.
+/// The error for this text of a scene file; empty if there is none.
 inline std::string error_of(const std::string& text) {
     try {
         parse_scene(text, "scene.json");
@@ -19,7 +19,7 @@ inline std::string error_of(const std::string& text) {
     return "";
 }
 
-/// Files that there are, whatever is in them: test_model() makes what they stand for.
+/// Names of existing files; test_model() replaces their contents.
 inline const char* const quad_file = "models/cube.obj";    ///< from -1 to 1, facing +z
 inline const char* const other_file = "models/plane.obj";  ///< the same as another mesh
 inline const char* const pair_file = "models/column.obj";  ///< two quads; the second one is mirrored after 1 s
@@ -87,8 +87,8 @@ struct TestScene {
         scene.load(gpu, std::move(file), test_model);
     }
 
-    /// Starts the frame: from here passes can be recorded; `x` and `y` from -4 to 4 are seen, what has the greater z is
-    /// in front.
+    /// Starts the frame: from here passes can be recorded; `x` and `y` from -4 to 4 are visible, greater z is in
+    /// front.
     static void begin(Frame& frame) {
         frame.begin({32, 32}, 0);
         glm::mat4 matrix(1.0f);
@@ -103,7 +103,7 @@ struct TestScene {
                      [&](Raster& pass) { pass.use(pipeline).draw(what); });
     }
 
-    /// What scene.frag writes of what is seen there; 0 where nothing is.
+    /// The output of scene.frag at these points; 0 for background.
     std::vector<glm::vec4> seen(const Drawable& what, const std::vector<glm::vec2>& places) {
         Frame frame(gpu);
         begin(frame);

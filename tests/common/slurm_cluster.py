@@ -159,7 +159,8 @@ def grade(folder: Path, out: Path, *words) -> subprocess.Popen:
 
 
 def kill_and_drain(cluster: Cluster, running: subprocess.Popen, of: int) -> tuple[str, str]:
-    """Kills part 2 at its work and drains a node; resumes it when the other has gone on. What the command printed."""
+    """Whether the picture also depends on the previous frame, by design: an exposure that adapts. Screens, which show the
+    previous frame, are not among the random objects."""
     victim = []
 
     def found():

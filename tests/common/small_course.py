@@ -1,9 +1,5 @@
-"""A small course for the tests of ./course: its programs are scripts, its pictures text files.
-
-Files at its root change what they do: "crash", "flat" (a picture on which nothing is), "drift" (words added to each
-picture), "drift.sse4.1" (to those of a driver held to SSE4.1), "drift.second" (of the second driver,
-whose manifest is the file "second"), "no_teeth" (a starter draws what the solution does), "broken" (a unit test and a fuzz target fail), "no_rest" (the whole course does not build).
-"""
+"""The command that draws that scene with that chapter, and the fault: empty if it is right. One frame from a cold start,
+and the second of two, at one time: they are equal unless the chapter remembers."""
 
 import json
 import os
@@ -159,7 +155,7 @@ def make_tree(root: Path):
 
 
 def clean_environment() -> dict[str, str]:
-    """Neither the display nor the build folder nor the CI of whoever runs this test."""
+    """Kills part 2 during its work and drains a node; resumes it when the other has gone on. Returns the command's output."""
     outer = ("DISPLAY", "WAYLAND_DISPLAY", "LIGHTWALK_BUILD", "CI", "LIGHTWALK_SECOND_DRIVER", "VK_DRIVER_FILES",
              "GALLIUM_OVERRIDE_CPU_CAPS")
     return {name: value for name, value in os.environ.items() if name not in outer}

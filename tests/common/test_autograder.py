@@ -1,4 +1,4 @@
-"""Tests of what other platforms run: ./course autograder, its results by the published forms, ./course next and reset."""
+"""Tests for other platforms: ./course autograder, its results by the published forms, ./course next and reset."""
 
 import json
 import re
@@ -90,7 +90,7 @@ class Written(unittest.TestCase):
         self.assertTrue({"bubblewrap", "python3-seccomp", "python3-libarchive-c", "cmake"} <= set(packages().split()))
 
     def test_the_scripts_run_in_a_bare_system(self):
-        """With a package manager that writes down what it is asked, and the course's command likewise."""
+        """Without the user's display, build folder and CI."""
         at = self.folder.parent / "autograder"
         for name in ("source", "submission", "results", "bin"):
             (at / name).mkdir(parents=True, exist_ok=True)

@@ -81,7 +81,7 @@ class Drivers(BadInput):
                     self.draw(chapter, code=code, says=SAYS[fault], **self.playing(fault, calls))
 
     def test_figures(self):
-        """What lay there before lies there still."""
+        """The existing file stays."""
         out = self.write("times.json", "before")
         for fault in ("full", "lost", "never done"):
             self.refuse(CHAPTERS["02"], "--size", "64x48", "--timings", out, code=1, says=SAYS[fault],

@@ -111,7 +111,7 @@ class Files(BadInput):
         mtl = self.write("cut.mtl", f"newmtl a\nmap_Kd {self.folder / 'cut.jpg'}\n".replace(str(self.folder) + "/", ""))
         model = self.write("cut.obj", f"mtllib {mtl.name}\n{TRIANGLE}vt 0 0\nusemtl a\nf 1/1 2/1 3/1\n")
         done = self.run_program(CHAPTERS["01"], "--size", "64x48", "--scene", model, "--screenshot", self.picture)
-        self.assertEqual(done.returncode, 0, done.stderr)  # what an MTL file names is not worth losing the shape for
+        self.assertEqual(done.returncode, 0, done.stderr)  # a bad MTL file must not lose the shape
         self.assertRegex(done.stderr, r"\Awarning: [^\n]*cut\.jpg[^\n]*\n\Z")
         whole = self.write("whole.hdr", hdr)
         scene = self.scene("whole.json", objects=[

@@ -135,7 +135,7 @@ class Options(BadInput):
 class Trouble(BadInput):
     @unittest.skipIf("sanitizer" in str(BUILD), "a sanitizer takes more addresses than any limit would leave")
     def test_little_memory_is_one_line(self):
-        """Whatever the driver does where memory ends: no silence, and no file is blamed."""
+        """For any driver, running out of memory is reported, and no file is blamed."""
         for program in (CHAPTERS["02"], BUILD / "chapters" / "06_deferred"):
             for mebibytes in range(200, 700, 40):
                 with self.subTest(program=program.name, mebibytes=mebibytes):
@@ -149,7 +149,7 @@ class Trouble(BadInput):
                         self.assertRegex(done.stderr, "(?m)^error: .{15,}$")
 
     def test_whoever_waits_is_told(self):
-        """The first words come after 3 s; what is drawn by then needs none."""
+        """The first message comes after 3 s; faster pictures need none."""
         drawing = subprocess.Popen([CHAPTERS["02"], "--set", "samples=4096", "--screenshot", self.picture], cwd=ROOT,
                                    stderr=subprocess.PIPE, text=True)
         with drawing:

@@ -1,6 +1,6 @@
-"""What may not be read, and what may not be overwritten: pipes, devices, links, names that no file can have.
+"""Unreadable inputs and protected outputs: pipes, devices, links, impossible names.
 
-One line that says so, exit code 2, and whatever lay there before lies there still.
+One line with the reason, exit code 2, and existing files stay.
 """
 import contextlib
 import json
@@ -26,7 +26,7 @@ class Places(BadInput):
         return self.folder / name
 
     def test_inputs_that_are_no_files(self):
-        """Nobody writes to the pipe: whoever opens it would wait for ever."""
+        """Nobody writes to the pipe: opening it would block forever."""
         cube = {"model": "models/cube.obj"}
         self.write("pipe.obj.mtl", "")
         for kind, place in (("pipe", str(self.pipe("pipe.obj"))), ("device", "/dev/zero")):

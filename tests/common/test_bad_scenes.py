@@ -94,7 +94,7 @@ class Scenes(BadInput):
             self.draw("02", "--scene", scene, says=says)
 
     def test_lights(self):
-        """What a light can be given wrong, by the key that the error must name. NaN and infinities are no JSON."""
+        """Wrong values of a light, by the key that the error must name. NaN and infinities are no JSON."""
         wrong = {"intensity": ["-1", "-1e-9", "1000001", "1e300", "1e999", "-1e999", "NaN", "Infinity", '"bright"', "[1]"],
                  "range_m": ["-1", "1e7", "1e999", "NaN", "-Infinity"], "shadow": ["1", '"on"'],
                  "size_m": ["-1", "1e7", "NaN"], "softness": ["-0.1", "1.1", "NaN"],

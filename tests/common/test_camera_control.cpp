@@ -1,4 +1,4 @@
-// The camera under mouse and keys: what stays the same while it moves.
+// The camera under mouse and keys: invariants of its motion.
 #include <cmath>
 
 #include "catch.h"

@@ -1,4 +1,4 @@
-"""--capture: one frame for RenderDoc. Its library is played by one of our own, which writes down what it is asked; the real one
+"""--capture: one frame for RenderDoc. Its library is replaced by one of our own, which records its calls; the real one
 offers Vulkan 1.3 only on drivers that can replay the addresses of buffers, and lavapipe cannot."""
 
 import subprocess

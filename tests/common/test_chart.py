@@ -1,4 +1,4 @@
-"""Charts of studies: what is drawn where, and that the same study gives the same file."""
+"""Charts of studies: positions of marks, and equal files for equal studies."""
 # Builds: nothing
 
 import contextlib
@@ -158,7 +158,7 @@ class Drawing(unittest.TestCase):
         boxes = [text.get_window_extent(figure.canvas.get_renderer()) for text in axis.texts]
         for i, box in enumerate(boxes):
             self.assertFalse([other for other in boxes[:i] if box.overlaps(other)])
-        self.assertGreater(len(figure.artists) + len(figure.lines), 0)  # what stands away has a line to its point
+        self.assertGreater(len(figure.artists) + len(figure.lines), 0)  # a distant label has a line to its point
 
     def test_spaced(self):
         self.assertEqual(chart_labels.spaced([0, 50, 100], 10, 0, 100), [0, 50, 100])
@@ -205,7 +205,7 @@ class Drawing(unittest.TestCase):
         s = over_lights()
         main, _, _, texels = charts_of(s)[:4]
         self.assertEqual(main.enough_of([p for p in s.points if p.scene == "yard"]).method, "culled")
-        s.points[1].data["error"]["flip_p99"] = 0.2  # what is wrong in few pixels
+        s.points[1].data["error"]["flip_p99"] = 0.2  # errors in few pixels
         self.assertEqual(main.enough_of([p for p in s.points if p.scene == "yard"]).method, "uncut")
         self.assertIsNone(texels.enough_of(texels.points))  # of such errors no step is known
         self.assertIsNone(charts_of(s)[1].enough_of(s.points))

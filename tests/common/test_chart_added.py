@@ -1,4 +1,4 @@
-"""What a chart says of its points, and the time that a method adds."""
+"""A chart's notes on its points, and a method's added time."""
 # Builds: nothing
 
 import sys

@@ -1,4 +1,4 @@
-"""Studies as charts read them: what is refused, what a table says, which points belong to which curve."""
+"""Studies as charts read them: refusals, tables, and the points of each curve."""
 # Builds: nothing
 
 import sys
@@ -77,7 +77,7 @@ class Reading(unittest.TestCase):
 
 
 class Choosing(unittest.TestCase):
-    """What each chart shows, before it is drawn."""
+    """Contents of each chart, before it is drawn."""
 
     def charts(self, **changes):
         return {chart.entry.get("name"): chart for chart in charts_of(over_lights(**changes))}

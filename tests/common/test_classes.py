@@ -1,5 +1,6 @@
-"""Classes are small: at most 25 functions and 8 members that are state. Knobs, modules and pipelines are declarations and do not
-count, nor do records, which have at most one function. What is larger is listed with its reason, and may hardly grow."""
+"""Classes are small: at most 25 functions and 8 members that are state. Knobs, modules and pipelines are declarations and
+do not count, nor do records, which have at most one function. Larger ones are listed with a reason, and may hardly
+grow."""
 # Builds: nothing
 import re
 import unittest
@@ -45,7 +46,7 @@ def bare(text: str) -> str:
 
 
 def body(text: str, at: int) -> str:
-    """From behind an opening brace to the one that closes it, what lies between deeper braces left out."""
+    """From an opening brace to its closing one, without the contents of deeper braces."""
     out, depth = "", 1
     for letter in re.sub(r"\{\s*\*this\b", "{" + OWNED, text[at:]):
         depth += {"{": 1, "}": -1}.get(letter, 0)

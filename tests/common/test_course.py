@@ -1,4 +1,4 @@
-"""Tests of ./course: what a person types and reads."""
+"""Tests of ./course: commands and their output."""
 # Builds: nothing
 
 import io

@@ -1,4 +1,4 @@
-"""Tests of ./course test --on: where it cannot, one line says why; and what it would run."""
+"""Tests of ./course test --on: a line with the reason if it cannot run; and its commands."""
 # Builds: nothing
 
 import os
@@ -68,7 +68,7 @@ class Refusals(Course):
         printed = self.run_program(command, 2, PATH=path)
         self.assertIn("course: debootstrap could not make Debian 13 from http", printed)
         self.assertIn("E: Failed getting release file; all it said is in build/on/trixie/debootstrap.log", printed)
-        self.assertEqual(printed.count("\n"), 2)  # what it is about to do, and that
+        self.assertEqual(printed.count("\n"), 2)  # its announcement, and the result
         self.assertFalse((self.root / "build/on/trixie/root").exists())
 
 
@@ -80,7 +80,7 @@ class Runs(Course):
             subprocess.run(["git", "-C", cls.root, *words.split()], check=True)
 
     def commands(self, *words, code=0):
-        """What it runs, with `code` as the exit code of each."""
+        """Its commands, with `code` as the exit code of each."""
         ran = []
 
         def run(command, **_):

@@ -33,7 +33,7 @@ class Refusals(Course):
 @unittest.skipUnless(any(REAL.glob("shaders/*/solution")), "needs the reference solutions")
 class Scaffold(unittest.TestCase):
     def test_it_builds_draws_and_passes(self):
-        """With the checks of the whole tree's text, once its picture is accepted; before that a test says what to do."""
+        """With the checks of the whole tree's text, once its picture is accepted; before that a test names the next command."""
         name = f"{int(chapters()[-1][:2]) + 1:02}_caustics"
         number = name[:2]
         with tempfile.TemporaryDirectory() as folder:

@@ -9,7 +9,7 @@ import unittest
 import slurm_cluster
 from small_course import Course
 
-# Measures what the study names: an error by scene, a time, on the device that the file "device" names.
+# Measures the study's request: an error by scene, a time, on the device that the file "device" names.
 STUDY = f"""#!{sys.executable}
 import json, os, sys
 words = sys.argv[1:]

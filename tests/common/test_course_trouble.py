@@ -41,7 +41,7 @@ class Trouble(Course):
         self.assertLess(printed.count("\n"), 6, printed)
 
     def try_all(self, *wrapper):
-        self.course("check", "01", code=1)  # what was built is there
+        self.course("check", "01", code=1)  # finished parts stay
         for command in COMMANDS:
             with self.subTest(command):
                 words = command.replace("OUT", str(self.outside)).split()
@@ -103,7 +103,7 @@ class Trouble(Course):
             self.assertRegex(printed, rf"\Acourse: {folder} cannot be written: .*\n\Z")
 
     def slow_build(self) -> subprocess.Popen:
-        """Starts a check whose build sleeps, and waits until it does."""
+        """Starts a check with a sleeping build, and waits for the build."""
         self.course("check", "01", code=None)
         log = self.root / "log"
         log.unlink(missing_ok=True)

@@ -16,10 +16,10 @@ STRING = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 # Where a declaration's help stands among its arguments.
 HELP_AT = {"Knob<bool>": 3, "Choice": 4}
 
-# A help text names what the knob sets: no continuation of the line above it, and no clause in place of a noun.
+# A help text names the knob's subject: it neither continues the line above it, nor uses a clause instead of a noun.
 BAD_START = re.compile(r"(of|and|or|its|the same|how|what|whether|where|who|by)\b", re.I)
 
-# Regular expressions, each with what to write instead. They apply to lessons, help texts and captions.
+# Regular expressions, each with a better wording. They apply to lessons, help texts and captions.
 BANNED = {
     r"\bfor granted\b": "builds on",
     r"\bwhat lets light through\b": "transparent surfaces",
@@ -44,7 +44,7 @@ BANNED = {
     r"\bhow (soft|wide|deep|far|fast) \w+ (is|are|lies?|reach|reaches)\s*$": "width, depth, distance, speed",
     r"\bwhat (stands|lies|is) (behind|before|near|far) (is|are)\b": "a noun: background, foreground",
 }
-# On pages alone: what readers stumbled over.
+# On pages alone: phrases at which readers stumbled.
 VOICE = {
     r"\bcodes? (that )?(a|the) screens? expects?\b": "sRGB",
     r"\bin place of\b": "instead of",

@@ -1,5 +1,5 @@
-"""Tests of what the course says to other systems: the workflow of a public CI, the dev container, docs/elsewhere.md and the
-hours of docs/teaching.md."""
+"""Tests of the course's descriptions for other systems: the workflow of a public CI, the dev container, docs/elsewhere.md
+and the hours of docs/teaching.md."""
 # Builds: nothing
 
 import argparse
@@ -68,7 +68,7 @@ class Page(unittest.TestCase):
         table = set(re.findall(r"^\| `(\w+)` ", page, re.M))
         self.assertGreater(len(optional), 10)
         self.assertEqual(table - set(optional), set())
-        # What the source asks before it uses it is in the table.
+        # All optional requirements of the source are in the table.
         used = {name for path in (REAL / "common/gpu").glob("*.cpp") if path.name != "device_features.cpp"
                 for name in re.findall(r"\bhas\.(\w+)", path.read_text()) if name in optional}
         silent = {"depthBiasClamp", "independentBlend", "shaderUniformBufferArrayDynamicIndexing"}  # no picture lacks these

@@ -1,6 +1,5 @@
-"""Methods whose results are documented as equal draw equal pictures, in every chapter that has their module, in the first
-frame after a start: a frame that reads what only a frame before has written differs.
-"""
+"""Methods documented as equal draw equal pictures, in every chapter that has their module, in the first frame after a
+start: reading an earlier frame's results shows as a difference."""
 import json
 import tempfile
 import unittest
@@ -13,9 +12,9 @@ from picture_drawing import BUILT, CHAPTERS, EVERYTHING, HAS_SOLUTION, ROOT, Dra
 
 @dataclass(frozen=True)
 class Equal:
-    """The knob's values draw one picture, but for steps of at most `codes` of 255. Where they are two approximations of
-    one thing a `share` of the pixels may differ by more. `sets`: what makes the chapter use the knob. `frames`: drawn
-    before the picture that is compared, and it."""
+    """The knob's values draw one picture, up to steps of at most `codes` of 255. Two approximations may differ by more in
+    a `share` of the pixels. `sets`: settings that make the chapter use the knob. `frames`: drawn up to and including
+    the compared picture."""
     knob: str
     values: tuple
     codes: int = 0
@@ -32,7 +31,7 @@ EQUAL = [
     # docs/03: to the last bit, where a falloff ends.
     Equal("lights.method", LIGHTS),
     Equal("lights.method", LIGHTS, sets=("gbuffer.method=forward",)),
-    # docs/05: single gives the same picture; a workgroup's shared memory changes who reads, and not what.
+    # docs/05: single gives the same picture; a workgroup's shared memory changes the readers, not the result.
     Equal("shadow.fetch", ("single", "gather"), codes=1, share=0.0001, sets=("shadow.method=pcf",)),
     Equal("shadow.blur_by", ("naive", "shared"), sets=("shadow.method=evsm", "shadow.resolution=256")),
     Equal("shadow.keep", ("on", "off"), frames=3),
@@ -47,7 +46,7 @@ EQUAL = [
     Equal("cull", ("fixed", "geometry"), codes=1),
     Equal("prepass", ("on", "off")),
     Equal("overdraw", ("1", "3")),
-    # docs/07: of a texture whose sides are powers of two, 2x2 means; single_pass rounds to codes later than box does.
+    # docs/07: for a texture with powers of two as sides, 2x2 means; single_pass rounds to codes later than box does.
     Equal("mips.method", ("box", "polyphase")),
     Equal("mips.method", ("box", "single_pass"), codes=4),
     Equal("mips.bilinear", ("on", "off"), codes=1, sets=("mips.method=single_pass",)),
@@ -78,9 +77,9 @@ OTHER_SCENE_ALONE = ("18", "19")
 
 
 def scenes_of(chapter: str, equal: Equal, known: bool) -> list[str]:
-    """The scenes in which a chapter's values are compared. In a CI those that an earlier chapter has compared are
-    compared in one, that of many lights where the chapter draws it, and in a third of the chapters, the others with other
-    commits."""
+    """The scenes in which a chapter's values are compared. In a CI, values compared in an earlier chapter are compared in
+    one scene, that of many lights where the chapter draws it, and in a third of the chapters; the others follow with
+    other commits."""
     scenes = [scene for scene in equal.scenes
               if not chapter.startswith(OTHER_SCENE_ALONE if scene == "default" else OWN_SCENE_ALONE)]
     if not known or not in_part():
@@ -89,7 +88,7 @@ def scenes_of(chapter: str, equal: Equal, known: bool) -> list[str]:
 
 
 def usable(equal: Equal, knobs: dict) -> tuple | None:
-    """What is set beside the knob; None where the chapter has not what is needed."""
+    """Settings beside the knob; None if the chapter lacks a requirement."""
     if equal.knob not in knobs or not set(equal.values) <= set(knobs[equal.knob].get("options", equal.values)):
         return None
     needed = tuple(one for one in equal.sets if one != MESH)
@@ -117,7 +116,7 @@ class EqualMethods(unittest.TestCase):
         return picture
 
     def drawn(self, drawer: Drawer, equal: Equal, scene: str, value: str, knobs: dict) -> Path:
-        """The picture of a value. One scene says nothing of knobs: a value that is the default draws what is drawn already."""
+        """The picture of a value. One scene has no knobs: a default value reuses its picture."""
         options = [*SCENES[scene], *cheap(drawer.chapter), "--frames", str(equal.frames)]
         settings = [*equal.sets, f"{equal.knob}={value}"]
         if scene == "everything":
@@ -169,7 +168,7 @@ class EqualMethods(unittest.TestCase):
                 self.assertGreater(pixels_beyond(whole, picture, 4), 0.005, file.name)
 
     def test_a_lens_of_no_width_shows_what_moves_where_a_pinhole_does(self):
-        """A screenshot is one frame: what the lens's pictures need of it stands in its place before they are drawn."""
+        """A screenshot is one frame: the lens's inputs are placed before it is drawn."""
         options = ["--scene", ROOT / "assets/scenes/control_room.json", "--size", "240x135", "--time", "1.5"]
         lens = sets("dof.method=lens", "dof.views=3", "dof.f_number=64")
         with Drawer(next(chapter for chapter in CHAPTERS if chapter.startswith("09_")), self.folder) as drawer:

@@ -1,4 +1,4 @@
-"""The helper that draws the lessons' diagrams: what it draws can be read, and what cannot be read is refused."""
+"""The helper that draws the lessons' diagrams: its output is readable, and unreadable drawings are refused."""
 # Builds: nothing
 import pathlib
 import sys

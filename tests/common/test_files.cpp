@@ -1,5 +1,4 @@
-// Files that are none, writes that are cut short at any moment, what is said of names that are not fit to print, and of
-// a crash.
+// Non-files, interrupted writes, messages with unprintable names, and crashes.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -50,7 +49,7 @@ std::string message(const std::function<void()>& call) {
 
 bool has(const std::string& text, std::string_view part) { return text.find(part) != text.npos; }
 
-// What a child does before it is killed, or ends; its exit status.
+// Actions of a child before it is killed, or ends; its exit status.
 int in_child(const std::function<void()>& work, useconds_t killed_after_us = 0) {
     const pid_t child = fork();
     if (child == 0) {
@@ -66,7 +65,7 @@ int in_child(const std::function<void()>& work, useconds_t killed_after_us = 0) 
     return status;
 }
 
-// What `work` says on stderr in a copy of this process, and how that ends, as waitpid() has it.
+// Text of `work` on stderr in a copy of this process, and its end, as waitpid() has it.
 std::pair<std::string, int> crash_of(const std::function<void()>& work) {
     int ends[2];
     REQUIRE(pipe(ends) == 0);
@@ -290,7 +289,7 @@ TEST_CASE("kept: what was kept is read back; a file that is cut, changed, longer
         write_file(file, whole.substr(0, i));
         CHECK_FALSE(read_kept(file, bytes.size()));
     }
-    // When it was used last decides what is removed first.
+    // The oldest use is removed first.
     keep(file, bytes);
     const auto old = std::filesystem::file_time_type::clock::now() - std::chrono::hours(48);
     std::filesystem::last_write_time(file, old);
@@ -327,7 +326,7 @@ TEST_CASE("a JPEG for which there is no memory is not called broken") {
     const auto [said, status] = crash_of([&] {
         void* const left = std::malloc(1 << 20);  // for the file's bytes, and not for its texels
         leave_memory(1);
-        while (std::malloc(1 << 19)) {}  // what others have freed is taken, too
+        while (std::malloc(1 << 19)) {}  // takes freed memory, too
         std::free(left);
         try {
             read_image8(file);

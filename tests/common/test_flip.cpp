@@ -1,6 +1,6 @@
-// FLIP against what the papers let one derive by hand, and against a brute-force double-precision version.
-// The authors publish the means of one image pair (LDR 0.159691, HDR 0.283478); the images are not in this
-// repository, so those two figures are not checked here.
+// FLIP against values derived by hand from the papers, and against a brute-force double-precision version. The
+// authors publish the means of one image pair (LDR 0.159691, HDR 0.283478); the images are not in this repository, so
+// those two figures are not checked here.
 #include <cmath>
 #include <limits>
 #include <random>

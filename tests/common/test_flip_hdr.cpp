@@ -1,4 +1,4 @@
-// HDR-FLIP's exposures and tone mapper by hand, and what is said about an error map.
+// HDR-FLIP's exposures and tone mapper by hand, and the summary of an error map.
 #include <cmath>
 #include <limits>
 

@@ -1,4 +1,4 @@
-// The framework: passes that state what they touch, bindings by name, shaders and their cache.
+// The framework: statements of passes, bindings by name, shaders and their cache.
 #include <cstring>
 #include <filesystem>
 #include <fstream>

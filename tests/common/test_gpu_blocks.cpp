@@ -9,7 +9,7 @@ using namespace lightwalk;
 
 namespace {
 
-// Conditions that numbers of two blocks decide, each in its own way; what the loop counts is known.
+// Conditions on numbers of two blocks, each evaluated in its own way; the loop's count is known.
 const std::string two_blocks = R"(
 layout(local_size_x = 1) in;
 layout(scalar) writeonly buffer CountsBuffer { int counts[]; };

@@ -1,4 +1,4 @@
-// Over a frame's life: uploads, read-backs, what is destroyed meanwhile, passes that take long, failures half way.
+// Over a frame's life: uploads, read-backs, objects destroyed meanwhile, long passes, failures half way.
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
@@ -106,7 +106,7 @@ TEST_CASE_METHOD(OnDevice, "what recorded passes use lives until the frame has e
     frame.raster("a", {.color = {clear(bloom, glm::vec4(1))}}, [](Raster&) {});
     bloom = image({.size = {4, 4}});
     frame.raster("b", {.color = {clear(bloom, glm::vec4(1))}}, [](Raster&) {});
-    CHECK(gpu.device.doomed_count() == 3);  // an image, a buffer, and what that was uploaded through
+    CHECK(gpu.device.doomed_count() == 3);  // an image, a buffer, and their staging buffer
     frame.end();
     CHECK(gpu.device.doomed_count() == 0);
     CHECK(read<uint32_t>(out)[0] == 10);
@@ -169,7 +169,7 @@ void main() { imageStore(counted, ivec2(0), imageLoad(counted, ivec2(0)) + 1.0);
     CHECK(frame.times.size() == 3001);
     CHECK(value(counted) == 3000.0f);
 
-    // An upload whose pass begins the next submission, and one after it, which must not take its place.
+    // An upload with a pass that begins the next submission, and one after it, which must not take its place.
     frame.begin({4, 4}, 0);
     for (int i = 0; i < 2048; ++i) frame.raster("zero", {.color = {clear(counted, glm::vec4(0))}}, [](Raster&) {});
     Buffer first, second;
@@ -206,7 +206,7 @@ TEST_CASE_METHOD(OnDevice, "a frame that only computes is timed, also where one 
         const auto begin = std::chrono::steady_clock::now();
         frame.end();
         const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-        if (ms < 50 && groups < 1u << 20) continue;  // long enough to be told from what submitting takes
+        if (ms < 50 && groups < 1u << 20) continue;  // long compared with the cost of submitting
         CHECK(frame.times[0].gpu_ms > 0.2 * ms);
         CHECK(frame.times[1].gpu_ms > 0.2 * ms);
         break;

@@ -1,4 +1,4 @@
-// Within a pass: arrays, indirect draws and dispatches, slots, and what binding costs.
+// Within a pass: arrays, indirect draws and dispatches, slots, and the cost of binding.
 #include <chrono>
 #include <set>
 
@@ -187,7 +187,7 @@ TEST_CASE_METHOD(OnDevice, "an array of textures is one binding") {
     frame.end();
     auto values = read<float>(seen);
     values.resize(5);
-    CHECK(values == std::vector<float>{1, 2, 3, 3, 3});  // the last one is for what is left
+    CHECK(values == std::vector<float>{1, 2, 3, 3, 3});  // the last one fills the rest
 }
 
 TEST_CASE_METHOD(OnDevice, "a dispatch sees what the one before wrote, and how many groups it said") {

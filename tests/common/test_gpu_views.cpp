@@ -5,7 +5,7 @@ using namespace lightwalk;
 
 namespace {
 
-// One texel a group, from `source` to `result`, whatever their sizes.
+// One texel a group, from `source` to `result`, for any sizes.
 const Pipeline halve = compute_pipeline("halve", R"(
 layout(local_size_x = 1, local_size_y = 1) in;
 uniform sampler2D source;

@@ -1,4 +1,4 @@
-"""Tests of ./course grade: what is read of a submission, and what is written about it."""
+"""Tests of ./course grade: the parts of a submission that are read, and the feedback."""
 
 import bz2
 import csv
@@ -76,7 +76,7 @@ class Submissions(Class):
         tarred(at / "not utf8.tar", {"\udcff\udcfe": b"", **member}, "w:")
         tarred(at / "link.tar", {**member}, "w:", type=tarfile.SYMTYPE, linkname="/etc/passwd")
         tarred(at / "device.tar", {**member}, "w:", type=tarfile.CHRTYPE)
-        # What is wrong.
+        # The fault.
         whole = (at / "zip.zip").read_bytes()
         (at / "damaged.zip").write_bytes(whole[:60] + bytes(40) + whole[100:])
         (at / "cut.zip").write_bytes(whole[:len(whole) // 2])
@@ -168,7 +168,7 @@ class Submissions(Class):
         self.assertEqual(self.grades["plain (2)"]["right"], 0)
 
     def test_no_two_students_are_one_row(self):
-        """Whatever their files are called: the second "ann" is not the folder "ann (2)"."""
+        """For any file names: the second "ann" is not the folder "ann (2)"."""
         at = self.outside / "names"
         for name in ("ann", "ann (2)", "ann (2) (2)", "=b", "'=b"):
             (at / name).mkdir(parents=True)
@@ -279,7 +279,7 @@ class Pictures(Class):
 
 
 def body(text: str, begins: str) -> str:
-    """C++ whose exercise begins otherwise."""
+    """C++ with a different beginning of the exercise."""
     at = text.index("{\n", text.rindex("std::vector<glm::uvec3> triangulate("))
     return text[:at] + begins + text[at + 2:]
 

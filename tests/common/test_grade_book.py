@@ -1,4 +1,4 @@
-"""Tests of gradebooks: weights, deadlines, what other systems import, the students' pages, and that a mark stays what it was."""
+"""Tests of gradebooks: weights, deadlines, formats of other systems, the students' pages, and the stability of marks."""
 
 import csv
 import datetime
@@ -110,7 +110,7 @@ class Marks(Files):
             Rules(self.folder / "none", WANTED)
 
     def test_the_same_answer_keeps_its_mark(self):
-        """With whatever checks it is graded again; --regrade replaces it and says so; a new answer is judged for itself."""
+        """Even with other checks; --regrade replaces it with a message; a new answer is judged for itself."""
         file, data = self.folder / "marks.json", {"ann": {"02.phong": b"x"}}
         right, wrong = result("02.phong"), result("02.phong", False, said="no")
         def kept(new, answers=data, regraded=()):
@@ -163,7 +163,7 @@ class Platforms(Files):
         self.assertIn("02.phong: missing", ben[7])
 
     def test_a_list_of_another_platform(self):
-        """Canvas's file has a name in each row, whatever list was read."""
+        """Canvas's file has a name in each row, for any list."""
         roster = "Identifier,Full name,Grade,Feedback comments\nParticipant 1001,Ann Example,,\n"
         rows = rows_of(self.written("canvas", self.book(roster, points=100)))
         self.assertEqual([row[:2] + row[-2:] for row in rows[1:3]], [["    Points Possible", "", "33.33", "66.67"],

@@ -1,5 +1,5 @@
-"""A driver that crashes with a shader whose numbers are right: that may be its own fault or the student's purpose, so whoever
-grades is told, and there is no mark until then."""
+"""A driver that crashes with a shader with correct numbers: its own fault or the student's purpose, so the grader is told,
+and there is no mark until then."""
 
 import contextlib
 import tempfile
@@ -24,7 +24,7 @@ class Crash(unittest.TestCase):
         self.folder = Path(scratch.name)
 
     def drawn(self, codes, name: str) -> str | None:
-        """What Pictures says of a source with which the drawing of one shot after the other ended so."""
+        """Pictures' verdict on a source for which drawing one shot after the other ended so."""
         pictures = Pictures.__new__(Pictures)
         pictures.wanted, pictures.link = {EXERCISE: "04_surface_maps"}, lambda *_: ""
         shots = [(shot, self.folder / f"{shot}.png") for shot in ("relief", "wall")]

@@ -1,4 +1,4 @@
-"""Submissions that read what is right, that answer for the checks, or that make the machine look ill; and a machine that is."""
+"""Submissions that read the reference, that answer for the checks, or that fake a machine fault; and a real one."""
 
 import json
 import os
@@ -17,7 +17,7 @@ from grading.judge import Judge
 from tree import Failure
 
 HEAD = "#include <cstdio>\n#include <cstdlib>\n#include <filesystem>\n#include <fstream>\n#include <iterator>\n#include <unistd.h>\n"
-# Whatever it may read below shaders/*/solution, the last line that it prints is that; and then it ends.
+# It reads any file below shaders/*/solution, prints the verdict as its last line, and ends.
 LEAKS = """{
     std::string found;
     std::error_code none;
@@ -33,7 +33,7 @@ LEAKS = """{
 PRINTS = """{
     if (std::getenv("LIGHTWALK_SHADERS_FROM")) std::puts("LEAKED of my own"), std::fflush(stdout), _exit(1);
 """
-# Before main(): whatever is asked on any descriptor, a result of so many zeros with the question's number.
+# Before main(): answers every question on any descriptor with that many zeros and the question's number.
 TAKES_THE_PIPE = """#include <cstdint>
 #include <cstring>
 #include <unistd.h>
@@ -57,7 +57,7 @@ TAKES_THE_PIPE = """#include <cstdint>
 
 
 def begins(text: str, name: str, with_: str) -> str:
-    """C++ whose exercise begins otherwise."""
+    """C++ with a different beginning of the exercise."""
     at = text.index("{\n", text.rindex(f" {name}("))
     return text[:at] + with_ + text[at + 2:]
 
@@ -120,7 +120,7 @@ class Machine(unittest.TestCase):
     """A tool's failure is no verdict."""
 
     def judged(self, times: int, said="cc1plus: fatal error: error writing to /tmp/cc1.s: No space left on device", code=3):
-        """An answer that is right, on a machine whose compiler fails so many times."""
+        """A right answer, on a machine with a compiler that fails that many times."""
         made, left = Path(self.enterContext(tempfile.TemporaryDirectory())), [times]
         finish = sandbox.Running.finish
 
@@ -245,7 +245,7 @@ class Hoard(unittest.TestCase):
 
 class Trials(unittest.TestCase):
     def test_a_trial_gives_commands_and_measures_nothing(self):
-        """What the process with a student's code says is what was recorded: of every trial."""
+        """The student process returns its recording, for every trial."""
         for header in (REAL / "tests").glob("*/trials.h"):
             for words in re.findall(r"^TRIAL\((.*?)\);", header.read_text(), re.S | re.M):
                 self.assertRegex(words, r'^"[\w.]+",\s*(std::vector<RecordedFrame>|RecordedFrame),', header)

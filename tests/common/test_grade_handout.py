@@ -1,4 +1,4 @@
-"""Tests of ./course handout: what students are given holds no answer, and whatever it includes is in it."""
+"""Tests of ./course handout: it contains no answer, and all included files."""
 
 import subprocess
 import tempfile

@@ -1,5 +1,5 @@
-"""Tests of shards (common/course/many/shards.py): how work is cut, what a merge takes and refuses, and that a class graded in
-shards has the same table as one graded at once."""
+"""Tests of shards (common/course/many/shards.py): the division of work, merges and their refusals, and equal tables for a
+class graded in shards and at once."""
 
 import contextlib
 import io
@@ -134,7 +134,7 @@ class Graded(unittest.TestCase):
         cls.addClassCleanup(wanted.stop)
 
     def course(self, *words, code=0) -> str:
-        """What ./course grade prints."""
+        """Output of ./course grade."""
         out, said = io.StringIO(), io.StringIO()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(said), \
                 mock.patch("sys.argv", ["cli.py", "grade", *map(str, words)]):

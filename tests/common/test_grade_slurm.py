@@ -1,5 +1,5 @@
-"""Tests of --slurm: its script, what it refuses, and a class graded by a real Slurm on this machine, with a part that is killed
-and a node that is drained."""
+"""Tests of --slurm: its script, its refusals, and a class graded by a real Slurm on this machine, with a part that is
+killed and a node that is drained."""
 
 import argparse
 import os

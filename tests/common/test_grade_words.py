@@ -1,4 +1,4 @@
-"""Tests of what ./course grade makes of words: names, cells of a table, macros, and what it says where it refuses."""
+"""Tests of texts in ./course grade: names, cells of a table, macros, and error messages."""
 
 import contextlib
 import re
@@ -94,7 +94,7 @@ class Words(unittest.TestCase):
         self.assertEqual(found, ["a, b: all", "d, e, f: grades.json says what"])
 
     def test_what_goes_wrong_with_one_answer_is_that_ones(self):
-        """Whatever it is: the grading of the others goes on, and the same command tries this one again."""
+        """For any failure: the grading of the others goes on, and the same command tries this one again."""
         judge = Judge.__new__(Judge)
         judge.wanted, judge.starters, judge.versions = {"02.lambert": "02"}, {"02.lambert": b""}, {"02": "1"}
         judge.verdicts, judge.judge = Path(self.enterContext(tempfile.TemporaryDirectory())), mock.Mock(side_effect=RecursionError("too deep"))
@@ -142,7 +142,7 @@ class Words(unittest.TestCase):
 @unittest.skipIf(why_not(), why_not())
 class Contained(unittest.TestCase):
     def test_nobody_is_root_and_nothing_outlives_it(self):
-        """Looked at from outside, where a user's number is what the kernel goes by."""
+        """Seen from outside, with the kernel's user numbers."""
         running = sandbox.Running(["/bin/sleep", "60"], sandbox.Mounts(), sandbox.Limits(1 << 30, 60))
         first = Path(f"/proc/{running.first}")
         self.addCleanup(running.close)

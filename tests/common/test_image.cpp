@@ -1,4 +1,4 @@
-// Images on disk: what is written comes back, and a file that is no image gives one clear line.
+// Images on disk: they read back as written, and a file that is no image gives one clear line.
 #include <stb_image_write.h>
 #include <unistd.h>
 

@@ -84,7 +84,7 @@ TEST_CASE("import: files on which Assimp 5.2.5 dies cost no more than an error")
     }
 }
 
-// What Assimp may take of the memory depends on how much there is to read: a glTF of 6 KB may name 335 MB.
+// Assimp's memory limit depends on the size of its input: a glTF of 6 KB may name 335 MB.
 TEST_CASE("import: the size of a glTF file is that of all that it names") {
     const size_t hole = size_t{3} << 30;  // a file with nothing in it takes no place on a disk
     const TemporaryFile buffer("lightwalk named 1.bin", "");

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from picture_drawing import BUILT, CHAPTERS, EVERYTHING, Drawer, cheap, knobs_of, sets, thing
 
-# A small scene with what knobs of materials, lights and shadows act on: a map for every slot, holes, and three kinds of
-# light with shadows.
+# A small scene for knobs of materials, lights and shadows: a map for every slot, holes, and three kinds of light with
+# shadows.
 TILES = {"diffuse": "textures/stone_tiles_albedo.jpg", "normal": "textures/stone_tiles_normal.png",
          "height": "textures/stone_tiles_height.png", "specular": "textures/castle_wall_specular.png",
          "gloss": "textures/stone_tiles_specular.png", "emissive": "textures/lava_emissive.jpg",
@@ -34,7 +34,7 @@ MAPPED = {
          "inner_deg": 20, "outer_deg": 35, "shadow": True, "size_m": 0.3},
         {"type": "point", "position": [1.2, 1.2, 0.8], "intensity": 1, "range_m": 4, "shadow": True}]}
 
-# A sheet of glass over the floor, whose shadow may be coloured.
+# A sheet of glass over the floor, with a possibly coloured shadow.
 GLASS = {
     "camera": {"position": [0, 2, 3], "target": [0, 0, 0], "fov_deg": 50, "near_m": 0.05, "far_m": 50},
     "objects": [
@@ -43,7 +43,7 @@ GLASS = {
     "lights": [{"type": "directional", "direction": [0.2, -1, -0.1], "intensity": 1, "shadow": True}]}
 OWN = {"mapped": MAPPED, "everything": EVERYTHING, "glass": GLASS}
 
-# The scenes that knobs whose names begin so are drawn with, where a chapter's own has nothing for them.
+# Scenes by the beginning of a knob's name, for chapters with no suitable scene of their own.
 SCENES = {"planet.l": "scenes/earth.json", "planet.turn_deg": "scenes/earth.json", "planet.clouds": "scenes/earth.json",
           "planet.night": "scenes/earth.json", "terrain.": "scenes/terrain_noon.json", "maps.": "mapped", "lights.": "mapped", "rays.": "mapped", "shadow.near_m": "mapped",
           "lamp": "mapped", "shadow.transparent": "glass",
@@ -56,8 +56,8 @@ SCENES = {"planet.l": "scenes/earth.json", "planet.turn_deg": "scenes/earth.json
           "sphere_shadow.": "scenes/ringed_planet.json", "screens.": "scenes/control_room.json"}
 
 
-# Values in place of the ends for chapters that borrow the knob: their scenes have many more triangles and lights than that
-# of the chapter whose knob it is, and draw seconds for one picture there.
+# Replacements for the ends in chapters that borrow the knob: their scenes have many more triangles and lights than
+# the original chapter's, and take seconds for one picture.
 BORROWED = {"maps.subdivide": ["1", "2"], "shadow.resolution": ["16", "512"], "shadow.blur": ["0", "4"],
             "rays.truth_samples": ["1", "4"], "shadow.taps": ["1", "64"], "shadow.search_taps": ["1", "64"],
             "maps.steps": ["1", "64"], "julia.iterations": ["1", "64"], "skin.map_size": ["0", "64"],
@@ -83,8 +83,8 @@ def settings_of(knob, borrowed: bool) -> list[str]:
     return [",".join([str(int(end) if knob["type"] == "whole number" else end)] * count) for end in knob["range"]]
 
 
-# What else is set with those that begin so. A window reads as many texels as its width's square: it refuses the default
-# width. The others cost seconds by the product of several knobs, of which the rest is then small.
+# Additional settings by the beginning of a knob's name. A window reads as many texels as its width's square: it
+# refuses the default width. The others cost seconds by the product of several knobs, so the other factors are small.
 WITH = {"bloom.method=window": ["sigma_px=4"], "skin.sky_rays=1024": ["skin.sky_size=16"],
         "skin.map_size=4096": ["skin.sky_rays=1", "skin.method=gaussians_1", "shadow.method=none"],
         "skin.": ["skin.sky_rays=1"],
@@ -97,8 +97,8 @@ def others_of(setting: str) -> list[str]:
     return next((others for begin, others in WITH.items() if setting.startswith(begin)), [])
 
 
-# What makes a chapter use a knob, by how the knob's name begins; the longest beginning counts. Set where the chapter has
-# it.
+# Settings that make a chapter use a knob, by the beginning of the knob's name; the longest one counts. Set if the
+# chapter has it.
 USED_WITH = {
     "shadow.blur": ["shadow.method=evsm"], "shadow.format": ["shadow.method=evsm"], "shadow.mips": ["shadow.method=evsm"],
     "shadow.exponent": ["shadow.method=evsm"], "shadow.bleed": ["shadow.method=vsm"],
@@ -167,17 +167,18 @@ def own_or_longest(table: dict, chapter: str, name: str, otherwise):
 
 
 def used_with(chapter: str, name: str, knobs: dict) -> list[str]:
-    """What is set with a knob of a chapter."""
+    """Settings for a knob of a chapter."""
     others = own_or_longest(USED_WITH, chapter, name, [])
     return [one for one in others
             if one.startswith(("time=", "scene=")) or one.split("=")[0] in knobs and one.split("=")[0] != name]
 
 
-# Every chapter's own knobs are looked at, but for landscapes and the film, whose knobs need only be accepted. In the first
-# eleven chapters borrowed ones are looked at as well; in the others a knob is tried in the first chapter that has it.
+# Every chapter's own knobs are tested by pictures, except for landscapes and the film, where they need only be
+# accepted. In the first eleven chapters borrowed ones are tested as well; in the others a knob is tested in the first
+# chapter that has it.
 LOOKED_AT = ("01", "02", "03", "04", "05", "06", "07", "08", "09", "10", "11")
 ACCEPTED = ("15", "19")
-# Those that by design change nothing in the chapter's own scene, and why; "NN NAME" for one chapter.
+# Knobs that by design change nothing in the chapter's own scene, and why; "NN NAME" for one chapter.
 SILENT = {
     "01 loader": "all read one file alike",
     **dict.fromkeys(("lights.method", "shadow.fetch", "shadow.blur_by", "shadow.keep", "gbuffer.volumes", "overdraw",
@@ -232,7 +233,7 @@ class KnobsTest(unittest.TestCase):
     """One test a chapter, test_NN_NAME: they do not wait for each other."""
 
     def try_knobs(self, chapter: str):
-        drawn = {}  # pictures by what is set: each is drawn once
+        drawn = {}  # pictures by settings: each is drawn once
         known = {name for earlier in CHAPTERS[:CHAPTERS.index(chapter)] for name in knobs_of(earlier)}
         with tempfile.TemporaryDirectory() as folder, Drawer(chapter, folder) as drawer:
             for name, scene in OWN.items():

@@ -1,4 +1,4 @@
-"""Tests of ./course serve without a browser: who is answered, what can be written, and what pictures and charts say."""
+"""Tests of ./course serve without a browser: access, writing, pictures and charts."""
 
 import asyncio
 import json

@@ -30,7 +30,7 @@ EDITOR = "document.querySelector('.live-exercise').exercise"
 
 
 def copy_of_course(root: Path):
-    """What the server reads, and an exercise that may be edited; what is built is the course's own."""
+    """The server's inputs, and an editable exercise; the build is the course's own."""
     for name in ("common/course", "shaders"):
         shutil.copytree(REAL / name, root / name, ignore=shutil.ignore_patterns("__pycache__", "*.cpp"))
     for path in [*REAL.glob("docs/*.md"), *REAL.glob("docs/images/*.json"), *REAL.glob("chapters/*/exercise/*.cpp"), REAL / "course"]:
@@ -46,7 +46,7 @@ def copy_of_course(root: Path):
 
 
 def has_pages() -> bool:
-    """test_pages leaves them there; those of an older lesson are written anew."""
+    """test_pages leaves them there; those of an older lesson are rewritten."""
     if is_old(BUILD / "docs"):
         subprocess.run(["/usr/bin/python3", REAL / "common/course/cli.py", "docs"], check=True, stdout=subprocess.DEVNULL)
     return True
@@ -83,7 +83,7 @@ class InBrowser(unittest.TestCase):
                                      f"({selector})")
 
     def answered(self, condition: str = "true"):
-        """Waits for the whole picture after what was asked last."""
+        """Waits for the whole picture after the latest request."""
         self.browser.wait(f"Boolean(!Picture.all[0].drawing_soon && !Live.asked.size && {SHOWN}?.format === 'png' && ({condition}))")
 
     def picture(self) -> bytes:
@@ -123,17 +123,17 @@ class InBrowser(unittest.TestCase):
             with self.subTest(lesson=lesson):
                 self.browser.open(f"{self.server.base}{lesson}.html")
                 self.browser.wait("document.body.classList.contains('live-ready')")
-                # What is neither a chart nor a diagram is drawn by a chapter.
+                # Images other than charts and diagrams are drawn by a chapter.
                 self.browser.wait(f"Boolean(![...{IMAGES}].some(i => !i.closest('.live-frame')))")
                 count = self.browser.evaluate("[document.querySelectorAll('.live-open').length, Live.course.chapters[Lesson.chapter].exercises.length]")
                 self.assertEqual(*count)
-                # What an exercise asks for is read without scrolling sideways.
+                # A specification is read without scrolling sideways.
                 cut = "[...document.querySelectorAll('.spec pre > code')].map(c => c.scrollWidth > c.clientWidth + 1)"
                 self.assertEqual(self.browser.evaluate(f"[...new Set({cut})]"), [False])
                 self.assertEqual(self.browser.evaluate("[innerWidth >= document.documentElement.scrollWidth]"), [True])
 
     def test_each_cell_of_a_picture_is_live(self):
-        """Six methods side by side: parts of pictures that the page cuts out of what the chapter draws."""
+        """Six methods side by side: the page crops parts of the chapter's pictures."""
         self.browser.open(f"{self.server.base}04_surface_maps.html")
         self.browser.wait("document.body.classList.contains('live-ready')")
         self.browser.wait("Boolean(document.querySelectorAll('.live-grid .live-frame img[src^=\"blob:\"]').length >= 12)")

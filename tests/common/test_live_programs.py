@@ -111,7 +111,7 @@ class Chapters(Live):
     """The programs behind the pages, without a server."""
 
     def draw(self, *requests, **constants):
-        """The answers to one request after the other, and what is running at the end."""
+        """The answers to one request after the other, and the programs running at the end."""
         async def talk():
             made, answers = programs.Programs(), []
             try:

@@ -1,4 +1,4 @@
-"""--look: what a pass wrote, without a window."""
+"""--look: a pass's output, without a window."""
 # Builds: 06_deferred
 import sys
 import unittest

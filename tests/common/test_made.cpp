@@ -1,4 +1,4 @@
-// What is kept is made again when one of its inputs differs, and only then.
+// Cached results are remade when one of their inputs differs, and only then.
 #include <cmath>
 #include <memory>
 #include <string>

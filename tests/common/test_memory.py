@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What a frame takes it gives back: a window is open for hours. Each chapter draws a few frames and many, and the most memory
-that its program had is compared."""
+"""A frame releases its memory: a window is open for hours. Each chapter draws a few frames and many, and the peak memory
+of both runs is compared."""
 import os
 import subprocess
 import tempfile
@@ -11,7 +11,7 @@ from part_in_ci import in_part
 from picture_drawing import BUILD, BUILT, CHAPTERS, ROOT
 
 FEW, MANY = 8, 40
-# On every commit those that have kept something at some time; all of them elsewhere.
+# On every commit only chapters with an earlier leak; all of them elsewhere.
 TRIED = [name for name in CHAPTERS if not in_part() or name[:2] in ("10", "14", "15", "18")]
 BOUND_MB = 0.8  # a frame
 
@@ -27,7 +27,7 @@ def most_memory_mb(chapter: str, frames: int, picture: Path) -> float:
 
 
 def kept_mb(chapter: str, picture: Path) -> float:
-    """What a frame keeps, and noise: what a program takes to start, compiling shaders, differs by up to 30 MB from run to run."""
+    """Memory kept by frames, and noise: starting and compiling shaders differs by up to 30 MB from run to run."""
     few, many = (most_memory_mb(chapter, frames, picture) for frames in (FEW, MANY))
     return (many - few) / (MANY - FEW)
 

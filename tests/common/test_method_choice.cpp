@@ -1,4 +1,4 @@
-// The need rule for a module of any chapter: whose study answers, what of it this chapter has, and what is said.
+// The need rule for a module of any chapter: the responsible study, its usable part, and the messages.
 #include "catch.h"
 #include "common/base/error.h"
 #include "common/check/check.h"

@@ -31,7 +31,7 @@ TEST_CASE("RMSE, relative RMSE and maximum by hand") {
     CHECK(d.max == Approx(0.4));
     const Difference back = difference(test, reference);
     CHECK(back.rmse == Approx(d.rmse));
-    CHECK(back.relative_rmse != Approx(d.relative_rmse));  // relative to what is called the reference
+    CHECK(back.relative_rmse != Approx(d.relative_rmse));  // relative to the reference
     CHECK(difference(reference, reference).rmse == 0.0);
     CHECK_THROWS_AS(difference(reference, ImageRgb(1, 2)), InputError);
 }

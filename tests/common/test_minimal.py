@@ -1,5 +1,5 @@
 """The smallest version of each chapter's method (docs/minimal): at most 60 lines that compile, run and are right, and that
-the lesson shows whole. What the shaders' functions give is in tests/minimal."""
+the lesson shows whole. Results of the shaders' functions are tested in tests/minimal."""
 
 import os
 import shutil
@@ -29,7 +29,7 @@ def sources() -> list[Path]:
 
 
 def said(name: str, given: str = "") -> dict[str, float]:
-    """What a program prints: each word with the number behind it, later ones over earlier ones."""
+    """A program's output: each word with the number behind it, later ones over earlier ones."""
     done = subprocess.run([BUILD / "minimal" / name], input=given, stdout=subprocess.PIPE, text=True, check=True, timeout=60)
     words = done.stdout.split()
     return {words[i]: float(words[i + 1]) for i in range(0, len(words), 2)}

@@ -1,5 +1,5 @@
-"""The program of docs/vulkan.md: silent under validation, into a file and into a window; and the broken one, whose mistakes
-validation names as the page says."""
+"""The program of docs/vulkan.md: silent under validation, into a file and into a window; and the broken one, with mistakes
+that validation names as the page says."""
 
 import os
 import re

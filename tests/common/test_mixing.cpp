@@ -1,4 +1,4 @@
-// What a pass may say of the draws of others: how they are blended, and which file ends their shaders.
+// A pass's control over the draws of others: their blending, and the file that ends their shaders.
 #include "common/gpu/glsl.h"
 #include "gpu_fixture.h"
 

@@ -1,4 +1,4 @@
-// A module's life: whom a chapter asks, in which order, and what makes it load its scene again.
+// A module's life: order of the chapter's calls, and the changes that reload its scene.
 #include <algorithm>
 
 #include "catch.h"

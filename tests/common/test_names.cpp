@@ -1,4 +1,4 @@
-// Misspelt names, and what the panel finds in a knob's help.
+// Misspelt names, and the panel's search in a knob's help.
 #include <cmath>
 
 #include "catch.h"

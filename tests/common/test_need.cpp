@@ -72,7 +72,7 @@ struct NeedTest {
     Patch chapter;
     StudyPlan plan;
     NeedQuestion question{.budgets = {0.01}, .picture = {.size = {640, 360}}, .crops = true};
-    // What is chosen must not hang on how busy the machine is.
+    // The choice must not depend on the machine's load.
     double cost_ms() const { return chapter.method.is("exact") ? 24 : chapter.method.is("dear") ? 12 : 1; }
     NeedTest() {
         question.clock = [this](const Frame&) { return cost_ms(); };

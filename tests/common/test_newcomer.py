@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Builds: nothing
-"""What a newcomer does, in a clone in an empty folder, with the build that each command makes: the menu, the gallery, a chapter,
-a check, the pages, live pages, one test. In the end the clone is as it was."""
+"""A newcomer's steps, in a clone in an empty folder, with the build that each command makes: the menu, the gallery, a
+chapter, a check, the pages, live pages, one test. In the end the clone is as it was."""
 
 import os
 import re
@@ -18,11 +18,11 @@ from small_course import INTERRUPTIBLE, REAL
 from window_session import Session, own_cache
 from x_server import XServer
 
-PATIENCE_S = 900  # ccache knows what a machine has compiled; one that knows nothing takes minutes
+PATIENCE_S = 900  # ccache knows the machine's earlier compilations; an empty one takes minutes
 
 
 def clone(to: Path):
-    """The tree as it is here, with what is not committed yet."""
+    """The tree as it is here, including uncommitted files."""
     subprocess.run(["git", "clone", "--quiet", "--no-hardlinks", REAL, to], check=True)
     for command in (["diff", "--name-only", "--diff-filter=d", "-z", "HEAD"], ["ls-files", "-z", "--others", "--exclude-standard"],
                     ["diff", "--name-only", "--diff-filter=D", "-z", "HEAD"]):

@@ -30,7 +30,7 @@ FILES = {
 
 class Order(unittest.TestCase):
     def wrong(self, **changed: str) -> list[str]:
-        """What is said of the small tree with a file added or replaced."""
+        """Messages about the small tree with a file added or replaced."""
         with tempfile.TemporaryDirectory() as made:
             root = Path(made).resolve()
             for name, text in (FILES | changed).items():

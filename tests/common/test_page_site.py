@@ -55,7 +55,7 @@ def tearDownModule():
 
 
 def complaints(browser: Browser) -> list[str]:
-    """Without what Chromium says of reading a picture back."""
+    """Without Chromium's messages about reading a picture back."""
     return [one for one in browser.complaints if "ReadPixels" not in one]
 
 

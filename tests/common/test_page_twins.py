@@ -16,7 +16,7 @@ from pages import running  # noqa: E402
 
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 TWINS = running.MINIMAL / "twins"
-# Numbers of a function, for each of `count` rows, whose number is `i`.
+# Numbers of a function, for each of `count` rows; `i` is the row's index.
 NUMBERS = """(() => {
   const gl = Gl.context(), text = Gl.ported(%s).replace(/^in .*|^out .*|^layout.*|^uniform .*/gm, "").replace(/void main\\(\\)[^]*/, "");
   const main = `layout(location = 0) out uvec4 words;

@@ -1,6 +1,9 @@
-"""The page says of each answer what ./course check says: all variants in GLSL of the exercises that a browser can check.
+"""The page and ./course check give the same verdict on each answer: all variants in GLSL of the exercises that a browser
+can check.
 
-python3 tests/common/test_page_verdicts.py [NN | NN.name ...] prints a table of both verdicts; where they differ it says so."""
+python3 tests/common/test_page_verdicts.py [NN | NN.name ...] prints a table of both verdicts, with marks where they
+differ.
+"""
 
 import json
 import sys
@@ -28,7 +31,7 @@ def answers(fit: list[str]) -> list[tuple[str, Variant]]:
 
 
 def said(folder: Path, asked: list[tuple[str, Variant]]):
-    """What the page says of each answer, in order."""
+    """The page's verdict on each answer, in order."""
     names = sorted({exercise for exercise, _ in asked})
     scripts = [*(SITE / name for name in ("gl.js", "undefined.js", "tables.js")), folder / "undefined.js",
                *(folder / f"{name}.js" for name in names)]

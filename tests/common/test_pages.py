@@ -1,4 +1,4 @@
-"""Tests of the lessons' pages: of all of them as they are, and of what a lesson may contain in a small course."""
+"""Tests of the lessons' pages: all of them as they are, and every kind of content in a small course."""
 
 import filecmp
 import functools
@@ -54,7 +54,7 @@ ASK = """new Promise(done => {
 
 
 class Links(HTMLParser):
-    """What a page names, and what can be named in it."""
+    """Names in a page, and the names that exist."""
 
     def __init__(self, page: Path):
         super().__init__()

@@ -1,4 +1,4 @@
-"""Tests of ./course book: it is printed until the page numbers that its contents name are those of the printing itself."""
+"""Tests of ./course book: it is printed until the page numbers of its contents match the printing itself."""
 
 import sys
 import tempfile
@@ -14,7 +14,7 @@ from tree import Failure  # noqa: E402
 
 class Printings(unittest.TestCase):
     def printed(self, *pages: dict) -> list[dict]:
-        """The page numbers that each printing was given, where those of the printings are `pages`."""
+        """The page numbers given to each printing, if the printings' own are `pages`."""
         given = []
         with tempfile.TemporaryDirectory() as folder, mock.patch("pages.book.print_pdf"), mock.patch("pages.book.warn"), \
                 mock.patch("pages.book.page", lambda _, places: given.append(places) or ""), \

@@ -1,4 +1,4 @@
-"""Tests of what ./course test tries of many cases: with each commit another part, in the end all of them, and never none."""
+"""Tests of the CI's sampling of cases in ./course test: with each commit another part, in the end all of them, and never none."""
 # Builds: nothing
 
 import os

@@ -72,7 +72,7 @@ TEST_CASE("every division becomes a call, with both operands whole") {
     CHECK(body("const float k = 1.0;\nfloat f(const float x) { return x / k; }") ==
           "floatk=1.0;\nfloatf(constfloatx){returnundefined_divide(x,k);}");
     CHECK_THROWS(instrumented("float f() { return (1.0; }"));
-    // A directive goes on after a backslash: what it opens nobody closes.
+    // A directive goes on after a backslash: braces opened in it are never closed.
     CHECK_NOTHROW(instrumented("#define BEGIN \\\n namespace x {\nfloat f(float a) { return g(a) * 2.0; }"));
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("a check says where it could not look for undefined operations") {
     Check check;
     check.probe(probe);
     CHECK(check.note.empty());
-    probe.macros = {{"undefined_note", "7"}};  // breaks what instrumented text calls, and nothing else
+    probe.macros = {{"undefined_note", "7"}};  // breaks only functions called by instrumented text
     CHECK_FALSE(run_undefined(check_device(), probe, 1));
     check.probe(probe);
     CHECK(check.failed == 0);

@@ -51,7 +51,7 @@ class RandomScenes(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_a_chapter_draws_by_every_method_of_its_modules(self):
-        """Forward is for a chapter whose objects go through a G-buffer what it is for the chapter that has them."""
+        """Forward shading agrees between a chapter with a G-buffer and the chapter of its objects."""
         done = self.drawn("09_", "--set", "gbuffer.method=forward")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
@@ -66,7 +66,7 @@ class RandomScenes(unittest.TestCase):
         self.assertRegex(done.stderr, r"\Aerror: bloom\.\w+ [^\n]*\n\Z")
 
     def test_nothing_at_all(self):
-        """Every view of a scene without objects: what nothing has made is not read."""
+        """Every view of a scene without objects: resources that were never made are not read."""
         views = {"08": ["picture", "cut_out", "spread", "level"],
                  "12": ["picture", "irradiance", "level", "stretch", "occlusion", "thickness"],
                  "13": ["picture", "edges"]}

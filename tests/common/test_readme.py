@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # Builds: 01_obj 03_attenuation 04_surface_maps 05_shadow_maps 08_bloom 09_post_effects 12_skin 13_mlaa 15_terrain_water
-"""Tests of README: its length, its pictures, its titles, and that the numbers in its table are those of the knobs' choices."""
+"""Tests of README: its length, its pictures, its titles, and the numbers in its table, which equal the knobs' choices."""
 
 import json
 import os
@@ -20,7 +20,7 @@ from tree import chapter_title, chapters, find_chapter  # noqa: E402
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 NUMBERS = "one two three four five six seven eight nine ten eleven twelve".split()
-# (chapter, what is counted, the knob, and choices of it that are none of these)
+# (chapter, counted noun, the knob, and choices that do not count)
 COUNTED = (("01", "loaders", "loader", ()), ("03", "ways", "lights.method", ()), ("04", "methods", "maps.method", ()),
            ("05", "filters", "shadow.method", ("none",)), ("08", "blurs", "bloom.method", ("none", "copy", "exact")),
            ("09", "tone curves", "post.tone", ("off",)), ("12", "methods", "skin.method", ()), ("13", "methods", "mlaa.method", ("none",)),

@@ -1,4 +1,4 @@
-// What a chapter's frame is made of: targets, histories, pictures shifted within a pixel, parts of a picture.
+// Parts of a chapter's frame: targets, histories, pictures shifted within a pixel, parts of a picture.
 #include "catch.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"

@@ -1,4 +1,4 @@
-"""Many pictures by one process are those that processes of their own draw, and what goes wrong with one is its own."""
+"""Many pictures by one process equal those of separate processes, and a failure affects one picture only."""
 import json
 import os
 import subprocess
@@ -65,7 +65,7 @@ class Many(ChapterPictures):
 
 
 class Drawn(unittest.TestCase):
-    """What a test of a shot does: it draws for itself, unless the run that it belongs to has drawn for it."""
+    """A shot's test: it draws for itself, unless its run has drawn for it."""
 
     def draws(self, run, drawn) -> bool:
         with tempfile.TemporaryDirectory() as folder, mock.patch.object(draw_shots, "render") as render, \

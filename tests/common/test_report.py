@@ -1,4 +1,4 @@
-"""The report and the gallery: what they say, and how they work in a browser (where Chromium is installed)."""
+"""The report and the gallery: their contents, and their behaviour in a browser (if Chromium is installed)."""
 # Builds: nothing
 
 import json
@@ -95,7 +95,7 @@ class ReportText(ReportCase):
         for text in ("What good shows.", "02.phong", "unit.good"):
             self.assertNotIn(text, failed)
             self.assertIn(text, chapters)
-        self.assertEqual(html.count("class=over"), 3)  # bad is over each limit; what the teeth rejected is as it should
+        self.assertEqual(html.count("class=over"), 3)  # bad is over each limit; the teeth's rejections are right
         self.assertIn("image/png", failed)  # exact where it matters
         self.assertNotIn("image/webp", failed)
         self.assertIn("image/webp", chapters)

@@ -1,4 +1,4 @@
-// What an editor needs of scenes: hidden things in the file, numbers that are short and exact, objects that come and go.
+// An editor's needs of scenes: hidden things in the file, numbers that are short and exact, objects that come and go.
 #include "scene_fixture.h"
 
 using namespace lightwalk;

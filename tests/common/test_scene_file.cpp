@@ -1,4 +1,4 @@
-// Scene files: what is read, and the line and key that each mistake is reported with.
+// Scene files: contents, and the line and key reported with each mistake.
 #include <unistd.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Scenes that move: where a time places things, and that only what moved is uploaded.
+// Scenes that move: placement at a time, and minimal uploads.
 #include "catch.h"
 #include "scene_fixture.h"
 

@@ -1,4 +1,4 @@
-// Roles in scene files: what is read, what each mistake is reported with, and the names of files without any role.
+// Roles in scene files: contents, messages for each mistake, and the names of files without any role.
 #include <unistd.h>
 
 #include <filesystem>
@@ -10,7 +10,7 @@ using namespace lightwalk;
 
 namespace {
 
-/// What an object with a model and these keys is refused with.
+/// The error for an object with a model and these keys.
 std::string error_of_object(const std::string& keys) {
     return error_of("{\"objects\": [\n{\"model\": \"models/cube.obj\", " + keys + "}]}");
 }

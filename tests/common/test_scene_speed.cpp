@@ -1,4 +1,4 @@
-// What a frame of a large scene costs the processor.
+// Processor time for a frame of a large scene.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>

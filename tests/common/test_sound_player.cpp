@@ -1,4 +1,4 @@
-// Sound beside the picture: what a device is given, which here is SDL's that writes to a file.
+// Sound beside the picture: the samples given to a device, here SDL's that writes to a file.
 #include <unistd.h>
 
 #include <chrono>
@@ -71,7 +71,7 @@ bool holds_once(const std::function<bool()>& trial) {
 
 double heard_s(float value) { return 5 * (double(value) + 1); }
 
-// What SIGINT and SIGTERM do.
+// Handlers of SIGINT and SIGTERM.
 std::vector<void (*)(int)> handlers() {
     std::vector<void (*)(int)> found;
     for (const int ends : {SIGINT, SIGTERM}) {
@@ -95,7 +95,7 @@ TEST_CASE("the sample of the picture's time is heard; a clock that stands is sil
         CHECK(run(player, &sound, stopped, 15, false) == stopped);
         run(player, &sound, 7.0, 30, true);
         run(player, nullptr, 0, 10, true);
-        CHECK(handlers() == before);  // SDL would take those that end a program
+        CHECK(handlers() == before);  // SDL would replace handlers that end a program
     }
     const std::vector<float> played = device.samples();
     REQUIRE(played.size() > 48000);

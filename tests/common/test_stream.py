@@ -1,4 +1,4 @@
-"""Tests of a chapter's --stream: a picture is the one that the command line draws, and what is wrong is said."""
+"""Tests of a chapter's --stream: a picture equals the command line's, and failures are reported."""
 # Builds: 02_lambert_phong
 
 import io

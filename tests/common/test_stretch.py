@@ -1,4 +1,4 @@
-"""./course stretch: what counts as reached."""
+"""./course stretch: the criterion of success."""
 import json
 import pathlib
 import sys
@@ -40,7 +40,7 @@ class StretchTest(unittest.TestCase):
             task["options"][-1] = "96x54"
             with self.subTest(chapter=chapter):
                 result = measure(chapter, task, rounds=2, frames=1)
-                if chapter != "03_attenuation":  # whose starter culls nothing: right, and sooner done with culling
+                if chapter != "03_attenuation":  # its starter culls nothing: right, and faster with culling
                     self.assertIn("its error is", missing(task, result))
 
 

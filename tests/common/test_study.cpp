@@ -1,4 +1,4 @@
-// Studies: what a scene's entry sets, what is measured of it, what is kept on the way, and study.json's errors.
+// Studies: settings of a scene's entry, measurements, intermediate results, and study.json's errors.
 #include "catch.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
@@ -25,7 +25,7 @@ struct Grey : Chapter {
     std::string fails_at;                                 // a scene
     bool measures = false, rude = false;
     bool codes = false;    // the encoded picture is judged
-    bool gathers = false;  // adds what was before
+    bool gathers = false;  // adds the previous value
     History past{*this, {.name = "past", .size = {1, 1}}};
 
     Grey() { name = "99_grey"; }
@@ -88,7 +88,7 @@ struct StudyTest {
         return result;
     }
     json resume() { return measure_study(study.dump(1), "study.json", options, chapter, check_device()); }
-    // What it says where it cannot be used; empty where it can.
+    // Its error message; empty if it is usable.
     std::string refusal() {
         try {
             read_study(parse_json(study.dump(1), "study.json"), chapter.all_knobs());
@@ -266,7 +266,7 @@ TEST_CASE_METHOD(StudyTest, "study: a curve sets a scene's knob only where it sa
         }
     CHECK(bright == 2);
     CHECK(points.size() == 3 + 3 + 2);
-    // Another scene's curve may set what this one sets.
+    // Another scene's curve may set the same knob.
     study["curves"].back()["where"] = {{"light", 4}};
     study["curves"].back()["set"] = {{"looks", {4}}};
     study["scenes"][1]["set"]["looks"] = 2;

@@ -1,4 +1,4 @@
-"""Tests of ./course study: what it makes, measures, keeps and writes."""
+"""Tests of ./course study: making, measuring, keeping and writing."""
 # Builds: nothing
 
 import json
@@ -16,7 +16,7 @@ from test.need_test import median_row, row, set_options, sweep  # noqa: E402
 from charts.study import SceneEntry, device_slug  # noqa: E402
 from test.study_test import curve_row, curve_rows, frame_rows  # noqa: E402
 
-# Writes what it was given and where; with a file "slow" at the root it leaves a part and then takes its time.
+# Writes its arguments and folder; with a file "slow" at the root it leaves a part and then takes its time.
 CHAPTER = f"""#!{sys.executable}
 import json, os, sys, time
 words = sys.argv[1:]
@@ -118,7 +118,7 @@ class Study(Course):
 
 
 class Tables(unittest.TestCase):
-    """What study_test.py and need_test.py make of measurements."""
+    """Verdicts of study_test.py and need_test.py on measurements."""
 
     def test_more_samples_must_not_be_worse(self):
         self.assertTrue(curve_row("a", "b", [0.3, 0.2, 0.2, 0.0, 0.0])["ok"])

@@ -1,6 +1,5 @@
-"""Shadows of transparent surfaces: what sheets let through of a light is a product, by colour, in every chapter that draws
-transparent surfaces, whatever draws the others; what stands before a sheet has none of its shadow.
-"""
+"""Shadows of transparent surfaces: the transmittance of sheets is a product, by colour, in every chapter that draws
+transparent surfaces, for any drawing of the others; an object before a sheet has none of its shadow."""
 import json
 import tempfile
 import unittest
@@ -17,7 +16,7 @@ LIGHTS = {"sun": {"type": "directional", "direction": [1, -1, 0], "intensity": 0
 
 
 def scene(light: dict, sheets: list) -> dict:
-    """A floor seen from above, and level sheets over its left half, 1 m and 2 m high, whose shadows fall 1 m and 2 m to the
+    """A floor seen from above, and level sheets over its left half, 1 m and 2 m high, with shadows 1 m and 2 m to the
     right: at x = 0.5 of both, at 1.5 of the upper one; at -3.4 the lower sheet is seen."""
     objects = [thing("ground", [0, 0, 0], name="floor", material={"diffuse": [0.8, 0.8, 0.8]})]
     for height, (color, opacity) in enumerate(sheets, 1):

@@ -1,6 +1,5 @@
-"""A program that has drawn other pictures draws the one that a cold start draws: after a knob, a toggle or an edit of a
-shader, and where time has come to a moment by frames. What was made once and is read again must be made again.
-"""
+"""A program that has drawn other pictures draws the same as a cold start: after a knob, a toggle or an edit of a shader,
+and after frames up to the same time. Cached results must be remade."""
 import io
 import json
 import os
@@ -31,7 +30,7 @@ SHADE_ALONE = SHADE | {"objects": HOLES["objects"][1:]}
 TURNING = SHADE_ALONE | {"objects": [HOLES["objects"][1] | {"motion": {"spin_deg_per_s": 40}}]}
 SCENES = {"holes": HOLES, "shade": SHADE, "shade_alone": SHADE_ALONE, "turning": TURNING}
 PROJECTED = ["backdrop.ground=projected", "backdrop.ground_y=0", "shadow.method=none"]
-# (chapter, scene, settings from the start, what time moves): drawn at 2 s, and by the frames from 1.75 s on.
+# (chapter, scene, settings from the start, the moving thing): drawn at 2 s, and by the frames from 1.75 s on.
 MOVES = [("05", "holes", ["maps.scroll=0.3"]), ("05", "holes", ["maps.wobble=0.1"]),
          ("05", "shade", ["visibility=rays", "maps.scroll=0.3"]), ("05", "shade", ["visibility=rays", "maps.wobble=0.1"]),
          ("14", "shade_alone", [*PROJECTED, "backdrop.shadow.resolution=64", "maps.scroll=0.3"]),
@@ -46,7 +45,7 @@ KNOBS = [("05", "holes", ["maps.coverage=averaged"], ["maps.cutoff=1"]),
          ("14", "shade_alone", [*PROJECTED, "maps.coverage=averaged"], ["maps.cutoff=0"]),
          ("12", "", [], ["maps.normal=off"]),
          ("12", "", [], ["skin.sky_rays=16"])]
-# (chapter, words from the start, an exercise that what is made once, or kept between frames, is made with).
+# (chapter, words from the start, an exercise used in cached results or histories).
 TOGGLES = [("10", [], "10.density"), ("14", sets("environment.method=prefiltered"), "14.importance_sample_ggx"),
            ("15", sets("ground.detail_m=60"), "11.eroded_fbm"),
            ("16", sets("volume.light=volume"), "16.correct_opacity"),
@@ -54,7 +53,7 @@ TOGGLES = [("10", [], "10.density"), ("14", sets("environment.method=prefiltered
            ("18", ["--shot", "ids"], "18.id_buffer"),
            ("19", ["--scene", "films/path_uneven.film", "--time", "0.8"], "19.centripetal_knots"),
            ("19", ["--scene", "films/path_uneven.film", "--time", "0.8", "--set", "method=arc_length"], "19.arc_length")]
-# (chapter, settings from the start, a shader, what an edit replaces there and by what).
+# (chapter, settings from the start, a shader, the replaced text and its replacement).
 EDITS = [("14", ["environment.method=prefiltered"], "14_environment/solution/split_sum_table.glsl", "return ",
           "return 0.25 * "),
          ("16", ["volume.light=volume"], "16_volume/make_light.comp", "imageStore(result, at, vec4(",

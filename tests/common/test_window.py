@@ -161,7 +161,7 @@ class Window(WindowTest):
             self.assert_same(shown[right], self.start[right], f"in row {y}")
         self.session.drag((WIDTH // 2, 200), (WIDTH // 4, 200))
         moved = self.picture_after(shown)
-        # What the divider uncovered is the reference, as it was in the whole picture.
+        # The uncovered part shows the reference, as in the whole picture.
         row = slice(3 * (100 * WIDTH + WIDTH // 4 + 10), 3 * 101 * WIDTH)
         self.assert_same(moved[row], self.start[row])
         self.session.key("F3")

@@ -95,7 +95,7 @@ class Edits(WindowTest):
         self.assert_as_at_the_start()
 
     def test_an_edited_scene_is_not_saved_over(self):
-        """Ctrl+S asks first, and what was edited stays beside camera and knobs."""
+        """Ctrl+S asks first, and external edits stay beside camera and knobs."""
         before = self.scene.read_text()
         self.addCleanup(self.session.key, "F5")
         self.addCleanup(self.scene.write_text, before)

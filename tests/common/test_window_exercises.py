@@ -11,8 +11,8 @@ from pathlib import Path
 from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, WindowTest
 from window_session import BUILD, ROOT, Session, XServer
 
-# Prints what lies in "says", after waiting for "go" if there is a "wait"; its process is in "pid", that of its own child,
-# which listens to nobody, in "child".
+# Prints the contents of "says", after waiting for "go" if there is a "wait"; its process is in "pid", that of its own
+# child, which ignores signals, in "child".
 COURSE = """#!/bin/sh
 cd "$(dirname "$0")"
 echo "$@" > asked
@@ -103,7 +103,7 @@ class Exercises(WindowTest):
         self.assert_as_at_the_start()
 
     def test_a_starter_is_untouched_until_it_is_edited(self):
-        """What git knows does not matter: the copy has no history."""
+        """The copy has no history, so git's knowledge does not matter."""
         file = self.course / "shaders/01_obj/exercise/transform.glsl"
         starter = file.read_text()
         self.addCleanup(file.write_text, starter)

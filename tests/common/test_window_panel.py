@@ -82,7 +82,7 @@ class Panel(unittest.TestCase):
         self.end(session)
 
     def choose(self, session: Session, knob: str) -> str:
-        """By the entry "auto" of its menu: what it says."""
+        """By the entry "auto" of its menu: the message."""
         since = session.said()
         session.click("knob." + knob)
         session.click(f"option.{knob}.auto")

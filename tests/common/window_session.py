@@ -1,4 +1,4 @@
-"""A program in a window of a virtual X server: what it says, what is on the screen, the mouse and the keyboard."""
+"""A program in a window of a virtual X server: its output, the screen, the mouse and the keyboard."""
 import contextlib
 import ctypes
 import os
@@ -17,7 +17,7 @@ PATIENCE_S = float(os.environ.get("LIGHTWALK_PATIENCE_S", "60"))
 
 
 def own_cache(folder: Path) -> dict[str, str]:
-    """The environment of a program that finds no thumbnails and whatever else earlier ones have kept, but compiled shaders."""
+    """The environment of a program without thumbnails and other caches, except for compiled shaders."""
     cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
     return {"XDG_CACHE_HOME": str(folder / "cache"), "MESA_SHADER_CACHE_DIR": os.environ.get("MESA_SHADER_CACHE_DIR", str(cache))}
 
@@ -35,7 +35,7 @@ class Session:
         self.places: dict[str, tuple[float, float]] = {}
         self.areas: dict[str, tuple[int, int, int, int]] = {}  # left, top, right, bottom
         self.mouse = (0, 0, 0, 0)  # x, y, buttons and wheel, as the frame drawn last has read them
-        self.frames = self.pictures = 0  # frames that have been drawn, and those of them with a picture of their own
+        self.frames = self.pictures = 0  # frames drawn, and the ones with a picture of their own
         self.keys_wait = False  # for the next frame
         self.types = False  # a field has the keyboard
         self.unfolded: set[str] = set()  # exercises
@@ -117,14 +117,14 @@ class Session:
         self.settled(0, 0, *self.geometry()[2:])
 
     def tap(self, place: str, button: int = 1, held: str = ""):
-        """`held`: a key that is held meanwhile. What belongs to an exercise is in its row, which is unfolded first."""
+        """`held`: a key held meanwhile. An exercise's widgets are in its row, which is unfolded first."""
         of = re.fullmatch(r"(?:mine|reference|lesson|check|words|hint)\.(\d\d\.\w+)", place)
         if of and of[1] not in self.unfolded:
             self.unfolded.add(of[1])
             self.tap(f"exercise.{of[1]}")
         self.wait(lambda: place in self.places, f"a widget '{place}'")
         at = None
-        while at != self.places[place]:  # what has just opened comes to its place in its second frame
+        while at != self.places[place]:  # a new widget reaches its position in its second frame
             at = self.places[place]
             self.move(*at)
         with self.holding(held):
@@ -190,8 +190,8 @@ class Session:
                   (self.rests and (self.frames >= since + 2 or time.monotonic() > began + 0.4)), "frames")
 
     def replace(self, text: str):
-        """What stands in the field that has the keyboard, or is about to get it; ended with Return. One frame reads all of
-        the text: a knob counts while it is typed, and 1e39 is 1 at first."""
+        """Replaces the text of the field that has the keyboard, or is about to get it; ended with Return. One frame reads
+        all of the text: a knob counts while it is typed, and 1e39 is 1 at first."""
         self.wait(lambda: self.types, "a field")
         self.process.send_signal(signal.SIGSTOP)
         self.key("ctrl+a")
@@ -217,7 +217,7 @@ class Session:
         return before
 
     def drop(self, *files: Path):
-        """What a file manager does when files are dropped on the window: the protocol XDND, version 5, from enter to finished."""
+        """Drops files on the window like a file manager: the protocol XDND, version 5, from enter to finished."""
         x11 = ctypes.CDLL("libX11.so.6")
         for function in ("XOpenDisplay", "XDefaultRootWindow", "XInternAtom", "XCreateSimpleWindow"):
             getattr(x11, function).restype = ctypes.c_void_p
@@ -262,7 +262,7 @@ class Session:
                 return
 
     def set_minimised(self, minimised: bool):
-        """What a window manager does: the property first, then the mapping (ICCCM 4.1.3.1)."""
+        """The window manager's part: the property first, then the mapping (ICCCM 4.1.3.1)."""
         x11 = ctypes.CDLL("libX11.so.6")
         x11.XOpenDisplay.restype = ctypes.c_void_p
         for function in (x11.XInternAtom, x11.XChangeProperty, x11.XSync, x11.XCloseDisplay):
@@ -277,7 +277,7 @@ class Session:
         self.xdotool("windowunmap" if minimised else "windowmap", "--sync", self.window)
 
     def close(self):
-        """Ends it whatever it does; after end() there is nothing left to do."""
+        """Ends it in any state; after end() it does nothing."""
         if self.process.poll() is None:
             self.process.kill()
         self.process.wait()

@@ -1,4 +1,4 @@
-"""A virtual X server: its screen, and what a desktop tells programs."""
+"""A virtual X server: its screen, and a desktop's messages to programs."""
 import ctypes
 import os
 import shutil
@@ -28,7 +28,7 @@ class XServer:
         self.display = ":" + number
 
     def set_text_scale(self, scale: float):
-        """What a desktop does for screens of many dots: the resource Xft.dpi."""
+        """A desktop's setting for dense screens: the resource Xft.dpi."""
         resources = f"Xft.dpi:\t{96 * scale:.0f}\n".encode()
         x11 = ctypes.CDLL("libX11.so.6")
         for function in (x11.XOpenDisplay, x11.XDefaultRootWindow):

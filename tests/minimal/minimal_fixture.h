@@ -1,4 +1,4 @@
-// What the tests of docs/minimal's shaders share: their functions, run on the device.
+// Shared by the tests of docs/minimal's shaders: their functions, run on the device.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The minimal surfaces and tones of docs/minimal, 02 to 09, against what is known about them.
+// The minimal surfaces and tones of docs/minimal, 02 to 09, against known properties.
 #include "minimal_fixture.h"
 
 using namespace lightwalk;

@@ -1,4 +1,4 @@
-// The minimal skies, grounds, volumes, waters and planets of docs/minimal against what is known about them.
+// The minimal skies, grounds, volumes, waters and planets of docs/minimal against known properties.
 #include "minimal_fixture.h"
 
 using namespace lightwalk;

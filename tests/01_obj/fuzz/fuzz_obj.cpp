@@ -1,4 +1,4 @@
-// libFuzzer: our three loaders agree on any bytes, and what they read can be welded.
+// libFuzzer: our three loaders agree on any bytes, and their results can be welded.
 #include <cstdio>
 #include <cstdlib>
 

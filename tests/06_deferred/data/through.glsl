@@ -1,4 +1,4 @@
-// What becomes of a normal and of a material in 8, 12 or 16 bits.
+// A normal and a material after storage in 8, 12 or 16 bits.
 #include "06_deferred/normals.glsl"
 #include "06_deferred/pack_material.glsl"
 

@@ -1,5 +1,6 @@
-// A throw-away chapter: the drawings of six chapters in one picture; that picture on a screen within itself; and a cube of
-// six faces of it. Built twice: its objects are lit by what is around them, or through a G-buffer behind the landscape.
+// A throw-away chapter: the drawings of six chapters in one picture; that picture on a screen within itself; and a
+// cube of six faces of it. Built twice: its objects are lit by their surroundings, or through a G-buffer behind the
+// landscape.
 #include "01_obj/model_chapter.h"
 #include "06_deferred/deferred_scene.h"
 #include "06_deferred/screens.h"

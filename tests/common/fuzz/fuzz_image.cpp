@@ -1,5 +1,5 @@
-// Fuzzes the readers of pictures: any bytes are a picture or an InputError. The first byte chooses the reader. Foreign
-// ones run in their guarded process, so that what they do wrong is an InputError too.
+// Fuzzes the readers of pictures: any bytes are a picture or an InputError. The first byte chooses the reader.
+// Foreign ones run in their guarded process, so that their failures are an InputError too.
 #include <sys/mman.h>
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// Fuzzes what a guarded process hands over: any bytes are a model whose indices can be followed, or a Failure.
+// Fuzzes a guarded process's output: any bytes are a model with valid indices, or a Failure.
 #include <cstdlib>
 
 #include "common/base/error.h"

@@ -1,5 +1,5 @@
-// Fuzzes the reader of scene files: any bytes are a scene or an InputError. Includes are read from a folder that holds
-// none, and what would lead out of it is passed over, so that nothing but the text is tried.
+// Fuzzes the reader of scene files: any bytes are a scene or an InputError. Includes are read from an empty folder,
+// and paths that lead out of it are skipped, so that only the text is tested.
 #include <nlohmann/json.hpp>
 
 #include "common/base/error.h"

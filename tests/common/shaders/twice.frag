@@ -1,4 +1,4 @@
-// Twice what the middle of the source holds.
+// Twice the middle of the source.
 uniform sampler2D source;
 layout(location = 0) out vec4 color;
 
