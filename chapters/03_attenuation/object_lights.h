@@ -17,7 +17,7 @@ class ObjectLights {
     Buffer lights;  ///< positions in the LightBuffer, ascending in each list
 
   private:
-    Made<int, uint64_t, float, bool> made_;  ///< lights, placed, threshold, whose light_reaches_box
+    Made<int, uint64_t, float, bool> made_;  ///< lights, placed, threshold, toggle of light_reaches_box
 };
 
 }  // namespace lightwalk

@@ -28,8 +28,8 @@ std::vector<std::vector<TangentFrame>> frame_model(Model& model);
 /// The name of a mesh's buffer of frames: it says whether the student's code or the reference has made them.
 std::string tangents_name(const Mesh& mesh);
 
-/// Adds tangent frames to every model as the vertex attribute `tangents`, unless those of the code in use (student or
-/// reference) are there.
+/// Adds tangent frames to every model as the vertex attribute `tangents`, unless the current code (student or
+/// reference) already made them.
 void add_tangents(Gpu& gpu, const Scene& scene);
 
 }  // namespace lightwalk

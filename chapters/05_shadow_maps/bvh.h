@@ -7,18 +7,18 @@
 namespace lightwalk {
 
 // [bvh]
-/// Built top down: of 16 bins along each axis, the border with the least surface-area cost (I. Wald, "On fast
-/// Construction of SAH-based Bounding Volume Hierarchies", RT 2007). Where no border helps, or the branch would grow
-/// deeper than BVH_STACK, half of the triangles go to either side: so the depth has a bound whatever the input.
+/// Built top down: of 16 bins along each axis, the border with the smallest surface-area cost (I. Wald, "On fast
+/// Construction of SAH-based Bounding Volume Hierarchies", RT 2007). If no border helps, or the branch would grow
+/// deeper than BVH_STACK, the triangles are halved: so the depth is bounded for any input.
 class Bvh {
   public:
-    /// There may be none; those of no area are kept and never hit. Throws InputError for a corner that is not a number,
-    /// or is farther than `farthest_m` from the origin.
+    /// There may be none; triangles without area are kept and never hit. Throws InputError for a corner that is not a
+    /// number, or is farther than `farthest_m` from the origin.
     explicit Bvh(std::vector<RayTriangle> triangles = {});
 
-    /// The same triangles elsewhere, in the constructor's order: boxes follow, the tree and what is cut out stay. What
-    /// moves far from its neighbours makes rays slower, and never wrong. Throws InputError, as the constructor; then
-    /// nothing has changed.
+    /// The same triangles moved, in the constructor's order: boxes follow, tree and cut-outs stay. Triangles that
+    /// move far from their neighbours make rays slower, never wrong. Throws InputError, as the constructor, with
+    /// nothing changed.
     void refit(const std::vector<RayTriangle>& moved);
 
     /// The root first, and parents before their children; at least one.

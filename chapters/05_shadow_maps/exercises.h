@@ -4,7 +4,7 @@
 
 namespace lightwalk {
 
-/// exercise/cascade_split.cpp says what it must do.
+/// Specification: exercise/cascade_split.cpp.
 EXERCISE("05.cascade_split", float, cascade_split, float near_m, float far_m, int i, int count, float lambda);
 
 }  // namespace lightwalk

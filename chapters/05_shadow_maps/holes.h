@@ -1,4 +1,4 @@
-// What shadows of surfaces with holes depend on.
+// Dependencies of shadows of surfaces with holes.
 #pragma once
 #include "04_surface_maps/maps.h"
 

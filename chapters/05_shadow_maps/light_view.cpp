@@ -45,9 +45,10 @@ LightView perspective_view(glm::vec3 eye, glm::vec3 direction, glm::vec3 up, flo
     // The margin is around the view, so that a filter at its edge finds depths of its own.
     const float wide = tan_half / (1.0f - 2.0f * MAP_MARGIN), near = std::min(options.near_m, 0.5f * far);
     const glm::mat4 look = look_along(eye, direction, up);
-    LightView v{.view = {perspective(wide, near, far) * look, eye},
-                .casters = perspective(wide, 1e-3f * near, far) * look,  // what is before the near plane casts, too
-                .data = {}};
+    LightView v{
+        .view = {perspective(wide, near, far) * look, eye},
+        .casters = perspective(wide, 1e-3f * near, far) * look,  // objects before the near plane cast shadows, too
+        .data = {}};
     v.data.near = near, v.data.far = far;
     v.data.to_distance = {1.0f / far, 1.0f / near - 1.0f / far};
     v.data.perspective = 1;
@@ -74,12 +75,12 @@ struct Ball {
 Ball ball_around(const Bounds& box) { return {box.center(), 0.5f * glm::length(box.extent())}; }
 
 // [cascade_ball]
-// Around what the camera sees between two depths. A ball has the same size however the camera turns.
+// Around the camera's view between two depths. A ball has the same size for every rotation of the camera.
 Ball ball_around_slice(const Camera& camera, float near, float far) {
     const glm::vec3 forward = glm::normalize(camera.target - camera.position);
     // A picture at most twice as wide as high: cascades shall not depend on the window.
     const float tan_half = std::tan(0.5f * camera.fov_y_rad), slope_squared = 5.0f * tan_half * tan_half;
-    // Its middle is as far from the corners of one end as from those of the other, or is the far end's own.
+    // Its centre is equally far from the corners of both ends, or is the far end's own.
     const float middle = std::min(0.5f * (near + far) * (1.0f + slope_squared), far);
     const float along = far - middle, across_squared = slope_squared * far * far;
     return {camera.position + middle * forward, std::sqrt(along * along + across_squared)};
@@ -140,8 +141,8 @@ float farthest_corner(const Bounds& box, glm::vec3 from) {
 }
 
 // [holds_shadow_of]
-// Along a directional light a shadow is as wide as its caster. Points whose filter in the coarser map may reach it lie in the
-// part of this one that view_of() of 05_shadow_maps/shadow.glsl takes.
+// Along a directional light a shadow is as wide as its caster. Points with filters reaching the coarser map's shadow
+// lie in the part of this one chosen by view_of() of 05_shadow_maps/shadow.glsl.
 bool holds_shadow_of(const LightView& cascade, const Bounds& box, float texel) {
     if (box.empty() || cascade.data.perspective == 1) return false;
     const glm::mat4& to_clip = cascade.data.to_clip;

@@ -8,15 +8,15 @@
 
 namespace lightwalk {
 
-/// A light's view, and the shader's part of it, whose layer is still to be given.
+/// A light's view, and the shader's part of it, still without its layer.
 struct LightView {
     View view;
-    glm::mat4 casters;  ///< world to a clip space that holds whatever casts a shadow into the view
+    glm::mat4 casters;  ///< world to a clip space that contains all possible casters
     ShadowView data;
     bool whole = false;  ///< a cascade that holds the whole scene, wherever the camera is
 };
 
-/// What the views of a frame have in common.
+/// Settings common to a frame's views.
 struct LightViewOptions {
     int resolution = 1024;     ///< texels of a map's side
     float near_m = 0.05f;      ///< of a point's or a spot's view
@@ -37,7 +37,7 @@ bool holds_shadow_of(const LightView& cascade, const Bounds& box, float texel);
 constexpr float widest_view_rad = 1.1f;
 
 /// The views of a light that reaches `reach_m` (point and spot) over a scene within `scene` (world space, not empty).
-/// Of a directional light a view for each cascade of what the camera sees, the nearest first; a cascade that would hold
+/// A directional light has a view for each cascade of the camera's view, the nearest first; a cascade that would hold
 /// the whole scene is the last.
 std::vector<LightView> light_views(const Light& light, float reach_m, const Bounds& scene, const Camera& camera,
                                    const LightViewOptions& options);

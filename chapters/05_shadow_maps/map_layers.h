@@ -1,4 +1,4 @@
-// Layers of the shadow maps: what each of them holds, and which view of the frame reads it.
+// Layers of the shadow maps: their contents, and the views that read them.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -9,7 +9,7 @@
 namespace lightwalk {
 
 // [map_content]
-/// What a shadow map was drawn from.
+/// The inputs of a shadow map.
 struct MapContent {
     glm::mat4 view{0.0f};                                 ///< the light's: world to clip space
     std::vector<std::pair<uint32_t, glm::mat4>> casters;  ///< places in Scene::items, and where they stood
@@ -17,30 +17,30 @@ struct MapContent {
     bool operator==(const MapContent&) const = default;
 };
 
-/// The places in Scene::items of what stood elsewhere, or in one of the two alone; ascending, as both are.
+/// Indices in Scene::items of moved items, or of items in only one of the two; ascending, as both are.
 std::vector<uint32_t> moved_between(const MapContent& before, const MapContent& now);
 /// The content without these items.
 MapContent without(MapContent content, const std::vector<uint32_t>& items);
 // [/map_content]
 
 // [map_layers]
-/// The maps of all views of a frame are layers of one image: what two views want alike, the map of a lamp, is drawn once
-/// and read by both.
+/// The maps of all views of a frame are layers of one image: a map wanted by two views, such as a lamp's, is drawn
+/// once and read by both.
 class MapLayers {
   public:
-    /// The layer for each map that view `id` (View::id) wants, instead of those it had. One that holds what is wanted; else
-    /// one drawn from the same light's view before something moved, which nobody wants any more; else one that no other
-    /// view has; else a new one, while there are fewer than `most`. At most `most` may be wanted.
+    /// The layer for each map wanted by view `id` (View::id), instead of its earlier ones. In order: one with the
+    /// right contents; one of the same light's view before something moved, now unwanted; one that no other view has;
+    /// a new one, while there are fewer than `most`. At most `most` may be wanted.
     std::vector<uint32_t> choose(uint32_t id, const std::vector<const MapContent*>& wanted, uint32_t most);
 
     struct Layer {
         MapContent content;
         std::vector<uint32_t> moved;  ///< since the same view was drawn before
     };
-    /// What was drawn last from the same light's view, if what is wanted is not there.
+    /// The latest drawing of the same light's view, if the wanted one is missing.
     const Layer* before(const MapContent& wanted) const;
 
-    /// What the layers hold is of no use any more.
+    /// Invalidates all layers.
     void forget() { layers_.assign(layers_.size(), {}); }
     /// Nor are the layers.
     void clear() { layers_.clear(), of_view_.clear(); }

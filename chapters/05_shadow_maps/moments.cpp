@@ -16,7 +16,8 @@ Blur blur_of(int radius, float exponent, float exponent_negative) {
     blur.weights[0] = 1;
     for (int i = 1; i <= radius; ++i) {
         blur.weights[i] /= sum;
-        blur.weights[0] -= 2.0f * blur.weights[i];  // what is left: their sum is 1, on which the moments' noise depends
+        blur.weights[0] -=
+            2.0f * blur.weights[i];  // the remainder: the sum must be 1, since the moments' noise depends on it
     }
     return blur;
 }

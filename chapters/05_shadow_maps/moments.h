@@ -12,7 +12,7 @@ Blur blur_of(int radius, float exponent, float exponent_negative);
 /// The layers of a map of depths as moments, blurred, with mips.
 class MomentMaps {
   public:
-    /// As many layers as `map` has, of its size. Returns what they replace: nothing where they were there.
+    /// Creates as many layers as in `map`, of its size. Returns the images they replace, if any.
     Image reserve(Gpu& gpu, const Image& map, VkFormat format);
 
     /// Moments of one layer of the map, which view number `view` of `views` sees. `macros` are the module Shadow's:

@@ -20,14 +20,13 @@ inline double line_distance(glm::dvec3 to_center, glm::dvec3 to_light) {
     return glm::dot(to_center, l) > 0 ? glm::length(glm::cross(to_center, l)) : -1;
 }
 
-/// The share of a disc of radius 1 that another one hides, whose edge is `gap` from the first one's middle.
+/// The share of a disc of radius 1 hidden by another, with its edge at distance `gap` from the first one's centre.
 inline double hidden_share(double radius, double gap) {
     const double apart = radius + gap;
     if (gap >= 1) return 0;
     if (apart <= std::fabs(1 - radius)) return std::min(radius * radius, 1.0);
     const double chord = (gap * (2 * radius + gap) + 1) / (2 * apart);
-    const double beyond =
-        (apart - chord) / radius;  // 1 - beyond is what the segment is high, and tiny for a large disc
+    const double beyond = (apart - chord) / radius;  // 1 - beyond is the segment's height, tiny for a large disc
     const double half = std::sqrt(std::max(0.0, 1 - chord * chord)) / radius;
     const double angle = std::atan2(half, beyond);
     const double segment = angle < 1e-3 ? 2.0 / 3.0 * angle * angle * angle : angle - half * beyond;
@@ -49,8 +48,8 @@ inline double hidden_solid_angle(double sun, double planet, double apart) {
     return both / whole;
 }
 
-/// What a flat ring lets through towards the light, from a point seen from its middle: tau is its optical depth along
-/// its normal between the radii. 1 where the light's direction lies in the ring's plane.
+/// Transmittance of a flat ring towards the light, from a point relative to its centre: tau is its optical depth
+/// along its normal between the radii. 1 if the light's direction lies in the ring's plane.
 inline double ring_transmittance(glm::dvec3 point, glm::dvec3 normal, glm::dvec3 to_light, double inner, double outer,
                                  double tau) {
     const double slope = glm::dot(to_light, normal);

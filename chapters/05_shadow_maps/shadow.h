@@ -118,8 +118,8 @@ struct Shadow : Module {
         Draw draw;
         /// Of transparent casters by 05_shadow_maps/passed.frag: the first that the light meets, or the product of all.
         Draw draw_first, draw_passed;
-        /// What casts and is no item of the scene: within `others` (world space), drawn into each view after the items. A
-        /// map is drawn again when `others_placed` is another number.
+        /// Casters outside of the scene's items: within `others` (world space), drawn into each view after the items.
+        /// A map is drawn again when `others_placed` changes.
         std::function<void(Raster& pass, const View& light)> draw_others;
         Bounds others;
         uint64_t others_placed;
@@ -140,13 +140,12 @@ struct Shadow : Module {
     void prepare(Gpu&, Scene&) override { layers_.clear(); }
     std::vector<std::string> status() const override;
 
-    /// What is not seen from the scene's placement has changed: another scene, textures that cut other holes.
+    /// Invalidates maps after changes other than placement: another scene, textures with other holes.
     void forget() { layers_.forget(); }
 
     const Image& moments() const { return moments_.moments; }
 
-    /// Of the view recorded last: its maps, those of them that were drawn for it, and those of these that began as a copy of
-    /// the casters that stand still.
+    /// Of the view recorded last: all maps, those drawn for it, and those that began as a copy of static casters.
     int views = 0, drawn_views = 0, copied_views = 0;
 
   private:
@@ -158,7 +157,7 @@ struct Shadow : Module {
         std::vector<uint32_t> moved;      ///< since this view was drawn before
         MapContent still;                 ///< without them, if they move again; else nothing
         uint32_t still_layer = NO_LAYER;  ///< which holds that
-        /// Those casters that have moved, or those that have not.
+        /// The moved casters, or the others.
         DrawList among_moved(const Scene& scene, bool are) const;
         bool is_needed() const { return others || casters.size() + passed.size() > 0; }
     };
@@ -180,7 +179,7 @@ struct Shadow : Module {
     bool has_moments() const { return method.is("vsm") || method.is("evsm") || method.is("msm"); }
     std::string map_key() const;
 
-    /// What a view's shaders read, uploaded where it has changed.
+    /// A view's shader data, uploaded after a change.
     template <class T>
     struct Uploaded {
         Buffer buffer;
@@ -192,7 +191,7 @@ struct Shadow : Module {
             frame.upload(name, buffer, now);
         }
     };
-    /// Cascades follow the eye: each View::id has views of its own where a light has cascades; else all share those of
+    /// Cascades follow the eye: each View::id has views of its own if a light has cascades; else all share those of
     /// id 0.
     struct OfView {
         Uploaded<ShadowLight> lights;
@@ -204,7 +203,7 @@ struct Shadow : Module {
 
     MapLayers layers_;
     Image map_;
-    /// What the first transparent caster lets through, and all of them; where the first and the last are.
+    /// Transmittance of the first transparent caster, and of all; depths of the first and the last.
     Image first_, first_depth_, passed_, last_depth_;
     MomentMaps moments_;
     std::string made_;  ///< how

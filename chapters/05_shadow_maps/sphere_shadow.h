@@ -32,7 +32,7 @@ struct SphereShadow : Module {
     explicit operator bool() const { return planet.radius > 0.0f; }
 
     RingedPlanet planet{};  ///< update()'s, or set otherwise
-    /// Its colours from the inner to the outer edge, and in alpha what they hide; with no ring any image.
+    /// Its colours from the inner to the outer edge, and opacity in alpha; any image without a ring.
     const Image* ring = nullptr;
 
     void bind(Pass& pass) const override;

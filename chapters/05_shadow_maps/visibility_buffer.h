@@ -16,8 +16,8 @@ class VisibilityBuffer {
     /// Draws the buffer, and depth into the canvas.
     void record(Frame& frame, const Scene& scene, const Maps& maps, const std::vector<Batch>& batches, Canvas& canvas);
 
-    /// Colour into the canvas, where one of these batches is seen: a dispatch for each, by a pipeline whose shader
-    /// includes 05_shadow_maps/shade_seen.glsl.
+    /// Colour into the canvas, wherever one of these batches is visible: a dispatch for each, by a pipeline with
+    /// 05_shadow_maps/shade_seen.glsl in its shader.
     void shade(Frame& frame, const Scene& scene, const Maps& maps, const std::vector<Batch>& batches, Canvas& canvas,
                const Pipeline& pipeline, const std::vector<With>& with) const;
 

@@ -6,8 +6,8 @@
 
 namespace lightwalk {
 
-/// Adds the percentages of pixels with acne, peter_panning, leak and edge (shadow_error.h) among those that show a
-/// surface, from a picture whose alpha is 1 and the kind of wrong, or 0 for the background. RGBA16F.
+/// Adds the percentages of surface pixels with acne, peter_panning, leak and edge (shadow_error.h), from a picture
+/// with 1 and the kind of error, or 0 for the background, in alpha. RGBA16F.
 void wrong_shares(Gpu& gpu, const Image& picture, nlohmann::json& error);
 
 }  // namespace lightwalk

@@ -8,8 +8,8 @@ namespace lightwalk {
 
 class DeferredLights {
   public:
-    /// From the G-buffer and the canvas's depth into its colour, every pixel where there is a surface. `with` are
-    /// modules that lighting needs besides: the lights, the G-buffer, and what casts shadows.
+    /// From the G-buffer and the canvas's depth into its colour, every pixel with a surface. `with` are further
+    /// modules of lighting: the lights, the G-buffer, and shadow casters.
     void record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
                 const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with);
 
@@ -20,7 +20,7 @@ class DeferredLights {
 
   private:
     LightVolumes volumes_;
-    LightGrid tiles_;  ///< for its view: how a tile's workgroup knows what the tile is
+    LightGrid tiles_;  ///< for its view: a tile's workgroup finds the tile in it
     const Macros all_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}};
     Pipeline full_screen_ = compute({.shader = "06_deferred/full_screen.comp", .macros = all_});
     Pipeline tiled_ = compute({.shader = "06_deferred/tiled.comp", .macros = all_});

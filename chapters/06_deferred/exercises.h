@@ -14,7 +14,7 @@ struct LightVolume {
 };
 // [/light_volume]
 
-/// exercise/light_volume_bounds.cpp says what it must do.
+/// Specification: exercise/light_volume_bounds.cpp.
 EXERCISE("06.light_volume_bounds", LightVolume, light_volume_bounds, const Light& light, float radius_m);
 
 }  // namespace lightwalk

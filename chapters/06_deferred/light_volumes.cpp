@@ -8,7 +8,7 @@ namespace lightwalk {
 namespace {
 
 constexpr uint32_t sides = 16;
-constexpr float slack = 1.005f;  // rounding must not cut into what is lit
+constexpr float slack = 1.005f;  // rounding must not cut into the lit region
 
 glm::vec2 on_circle(uint32_t i, uint32_t count) {
     const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(count);

@@ -40,7 +40,7 @@ struct Deferred : ModelChapter {
     }
     // [/frame]
 
-    // For the study: what the G-buffer takes, and what it loses of normals and positions in the mean over the picture.
+    // For the study: the size of the G-buffer, and its mean loss of normals and positions over the picture.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         objects.gbuffer.show.set("loss");
         const glm::vec2 lost = mean_loss(render_linear(*this, gpu, size));

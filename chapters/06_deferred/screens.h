@@ -7,9 +7,9 @@
 namespace lightwalk {
 
 // [screens]
-/// An object with the role of a screen shows what the object that its `shows` names sees along its -z; that one need not
-/// have a model. The picture takes the place of the screen's colour and emissive textures. In each frame:
-/// record(); then passes that draw screens state the module in `.with`.
+/// An object with the role of a screen shows the view along -z of the object named by its `shows`; that one needs no
+/// model. The picture replaces the screen's colour and emissive textures. In each frame: record(); then passes that
+/// draw screens state the module in `.with`.
 struct Screens : Module {
     Screens(Module& owner, std::string name) : Module(owner, std::move(name), "screens") {}
 
@@ -19,7 +19,7 @@ struct Screens : Module {
         *this,    "fov_deg", 50.0f, {1.0f, 170.0f}, "Vertical field of view of the screens' cameras, in degrees",
         "degrees"};
 
-    /// What draws a screen's picture.
+    /// Draws a screen's picture.
     using Draw = std::function<void(const View& view, Canvas& canvas)>;
 
     /// Finds the scene's screens. Throws InputError where one has no camera.
@@ -27,12 +27,12 @@ struct Screens : Module {
     std::string load_key() const override { return width.text(); }
     bool animated() const override { return !screens_.empty(); }
 
-    /// What each screen's camera sees. Screens in these pictures show what they showed a frame ago, or black: a picture
-    /// cannot be read while it is drawn.
+    /// Draws each screen's view. Screens within these pictures show the previous frame, or black: a picture cannot be
+    /// read while it is drawn.
     void record(Frame& frame, Scene& scene, const Draw& draw);
     // [/screens]
 
-    /// What is opaque of the scene; each screen is one of its own, however alike they are.
+    /// The scene's opaque batches; each screen is one of its own, even if alike.
     std::vector<Batch> batches(const Scene& scene) const;
 
     std::vector<Resource> reads() const override;

@@ -12,7 +12,7 @@ namespace lightwalk::truth {
 
 inline double one_sign(double x) { return x < 0.0 ? -1.0 : 1.0; }
 
-/// The octahedron's square folded along its inner diamond: what lies outside of it comes inside and back.
+/// The octahedron's square folded along its inner diamond: outer points come inside, and back.
 inline glm::dvec2 fold(glm::dvec2 e) {
     return {(1.0 - std::fabs(e.y)) * one_sign(e.x), (1.0 - std::fabs(e.x)) * one_sign(e.y)};
 }
@@ -65,7 +65,7 @@ inline std::array<double, 8> material_codes(glm::dvec3 diffuse, glm::dvec3 specu
             127.0 * std::clamp(occlusion, 0.0, 1.0)};
 }
 
-/// The volume in m³ of the smaller of the two shapes that hold what a light reaches.
+/// The volume in m³ of the smaller of the two shapes around a light's reach.
 inline double least_volume(const Light& light, double radius_m) {
     const double ball = 4.0 / 3.0 * 3.141592653589793 * std::pow(radius_m, 3.0), half = double(light.outer_rad);
     if (light.kind != Light::Kind::spot || half >= 1.57) return ball;

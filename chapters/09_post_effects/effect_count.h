@@ -4,8 +4,8 @@
 
 namespace lightwalk {
 
-/// Scope with the given number of effects on, those of one pixel first; below 0, and with `reference`, tones are mapped
-/// by aces. Restores all knobs.
+/// Scope with the given number of effects on, single-pixel ones first; below 0, and with `reference`, tones are
+/// mapped by aces. Restores all knobs.
 class KnobsForFrame {
   public:
     KnobsForFrame(Post& post, bool reference, int effects);

@@ -50,7 +50,7 @@ void Atmosphere::bind(Pass& pass) const {
     if (skylight_) pass.offer("skylight", skylight_);
 }
 
-// What it was made from, as bytes.
+// Its inputs, as bytes.
 static std::vector<std::byte> bytes_of(const Air& air) {
     const auto bytes = std::as_bytes(std::span(&air, 1));
     return {bytes.begin(), bytes.end()};
@@ -107,7 +107,7 @@ void Atmosphere::make_images(Device& device) {
 
 // [tables]
 void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
-    // 1. What depends on the air alone: made again where a knob of it was turned.
+    // 1. Tables of the air alone: remade after a change of its knobs.
     const bool often = orders.is("multiple");  // else nothing reads the second table
     const Air now = air();
     if (lasting_made_.from(now, often, Exercises::version()) || refresh.is("always")) {
@@ -124,7 +124,7 @@ void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
     }
     if (reach_m <= 0.0f) return;  // nothing of the rest is read from space
 
-    // 2. What depends on the eye and the sun.
+    // 2. Tables of the eye and the sun.
     const float height = height_of(view.eye);
     const glm::vec3 up = (view.eye + glm::vec3(0.0f, radius_m.value, 0.0f)) / (radius_m + height);
     const glm::vec2 eye(height, glm::dot(up, to_sun()));
@@ -153,7 +153,7 @@ void Atmosphere::set_lasting(Compute& pass) const {
     pass.offer("air_multiple", multiple_, linear_clamp);  // not wanted for single scattering
 }
 
-// What the two methods whose loops may turn too often are asked for, cut up.
+// The work of the two methods with too many iterations, cut into parts.
 std::vector<PathPart> Atmosphere::parts() const {
     if (method.is("truth"))
         return path_parts({.places = 32 * steps, .light_places = 48, .walks = orders.is("multiple") ? paths.value : 0},

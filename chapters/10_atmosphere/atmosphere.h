@@ -9,12 +9,12 @@
 namespace lightwalk {
 
 // [atmosphere]
-/// A drawing that comes after all that is solid, in linear light without air:
+/// A drawing that comes after all solid objects, in linear light without air:
 ///
 ///     draw(frame, view, canvas, {mountains, planet, atmosphere});
 ///
 /// The planet's middle lies `radius_m` below the world's origin. Where depth is 0 the image holds the planet's ground,
-/// if the pixel's ray meets it, else what lies beyond the air. Lights and colours are the module's own: to_sun(), and
+/// if the pixel's ray meets it, else the background beyond the air. Lights and colours are the module's own: to_sun(), and
 /// in a pass that states it in `.with` and includes 10_atmosphere/ground_light.glsl, sunlight_on() and skylight_on().
 struct Atmosphere : Drawing {
     Atmosphere(Module& owner, std::string name) : Drawing(owner, std::move(name), "atmosphere") {}
@@ -112,11 +112,11 @@ struct Atmosphere : Drawing {
     Phase drawn_in() const override { return Phase::air; }
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
     void shine() override;
-    /// What falls on the ground under this air, for sunlight_on() and skylight_on().
+    /// Ground lighting under this air, for sunlight_on() and skylight_on().
     void update(Frame& frame) override;
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
-    /// At the world's origin, exposed: what shine() gives the scene.
+    /// At the world's origin, exposed: the value of shine().
     Sun sun();
 
     glm::vec3 to_sun() const;  ///< unit length, world space
@@ -145,7 +145,7 @@ struct Atmosphere : Drawing {
     bool make_sky_table();  ///< true where it is another one than before
     Buffer skylight_;
     std::vector<glm::vec3> sky_table_;
-    std::vector<std::byte> sky_table_of_;  ///< what it was made from
+    std::vector<std::byte> sky_table_of_;  ///< its inputs
     Image light_so_far_, through_so_far_, doubt_, transmittance_, multiple_, sky_, light_, through_;
     Made<Air, bool, unsigned> lasting_made_;         ///< of the two lasting ones: all orders, toggles
     Made<Air, bool, glm::vec2, unsigned> sky_made_;  ///< views from one height share it

@@ -6,11 +6,12 @@
 namespace lightwalk {
 
 // [height_fog]
-/// A drawing that comes after all that is solid, under the scene's sun; or in a shader of a pass that states it in `.with`, with 10_atmosphere/height_fog_inputs.glsl:
+/// A drawing that comes after all solid objects, under the scene's sun; or in a shader of a pass that states it in `.with`,
+/// with 10_atmosphere/height_fog_inputs.glsl:
 ///
 ///     vec3 through_fog(vec3 radiance, vec3 eye, vec3 direction, float distance, vec3 to_sun)
 ///
-/// which is what arrives of a point's light, or its parts fog_transmittance() and fog_color().
+/// the light of a point as it arrives, or its parts fog_transmittance() and fog_color().
 struct HeightFog : Drawing {
     HeightFog(Module& owner, std::string name) : Drawing(owner, std::move(name), "fog") {}
 
@@ -41,7 +42,7 @@ struct HeightFog : Drawing {
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
 
-    /// Adds fog to the canvas, by the depth of what it shows. One pass, none with method none. Alpha stays.
+    /// Adds fog to the canvas, by the canvas's depth. One pass, none with method none. Alpha stays.
     Phase drawn_in() const override { return Phase::fog; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     // [/height_fog]

@@ -7,15 +7,15 @@
 
 namespace lightwalk {
 
-/// What is asked for on each path.
+/// The work on each path.
 struct PathWork {
     int places = 1;        ///< for light scattered once, 1 or more
     int light_places = 1;  ///< from each of them towards the sun
     int walks = 0;         ///< random ones, for light scattered more often
 };
 
-/// In order, one part if it can be. llvmpipe ends all loops of an invocation once they have turned 65,535 times
-/// together, and gives what they have found until then. Throws InputError where a single random walk may take longer.
+/// In order, one part if possible. llvmpipe ends all loops of an invocation after 65,535 iterations together, and
+/// returns their intermediate results. Throws InputError if a single random walk may take longer.
 std::vector<PathPart> path_parts(const PathWork& work, const Air& air);
 
 }  // namespace lightwalk

@@ -5,7 +5,7 @@
 
 namespace lightwalk {
 
-/// Draws what the air lies before: where no depth was drawn, the planet's ground, or the stars. A sea shines.
+/// Draws the background of the air: where no depth was drawn, the planet's ground, or the stars. A sea reflects.
 struct Planet : Drawing {
     Planet(Module& owner, std::string name, Atmosphere& atmosphere)
         : Drawing(owner, std::move(name), "planet"), atmosphere_(atmosphere) {}

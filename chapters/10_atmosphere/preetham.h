@@ -8,9 +8,9 @@ namespace lightwalk {
 /// A pass that states it in `.with` includes 10_atmosphere/preetham_inputs.glsl and calls
 ///
 ///     vec3 sky_light(vec3 direction, vec3 to_sun)   // linear light of the sky, much as the horizon's below it
-///     vec3 sun_light(vec3 to_sun)                   // what falls on a surface that faces the sun
+///     vec3 sun_light(vec3 to_sun)                   // irradiance of a surface that faces the sun
 ///
-/// with directions of unit length, +y up. Nothing of it knows of heights or distances: for an eye near the ground.
+/// with directions of unit length, +y up. For an eye near the ground: it ignores heights and distances.
 struct Preetham : Module {
     Preetham(Module& owner, std::string name) : Module(owner, std::move(name), "preetham") {}
 

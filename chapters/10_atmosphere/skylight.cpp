@@ -59,7 +59,7 @@ std::vector<glm::vec3> skylight_table(const Air& air) {
         glm::dvec3 sum(0);
         for (int ring = 0; ring < rings; ++ring)
             for (int sector = 0; sector < sectors; ++sector) {
-                // Rings whose cosine's square is even: each counts the same on level ground.
+                // Rings evenly spaced in the squared cosine: each counts the same on level ground.
                 const double slope = std::sqrt((ring + 0.5) / rings), around = pi * (sector + 0.5) / sectors;
                 const double angle = slope * sun + std::sqrt(1 - slope * slope) * sun_sine * std::cos(around);
                 sum += sky_light(air, slope, sun, angle);

@@ -6,16 +6,16 @@
 
 namespace lightwalk {
 
-/// What light scattered once sheds on level ground at a height of 0, in the unit of air.sun, for sun cosines x |x| with
-/// x from -1 to 1 in equal steps. By eight times six directions of the upper half of the sky, each in 16 samples,
-/// sunlight by Smith and Smith's fit; in double precision, in some milliseconds.
+/// Irradiance of level ground at a height of 0 by light scattered once, in the unit of air.sun, for sun cosines x |x|
+/// with x from -1 to 1 in equal steps. By eight times six directions of the upper half of the sky, each in 16
+/// samples, sunlight by Smith and Smith's fit; in double precision, in some milliseconds.
 std::vector<glm::vec3> skylight_table(const Air& air);
 
-/// Between the table's entries: of a sun whose direction has that upward part, -1 to 1.
+/// Between the table's entries: `sun` is the upward part of its direction, -1 to 1.
 glm::vec3 skylight_of(const std::vector<glm::vec3>& table, float sun);
 
-/// What of the sun reaches a surface at a height of 0 that faces it, in the unit of air.sun; nothing once its middle is
-/// below the horizon. 512 samples of the way, in double precision.
+/// Sunlight on a facing surface at a height of 0, in the unit of air.sun; nothing once the sun's centre is below the
+/// horizon. 512 samples of the path, in double precision.
 glm::vec3 sunlight_of(const Air& air, float sun);
 
 }  // namespace lightwalk

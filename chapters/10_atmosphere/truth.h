@@ -38,7 +38,7 @@ inline double phase_cornette_shanks(double c, double g) {
     return 3 / (8 * pi) * (1 - g * g) / (2 + g * g) * (1 + c * c) / std::pow(1 + g * g - 2 * g * c, 1.5);
 }
 
-/// The integral of f over all directions, whose cosine with a fixed one it takes, by Simpson's rule.
+/// The integral of f over all directions by Simpson's rule; f takes the cosine with a fixed one.
 template <class F>
 double over_sphere(const F& f, int parts = 20000) {
     double sum = 0;
@@ -68,8 +68,8 @@ inline double fog_depth(double density, double falloff, double y, double slope, 
 }
 
 // [single]
-/// Single scattering by brute force: `steps` places on the path, `light_steps` from each towards the sun. What `phase`
-/// says of dust. The sun's disc sets behind the ground's edge as in the shaders.
+/// Single scattering by brute force: `steps` points on the path, `light_steps` from each towards the sun. `phase` is
+/// the dust's. The sun's disc sets behind the ground's edge as in the shaders.
 template <class Phase>
 glm::dvec3 in_scatter(const Air& air, const Path& path, const Phase& phase, int steps, int light_steps,
                       glm::dvec3* transmittance = nullptr) {

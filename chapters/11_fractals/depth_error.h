@@ -9,13 +9,14 @@ namespace lightwalk {
 
 class DepthError {
   public:
-    /// Of what `julia` has just drawn of a whole picture, by rays through a grid of its pixels marched in double
-    /// precision: adds to `error`
+    /// Judges the whole picture just drawn by `julia`, by rays through a grid of its pixels marched in double
+    /// precision. Adds to `error`
     ///     depth_error   the mean of |depth - true depth| in metres, at most 0.1 for each ray, and 0.1 where one of the
     ///                   two hits and the other does not
     ///     misjudged     the share of these rays
-    ///     evaluations   the mean number of distances asked for, over all pixels whose ray meets the ball around the
-    ///     set capped        the share of these pixels that were stopped on their way
+    ///     evaluations   the mean number of distances evaluated, over all pixels with a ray through the ball around
+    ///                   the set
+    ///     capped        the share of these pixels that were stopped early
     void measure(Gpu& gpu, const Julia& julia, const Camera& camera, double time_s, nlohmann::json& error);
 
   private:

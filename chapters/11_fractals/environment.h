@@ -59,7 +59,7 @@ struct EnvironmentLight : Module {
     Pipeline sum_ = compute({.shader = "11_fractals/environment_irradiance.comp"});
     Image even_;  ///< where there is no picture
     Made<glm::vec3> even_made_;
-    Made<std::shared_ptr<Image>, glm::vec3> made_;  ///< the picture, or what the even one has
+    Made<std::shared_ptr<Image>, glm::vec3> made_;  ///< the picture, or the uniform colour
     const Scene* scene_ = nullptr;                  ///< of the last record()
 };
 

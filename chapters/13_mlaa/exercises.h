@@ -6,7 +6,7 @@
 
 namespace lightwalk {
 
-/// exercise/area.cpp says what it must do.
+/// Specification: exercise/area.cpp.
 EXERCISE("13.area", float, area, int position, int length);
 
 }  // namespace lightwalk

@@ -11,8 +11,8 @@ class FourSamples {
   public:
     explicit FourSamples(Module& owner) : sum_(owner, {.name = "sum", .format = VK_FORMAT_R32G32B32A32_SFLOAT}) {}
 
-    /// Multisampling: each triangle covers some of a pixel's four samples and is shaded once for them. What is drawn into
-    /// the canvas from now on.
+    /// Multisampling: each triangle covers some of a pixel's four samples and is shaded once for them. Applies to all
+    /// later drawing into the canvas.
     void multisample(Frame& frame, Canvas& canvas);
 
     /// Supersampling: the view four times, each shifted to another of the pixel's samples, which lie in four rows and

@@ -7,7 +7,7 @@
 
 namespace lightwalk {
 
-/// exercise/preintegrate.cpp says what it must do.
+/// Specification: exercise/preintegrate.cpp.
 EXERCISE("16.preintegrate", glm::vec4, preintegrate, std::span<const glm::vec4> transfer, float front, float back,
          float ratio);
 

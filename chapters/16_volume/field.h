@@ -1,4 +1,4 @@
-// The densities of a volume, and what is known of them ahead of the march.
+// The densities of a volume, and bounds known ahead of the march.
 #pragma once
 #include "16_volume/volume_data.h"
 #include "common/app/module.h"
@@ -9,8 +9,8 @@
 namespace lightwalk {
 
 // [field]
-/// The first object of a scene whose model is a .volume file (volume_file.h), or a nebula made on the device. record() in
-/// each frame before a pass reads density().
+/// The first object of a scene with a .volume file (volume_file.h) as model, or a nebula made on the device. record()
+/// in each frame before a pass reads density().
 struct Field : Module {
     Field(Module& owner, std::string name) : Module(owner, std::move(name), "nebula") {}
 
@@ -43,8 +43,8 @@ struct Field : Module {
 bool is_volume_file(const std::filesystem::path& file);
 
 // [pyramid]
-/// Which blocks of a field show nothing: what the method `skipping` reads. Each says how large the largest empty block is
-/// that it lies in: of BLOCK_VOXELS along an edge, or of twice or four times as many.
+/// Empty blocks of a field, for the method `skipping`. Each entry is the size of the largest empty block around it:
+/// BLOCK_VOXELS along an edge, or two or four times as many.
 struct BlockPyramid {
     /// Records its making where the field, the transfer function, the border or a toggle is another one. `border`: how many voxels
     /// beyond a block a sample in it may read, 1 or more. `transfer_number`: another one for each transfer function.

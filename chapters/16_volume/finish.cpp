@@ -14,7 +14,7 @@
 namespace lightwalk {
 namespace {
 
-/// Calls visit(texel, quad, share of the way through it) for each texel whose middle a quadrangle covers.
+/// Calls visit(texel, quad, share of the path through it) for each texel with its centre in a quadrangle.
 template <class Visit>
 void for_each_texel(const std::vector<LatheQuad>& quads, glm::uvec2 size, const Visit& visit) {
     const glm::vec2 texels(size);
@@ -80,7 +80,7 @@ Finish::Maps Finish::make(Gpu& gpu, const std::filesystem::path& file) {
     for_each_texel(parts.quads, size, [&](size_t texel, const LatheQuad& quad, glm::vec2, glm::vec2 at) {
         const LathePanel& panel = parts.panels[quad.panel];
         const bool glows = quad.is_top && is_glowing(panel, at, 1.0f / static_cast<float>(lathe.columns));
-        // Edges are worn: brighter, and smoother. What glows takes no light.
+        // Edges are worn: brighter, and smoother. Glowing parts receive no light.
         const float shade = glows ? 0.0f : quad.is_top ? panel.shade : 1.25f;
         put(diffuse, texel, shade * (panel.is_second ? lathe.second : lathe.albedo), srgb_code);
         put(specular, texel, glows ? glm::vec3(0) : panel.is_second ? lathe.second_specular : lathe.specular, code);

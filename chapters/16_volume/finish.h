@@ -1,4 +1,4 @@
-// What the rings' surfaces look like: maps by code, and occlusion that rays have baked.
+// Surfaces of the rings: maps by code, and occlusion baked by rays.
 #pragma once
 #include "05_shadow_maps/rays.h"
 #include "16_volume/lathe.h"
@@ -6,8 +6,8 @@
 namespace lightwalk {
 
 // [finish]
-/// Gives every item of a scene that a .lathe file made its maps: albedo, coloured highlights, gloss, the exemption map
-/// (what glows and takes no light), and ambient occlusion. That is baked by rays against the item alone, since others
+/// Gives every item made from a .lathe file its maps: albedo, coloured highlights, gloss, the exemption map (glowing
+/// parts receive no light), and ambient occlusion. Occlusion is baked by rays against the item alone, since others
 /// turn; kept in the cache, and written there whole or not at all. Must be prepared before chapter 04's maps are.
 struct Finish : Module {
     Finish(Module& owner, std::string name) : Module(owner, std::move(name), "finish") {}

@@ -95,7 +95,7 @@ std::vector<Stretch> parts_of(const Lathe& lathe) {
     return parts;
 }
 
-/// One panel: a lattice of 4 lines across and as many as needed along, whose inner ones stand out.
+/// One panel: a lattice of 4 lines across and as many as needed along, with raised inner ones.
 struct Block {
     const Stretch& part;
     float from, to;      ///< share of the part, across

@@ -8,7 +8,7 @@
 namespace lightwalk {
 
 // [lathe]
-/// What a .lathe file says, as JSON with these keys.
+/// Contents of a .lathe file: JSON with these keys.
 struct Lathe {
     std::vector<glm::vec2> profile;  ///< distance from the axis and height, metres; its right-hand side is outside
     std::vector<int> rows;           ///< of panels along each part of the profile
@@ -34,7 +34,7 @@ struct LathePanel {
     glm::vec2 lower{0}, upper{0};  ///< its place in the texture, 0 to 1
 };
 
-/// A quadrangle whose place in the texture is a rectangle. Corners: (u, v) lower lower, lower upper, upper upper, upper
+/// A quadrangle with a rectangle as its texture region. Corners: (u, v) lower lower, lower upper, upper upper, upper
 /// lower.
 struct LatheQuad {
     glm::vec3 position[4], normal[4];
@@ -50,7 +50,7 @@ struct LatheParts {
 
 bool is_lathe_file(const std::filesystem::path& file);
 
-/// Throws InputError: file: key: what is wrong.
+/// Throws InputError: file: key: message.
 Lathe read_lathe(const std::filesystem::path& file);
 
 /// Every panel of it. The texture goes once around in u, and along the profile in v.

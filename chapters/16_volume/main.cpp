@@ -26,7 +26,7 @@ struct VolumeChapter : ModelChapter {
         Canvas canvas(frame.hdr, frame.depth, world.background());
         world.draw_light(frame, view, canvas);
 
-        // 2. The glare of what is bright, the tones of a film and its grain.
+        // 2. Glare of bright areas, tones of a film and its grain.
         bloom.record(frame, frame.hdr);
         post.record(frame, frame.hdr);
 

@@ -1,4 +1,4 @@
-// Transfer functions: what colour and opacity a density has.
+// Transfer functions: colour and opacity of a density.
 #pragma once
 #include <glm/glm.hpp>
 #include <string>

@@ -62,7 +62,7 @@ inline double noise_4d(glm::ivec4 cell, glm::dvec4 f, Weight weight = Weight::qu
     return sum;
 }
 
-/// What a step adds along which the density changes evenly: light, and opacity. 40,000 layers.
+/// Contribution of a step with linearly changing density: light, and opacity. 40,000 layers.
 inline glm::dvec4 preintegrate(std::span<const glm::vec4> transfer, double front, double back, double ratio) {
     const int layers = 40000;
     glm::dvec3 light(0);
@@ -80,7 +80,7 @@ inline glm::dvec4 preintegrate(std::span<const glm::vec4> transfer, double front
     return {light, 1 - through};
 }
 
-/// Light and transmittance along a ray of `length` metres whose extinction (1/m) and colour are functions of the place,
+/// Light and transmittance along a ray of `length` metres with extinction (1/m) and colour as functions of position,
 /// by 2^16 midpoints.
 struct Along {
     double light = 0, through = 1;

@@ -24,7 +24,8 @@ std::vector<uint64_t> as_halves(const std::vector<glm::vec4>& numbers) {
 
 float turn_of(double radians) { return static_cast<float>(std::fmod(radians, glm::two_pi<double>())); }
 
-// From the world, whose +z a face looks along, to a scan's axes: x from left to right of the head, y from back to front, z up.
+// From the world, in which a face looks along +z, to a scan's axes: x from left to right of the head, y from back to
+// front, z up.
 const glm::mat3 to_scan{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace lightwalk {
 
 // [volume]
-/// Comes after all that is solid, whose depth ends its rays; it is transparent and writes no depth. The box of its
-/// field stands around the world's origin, its longest edge 2 m long.
+/// Drawn after all solid objects; their depth ends its rays. Transparent: it writes no depth. The box of its field
+/// stands around the world's origin, its longest edge 2 m long.
 struct Volume : Drawing {
     Volume(Module& owner, std::string name) : Drawing(owner, std::move(name), "volume") {}
 
@@ -87,7 +87,7 @@ struct Volume : Drawing {
     std::vector<Resource> reads() const override;
 
     const Image& blocks() const { return pyramid_.blocks(); }
-    int pictures(uint32_t view) const;  ///< whose mean `jittered` showed last
+    int pictures(uint32_t view) const;  ///< of the mean last shown by `jittered`
 
   private:
     void make_transfer(Frame& frame);
@@ -104,7 +104,7 @@ struct Volume : Drawing {
     Made<uint64_t, uint64_t, int, glm::vec3, float, unsigned, glm::vec4> light_made_;  ///< of make_light()
     struct Past {                                                                      ///< of a view
         Image marched;
-        std::string of;  ///< what it is a picture of
+        std::string of;  ///< key of its picture
         int pictures = 0;
     };
     std::map<uint32_t, Past> past_;

@@ -1,4 +1,4 @@
-// Volumes in files: a text that says what the numbers are, and the numbers.
+// Volumes in files: a text that describes the numbers, and the numbers.
 #pragma once
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -17,9 +17,9 @@ struct VolumeData {
 /// Reads `file`, JSON with
 ///     "file"        the numbers, a file name beside it
 ///     "dims"        voxels along x, y, z: 1 to 512 each
-///     "spacing_mm"  from voxel to voxel, 1e-3 to 1e3; [1, 1, 1] if it is not there
+///     "spacing_mm"  from voxel to voxel, 1e-3 to 1e3; default [1, 1, 1]
 ///     "dtype"       "uint8" (0 to 255 stand for 0 to 1), or "float32" (0 to 1, little-endian)
-/// and whatever else describes it, and the numbers: just as many bytes as that makes. Throws InputError with one line.
+/// and any further keys, and exactly that many bytes of numbers. Throws InputError with one line.
 VolumeData read_volume(const std::filesystem::path& file);
 
 }  // namespace lightwalk

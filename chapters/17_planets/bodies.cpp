@@ -39,18 +39,19 @@ SurfaceLaw wrapped(float w, float k, glm::vec3 terminator, glm::vec3 tint = whit
     return surface;
 }
 
-// Radii: NASA's Saturnian rings fact sheet. Optical depths: of C, 0.05 to 0.12, from the same; of A, 0.45 to 0.57, from K. Lumme
-// and H. Reitsema, Icarus 33, 1978, page 288; of B, 1 to 3: 1.25 and 1.5 by photometry from the Earth, and parts of its middle
-// that let nothing through, by occultations. Single-scattering albedos: 0.9 at most, of C 0.3 at its inner edge. The lesson says
-// whose they are, and what of it was read.
+// Radii: NASA's Saturnian rings fact sheet. Optical depths: of C, 0.05 to 0.12, from the same; of A, 0.45 to 0.57,
+// from K. Lumme and H. Reitsema, Icarus 33, 1978, page 288; of B, 1 to 3: 1.25 and 1.5 by photometry from the Earth,
+// and opaque parts of its middle, by occultations. Single-scattering albedos: 0.9 at most, of C 0.3 at its inner
+// edge. The lesson cites the sources, and the parts of them that were read.
 constexpr RingPart saturn_rings[] = {{74658e3, 92000e3, 0.09, 0.30},  {92000e3, 99000e3, 1.2, 0.74},
                                      {99000e3, 110000e3, 2.2, 0.88},  {110000e3, 117580e3, 1.6, 0.84},
                                      {117580e3, 122170e3, 0.1, 0.35}, {122170e3, 133423e3, 0.55, 0.66},
                                      {133423e3, 133745e3, 0.0, 0.5},  {133745e3, 136775e3, 0.5, 0.6}};
-// Radius, width and optical depth of the ten: PDS Ring-Moon Systems Node, "Vital Statistics for Uranus's Rings and Inner
-// Satellites" (after R. French et al. in Uranus, 1991), the middle where it states a range, and of that of depths of the widest
-// ring what fits its mean width; the sheet beside one of them is from memory. The widths vary around the planet. Albedo: particles as dark as coal,
-// whose geometric albedo is 0.061 (E. Karkoschka, Icarus 125, 1997, page 348), times 4 over their phase function at 0.
+// Radius, width and optical depth of the ten: PDS Ring-Moon Systems Node, "Vital Statistics for Uranus's Rings and
+// Inner Satellites" (after R. French et al. in Uranus, 1991), the middle of a stated range, and for the widest ring
+// the depth that fits its mean width; the sheet beside one of them is from memory. The widths vary around the planet.
+// Albedo: particles as dark as coal, with a geometric albedo of 0.061 (E. Karkoschka, Icarus 125, 1997, page 348),
+// times 4 over their phase function at 0.
 constexpr RingPart narrow(double radius_km, double width_km, double depth) {
     return {1e3 * (radius_km - 0.5 * width_km), 1e3 * (radius_km + 0.5 * width_km), depth, 0.052};
 }
@@ -113,7 +114,7 @@ Air air_of(BodyId body, glm::vec3 sunlight, float sun_rad) {
             set(glm::vec3(0.0f), 0, {20.0f, 15.5f, 10.0f}, {21.0f, 18.5f, 16.0f}, 11000, 6e4f);
             air.mie_g = 0.6f;
             break;
-        case BodyId::venus:  // the thin haze above the clouds, whose small drops scatter blue
+        case BodyId::venus:  // the thin haze above the clouds; its small drops scatter blue
             set({1.6f, 2.6f, 4.2f}, 5000, glm::vec3(1.2f), glm::vec3(1.25f), 5000, 5e4f);
             break;
         case BodyId::pluto:  // haze up to 200 km, bluish

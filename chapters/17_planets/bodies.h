@@ -1,4 +1,4 @@
-// What the bodies of the solar system are like.
+// Properties of the bodies of the solar system.
 #pragma once
 #include <span>
 
@@ -24,8 +24,8 @@ struct BodyTraits {
 /// Radii: B. A. Archinal et al., Celestial Mechanics and Dynamical Astronomy 130, 2018. Laws: the lesson says which and why.
 const BodyTraits& traits(BodyId body);
 
-/// The air of a body, lit by `sunlight` (what falls on a surface that faces the sun). Zero scale heights where it has none
-/// that shows.
+/// The air of a body, lit by `sunlight` (irradiance of a facing surface). Zero scale heights if it has no visible
+/// air.
 Air air_of(BodyId body, glm::vec3 sunlight, float sun_rad);
 
 /// The rings' radii in metres; outer 0: none.

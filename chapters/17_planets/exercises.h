@@ -8,11 +8,11 @@
 
 namespace lightwalk {
 
-/// exercise/camera_relative.cpp says what it must do.
+/// Specification: exercise/camera_relative.cpp.
 EXERCISE("17.camera_relative", glm::mat4, camera_relative, const glm::dmat4& object_to_world,
          const glm::dvec3& camera_m);
 
-/// exercise/overlay_normals.cpp says what it must do.
+/// Specification: exercise/overlay_normals.cpp.
 EXERCISE("17.overlay_normals", std::vector<glm::vec3>, overlay_normals, int width, int height,
          std::span<const float> brightness, int octaves, float slope);
 

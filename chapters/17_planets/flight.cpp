@@ -39,8 +39,8 @@ glm::dquat looking(glm::dvec3 forward) {
 
 double smooth(double s) { return s * s * s * (s * (6 * s - 15) + 10); }
 
-// What share of a way is behind after a share `s` of the time: speed grows with the distance from the nearer end, so that
-// neither a planet nor the void between takes all of it.
+// Share of the distance travelled after a share `s` of the time: speed grows with the distance from the nearer end,
+// so that neither a planet nor the void between takes all of it.
 double travelled_at(double s, double near_a, double near_b, double way) {
     const auto half = [&](double share, double near) {
         return near * (std::pow(1 + 0.5 * way / near, share) - 1) / way;

@@ -30,7 +30,7 @@ struct Flight : Module {
     };
     Moment at(double time_s, double days) const;
 
-    /// The camera for a frame, at the origin; hands the planets what else they need. Put eye_m into View::exact_eye.
+    /// The camera for a frame, at the origin; gives the planets their other inputs. Put eye_m into View::exact_eye.
     Camera camera(const Moment& moment, const Camera& scene) const;
     // [/flight]
 

@@ -132,7 +132,8 @@ std::vector<glm::vec4> ring_strip(BodyId body, int texels) {
         strip[static_cast<size_t>(i)].a = static_cast<float>(depth);
     }
     if (body != BodyId::saturn) return strip;
-    // What is finer than the published parts: the ringlets of a photograph's strip, whose alpha varies around each part's mean.
+    // Detail finer than the published parts: ringlets from a photograph's strip, with alpha varying around each
+    // part's mean.
     const Image8 photo = read_image8(find_asset("textures/saturn_ring.png"));
     const auto at = [&](double r_m) {
         const double u = (r_m / traits(body).radius_m - 1.22) / (2.28 - 1.22) * photo.width;
@@ -163,8 +164,8 @@ std::vector<glm::vec4> ring_strip(BodyId body, int texels) {
 }
 
 std::vector<glm::vec4> ring_table(const std::vector<glm::vec4>& strip, int table, double elevation_rad) {
-    // Against the sun the tables are right; with the sun behind the camera they are what fits phase angles from 0 to 90
-    // degrees best (least squares over the cosine): the peak at 0 is narrow, the mix of two tables is not.
+    // Against the sun the tables are exact; with the sun behind the camera they are the best fit to phase angles from
+    // 0 to 90 degrees (least squares over the cosine): the peak at 0 is narrow, the mix of two tables is not.
     const double forward = scattering::particle_phase(-1);
     double products = 0, squares = 0;
     for (int i = 0; i < 200; ++i) {

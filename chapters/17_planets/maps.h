@@ -14,12 +14,12 @@ struct BodyMaps {
     std::shared_ptr<Image> rings;  ///< four layers: ω and optical depth; the tables back, forward, unlit
 };
 
-/// Maps of a body, without those of what it has not. Throws InputError where a file is missing or damaged.
+/// Maps of a body, if it has them. Throws InputError if a file is missing or damaged.
 BodyMaps load_maps(Gpu& gpu, ImagePool& pool, BodyId body);
 
 /// Colours of Pluto in sRGB, RGBA, row by row from the north: no free map of it was found, so these are its published
-/// regions (S. A. Stern et al., Science 350, 2015): the bright western lobe of the heart and its paler eastern one, the dark belt along
-/// the equator, the yellowish north, with noise for what is smaller.
+/// regions (S. A. Stern et al., Science 350, 2015): the bright western lobe of the heart and its paler eastern one,
+/// the dark belt along the equator, the yellowish north, with noise for finer detail.
 std::vector<uint8_t> pluto_map(int width, int height);
 
 /// Of one ring: ω's colour and the optical depth, from the inner to the outer edge; and the three tables of 17.ring_phase, made by

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double small_px = 4;  // bodies below this diameter are drawn by small_body.comp
 
-// A rectangle of pixels around what is within `reach_m` of `center`, from the camera; empty where that is behind it.
+// A rectangle of pixels around the ball of `reach_m` about `center`, from the camera; empty if it is behind it.
 struct Rectangle {
     glm::ivec2 first{0}, end{0};
     double diameter_px = 0;

@@ -8,7 +8,7 @@
 
 namespace lightwalk {
 
-/// Whatever draws through chapter 10's air needs its phase function.
+/// Phase function for drawings through chapter 10's air.
 struct BodyAir : Module {
     BodyAir(Module& owner, std::string name) : Module(owner, std::move(name), "atmosphere") {}
     Choice phase{*this,
@@ -19,8 +19,8 @@ struct BodyAir : Module {
 };
 
 // [planets]
-/// Draws over what is behind (the stars), where no depth was drawn. Scenes place the camera in metres from the centre of
-/// the body `at`, whose +z points to the Sun (the Sun's own to the Earth) and +y as far north as that allows.
+/// Draws over the background (the stars), where no depth was drawn. Scenes place the camera in metres from the centre
+/// of the body `at`; +z points from it to the Sun (the Sun's own to the Earth) and +y as far north as that allows.
 struct Planets : Drawing {
     Planets(Module& owner, std::string name) : Drawing(owner, std::move(name), "planets") {}
 
@@ -118,7 +118,7 @@ struct Planets : Drawing {
         return static_cast<double>(date_days) + time_s * static_cast<double>(days_per_s);
     }
 
-    /// Set by a flight: the distance from the Sun, in metres, whose light counts as `exposure`.
+    /// Set by a flight: the distance from the Sun, in metres, at which `exposure` applies.
     std::optional<double> exposed_for_m;
 
   private:
@@ -137,7 +137,7 @@ struct Planets : Drawing {
     std::shared_ptr<Image> white_, flat_;
     Buffer skylight_;
     std::vector<std::byte> skylight_of_;
-    /// What a body has is the same whether it fills the picture or a pixel.
+    /// A body's resources are the same at any size in the picture.
     struct Drawn {
         Pipeline large, small;
     };

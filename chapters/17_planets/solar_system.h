@@ -18,7 +18,7 @@ struct SolarSystem : World {
         return {{"post.tone", "neutral"}, {"bloom.threshold", "1"}};
     }
 
-    // A flight's position is beyond what floats can hold.
+    // A flight's position exceeds the precision of floats.
     Eye eye(const Frame& frame, const Camera& given) override {
         planets.exposed_for_m.reset();
         if (!flight.on) return {given};

@@ -47,7 +47,7 @@ struct Star {
     float light;
 };
 
-/// Lines of `v_mag,ra_deg,dec_deg` after a line of names. Throws InputError: file:line: what is wrong.
+/// Lines of `v_mag,ra_deg,dec_deg` after a line of names. Throws InputError: file:line: message.
 std::vector<Star> read_stars(const std::filesystem::path& file);
 
 }  // namespace lightwalk

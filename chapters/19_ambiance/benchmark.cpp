@@ -88,8 +88,8 @@ int run_benchmark(Chapter& chapter, Reel& reel, Mlaa& antialias, const std::stri
             for (const auto& [method, part] : {std::pair{"none", 0.25}, {"mlaa", 0.75}}) {
                 antialias.method.set(method);
                 if (i % 16 <= 0) load.run();
-                // The middle half: where it is alone. Each at a time of its own, since what a frame keeps would be free
-                // for the second.
+                // The middle half, without fades. Each at a time of its own, since a second frame would reuse the
+                // first one's cache.
                 const double share = 0.25 + 0.5 * (std::max(i, 0) + part) / frames;
                 const Picture at = picture(scene.from_s + share * (scene.to_s - scene.from_s));
                 i < 0 ? render(chapter, frame, at) : measured[method].draw(chapter, frame, at);

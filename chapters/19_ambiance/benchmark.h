@@ -1,4 +1,4 @@
-// Benchmark of a film: what each scene costs, and whether a cut shows a hitch.
+// Benchmark of a film: each scene's cost, and hitches at cuts.
 #pragma once
 #include "13_mlaa/mlaa.h"
 #include "19_ambiance/reel.h"

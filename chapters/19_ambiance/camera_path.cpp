@@ -55,9 +55,9 @@ glm::dvec3 CameraPath::forward(double time_s) const {
 }
 
 // [tabulate]
-// Carries an up from the first key to the last, by the shortest turn from each view to the next, and stores the roll of
-// each key: the angle from the carried up to the key's own. A key whose up is nearly parallel to its view has no roll. Of
-// the angles that differ by whole turns, the one nearest to the roll of the key before is stored.
+// Carries an up vector from the first key to the last, by the shortest rotation from each view to the next, and
+// stores the roll of each key: the angle from the carried up to the key's own. A key with an up nearly parallel to
+// its view has no roll. Of angles that differ by whole turns, the one nearest to the previous key's roll is stored.
 void CameraPath::tabulate() {
     forwards_.clear(), carried_.clear(), roll_times_.clear(), rolls_.clear();
     const double begin = keys_.front().time_s, whole = keys_.back().time_s - begin;

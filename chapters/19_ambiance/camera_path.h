@@ -20,9 +20,9 @@ struct PathKind {
     bool operator==(const PathKind&) const = default;
 };
 
-/// Position and target on a spline each, and an up that neither rolls where the view passes it nor vanishes between keys
-/// that point opposite ways. Everything is a function of time: what depends on the way that the camera came (the turning
-/// of its up) is tabulated from the first key on.
+/// Position and target on a spline each, and an up that neither rolls where the view passes it nor vanishes between
+/// keys with opposite ups. Everything is a function of time: the rotation of up, which depends on the path so far, is
+/// tabulated from the first key on.
 class CameraPath {
   public:
     CameraPath() = default;
@@ -45,7 +45,7 @@ class CameraPath {
     Curve position_, target_, angle_;
     std::vector<glm::dvec3> even_;                ///< the table of an even speed; empty: by the keys' times
     std::vector<glm::dvec3> forwards_, carried_;  ///< at evenly spaced times: the view, and an up that never rolls
-    std::vector<double> roll_times_, rolls_;      ///< what keys want on top of that, in radians
+    std::vector<double> roll_times_, rolls_;      ///< the keys' additional roll, in radians
 };
 // [/camera_path]
 

@@ -14,16 +14,16 @@ struct FourKeys {
     std::array<double, 4> knots;  ///< rising; where two are equal, so are their points
 };
 
-/// exercise/catmull_rom.cpp says what it must do.
+/// Specification: exercise/catmull_rom.cpp.
 EXERCISE("19.catmull_rom", glm::dvec3, catmull_rom, const FourKeys& keys, double t);
 
-/// exercise/centripetal_knots.cpp says what it must do.
+/// Specification: exercise/centripetal_knots.cpp.
 EXERCISE("19.centripetal_knots", std::vector<double>, centripetal_knots, const std::vector<glm::dvec3>& points);
 
-/// exercise/arc_length.cpp says what it must do.
+/// Specification: exercise/arc_length.cpp.
 EXERCISE("19.arc_length", double, arc_length, const std::vector<glm::dvec3>& points, double share);
 
-/// exercise/up_without_roll.cpp says what it must do.
+/// Specification: exercise/up_without_roll.cpp.
 EXERCISE("19.up_without_roll", glm::dvec3, up_without_roll, glm::dvec3 up, glm::dvec3 from, glm::dvec3 to);
 
 /// When a scene of a film is on the screen: from <= time < to, in seconds.
@@ -31,7 +31,7 @@ struct OnScreen {
     double from_s, to_s;
 };
 
-/// exercise/warm.cpp says what it must do.
+/// Specification: exercise/warm.cpp.
 EXERCISE("19.warm", std::vector<int>, warm, const std::vector<OnScreen>& scenes, double now_s, double ahead_s,
          int most);
 

@@ -28,9 +28,9 @@ struct FilmOut : Module {
     }
     double latest_s(int samples) const { return later_s(samples - 1, samples); }
 
-    /// Writes frames_from to frames_to of the chapter's film, with its sound. A file that ends with .raw gets RGBA, 8 bits
-    /// each, frame after frame and no sound: what goes to ffmpeg otherwise. The file is there whole, or as it was before.
-    /// Returns the exit code: 1 where ffmpeg is missing or ends early, or the disk is full, after a line that says so.
+    /// Writes frames_from to frames_to of the chapter's film, with its sound. A file that ends with .raw gets the
+    /// input of ffmpeg: RGBA, 8 bits each, frame after frame, no sound. The file is there whole, or as it was before.
+    /// Returns the exit code: 1 if ffmpeg is missing or ends early, or the disk is full, after a line that says so.
     int write(Chapter& chapter, Reel& reel, const std::string& file, const Options& options, std::unique_ptr<Gpu>& gpu);
     // [/film_out]
 };

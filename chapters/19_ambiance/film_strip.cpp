@@ -125,7 +125,7 @@ void FilmWindow::draw_music(const Bar& bar) const {
     }
 }
 
-// What fades cover, over the scenes: dark or bright.
+// The extent of fades, over the scenes: dark or bright.
 void FilmWindow::draw_fades(const Bar& bar) const {
     for (float x = bar.low.x; x < bar.high.x; x += 1.0f) {
         const Timeline::Faded faded = reel.film().faded(bar.time_s(x));

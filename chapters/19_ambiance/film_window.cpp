@@ -12,7 +12,7 @@
 namespace lightwalk {
 
 // [steer]
-// What buttons and keys asked for happens between two frames; a scene that is looped, and the film's end, are cuts as well.
+// Requests by buttons and keys are served between two frames; a looped scene, and the film's end, are cuts as well.
 void FilmWindow::steer(WindowClock& clock) {
     if (!reel.is_open()) return;
     if (wanted_) clock = *wanted_;
@@ -67,7 +67,7 @@ void FilmWindow::loop() {
 }
 
 // [fly]
-// The camera goes on from where the path has it. A step of the hand is a share of the way to what is looked at.
+// The camera continues from its position on the path. A manual step is a fraction of the viewing distance.
 void FilmWindow::take_off() {
     const std::optional<Camera> from = reel.camera_at(double(clock_.time_s));
     if (!from) return;
@@ -91,7 +91,7 @@ template <class Edit>
 void FilmWindow::edit(const char* what, const Edit& change) {
     const std::filesystem::path& file = reel.film().file;
     try {
-        // As the file is now: what somebody else has written into it meanwhile stays.
+        // The current file: edits made elsewhere meanwhile stay.
         const std::string text = read_file(file);
         parse_timeline(text, file);
         const std::string edited = change(text);

@@ -6,7 +6,7 @@
 namespace lightwalk {
 
 // [spline]
-/// What a curve does between its keys, cheapest first.
+/// Shape of a curve between its keys, cheapest first.
 enum class Spline { linear, catmull_rom, centripetal };
 
 /// A curve through keys at rising times, in seconds. Before the first and after the last it rests. One key: a point.

@@ -1,4 +1,4 @@
-// Camera keys written into the text of a film's file: what was not touched stays as it was, to the byte.
+// Camera keys written into the text of a film's file: the rest stays unchanged, to the byte.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -1,4 +1,4 @@
-// What chapter 19's exercises must give, in double precision, and by other ways than the solutions take.
+// Truth of chapter 19's exercises, in double precision, by methods other than the solutions'.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace lightwalk::truth {
 
-/// As a cubic Hermite curve: its tangents at p1 and p2 are those of the parabolas through three keys each.
+/// As a cubic Hermite curve: tangents at p1 and p2 from the parabolas through three keys each.
 inline glm::dvec3 catmull_rom(const FourKeys& keys, double t) {
     const auto& [p, k] = keys;
     const double d0 = k[1] - k[0], d1 = k[2] - k[1], d2 = k[3] - k[2];

@@ -50,7 +50,7 @@ json as_json(const KnobSettings& knobs) {
     return object;
 }
 
-// Draws a scene at its times in several ways by turns: what each draws, and how long that takes.
+// Draws a scene at its times by several methods in turn: each one's picture and time.
 class Measuring {
   public:
     Measuring(Chapter& chapter, Reel& reel, Gpu& gpu, size_t scene, const Options& options)
@@ -75,7 +75,7 @@ class Measuring {
         smoothing.set(smoothed_by), chapter_.samples.value = samples;
         return all;
     }
-    /// Medians, one for each way, of frames in the middle of playing: what a way makes once, the frame before has made.
+    /// Medians, one for each method, of frames in the middle of playing: one-time work was done in the frame before.
     std::vector<double> times_ms(const std::vector<KnobSettings>& ways) {
         std::vector<std::vector<double>> all(ways.size());
         GpuLoad load(frame_.gpu);

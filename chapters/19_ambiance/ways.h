@@ -1,4 +1,4 @@
-// The ways in which each scene of a film can be drawn: what they cost, how far they are from the best, which one is enough.
+// Alternative methods for each scene of a film: cost, error against the best, and the sufficient one.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
@@ -15,12 +15,13 @@ struct Way {
     double gpu_ms = 0;  ///< of a frame: median over these times and three rounds
 };
 
-/// All ways of a scene, the most accurate one first, measured in turn as the chapter draws its film: with its
-/// anti-aliasing and its samples a pixel. The truth is the first way with 16 times the samples and no anti-aliasing, so
-/// that what a way loses between pixels counts, too. The reel then draws the scene as the film says.
+/// All methods of a scene, the most accurate one first, measured in turn as the chapter draws its film: with its
+/// anti-aliasing and its samples a pixel. The truth is the first method with 16 times the samples and no
+/// anti-aliasing, so that losses between pixels count, too. Afterwards the reel draws the scene by the film's
+/// settings.
 std::vector<Way> measure_ways(Chapter& chapter, Reel& reel, Gpu& gpu, size_t scene, const Options& options);
 
-/// By the need rule: the cheapest of those whose error is at most the budget, or the most accurate where there is none.
+/// By the need rule: the cheapest one with an error of at most the budget, or the most accurate if there is none.
 struct ChosenWay {
     const Way& way;
     bool enough;
@@ -31,7 +32,7 @@ ChosenWay cheapest_way(const std::vector<Way>& ways, double budget);
 /// scene that has none, too.
 void choose_ways(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options);
 
-/// Writes all scenes' ways as JSON, and what the film as it stands costs. Returns the exit code. Throws InputError.
+/// Writes all scenes' methods as JSON, and the cost of the current film. Returns the exit code. Throws InputError.
 int write_ways(Chapter& chapter, Reel& reel, const std::string& file, const Options& options,
                std::unique_ptr<Gpu>& gpu);
 // [/ways]

@@ -10,7 +10,7 @@ namespace lightwalk {
 
 struct Music;
 
-/// Makes a world whose members are the owner's. `heard`: the film's music; null: the scene's own.
+/// Makes a world with the owner's members. `heard`: the film's music; null: the scene's own.
 using MakeWorld = std::function<std::unique_ptr<World>(Module& owner, Music* heard)>;
 const std::map<std::string, MakeWorld>& film_worlds();
 

@@ -1,4 +1,4 @@
-// A surface with all its maps: the GLSL of the module Maps. Maps whose macro is 0 (knob off, or absent from the
+// A surface with all its maps: the GLSL of the module Maps. Maps with a macro of 0 (knob off, or absent from the
 // material) are compiled out.
 #include "common/structs.h"
 #include "04_surface_maps/plain_draw.glsl"

@@ -1,4 +1,4 @@
-// A picture of one colour, for what is drawn over it in compute.
+// A picture of one colour, for drawing over it in compute.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba16f) writeonly uniform image2D result;

@@ -46,7 +46,7 @@ void main() {
 #if SHADOW_BLUR_BY == SHADOW_BLUR_BY_SHARED
     // [read_once]
     for (int i = inside.x; i < along + 2 * radius; i += along) read_once[inside.y][i] = moments_at(first + i - radius, line);
-    barrier();  // what another invocation has read
+    barrier();  // reads by other invocations
     // [/read_once]
 #endif
     vec4 sum = vec4(0.0);

@@ -1,4 +1,4 @@
-// Rays through a bounding-volume hierarchy. What the module SceneRays gives to shaders.
+// Rays through a bounding-volume hierarchy: the module SceneRays for shaders.
 #include "04_surface_maps/cutout.glsl"
 #include "05_shadow_maps/bvh_data.h"
 #include "common/structs.h"
@@ -12,8 +12,8 @@ const float on_and_on = 1e13;
 // Rays begin a little above the surface, so that it does not shadow itself. `facing` is the normal of the mesh.
 vec3 above(vec3 position, vec3 facing) { return position + rays_state.offset_m * facing; }
 
-// What is cut out of the triangles that rays meet: chapter 04's rule over textures kept as numbers, for a ray may meet
-// any of the scene's textures.
+// Cut-outs of triangles met by rays: chapter 04's rule over textures kept as numbers, for a ray may meet any of the
+// scene's textures.
 #ifndef RAYS_SOLID
 layout(scalar) readonly buffer RayCutoutBuffer { RayCutout rays_cutouts[]; };
 layout(scalar) readonly buffer RayMaskBuffer { RayMask rays_masks[]; };
@@ -107,8 +107,8 @@ bool hit_triangle(RayTriangle triangle, Ray ray, Shear s, inout RayHit hit) {
 // [/hit_triangle]
 
 // [box]
-// Where the ray is nearest to its origin inside the box, and where it leaves: in that order where it meets the box. The
-// factor is 1 + 2 gamma(3), what three roundings can lose (T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+// The ray's entry into the box and its exit: in that order if it meets the box. The factor is 1 + 2 gamma(3), the
+// bound on three roundings (T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
 vec2 span_in_box(BvhNode node, Ray ray, vec3 inverse, float most) {
     vec3 lower = (node.lower - ray.origin) * inverse, upper = (node.upper - ray.origin) * inverse;
     vec3 near = min(lower, upper), far = max(lower, upper);
@@ -116,8 +116,8 @@ vec2 span_in_box(BvhNode node, Ray ray, vec3 inverse, float most) {
                 min(min(far.x, far.y), min(far.z, most)) * 1.0000004);
 }
 
-// 1 / direction; along an axis that the ray does not follow a large number instead of infinity, whose product with 0 is
-// none.
+// 1 / direction; along an axis orthogonal to the ray a large number instead of infinity, to avoid NaN as its product
+// with 0.
 vec3 inverse_of(vec3 direction) {
     const float least = 1e-20;
     return 1.0 / mix(direction, vec3(least), lessThan(abs(direction), vec3(least)));

@@ -1,4 +1,4 @@
-// A bounding-volume hierarchy over triangles, and what is cut out of them, as shaders read it.
+// Shader data: a bounding-volume hierarchy over triangles, and their cut-outs.
 #pragma once
 #include <common/shared.h>
 
@@ -25,7 +25,7 @@ struct RayTriangle {
     uint cutout;   // its place in the cutouts; NO_CUTOUT: nothing is cut out of it
 };
 
-// A triangle with holes: texture coordinates (v = 0 is the bottom row) and two masks whose product is its alpha.
+// A triangle with holes: texture coordinates (v = 0 is the bottom row) and two masks; their product is its alpha.
 struct RayCutout {
     vec2 a, b, c;
     uint color_mask, opacity_mask;
@@ -37,10 +37,10 @@ struct RayMask {
     uint width, height;
 };
 
-// What rays go by in one frame.
+// Ray settings of one frame.
 struct RayState {
     float offset_m;                 // along the normal, from a surface to where its rays begin
-    float cutoff;                   // what has less alpha is not there
+    float cutoff;                   // lower alphas are holes
     uint first_sample;              // of this frame in the sequence
     uint color_cuts, opacity_cuts;  // 1: these masks cut holes; 0: they do not
     float wobble, scroll, time_s;   // for moving_uv()

@@ -2,7 +2,7 @@
 #include "05_shadow_maps/moments.glsl"
 
 // [from_moments]
-// From a mip whose texels are about as wide as the pixel is on the surface. `texel`: of the first one, in metres.
+// From a mip with texels about as wide as the pixel is on the surface. `texel`: of the first one, in metres.
 float from_moments(ShadowView view, Receiver r, float texel, float pixel) {
 #if SHADOW_MIPS
     float lod = max(log2(max(pixel, 1e-9) / texel), 0.0);
@@ -18,7 +18,7 @@ float from_moments(ShadowView view, Receiver r, float texel, float pixel) {
 #else
     float visible = msm(moments, depth, shadow.moment_bias);
 #endif
-    return clamp((visible - shadow.bleed) / (1.0 - shadow.bleed), 0.0, 1.0);  // less of what leaks, and of penumbrae
+    return clamp((visible - shadow.bleed) / (1.0 - shadow.bleed), 0.0, 1.0);  // reduces leaks, and penumbrae
 }
 // [/from_moments]
 

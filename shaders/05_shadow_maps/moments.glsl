@@ -1,9 +1,9 @@
-// What a texel of a moment map holds of a depth, and what is read from it. Depth: 0 at the near plane, 1 at the far one.
+// A depth's texel in a moment map, and its reading. Depth: 0 at the near plane, 1 at the far one.
 #include "05_shadow_maps/chebyshev.glsl"
 
 // [warp]
-// Exponential variance shadows (A. Lauritzen and M. McCool, "Layered Variance Shadow Maps", GI 2008): e^cz pushes what is
-// in front of the receiver together, -e^-cz what is behind. The square of e^c must fit the format: ln(3.4e38) / 2 is
+// Exponential variance shadows (A. Lauritzen and M. McCool, "Layered Variance Shadow Maps", GI 2008): e^cz compresses
+// depths in front of the receiver, -e^-cz those behind. The square of e^c must fit the format: ln(3.4e38) / 2 is
 // 44.3, ln(65504) / 2 is 5.54; sums of a blur take a little more.
 float exponent_cap() {
 #if SHADOW_FORMAT == SHADOW_FORMAT_FP16
@@ -41,9 +41,9 @@ float evsm(vec4 moments, float depth, float exponent, float exponent_negative, f
 // [/evsm]
 
 // [msm]
-// C. Peters and R. Klein, "Moment Shadow Mapping", I3D 2015: of all distributions of depth with these four moments, that
-// which has the least of it in front of the receiver has it at three depths, the receiver's being one. The two others are
-// the roots of a quadratic whose coefficients c solve B c = (1, z, z²), B the moments' Hankel matrix.
+// C. Peters and R. Klein, "Moment Shadow Mapping", I3D 2015: of all distributions of depth with these four moments,
+// the one with the least mass in front of the receiver has it at three depths, the receiver's being one. The two
+// others are the roots of a quadratic; its coefficients c solve B c = (1, z, z²), B being the moments' Hankel matrix.
 float msm(vec4 moments, float z, float bias) {
     vec4 b = mix(moments, vec4(0.5), bias);  // so that B can be inverted in spite of rounding
     // B = L D Lᵀ with ones on L's diagonal; its first column is (1, b.x, b.y).
@@ -55,7 +55,7 @@ float msm(vec4 moments, float z, float bias) {
     float half_p = -0.5 * c2 / most, root = sqrt(max(half_p * half_p - c1 / most, 0.0));
     float z1 = half_p - root, z2 = half_p + root;
     if (z <= z1) return 1.0;
-    // The weights of what is in front: the other two depths and their moments say them.
+    // The mass in front, from the other two depths and their moments.
     float a = z <= z2 ? z : z1, in_front = z <= z2 ? 0.0 : 1.0, other = z <= z2 ? z1 : z;
     float apart = (z2 - other) * (z - z1);
     if (abs(apart) < 1e-20) return 1.0 - in_front;

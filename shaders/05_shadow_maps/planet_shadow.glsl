@@ -1,4 +1,4 @@
-// Shadows between a sphere and its ring, without a map: what the module SphereShadow gives to shaders.
+// Shadows between a sphere and its ring, without a map: the module SphereShadow for shaders.
 #include "05_shadow_maps/ringed_planet.h"
 #include "05_shadow_maps/sphere_shadow.glsl"
 #include "05_shadow_maps/sphere_visibility.glsl"
@@ -9,13 +9,13 @@ layout(scalar) uniform SphereShadowBlock {
     float sun_deg;
 } sphere_shadow;
 layout(scalar) uniform SphereShadowPlanetBlock { RingedPlanet sphere_shadow_planet; };
-uniform sampler2D sphere_shadow_ring;  // u from the inner to the outer radius; alpha is what it hides, seen along its normal
+uniform sampler2D sphere_shadow_ring;  // u from the inner to the outer radius; alpha: opacity along its normal
 
 // [ring_transmittance]
-// What of the light comes through a ring that is infinitely thin. `point` is seen from the ring's middle. In the ring's
-// plane there is no way through it: neither for a point of the ring itself, nor for light along it. `alpha` hides
-// 1 - exp(-tau) of the light along the normal, and tau / |slope| is the optical depth along the way. A sun that fills an
-// angle of 2 sun_rad sees as much of the ring at once: a mip whose texels are as wide.
+// Transmittance of an infinitely thin ring. `point` is relative to the ring's centre. In the ring's plane no light
+// passes through it: neither for a point of the ring itself, nor for light along it. `alpha` hides 1 - exp(-tau) of
+// the light along the normal, and tau / |slope| is the optical depth along the ray. A sun of angle 2 sun_rad averages
+// as much of the ring: a mip with texels as wide.
 float ring_transmittance(vec3 point, vec3 normal, vec3 to_light, float inner, float outer, float sun_rad) {
     float slope = dot(to_light, normal);
     if (abs(slope) < 1e-6) return 1.0;

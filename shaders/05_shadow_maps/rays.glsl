@@ -16,8 +16,8 @@ struct Lamp {
 };
 // [/lamp]
 
-// Lavapipe ends all loops of an invocation once they have turned 65,535 times together, and each that begins afterwards turns
-// once. False: that has happened, and what loops have found may be wrong. Compilers must not see that it is two.
+// Lavapipe ends all loops of an invocation after 65,535 iterations together, and each later loop after one. False:
+// that has happened, and loop results may be wrong. Compilers must not see that the count is two.
 bool loops_turn() {
     uint two = 2u * min(uint(rays.truth_samples), 1u), turned = 0u;
     for (; turned < two; ++turned) {}

@@ -27,10 +27,10 @@ uint scramble(uint digits, uint seed) {
 // [/scramble]
 
 // [sobol]
-// The first two dimensions of I. M. Sobol's sequence (1967): any 2^k points that follow each other from a multiple of 2^k
-// on stand one in each of 2^k equal boxes, whichever way the square is cut into them. 0 <= x, y < 1. The second one's
-// matrix is Pascal's triangle modulo 2, whose number (j, i) is odd where all bits of i are in j (E. Lucas, 1878): so the
-// sum over j takes five steps, one for each bit of a digit's place, instead of a loop.
+// The first two dimensions of I. M. Sobol's sequence (1967): any 2^k consecutive points from a multiple of 2^k on
+// occupy one each of 2^k equal boxes, for every division of the square. 0 <= x, y < 1. The second one's matrix is
+// Pascal's triangle modulo 2; its number (j, i) is odd if all bits of i are in j (E. Lucas, 1878): so the sum over j
+// takes five steps, one for each bit of a digit's place, instead of a loop.
 vec2 sobol_point(uint index, uint seed) {
     uint sum = index;
     sum ^= sum >> 1u & 0x55555555u;

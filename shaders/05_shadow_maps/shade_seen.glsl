@@ -1,5 +1,5 @@
-// The frame of a compute shader that shades what a visibility buffer says is seen: whoever includes this file has
-// seen_radiance(), which reads varyings as a fragment shader does.
+// The frame of a compute shader that shades a visibility buffer: the includer defines seen_radiance(), which reads
+// varyings as a fragment shader does.
 #include "05_shadow_maps/seen_triangle.glsl"
 #include "04_surface_maps/surface_maps.glsl"
 

@@ -1,5 +1,5 @@
-// What of a light arrives behind what stands in its way: what the module Shadow gives to shaders. Whoever lights by
-// 03_attenuation/lighting.glsl includes it instead of 03_attenuation/unshadowed.glsl. Of the filters one is compiled in.
+// Visibility of lights: the module Shadow for shaders. Shaders that light by 03_attenuation/lighting.glsl include it
+// instead of 03_attenuation/unshadowed.glsl. One of the filters is compiled in.
 #include "03_attenuation/light_data.h"
 #include "05_shadow_maps/shadow_data.h"
 #include "05_shadow_maps/light_clip_position.glsl"
@@ -97,14 +97,14 @@ Receiver receiver(ShadowView view, vec3 position, vec3 facing, vec3 to_light, fl
 // How the map is asked: filter_reach() and filtered(). In place of this file the module puts that of its method.
 #include "05_shadow_maps/filter_pcf.glsl"
 
-// What a light's map says of a point.
+// Visibility of a point in a light's map.
 // [visibility_in_map]
 float visibility_in_map(ShadowLight light, vec3 position, vec3 facing, vec3 to_light) {
     if (light.views == 0u) return 1.0;
     ShadowView view = shadow_views[view_of(light, position)];
     if (view.layer == NO_LAYER) return 1.0;
     Receiver r = receiver(view, position, facing, to_light, filter_reach(light, view, position));
-    // Behind the light, beside its view, or beyond what it reaches.
+    // Behind the light, beside its view, or beyond its reach.
     if (any(greaterThan(abs(r.place.xy - 0.5), vec2(0.5))) || r.place.z <= 0.0) return 1.0;
     float texel = texel_at(view, position), pixel = shadow_eye.pixel * length(shadow_eye.position - position);
     return filtered(light, view, r, texel, pixel);
@@ -112,7 +112,7 @@ float visibility_in_map(ShadowLight light, vec3 position, vec3 facing, vec3 to_l
 // [/visibility_in_map]
 
 #if SHADOW_TRANSPARENT == SHADOW_TRANSPARENT_COLORED
-// What transparent casters let through of a light: behind the last the product of all, between first and last the first's.
+// Transmittance of transparent casters: behind the last the product of all, between first and last the first's.
 // [passed_in_map]
 vec3 passed_in_map(ShadowLight light, vec3 position, vec3 facing) {
     if (light.views == 0u) return vec3(1.0);
@@ -138,7 +138,7 @@ vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
 #if SHADOW_METHOD == SHADOW_METHOD_NONE
     return vec3(1.0);
 #else
-    // What faces away is dark by itself, and no map is asked.
+    // Surfaces facing away are dark anyway, without a map.
     if (dot(facing, to_light) <= 0.0) return vec3(0.0);
     vec3 visible = vec3(visibility_in_map(shadow_lights[light], position, facing, to_light));
 #if SHADOW_TRANSPARENT == SHADOW_TRANSPARENT_COLORED

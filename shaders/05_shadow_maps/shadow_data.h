@@ -1,4 +1,4 @@
-// What shaders know of the shadows of a frame: lights, their views, and what is asked of a view's map.
+// Shader data of a frame's shadows: lights, their views, and settings of a view's map.
 #pragma once
 #include <common/shared.h>
 
@@ -6,7 +6,7 @@ BEGIN_SHARED
 
 const uint NO_LAYER = 0xffffffffu;
 
-// The share of a map at each of its sides that holds no point whose shadow is asked for: a filter may be as wide.
+// Margin at each side of a map, as a share of it, without shadow queries: a filter may be as wide.
 const float MAP_MARGIN = 1.0f / 16.0f;
 
 // [shadow_view]
@@ -56,8 +56,7 @@ struct Receiver {
 };
 // [/receiver_struct]
 
-// The surface's own depth at a place of the map. Where its plane lies beyond the far one it is 0, as what the map holds
-// there: nothing is in the way.
+// The surface's own depth at a point of the map. Beyond the far plane it is 0, the map's value there: nothing blocks.
 float plane_depth(Receiver r, vec2 uv) { return max(r.place.z + dot(r.slope, uv - r.place.xy), 0.0); }
 
 // [plane_depths]

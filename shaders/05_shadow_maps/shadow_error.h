@@ -1,4 +1,4 @@
-// What kind of wrong a shadow is: one definition for the picture that shows it and for the study that counts it.
+// Kinds of shadow errors: one definition for the picture that shows them and for the study that counts them.
 #pragma once
 #include <common/shared.h>
 
@@ -11,16 +11,16 @@ const uint SHADOW_LEAK = 3u;
 const uint SHADOW_EDGE = 4u;
 
 // [shadow_error]
-// What the truth says of a point and of its surroundings: those points of the surface's tangent plane that a filter at
-// this point may take into its mean.
+// The truth at a point and around it: over points of the surface's tangent plane that a filter at this point may
+// average.
 struct ShadowTruth {
     float visibility;   // at the point, 0 to 1
     float least, most;  // of the visibilities around it, its own among them
     float blocker_m;    // along the way to the middle of the lamp to the nearest thing in between; below 0: none
 };
 
-// `shown` is the visibility that a method gives, `tolerance` what is not counted as wrong, `contact_m` how near a
-// blocker stands where its shadow ought to touch it. On a surface that faces the light:
+// `shown` is a method's visibility, `tolerance` the accepted error, `contact_m` the distance of a blocker within
+// which its shadow ought to touch it. On a surface that faces the light:
 //   acne           darker than the truth, and the truth is fully lit all around: only the surface itself can be why
 //   peter-panning  lighter than the truth, which is fully dark all around, and the blocker is nearer than contact_m
 //   leak           the same, and the blocker is farther away

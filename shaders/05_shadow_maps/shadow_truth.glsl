@@ -1,11 +1,11 @@
-// What of a light arrives, by rays: the truth of shadows at a point and around it, for shadow_error().
+// Visibility of lights by rays: the truth of shadows at a point and around it, for shadow_error().
 #include "03_attenuation/light_data.h"
 #include "05_shadow_maps/rays.glsl"
 #include "05_shadow_maps/shadow_data.h"
 #include "05_shadow_maps/shadow_error.h"
 
 // [lamp_of]
-// `to_light` has unit length and is what a directional light goes by.
+// `to_light` has unit length; directional lights use it.
 Lamp lamp_of(ShadowLight light, vec3 position, vec3 to_light) {
     if (light.kind == LIGHT_DIRECTIONAL) return Lamp(to_light, 0.5 * light.size, on_and_on);
     return Lamp(light.position - position, 0.5 * light.size, 1.0);
@@ -13,7 +13,7 @@ Lamp lamp_of(ShadowLight light, vec3 position, vec3 to_light) {
 // [/lamp_of]
 
 // [visibility_by_rays]
-// What visibility_in_map() is asked, answered by rays.
+// visibility_in_map(), answered by rays.
 float visibility_by_rays(ShadowLight light, vec3 position, vec3 facing, vec3 to_light) {
     if (light.views == 0u) return 1.0;  // it casts no shadow
     vec3 origin = above(position, facing);

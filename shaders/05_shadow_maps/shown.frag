@@ -1,4 +1,4 @@
-// What SHOW shows beside the picture, and the picture by rays. Alpha counts for measure(): what kind of wrong it is.
+// Pictures of the knob SHOW, and the picture by rays. Alpha is the kind of error, for measure().
 #define OWN_LIGHT_VISIBILITY
 #include "03_attenuation/lighting.glsl"
 #include "04_surface_maps/reflection.glsl"

@@ -1,4 +1,4 @@
-// What a visibility buffer holds of a pixel: which item it shows, counted from 1, and which of its triangles.
+// A visibility buffer's pixel: the visible item, counted from 1, and its triangle.
 layout(location = 7) flat in uint item;
 layout(location = 0) out uvec2 visible;
 

@@ -3,10 +3,10 @@
 uniform usampler2D visible;  // item + 1 and triangle; 0: nothing
 
 // [shares]
-// What each corner counts at a place of the screen (-1 to 1, y down), which a rasteriser would interpolate by. Corners
-// in clip space, also behind the eye: moved so that the place is the middle, each is (x, y) w, and what two of them
-// span is the share of the third. (M. Olano and T. Greer, Triangle scan conversion using 2D homogeneous coordinates,
-// Graphics Hardware 1997.)
+// Barycentric weights of each corner at a point of the screen (-1 to 1, y down), as a rasteriser would interpolate.
+// Corners in clip space, also behind the eye: moved so that the point is the middle, each is (x, y) w, and the area
+// spanned by two is the weight of the third. (M. Olano and T. Greer, Triangle scan conversion using 2D homogeneous
+// coordinates, Graphics Hardware 1997.)
 vec3 shares(vec4 corners[3], vec2 place) {
     vec2 a = corners[0].xy - place * corners[0].w;
     vec2 b = corners[1].xy - place * corners[1].w;

@@ -1,4 +1,4 @@
-// visible.frag for surfaces with holes: what textures cut out is not seen.
+// visible.frag for surfaces with holes cut by textures.
 #include "04_surface_maps/surface_maps.glsl"
 
 layout(location = 0) out uvec2 visible;

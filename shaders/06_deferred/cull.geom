@@ -1,4 +1,4 @@
-// Lets triangles through that face the eye: what the device's own culling does, before it is asked. With LEFT_OUT all others
+// Passes triangles that face the eye, as the device's own culling does, but earlier. With LEFT_OUT all others
 // instead.
 #include "common/structs.h"
 #include "06_deferred/cull_back_face.glsl"

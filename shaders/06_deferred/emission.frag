@@ -1,4 +1,4 @@
-// What surfaces emit, added to what lights have made of them.
+// Emission of surfaces, added to the lights' sum.
 #include "04_surface_maps/surface_maps.glsl"
 
 layout(location = 0) out vec4 color;

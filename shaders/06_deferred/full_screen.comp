@@ -1,4 +1,4 @@
-// Lights every pixel by every light; with light volumes, by those that have no volume.
+// Lights every pixel by every light; with light volumes, by the lights without a volume.
 #include "06_deferred/read_gbuffer.glsl"
 #include "06_deferred/reflected.glsl"
 

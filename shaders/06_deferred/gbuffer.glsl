@@ -1,4 +1,4 @@
-// How the G-buffer of each method holds a pixel: what the module GBuffer gives to shaders.
+// Encoding of a pixel in each method's G-buffer: the module GBuffer for shaders.
 #include "06_deferred/pixel.glsl"
 #include "06_deferred/pack_material.glsl"
 #include "06_deferred/normals.glsl"
@@ -6,7 +6,7 @@
 #define GBUFFER_IS_PACKED (GBUFFER_METHOD == GBUFFER_METHOD_PACKED || GBUFFER_METHOD == GBUFFER_METHOD_TILED)
 
 // [normal_bits]
-// 32 bits are for the normal and for that of the mesh: what the one does not take the other may have.
+// 32 bits hold the shading normal and the mesh's normal: the second gets the bits left by the first.
 #if GBUFFER_NORMAL_BITS == GBUFFER_NORMAL_BITS_8
 const int normal_bits = 8, facing_bits = 8;
 #elif GBUFFER_NORMAL_BITS == GBUFFER_NORMAL_BITS_12

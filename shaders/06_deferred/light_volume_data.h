@@ -1,4 +1,4 @@
-// What is drawn for a light: a unit sphere, or a unit cone, moved to where it reaches.
+// Geometry of a light volume: a unit sphere, or a unit cone, moved to the light's reach.
 #pragma once
 #include <common/shared.h>
 

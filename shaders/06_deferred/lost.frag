@@ -1,4 +1,4 @@
-// What the G-buffer of the method in use loses of a surface, where it is drawn: it is stored and taken back at once.
+// Encoding losses of the current G-buffer, as a surface is drawn: it is encoded and decoded at once.
 #include "06_deferred/mapped_pixel.glsl"
 #include "06_deferred/gbuffer.glsl"
 #include "06_deferred/position_from_depth.glsl"

@@ -1,4 +1,4 @@
-// From a surface with all its maps to what a G-buffer is told of it.
+// From a surface with all its maps to a G-buffer's input.
 #include "04_surface_maps/surface_maps.glsl"
 #include "06_deferred/pixel.glsl"
 

@@ -1,4 +1,4 @@
-// What a pixel shows, as far as lighting needs to know.
+// A pixel's surface, as far as lighting needs it.
 #include "common/structs.h"
 
 // [pixel]

@@ -1,4 +1,4 @@
-// From a pixel to what chapter 03's lights ask of it, and from their sum to what leaves it.
+// From a pixel to the inputs of chapter 03's lights, and from their sum to the light that leaves it.
 #include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/lighting.glsl"
 #include "05_shadow_maps/shadow.glsl"

@@ -1,4 +1,4 @@
-// Lights a tile of 16 x 16 pixels in one workgroup: how deep is it, which lights reach it, what do they give?
+// Lights a tile of 16 x 16 pixels in one workgroup: its depth range, the lights that reach it, their sum.
 layout(local_size_x = 16, local_size_y = 16) in;  // before anybody asks for gl_WorkGroupSize
 
 #include "06_deferred/read_gbuffer.glsl"

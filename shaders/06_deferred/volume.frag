@@ -1,4 +1,4 @@
-// Adds one light to the pixels whose surface its volume may hold.
+// Adds one light to the pixels with surfaces that may lie in its volume.
 #include "06_deferred/read_gbuffer.glsl"
 #include "06_deferred/reflected.glsl"
 

@@ -1,4 +1,4 @@
-// The air of a pass, what it does to light at a place, and where on a path one is.
+// The air of a pass, its effect on light at a point, and positions on a path.
 #include "10_atmosphere/air_data.h"
 #include "10_atmosphere/density.glsl"
 #include "10_atmosphere/ray_sphere.glsl"
@@ -8,12 +8,12 @@ struct Place {
     float sun;  // cosine of the angle between the sun and straight up
 };
 
-// Of molecules, dust and the layer, relative to what they are where they are densest.
+// Of molecules, dust and the layer, relative to their maximum densities.
 vec3 density_at(float height) {
     return density(height, air.rayleigh_height, air.mie_height, air.layer_center, air.layer_width);
 }
 
-// What a metre of air takes away.
+// Extinction per metre of air.
 vec3 extinction(vec3 densities) {
     return air.rayleigh * densities.x + air.mie_extinction * densities.y + air.layer * densities.z;
 }
@@ -47,7 +47,7 @@ float horizon_slope(float height) {
     return -sqrt(height * (2.0 * air.radius + height)) / (air.radius + height);
 }
 
-// What of the sun's disc the planet leaves, 0 to 1, seen from a place in its air.
+// Share of the sun's disc above the planet, 0 to 1, seen from a place in its air.
 float sun_share(Place place) {
     float horizon = horizon_slope(place.height);
     // Both are cosines of angles near 90 degrees: their difference is an angle but for the horizon's own dip.

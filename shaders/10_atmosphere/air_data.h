@@ -11,13 +11,13 @@ struct Air {
     float rayleigh_height;  // their scale height; 0: there are none
     vec3 mie;               // scattering of the dust at the ground
     float mie_height;
-    vec3 mie_extinction;              // and what it takes away in all
+    vec3 mie_extinction;              // and its total extinction
     float mie_g;                      // of its phase function
     vec3 layer;                       // absorption in the middle of the layer
     float layer_center, layer_width;  // the middle's height; from there down and up to nothing
     float radius;                     // of the ground
     float top;                        // height above which there is no air
-    vec3 sun;                         // what the sun sheds on a surface that faces it, outside of the air
+    vec3 sun;                         // the sun's irradiance of a facing surface, outside of the air
     float sun_rad;                    // half of the angle that its disc fills
     vec3 ground;                      // albedo of the ground
 };
@@ -31,10 +31,10 @@ struct Path {
     float way;        // how long it is
 };
 
-// What becomes of light on a path.
+// Light and transmittance along a path.
 struct Along {
-    vec3 light;          // what is scattered in
-    vec3 transmittance;  // what of the light at its end gets through
+    vec3 light;          // inscattered light
+    vec3 transmittance;  // of light from the path's end
 };
 
 #ifndef __cplusplus

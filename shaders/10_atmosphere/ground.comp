@@ -15,7 +15,7 @@ layout(scalar) uniform PlanetBlock {
     vec3 color;
     float sea, waves, clouds, night, stars;
 } planet;
-layout(scalar) uniform StrengthBlock { float strength; };  // of what is given in kcd/m²
+layout(scalar) uniform StrengthBlock { float strength; };  // of values in kcd/m²
 uniform sampler2D star_map;
 #if PLANET_MAP != PLANET_MAP_PLAIN
 uniform sampler2D day_map;

@@ -1,4 +1,4 @@
-// What the module HeightFog gives to shaders: what fog makes of light on its way to the eye.
+// The module HeightFog for shaders: fog between a point and the eye.
 #include "10_atmosphere/height_fog.glsl"
 
 layout(scalar) uniform FogBlock {
@@ -6,7 +6,7 @@ layout(scalar) uniform FogBlock {
     vec3 color, sun_color;
 } fog;
 
-// What of the light comes through, from a point `distance` metres away (0 or more) in a direction of unit length.
+// Transmittance from a point `distance` metres away (0 or more) in a direction of unit length.
 float fog_transmittance(vec3 eye, vec3 direction, float distance) {
     float start = min(fog.start_m, distance);
     float y = eye.y + start * direction.y - fog.base_m;
@@ -20,7 +20,7 @@ float fog_transmittance(vec3 eye, vec3 direction, float distance) {
 #endif
 }
 
-// What fog itself sends from there: towards the sun the sun's colour. `to_sun` has unit length.
+// Light scattered by the fog itself: towards the sun the sun's colour. `to_sun` has unit length.
 vec3 fog_color(vec3 direction, vec3 to_sun) {
     float towards = pow(clamp(0.5 + 0.5 * dot(direction, to_sun), 1e-6, 1.0), fog.sun_power);
     return mix(fog.color, fog.sun_color, towards);

@@ -1,4 +1,4 @@
-// What every method's pass over the picture shares: the pixel's path, and what it makes of the picture.
+// Shared by every method's pass over the picture: the pixel's path, and its composition with the picture.
 #include "common/light.glsl"
 #include "10_atmosphere/view_path.glsl"
 #include "common/view_rays.h"
@@ -17,7 +17,7 @@ layout(scalar) uniform DiscBlock { float disc; };  // brightness of the sun's di
 const float endless = 1e12;
 bool unfinished = false;  // along() has found part of the light, and another dispatch goes on
 
-// What each pass defines: light and transmittance of a path within the air, to what is `distance` metres from the eye.
+// Defined by each pass: light and transmittance of a path within the air, to a point `distance` metres from the eye.
 Along along(Path path, vec3 direction, ivec2 pixel, float distance);
 
 // [sun_disc]

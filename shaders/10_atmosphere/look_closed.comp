@@ -5,8 +5,8 @@
 #include "10_atmosphere/sun_closed.glsl"
 
 // [along]
-// What lies between the path's start and a place on it is a difference of two ways out, both away from the ground: with the
-// path where it leads up, against it where it leads down.
+// The depth between the path's start and a point on it is a difference of two paths out, both away from the ground:
+// with the path if it leads up, against it if it leads down.
 vec3 depth_between(float height, float slope, float other, float other_slope, bool against) {
     vec3 between = against ? closed_depth(other, -other_slope) - closed_depth(height, -slope)
                            : closed_depth(height, slope) - closed_depth(other, other_slope);

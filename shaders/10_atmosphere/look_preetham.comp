@@ -1,4 +1,4 @@
-// The sky of a formula behind a picture; what is before the sky has no air before it.
+// The sky of a formula behind a picture; no air before the objects.
 #include "10_atmosphere/look.glsl"
 #include "10_atmosphere/preetham.glsl"
 

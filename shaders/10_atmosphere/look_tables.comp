@@ -1,5 +1,5 @@
-// The air before a picture, from tables. An eye in the air: the sky's table, and the volume for what is near. What is
-// farther than the volume, and all that is seen from space, is marched with the light that the tables know.
+// The air before a picture, from tables. An eye in the air: the sky's table, and the volume for near objects. Objects
+// beyond the volume, and all views from space, are marched with light from the tables.
 #include "10_atmosphere/look.glsl"
 #include "10_atmosphere/sun_table.glsl"
 #include "10_atmosphere/in_scatter.glsl"

@@ -1,5 +1,4 @@
-// The air before a picture with so many steps that more of them change nothing that is seen, and random walks for what is
-// scattered more than once.
+// The air before a picture with enough steps to converge, and random walks for multiple scattering.
 #define IN_PARTS
 #include "10_atmosphere/look.glsl"
 #include "10_atmosphere/sun_marched.glsl"

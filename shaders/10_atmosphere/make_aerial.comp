@@ -1,5 +1,5 @@
-// The volume before the eye: what is scattered in up to a distance, and what gets through from there. Its slices lie closer
-// near the eye. A thread is a ray; it keeps what it has gathered at each slice.
+// The volume before the eye: inscattered light up to a distance, and transmittance. Its slices lie closer near the
+// eye. A thread is a ray; it stores its running sums at each slice.
 #include "common/structs.h"
 #include "10_atmosphere/sun_table.glsl"
 #include "10_atmosphere/in_scatter.glsl"

@@ -1,4 +1,4 @@
-// What one dispatch finds of the light of each path, where one alone would take too long.
+// One dispatch's share of each path's light, for paths too long for one dispatch.
 #pragma once
 #include <common/shared.h>
 

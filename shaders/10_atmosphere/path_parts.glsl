@@ -1,12 +1,11 @@
-// Paths in parts, a dispatch for each: llvmpipe ends all loops of an invocation once they have turned 65,535 times together,
-// and says nothing. What one part has found the next takes up.
-// Compiled where a pass is IN_PARTS.
+// Paths in parts, a dispatch for each: llvmpipe ends all loops of an invocation after 65,535 iterations together,
+// without a message. Each part continues from the previous one's result. Compiled for passes that are IN_PARTS.
 #include "10_atmosphere/path_part.h"
 
 #ifdef IN_PARTS
 layout(scalar) uniform PartBlock { PathPart part; };
-layout(rgba32f) uniform image2D light_so_far;    // and the sum of the squares of what each walk has added
-layout(rgba32f) uniform image2D through_so_far;  // and the sum of what walks have added
+layout(rgba32f) uniform image2D light_so_far;    // and the sum of the squares of each walk's contribution
+layout(rgba32f) uniform image2D through_so_far;  // and the sum of the walks' contributions
 
 struct SoFar {
     vec4 light, through;

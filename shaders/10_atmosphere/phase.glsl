@@ -1,4 +1,4 @@
-// Which way light goes that is scattered: shares per steradian, whose integral over all directions is 1.
+// Directions of scattered light: shares per steradian, with an integral of 1 over all directions.
 #include "common/henyey_greenstein.glsl"
 #include "10_atmosphere/phase_mie.glsl"
 #include "10_atmosphere/phase_rayleigh.glsl"

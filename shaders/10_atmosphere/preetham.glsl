@@ -1,7 +1,8 @@
-// The sky of a clear day seen from the ground, as a formula: A. J. Preetham, P. Shirley and B. Smits, "A practical analytic
-// model for daylight", SIGGRAPH 1999, pp. 91-100, appendix A.2. Directions have unit length, +y is up. `turbidity` is how
-// hazy the air is: 2 very clear, 3 clear, 6 warm and moist, 10 haze. The fit was made for 2 to 10, and for a sun above the
-// horizon: what is outside is brought inside (below a turbidity of 1.203 the formula is infinite at the horizon).
+// The sky of a clear day seen from the ground, as a formula: A. J. Preetham, P. Shirley and B. Smits, "A practical
+// analytic model for daylight", SIGGRAPH 1999, pp. 91-100, appendix A.2. Directions have unit length, +y is up.
+// `turbidity` measures haze: 2 very clear, 3 clear, 6 warm and moist, 10 haze. The fit was made for 2 to 10, and for
+// a sun above the horizon: other values are clamped (below a turbidity of 1.203 the formula is infinite at the
+// horizon).
 const float preetham_least_turbidity = 1.7, preetham_most_turbidity = 10.0;
 
 // R. Perez et al., Solar Energy 50(3), 1993: relative luminance towards a zenith angle, at an angle from the sun.
@@ -50,9 +51,9 @@ vec3 preetham_sky(vec3 direction, vec3 to_sun, float turbidity) {
     return max(xyz_to_rgb(vec3(c.x, c.y, 1.0 - c.x - c.y) * (c.z / max(c.y, 1e-3))), 0.0);
 }
 
-// What of the sun's light reaches the ground, in red, green and blue: Rayleigh scattering and haze after the same paper's
-// appendix A.1, at 650, 570 and 475 nm; F. Kasten and A. T. Young's air mass, Applied Optics 28(22), 1989. 0 to 1; below
-// the horizon it is the horizon's.
+// Sunlight that reaches the ground, in red, green and blue: Rayleigh scattering and haze after the same paper's
+// appendix A.1, at 650, 570 and 475 nm; F. Kasten and A. T. Young's air mass, Applied Optics 28(22), 1989. 0 to 1;
+// below the horizon it is the horizon's.
 vec3 preetham_sunlight(vec3 to_sun, float turbidity) {
     float elevation_deg = max(degrees(asin(clamp(to_sun.y, -1.0, 1.0))), 0.0);
     float air_mass = 1.0 / (max(to_sun.y, 0.0) + 0.50572 * pow(elevation_deg + 6.07995, -1.6364));

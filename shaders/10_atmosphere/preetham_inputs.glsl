@@ -1,4 +1,4 @@
-// What the module Preetham gives to shaders: its knobs, and with them a sky and a sun for a picture.
+// The module Preetham for shaders: its knobs, and with them a sky and a sun for a picture.
 #include "10_atmosphere/preetham.glsl"
 
 layout(scalar) uniform PreethamBlock {
@@ -10,7 +10,7 @@ vec3 sky_light(vec3 direction, vec3 to_sun) {
     return preetham.exposure * preetham_sky(direction, to_sun, preetham.turbidity);
 }
 
-// What the sun sheds on a surface that faces it, of the same scale: a white matt one reflects sun_light / pi of it.
+// The sun's irradiance of a facing surface, of the same scale: a white matt one reflects sun_light / pi of it.
 vec3 sun_light(vec3 to_sun) {
     return preetham.exposure * preetham.sun * preetham_sunlight(to_sun, preetham.turbidity);
 }

@@ -33,12 +33,12 @@ vec3 sunlight_of_walk(Place place) {
     return share > 0.0 ? share * exp(-closed_depth(height, max(place.sun, horizon_slope(height)))) : vec3(0.0);
 }
 
-// What the particles at a place scatter of the walk's colour: molecules and dust, per metre.
+// Scattering coefficients at a point in the walk's colour: molecules and dust, per metre.
 vec2 scattering_at(vec3 densities, int c) { return vec2(air.rayleigh[c] * densities.x, air.mie[c] * densities.y); }
 
-// The cosine by which one of them turns the light. Of molecules: where the integral of 3/8 (1 + x²) is what was drawn (J. R.
-// Frisvad, Journal of the Optical Society of America A 28(12), 2011); of dust by Henyey and Greenstein's, and `weight`
-// becomes what the air's own phase function is of it.
+// Cosine of a scattering angle. Molecules: inverts the integral of 3/8 (1 + x²) (J. R. Frisvad, Journal of the
+// Optical Society of America A 28(12), 2011); dust: Henyey and Greenstein's, with `weight` set to the ratio of the
+// air's own phase function to it.
 float draw_cosine(bool dust, inout float weight) {
     float x = 2.0 * random() - 1.0;
     if (!dust) {
@@ -99,8 +99,8 @@ float walk(vec3 position, vec3 direction, vec3 to_sun, int c) {
 }
 // [/walk]
 
-// What `walks` of them, spread over the path, say; `squares` grows by the squares of what each has added. `through` is what
-// gets from the path's start to the eye, and becomes what gets there from its end.
+// Result of `walks` of them, spread over the path; `squares` grows by the squares of each one's contribution.
+// `through` is the transmittance from the path's start to the eye, and becomes that from its end.
 vec3 scattered_often(Path path, int walks, inout vec3 through, inout float squares) {
     // Where the path is, in a world of its own: +y is up at its start.
     float sine = sqrt(max(1.0 - path.slope * path.slope, 0.0)), sun_sine = sqrt(max(1.0 - path.sun * path.sun, 0.0));

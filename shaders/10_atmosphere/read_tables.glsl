@@ -1,4 +1,4 @@
-// Where the tables of the air keep what.
+// Parameterisation of the air's tables.
 #include "10_atmosphere/air.glsl"
 #include "10_atmosphere/table_uv.glsl"
 

@@ -3,8 +3,8 @@
 #include "10_atmosphere/in_scatter.glsl"
 #include "common/schlick.glsl"
 
-// The slope of the waves at a place (metres), those alone that are longer than two pixels; `steep` is the standard deviation
-// of all of them together, `rest` what of it is left for roughness.
+// The slope of the waves at a point (metres), without waves shorter than two pixels; `steep` is the standard
+// deviation of all of them together, `rest` the part left for roughness.
 vec2 wave_slope(vec2 at, float pixel_m, float steep, out float rest) {
     vec2 slope = vec2(0.0);
     float length_m = 2.3, angle = 0.4, shown = 0.0, all = 0.0;

@@ -1,11 +1,11 @@
-// The table of the sky: what is scattered in towards the eye from each direction above the horizon. None below it: what the
-// ground hides is never mixed into the sky's edge. Across: the angle around straight up, from the sun's, 0 to pi; down: from
-// the horizon (0) to the zenith (1), closer at the horizon.
+// The table of the sky: light inscattered towards the eye from each direction above the horizon. None below it: light
+// hidden by the ground is never mixed into the sky's edge. Across: the angle around straight up, from the sun's, 0 to
+// pi; down: from the horizon (0) to the zenith (1), closer at the horizon.
 #include "10_atmosphere/air.glsl"
 
 const float pi = 3.14159265;
 
-// Elevation in radians of what has that slope.
+// Elevation in radians for a slope.
 float elevation_of(float slope) { return asin(clamp(slope, -1.0, 1.0)); }
 
 // How far the horizon lies below level, as an elevation; 0 or less.

@@ -1,4 +1,4 @@
-// What light gets to a place in the air: each pass includes one of sun_marched.glsl, sun_closed.glsl and sun_table.glsl.
+// Sunlight at a point in the air: each pass includes one of sun_marched.glsl, sun_closed.glsl and sun_table.glsl.
 #include "10_atmosphere/air.glsl"
 
 // 0 to 1, by channel; 0 in the planet's shadow.

@@ -16,7 +16,7 @@ float distance_to_ground(Path path) {
     return max(ray_sphere(path.height, path.slope, air.radius, 0.0).x, 0.0);
 }
 
-// What of the path to a point `distance` away lies in the air; false: nothing. Moves its start to where it enters.
+// Clips the path to a point `distance` away to the air; false: none is left. Moves its start to its entry.
 bool clip_to_air(inout Path path, float distance) {
     vec2 shell = ray_sphere(path.height, path.slope, air.radius, air.top);
     if (shell.x > shell.y || shell.y <= 0.0 || shell.x >= distance) return false;

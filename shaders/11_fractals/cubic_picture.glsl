@@ -1,5 +1,5 @@
-// A level of a picture of all directions by a cubic B-spline, whose magnified picture has no corners as a linear filter's
-// has (Sigg and Hadwiger, GPU Gems 2, 2005, chapter 20: four linear reads).
+// A level of a picture of all directions by a cubic B-spline, which magnifies without the corners of a linear filter
+// (Sigg and Hadwiger, GPU Gems 2, 2005, chapter 20: four linear reads).
 
 // Half of a spline's weights along one axis: two reads at `at`, which weigh 1 - share and share.
 struct Reads {

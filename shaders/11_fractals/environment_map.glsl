@@ -8,8 +8,8 @@ vec2 environment_uv(vec3 direction) {
     return vec2(u, acos(clamp(normalize(direction).y, -1.0, 1.0)) / pi);
 }
 
-// What the middle of a cube face's texel looks at; faces +x, -x, +y, -y, +z, -z, rows from the top (Vulkan 1.3, 16.5.4).
-// Unit length.
+// Direction through the centre of a cube face's texel; faces +x, -x, +y, -y, +z, -z, rows from the top (Vulkan 1.3,
+// 16.5.4). Unit length.
 vec3 cube_direction(uvec3 texel, float size) {
     vec2 st = (2.0 * vec2(texel.xy) + 1.0) / size - 1.0;
     vec3 direction = texel.z == 0u   ? vec3(1.0, -st.y, -st.x)

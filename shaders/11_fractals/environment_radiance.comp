@@ -1,4 +1,4 @@
-// One level of the cube: from the level of the picture whose texels are as large, by a cubic B-spline.
+// One level of the cube: from the picture's level with texels as large, by a cubic B-spline.
 #include "11_fractals/cubic_picture.glsl"
 #include "11_fractals/environment_map.glsl"
 

@@ -1,5 +1,5 @@
-// A quaternion Julia set in a slice through four dimensions: distances along rays, normals, and what light finds there.
-// The module Julia gives a pass all that this file names.
+// A quaternion Julia set in a slice through four dimensions: distances along rays, normals, and shading. The module
+// Julia provides all names used here.
 #include "11_fractals/julia_data.h"
 #include "11_fractals/julia_distance.glsl"
 #include "11_fractals/march.glsl"
@@ -10,7 +10,7 @@ layout(scalar) uniform JuliaBlock {
 } julia;
 layout(scalar) uniform JuliaNowBlock { JuliaNow julia_now; };
 
-// The fp64 truth's own settings are finer (truth.h); this is what a float can hold.
+// The fp64 truth's own settings are finer (truth.h); this is the limit of a float.
 const float exact_epsilon = 2e-5, exact_share = 0.3;
 
 vec4 julia_point(vec3 position) { return vec4(position, julia.slice); }

@@ -1,4 +1,4 @@
-// What the passes of a Julia set know beside its knobs.
+// Data for passes of a Julia set beside its knobs.
 #pragma once
 #include <common/shared.h>
 

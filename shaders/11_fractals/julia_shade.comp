@@ -1,4 +1,4 @@
-// What the pixels see: the set, lit by one light and by all that is around it, or what is around it alone.
+// The pixels' view: the set, lit by one light and by its surroundings, or the surroundings alone.
 #include "common/structs.h"
 #include "02_lambert_phong/lambert.glsl"
 #include "02_lambert_phong/phong.glsl"
@@ -8,7 +8,7 @@
 
 // The normal of a Julia set's surroundings: the direction in which the distance grows.
 
-// What q turns into where z turns into z + q, of z²: z q + q z, over 2.
+// First-order change of z² if z becomes z + q: z q + q z, over 2.
 vec4 square_change(vec4 z, vec4 q) { return vec4(z.x * q.x - dot(z.yzw, q.yzw), q.x * z.yzw + z.x * q.yzw); }
 
 // [analytic]
@@ -76,8 +76,8 @@ float orbit_trap(vec3 position) {
     return sqrt(nearest);
 }
 
-// How much of what is around it a point sees: distances along the normal that are shorter than they would be above a
-// plane (A. Evans, Fast approximations for global illumination on dynamic scenes, 2006). A distance here is about half.
+// Ambient visibility of a point: distances along the normal that are shorter than above a plane (A. Evans, Fast
+// approximations for global illumination on dynamic scenes, 2006). A distance here is about half.
 float openness(vec3 position, vec3 normal) {
     float missing = 0.0, weight = 0.5;
     for (int i = 1; i <= 4; ++i) {
@@ -130,7 +130,7 @@ void main() {
     vec3 along = pixel_direction(pixel), position = julia_now.rays.eye + march.x * along, shown;
     bool missed = int(march.z) == MARCH_MISS;
 #if JULIA_SHOW == JULIA_SHOW_STEPS
-    // 0 blue, half of the steps green, all of them red; what was stopped on its way is white.
+    // 0 blue, half of the steps green, all of them red; rays stopped early are white.
     float share = clamp(march.y / float(julia.most_steps), 0.0, 1.0);
     shown = int(march.z) == MARCH_CAPPED ? vec3(1.0)
                                          : vec3(smoothstep(0.3, 0.8, share), 4.0 * share * (1.0 - share), exp(-9.0 * share) * 0.35);

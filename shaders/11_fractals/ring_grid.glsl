@@ -1,9 +1,9 @@
 // A flat grid of rings around a middle, each of cells twice as large as the one within.
 
 // [place]
-// Place of a vertex in cells of the innermost ring, from the middle. A ring's outer edge has twice as many vertices as the
-// ring around it. Those that the other has not move onto their neighbours: what is left of their triangles closes without
-// a crack. `cells` along a side of each ring: a multiple of 4.
+// Position of a vertex in cells of the innermost ring, from the middle. A ring's outer edge has twice as many
+// vertices as the ring around it. The extra ones move onto their neighbours: the remaining triangles close without a
+// crack. `cells` along a side of each ring: a multiple of 4.
 ivec2 ring_place(ivec2 vertex, int ring, int cells, int rings, bool stitch) {
     if (stitch && ring + 1 < rings) {
         if (vertex.x == 0 || vertex.x == cells) vertex.y &= ~1;

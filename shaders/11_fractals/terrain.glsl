@@ -1,5 +1,5 @@
-// The terrain as a function of the place: heights and slopes, with as many octaves as are asked for. The module Terrain
-// gives a pass what this file names. Places are metres from the grid's middle, x and z.
+// The terrain as a function of position: heights and slopes, with the requested number of octaves. The module Terrain
+// provides the names used here. Positions are metres from the grid's middle, x and z.
 #include "11_fractals/eroded_fbm.glsl"
 #include "11_fractals/integrate_octaves.glsl"
 #include "11_fractals/terrain_data.h"
@@ -20,7 +20,7 @@ vec3 terrain_at(vec2 place, float octaves) {
 // Half of the shortest wave that a pixel so far away shows, metres.
 float pixel_footprint(float distance_m) { return 0.5 * terrain.shortest_px * terrain_now.pixel_rad * distance_m; }
 
-// For what stands for so many metres of ground.
+// For a footprint of so many metres of ground.
 float octaves_for(float footprint_m) {
 #if TERRAIN_OCTAVES == TERRAIN_OCTAVES_FIXED
     return terrain.most_octaves;

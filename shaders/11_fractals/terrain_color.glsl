@@ -12,7 +12,7 @@ layout(scalar) uniform TerrainMixLookBlock {
     vec2 snow_begins, snow_ends;
 } terrain_mix_look;
 
-// Whoever includes this file reads maps: uv, and how it changes from pixel to pixel.
+// The includer reads maps: uv, and its change from pixel to pixel.
 vec4 look_up(sampler2D map, vec2 uv, vec2 across, vec2 down);
 
 // A texture twice, at scales that do not fit each other, so that its repetition does not show.

@@ -1,4 +1,4 @@
-// The ground's vertices, each lifted once, for whatever draws and shades triangles of them.
+// The ground's vertices, each lifted once, for all passes that draw and shade its triangles.
 #include "11_fractals/grid_vertex.glsl"
 
 layout(local_size_x = 64) in;

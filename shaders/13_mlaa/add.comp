@@ -9,7 +9,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(hdr)))) return;
     vec4 light = imageLoad(hdr, pixel);
-    if (sample_index > 0) light += imageLoad(sum, pixel);  // the first finds there what was before
+    if (sample_index > 0) light += imageLoad(sum, pixel);  // the first sample overwrites the old contents
     if (sample_index < 3) imageStore(sum, pixel, light);
     else imageStore(hdr, pixel, 0.25 * light);
 }

@@ -1,4 +1,4 @@
-// What a screen cannot show is cut off before pixels are mixed.
+// Clips light to the displayable range before pixels are mixed.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba16f) uniform image2D hdr;

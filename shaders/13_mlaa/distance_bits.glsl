@@ -1,6 +1,6 @@
-// What a pixel holds of the edges below it and on its right: for how many pixels the line of edges below goes on to the left and
-// to the right, and that on the right up and down, the pixel itself counted: four bytes. Valid beside edges alone: elsewhere
-// nothing was written.
+// A pixel's edges below it and on its right: the number of pixels by which the line of edges below continues to the
+// left and to the right, and that on the right up and down, the pixel itself counted: four bytes. Valid beside edges
+// alone: elsewhere nothing was written.
 const uint back_below = 0u, ahead_below = 8u, back_right = 16u, ahead_right = 24u;
 
 // A step of a staircase: the edge below a pixel, and the edge across that goes on downwards from its end, on the right

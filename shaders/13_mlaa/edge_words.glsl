@@ -1,7 +1,6 @@
-// Where edges are, one bit each: a word holds sixteen pixels of a row, or of a column.
-// In a row's word the low half are the edges below its pixels, the high half those on their right; in a column's word the
-// low half are the edges on the right, the high half those below. The low half is what lines in that direction are made of,
-// the high half what crosses them.
+// Edges, one bit each: a word holds sixteen pixels of a row, or of a column. In a row's word the low half are the
+// edges below its pixels, the high half those on their right; in a column's word the low half are the edges on the
+// right, the high half those below. The low half forms lines in that direction, the high half crosses them.
 const int word_pixels = 16;
 uniform usampler2D edge_rows, edge_columns;
 

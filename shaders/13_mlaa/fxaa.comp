@@ -15,7 +15,7 @@ float luma_at(ivec2 pixel) { return sqrt(luminance(light_at(pixel))); }
 // Of a workgroup's square and the pixels around it, each read once.
 const int square = 16, kept_side = square + 2;
 shared float kept[kept_side * kept_side];
-shared uint strong[square * square], strong_count;  // threads whose pixels have contrast
+shared uint strong[square * square], strong_count;  // threads with contrast at their pixel
 
 void keep_luma() {
     ivec2 from = square * ivec2(gl_WorkGroupID.xy) - 1;
@@ -72,7 +72,7 @@ float fxaa_share(ivec2 place, out ivec2 side) {
     bool turns_here = left * (m - mean) < 0.0 && abs(left) >= enough;
     float by_end = turns_here ? 0.5 - float(min(back, ahead) - 1) / float(back + ahead - 1) - 0.5 / float(back + ahead - 1) : 0.0;
 
-    // What is smaller than a pixel: how far it stands out of its neighbours' mean.
+    // Features smaller than a pixel: the difference from their neighbours' mean.
     float around = (2.0 * (n + s + w + e) + nw + ne + sw + se) / 12.0;
     float lone = smoothstep(0.0, 1.0, clamp(abs(around - m) / range, 0.0, 1.0));
     return max(by_end, 0.5 * lone * lone);

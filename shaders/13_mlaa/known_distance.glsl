@@ -1,4 +1,4 @@
-// For 13.propagate_distance: what is known so far along one direction.
+// For 13.propagate_distance: distances known so far along one direction.
 #include "13_mlaa/distance_bits.glsl"
 
 uniform usampler2D from;

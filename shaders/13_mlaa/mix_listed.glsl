@@ -1,5 +1,5 @@
-// Mixes each listed pixel with its neighbours by weights_of(), which whoever includes this has defined. What comes out waits
-// in an image of its own: neighbours still read the picture as it was.
+// Mixes each listed pixel with its neighbours by weights_of(), defined by the includer. Results wait in an image of
+// their own: neighbours still read the original picture.
 #include "13_mlaa/blend.glsl"
 #include "13_mlaa/picture.glsl"
 #include "13_mlaa/work.glsl"

@@ -64,21 +64,21 @@ float corner_below(Staircase s) {
 
 // As line_weight.glsl, with more shapes: ends with edges on both sides, and corners.
 
-uniform sampler2D crossings;  // by what stands across at an end and at the other: to which side the outline turns there
+uniform sampler2D crossings;  // by the crossing edges at both ends: the side to which the outline turns there
 
 bool edge_across(ivec2 pixel, bool horizontal) { return horizontal ? edge_right(pixel) : edge_below(pixel); }
 bool edge_along(ivec2 pixel, bool horizontal) { return horizontal ? edge_below(pixel) : edge_right(pixel); }
 
-// What stands across the line at an end: 1 an edge on the near side, 2 on the far side, 3 both. `before`: the near pixel
-// behind which the end lies.
+// Edges across the line at an end: 1 on the near side, 2 on the far side, 3 both. `before`: the near pixel; the end
+// lies behind it.
 int across_at(ivec2 before, ivec2 across, bool horizontal) {
     return int(edge_across(before, horizontal)) + 2 * int(edge_across(before + across, horizontal));
 }
 
 // [corner]
-// At an end of a slanted line the edge across is one pixel long. Where it goes on, two lines meet: a corner of the thing
-// itself, which a straight silhouette through both would cut off. It keeps a quarter of its weight, for what is round.
-// Where all four edges meet behind its first pixel, it does not go on: another thing begins there.
+// At an end of a slanted line the edge across is one pixel long. If it goes on, two lines meet: a corner of the
+// object itself, which a straight silhouette through both would cut off. It keeps a quarter of its weight, for round
+// shapes. If all four edges meet behind its first pixel, it does not go on: another object begins there.
 const float kept_at_corner = 0.25;
 float corner_share(ivec2 before, ivec2 across, int side, bool horizontal) {
     ivec2 second = before + (side < 0 ? -across : across), next = side < 0 ? second : second + across;
@@ -125,7 +125,7 @@ vec4 detail_weights(ivec2 pixel) {
 vec4 weights_of(ivec2 pixel) {
     vec4 of_detail = detail_weights(pixel);
     if (of_detail != vec4(0.0)) return of_detail;
-    // Above the edge of a step, or below it: the outline is the staircase, whatever lines its edges are.
+    // Above the edge of a step, or below it: the outline is the staircase, regardless of its edges' lines.
     for (int way = 1; way >= -1; way -= 2) {
         Staircase here = staircase_at(pixel, way > 0), above = staircase_at(pixel - ivec2(0, 1), way > 0);
         bool is_above = is_staircase(here), is_below = is_staircase(above);

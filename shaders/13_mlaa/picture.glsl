@@ -1,4 +1,4 @@
-// The picture that is looked at: linear light, made finite, its border's pixels standing for what lies outside.
+// The source picture: linear light, made finite, with its border repeated outside.
 #include "common/light.glsl"
 
 uniform sampler2D picture;

@@ -1,4 +1,4 @@
-// What was mixed goes into the picture; every other pixel stays as it is, to the bit.
+// Copies mixed pixels into the picture; every other pixel stays as it is, to the bit.
 #define WORK_ACCESS readonly
 #include "13_mlaa/work.glsl"
 

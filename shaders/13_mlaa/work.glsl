@@ -1,4 +1,4 @@
-// What later passes have to do: the pixels beside an edge, and how many workgroups they are. It stays on the device.
+// Work of later passes: the pixels beside an edge, and their number of workgroups. It stays on the device.
 #ifndef WORK_ACCESS
 #define WORK_ACCESS coherent
 #endif
@@ -10,7 +10,7 @@ struct Work {
 layout(scalar) WORK_ACCESS buffer WorkBuffer { Work work; };
 
 const uint listed_threads = 256u;    // of a workgroup that goes through the list
-const uint most_groups = 65535u;     // what every device takes
+const uint most_groups = 65535u;     // guaranteed on every device
 
 ivec2 unpack_pixel(uint word) { return ivec2(word & 0xffffu, word >> 16); }
 uint pack_pixel(ivec2 pixel) { return uint(pixel.x) | uint(pixel.y) << 16; }

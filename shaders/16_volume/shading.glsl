@@ -9,7 +9,7 @@ uniform sampler3D volume_light;
 #endif
 
 // [arriving]
-// Radiance of what is white there, times pi: what shines by itself is not in it.
+// Radiance of a white scatterer there, times pi: without emission.
 vec3 light_at(vec3 position) {
 #if VOLUME_LIGHT == VOLUME_LIGHT_NONE
     return vec3(0.0);

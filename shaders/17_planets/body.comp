@@ -1,4 +1,4 @@
-// A body over what is behind it, in the pixels around it.
+// A body over its background, in the pixels around it.
 #include "17_planets/body.glsl"
 #include "common/light.glsl"
 

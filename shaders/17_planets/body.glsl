@@ -1,5 +1,5 @@
-// A body as a ray sees it. Macros say what it has: BODY_AIR, BODY_EARTH (oceans, clouds, cities), BODY_FLOW, BODY_RINGS,
-// BODY_STAR.
+// A body as seen by a ray. Macros select its parts: BODY_AIR, BODY_EARTH (oceans, clouds, cities), BODY_FLOW,
+// BODY_RINGS, BODY_STAR.
 #include "17_planets/air_shell.glsl"
 #include "17_planets/body_inputs.glsl"
 #include "17_planets/clouds.glsl"
@@ -74,7 +74,7 @@ vec4 seen_body(vec3 direction, float pixel_rad) {
     float t = abs(ray.direction.y) > 1e-7 ? -eye.y / ray.direction.y : -1.0;
     vec3 at = eye + t * ray.direction;
     if (t > 0.0 && dot(at.xz, at.xz) < body.rings.outer * body.rings.outer * 1.02) {
-        // What a pixel covers of the radius: more where the rings are seen at a low angle along it.
+        // A pixel's footprint, in radii: longer where the rings are seen at a low angle along it.
         float slant = abs(dot(normalize(at.xz), ray.direction.xz)) / max(abs(ray.direction.y), 1e-3);
         vec4 ring = ring_light(body.rings, at, -ray.direction, to_sun, t * pixel_rad * sqrt(1.0 + slant * slant));
         ring.rgb *= body.sunlight * ellipsoid_shadow(at, vec3(0.0, 1.0, 0.0), body.radius, shadow_flattening(), to_sun, shadow_sun_rad());

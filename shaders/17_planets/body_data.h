@@ -1,4 +1,4 @@
-// What the passes that draw a body know of it.
+// Data for the passes that draw a body.
 #pragma once
 #include <common/shared.h>
 
@@ -18,7 +18,7 @@ struct SurfaceLaw {
     vec3 tint;               // factor for the map's colours
     float relief;            // strength of the map of normals, 0 to 1
     float gloss;             // of ice where the map's alpha is 1; 0: none
-    float ice;               // 1: what is bright and grey on the map is ice, which no tint colours
+    float ice;               // 1: bright grey areas of the map are ice, unaffected by the tint
 };
 
 // Rings, seen from the middle of the planet. Their strips run from the inner to the outer edge.

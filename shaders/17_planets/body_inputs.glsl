@@ -1,4 +1,4 @@
-// What every pass over a body is given.
+// Inputs of every pass over a body.
 #include "17_planets/body_data.h"
 
 layout(scalar) uniform BodyBlock { BodyNow body; };

@@ -43,7 +43,7 @@ vec4 seen_clouds(vec3 eye, vec3 direction, float end, vec3 to_sun, float pixel_r
     float opacity = cloud_opacity(uv, footprint_rad);
     float alpha = limb_fade(opacity, mu, 0.12);
     if (alpha <= 0.0) return vec4(0.0);
-    // Slopes from what is thicker to the east and the north: cloud tops, seen in low sun.
+    // Slopes from thickness to the east and the north: cloud tops, seen in low sun.
     float step_uv = max(footprint_rad / 6.2831853, 1.0 / 2048.0);
     float east = cloud_opacity(uv + vec2(step_uv, 0.0), footprint_rad) - opacity;
     float north = cloud_opacity(uv - vec2(0.0, 2.0 * step_uv), footprint_rad) - opacity;

@@ -23,7 +23,7 @@ vec3 tilted_normal(vec3 up, vec2 uv, float footprint_rad, float strength) {
     return normalize(up * max(tilt.z, 0.05) + strength * (tilt.x * east + tilt.y * north));
 }
 
-// Of the Sun's disc, what another body and the rings leave.
+// Share of the Sun's disc left by another body and the rings.
 float sun_seen(vec3 at, vec3 to_sun) {
     float seen = 1.0;
     if (body.other_radius > 0.0)
@@ -35,7 +35,7 @@ float sun_seen(vec3 at, vec3 to_sun) {
 }
 
 #ifndef BODY_STAR
-const float ice_f0 = 0.018, ice_exponent = 40.0;  // of water ice, whose index is 1.31; slopes of 9 degrees
+const float ice_f0 = 0.018, ice_exponent = 40.0;  // of water ice, with an index of 1.31; slopes of 9 degrees
 
 // Radiance towards `to_eye`. `round_at` is the place in round space, from the centre; a pixel covers `pixel_m` across the ray.
 vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {

@@ -11,7 +11,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
     vec3 direction = normalize(now.to_galaxy * ray_through(now.rays, vec2(pixel) + 0.5));
-    // Blurred: its single stars are those of the catalogue once more.
+    // Blurred, since its single stars are the catalogue's once more.
     vec3 light = map_texel(star_map, map_uv(direction), max(length(now.rays.right), 0.05)).rgb;
     imageStore(result, pixel, vec4(now.milky_way * light, 1.0));
 }

@@ -16,8 +16,8 @@ float ring_level(Rings rings, float width_m) {
 }
 
 // [ring_shadow]
-// What the rings let through towards `point`, from the planet's centre in the body's axes. The sun's disc sees as much of them at once
-// as it is wide there. In the rings' plane nothing is between.
+// Transmittance of the rings towards `point`, from the planet's centre in the body's axes. The sun's disc averages a
+// part of them as wide as itself. In the rings' plane nothing is between.
 float ring_shadow(Rings rings, vec3 point, vec3 to_sun, float sun_rad) {
     if (abs(to_sun.y) < 1e-6) return 1.0;
     float t = -point.y / to_sun.y, r = length(point.xz + t * to_sun.xz);
@@ -39,7 +39,7 @@ vec4 ring_light(Rings rings, vec3 point, vec3 to_eye, vec3 to_sun, float width_m
     float inside = smoothstep(rings.inner - width_m, rings.inner, r) * (1.0 - smoothstep(rings.outer, rings.outer + width_m, r));
     float depth = strip.a * inside, hidden = 1.0 - exp(-depth / mu);
 #if PLANETS_RINGS == PLANETS_RINGS_ALPHA
-    // A painted disc: as if it were a Lambertian surface as far as it hides what is behind.
+    // A painted disc: a Lambertian surface weighted by its opacity.
     return vec4(hidden * mu0 * rings.brightness * strip.rgb, hidden);
 #elif PLANETS_RINGS == PLANETS_RINGS_TABLES
     vec3 light = ring_phase(ring_texel(1, u, lod).rgb, ring_texel(2, u, lod).rgb, ring_texel(3, u, lod).rgb, cos_phase,

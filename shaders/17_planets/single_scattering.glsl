@@ -29,9 +29,9 @@ float scattered_more(float depth, float albedo, bool lit) {
 }
 // [/more]
 
-// What a ring's particles send at that phase angle, 1 in the mean over all directions: boulders that send light back, and a
-// fiftieth of dust that sends it on. At phase angles from 5 to 34 degrees within 8% of 0.153 (pi - phase)^3.092, the power law
-// that is quoted from L. Dones, J. Cuzzi and M. Showalter, Icarus 105, 1993.
+// Phase function of a ring's particles, with a mean of 1 over all directions: boulders that scatter back, and a
+// fiftieth of dust that scatters forward. At phase angles from 5 to 34 degrees within 8% of 0.153 (pi - phase)^3.092,
+// the power law quoted from L. Dones, J. Cuzzi and M. Showalter, Icarus 105, 1993.
 float ring_particle_phase(float cos_phase) {
     return 0.98 * henyey_greenstein(cos_phase, 0.45, 1.0) + 0.02 * henyey_greenstein(-cos_phase, 0.7, 1.0);
 }

@@ -1,5 +1,5 @@
-// A body of a few pixels or less: the light of 64 places of its disc, each spread over the pixels around it by a tent
-// whose sum is 1 wherever the place lies between them. So the sum over the picture does not depend on where it lies.
+// A body of a few pixels or less: the light of 64 points of its disc, each spread over the pixels around it by a tent
+// filter with a constant sum of 1. So the sum over the picture does not depend on its position.
 #include "17_planets/body.glsl"
 #include "common/light.glsl"
 

@@ -1,4 +1,4 @@
-// What the passes of the sky know.
+// Data for the passes of the sky.
 #pragma once
 #include <common/shared.h>
 

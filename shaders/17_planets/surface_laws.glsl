@@ -1,5 +1,5 @@
-// How a body's surface reflects sunlight, by each law, over what a place of the same albedo sends back with the sun and the
-// camera overhead: each is 1 there.
+// Reflection of sunlight by a body's surface, by each law, relative to a surface of the same albedo with the sun and
+// the camera overhead: each is 1 there.
 #include "17_planets/body_data.h"
 #include "17_planets/wrapped_terminator.glsl"
 #include "common/henyey_greenstein.glsl"

@@ -7,7 +7,7 @@
 namespace lightwalk::solution {
 
 float cascade_split(float near_m, float far_m, int i, int count, float lambda) {
-    if (i <= 0) return near_m;  // exactly, whatever powers round to
+    if (i <= 0) return near_m;  // exact, regardless of rounding in powers
     if (i >= count) return far_m;
     const float t = static_cast<float>(i) / static_cast<float>(count);
     const float uniform = near_m + (far_m - near_m) * t;

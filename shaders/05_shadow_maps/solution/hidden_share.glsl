@@ -17,7 +17,7 @@ float hidden_share(float radius, float gap) {
     float chord = (gap * (2.0 * radius + gap) + 1.0) / (2.0 * apart);
     float suns = segment(chord);
     if (radius <= 16.0) return (suns + radius * radius * segment((apart - chord) / radius)) / pi;
-    // The planet's segment is so flat that it is a parabola's, whose area is 2/3 of its box.
+    // The planet's segment is so flat that it is a parabola's, with an area of 2/3 of its box.
     float half_chord = sqrt(max((1.0 - chord) * (1.0 + chord), 0.0));
     return (suns + 2.0 / 3.0 * half_chord * half_chord * half_chord / radius) / pi;
 }

@@ -5,7 +5,7 @@ uint lab_edges(ivec2 corner, float threshold) {
     int own = int(gl_LocalInvocationIndex);
     for (int slot = own; slot < kept_side * kept_side; slot += tile_side * tile_side)
         keep_lab(slot, lab_at(corner - 1 + ivec2(slot % kept_side, slot / kept_side)));
-    barrier();  // every colour is there, whoever has asked for it
+    barrier();  // every colour is loaded, by any invocation
     int slot = (own / tile_side + 1) * kept_side + own % tile_side + 1;
     vec3 lab = kept_lab(slot);
     uint edges = 0u;
