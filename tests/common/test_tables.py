@@ -2,6 +2,7 @@
 """Tables and numbers that lessons take from studies, and the tests that they name."""
 
 import json
+import re
 import sys
 import tempfile
 import unittest
@@ -9,12 +10,12 @@ from pathlib import Path
 from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common/course"))
-from charts import measured, study  # noqa: E402
+from charts import measured, study, timings  # noqa: E402
 from check import lesson_tests  # noqa: E402
 from pages import tables  # noqa: E402
 from pages.quotes import lessons  # noqa: E402
 from test import figures  # noqa: E402
-from tree import ROOT, chapters  # noqa: E402
+from tree import ROOT, chapters, shots  # noqa: E402
 
 STUDY = {"points": [{"scene": "a, b", "method": "slow", "knobs": {"steps": 8}, "error": {"flip_mean": 0.01234},
                      "time_ms": {"median": 1807.6, "per_pass": {"one": 2, "two": 3}}},
@@ -87,11 +88,45 @@ class Tables(unittest.TestCase):
         self.assertTrue(tables.without_sources(text).startswith("| | time |"))
 
 
+def typed(lines: list[str]) -> list[int]:
+    """The lines at which tables of measurements begin that name no source: times, FLIP or a device's name in the heading or the
+    paragraph before, and three fractions or more. A source is a comment before the table, or one in each row."""
+    found, i = [], 0
+    while i < len(lines):
+        begin = i
+        while i < len(lines) and lines[i].lstrip().startswith("|"):
+            i += 1
+        if i - begin < 3:
+            i = max(i, begin + 1)
+            continue
+        above = begin
+        while above > 0 and not lines[above - 1].strip():
+            above -= 1
+        end = above
+        while above > 0 and lines[above - 1].strip():
+            above -= 1
+        before, rows = " ".join(lines[above:end]), lines[begin + 2:i]
+        measured = re.search(r"\bms\b|FLIP|\bH[12]00\b|MB/s|llvmpipe", f"{before} {lines[begin]}")
+        sourced = "-->" in before or all("<!-- figure: " in row for row in rows)
+        if measured and not sourced and len(re.findall(r"\d\.\d|\d%", " ".join(rows))) > 2:
+            found.append(begin + 1)
+    return found
+
+
 class Lessons(unittest.TestCase):
     def test_every_table_and_number_with_a_source_is_right(self):
         for name in lessons():
             lines = (ROOT / name).read_text().splitlines()
             self.assertEqual(tables.check_tables(name, lines)[0] + tables.check_figures(name), [])
+
+    def test_no_table_of_measurements_is_typed(self):
+        # Answers of the need rule, and of a budget over the film's ways: test.need_test and test_film_lesson.py print and compare them.
+        others = {"04_surface_maps": ["budget"], "19_ambiance": ["budget, mean FLIP"]}
+        for name in lesson_tests.of_chapters(lessons()):
+            lines = (ROOT / name).read_text().splitlines()
+            heads = [tables.split_row(lines[at - 1])[0] for at in typed(lines)]
+            self.assertEqual([head for head in heads if head not in others.get(name.stem, [])], [], f"{name}: <!-- table: ... -->")
+        self.assertEqual(typed(["Times on an H200:", "", "| | ms |", "|---|---|", "| a | 1.2 |", "| b | 1.3 |", "| c | 1.4 |"]), [3])
 
     def test_no_name_of_a_test_matches_nothing(self):
         texts = lesson_tests.of_chapters(lessons())
@@ -132,6 +167,8 @@ class Measured(unittest.TestCase):
     def test_each_study_says_what_it_measured(self):
         for path in (ROOT / "docs/studies").glob("*.json"):
             self.assertRegex(json.loads(path.read_text()).get("measured", ""), r"^[0-9a-f]{12}$", path.name)
+        for path in (ROOT / "docs/studies/tables").glob("*.json"):
+            self.assertIn("measured", json.loads(path.read_text()), path.name)
 
     def test_errors_are_measured_again_without_the_times(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -143,6 +180,27 @@ class Measured(unittest.TestCase):
                    "points": [{"scene": "s", "method": "m", "knobs": {}, "error": {"x": 2}, "time_ms": {"median": 9}}]}
             both = study.errors_into(file, new)
             self.assertEqual((both["points"][0]["error"], both["points"][0]["time_ms"], both["device"]), ({"x": 2}, {"median": 5}, "d"))
+
+
+class Timings(unittest.TestCase):
+    FOUND = {"frames": 2, "status": ["5,177 mixed of 100 pixels"], "once": [{"name": "table", "gpu_ms": 4}],
+             "passes": [{"name": "a", "gpu_ms": 1, "frames": 2}, {"name": "twice", "gpu_ms": 3, "frames": 4}, {"name": "read back", "gpu_ms": 9, "frames": 2}]}
+
+    def test_a_run_is_a_point_of_a_table(self):
+        point = timings.point_of("city", "mlaa", self.FOUND)
+        self.assertEqual((point["time_ms"], point["error"]["mixed"]), ({"median": 7, "per_pass": {"a": 1, "twice": 6}, "once": {"table": 4}}, 5177))
+        study = {"points": [point, timings.point_of("city", "none", self.FOUND | {"passes": [{"name": "a", "gpu_ms": 2, "frames": 2}]})]}
+        for value, text in (("ms.a+twice", "7.00"), ("ms.table", "4.00"), ("ms over none", "3.50"), ("ms less none", "5.00"), ("mixed", "5180")):
+            self.assertEqual(tables.cell(study, {"scene": "city", "method": "mlaa", "value": value})[0], text, value)
+
+    def test_runs_name_what_exists(self):
+        for chapter in filter(timings.request_of, chapters()):
+            for run in timings.request_of(chapter)["runs"]:
+                self.assertTrue(timings.methods(run))
+                for scene in re.findall(r"--scene (\S+)", run.get("words", "")):
+                    self.assertTrue((ROOT / "assets" / scene).is_file(), scene)
+                for shot in re.findall(r"--shot (\S+)", run.get("words", "")):
+                    self.assertIn(shot, [one["name"] for one in shots(chapter)])
 
 
 class Candidates(unittest.TestCase):

@@ -67,14 +67,17 @@ def at_commit(commit: str, chapter: str) -> str:
 
 
 def is_of_earlier(study: Path) -> bool:
-    """True if a study's JSON measured other sources than the current ones. False if it does not say."""
+    """True if a study's JSON measured other sources than the current ones. False if it does not say. Timings of several chapters'
+    programs have the version of each (timings.py)."""
     try:
         said = json.loads(study.read_text())
-        return "measured" in said and (ROOT / "chapters" / said["chapter"]).is_dir() and said["measured"] != here(said["chapter"])
+        names = said.get("programs", [said["chapter"]])
+        return ("measured" in said and all((ROOT / "chapters" / name).is_dir() for name in names) and
+                said["measured"] != "+".join(map(here, names)))
     except (OSError, ValueError, KeyError):
         return False
 
 
 def earlier() -> list[Path]:
     """The studies that measured earlier versions."""
-    return [path for path in sorted((ROOT / "docs/studies").glob("*.json")) if is_of_earlier(path)]
+    return [path for path in sorted((ROOT / "docs/studies").rglob("*.json")) if is_of_earlier(path)]

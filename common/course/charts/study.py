@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 
 from build.build import build
-from charts import study_shards
+from charts import study_shards, timings
 from charts.measured import here
 from charts.study_charts import chart_paths
 from charts.study_file import SOFTWARE
@@ -34,6 +34,7 @@ HELP = """Measures the time and the error of every method of a chapter, and draw
   ./course study 02 --device H200 --out FOLDER
   ./course study 02 --size 480x270  pixels, in place of the study's own size
   ./course study 02 --errors       errors alone, which are the same on a busy machine; times stay as they were
+  ./course study 14 --timings      the passes that a lesson quotes (chapters/NN_name/timings.json), into docs/studies/tables
   ./course study --shard 3/16 --out F    the scenes of part 3 of 16, into the folder F; --merge F makes the charts of all
 
 The files are docs/studies/NN_name.DEVICE.json and .md, with the charts that a lesson shows as PNG; all charts are in
@@ -48,6 +49,7 @@ def add_arguments(parser):
     parser.add_argument("--device", help="part of a device's name: ./course run 01 --list devices")
     parser.add_argument("--size", metavar="WxH", help="size in pixels, such as 1920x1080, in place of the study's own")
     parser.add_argument("--errors", action="store_true", help="measure errors alone, and keep the times that are there")
+    parser.add_argument("--timings", action="store_true", help="measure the passes of chapters/NN_name/timings.json instead")
     parser.add_argument("--out", type=Path, metavar="FOLDER",
                         help="folder for the JSON, the charts and the table (docs/studies)")
     shards.add_arguments(parser)
@@ -60,6 +62,8 @@ def run(arguments, _rest) -> int:
     studied = [name for name in chapters() if study_of(name)]
     if arguments.size and not re.fullmatch(r"[1-9]\d*x[1-9]\d*", arguments.size):
         raise UsageError(f"--size is '{arguments.size}', expected WIDTHxHEIGHT, such as 1920x1080")
+    if arguments.timings:
+        return measure_timings(arguments)
     named = [find_chapter(arguments.chapter)] if arguments.chapter else studied
     for chapter in named:
         if chapter not in studied:
@@ -82,6 +86,20 @@ def run(arguments, _rest) -> int:
             os.environ["LIGHTWALK_STUDY_ROUNDS"] = "1"
         measured = measure(chapter, arguments.device, arguments.size)
         draw(chapter, measured, out, arguments.errors)
+    return 0
+
+
+def measure_timings(arguments) -> int:
+    """Measures the passes that lessons quote. The exit code."""
+    timed = [name for name in chapters() if timings.request_of(name)]
+    named = [find_chapter(arguments.chapter)] if arguments.chapter else timed
+    for chapter in named:
+        if chapter not in timed:
+            raise UsageError(f"chapter {chapter} has no timings.json; there are {', '.join(timed) or 'none'}")
+    out = (arguments.out or timings.FOLDER).absolute()
+    shards.check_writable(out)
+    build(sorted({program for chapter in named for program in timings.programs(chapter)}))
+    timings.run(named, arguments.device, arguments.size, out, device_slug)
     return 0
 
 
@@ -118,13 +136,7 @@ def merge(paths: list[Path], named: list[str], out: Path) -> int:
 
 def study_of(chapter: str) -> dict:
     """Contents of the chapter's study.json; {} without one. Raises Failure for an unusable one."""
-    path = ROOT / "chapters" / chapter / "study.json"
-    try:
-        return json.loads(path.read_text())
-    except FileNotFoundError:
-        return {}
-    except ValueError as error:
-        raise Failure(f"{relative(path)} is not JSON: {error}") from None
+    return timings.request_of(chapter, "study.json")
 
 
 class SceneEntry:

@@ -13,9 +13,10 @@ those of each column, then a line for each row; the first column stays as it is.
     | letters | 0.131 | 0.078 |
 
 A cell is the point that `scene`, `method` and knobs select. It shows `value`: an error's name; `ms`, the median time, or
-`ms.PASS` that of passes (joined by +); `VALUE over METHOD` its
-ratio to that method's in the same scene; a path that begins with / within the file, in place of a point. `format` is
-Python's, and `.3s` three significant digits, which is the rule where none is given. `cell` is a text with
+`ms.PASS` that of passes (joined by +); `VALUE over METHOD` its ratio to that method's in the same scene, `VALUE less METHOD`
+its difference; a path that begins with / within the file, in place of a point, where an entry of a list is called by its
+number, `name` or `to` (`missing` is shown where it leads to nothing). $KEY is the KEY of the row; `name` and `pass` are for that
+alone. `file` is another JSON file, for one column. `format` is Python's, and `.3s` three significant digits, which is the rule where none is given. `cell` is a text with
 {VALUE:FORMAT}, for cells with more than a number (\\; is a semicolon). A knob or method with several values, as in steps=8,16, gives one after
 the other, or with `join=range` the smallest and the largest. `bold=least` marks the smallest of a column. A column or row
 that is `-` is left as it is, and `only=4` fills a row's first four columns. `all` is a row that selects no more than its
@@ -40,7 +41,9 @@ TABLE = re.compile(r"\s*<!-- table: (\S+?\.json)#(.*)$")
 FIGURE = re.compile(r"(?P<number>[-−+]?[\d,]*\.?\d+(?:e[-+]?\d+)?)(?P<unit>(?:%|°| ?(?:px|ms|dB|µs|[ms]))?[*$]{0,2})"
                     r"<!-- figure: (?P<source>.*?) -->", re.S)
 PLACEHOLDER = re.compile(r"\{([^}:]+)(?::([^}]*))?\}")
-OWN = ("scene", "method", "value", "format", "cell", "join", "bold", "only", "tolerance", "scale")
+OWN = ("scene", "method", "value", "format", "cell", "join", "bold", "only", "tolerance", "scale", "file", "missing",
+       "name", "pass")
+BETWEEN = re.compile(r"\s+(over|less)\s+")
 
 
 @functools.cache
@@ -88,24 +91,40 @@ def points(study: dict, wanted: dict[str, str]) -> list[dict]:
     return found
 
 
+class Missing(Failure):
+    """A path that leads to nothing."""
+
+
+def at_path(study, path: str):
+    """What a path such as /scenes/dawn/ms leads to."""
+    for key in path[1:].split("/"):
+        try:
+            if isinstance(study, list) and not key.isdigit():
+                study = next(one for one in study if key in (one.get("name"), one.get("to")))
+            else:
+                study = study[int(key)] if isinstance(study, list) else study[key]
+        except (KeyError, IndexError, TypeError, StopIteration):
+            raise Missing(f"there is no {path}") from None
+    return study
+
+
 def value_of(study: dict, point: dict, name: str) -> float:
     """One number of a point, or of the whole file where its name begins with /."""
-    name, over, other = name.strip().partition(" over ")
-    if over:
-        same_place = [one for one in study["points"] if one["method"] == other and one["scene"] == point["scene"]]
-        return value_of(study, point, name) / value_of(study, same_place[0], name)
+    name, between, other = ([*BETWEEN.split(name.strip(), 1), "", ""])[:3]
+    if between:
+        one = value_of(study, point, name)
+        if other.startswith("/"):
+            another = value_of(study, point, other)
+        else:
+            another = value_of(study, points(study, {"scene": point["scene"], "method": other})[0], name)
+        return one / another if between == "over" else one - another
     if name.startswith("/"):
-        at = study
-        for key in name[1:].split("/"):
-            try:
-                at = at[int(key)] if isinstance(at, list) else at[key]
-            except (KeyError, IndexError, ValueError, TypeError):
-                raise Failure(f"there is no {name}") from None
-        return at
+        return at_path(study, name)
     if name == "ms":
         return point["time_ms"]["median"]
     if name.startswith("ms."):
-        return sum(point["time_ms"]["per_pass"][part] for part in name[3:].split("+"))
+        passes = point["time_ms"].get("once", {}) | point["time_ms"]["per_pass"]
+        return sum(passes[part] for part in name[3:].split("+"))
     for place in (point.get("error", {}), point):
         if name in place:
             return place[name]["median"] if isinstance(place[name], dict) else place[name]
@@ -134,7 +153,13 @@ def cell(study: dict, wanted: dict[str, str]) -> tuple[str, float]:
         return PLACEHOLDER.sub(one, text)
 
     selects = [key for key in wanted if key not in OWN] + [key for key in ("scene", "method") if key in wanted]
-    texts = [fill(point) for point in (points(study, wanted) if selects else [{}])]
+    of_file = all(match[1].startswith("/") for match in PLACEHOLDER.finditer(text))
+    try:
+        texts = [fill(point) for point in (points(study, wanted) if selects and not of_file else [{}])]
+    except Missing:
+        if "missing" not in wanted:
+            raise
+        return wanted["missing"], 0.0
     if wanted.get("join") == "range":
         texts = sorted(set(texts), key=lambda one: float(one.strip("%")))
         return (texts[0] if len(texts) == 1 else f"{texts[0]} to {texts[-1]}"), first[0]
@@ -165,7 +190,8 @@ def table_rows(source: str, common: str, body: list[str], old: list[list[str]]) 
             if "-" in (column, line.strip()) or k >= int(wanted.get("only", k + 1)):
                 row.append(was)
                 continue
-            text, number = cell(study, wanted)
+            wanted = {key: re.sub(r"\$(\w+)", lambda named: wanted[named[1]], text) for key, text in wanted.items()}
+            text, number = cell(load(wanted["file"]) if "file" in wanted else study, wanted)
             row.append(text)
             numbers[i, k] = number
         new.append(row)
