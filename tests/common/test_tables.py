@@ -182,6 +182,20 @@ class Measured(unittest.TestCase):
             self.assertEqual((both["points"][0]["error"], both["points"][0]["time_ms"], both["device"]), ({"x": 2}, {"median": 5}, "d"))
 
 
+class Realisations(unittest.TestCase):
+    # Knobs that draw another sea, nebula or grain: two realisations have no pixels in common to compare.
+    RANDOM = {"seed", "water.method", "water.waves", "water.seed", "volume.noise", "volume.field.variety", "post.grain", "post.dither"}
+
+    def test_no_study_compares_two_of_them_by_pixel(self):
+        for chapter in chapters():
+            for file in sorted((ROOT / "chapters" / chapter).glob("study*.json")):
+                request = json.loads(file.read_text())
+                for one in [*request.get("curves", []), *request.get("candidates", [])]:
+                    self.assertFalse(self.RANDOM & set(one.get("set", {})), f"{file.name} of {chapter}: {one}")
+        for kind, ways in json.loads((ROOT / "chapters/19_ambiance/ways.json").read_text()).items():
+            self.assertFalse(self.RANDOM & {knob for way in ways for knob in way}, kind)
+
+
 class Timings(unittest.TestCase):
     FOUND = {"frames": 2, "status": ["5,177 mixed of 100 pixels"], "once": [{"name": "table", "gpu_ms": 4}],
              "passes": [{"name": "a", "gpu_ms": 1, "frames": 2}, {"name": "twice", "gpu_ms": 3, "frames": 4}, {"name": "read back", "gpu_ms": 9, "frames": 2}]}

@@ -52,7 +52,7 @@ def run(arguments, _rest) -> int:
     wrong = sum(check(lesson, arguments.list) for lesson in chosen)
     old = [study for study in earlier() if study.name.startswith(chapter[:2])]
     if old:
-        say("measured with an earlier version of the chapter's code: " + ", ".join(study.stem for study in old))
+        say("measured with an earlier version of the chapter's code: " + ", ".join(str(study.relative_to(ROOT / "docs/studies").with_suffix("")) for study in old))
     say(f"{wrong} wrong" if wrong else "no figure is wrong")
     return 1 if wrong else 0
 
