@@ -86,6 +86,9 @@ class Tables(unittest.TestCase):
         text = "\n".join(LESSON) + "\nBy 0.003<!-- figure: studies.json#value=/truth/doubling -->.\n"
         self.assertNotIn("<!--", tables.without_sources(text))
         self.assertTrue(tables.without_sources(text).startswith("| | time |"))
+        noted = tables.without_sources(text, lambda files: "old" if files == ["studies.json"] else "")
+        self.assertTrue(noted.startswith("old\n\n| | time |"))
+        self.assertNotIn("<!--", noted)
 
 
 def typed(lines: list[str]) -> list[int]:

@@ -34,6 +34,7 @@ COMPARE = re.compile(r"\s*<!-- compare -->\s*$")
 PICTURE = re.compile(r"!\[([^\]]*)\]\(([^)\s]+)\)$")
 STUDY = re.compile(r"(?<!!)\[([^\]]*)\]\((studies/[^)\s]+?)\.md\)")
 EARLIER = ' <span class="earlier" title="The chapter\'s code has changed since this study was measured.">(earlier version)</span>'
+EARLIER_TABLE = '<span class="earlier">Measured with an earlier version of the code.</span>'
 PICTURES = (".png", ".svg", ".jpg", ".webp")
 
 
@@ -72,7 +73,9 @@ class Site:
 
 def convert(site: Site, text: Path) -> str:
     """The Markdown for mkdocs of one text of the tree. Raises Failure, with file and line."""
-    lines = folded(indented(without_sources((ROOT / text).read_text(encoding="utf-8")).splitlines()))
+    def note(files: list[str]) -> str:
+        return EARLIER_TABLE if any(is_of_earlier(ROOT / file) for file in files) else ""
+    lines = folded(indented(without_sources((ROOT / text).read_text(encoding="utf-8"), note).splitlines()))
     out, fence, i, whole = [], None, 0, ""
     while i < len(lines):
         line, i = lines[i], i + 1

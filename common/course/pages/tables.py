@@ -287,6 +287,10 @@ def check_figures(lesson: Path) -> list[str]:
     return wrong
 
 
-def without_sources(text: str) -> str:
-    """A lesson's text for a page: without these comments."""
-    return re.sub(r"^[ \t]*<!-- table: .*?-->[ \t]*\n|<!-- figure: .*?-->", "", text, flags=re.S | re.M)
+def without_sources(text: str, note=lambda files: "") -> str:
+    """A lesson's text for a page: without these comments. A table's is replaced by the note on its files, if there is one."""
+    def noted(match: re.Match) -> str:
+        said = note(re.findall(r"[\w./-]+\.json", match[0]))
+        return f"{match[1]}{said}\n\n" if said else ""
+    text = re.sub(r"^([ \t]*)<!-- table: .*?-->[ \t]*\n", noted, text, flags=re.S | re.M)
+    return re.sub(r"<!-- figure: .*?-->", "", text, flags=re.S)
