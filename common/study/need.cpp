@@ -44,7 +44,7 @@ class NeedRule {
         if (large && budget > 0 && (always_crops || pictures.crops_pay(fewest_crops))) look_at_crops();
         // 2. Whole pictures, with exact errors, where crops are inconclusive or too expensive.
         look_at_whole_pictures();
-        // 3. The time of whole pictures, for those that may be the cheapest.
+        // 3. The time of whole pictures, for candidates that may be the cheapest.
         measure_times();
         choose();
         choosing_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -137,7 +137,7 @@ class NeedRule {
             for (Candidate& c : candidates_) c.rough_ms = pictures_.time(c.number);
     }
 
-    // Interleaved; each round omits those that the previous one showed to be slower.
+    // Interleaved; each round omits candidates that the previous one showed to be slower.
     void measure_times() {
         std::vector<Candidate*> left;
         for (Candidate& c : candidates_)

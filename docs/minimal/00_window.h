@@ -1,4 +1,4 @@
-// The window of 00_vulkan.cpp: a swapchain, two frames in flight, and what happens when the window changes its size.
+// The window of 00_vulkan.cpp: a swapchain, two frames in flight, and changes of the window's size.
 // clang-format off
 constexpr size_t frames_in_flight = 2;
 constexpr Use presented{VK_PIPELINE_STAGE_2_NONE, 0, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};

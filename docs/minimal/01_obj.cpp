@@ -15,7 +15,7 @@ struct Vertex {
 };
 
 int main() {
-    std::vector<Vec> lists[3];                       // what `v`, `vt` and `vn` have given so far
+    std::vector<Vec> lists[3];                       // `v`, `vt` and `vn` read so far
     std::map<std::array<size_t, 3>, unsigned> seen;  // the vertex of each index triple
     std::vector<Vertex> vertices;
     std::vector<unsigned> indices;

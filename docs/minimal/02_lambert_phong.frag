@@ -19,9 +19,9 @@ vec3 reflected(vec3 normal, vec3 to_light, vec3 to_eye, vec3 albedo, vec3 specul
     // Matt: the same radiance in all directions. The light of a hemisphere sums to pi times that.
     vec3 matt = albedo / pi;
 
-    // Glossy: mirrors as small as dust are turned in all directions, most of them like the surface. Those that
-    // mirror the light into the eye are turned half way between the two. The factor keeps the reflected light the same
-    // for every shininess: without it, narrow highlights are too dark. It is up to 7.5% too large (below 10).
+    // Glossy: mirrors as small as dust are turned in all directions, most of them like the surface. Mirrors turned
+    // half way between light and eye reflect it to the eye. The factor keeps the reflected light the same for every
+    // shininess: without it, narrow highlights are too dark. It is up to 7.5% too large (below 10).
     vec3 half_way = normalize(to_light + to_eye);
     float lobe = pow(max(dot(normal, half_way), 0.0), shininess);
     vec3 glossy = specular * lobe * (shininess + 8.0) / (8.0 * pi);

@@ -9,9 +9,9 @@
 using glm::dvec3;
 
 constexpr int side = 256;             // texels of the map along an edge
-constexpr double half_width_m = 2.5;  // half of what the map covers
+constexpr double half_width_m = 2.5;  // half of the map's width
 constexpr double texel_m = 2 * half_width_m / side;
-const dvec3 center(0, 1, 0);  // of the ball, whose radius is 0.6
+const dvec3 center(0, 1, 0);  // of the ball, with radius 0.6
 const dvec3 to_sun = glm::normalize(dvec3(0.5, 1, 0.3));
 // The view from the sun: two axes across, and the depth, which grows away from the sun.
 const dvec3 right = glm::normalize(glm::cross(dvec3(0, 1, 0), to_sun)), up = glm::cross(to_sun, right);

@@ -1,5 +1,5 @@
 // [minimal]
-// Deferred shading: first store what each pixel shows, then light what is stored, tile by tile. Forward shading, which
+// Deferred shading: first store each pixel's surface, then light the stored pixels, tile by tile. Forward shading, which
 // lights each fragment as it is drawn, must give the same picture. The camera looks along -z; metres.
 #include <cmath>
 #include <cstdio>
@@ -48,7 +48,7 @@ int main() {
     evaluations = 0;
     for (int t = 0; t < 16 * 16; ++t) {  // the tiles
         const auto pixel = [&](int k) { return (t / 16 * tile + k / tile) * side + t % 16 * tile + k % tile; };
-        vec3 low(1e9f), high(-1e9f);  // the box around what the tile shows
+        vec3 low(1e9f), high(-1e9f);  // the box around the tile's points
         for (int k = 0; k < tile * tile; ++k)
             low = glm::min(low, gbuffer[pixel(k)].position), high = glm::max(high, gbuffer[pixel(k)].position);
         for (const Light& light : lights)  // one test for 64 pixels: does the light's sphere reach the box?

@@ -33,7 +33,7 @@ int main() {
                     (fine.texel(x, y) + fine.texel(x + 1, y) + fine.texel(x, y + 1) + fine.texel(x + 1, y + 1)) / 4);
         levels.push_back(coarse);
     }
-    // 2. The level: a pixel that covers n texels needs level log2(n); what lies between two levels is mixed from both.
+    // 2. The level: a pixel that covers n texels needs level log2(n); between two levels both are mixed.
     const auto sample = [&](double u, double v, double footprint) {  // footprint: of the pixel, in texture widths
         const double level = std::clamp(std::log2(footprint * 64), 0.0, double(levels.size() - 1));
         const size_t lower = size_t(level), upper = std::min(lower + 1, levels.size() - 1);

@@ -18,7 +18,7 @@ Line halved(const Line& fine) {
     return coarse;
 }
 
-// Twice the resolution: linear between the two nearest texels, whose middles are 1/4 and 3/4 of a texel away.
+// Twice the resolution: linear between the two nearest texels, with middles 1/4 and 3/4 of a texel away.
 Line doubled(const Line& coarse) {
     Line fine(coarse.size() * 2);
     for (size_t i = 0; i < fine.size(); ++i) {
@@ -28,7 +28,7 @@ Line doubled(const Line& coarse) {
     return fine;
 }
 
-// What spreads: each level of the pyramid, from narrow to wide, with the same share.
+// Spread light: each level of the pyramid, from narrow to wide, with the same share.
 Line bloom(const Line& light, double threshold, int levels) {
     Line bright = light;
     for (double& value : bright) value = std::max(value - threshold, 0.0);
@@ -52,7 +52,8 @@ int main() {
     for (size_t i = 0; i < spread.size(); ++i) variance += std::pow(double(i) - mean, 2) * spread[i] / 16;
     // No light is made or lost: 16 go in, 16 come out. The width is the root of the mean of the levels' variances.
     std::printf("energy %.6f\nmiddle %.3f\nwidth %.3f\n", energy, mean, std::sqrt(variance));
-    // The picture: its own light, and a share of what spreads. Twenty pixels off there was no light but the wall's.
+    // The picture: its own light, and a share of the spread light. Twenty pixels off there was no light but the
+    // wall's.
     std::printf("tube %.4f\nbeside %.4f\n", light[500] + 0.3 * spread[500], light[520] + 0.3 * spread[520]);
 }
 // [/minimal]

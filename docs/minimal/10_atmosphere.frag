@@ -38,7 +38,7 @@ vec3 sunlight(vec3 place, vec3 sun) {
     return exp(-depth);
 }
 
-// The radiance of the sky for a sun of irradiance 1: what is scattered towards the eye, weakened on the way there.
+// The radiance of the sky for a sun of irradiance 1: light scattered towards the eye, weakened on the way there.
 vec3 sky(float eye_height, vec3 direction, vec3 sun, int steps) {
     vec3 eye = vec3(0.0, earth_km + eye_height, 0.0), light = vec3(0.0), depth = vec3(0.0);
     float c = dot(direction, sun), way = way_to_end(eye, direction), g = 0.8;

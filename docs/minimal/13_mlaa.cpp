@@ -1,6 +1,6 @@
 // [minimal]
-// Morphological antialiasing (A. Reshetov, HPG 2009): a picture with stairs along its edges becomes one whose pixels
-// are mixed as a straight silhouette would mix them. The pictures are half planes, whose exact pixels are known.
+// Morphological antialiasing (A. Reshetov, HPG 2009): smooths stairs along edges by mixing pixels as a straight
+// silhouette would. The pictures are half planes with known exact pixels.
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -38,7 +38,7 @@ int main() {
     double stairs = 0, smoothed = 0, count = 0;
     for (int degrees = 3; degrees < 90; degrees += 4) {
         const double nx = std::sin(degrees * 0.01745329), ny = std::cos(degrees * 0.01745329);
-        // The share of n x n points of a pixel that lie in the half plane; 1 is what a rasteriser asks.
+        // The share of n x n points of a pixel within the half plane; a rasteriser takes n = 1.
         const auto share = [&](int i, int n) {
             int inside = 0;
             for (int k = 0; k < n * n; ++k)

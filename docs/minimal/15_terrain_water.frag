@@ -1,6 +1,6 @@
 // [minimal]
 #version 460
-// Water with waves: what it reflects, what one sees below it, and how the two are mixed. One run for each pixel.
+// Water with waves: reflection, the view below the surface, and their mixture. One run for each pixel.
 layout(location = 0) in vec3 ray;     // of the pixel
 layout(location = 0) out vec4 color;  // linear light
 layout(push_constant) uniform Frame { vec4 eye; vec4 to_sun; float time; };  // metres, +y up; seconds

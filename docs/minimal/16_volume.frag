@@ -1,8 +1,8 @@
 // [minimal]
 #version 460
-// A volume: densities in a box, which shine and hide what lies behind. A ray takes samples. One run for each pixel.
+// A volume: densities in a box, which shine and hide the background. A ray takes samples. One run for each pixel.
 layout(location = 0) in vec3 ray;  // of the pixel
-layout(location = 0) out vec4 color;  // what the volume adds, and how much it hides
+layout(location = 0) out vec4 color;  // light added by the volume, and its opacity
 layout(binding = 0) uniform sampler3D densities;  // 0 to 1
 layout(push_constant) uniform Frame { vec4 eye; int steps; };  // metres; the box reaches from -1 to 1 on each axis
 
@@ -14,7 +14,7 @@ vec2 way_through(vec3 origin, vec3 direction) {
     return vec2(max(max(max(enters.x, enters.y), enters.z), 0.0), min(min(leaves.x, leaves.y), leaves.z));
 }
 
-// The transfer function: what a density looks like. Colour, and extinction (the share of light that is lost per metre,
+// The transfer function: a density's appearance. Colour, and extinction (the share of light that is lost per metre,
 // for short ways). Thin matter glows red and is clear, dense matter is bright and opaque.
 vec4 classified(float density) {
     return vec4(mix(vec3(0.6, 0.1, 0.05), vec3(1.0, 0.8, 0.5), density), 6.0 * density * density);
@@ -32,9 +32,9 @@ vec4 march(vec3 origin, vec3 direction, int samples) {
     for (int i = 0; i < samples; ++i) {
         vec4 matter = classified(density_at(origin + (way.x + (float(i) + 0.5) * part) * direction));
         float behind = depth + matter.a * part;
-        light += matter.rgb * (exp(-depth) - exp(-behind));  // the share that this step hides of what is behind
+        light += matter.rgb * (exp(-depth) - exp(-behind));  // opacity of this step
         depth = behind;
-        if (depth > 7.0) break;  // less than 1/1000 of what is behind can be seen
+        if (depth > 7.0) break;  // less than 1/1000 of the background can be seen
     }
     return vec4(light, 1.0 - exp(-depth));
 }

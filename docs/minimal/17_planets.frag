@@ -24,8 +24,8 @@ float optical_depth(float radius) {
     return radius < 1.53 ? 0.1 : radius < 1.95 ? 1.8 : radius < 2.03 ? 0.1 : 0.5;
 }
 
-// Light of a layer whose particles scatter once (S. Chandrasekhar, 1950), seen from the lit side or from the other one.
-// `mu0` and `mu` are the cosines of the sun's and the eye's angle to the normal.
+// Light of a layer of particles after one scattering (S. Chandrasekhar, 1950), seen from the lit side or from the
+// other one. `mu0` and `mu` are the cosines of the sun's and the eye's angle to the normal.
 float ring_light(float depth, float mu0, float mu, bool lit) {
     if (lit) return 0.25 * mu0 / (mu0 + mu) * (1.0 - exp(-depth / mu - depth / mu0));
     float a = depth / mu0, b = depth / mu, x = abs(a - b);

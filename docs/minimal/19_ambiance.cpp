@@ -1,6 +1,6 @@
 // [minimal]
 // A camera path: a centripetal Catmull-Rom curve through keys (E. Lee, CAD 1989), followed at an even speed, with an up
-// that does not roll. Prints how far each of these is from what it should be.
+// that does not roll. Prints the error of each of these.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-"""Portraits shaded in compute over a visibility buffer, beside those of fragment shaders."""
+"""Portraits shaded in compute over a visibility buffer, against fragment shaders."""
 import pathlib
 import sys
 import unittest

@@ -32,7 +32,7 @@ TEST_CASE("an edge of light under fewer Gaussians is off by what was published, 
     glm::dvec3 unblurred(0);
     for (const double x : {-1e-9, 1e-9}) unblurred = largest(unblurred, step_edge(gaussians_of(6), x) - double(x > 0));
     check_near(unblurred, {.5, .5, .5}, 1e-6);
-    // Of all sums of two, three and four of the six, those of gaussians_of() have the smallest error.
+    // Of all sums of two, three and four of the six, gaussians_of() returns the ones with the smallest error.
     for (const int count : {2, 3, 4}) {
         double least = 1;
         for (unsigned set = 0; set < 64; ++set) {

@@ -21,7 +21,7 @@ float level_at(float level, vec2 place) {
     return mix(upper, lower, f.y);
 }
 
-// A pixel that covers n texels needs level log2(n); what lies between two levels is mixed from both.
+// A pixel that covers n texels needs level log2(n); between two levels both are mixed.
 float mipmapped(vec2 place, float footprint) {
     float level = clamp(log2(footprint * texels), 0.0, round(log2(texels))), lower = floor(level);
     return mix(level_at(lower, place), level_at(min(lower + 1.0, round(log2(texels))), place), level - lower);
