@@ -10,6 +10,27 @@ float depth_of_opacity(float opacity) {
 // 1 - exp(-depth), likewise.
 float opacity_of_depth(float depth) { return depth < 0.02 ? depth * (1.0 - depth * (0.5 - depth / 6.0)) : 1.0 - exp(-depth); }
 
+// Density and looks by weights that are floats. Filters of hardware may have no more than 8 bits for a weight
+// (subTexelPrecisionBits), whose steps a thin layer shows.
+float exact_density_at(vec3 position) {
+    ivec3 last = textureSize(volume_field, 0) - 1;
+    vec3 at = waved(to_texture(position)) * vec3(last + 1) - 0.5, low = floor(at), share = at - low;
+    ivec3 a = clamp(ivec3(low), ivec3(0), last), b = clamp(ivec3(low) + 1, ivec3(0), last);
+    vec4 near = vec4(texelFetch(volume_field, ivec3(a.x, a.y, a.z), 0).r, texelFetch(volume_field, ivec3(a.x, b.y, a.z), 0).r,
+                     texelFetch(volume_field, ivec3(a.x, a.y, b.z), 0).r, texelFetch(volume_field, ivec3(a.x, b.y, b.z), 0).r);
+    vec4 far = vec4(texelFetch(volume_field, ivec3(b.x, a.y, a.z), 0).r, texelFetch(volume_field, ivec3(b.x, b.y, a.z), 0).r,
+                    texelFetch(volume_field, ivec3(b.x, a.y, b.z), 0).r, texelFetch(volume_field, ivec3(b.x, b.y, b.z), 0).r);
+    vec4 along_x = mix(near, far, share.x);
+    vec2 along_y = mix(along_x.xz, along_x.yw, share.y);
+    return density_of(mix(along_y.x, along_y.y, share.z));
+}
+
+vec4 exactly_classified(float density) {
+    float entry = density * float(TRANSFER_TEXELS - 1);
+    int low = min(int(entry), TRANSFER_TEXELS - 2);
+    return mix(texelFetch(volume_transfer, ivec2(low, 0), 0), texelFetch(volume_transfer, ivec2(low + 1, 0), 0), entry - float(low));
+}
+
 // [exact]
 // Thousands of steps, each of an opacity near 1e-5: 1 - 1e-5 keeps two digits in a float, rounded in one direction. So
 // steps add optical depth over a voxel, and voxels are composited. A step is cut if the transfer function changes
@@ -18,17 +39,17 @@ vec4 march_exact(vec3 from, vec3 along, vec2 range, float step_m, int samples) {
     vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
     float way = range.y - range.x, voxel_m = step_m * float(samples);
     int voxels = int(ceil(way / voxel_m));
-    float before = density_at(from + range.x * along);
+    float before = exact_density_at(from + range.x * along);
     for (int v = 0; v < voxels; ++v) {
         float begins = float(v) * voxel_m, length_m = min(voxel_m, way - begins) / float(samples), depth = 0.0;
         vec3 light = vec3(0.0);
         for (int i = 0; i < samples; ++i) {
-            float at = range.x + begins + float(i) * length_m, after = density_at(from + (at + length_m) * along);
+            float at = range.x + begins + float(i) * length_m, after = exact_density_at(from + (at + length_m) * along);
             int parts = clamp(int(ceil(2.0 * float(TRANSFER_TEXELS) * abs(after - before))), 1, 32);
             before = after;
             for (int k = 0; k < parts; ++k) {
                 vec3 position = from + (at + (float(k) + 0.5) / float(parts) * length_m) * along;
-                vec4 looks = classified(density_at(position));
+                vec4 looks = exactly_classified(exact_density_at(position));
                 if (looks.a <= 0.0) continue;
                 float part = depth_of_opacity(looks.a) * length_m / (float(parts) * REFERENCE_M);
                 light += exp(-depth) * opacity_of_depth(part) * radiance_at(position, along, looks.rgb);
