@@ -32,14 +32,16 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
 
 Without --all the tests that draw most are left out (studies, need rules, stretch tasks, the goldens' rejections, all knobs),
 only one chart of a chapter and one page of each kind are checked, and of wrong answers to exercises, attacks on grading,
-charts, equal methods, random scenes, what is kept from frame to frame and lessons on a phone a part is tried, another with
-each commit. The last line counts all tests that ran."""
+charts, equal methods, random scenes, sites, shards, what is kept from frame to frame and lessons on a phone a part is tried,
+another with each commit. The last line counts all tests that ran."""
 PASSES_OPTIONS = True
 RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
 SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
 PART = "LIGHTWALK_TESTS"  # "part": a test of many like cases tries some of them (tests/common/part_in_ci.py)
 LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer)$"
 SHARE = 4  # variants of answers are tried in one chapter of so many
+# The longest tests take turns: a commit runs those of one line.
+TURNS = ("autograder|equal_methods", "grade_later|page_site", "grade_shards|page_verdicts", "grade_forged|random_scenes")
 
 
 def add_arguments(parser):
@@ -109,7 +111,8 @@ def part() -> list[str]:
     except (Failure, ValueError):
         commit = 0
     others = [chapter[:2] for i, chapter in enumerate(chapters()) if i % SHARE != commit % SHARE]
-    return ["-LE", "study", "-E", LEFT_OUT + (f"|^variants\\.({'|'.join(others)})$" if others else "")]
+    waiting = "|".join(tests for i, tests in enumerate(TURNS) if i != commit % len(TURNS))
+    return ["-LE", "study", "-E", LEFT_OUT + rf"|\.({waiting})$" + (rf"|^variants\.({'|'.join(others)})$" if others else "")]
 
 
 def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:
