@@ -41,7 +41,7 @@ struct Obj : ModelChapter {
                      {.color = {clear(frame.hdr, glm::vec4(scene.file.background, 1.0f))}, .depth = frame.depth},
                      [&](Raster& pass) { pass.use(clay).draw(scene); });
 
-        // 2. Linear light to the codes a screen expects.
+        // 2. Linear light, encoded as sRGB.
         encode_srgb(frame);
     }
     // [/frame]

@@ -154,7 +154,7 @@ struct Reader {
             leave_out_unless_plain(m, keyword, written, rest);
         } else {
             const float model = take_float(rest, written);
-            if (!(model >= 0.0f && model <= 10.0f)) throw InputError("illum is a whole number from 0 to 10");
+            if (!(model >= 0.0f && model <= 10.0f)) throw InputError("illum must be an integer from 0 to 10");
             m.illumination = static_cast<int>(model);
         }
     }

@@ -68,7 +68,7 @@ struct LambertPhong : ModelChapter {
                          draw_scene);
         }
 
-        // 2. Linear light to the codes a screen expects.
+        // 2. Linear light, encoded as sRGB.
         encode_srgb(frame);
     }
     // [/frame]

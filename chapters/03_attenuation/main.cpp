@@ -47,7 +47,7 @@ struct Attenuation : ModelChapter {
                       .with = {lights}},
                      [&](Raster& pass) { pass.use(shade).set("ambient", scene.file.ambient).draw(scene); });
 
-        // 5. Linear light to the codes a screen expects.
+        // 5. Linear light, encoded as sRGB.
         encode_srgb(frame);
     }
     // [/frame]

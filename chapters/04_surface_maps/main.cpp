@@ -64,7 +64,7 @@ struct SurfaceMaps : ModelChapter {
                          maps.draw(pass, scene, transparent, see_through.loaded, see_through.displaced);
                      });
 
-        // 3. Linear light to the codes a screen expects.
+        // 3. Linear light, encoded as sRGB.
         encode_srgb(frame);
     }
     // [/frame]

@@ -27,7 +27,7 @@ int number_from_environment(const char* name, int otherwise) {
     const char* text = std::getenv(name);
     if (!text) return otherwise;
     const int number = std::atoi(text);
-    if (number < 1) throw InputError("{}: '{}' is not a whole number of 1 or more", name, text);
+    if (number < 1) throw InputError("{}: '{}' is not an integer of at least 1", name, text);
     return number;
 }
 

@@ -50,7 +50,7 @@ class Keys {
         }
         for (const Json& row : json_.at("rows")) {
             if (!row.is_number_integer() || row.get<int>() < 1 || row.get<int>() > 64)
-                throw InputError("{}: key 'rows' must be whole numbers from 1 to 64", where_);
+                throw InputError("{}: key 'rows' must be integers from 1 to 64", where_);
             rows.push_back(row.get<int>());
         }
     }

@@ -58,7 +58,7 @@ VolumeData read_volume(const std::filesystem::path& file) {
     const glm::dvec3 dims = three_numbers(where, header, "dims", 1, 512);
     VolumeData volume;
     volume.size = glm::uvec3(dims);
-    if (glm::dvec3(volume.size) != dims) throw InputError("{}: key 'dims' must be whole numbers", where);
+    if (glm::dvec3(volume.size) != dims) throw InputError("{}: key 'dims' must be integers", where);
     if (header.contains("spacing_mm"))
         volume.spacing_m = glm::vec3(three_numbers(where, header, "spacing_mm", 1e-3, 1e3) / 1000.0);
     const std::string type = text_of(where, header, "dtype");

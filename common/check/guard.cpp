@@ -28,7 +28,7 @@ std::string words_for(int signal) {
         case SIGBUS:
             return "crashed: it reads or writes memory that is not its own, or calls itself without an end";
         case SIGFPE:
-            return "crashed: it divides a whole number by 0";
+            return "crashed: it divides an integer by 0";
         default:
             return "gave up: an exception that nobody caught, an index outside a checked container, or memory freed "
                    "twice";

@@ -285,7 +285,7 @@ std::vector<float> GltfFile::floats(size_t index, size_t components) const {
 
 std::vector<uint32_t> GltfFile::integers(size_t index, size_t components) const {
     if (const int type = accessor(index).type; type != 5121 && type != 5123 && type != 5125)
-        refuse("accessor {} holds no whole numbers without sign", index);
+        refuse("accessor {} does not hold unsigned integers", index);
     return values<uint32_t>(index, components, [](const char* p, const Accessor& a) { return to_integer(p, a.type); });
 }
 

@@ -43,7 +43,7 @@ class PlanReader {
         if (study.has("rounds")) {
             const json& rounds = study["rounds"].value;
             study["rounds"].expect(rounds.is_number_integer() && rounds >= 1 && rounds <= 100000,
-                                   "a whole number from 1");
+                                   "an integer from 1");
             plan_.rounds = rounds.get<int>();
         }
         read_truth(study["truth"]);

@@ -53,7 +53,7 @@ TEST_CASE("a volume that is whole is read; one that is cut, too long, or whose h
     refused(R"({"file": "v.raw", "dims": [2, 3, 4], "dtype": "float32"})", "need 96");
     refused(R"({"file": "v.raw", "dims": [0, 3, 4], "dtype": "uint8"})", "from 1 to 512");
     refused(R"({"file": "v.raw", "dims": [100000, 100000, 100000], "dtype": "uint8"})", "from 1 to 512");
-    refused(R"({"file": "v.raw", "dims": [2.5, 3, 4], "dtype": "uint8"})", "whole numbers");
+    refused(R"({"file": "v.raw", "dims": [2.5, 3, 4], "dtype": "uint8"})", "integers");
     refused(R"({"file": "v.raw", "dims": [2, 3], "dtype": "uint8"})", "three numbers");
     refused(R"({"file": "v.raw", "dims": [2, "3", 4], "dtype": "uint8"})", "three numbers");
     refused(R"({"file": "v.raw", "dims": [2, 3, 4], "dtype": "int12"})", "unknown type 'int12'");
