@@ -42,8 +42,7 @@ class PlanReader {
         if (study.has("test_size")) read_size(study["test_size"]);  // study_test.py's
         if (study.has("rounds")) {
             const json& rounds = study["rounds"].value;
-            study["rounds"].expect(rounds.is_number_integer() && rounds >= 1 && rounds <= 100000,
-                                   "an integer from 1");
+            study["rounds"].expect(rounds.is_number_integer() && rounds >= 1 && rounds <= 100000, "an integer from 1");
             plan_.rounds = rounds.get<int>();
         }
         read_truth(study["truth"]);
