@@ -124,7 +124,7 @@ def value_of(study: dict, point: dict, name: str) -> float:
         return point["time_ms"]["median"]
     if name.startswith("ms."):
         passes = point["time_ms"].get("once", {}) | point["time_ms"]["per_pass"]
-        return sum(passes[part] for part in name[3:].split("+"))
+        return passes[name[3:]] if name[3:] in passes else sum(passes[part] for part in name[3:].split("+"))
     for place in (point.get("error", {}), point):
         if name in place:
             return place[name]["median"] if isinstance(place[name], dict) else place[name]
