@@ -150,7 +150,7 @@ class Steps(Course):
             file.write_bytes(answer)
             self.course("reset", "01.one")
             self.assertEqual((file.read_bytes(), file.with_name(f"one.cpp.{number}.old").read_bytes()), (starter, answer))
-        self.assertIn("is as it was handed out", self.course("reset", "01.one"))
+        self.assertIn("is the starter", self.course("reset", "01.one"))
         for words in (("01.nothing",), ("01",), ("",)):
             self.course("reset", *words, code=2)
         for one in file.parent.glob("*.old"):

@@ -234,9 +234,9 @@ class Shots(Course):
         self.shot("teeth", "02_lambert", "bunny")
         result = json.loads((self.root / "build/results/teeth.02.bunny.json").read_text())
         self.assertEqual([picture["name"] for picture in result["pictures"]],
-                         ["02.one as handed out", "drawn by 01_obj", "method=none"])
+                         ["the starter of 02.one", "drawn by 01_obj", "method=none"])
         self.put("no_teeth")
-        self.assertIn("does not reject the picture: 02.one as handed out",
+        self.assertIn("does not reject the picture: the starter of 02.one",
                       self.shot("teeth", "02_lambert", "bunny", code=1))
 
     def test_accept_asks_first_and_says_what_changed(self):

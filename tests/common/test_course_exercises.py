@@ -115,7 +115,7 @@ class Exercises(Course):
         check = [sys.executable, self.root / "common/course", "test.check_teeth", "01_obj"]
         self.run_program(check)
         self.put("chapters/01_obj/exercise/one.cpp", "right")
-        self.assertIn("01.one: it passes as handed out", self.run_program(check, code=1))
+        self.assertIn("01.one: the starter passes", self.run_program(check, code=1))
         self.put("chapters/01_obj/solution/one.cpp", "wrong")
         self.assertIn("01.one: the reference does not pass", self.run_program(check, code=1))
 

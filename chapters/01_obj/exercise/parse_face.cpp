@@ -1,6 +1,6 @@
 // Exercise 01.parse_face: the corners of a face, such as
 //     f 1/1/1 2/2/1 3/3/1
-// As handed out, the function reads the positions of the first three corners and nothing else.
+// Starter: the function reads the positions of the first three corners and nothing else.
 #include <cstdlib>
 #include <sstream>
 #include <string>

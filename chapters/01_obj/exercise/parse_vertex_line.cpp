@@ -1,6 +1,6 @@
 // Exercise 01.parse_vertex_line: the position on one line of an OBJ file, such as
 //     v 0.254714 -0.437146 -0.082668
-// As handed out, the function reads two numbers and drops the third: models are as flat as paper.
+// Starter: the function reads two numbers and drops the third: models are as flat as paper.
 #include <cstdlib>
 #include <string>
 

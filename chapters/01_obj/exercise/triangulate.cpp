@@ -1,5 +1,5 @@
 // Exercise 01.triangulate: triangles from a polygon with any number of corners.
-// As handed out, every polygon is reduced to one triangle, so that models have holes.
+// Starter: every polygon is reduced to one triangle, so that models have holes.
 #include "01_obj/exercises.h"
 
 namespace lightwalk::exercise {

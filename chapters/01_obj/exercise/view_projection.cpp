@@ -1,5 +1,5 @@
 // Exercise 01.view_projection: the matrix from world space to clip space.
-// As handed out, everything is drawn from the front, without perspective, wherever the camera is.
+// Starter: everything is drawn from the front, without perspective, wherever the camera is.
 #include "01_obj/exercises.h"
 
 namespace lightwalk::exercise {

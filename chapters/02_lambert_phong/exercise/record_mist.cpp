@@ -1,5 +1,5 @@
 // Exercise 02.record_mist: a frame of three passes, and the images that each reads and writes.
-// As handed out, the scene is drawn on a black background, without sky and mist.
+// Starter: the scene is drawn on a black background, without sky and mist.
 #include "02_lambert_phong/exercises.h"
 
 namespace lightwalk::exercise {

@@ -1,5 +1,5 @@
 // Exercise 03.light_reaches_box: whether a light can reach an object.
-// As handed out, every object is lit by every light: the picture is right, and nothing is saved.
+// Starter: every object is lit by every light: the picture is right, and nothing is saved.
 #include "03_attenuation/exercises.h"
 
 namespace lightwalk::exercise {

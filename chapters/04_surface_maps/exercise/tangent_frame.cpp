@@ -1,5 +1,5 @@
 // Exercise 04.tangent_frame: the directions in which a texture's u and v grow on a triangle.
-// As handed out, the tangent is the world's x axis: right for a wall that faces +z, and wrong for all else.
+// Starter: the tangent is the world's x axis: right for a wall that faces +z, and wrong for all else.
 #include "04_surface_maps/exercises.h"
 
 namespace lightwalk::exercise {

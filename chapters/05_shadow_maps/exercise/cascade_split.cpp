@@ -1,5 +1,5 @@
 // Exercise 05.cascade_split: the distances at which the cascades of a directional light end.
-// As handed out, all cascades are equally deep: next to the camera a texel is as wide as a house.
+// Starter: all cascades are equally deep: next to the camera a texel is as wide as a house.
 #include "05_shadow_maps/exercises.h"
 
 namespace lightwalk::exercise {

@@ -1,5 +1,5 @@
 // Exercise 06.light_volume_bounds: the shape to draw for a light.
-// As handed out, every light is drawn as a huge sphere: the picture is right, and nothing is saved.
+// Starter: every light is drawn as a huge sphere: the picture is right, and nothing is saved.
 #include "06_deferred/exercises.h"
 
 namespace lightwalk::exercise {

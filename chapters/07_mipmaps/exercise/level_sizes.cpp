@@ -1,5 +1,5 @@
 // Exercise 07.level_sizes: number and sizes of the levels of an image.
-// As it stands, an image has one level: all of its texels are read at any distance, and it flickers.
+// Starter: an image has one level: all of its texels are read at any distance, and it flickers.
 #include "07_mipmaps/exercises.h"
 
 namespace lightwalk::exercise {

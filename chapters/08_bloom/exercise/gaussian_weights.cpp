@@ -1,5 +1,5 @@
 // Exercise 08.gaussian_weights: the weights of a blur.
-// As it stands, the pixel itself has all the weight: nothing is blurred.
+// Starter: the pixel itself has all the weight: nothing is blurred.
 #include "08_bloom/exercises.h"
 
 namespace lightwalk::exercise {

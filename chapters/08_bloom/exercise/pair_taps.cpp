@@ -1,5 +1,5 @@
 // Exercise 08.pair_taps: one read for two neighbouring pixels.
-// As it stands, each pixel is read by itself: the result is right, for twice the work.
+// Starter: each pixel is read by itself: the result is right, for twice the work.
 #include "08_bloom/exercises.h"
 
 namespace lightwalk::exercise {

@@ -1,5 +1,5 @@
 // Exercise 11.record_cones: two dispatches of one pass, the second of which reads the result of the first.
-// As it stands, no cone is marched: `starts` holds what the frame put there, and rays begin behind the set.
+// Starter: no cone is marched: `starts` holds what the frame put there, and rays begin behind the set.
 #include "11_fractals/exercises.h"
 
 namespace lightwalk::exercise {

@@ -1,5 +1,5 @@
 // Exercise 12.blur_irradiance: a chain of blurs in one pass.
-// As it stands, the first Gaussian is blurred along u only, and the other levels stay empty.
+// Starter: the first Gaussian is blurred along u only, and the other levels stay empty.
 #include "12_skin/exercises.h"
 
 namespace lightwalk::exercise {

@@ -1,5 +1,5 @@
 // Exercise 13.area: the area between silhouette and line within a pixel.
-// As it stands, the silhouette follows the borders of the pixels, and nothing is mixed.
+// Starter: the silhouette follows the borders of the pixels, and nothing is mixed.
 #include "13_mlaa/exercises.h"
 
 namespace lightwalk::exercise {

@@ -1,5 +1,5 @@
 // Exercise 14.prefilter_faces: the levels of a cube, each written through a view of one face of one level.
-// As it stands only the first level of the face +x is written.
+// Starter: only the first level of the face +x is written.
 #include "14_environment/exercises.h"
 
 namespace lightwalk::exercise {

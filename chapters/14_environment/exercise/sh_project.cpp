@@ -1,5 +1,5 @@
 // Exercise 14.sh_project: an environment as nine colours.
-// Until you fill it in, the environment is black, and so is diffuse light by the method sh9.
+// Starter: the environment is black, and so is diffuse light by the method sh9.
 #include "14_environment/exercises.h"
 
 namespace lightwalk::exercise {

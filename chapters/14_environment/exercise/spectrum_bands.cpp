@@ -1,5 +1,5 @@
 // Exercise 14.spectrum_bands: a stretch of music as three numbers.
-// As it stands the music is silent, and nothing moves to it.
+// Starter: the music is silent, and nothing moves to it.
 #include "14_environment/exercises.h"
 #include "14_environment/spectrum.h"
 

@@ -1,5 +1,5 @@
 // Exercise 15.mirror_view: what a level water surface reflects, drawn by the camera's own matrix.
-// As it stands the water shows the picture itself, not upside down.
+// Starter: the water shows the picture itself, not upside down.
 #include "15_terrain_water/exercises.h"
 
 namespace lightwalk::exercise {

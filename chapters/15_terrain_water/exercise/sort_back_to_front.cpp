@@ -1,5 +1,5 @@
 // Exercise 15.sort_back_to_front: the order in which transparent surfaces are drawn.
-// As it stands they are drawn in the order of the scene file, and panes that lie behind cover those in front.
+// Starter: they are drawn in the order of the scene file, and panes that lie behind cover those in front.
 #include <numeric>
 
 #include "15_terrain_water/exercises.h"

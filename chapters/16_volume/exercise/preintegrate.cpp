@@ -1,5 +1,5 @@
 // Exercise 16.preintegrate: a whole step through the transfer function, ahead of time.
-// As it stands a step looks like the density at its front alone, and thin layers fall between the samples.
+// Starter: a step looks like the density at its front alone, and thin layers fall between the samples.
 #include <algorithm>
 #include <cmath>
 

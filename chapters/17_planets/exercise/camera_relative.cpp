@@ -1,5 +1,5 @@
 // Exercise 17.camera_relative: from the solar system's metres to those before the camera.
-// As it stands everything is rounded to floats first: at 30 AU they are 524 km apart.
+// Starter: everything is rounded to floats first: at 30 AU they are 524 km apart.
 #include "17_planets/exercises.h"
 
 namespace lightwalk::exercise {

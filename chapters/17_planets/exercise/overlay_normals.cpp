@@ -1,5 +1,5 @@
 // Exercise 17.overlay_normals: slopes from the brightness of a planet's map.
-// As it stands the planet is smooth.
+// Starter: the planet is smooth.
 #include "17_planets/exercises.h"
 
 namespace lightwalk::exercise {

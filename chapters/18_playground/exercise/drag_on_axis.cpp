@@ -1,5 +1,5 @@
 // Exercise 18.drag_on_axis: how far along an axis the mouse is.
-// As it stands the arrow stays where it is.
+// Starter: the arrow stays where it is.
 #include "18_playground/exercises.h"
 
 namespace lightwalk::exercise {

@@ -1,5 +1,5 @@
 // Exercise 18.pick_ray: the ray behind the mouse.
-// As it stands it always looks along -z.
+// Starter: it always looks along -z.
 #include "18_playground/exercises.h"
 
 namespace lightwalk::exercise {

@@ -1,5 +1,5 @@
 // Exercise 18.rotate_about_pivot: turning what is selected about one point.
-// As it stands nothing turns.
+// Starter: nothing turns.
 #include "18_playground/exercises.h"
 
 namespace lightwalk::exercise {

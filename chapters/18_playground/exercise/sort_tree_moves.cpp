@@ -1,5 +1,5 @@
 // Exercise 18.sort_tree_moves: other parents for what is selected, and nothing moves in the picture.
-// As it stands everything that is selected moves, its children twice, and jumps.
+// Starter: everything that is selected moves, its children twice, and jumps.
 #include "18_playground/exercises.h"
 
 namespace lightwalk::exercise {

@@ -1,5 +1,5 @@
 // Exercise 18.undo_stack: the list of steps that can be undone.
-// As it stands each frame of a drag is a step, and memory has no bound.
+// Starter: each frame of a drag is a step, and memory has no bound.
 #include "18_playground/exercises.h"
 
 namespace lightwalk::exercise {

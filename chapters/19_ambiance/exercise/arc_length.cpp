@@ -1,5 +1,5 @@
 // Exercise 19.arc_length: a camera that moves at an even speed.
-// As it stands parameters are used as they are, and the camera is fast where keys are far apart.
+// Starter: parameters are used as they are, and the camera is fast where keys are far apart.
 #include "19_ambiance/exercises.h"
 
 namespace lightwalk::exercise {

@@ -1,5 +1,5 @@
 // Exercise 19.catmull_rom: a smooth curve through keys at any knots.
-// As it stands the curve is a chain of straight lines, and the camera jerks at each key.
+// Starter: the curve is a chain of straight lines, and the camera jerks at each key.
 #include "19_ambiance/exercises.h"
 
 namespace lightwalk::exercise {

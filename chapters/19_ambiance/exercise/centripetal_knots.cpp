@@ -1,5 +1,5 @@
 // Exercise 19.centripetal_knots: when a curve passes its keys.
-// As it stands the knots are evenly spaced, and the curve loops and overshoots where keys stand close together.
+// Starter: the knots are evenly spaced, and the curve loops and overshoots where keys stand close together.
 #include "19_ambiance/exercises.h"
 
 namespace lightwalk::exercise {

@@ -1,5 +1,5 @@
 // Exercise 19.up_without_roll: which way is up after a turn of the camera.
-// As it stands up is what it was: it leans into the view, and where the view reaches it the picture flips.
+// Starter: up is what it was: it leans into the view, and where the view reaches it the picture flips.
 #include "19_ambiance/exercises.h"
 
 namespace lightwalk::exercise {

@@ -1,5 +1,5 @@
 // Exercise 19.warm: what has to be on the GPU before a cut.
-// As it stands only what is on the screen is there, and the first frame after each cut waits for files and shaders.
+// Starter: only what is on the screen is there, and the first frame after each cut waits for files and shaders.
 #include "19_ambiance/exercises.h"
 
 namespace lightwalk::exercise {

@@ -9,7 +9,7 @@ from check.check import select
 from check.starters import LIST, digest
 from tree import ROOT, Failure, UsageError, exercises, git, relative, say, write_atomically
 
-HELP = """Puts an exercise back as it was handed out. Your answer is kept beside it.
+HELP = """Restores the starter of an exercise. Your answer is kept beside it.
 
   ./course reset 02.phong"""
 KEPT = Path("tests/starters.zip")  # of a handout, which has no history
@@ -27,12 +27,12 @@ def run(arguments, _rest) -> int:
     there = path.read_bytes()
     starter = starter_of(path)
     if there == starter:
-        say(f"{relative(path)} is as it was handed out")
+        say(f"{relative(path)} is the starter")
         return 0
     old = next(name for number in itertools.count(1) if not (name := path.with_name(f"{path.name}.{number}.old")).exists())
     write_atomically(old, there)
     write_atomically(path, starter, path.stat().st_mode & 0o777)
-    say(f"{relative(path)} is as it was handed out; your answer is {relative(old)}")
+    say(f"{relative(path)} is the starter again; your answer is {relative(old)}")
     return 0
 
 

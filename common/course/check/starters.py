@@ -48,4 +48,4 @@ def check_starters(write: bool = False) -> list[str]:
         write_atomically(ROOT / LIST, is_so)
         return []
     new = sorted({line.split()[-1] for line in set(is_so.splitlines()) ^ set(there.splitlines())})
-    return [f"{LIST}: it does not have {name} as it stands; ./course quote writes it" for name in new]
+    return [f"{LIST}: the starter {name} is not in it; ./course quote writes it" for name in new]

@@ -37,8 +37,8 @@ def wrong_pictures(chapter: str, shot: dict) -> list[tuple[str, str, list, Path]
     """The same for each picture that the golden must reject."""
     same = ["--shot", shot["name"]]
     files = exercises(chapter)
-    # One that was edited since the last commit is not as handed out: somebody works on it.
-    wrong = [(f"{exercise} as handed out", chapter, [*same, "--use", f"solution,{exercise}=exercise"])
+    # One that was edited since the last commit is no starter: somebody works on it.
+    wrong = [(f"the starter of {exercise}", chapter, [*same, "--use", f"solution,{exercise}=exercise"])
              for exercise in shot.get("exercises", []) if exercise not in files or not is_edited(files[exercise])]
     for entry in shot.get("rejects", []):
         if any(f"{exercise}=exercise" in entry.get("use", "") and is_edited(path) for exercise, path in files.items()):

@@ -9,7 +9,7 @@ Each writes its result to build/results/shot.NN.SHOT.json or teeth.NN.SHOT.json,
      "seconds", "limits", "pictures": [{"name", "ok", "expected", "actual", "heatmap", "metrics"}]}
 
 where metrics is the output of `compare --json`, or null, and paths count from the root. A shot has one picture, called
-like the shot; teeth have one for each picture to be rejected ("02.phong as handed out", "drawn by 01_obj").
+like the shot; teeth have one for each picture to be rejected ("the starter of 02.phong", "drawn by 01_obj").
 """
 
 import json

@@ -1,5 +1,5 @@
 // Exercise 01.transform: from object space to world space, and from world space to clip space.
-// As handed out, every object stands at the origin, neither rotated nor scaled.
+// Starter: every object stands at the origin, neither rotated nor scaled.
 
 // [position_to_world]
 // The point `position` (object space, metres) in world space. `model` is the matrix from

@@ -1,5 +1,5 @@
 // Exercise 02.blinn_phong: a highlight around the half vector, and the factor that keeps its energy constant.
-// As handed out, there is no highlight.
+// Starter: there is no highlight.
 
 // [blinn_phong]
 // Blinn's specular lobe: the cosine of the angle between `normal` and the half vector,

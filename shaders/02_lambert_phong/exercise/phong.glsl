@@ -1,5 +1,5 @@
 // Exercise 02.phong: a highlight around the mirror direction.
-// As handed out, there is no highlight.
+// Starter: there is no highlight.
 
 // [phong]
 // Phong's specular lobe: the cosine of the angle between `to_eye` and the mirror image of

@@ -1,5 +1,5 @@
 // Exercise 02.wrapped_diffuse: diffuse light that reaches beyond the terminator, as on skin, wax and cloud tops.
-// As handed out, a surface is lit evenly.
+// Starter: a surface is lit evenly.
 
 // [wrapped_diffuse]
 // Wrapped diffuse light: ((cosine + wrap) / (1 + wrap)) raised to `power`, and 0 where the

@@ -1,5 +1,5 @@
 // Exercise 03.inverse_square_window: inverse-square attenuation that reaches 0 at the light's range.
-// As handed out, a light is equally bright up to its range and ends there.
+// Starter: a light is equally bright up to its range and ends there.
 
 // [inverse_square_window]
 // The windowed inverse square: (1 - (distance / range)^4)^2 / (distance^2 + 1), and exactly

@@ -1,5 +1,5 @@
 // Exercise 03.range_fade: attenuation that fades a light to 0 at its range.
-// As handed out, a light is equally bright up to its range and ends there.
+// Starter: a light is equally bright up to its range and ends there.
 
 // [range_fade]
 // The range fade: (1 - distance / range)^2 / (1 + k distance^2), and exactly 0 at the range

@@ -1,5 +1,5 @@
 // Exercise 03.spot_cone: the edge of a spot light.
-// As handed out, a spot light shines in all directions.
+// Starter: a spot light shines in all directions.
 
 // [spot_cone]
 // The fraction of a spot light's intensity in one direction. `cosine` is the cosine of the

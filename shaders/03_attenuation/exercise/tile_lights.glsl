@@ -1,5 +1,5 @@
 // Exercise 03.tile_lights: the depth range and the lights of a screen tile, found by one workgroup.
-// As handed out, every light is in every tile: the picture is right, and nothing is saved.
+// Starter: every light is in every tile: the picture is right, and nothing is saved.
 
 // [tile_lights]
 // One workgroup of TILE_INVOCATIONS invocations runs these functions together for one tile.

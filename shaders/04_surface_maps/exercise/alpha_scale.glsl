@@ -1,5 +1,5 @@
 // Exercise 04.alpha_scale: an alpha scale that keeps the coverage of a cutout in its small mip levels.
-// As handed out, alpha is only averaged, and thin leaves vanish in the distance.
+// Starter: alpha is only averaged, and thin leaves vanish in the distance.
 
 // [alpha_scale]
 // One workgroup of LEVEL_INVOCATIONS invocations runs this function for one mip level.

@@ -1,5 +1,5 @@
 // Exercise 04.blend_detail: fine bumps on top of coarse ones.
-// As handed out, there are no fine bumps.
+// Starter: there are no fine bumps.
 
 // [blend_detail]
 // Both arguments are unit vectors in tangent space with z at least 0. The result is

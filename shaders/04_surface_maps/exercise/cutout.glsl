@@ -1,5 +1,5 @@
 // Exercise 04.cutout: the alpha of a surface point, and the test that cuts holes.
-// As handed out, nothing is cut out.
+// Starter: nothing is cut out.
 
 // [surface_alpha]
 // The alpha of a surface point: the product of the colour texture's alpha, the opacity

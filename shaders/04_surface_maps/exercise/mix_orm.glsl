@@ -1,5 +1,5 @@
 // Exercise 04.mix_orm: Blinn–Phong parameters from roughness and metalness.
-// As handed out, everything is matt and nothing is metal.
+// Starter: everything is matt and nothing is metal.
 #include "common/structs.h"
 
 // [overridden]

@@ -1,5 +1,5 @@
 // Exercise 04.parallax_occlusion: the hit of the camera ray, searched layer by layer and then refined.
-// As handed out, the ray stops where it enters.
+// Starter: the ray stops where it enters.
 
 float depth_at(vec2 uv);  // of the surface: 0 at the mesh, 1 at the deepest point
 

@@ -1,5 +1,5 @@
 // Exercise 04.parallax_offset: a hit point estimated from a single read of the height map.
-// As handed out, the surface is flat.
+// Starter: the surface is flat.
 
 // [parallax_offset]
 // The vector to add to the texture coordinates. `depth` is the depth in the map, 0 to 1,

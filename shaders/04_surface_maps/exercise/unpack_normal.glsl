@@ -1,5 +1,5 @@
 // Exercise 04.unpack_normal: a unit normal from the two channels of a texel.
-// As handed out, every texel is flat.
+// Starter: every texel is flat.
 
 // [unpack_normal]
 // The unit normal in tangent space. `code` holds its x and y, with 0 to 1 standing for -1

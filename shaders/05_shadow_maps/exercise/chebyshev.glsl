@@ -1,5 +1,5 @@
 // Exercise 05.chebyshev: visibility from the mean and the mean square of depth.
-// As handed out, everything behind the mean depth is in shadow.
+// Starter: everything behind the mean depth is in shadow.
 
 // [chebyshev]
 // An upper bound on the visibility of a point at `depth`. `moments` holds the mean of the

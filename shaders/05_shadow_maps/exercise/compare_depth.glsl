@@ -1,5 +1,5 @@
 // Exercise 05.compare_depth: whether light reaches a point.
-// As handed out, it always does.
+// Starter: it always does.
 
 // [compare_depth]
 // The visibility of a point: 1 if it is lit, 0 if it is in shadow. `place` is the result of

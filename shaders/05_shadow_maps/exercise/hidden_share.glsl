@@ -1,5 +1,5 @@
 // Exercise 05.hidden_share: the share of the sun's disc that a planet hides.
-// As handed out, it hides nothing, and the planet casts no shadow.
+// Starter: it hides nothing, and the planet casts no shadow.
 
 // [hidden_share]
 // The share of the sun's disc that a planet's disc hides, 0 to 1. All lengths are in radii

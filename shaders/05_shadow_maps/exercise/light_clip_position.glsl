@@ -1,5 +1,5 @@
 // Exercise 05.light_clip_position: the position of a point in a light's shadow map.
-// As handed out, every point falls on the middle of the map at the near plane, and everything is lit.
+// Starter: every point falls on the middle of the map at the near plane, and everything is lit.
 
 // [light_clip_position]
 // The position of a world-space point in a shadow map that was rendered with the matrix

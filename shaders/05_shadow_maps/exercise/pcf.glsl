@@ -1,5 +1,5 @@
 // Exercise 05.pcf: percentage-closer filtering, four texels at a time.
-// As handed out, it compares with the one texel that holds the point.
+// Starter: it compares with the one texel that holds the point.
 #include "05_shadow_maps/shadow_data.h"
 
 // [pcf]

@@ -1,5 +1,5 @@
 // Exercise 05.penumbra_width: the width of a soft shadow edge.
-// As handed out, every shadow is as hard as the map's texels.
+// Starter: every shadow is as hard as the map's texels.
 
 // [penumbra_width]
 // The width, in metres, of the penumbra that an edge `blocker` metres from the light casts

@@ -1,5 +1,5 @@
 // Exercise 05.slope_bias: the bias that keeps a sloped surface from shadowing itself.
-// As handed out, there is none: stripes of shadow cover everything that does not face the light.
+// Starter: there is none: stripes of shadow cover everything that does not face the light.
 
 // [slope_bias]
 // The largest distance, in metres, by which a plane can be nearer to the light at a texel

@@ -1,5 +1,5 @@
 // Exercise 05.sphere_shadow: the shadow of a sphere without a map.
-// As handed out, the sphere casts none.
+// Starter: the sphere casts none.
 
 // [sphere_shadow_hard]
 // The visibility of the light from a point: 0 if a sphere is in the way, 1 otherwise.

@@ -1,5 +1,5 @@
 // Exercise 06.accumulate_lights: one light search shared by the 256 pixels of a tile.
-// As handed out, every pixel computes every light: the picture is right, and nothing is saved.
+// Starter: every pixel computes every light: the picture is right, and nothing is saved.
 #include "03_attenuation/cell.glsl"
 #include "03_attenuation/lighting.glsl"
 

@@ -1,5 +1,5 @@
 // Exercise 06.cull_back_face: triangles that face away from the camera.
-// As handed out, none is culled: the picture is right, and nothing is saved.
+// Starter: none is culled: the picture is right, and nothing is saved.
 
 // [cull_back_face]
 // True if the camera sees the triangle a, b, c from behind or edge-on, or if the triangle

@@ -1,5 +1,5 @@
 // Exercise 06.decode_normal: a direction from its octahedral code.
-// As handed out, every surface faces +z.
+// Starter: every surface faces +z.
 
 // [decode_normal]
 // The unit vector from which encode_normal() made `code`, which is in [-1, 1]. The z of the

@@ -1,5 +1,5 @@
 // Exercise 06.encode_normal: the octahedral code of a direction, in two numbers.
-// As handed out, every surface faces +z.
+// Starter: every surface faces +z.
 
 // [encode_normal]
 // The octahedral code of the unit vector `normal`. Divide the vector by |x| + |y| + |z|:

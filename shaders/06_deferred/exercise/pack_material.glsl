@@ -1,5 +1,5 @@
 // Exercise 06.pack_material: a material in eight bytes.
-// As handed out, everything is grey and matt.
+// Starter: everything is grey and matt.
 #include "06_deferred/pixel.glsl"
 
 // [pack_material]

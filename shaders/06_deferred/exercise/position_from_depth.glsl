@@ -1,5 +1,5 @@
 // Exercise 06.position_from_depth: the world-space position of the surface in a pixel.
-// As handed out, all of it is in one place.
+// Starter: all of it is in one place.
 
 // [position_from_depth]
 // The world-space position of the surface that a pixel shows. The centre of the pixel is at

@@ -1,5 +1,5 @@
 // Exercise 07.box_2x2: one texel of a level from four texels of the level above it.
-// As it stands, one texel of four is used and three are discarded: the level flickers as much as no level at
+// Starter: one texel of four is used and three are discarded: the level flickers as much as no level at
 // all.
 #include "07_mipmaps/source.glsl"
 

@@ -1,5 +1,5 @@
 // Exercise 07.from_linear: the way back, from a mean to the stored texel.
-// As it stands, means are stored unchanged.
+// Starter: means are stored unchanged.
 
 // [linear_to_srgb]
 // Converts linear light c to sRGB codes, channel by channel: 12.92 c for c up to

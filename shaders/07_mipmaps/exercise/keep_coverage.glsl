@@ -1,5 +1,5 @@
 // Exercise 07.keep_coverage: averaged alpha makes leaves vanish; find the factor that brings them back.
-// As it stands, the factor is 1.
+// Starter: the factor is 1.
 #include "07_mipmaps/alpha_count.glsl"
 
 // [keep_coverage]

@@ -1,5 +1,5 @@
 // Exercise 07.last_workgroup: the workgroup of a dispatch that finishes last.
-// As it stands, no workgroup is the last: a single pass ends with the sixth level.
+// Starter: no workgroup is the last: a single pass ends with the sixth level.
 
 // [last_workgroup]
 // Every workgroup calls this function once, with all of its threads together, after its

@@ -1,5 +1,5 @@
 // Exercise 07.odd_size_weights: the share of each texel under a texel of the next level.
-// As it stands, an odd size loses its last column, as it does with box_2x2.
+// Starter: an odd size loses its last column, as it does with box_2x2.
 
 // [odd_size_weights]
 // A row of `size` texels (1 or more) becomes a row of m = max(size / 2, 1) texels of

@@ -1,5 +1,5 @@
 // Exercise 07.to_linear: from a stored texel to numbers that may be averaged.
-// As it stands, codes are averaged unchanged.
+// Starter: codes are averaged unchanged.
 
 // [srgb_to_linear]
 // Converts sRGB codes, 0 to 1, to linear light, 0 to 1, channel by channel:

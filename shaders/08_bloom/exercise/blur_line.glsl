@@ -1,6 +1,6 @@
 // Exercise 08.blur_line: neighbouring pixels of a blur read nearly the same texels; read each once and share
 // it.
-// As it stands, nothing is blurred.
+// Starter: nothing is blurred.
 #include "08_bloom/line_source.glsl"
 
 // [blur_line]

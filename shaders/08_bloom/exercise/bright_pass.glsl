@@ -1,5 +1,5 @@
 // Exercise 08.bright_pass: the light of a pixel that is blurred.
-// As it stands, all light is blurred, and one infinite or NaN pixel spoils the picture.
+// Starter: all light is blurred, and one infinite or NaN pixel spoils the picture.
 #include "common/light.glsl"
 #include "08_bloom/soft_knee.glsl"
 

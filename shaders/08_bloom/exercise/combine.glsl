@@ -1,5 +1,5 @@
 // Exercise 08.combine: adds the blurred light to the picture.
-// As it stands, the blurred light is lost.
+// Starter: the blurred light is lost.
 #include "common/light.glsl"
 
 // [combine]

@@ -1,5 +1,5 @@
 // Exercise 08.down_filter: one texel of a level from the level above.
-// As it stands, it is the mean of four texels: a lone bright pixel flickers when it moves.
+// Starter: it is the mean of four texels: a lone bright pixel flickers when it moves.
 #include "08_bloom/level_source.glsl"
 
 // [down_filter]

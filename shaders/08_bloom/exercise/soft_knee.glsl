@@ -1,5 +1,5 @@
 // Exercise 08.soft_knee: the part of a luminance above a threshold without an edge.
-// As it stands, the whole luminance passes.
+// Starter: the whole luminance passes.
 
 // [soft_knee]
 // Returns the part of `luminance` that passes the threshold. Let w = knee * threshold.

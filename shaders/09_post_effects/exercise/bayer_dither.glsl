@@ -1,5 +1,5 @@
 // Exercise 09.bayer_dither: more shades than a screen has codes.
-// As it stands, every pixel is rounded in the same way.
+// Starter: every pixel is rounded in the same way.
 
 // [bayer_dither]
 // Returns the threshold of a pixel in B. E. Bayer's ordered dither of 2^bits by 2^bits

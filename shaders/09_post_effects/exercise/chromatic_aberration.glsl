@@ -1,5 +1,5 @@
 // Exercise 09.chromatic_aberration: a lens that enlarges each colour differently.
-// As it stands, the lens is perfect.
+// Starter: the lens is perfect.
 
 // [chromatic_aberration]
 // Returns the position, in uv from 0 to 1, at which one colour channel of the pixel at

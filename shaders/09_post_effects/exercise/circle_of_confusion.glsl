@@ -1,5 +1,5 @@
 // Exercise 09.circle_of_confusion: diameter of the disc of a point out of focus.
-// As it stands, everything is in focus.
+// Starter: everything is in focus.
 
 // [circle_of_confusion]
 // Returns the signed diameter of the disc that a point becomes on the sensor, in

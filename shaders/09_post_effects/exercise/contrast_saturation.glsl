@@ -1,5 +1,5 @@
 // Exercise 09.contrast_saturation: contrast around middle grey, and saturation around luminance.
-// As it stands, nothing changes.
+// Starter: nothing changes.
 #include "common/light.glsl"
 
 // [contrast_saturation]

@@ -1,5 +1,5 @@
 // Exercise 09.exposure_gamma: two ways of changing the brightness of a picture.
-// As it stands, nothing changes.
+// Starter: nothing changes.
 
 // [exposure_gamma]
 // expose: returns the radiance as if the shutter were open 2^stops times as long. stops

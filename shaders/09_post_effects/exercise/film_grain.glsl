@@ -1,5 +1,5 @@
 // Exercise 09.film_grain: noise that does not repeat.
-// As it stands, the film has no grain.
+// Starter: the film has no grain.
 
 // [film_grain]
 // Returns a number from -1 to 1 (1 excluded) for a pixel of a frame of the film. The

@@ -1,5 +1,5 @@
 // Exercise 09.histogram_bin: a histogram of luminance, counted by a workgroup together.
-// As it stands, all pixels are in bin 0, and each adds itself to the histogram of the picture.
+// Starter: all pixels are in bin 0, and each adds itself to the histogram of the picture.
 #include "09_post_effects/histogram_source.glsl"
 
 // [histogram_bin]

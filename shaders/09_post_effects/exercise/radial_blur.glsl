@@ -1,5 +1,5 @@
 // Exercise 09.radial_blur: a blur towards one point.
-// As it stands, nothing is blurred.
+// Starter: nothing is blurred.
 #include "09_post_effects/picture_source.glsl"
 
 // [radial_blur]

@@ -1,5 +1,5 @@
 // Exercise 09.sharpen: a kernel of 3 by 3 pixels.
-// As it stands, the neighbours have no weight.
+// Starter: the neighbours have no weight.
 #include "09_post_effects/picture_source.glsl"
 
 // [sharpen]

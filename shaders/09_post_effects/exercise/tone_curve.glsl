@@ -1,5 +1,5 @@
 // Exercise 09.tone_curve: Hill's fit of the ACES tone curve.
-// As it stands, light above 1 is clipped.
+// Starter: light above 1 is clipped.
 #include "09_post_effects/hill_matrices.glsl"
 
 // [tone_curve]

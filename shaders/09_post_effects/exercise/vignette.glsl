@@ -1,5 +1,5 @@
 // Exercise 09.vignette: a picture that darkens towards its corners.
-// As it stands, it does not darken.
+// Starter: it does not darken.
 
 // [vignette]
 // Returns the factor of the pixel at uv (0 to 1 over the picture):

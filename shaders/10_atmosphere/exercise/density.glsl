@@ -1,5 +1,5 @@
 // Exercise 10.density: the densities of the air at a height.
-// As it stands, there is no air.
+// Starter: there is no air.
 
 // [density]
 // Returns three relative densities at `height`; heights and widths are in metres.

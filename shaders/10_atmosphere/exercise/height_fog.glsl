@@ -1,5 +1,5 @@
 // Exercise 10.height_fog: the optical depth of fog that gets thinner with height.
-// As it stands, the fog is as dense everywhere as at the camera.
+// Starter: the fog is as dense everywhere as at the camera.
 
 // [height_fog]
 // Returns the optical depth of the fog between the camera and a point. The density at

@@ -1,5 +1,5 @@
 // Exercise 10.in_scatter: the light scattered into a path, and the transmittance of the path.
-// As it stands, air is clear and dark.
+// Starter: air is clear and dark.
 #include "10_atmosphere/phase.glsl"
 #include "10_atmosphere/sunlight.glsl"
 

@@ -1,5 +1,5 @@
 // Exercise 10.optical_depth: the optical depth of a ray out of the air, without a loop.
-// As it stands, it is that of a flat planet, without a horizon.
+// Starter: it is that of a flat planet, without a horizon.
 
 // [optical_depth]
 // Returns the integral of exp(-h / scale_height), h the height above the ground, along

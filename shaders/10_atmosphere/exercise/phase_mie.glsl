@@ -1,5 +1,5 @@
 // Exercise 10.phase_mie: the phase function of dust and droplets, which scatter mostly forward.
-// As it stands, they scatter equally in all directions.
+// Starter: they scatter equally in all directions.
 
 // [phase_mie]
 // Returns the phase function of Cornette and Shanks for dust. With c = cos_angle, the

@@ -1,5 +1,5 @@
 // Exercise 10.phase_rayleigh: the phase function of molecules.
-// As it stands, molecules scatter equally in all directions.
+// Starter: molecules scatter equally in all directions.
 
 // [phase_rayleigh]
 // Returns Rayleigh's phase function: proportional to 1 + cos_angle^2, where cos_angle

@@ -1,5 +1,5 @@
 // Exercise 10.ray_sphere: the intersection of a ray with a sphere as large as a planet.
-// As it stands, no ray meets anything.
+// Starter: no ray meets anything.
 
 // [ray_sphere]
 // A ray starts `height` metres above a planet of `radius` metres (height is -0.1 radius

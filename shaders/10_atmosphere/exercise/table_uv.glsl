@@ -1,5 +1,5 @@
 // Exercise 10.table_uv: the position of a ray in the table of transmittance.
-// As it stands, rows are heights and columns are slopes, and half of the table is never used.
+// Starter: rows are heights and columns are slopes, and half of the table is never used.
 
 // [table_uv]
 // A table of size.x by size.y texels stores the transmittance from the height `height`

@@ -1,5 +1,5 @@
 // Exercise 11.eroded_fbm: a landscape whose steep slopes are worn smooth, and its gradient.
-// As it stands, there is one octave.
+// Starter: there is one octave.
 #include "11_fractals/noise_jet.glsl"
 
 // [eroded_fbm]

@@ -1,5 +1,5 @@
 // Exercise 11.integrate_octaves: the number of octaves that can be seen.
-// As it stands, it is the maximum.
+// Starter: it is the maximum.
 
 // [integrate_octaves]
 // Returns the number of octaves to compute for a pixel, or a vertex. `footprint_m`, 0 or

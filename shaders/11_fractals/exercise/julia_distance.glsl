@@ -1,5 +1,5 @@
 // Exercise 11.julia_distance: a lower bound of the distance to a Julia set.
-// As it stands, it is the distance to a ball.
+// Starter: it is the distance to a ball.
 #include "11_fractals/quaternion_square.glsl"
 
 // [julia_distance]

@@ -1,5 +1,5 @@
 // Exercise 11.march: sphere tracing along a ray, with steps as long as possible.
-// As it stands, nothing is ever hit.
+// Starter: nothing is ever hit.
 #include "11_fractals/march_along.glsl"
 
 // [march]

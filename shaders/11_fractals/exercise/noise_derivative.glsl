@@ -1,5 +1,5 @@
 // Exercise 11.noise_derivative: the slope of the noise, from the same numbers as its height.
-// As it stands, the ground is level.
+// Starter: the ground is level.
 #include "11_fractals/lattice.glsl"
 
 // [noise_derivative]

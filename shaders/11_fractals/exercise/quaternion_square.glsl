@@ -1,5 +1,5 @@
 // Exercise 11.quaternion_square: the square of a quaternion, the repeated step of a Julia set.
-// As it stands, nothing is squared: the set is a ball.
+// Starter: nothing is squared: the set is a ball.
 
 // [quaternion_square]
 // Returns the square of the quaternion q = x + y i + z j + w k. The units multiply as i

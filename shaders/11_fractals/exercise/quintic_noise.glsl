@@ -1,5 +1,5 @@
 // Exercise 11.quintic_noise: a smooth height between the numbers at the corners of a grid.
-// As it stands, each cell is flat.
+// Starter: each cell is flat.
 #include "11_fractals/lattice.glsl"
 
 // [quintic_noise]

@@ -1,5 +1,5 @@
 // Exercise 11.terrain_mix: the amount of snow.
-// As it stands, there is no snow.
+// Starter: there is no snow.
 
 // [terrain_mix]
 // Returns the fraction of snow, 0 to 1, at a point. normal_y is the vertical component

@@ -1,5 +1,5 @@
 // Exercise 12.beckmann: the distribution of the facets' normals on a rough surface.
-// As it stands, all directions have the same number of facets.
+// Starter: all directions have the same number of facets.
 
 // [beckmann]
 // Returns the distribution D of facet normals (P. Beckmann and A. Spizzichino, 1963) at

@@ -1,5 +1,5 @@
 // Exercise 12.gaussian_profile: the fraction of light that leaves skin r mm from where it entered.
-// As it stands, light leaves uniformly over a disc of 9 mm.
+// Starter: light leaves uniformly over a disc of 9 mm.
 #include "12_skin/profile.h"
 
 // [gaussian_profile]

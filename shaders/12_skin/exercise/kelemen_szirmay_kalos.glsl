@@ -1,5 +1,5 @@
 // Exercise 12.kelemen_szirmay_kalos: the light that a rough surface reflects towards the camera.
-// As it stands, nothing shines.
+// Starter: nothing shines.
 #include "12_skin/skin.glsl"
 
 // [kelemen_szirmay_kalos]

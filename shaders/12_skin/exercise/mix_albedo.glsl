@@ -1,5 +1,5 @@
 // Exercise 12.mix_albedo: the albedo before and after the blur.
-// As it stands, all of it is applied after the blur.
+// Starter: all of it is applied after the blur.
 
 // [mix_albedo]
 // The albedo is the fraction of light that remains after entering and leaving the skin.

@@ -1,5 +1,5 @@
 // Exercise 12.schlick_fresnel: the reflectance of a smooth surface, by the angle.
-// As it stands, it is the same for all angles.
+// Starter: it is the same for all angles.
 
 // [schlick_fresnel]
 // Returns the reflected fraction of light by C. Schlick's approximation of Fresnel's

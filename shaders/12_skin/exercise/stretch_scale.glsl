@@ -1,6 +1,6 @@
 // Exercise 12.stretch_scale: texels per millimetre, because a Gaussian has a width in mm and a blur counts
 // texels.
-// As it stands, every texel is assumed to be a millimetre wide.
+// Starter: every texel is assumed to be a millimetre wide.
 
 // [stretch_scale]
 // du_mm and dv_mm are the steps on the surface, in mm, from one texel of the map to the

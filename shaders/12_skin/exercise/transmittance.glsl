@@ -1,5 +1,5 @@
 // Exercise 12.transmittance: the light that passes through a thin part, such as an ear.
-// As it stands, no light does.
+// Starter: no light does.
 #include "12_skin/profile.h"
 
 // [transmittance]

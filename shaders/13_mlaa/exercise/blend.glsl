@@ -1,5 +1,5 @@
 // Exercise 13.blend: a pixel mixed with its neighbours across the edges around it.
-// As it stands, every pixel keeps its own light.
+// Starter: every pixel keeps its own light.
 
 // [blend]
 // Returns the light of a pixel mixed with that of its four neighbours. `weights` (x, y,

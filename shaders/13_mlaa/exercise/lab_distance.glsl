@@ -1,5 +1,5 @@
 // Exercise 13.lab_distance: the visible difference of two colours.
-// As it stands, only green counts: red on black has no edge.
+// Starter: only green counts: red on black has no edge.
 #include "13_mlaa/white_xyz.glsl"
 
 // [lab_distance]

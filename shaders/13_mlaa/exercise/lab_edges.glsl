@@ -1,5 +1,5 @@
 // Exercise 13.lab_edges: edges between pixels, with each colour read once and shared by the workgroup.
-// As it stands, there are no edges.
+// Starter: there are no edges.
 #include "13_mlaa/lab_source.glsl"
 
 // [lab_edges]

@@ -1,5 +1,5 @@
 // Exercise 13.line_ends: the side to which the silhouette turns at the ends of a line.
-// As it stands, no line turns, and every staircase stays.
+// Starter: no line turns, and every staircase stays.
 #include "13_mlaa/edge_source.glsl"
 
 // [line_ends]

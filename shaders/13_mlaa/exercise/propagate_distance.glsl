@@ -1,5 +1,5 @@
 // Exercise 13.propagate_distance: the length of a line, in few passes.
-// As it stands, every line ends after the next pixel.
+// Starter: every line ends after the next pixel.
 #include "13_mlaa/known_distance.glsl"
 
 // [propagate_distance]

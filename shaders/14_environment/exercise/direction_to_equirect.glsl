@@ -1,5 +1,5 @@
 // Exercise 14.direction_to_equirect: where a direction lies in a picture of all directions.
-// Until you fill it in, every direction is the picture's middle, and the environment has one colour.
+// Starter: every direction is the picture's middle, and the environment has one colour.
 
 // [direction_to_equirect]
 // The place in an equirectangular picture, 0 to 1 in u (from the left) and v (from above).

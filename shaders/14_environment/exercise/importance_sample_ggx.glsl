@@ -1,5 +1,5 @@
 // Exercise 14.importance_sample_ggx: normals of microfacets, as often as GGX says that they occur.
-// Until you fill it in, every microfacet lies flat, and every reflection is a mirror's.
+// Starter: every microfacet lies flat, and every reflection is a mirror's.
 
 // [importance_sample_ggx]
 // Returns the normal h of a microfacet, of unit length, in the space in which the surface's

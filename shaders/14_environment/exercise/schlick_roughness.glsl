@@ -1,5 +1,5 @@
 // Exercise 14.schlick_roughness: how much of the light of all around a surface reflects.
-// Until you fill it in, it reflects at every angle what it reflects when looked at straight on.
+// Starter: it reflects at every angle what it reflects when looked at straight on.
 
 // [schlick_roughness]
 // Schlick's approximation for a surface that reflects f0 when looked at along its normal: F

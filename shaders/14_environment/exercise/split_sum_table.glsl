@@ -1,5 +1,5 @@
 // Exercise 14.split_sum_table: the mean of many samples, taken by a whole workgroup.
-// Until you fill it in, each thread returns a sample of its own, and the table holds that of the first.
+// Starter: each thread returns a sample of its own, and the table holds that of the first.
 #include "14_environment/split_sum_sample.glsl"
 
 // [split_sum_table]

@@ -1,5 +1,5 @@
 // Exercise 15.chunk_level: which chunks of the ground are drawn. Runs in a dispatch with a thread for each chunk of each level.
-// Until you fill it in, the one chunk that covers the whole map is drawn.
+// Starter: the one chunk that covers the whole map is drawn.
 #include "15_terrain_water/chunk_list.glsl"
 
 // [chunk_level]

@@ -1,5 +1,5 @@
 // Exercise 15.fresnel_water: how much of the light a water surface reflects.
-// Until you fill it in, the water reflects as little at every angle as it does straight from above.
+// Starter: the water reflects as little at every angle as it does straight from above.
 
 // [fresnel_water]
 // The share of light, 0 to 1, that the surface between air and water reflects, by Schlick's
@@ -13,7 +13,7 @@
 // c is therefore the cosine of the refracted ray: its sine is sin_t = eye_index / other_index *
 // sin_i by Snell's law, with sin_i the sine of the given angle. Where sin_t is 1 or more no
 // light gets through, and the result is 1 (total reflection: beyond 48.6 degrees). Where the
-// two indices are equal there is no surface: F0 is 0, and Schlick's formula holds as it stands.
+// two indices are equal there is no surface: F0 is 0, and Schlick's formula holds unchanged.
 //
 // Tolerance: 1e-4. Cosines within 0.02 of the onset of total reflection, where the formula is
 // steep, are not tested.

@@ -1,5 +1,5 @@
 // Exercise 15.gerstner: how one wave moves the water.
-// Until you fill it in, the water is level.
+// Starter: the water is level.
 
 // [gerstner]
 // The displacement (x, y, z), in metres, by one Gerstner wave of the water that rests at `at` =

@@ -1,5 +1,5 @@
 // Exercise 15.gerstner_normal: the normal of many waves.
-// Until you fill it in, the water is shaded as if it were level.
+// Starter: the water is shaded as if it were level.
 
 // [gerstner_normal]
 // Two functions. The water that rests at (x, z) lies at P(x, z) = (x, 0, z) + the sum of

@@ -1,5 +1,5 @@
 // Exercise 15.height_blend: which of four textures shows at a place, by their weights and heights.
-// Until you fill it in, they fade into each other like fog.
+// Starter: they fade into each other like fog.
 
 // [height_blend]
 // Four materials meet at a place. `weights` says how much of each is expected here; each weight

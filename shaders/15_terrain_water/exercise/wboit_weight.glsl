@@ -1,5 +1,5 @@
 // Exercise 15.wboit_weight: how much a transparent fragment counts in a sum that knows no order.
-// Until you fill it in, every fragment counts the same, and what lies far behind shines through as if it were in front.
+// Starter: every fragment counts the same, and what lies far behind shines through as if it were in front.
 
 // [wboit_weight]
 // The weight w of a fragment. `alpha`: 0 to 1. `distance_m`: along the view, above 0. `depth`:

@@ -1,5 +1,5 @@
 // Exercise 16.composite_front_to_back: samples along a ray, the nearest first; and when to stop.
-// As it stands samples are added as if nothing lay before them, and no ray stops early.
+// Starter: samples are added as if nothing lay before them, and no ray stops early.
 
 // [composite_front_to_back]
 // `so_far` describes all samples in front of this one: their light (rgb, linear radiance)

@@ -1,5 +1,5 @@
 // Exercise 16.correct_opacity: the opacity of a step of another length.
-// As it stands every step is as opaque as one of the reference length: shorter steps make a denser volume.
+// Starter: every step is as opaque as one of the reference length: shorter steps make a denser volume.
 
 // [correct_opacity]
 // `opacity` (0 to 1) is the fraction of the incoming light that a layer of the reference

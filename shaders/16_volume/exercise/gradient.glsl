@@ -1,5 +1,5 @@
 // Exercise 16.gradient: which way the density grows.
-// As it stands it does not grow, and surfaces are lit as if they faced nobody.
+// Starter: it does not grow, and surfaces are lit as if they faced nobody.
 #include "16_volume/voxel_density.glsl"
 
 // [gradient]

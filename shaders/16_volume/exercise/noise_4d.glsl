@@ -1,5 +1,5 @@
 // Exercise 16.noise_4d: noise over space and time.
-// As it stands each cell has one number, and the noise has steps.
+// Starter: each cell has one number, and the noise has steps.
 #include "16_volume/lattice_4d.glsl"
 
 // [noise_4d]

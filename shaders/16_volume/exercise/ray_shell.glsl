@@ -1,5 +1,5 @@
 // Exercise 16.ray_shell: where a ray is inside a ball.
-// As it stands no ray meets it, and the sphere is empty.
+// Starter: no ray meets it, and the sphere is empty.
 
 // [ray_shell]
 // A ball of `radius` metres (above 0) is centred at the origin of the coordinate system.

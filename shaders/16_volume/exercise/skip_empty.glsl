@@ -1,5 +1,5 @@
 // Exercise 16.skip_empty: the least and the greatest density of a block of voxels, found by 64 threads together.
-// As it stands each block takes the range of its first voxel, and most of the volume is skipped.
+// Starter: each block takes the range of its first voxel, and most of the volume is skipped.
 #include "16_volume/block_voxels.glsl"
 
 // [skip_empty]

@@ -1,5 +1,5 @@
 // Exercise 17.ellipsoid_shadow: the shadow of a planet that is not round.
-// As it stands the planet is a sphere, and Saturn's shadow falls 8% too far over its rings.
+// Starter: the planet is a sphere, and Saturn's shadow falls 8% too far over its rings.
 #include "05_shadow_maps/sphere_visibility.glsl"
 
 // [ellipsoid_shadow]

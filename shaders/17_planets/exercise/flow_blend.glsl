@@ -1,5 +1,5 @@
 // Exercise 17.flow_blend: a moving picture of clouds from two still ones.
-// As it stands the first one stands still until the second takes its place.
+// Starter: the first one stands still until the second takes its place.
 
 // [flow_blend]
 // Two pictures of the same clouds, A at the beginning and B at the end of an interval; `t` is

@@ -1,5 +1,5 @@
 // Exercise 17.limb_fade: clouds at the edge of the planet.
-// As it stands they are as opaque there as from above, and their shell's outline hangs over the ground's.
+// Starter: they are as opaque there as from above, and their shell's outline hangs over the ground's.
 
 // [limb_fade]
 // `opacity` (0 to 1) is what a layer of clouds hides when seen from straight above. At `mu`,

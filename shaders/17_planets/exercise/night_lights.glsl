@@ -1,5 +1,5 @@
 // Exercise 17.night_lights: the cities of the night side.
-// As it stands they shine by 1 - n·l: most of the day, too.
+// Starter: they shine by 1 - n·l: most of the day, too.
 
 // [night_lights]
 // `city` is the radiance of a place's lamps by night, `cosine` is n·l there, -1 to 1, and

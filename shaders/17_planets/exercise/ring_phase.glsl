@@ -1,5 +1,5 @@
 // Exercise 17.ring_phase: which of three tables a ring is seen by.
-// As it stands every ring is seen as from the sun.
+// Starter: every ring is seen as from the sun.
 
 // [ring_phase]
 // Three tables give the radiance of a ring at this radius: `back` and `forward` on the side

@@ -1,5 +1,5 @@
 // Exercise 17.wrapped_terminator: light that reaches around a planet's edge.
-// As it stands the sun sets everywhere at n·l = 0.
+// Starter: the sun sets everywhere at n·l = 0.
 
 // [wrapped_terminator]
 // A cloud deck has no hard terminator: light enters it beside the place where it leaves.

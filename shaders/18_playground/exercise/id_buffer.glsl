@@ -1,5 +1,5 @@
 // Exercise 18.id_buffer: what is picked, from an image of numbers.
-// As it stands the first item cannot be picked, and thin things only where the mouse is exactly on them.
+// Starter: the first item cannot be picked, and thin things only where the mouse is exactly on them.
 #include "18_playground/ids.glsl"
 
 // [id_buffer]

@@ -1,5 +1,5 @@
 // Exercise 19.fade_linear_light: a picture that goes dark, or white, as light does.
-// As it stands the film never fades: each scene ends at full brightness.
+// Starter: the film never fades: each scene ends at full brightness.
 
 // [fade_linear_light]
 // Fades a pixel to black and to white. `light` is its linear light, 0 or more in each channel,
