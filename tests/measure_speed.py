@@ -3,7 +3,7 @@
 
 Whole processes on the software rasteriser or the device the driver offers, medians of RUNS (7) after one warm-up. It
 asserts nothing: run it on an idle machine and compare. The edit is measured as a headless run with a changed shader,
-compiled anew; the window does the same work in a running process.
+recompiled; the window does the same work in a running process.
 """
 import os
 import statistics

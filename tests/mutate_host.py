@@ -3,7 +3,7 @@
     python3 tests/mutate_host.py [--count 60] [--file common/gpu] [--chapters 03,04]
 
 The lines are those of common/gpu, common/scene, common/measure and the chapters (not of their exercises, which have
-variants of their own); --count takes so many of their changes, evenly spread. One file is compiled anew, linked into a
+variants of their own); --count takes so many of their changes, evenly spread. One file is recompiled, linked into a
 copy of the build folder that is links but for what changed, and the tests of what it belongs to are run there: the unit
 tests of common and of the chapters asked for (every one by default), their checks, their shots against the goldens, their
 Python tests. The verdicts are those of mutate.py; what changes no picture, no probe and fails no test counts as equivalent.
@@ -62,7 +62,7 @@ class HostBench:
             raise Failure(f"without any change: {failed}")
 
     def prove(self, file: pathlib.Path):
-        """A file that is compiled and linked anew without a change changes nothing."""
+        """A file that is compiled and linked again without a change changes nothing."""
         verdict, by = self.judge(file, (ROOT / file).read_text())
         if verdict != "equivalent":
             raise Failure(f"{file} without any change: {verdict} {by}")
@@ -77,7 +77,7 @@ class HostBench:
                     (inner / entry.name).symlink_to(entry)
 
     def link(self, target: str, made: pathlib.Path, instead_of: str, archive: str):
-        """Links a target anew: the object takes its namesake's place, or comes before the archive that holds that."""
+        """Links a target again: the object takes its namesake's place, or comes before the archive that holds that."""
         if target not in self.links:
             said = subprocess.run(["ninja", "-C", str(BUILD), "-t", "commands", target], capture_output=True, text=True)
             self.links[target] = said.stdout.splitlines()[-1]

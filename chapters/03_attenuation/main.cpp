@@ -52,7 +52,7 @@ struct Attenuation : ModelChapter {
     }
     // [/frame]
 
-    // For the study: how many lights a pixel has computed, in the mean over the picture.
+    // For the study: how many lights a pixel has computed, on average over the picture.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         show.set("light_count");
         Frame counting(gpu);

@@ -6,7 +6,7 @@
 namespace lightwalk {
 namespace {
 
-// Points on a torus, and at each place how close the others are: whole numbers, so that every machine finds the same.
+// Points on a torus, and at each place how close the others are: integers, so that every machine finds the same.
 class Points {
   public:
     explicit Points(int side) : on(size_t(side * side), 0), side_(side), close_(size_t(side * side), 0) {

@@ -56,7 +56,7 @@ glm::vec4 texel_at(const TexelImage& image, size_t i) {
             number_at(image, 4 * i + 3)};
 }
 
-// Normals point up: mostly blue, and red and green are 1/2 in the mean.
+// Normals point up: mostly blue, and red and green are 1/2 on average.
 bool holds_normals(const TexelImage& image) {
     glm::vec4 sum(0.0f);
     float colored = 0;

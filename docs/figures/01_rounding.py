@@ -42,7 +42,7 @@ def digit_by_digit(text: str) -> float:
 
 
 def whole_times_power(text: str) -> float:
-    """All digits as a whole number in 32 bits, times a power of ten in 32 bits."""
+    """All digits as an integer in 32 bits, times a power of ten in 32 bits."""
     value = single(int(text.replace(".", "").replace("-", "")))
     for _ in text.partition(".")[2]:
         value = single(value * single(0.1))

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes README's pictures from goldens, smaller by whole numbers so that their outlines are smooth: docs/images/front.py."""
+"""Makes README's pictures from goldens, smaller by integer factors so that their outlines are smooth: docs/images/front.py."""
 
 import sys
 from pathlib import Path

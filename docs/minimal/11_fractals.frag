@@ -5,7 +5,7 @@ layout(location = 0) in vec3 ray;  // of the pixel; y points up
 layout(location = 0) out vec4 color;
 layout(push_constant) uniform Frame { vec4 eye, to_sun; };
 const float highest_m = 900.0, cell_m = 1500.0;  // no ground above; the size of the largest hills
-// A random number, 0 to 1, for a lattice point: by whole numbers, which keep all of their digits anywhere.
+// A random number, 0 to 1, for a lattice point: by integers, which keep all of their digits anywhere.
 float lattice(ivec2 cell) {
     uvec2 v = uvec2(cell) * 1664525u + 1013904223u;
     v += v.yx * 1664525u;

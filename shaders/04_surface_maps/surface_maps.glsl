@@ -105,7 +105,7 @@ float first_root(float a, float b, float c, float most) {
 // x and y, which are linear in t: the gap between ray and surface is a quadratic polynomial of t.
 float exact_hit(vec2 uv, vec2 shift) {
     ivec2 size = textureSize(height_map, 0);
-    vec2 start = image_uv(fract(uv)) * vec2(size) - 0.5;  // in texels; texel middles are whole numbers
+    vec2 start = image_uv(fract(uv)) * vec2(size) - 0.5;  // in texels; texel middles are integers
     vec2 along = vec2(-shift.x, shift.y) * vec2(size);    // for t from 0 to 1
     ivec2 square = ivec2(floor(start)), next = ivec2(sign(along));
     vec2 pace = 1.0 / max(abs(along), vec2(1e-9));  // t from one border to the next

@@ -94,7 +94,7 @@ Receiver receiver(ShadowView view, vec3 position, vec3 facing, vec3 to_light, fl
 }
 // [/receiver]
 
-// How the map is asked: filter_reach() and filtered(). In place of this file the module puts that of its method.
+// Shadow filter: filter_reach() and filtered(). The module replaces this file by that of its method.
 #include "05_shadow_maps/filter_pcf.glsl"
 
 // Visibility of a point in a light's map.

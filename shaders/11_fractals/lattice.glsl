@@ -1,7 +1,7 @@
 // Random numbers at whole coordinates, and the way from one octave of noise to the next. A place is a cell, of whole
 // numbers, and where in the cell: so it is as precise after 10,000 km as after one.
 
-// -1 to 1, the same for the same cell, on every device: whole numbers alone, which wrap around (M. Jarzynski and M. Olano,
+// -1 to 1, the same for the same cell, on every device: integers alone, which wrap around (M. Jarzynski and M. Olano,
 // Hash functions for GPU rendering, JCGT 9(3), 2020: pcg2d).
 float lattice(ivec2 cell) {
     uvec2 v = uvec2(cell) * 1664525u + 1013904223u;

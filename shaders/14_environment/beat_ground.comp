@@ -1,4 +1,4 @@
-// Level ground under the sphere: it sees the sphere in place of a part of the sky.
+// Level ground under the sphere: it sees the sphere instead of a part of the sky.
 #include "14_environment/beat_surface.glsl"
 #include "common/view_rays.h"
 

@@ -8,7 +8,7 @@ layout(scalar) readonly buffer ChunkListBlock { Chunk chunk_list[]; };
 
 // [morph]
 // How far a vertex has moved to its place in level + 1: 0 to 1. A function of its place alone, so that two chunks that
-// share a vertex agree. 1 from where any chunk of level + 1 that touches it may be drawn: that with the least error.
+// share a vertex agree. 1 from where any chunk of level + 1 that touches it may be drawn: that with the smallest error.
 float morphed(ivec2 at, vec3 point, int level) {
     int side = CHUNK_CELLS << (level + 1);
     ivec2 upper = at / side, lower = (at - 1) / side;

@@ -1,4 +1,4 @@
-// Random numbers at whole coordinates of four dimensions, by whole numbers alone: the same on every device, and far from 0.
+// Random numbers at whole coordinates of four dimensions, by integers alone: the same on every device, and far from 0.
 
 // -1 to 1 (M. Jarzynski and M. Olano, Hash functions for GPU rendering, JCGT 9(3), 2020: pcg4d).
 float lattice_4d(ivec4 cell) {

@@ -1,5 +1,5 @@
 // Makes an image of a frame visible: any format, fitted into the picture. SHAPE: 0 plain, 1 layers side by side, 2 cube
-// as longitude and latitude, 3 whole numbers. NaN is magenta, infinity cyan.
+// as longitude and latitude, 3 integers. NaN is magenta, infinity cyan.
 #include "common/look_parameters.h"
 #include "common/srgb.glsl"
 #include "common/view_rays.h"

@@ -5,7 +5,7 @@ using namespace lightwalk;
 
 namespace {
 
-// How many of the points' visibilities change, in the mean over steps of a tenth of a texel of the camera.
+// How many of the points' visibilities change, on average over steps of a tenth of a texel of the camera.
 double changes(bool snap) {
     std::vector<SceneObject> objects{object_at(quad_file, {0, 0, 0}, glm::vec3(40.0f))};
     for (int i = 0; i < 8; ++i)

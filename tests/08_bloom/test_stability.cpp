@@ -114,7 +114,7 @@ TEST_CASE_METHOD(OnBloom, "energy is kept within 1 percent away from the border;
         bloom.border.set("clamp");
         fmt::print("light kept of a pixel at the border, {:16} clamp {:.2f} mirror {:.2f} black {:.2f}\n", method,
                    kept[0], kept[1], kept[2]);
-        const bool anew = method == "pingpong" || method == "three_pass_7tap";     // each pass has its border anew
+        const bool anew = method == "pingpong" || method == "three_pass_7tap";     // each pass has its border again
         CHECK(kept[0] == Approx(anew ? 1.4 : 2.13).epsilon(anew ? 0.15 : 0.02));   // the edge's pixel stands for all
         CHECK(kept[1] == Approx(1).margin(0.06));                                  // light that leaves comes back
         CHECK(kept[2] == Approx(anew ? 0.32 : 0.55).epsilon(anew ? 0.25 : 0.05));  // half of it leaves, and more

@@ -49,7 +49,7 @@ struct OnMlaa : OnModules {
     }
 };
 
-/// White below a line through `point` (pixels, their middles at whole numbers) that rises by the angle to the right.
+/// White below a line through `point` (pixels, their middles at integers) that rises by the angle to the right.
 struct Line {
     double angle_deg = 10;
     glm::dvec2 point{31.5, 31.5};

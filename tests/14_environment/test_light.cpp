@@ -147,7 +147,7 @@ TEST_CASE_METHOD(OnLight, "light that leaves after several facets is reflected b
     }
 }
 
-// B. Karis, "Physically Based Shading on Mobile", 2014: A and B by a fit in place of a table. It was made for another masking.
+// B. Karis, "Physically Based Shading on Mobile", 2014: A and B by a fit instead of a table. It was made for another masking.
 TEST_CASE(
     "the fit that takes the table's place on small devices: near for dielectrics, 0.4 off for rough metal at grazing "
     "angles",

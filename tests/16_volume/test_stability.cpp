@@ -193,7 +193,7 @@ TEST_CASE_METHOD(OnVolume,
     fmt::print("12 jittered steps: off by {:.5f}, the mean of 16 pictures by {:.5f}\n", one, many);
     CHECK(many < 0.35 * one);
     // A pattern that stays on the screen while the camera moves is seen as a dirty pane: the first picture of another
-    // view begins anew, with the same number for each pixel, and the next has others.
+    // view begins again, with the same number for each pixel, and the next has others.
     camera.position.x += 0.1f;
     picture();
     CHECK(volume.pictures(0) == 1);

@@ -41,7 +41,7 @@ TEST_CASE_METHOD(OnPlanets, "at midnight the ground hides the clouds of the day 
 }
 
 TEST_CASE_METHOD(DeviceTest, "a ring's shadow is as soft as the sun's disc is wide where it falls") {
-    // In place of the tables' texel the level that was asked for: exp(-level / sine of the sun's height) comes back.
+    // Instead of the tables' texel the level that was asked for: exp(-level / sine of the sun's height) comes back.
     Probe probe{.include = "common/srgb.glsl",
                 .before =
                     "#define PLANETS_RINGS 0\n#define PLANETS_RINGS_ALPHA 0\n#define PLANETS_RINGS_TABLES 1\n"

@@ -5,7 +5,7 @@
 using namespace lightwalk;
 
 TEST_CASE_METHOD(DeviceTest, "a map is read no nearer to its poles than half a texel of the level that is read") {
-    // In place of a texel where it is asked for, in a map of 100 rows.
+    // Instead of a texel where it is asked for, in a map of 100 rows.
     Probe probe{.include = "common/srgb.glsl",
                 .before =
                     "#define textureSize(map, level) ivec2(200, 100)\n"

@@ -115,7 +115,7 @@ TEST_CASE("the sample of the picture's time is heard; a clock that stands is sil
     CHECK(played.back() == 0.0f);  // and at the end
     // At the sound's own speed wherever it neither fades nor is silent, which it also is where the machine stands still.
     int at_its_speed = 0;
-    for (size_t i = first + 480; i < last_before; ++i)  // 0.01 s of the 5 s from one whole number to the next
+    for (size_t i = first + 480; i < last_before; ++i)  // 0.01 s of the 5 s from one integer to the next
         at_its_speed += std::abs(double(played[i]) - double(played[i - 480]) - 0.01 / 5) < 1e-5;
     CHECK(at_its_speed > 4800);
     REQUIRE(played.size() > after + 480);

@@ -94,7 +94,7 @@ def begins_as_written(path: Path) -> bool:
 
 def configure(preset: str, folder: Path, lock: int | None = None):
     warn(f"configuring {relative(folder)}; the first build compiles all that the chapters share, which takes about a minute")
-    # --fresh: a tree that was moved or half configured starts anew.
+    # --fresh: a tree that was moved or half configured starts again.
     done = subprocess.run(["cmake", "--fresh", "--preset", preset], cwd=ROOT, text=True, errors="replace",
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, pass_fds=() if lock is None else (lock,))
     if done.returncode:

@@ -77,7 +77,7 @@ class Axis:
 
 
 class Rows:
-    """The upright axis of a chart that has a row for each of its curves in place of an error."""
+    """The upright axis of a chart that has a row for each of its curves instead of an error."""
 
     kind, name, log, zero_text = "method", "method", False, "0"
 

@@ -16,7 +16,7 @@ def said_by(chart) -> str:
 
 
 def front_said(chart) -> str:
-    """Which method, or which row, has the least error, and which is enough."""
+    """Which method, or which row, has the smallest error, and which is enough."""
     panels = [[p for p in chart.drawable if p.scene in scenes] for scenes in chart.panels]
     error = chart.y if chart.y.kind == "error" else chart.x
     panels = [points for points in panels if points]
@@ -83,7 +83,7 @@ def amount(factor: float) -> str:
 
 
 def rows_said(chart) -> str:
-    """The fastest row, and the fastest of those with the least error."""
+    """The fastest row, and the fastest of those with the smallest error."""
     sign = -1 if chart.study.higher_is_faster else 1
     fastest = min(chart.drawable, key=lambda p: sign * p.time[1])
     exact = min(chart.drawable, key=lambda p: (p.error, sign * p.time[1]))

@@ -115,7 +115,7 @@ class Rules:
             return None
 
     def mark(self, one: dict, result: dict) -> tuple[str, float | None]:
-        """(word, points) of a result: right, wrong, late, missing, look at; None where a word stands in place of points."""
+        """(word, points) of a result: right, wrong, late, missing, look at; None where a word stands instead of points."""
         worth, state = self.points[result["exercise"]], result["state"]
         if state in ("missing", "unchanged"):
             return "missing", None

@@ -152,7 +152,7 @@ def run(kind: str, arguments, words: list[str], prepare=lambda: None) -> Path:
 
 
 def finished(kind: str):
-    """The merge has been made: the next call starts anew."""
+    """The merge has been made: the next call starts again."""
     (BUILD / "slurm" / kind / "job.json").unlink(missing_ok=True)
 
 

@@ -67,7 +67,7 @@ def bars(systems: list[dict]) -> str:
 
 
 def cheapest(scene: dict, budget: float) -> dict:
-    """As chapters/19_ambiance/ways.cpp chooses: where no way is enough, the one with the least error."""
+    """As chapters/19_ambiance/ways.cpp chooses: where no way is enough, the one with the smallest error."""
     enough = [way for way in scene["ways"] if way["error"] <= budget]
     return min(enough, key=lambda way: way["gpu_ms"]) if enough else min(scene["ways"], key=lambda way: way["error"])
 

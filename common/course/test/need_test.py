@@ -26,7 +26,7 @@ from tree import BUILD, ROOT, Failure, chapter_program, run_on_chapter, say
 
 AIM = 1.15    # times the cost of the cheapest that would have done, in the median
 SLACK = 1.3  # times that much is not a failure: the rule and this test time frames for themselves
-SAME = 1e-6   # a mean FLIP: how far a picture drawn anew may be from the one that was judged
+SAME = 1e-6   # a mean FLIP: how far a picture redrawn may be from the one that was judged
 
 
 def sweep(study: dict, key: str = "curves", scene: dict | None = None) -> list[dict]:
