@@ -8,7 +8,7 @@
 namespace lightwalk {
 namespace {
 
-constexpr size_t gathering = 3;  // the first of effects()
+constexpr size_t reading_around = 3;  // the first of effects()
 
 // Rows from the top; their order in GLSL's mat3 is kernel[row][column].
 glm::mat3 kernel_of(const std::string& name) {
@@ -38,12 +38,13 @@ std::vector<Post::Step> Post::steps() {
     Step shared;
     for (size_t i = 0; i < order.size() && !method.is("copy"); ++i) {
         if (!is_on(*order[i])) continue;
-        if (i < gathering || method.is("pass_each"))
+        if (i < reading_around || method.is("pass_each"))
             all.push_back({order[i]});
         else
             shared.push_back(order[i]);
     }
-    const bool last_gathers = !all.empty() && std::count(order.begin(), order.begin() + gathering, all.back()[0]) > 0;
+    const bool last_gathers =
+        !all.empty() && std::count(order.begin(), order.begin() + reading_around, all.back()[0]) > 0;
     if (!shared.empty() || last_gathers || method.is("copy")) all.push_back(shared);
     return all;
 }
@@ -90,7 +91,7 @@ void Post::bind(Pass& pass) const {
 // [run]
 void Post::run(Frame& frame, const Step& step, const Image& from, const Image& into) {
     const std::vector<KnobBase*> order = effects();
-    const bool gathers = !step.empty() && std::count(order.begin(), order.begin() + gathering, step[0]) > 0;
+    const bool gathers = !step.empty() && std::count(order.begin(), order.begin() + reading_around, step[0]) > 0;
     const bool in_place = &from == &into;
     Macros variant;
     for (const KnobBase* effect : order)

@@ -27,6 +27,14 @@ EdgePixels compare_edges(const ImageRgb& found, const ImageRgb& one_sample, cons
     return result;
 }
 
+std::string drawn_with(const Chapter& chapter, const Mlaa& antialias, glm::uvec2 size) {
+    std::string key = fmt::format("{}x{} {}", size.x, size.y, chapter.scene.file.file.string());
+    for (const KnobBase* knob : chapter.all_knobs())
+        if (&knob->owner != &antialias && &knob->owner != &antialias.taa && knob != &chapter.samples)
+            key += " " + knob->path() + "=" + knob->text();
+    return key;
+}
+
 void EdgeError::measure(Chapter& chapter, Mlaa& antialias, Gpu& gpu, glm::uvec2 size, nlohmann::json& error) {
     const auto draw = [&](int samples) {
         chapter.samples.value = samples;
@@ -41,11 +49,7 @@ void EdgeError::measure(Chapter& chapter, Mlaa& antialias, Gpu& gpu, glm::uvec2 
     error["mixed"] = antialias.is_filter() ? antialias.counts().changed / pixels : 0;
 
     antialias.method.set("none");
-    std::string key = fmt::format("{}x{}", size.x, size.y);
-    for (const KnobBase* knob : chapter.all_knobs())
-        if (&knob->owner != &antialias && knob != &chapter.samples) key += " " + knob->path() + "=" + knob->text();
-    key += fmt::format(" {}", chapter.scene.placed);
-    Pair& pair = known_[key];
+    Pair& pair = known_[drawn_with(chapter, antialias, size)];
     if (pair.truth.pixels.empty()) pair = {draw(1), draw(64)};
     error["edge_rmse"] = compare_edges(found, pair.one_sample, pair.truth).rmse;
 }

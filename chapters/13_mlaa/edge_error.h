@@ -17,6 +17,9 @@ struct EdgePixels {
 };
 EdgePixels compare_edges(const ImageRgb& found, const ImageRgb& one_sample, const ImageRgb& truth);
 
+/// All that a picture without anti-aliasing depends on, as text: for truths that are kept.
+std::string drawn_with(const Chapter& chapter, const Mlaa& antialias, glm::uvec2 size);
+
 class EdgeError {
   public:
     /// Adds edge_rmse and mixed (the share of pixels that the filter mixed) to `error`, for what the chapter's knobs

@@ -1,4 +1,5 @@
 // Chapter 13: morphological anti-aliasing, and four other methods to compare it with.
+#include <glm/gtc/matrix_transform.hpp>
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
@@ -6,6 +7,7 @@
 #include "11_fractals/terrain.h"
 #include "12_skin/head.h"
 #include "13_mlaa/edge_error.h"
+#include "13_mlaa/flicker.h"
 #include "13_mlaa/four_samples.h"
 #include "13_mlaa/half_plane.h"
 #include "13_mlaa/mlaa.h"
@@ -34,6 +36,11 @@ struct MlaaChapter : ModelChapter {
                 "picture",
                 "Image shown: the picture, the edges found in it, or the lengths of their lines"};
 
+    Knob<float> walk_m_per_s{
+        *this, "walk_m_per_s", 0.0f, {-50.0f, 50.0f}, "Speed at which the camera walks to its right", "m/s"};
+    Knob<float> turn_deg_per_s{
+        *this, "turn_deg_per_s", 0.0f, {-360.0f, 360.0f}, "Speed at which the camera turns to its left", "deg/s"};
+
     EnvironmentLight environment{*this, "environment"};
     Julia julia{*this, "julia", environment};
     Terrain terrain{*this, "terrain"};
@@ -45,6 +52,7 @@ struct MlaaChapter : ModelChapter {
     Pipeline cut_off = compute({.shader = "13_mlaa/clip.comp"});
     FourSamples four_samples{*this};
     EdgeError edge_error;
+    Flicker flicker;
 
     MlaaChapter() {
         antialias.method.alone = true;  // --method is about edges here
@@ -60,16 +68,19 @@ struct MlaaChapter : ModelChapter {
 
     // For the study: the error of those pixels alone through which an outline runs, and how many were mixed.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
+        const std::string method = antialias.method.text();
         edge_error.measure(*this, antialias, gpu, size, error);
+        antialias.method.set(method);
+        error["flicker"] = flicker.measure(*this, antialias, gpu, size);
     }
 
     // The world, seen through one sample of each pixel, or four.
-    void draw_light(Frame& frame) {
-        const View view = set_view(frame);
+    void draw_light(Frame& frame, const View& view) {
         const auto draw_from = [&](const View& from) {
             Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
             if (antialias.method.is("msaa_4x") && world.is("objects")) four_samples.multisample(frame, canvas);
             draw(frame, from, canvas, {worlds[world.index]});
+            if (antialias.method.is("taa")) canvas.depth(frame);
         };
         if (antialias.method.is("supersample_4"))
             four_samples.supersample(frame, view, draw_from);
@@ -80,13 +91,26 @@ struct MlaaChapter : ModelChapter {
                           [&](Compute& pass) { pass.use(cut_off).set("hdr", frame.hdr).dispatch_threads(frame.size); });
     }
 
+    // At time 0 it stands where the scene puts it.
+    Camera walked(float time_s) const {
+        Camera moved = camera;
+        const glm::vec3 ahead = camera.target - camera.position;
+        const glm::vec3 right = glm::normalize(glm::cross(ahead, camera.up));
+        const glm::mat4 turned =
+            glm::rotate(glm::mat4(1.0f), glm::radians(turn_deg_per_s * time_s), glm::normalize(camera.up));
+        moved.position += walk_m_per_s * time_s * right;
+        moved.target = moved.position + glm::vec3(turned * glm::vec4(ahead, 0.0f));
+        return moved;
+    }
+
     // [frame]
     void frame(Frame& frame) override {
         // 1. A picture in linear light, or the mean of four.
-        draw_light(frame);
+        const View view = set_view(frame, walked(frame.time_s));
+        draw_light(frame, view);
 
-        // 2. Anti-aliasing by a filter, unless the picture was drawn with several samples.
-        antialias.record(frame, frame.hdr);
+        // 2. Anti-aliasing by a filter or over frames, unless the picture was drawn with several samples.
+        antialias.record(frame, frame.hdr, {view, frame.depth, world.is("objects") ? &scene : nullptr});
 
         // 3. The edges or the lengths in place of the picture, if the knob says so.
         if (!show.is("picture")) antialias.show_edges(frame, frame.hdr, show.is("lengths"));

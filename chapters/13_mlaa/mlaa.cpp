@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "13_mlaa/tables.h"
+#include "common/base/error.h"
 #include "common/base/exercise.h"
 
 namespace lightwalk {
@@ -114,8 +115,14 @@ void Mlaa::measure_by_doubling(Compute& pass) {
     lengths_ = grow(links_, distances_, straight);
 }
 
+void Mlaa::record(Frame& frame, const Image& picture, const Seen& seen) {
+    method.is("taa") ? taa.record(frame, picture, seen) : record(frame, picture);
+}
+
 // [record]
 void Mlaa::record(Frame& frame, const Image& picture) {
+    if (method.is("taa"))
+        throw Failure("'{}': taa follows surfaces, and this picture comes without depth and view", method.path());
     if (!is_filter()) return;
     set_up(frame, picture.desc.size);
     follows_edges() ? follow_edges(frame, picture) : search_by_luma(frame, picture);

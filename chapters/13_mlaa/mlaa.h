@@ -1,29 +1,30 @@
 // Anti-aliasing module, for any picture in linear light.
 #pragma once
-#include "common/app/module.h"
-#include "common/gpu/frame.h"
+#include "13_mlaa/taa.h"
 
 namespace lightwalk {
 
 // [mlaa]
 /// In a frame, where the picture is drawn and light above what a screen shows is cut off:
 ///
-///     antialias.record(frame, frame.hdr);
+///     antialias.record(frame, frame.hdr, {view, frame.depth, &scene});
 ///
 /// mixes pixels of the RGBA16F image, of any size up to 65535 a side, with their neighbours along its edges, in linear
 /// light. What lies beside no edge stays as it is, to the bit; a pixel that is mixed has no NaN, and alpha stays. The
-/// methods from msaa_4x on are about how a picture is drawn: record() then does nothing (see drawing.h). Once per frame
-/// and module.
+/// method taa changes every pixel, by what it saw in the frames before (taa.h). The methods from msaa_4x on are about how
+/// a picture is drawn: record() then does nothing (see drawing.h). Once per frame and module.
 struct Mlaa : Module {
-    Mlaa(Module& owner, std::string name) : Module(owner, std::move(name), "mlaa") {}
+    Mlaa(Module& owner, std::string name) : Module(owner, std::move(name), "mlaa") {
+        taa.in_use = [this] { return method.is("taa"); };
+    }
     // [/mlaa]
 
     Choice method{*this,
                   "method",
-                  {"none", "fxaa_like", "mlaa", "smaa_like", "msaa_4x", "supersample_4"},
+                  {"none", "fxaa_like", "mlaa", "smaa_like", "taa", "msaa_4x", "supersample_4"},
                   "mlaa",
-                  "Anti-aliasing: none; FXAA-like; morphological (MLAA); SMAA-like; multisampling with four samples; "
-                  "four pictures"};
+                  "Anti-aliasing: none; FXAA-like; morphological (MLAA); SMAA-like; temporal, over frames (taa); "
+                  "multisampling with four samples; four pictures"};
     Knob<int> reach{
         *this, "reach", 255, {2, 255}, "Reach: distance to which a line of edges is followed to each side of a pixel",
         "px"};
@@ -41,8 +42,13 @@ struct Mlaa : Module {
     Knob<bool> count{*this, "count", false,
                      "Counting of the pixels beside edges and of the mixed pixels, read back to the CPU"};
 
+    Taa taa{*this, "taa"};
+
+    void record(Frame& frame, const Image& picture, const Seen& seen);
+    /// Throws Failure for taa, which needs to know what is seen.
     void record(Frame& frame, const Image& picture);
 
+    /// Whether it needs the picture alone, drawn once.
     bool is_filter() const { return method.is("fxaa_like") || follows_edges(); }
     bool follows_edges() const { return method.is("mlaa") || method.is("smaa_like"); }
 

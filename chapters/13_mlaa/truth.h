@@ -53,4 +53,25 @@ inline double capped_area(int position, int length, int reach) {
     return area(position, position + std::min(length - position, reach));
 }
 
+/// Where what is seen `at` a position with a depth was in the frame before, in pixels, and the w of its clip space then;
+/// 0 for what was not in front of the camera. `to_before`: clip space now, with w = 1, to clip space then.
+inline glm::dvec3 reprojected(glm::dvec2 at, double depth, glm::dvec2 size, const glm::dmat4& to_before) {
+    const glm::dvec4 then = to_before * glm::dvec4(2.0 * at / size - 1.0, depth, 1.0);
+    if (then.w <= 0) return glm::dvec3(0);
+    return {0.5 * size * (glm::dvec2(then) / then.w + 1.0), then.w};
+}
+
+/// The last point inside of the box on the way from its middle to `history`, by bisection.
+inline glm::dvec3 clipped(glm::dvec3 history, glm::dvec3 lowest, glm::dvec3 highest) {
+    const glm::dvec3 middle = 0.5 * (lowest + highest);
+    const auto inside = [&](double share) {
+        const glm::dvec3 at = middle + share * (history - middle);
+        return glm::all(glm::greaterThanEqual(at, lowest - 1e-12)) && glm::all(glm::lessThanEqual(at, highest + 1e-12));
+    };
+    if (inside(1)) return history;
+    double in = 0, out = 1;
+    for (int i = 0; i < 60; ++i) (inside(0.5 * (in + out)) ? in : out) = 0.5 * (in + out);
+    return middle + in * (history - middle);
+}
+
 }  // namespace lightwalk::truth

@@ -50,7 +50,8 @@ void Playground::frame(Frame& frame) {
     } else {
         Canvas canvas(frame.hdr, frame.depth, bench.background());
         bench.draw_light(frame, view, canvas);
-        antialias.record(frame, frame.hdr);
+        if (antialias.method.is("taa")) canvas.depth(frame);
+        antialias.record(frame, frame.hdr, {view, frame.depth, &scene});
         bloom.record(frame, frame.hdr);
         post.record(frame, frame.hdr);
         draw_marks(frame, view);

@@ -1,5 +1,6 @@
 #include "19_ambiance/ambiance.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "19_ambiance/benchmark.h"
@@ -42,6 +43,15 @@ void Ambiance::make_ready(Gpu& gpu, glm::uvec2 size, float time_s) {
 }
 // [/ready]
 
+// A cut is no motion: the history of a picture begins where its scene does.
+float Ambiance::gathered_at(float time_s, int frames_before) const {
+    if (!reel.is_open()) return Chapter::gathered_at(time_s, frames_before);
+    auto from_s = static_cast<float>(reel.steady_from_s(static_cast<double>(time_s)));
+    if (static_cast<double>(from_s) < reel.steady_from_s(static_cast<double>(time_s)))
+        from_s = std::nextafter(from_s, time_s + 1.0f);
+    return std::min(time_s, std::max(from_s, Chapter::gathered_at(time_s, frames_before)));
+}
+
 // [frame]
 void Ambiance::frame(Frame& frame) {
     const double time_s = static_cast<double>(frame.time_s) + out.later_s(frame.samples.index, frame.samples.count);
@@ -50,15 +60,20 @@ void Ambiance::frame(Frame& frame) {
     reel.apply_knobs(*this, time_s);
 
     // 2. What is on at this time: one scene, or two; or the one scene that was given.
+    View view;
+    const Scene* seen = &scene;
     if (reel.is_open()) {
+        reel.keeps_depth = antialias.method.is("taa");
         reel.record(frame, time_s, camera);
+        seen = reel.alone() ? &reel.alone()->drawn() : nullptr;
+        if (seen) view = reel.alone()->view();
     } else {
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
-        draw(frame, set_view(frame), canvas, {objects});
+        draw(frame, view = set_view(frame), canvas, {objects});
     }
 
-    // 3. Chapter 13's edges, before chapter 09's grain, which has none.
-    smooth_edges(frame);
+    // 3. Chapter 13's edges, before chapter 09's grain, which has none. Two pictures in one have no motion to follow.
+    if (seen || !antialias.method.is("taa")) smooth_edges(frame, {view, frame.depth, seen});
     post.record(frame, frame.hdr);
 
     // 4. Titles, and the codes that a screen expects.
@@ -68,15 +83,15 @@ void Ambiance::frame(Frame& frame) {
 // [/frame]
 
 // The filter's picture, or a share of it.
-void Ambiance::smooth_edges(Frame& frame) {
+void Ambiance::smooth_edges(Frame& frame, const Seen& seen) {
     if (smoothed <= 0) return;
-    const bool whole = smoothed >= 1 || !antialias.is_filter();
+    const bool whole = smoothed >= 1 || !(antialias.is_filter() || antialias.method.is("taa"));
     if (!whole)
         frame.compute("keep edges", {.reads = {frame.hdr}, .writes = {jagged_}}, [&](Compute& pass) {
             pass.use(copy_).set("from", frame.hdr, nearest_clamp).set("into", jagged_);
             pass.dispatch_threads(frame.size);
         });
-    antialias.record(frame, frame.hdr);
+    antialias.record(frame, frame.hdr, seen);
     if (!whole)
         frame.compute("share of edges", {.reads = {jagged_, frame.hdr}, .writes = {frame.hdr}}, [&](Compute& pass) {
             pass.use(mix_).set("before", jagged_, nearest_clamp).set("picture", frame.hdr);

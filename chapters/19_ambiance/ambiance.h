@@ -34,12 +34,13 @@ struct Ambiance : ModelChapter {
     std::string default_scene() const override { return "films/ambiance.film"; }
     void make_ready(Gpu& gpu, glm::uvec2 size, float time_s) override;
     void frame(Frame& frame) override;
+    float gathered_at(float time_s, int frames_before) const override;
 
     /// For the study: how far the camera is from its reference path, and how evenly it moves.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override;
 
   private:
-    void smooth_edges(Frame& frame);
+    void smooth_edges(Frame& frame, const Seen& seen);
     Target jagged_{*this, {.name = "jagged", .kept = true}};
     Pipeline copy_ = compute({.shader = "19_ambiance/copy.comp"}), mix_ = compute({.shader = "19_ambiance/mix.comp"});
 };

@@ -86,9 +86,10 @@ void FilmPart::record(Frame& frame, double time_s, Timeline::Faded faded, const 
     apply_knobs(clock_s);
 
     // 1. Its light, from where the camera is by now; the glare of what is bright.
-    const View view = look_at(*world_, frame, scene_, flown ? *flown : camera_at(time_s));
+    view_ = look_at(*world_, frame, scene_, flown ? *flown : camera_at(time_s));
     Canvas canvas(frame.hdr, frame.depth, world_->background());
-    world_->draw_light(frame, view, canvas);
+    world_->draw_light(frame, view_, canvas);
+    if (keeps_depth) canvas.depth(frame);
     bloom_.record(frame, frame.hdr);
 
     // 2. The film's fade, in linear light and before the tone curve: what is brightest is the last to go.

@@ -36,6 +36,11 @@ class FilmPart : public Module {
     /// Sets knobs over what the scene's file and its tracks say, in place of those given before; {}: as they say.
     void draw_by(const KnobSettings& way);
 
+    /// What record() drew, for methods that follow surfaces; its depth is whole where `keeps_depth` was set before.
+    const View& view() const { return view_; }
+    const Scene& drawn() const { return scene_; }
+    bool keeps_depth = false;
+
     const FilmScene& scene() const { return film_scene_; }
     bool is_loaded() const;  ///< nothing that load() depends on has changed since
 
@@ -43,6 +48,7 @@ class FilmPart : public Module {
 
   private:
     Scene scene_;
+    View view_;
     std::unique_ptr<World> world_;
     Bloom bloom_{*this, "bloom"};
     Post post_{*this, "post"};

@@ -106,6 +106,14 @@ std::optional<size_t> Reel::scene_at(double time_s) const {
     return shown.empty() ? std::nullopt : std::optional(shown.back().scene);
 }
 
+double Reel::steady_from_s(double time_s) const {
+    double latest_s = 0;
+    for (const FilmScene& scene : film_.scenes)
+        for (const double at_s : {scene.from_s, scene.to_s})
+            if (at_s <= time_s) latest_s = std::max(latest_s, at_s);
+    return latest_s;
+}
+
 std::optional<Camera> Reel::camera_at(double time_s) const {
     const std::optional<size_t> scene = scene_at(time_s);
     const auto part = scene ? parts_.find(*scene) : parts_.end();
@@ -128,8 +136,10 @@ bool Reel::take_cameras(const Timeline& edited) {
 // [record]
 void Reel::record(Frame& frame, double time_s, const Camera& flown) {
     const std::vector<Timeline::Shown> shown = film_.shown(time_s);
+    alone_ = shown.size() == 1 ? parts_.at(shown[0].scene).get() : nullptr;
     for (size_t i = 0; i < shown.size(); ++i) {
         const bool by_hand = fly && i + 1 == shown.size();
+        parts_.at(shown[i].scene)->keeps_depth = keeps_depth;
         parts_.at(shown[i].scene)->record(frame, time_s, film_.faded(time_s), by_hand ? &flown : nullptr);
         if (i + 1 < shown.size()) keep(frame);
     }

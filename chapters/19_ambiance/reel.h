@@ -54,6 +54,13 @@ struct Reel : Module {
         titles_.record(frame, picture, film_, time_s);
     }
 
+    /// The one scene that record() drew in this frame; null where there was none, or two were mixed.
+    const FilmPart* alone() const { return alone_; }
+    bool keeps_depth = false;  ///< FilmPart::keeps_depth
+
+    /// Since when the same scenes have been shown: the latest cut, or end of a cross-fade.
+    double steady_from_s(double time_s) const;
+
     /// The scene on the screen, of two the later one; none in a gap.
     std::optional<size_t> scene_at(double time_s) const;
     /// Its camera on its path; none where it is not loaded.
@@ -80,6 +87,7 @@ struct Reel : Module {
     Made<std::optional<PathKind>, unsigned> paths_made_;  ///< the kind, and the toggles of the curves' exercises
     std::map<size_t, std::unique_ptr<FilmPart>> parts_;   ///< by their place in the film
     std::map<size_t, KnobSettings> ways_;                 ///< likewise
+    const FilmPart* alone_ = nullptr;
     bool has_sound_ = false;
     Titles titles_;
     Target before_{*this, {.name = "before", .kept = true}};

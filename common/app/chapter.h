@@ -42,6 +42,12 @@ class Chapter : public Module {
     /// Called before a frame at this time: makes resources that were not loaded with the scene. Later times may
     /// follow if `plays` is true.
     virtual void make_ready(Gpu& /*gpu*/, glm::uvec2 /*size*/, float /*time_s*/) {}
+
+    /// The time of the frame that is so many frames before the one at `time_s`, where a picture is gathered.
+    virtual float gathered_at(float time_s, int frames_before) const {
+        return time_s - static_cast<float>(frames_before) / 60.0f;
+    }
+
     bool plays = false;  ///< its clock runs: in a window, or where a film is written
 
     int camera_of_file = 0;  ///< which of the cameras in a bare model's file is used, from 1 on; 0: none

@@ -110,7 +110,9 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
         const bool captured = !options.capture.empty() && i + 1 == options.frames + warm_up;
         std::optional<Capture> capture;
         if (captured) capture.emplace();
-        render(chapter, frame, {options.size, options.time_s + static_cast<float>(counted) / 60.0f, options.seed, {}});
+        Picture picture{options.size, options.time_s + static_cast<float>(counted) / 60.0f, options.seed, {}};
+        if (!options.timings.empty() && i > 0) picture.gathered = 0;  // what a frame costs in a row of them
+        render(chapter, frame, picture);
         if (captured) capture->write(options.capture);
         patience.show(i + 1, options.frames + warm_up);
         if (i < warm_up) add_times(first_times, frame.times);

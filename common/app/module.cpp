@@ -95,6 +95,14 @@ bool Module::any_animated() const {
     return any;
 }
 
+Gathering Module::longest_gathering() const {
+    Gathering longest;
+    visit_used(*this, [&](const Module& module) {
+        if (const Gathering one = module.gathering(); one.frames > longest.frames) longest = one;
+    });
+    return longest;
+}
+
 const Sound* Module::any_sound() const {
     const Sound* any = nullptr;
     visit_used(*this, [&](const Module& module) {

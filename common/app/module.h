@@ -14,6 +14,12 @@ struct Model;
 struct Sound;
 class TargetBase;
 
+/// How a picture is gathered over frames.
+struct Gathering {
+    int frames = 0;  ///< that a cold start takes until the picture counts; 0: each stands alone
+    glm::vec2 (*shift)(int frame) = nullptr;  ///< of each frame within a pixel: -0.5 to 0.5
+};
+
 // [module]
 /// An owner of knobs, targets, passes and GLSL. Its members register with it in their constructors:
 ///
@@ -63,6 +69,9 @@ class Module : public Given {
     /// Dependencies of prepare() other than the scene, as text: a change reloads the scene.
     virtual std::string load_key() const { return {}; }
 
+    /// Whether its picture is gathered over frames, and of how many.
+    virtual Gathering gathering() const { return {}; }
+
     /// Exercises that run while a scene is loaded: toggling one of them loads it again.
     virtual std::vector<std::string> load_exercises() const { return {}; }
 
@@ -81,6 +90,7 @@ class Module : public Given {
 
     void prepare_all(Gpu& gpu, Scene& scene);
     bool any_animated() const;
+    Gathering longest_gathering() const;  ///< of the module that takes the most frames
     bool any_model(const std::filesystem::path& file, Model& into) const;
     const Sound* any_sound() const;  ///< of the first module that has one
     std::vector<std::string> all_status() const;

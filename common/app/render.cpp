@@ -29,6 +29,22 @@ double processor_ms() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
+void record_frame(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s) {
+    chapter.begin_frame(frame.gpu, size);
+    frame.begin(size, time_s);
+    const double started_ms = processor_ms();
+    try {
+        chapter.frame(frame);
+        if (frame.output.written_in != frame.number())
+            throw Failure("the frame of {} wrote no output: end it with encode_srgb()", chapter.name);
+    } catch (...) {
+        frame.end();
+        throw;
+    }
+    frame.recording_ms = processor_ms() - started_ms;
+    frame.end();
+}
+
 }  // namespace
 
 void add_times(std::vector<PassTime>& sum, const std::vector<PassTime>& times) {
@@ -43,6 +59,8 @@ void render(Chapter& chapter, Frame& frame, const Picture& picture) {
     const int first = picture.sample ? picture.sample->x : 0, last = picture.sample ? first + 1 : samples;
     std::vector<PassTime> times;
     chapter.make_ready(frame.gpu, picture.size, picture.time_s);
+    const Gathering gathering = chapter.longest_gathering();
+    const int gathered = gathering.frames > 0 ? picture.gathered.value_or(gathering.frames) : 0;
     Patience patience("drawing", "samples");
     for (int sample = first; sample < last; ++sample) {
         frame.root = &chapter;
@@ -50,20 +68,15 @@ void render(Chapter& chapter, Frame& frame, const Picture& picture) {
         frame.seed = picture.seed;
         frame.crop = picture.crop;
         if (frame.crop.whole == glm::uvec2(0)) frame.crop.whole = picture.size;
-        frame.crop.shift = shift_of(sample, samples);
-        chapter.begin_frame(frame.gpu, picture.size);
-        frame.begin(picture.size, picture.time_s);
-        const double started_ms = processor_ms();
-        try {
-            chapter.frame(frame);
-            if (frame.output.written_in != frame.number())
-                throw Failure("the frame of {} wrote no output: end it with encode_srgb()", chapter.name);
-        } catch (...) {
-            frame.end();
-            throw;
+        if (gathered > 0) chapter.forget_history();
+        if (gathered > 0 || gathering.frames == 0) frame.gathered = 0;
+        for (int before = std::max(gathered, 1) - 1; before >= 0; --before) {
+            // Samples of one picture take further shifts of the same sequence.
+            frame.crop.shift =
+                gathering.frames > 0 ? gathering.shift(frame.gathered + sample * gathered) : shift_of(sample, samples);
+            record_frame(chapter, frame, picture.size, chapter.gathered_at(picture.time_s, before));
+            if (gathering.frames > 0) ++frame.gathered;
         }
-        frame.recording_ms = processor_ms() - started_ms;
-        frame.end();
         if (samples > 1) add_times(times, frame.times);
         patience.show(sample + 1, samples);
     }

@@ -14,12 +14,15 @@ struct Picture {
     unsigned seed = 0;
     Crop crop;
     std::optional<glm::ivec2> sample{};  ///< only this one of so many, after those before it; without it all, in order
+    /// Where a picture is gathered over frames: from a cold start and so many of them, 1/60 s apart; 0: it goes on from
+    /// the frame before; without it as many as Module::gathering says. Then it depends on nothing drawn before.
+    std::optional<int> gathered{};
 };
 
 // [render]
 /// Records, submits and awaits chapter.samples frames, each shifted within a pixel. frame.linear() and frame.output
-/// then hold their mean in linear light, frame.times the sums per pass. If recording throws, the part recorded is
-/// still submitted.
+/// then hold their mean in linear light, frame.times the sums per pass: of a picture gathered over frames, those of its
+/// last frame. If recording throws, the part recorded is still submitted.
 void render(Chapter& chapter, Frame& frame, const Picture& picture);
 // [/render]
 

@@ -44,6 +44,7 @@ class Frame {
     struct {
         int index = 0, count = 1;  ///< among the frames averaged into one picture
     } samples;
+    int gathered = 0;  ///< frames before this one since the last cold start (Module::gathering)
 
     /// The picture in linear light: hdr, or the mean of several.
     const Image& linear() const { return samples.count > 1 ? mean_ : hdr; }

@@ -40,13 +40,14 @@ ViewRays view_rays(const View& view) {
 }
 
 CameraView shader_view(const View& view, const Frame& frame) {
+    const int gathered = std::min(frame.gathered + 1, 8);  // in motion a history is worth little more
     return {.view_projection = view.view_projection,
             .eye = view.eye,
             .time_s = frame.time_s,
             .size = view.size == glm::uvec2(0) ? frame.size : view.size,
             .seed = frame.seed,
             .origin = view.crop.origin,
-            .lod_bias = -0.5f * std::log2(static_cast<float>(frame.samples.count))};
+            .lod_bias = -0.5f * std::log2(static_cast<float>(frame.samples.count * gathered))};
 }
 
 void look_from(const View& view, Frame& frame) {

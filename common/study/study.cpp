@@ -96,9 +96,12 @@ class SceneStudy {
         set_knobs(knobs, values);
         chapter_.forget_history();
     }
+    // For its time: two frames are enough for one that has a history.
     void draw(const StudyPoint& point) {
         set(point.all());
-        render(chapter_, frame_, picture_);
+        Picture picture = picture_;
+        picture.gathered = 2;
+        render(chapter_, frame_, picture);
     }
     ImageRgb render_picture() {
         render(chapter_, frame_, picture_);

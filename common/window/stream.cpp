@@ -141,8 +141,10 @@ json Stream::answer(const json& request, std::string& bytes) {
     gpu_.pipelines.errors.clear();
     if (still) warm.chapter->forget_history();
     look.attach(*warm.frame, warm.looked_at, warm.chapter->camera, warm.chapter->scene.bounds);
-    for (int i = 0; i < frames; ++i)
-        warm.live->draw(*warm.frame, {size, time_s + static_cast<float>(i) / 60.0f, warm.options.seed, {}});
+    Picture drawn{.size = size, .time_s = time_s, .seed = warm.options.seed, .crop = {}};
+    if (!still) drawn.gathered = 0;
+    for (int i = 0; i < frames; ++i, drawn.time_s = time_s + static_cast<float>(i) / 60.0f)
+        warm.live->draw(*warm.frame, drawn);
     json said{{"code", 0}, {"error", ""}};
     if (const std::string wrong = warm.live->load_error + warm.live->frame_error; !wrong.empty())
         said = {{"code", 1}, {"error", wrong}};

@@ -207,6 +207,7 @@ void Window::draw_picture(glm::uvec2 size) {
     compared_ = false;
     gpu_.pipelines.errors.clear();
     look_.attach(frame_, viewed_, chapter_.camera, chapter_.scene.bounds);
+    const Picture picture{.size = size, .time_s = time_s_, .seed = options_.seed, .crop = {}, .gathered = 0};
     {
         // Where every switch says reference, two equal halves would show nothing: the left one is then mine.
         const auto own = own_exercises(chapter_);
@@ -214,10 +215,10 @@ void Window::draw_picture(glm::uvec2 size) {
         if (split_.on() && all_reference(own)) mine.emplace(own, false);
         std::optional<Capture> capture;
         if (std::exchange(capture_next_, false)) capture.emplace();
-        live_.draw(frame_, {size, time_s_, options_.seed, {}});
+        live_.draw(frame_, picture);
         if (capture) write_capture(*capture);
     }
-    if (split_.on()) split_.draw(chapter_, look_, {size, time_s_, options_.seed, {}});
+    if (split_.on()) split_.draw(chapter_, look_, picture);
 }
 
 void Window::draw() {

@@ -37,7 +37,7 @@ struct GlassValley : ModelChapter {
 
         // Linear light: bloom, then edges; then tones, and sRGB.
         bloom.record(frame, frame.hdr);
-        antialias.record(frame, frame.hdr);
+        antialias.record(frame, frame.hdr, {view, frame.depth, &scene});
         post.record(frame, frame.hdr);
         encode_srgb(frame);
     }

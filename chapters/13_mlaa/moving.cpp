@@ -1,0 +1,69 @@
+#include "13_mlaa/moving.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace lightwalk {
+namespace {
+
+struct FromTo {
+    glm::mat4 now, before;
+};
+
+bool deforms(const DrawItem& item) { return bool(item.model->model.meshes[item.mesh].deformation); }
+
+}  // namespace
+
+glm::mat4 without_shift(const View& view) {
+    const glm::vec2 shift = 2.0f * view.crop.shift / glm::vec2(view.size);
+    return glm::translate(glm::mat4(1.0f), glm::vec3(shift, 0.0f)) * view.view_projection;
+}
+
+const Buffer& Moving::vertices_before(const DrawItem& item) const {
+    const auto deformed = deformed_.find({item.model.get(), item.mesh});
+    return deformed == deformed_.end() ? item.model->vertices[item.mesh] : deformed->second;
+}
+
+// [record]
+bool Moving::record(Frame& frame, const Scene& scene, const View& now, const View& before, const ImageView& depth) {
+    if (placed_ == scene.placed || transforms_.size() != scene.items.size()) return false;
+    const DrawList moved = scene.opaque().where([&](const DrawItem& item) {
+        return deforms(item) || item.transform != transforms_[static_cast<size_t>(&item - scene.items.data())];
+    });
+    if (moved.size() == 0) return false;
+    image_.fit(frame.gpu.device, {.name = "moving", .size = now.size});
+    RasterTargets targets{.color = {clear(image_, glm::vec4(0.0f))}, .reads = {depth, instances_}};
+    for (const auto& [mesh, vertices] : deformed_) targets.reads.push_back(vertices);
+    frame.raster("motion vectors", targets, [&](Raster& pass) {
+        pass.use(draw_).set("depth", depth, nearest_clamp).set("instances_before", instances_);
+        pass.set("from_to", FromTo{without_shift(now), without_shift(before)});
+        for (const Batch& batch : moved.batches()) {
+            pass.set("vertices_before", vertices_before(batch.item()));
+            batch.draw(pass);
+        }
+    });
+    return true;
+}
+// [/record]
+
+void Moving::keep(Frame& frame, const Scene& scene) {
+    if (placed_ == scene.placed) return;
+    Device& device = frame.gpu.device;
+    const auto copy = [&](const Buffer& from, Buffer& into, const char* name) {
+        if (into.bytes != from.bytes) into = Buffer(device, {.name = name, .bytes = from.bytes});
+        frame.transfer(name, {.reads = {from}, .writes = {into}}, [&](VkCommandBuffer commands) {
+            const VkBufferCopy region{.size = from.bytes};
+            vkCmdCopyBuffer(commands, from.handle, into.handle, 1, &region);
+        });
+    };
+    copy(scene.instances, instances_, "instances before");
+    transforms_.clear();
+    for (const DrawItem& item : scene.items) {
+        transforms_.push_back(item.transform);
+        if (!deforms(item)) continue;
+        Buffer& into = deformed_[{item.model.get(), item.mesh}];
+        copy(item.model->vertices[item.mesh], into, "vertices before");
+    }
+    placed_ = scene.placed;
+}
+
+}  // namespace lightwalk

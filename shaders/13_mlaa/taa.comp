@@ -1,0 +1,162 @@
+// Temporal anti-aliasing: the history of each pixel's surface, mixed with the new light.
+#include "13_mlaa/clip_history.glsl"
+#include "13_mlaa/ghost.glsl"
+#include "13_mlaa/keep_or_reject.glsl"
+#include "13_mlaa/picture.glsl"
+#include "13_mlaa/reproject.glsl"
+#include "13_mlaa/ycocg.glsl"
+#include "common/view_rays.h"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+
+layout(scalar) uniform TaaStepBlock {
+    mat4 to_before;
+    vec2 shift;
+    float inverse_near, inverse_far;
+    float at_rest, in_motion, gamma;
+    uint valid;
+} taa_step;
+uniform sampler2D depth, history, behind_before;
+#if MOVING
+uniform sampler2D moving;
+#endif
+layout(rgba16f) writeonly uniform image2D light;
+layout(r32f) writeonly uniform image2D behind;
+
+const int tile = 18;
+shared vec3 tile_light[tile * tile];  // YCoCg
+shared float tile_depth[tile * tile];
+
+int slot_beside(ivec2 step) {
+    ivec2 place = ivec2(gl_LocalInvocationID.xy) + 1 + step;
+    return tile * place.y + place.x;
+}
+float depth_beside(ivec2 step) { return tile_depth[slot_beside(step)]; }
+
+void load_tile(ivec2 corner, ivec2 size) {
+    for (int slot = int(gl_LocalInvocationIndex); slot < tile * tile; slot += 256) {
+        ivec2 pixel = clamp(corner - 1 + ivec2(slot % tile, slot / tile), ivec2(0), size - 1);
+        tile_light[slot] = to_ycocg(light_at(pixel));
+        tile_depth[slot] = texelFetch(depth, pixel, 0).r;
+    }
+    barrier();
+}
+
+float per_metre(float stored) { return depth_to_per_metre(stored, taa_step.inverse_near, taa_step.inverse_far); }
+
+// [motion]
+struct Motion {
+    vec2 pixels;     // to where the surface was
+    float expected;  // its inverse distance then, per metre
+    bool known;
+};
+
+// Of the nearest of nine pixels: a silhouette moves with the object in front.
+Motion motion_of(ivec2 pixel, vec2 size, mat3 depths) {
+    ivec2 nearest = nearest_of_nine(depths);
+    float stored = depth_beside(nearest);
+#if MOVING
+    vec4 moved = texelFetch(moving, clamp(pixel + nearest, ivec2(0), ivec2(size) - 1), 0);
+    if (moved.a > 0.0) return Motion(moved.xy, 1.0 / moved.z, true);
+#endif
+    vec2 at = vec2(pixel + nearest) + 0.5 + taa_step.shift;
+    vec3 then = reproject(at, stored, size, taa_step.to_before);
+    return Motion(then.xy - at, per_metre(stored) / max(then.z, 1e-6), then.z > 0.0);
+}
+// [/motion]
+
+// [resample]
+// Catmull-Rom in five bilinear reads, the corners left out (J. Jimenez, 2016).
+vec3 history_at(vec2 at, vec2 size) {
+#if TAA_RESAMPLE == TAA_RESAMPLE_BILINEAR
+    return textureLod(history, at / size, 0.0).rgb;
+#else
+    vec2 centre = floor(at - 0.5) + 0.5, f = at - centre;
+    vec2 w0 = f * (-0.5 + f * (1.0 - 0.5 * f)), w1 = 1.0 + f * f * (-2.5 + 1.5 * f);
+    vec2 w2 = f * (0.5 + f * (2.0 - 1.5 * f)), w3 = f * f * (-0.5 + 0.5 * f), w12 = w1 + w2;
+    vec2 before = (centre - 1.0) / size, between = (centre + w2 / w12) / size, behind = (centre + 2.0) / size;
+    vec4 sum = w12.x * w12.y * vec4(textureLod(history, between, 0.0).rgb, 1.0);
+    sum += w0.x * w12.y * vec4(textureLod(history, vec2(before.x, between.y), 0.0).rgb, 1.0);
+    sum += w3.x * w12.y * vec4(textureLod(history, vec2(behind.x, between.y), 0.0).rgb, 1.0);
+    sum += w12.x * w0.y * vec4(textureLod(history, vec2(between.x, before.y), 0.0).rgb, 1.0);
+    sum += w12.x * w3.y * vec4(textureLod(history, vec2(between.x, behind.y), 0.0).rgb, 1.0);
+    return max(sum.rgb / sum.a, 0.0);
+#endif
+}
+// [/resample]
+
+// [limits]
+const float still = 0.05;  // pixels a frame
+
+// At rest, samples that hit a thin wire or miss it change the mean of 3x3 pixels little; a shadow changes all of it. The
+// luma of the new frame's nine pixels: their mean and range.
+bool same_as_before(ivec2 pixel, float mean, float lowest, float highest) {
+    float before = 0.0;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            ivec2 beside = clamp(pixel + ivec2(x, y), ivec2(0), textureSize(picture, 0) - 1);
+            float one = to_ycocg(texelFetch(history, beside, 0).rgb).x;
+            before += one / 9.0, lowest = min(lowest, one), highest = max(highest, one);
+        }
+    return abs(mean - before) <= 0.25 * (highest - lowest) + 0.005;
+}
+
+vec3 limit(vec3 old, ivec2 pixel, bool rests) {
+#if TAA_CLIPPING == TAA_CLIPPING_NONE
+    return old;
+#else
+    vec3 lowest = tile_light[slot_beside(ivec2(0))], highest = lowest, sum = vec3(0.0), squares = vec3(0.0);
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            vec3 one = tile_light[slot_beside(ivec2(x, y))];
+            lowest = min(lowest, one), highest = max(highest, one);
+            sum += one, squares += one * one;
+        }
+#if TAA_CLIPPING == TAA_CLIPPING_DEVIATION
+    if (rests && same_as_before(pixel, sum.x / 9.0, lowest.x, highest.x)) return old;
+    vec3 mean = sum / 9.0, reach = taa_step.gamma * sqrt(max(squares / 9.0 - mean * mean, 0.0));
+    lowest = max(lowest, mean - reach), highest = min(highest, mean + reach);
+#endif
+    return clip_history(old, lowest, highest);
+#endif
+}
+// [/limits]
+
+// [mix]
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = textureSize(picture, 0);
+    load_tile(16 * ivec2(gl_WorkGroupID.xy), size);
+    if (any(greaterThanEqual(pixel, size))) return;
+    vec3 fresh = tile_light[slot_beside(ivec2(0))], mixed = fresh;
+    float count = 0.0, farthest = 1.0;
+    bool moves = false;
+    mat3 depths;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y) {
+            depths[x + 1][y + 1] = depth_beside(ivec2(x, y));
+            farthest = min(farthest, depths[x + 1][y + 1]);
+        }
+    Motion motion = motion_of(pixel, vec2(size), depths);
+    vec2 at = vec2(pixel) + 0.5 + motion.pixels;
+    if (taa_step.valid != 0u && motion.known) {
+        ivec2 texel = clamp(ivec2(at), ivec2(0), size - 1);
+        bool keep = keep_history(at, vec2(size), motion.expected,
+                                 TAA_REJECT != 0 ? texelFetch(behind_before, texel, 0).r : 0.0);
+        if (keep) {
+            float speed = length(motion.pixels);
+            float kept = texelFetch(history, texel, 0).a;
+            count = min(abs(kept), mix(taa_step.at_rest, taa_step.in_motion, min(speed, 1.0)) - 1.0);
+            vec3 old = speed < 1e-3 ? texelFetch(history, pixel, 0).rgb : history_at(at, vec2(size));
+            old = limit(to_ycocg(old), pixel, speed < still && kept > 0.0);
+            moves = speed >= still;
+            float weight = 1.0, old_weight = count;
+#if TAA_WEIGHTS == TAA_WEIGHTS_TONE
+            weight /= 1.0 + fresh.x, old_weight /= 1.0 + old.x;
+#endif
+            mixed = (weight * fresh + old_weight * old) / (weight + old_weight);
+        }
+    }
+    imageStore(light, pixel, vec4(max(from_ycocg(mixed), 0.0), moves ? -count - 1.0 : count + 1.0));
+    imageStore(behind, pixel, vec4(per_metre(farthest)));
+}
+// [/mix]
