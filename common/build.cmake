@@ -27,6 +27,8 @@ function(lightwalk_common)
   target_link_libraries(lightwalk PRIVATE PkgConfig::stb ZLIB::ZLIB glslang::glslang glslang::SPIRV
                         glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS} assimp::assimp glfw
                         ${MESHOPTIMIZER}
+                        ${DRACO}
+                        ${WEBP}
                         PkgConfig::imgui CLI11::CLI11)
   # Each file loads all of it: what most do not need, JSON for one, costs them more than it saves the others.
   target_precompile_headers(lightwalk PRIVATE <algorithm> <array> <filesystem> <functional> <map> <memory> <optional>

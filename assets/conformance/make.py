@@ -160,6 +160,12 @@ moved = {"index": 0, "extensions": {"KHR_texture_transform": {"offset": [0.5, 0]
 seen("texture transform", Gltf(unlit(baseColorTexture=moved)).texture({"uri": "corners.png"}).uses(
     "KHR_texture_transform", required=True), "the right half of the texture alone",
     [[0.25, 0.25, GREEN], [0.75, 0.25, GREEN], [0.25, 0.75, YELLOW], [0.75, 0.75, YELLOW]])
+dark = [0, 0, 0]
+png("quadrant.png", 16, 16, [[dark] * 16 for _ in range(8)] + [row + [dark] * 8 for row in corners()])
+turned = {"index": 0, "extensions": {"KHR_texture_transform": {"offset": [0, 1], "rotation": math.pi / 2, "scale": [0.5, 0.5]}}}
+seen("texture rotation", Gltf(unlit(baseColorTexture=turned)).texture({"uri": "quadrant.png"}).uses("KHR_texture_transform"),
+     "the extension's example: the lower left quadrant of the image, rotated clockwise by 90 degrees",
+     [[0.25, 0.25, BLUE], [0.75, 0.25, RED], [0.75, 0.75, GREEN], [0.25, 0.75, YELLOW]])
 second = Gltf(unlit(baseColorTexture={"index": 0, "texCoord": 1})).texture({"uri": "corners.png"})
 second.primitive()["attributes"]["TEXCOORD_1"] = second.floats([[1, 1], [0, 1], [0, 0], [1, 0]])
 seen("second texture coordinates", second, "mirrored, as the second coordinates run from right to left",

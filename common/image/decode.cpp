@@ -2,6 +2,7 @@
 
 #include <stb_image.h>
 #include <strings.h>
+#include <webp/decode.h>
 
 #include <algorithm>
 #include <array>
@@ -97,8 +98,34 @@ void mirror_rows(Texel* texels, int width, int height) {
     for (int y = 0; y < height; ++y) std::reverse(texels + int64_t{y} * width, texels + int64_t{y + 1} * width);
 }
 
+bool is_webp(const std::string& bytes) { return bytes.starts_with("RIFF") && bytes.compare(8, 4, "WEBP") == 0; }
+
+std::string with_header(std::string samples, Decoded& picture) {
+    ByteWriter tail;
+    tail(picture);
+    return samples + tail.bytes;
+}
+
+std::string decode_webp(const fs::path& path, const std::string& bytes, int wanted) {
+    const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());
+    WebPBitstreamFeatures header;
+    if (WebPGetFeatures(data, bytes.size(), &header) != VP8_STATUS_OK) reject(path, "has a broken header");
+    if (header.has_animation) reject(path, "is an animation");
+    check_image_size(path, header.width, header.height);
+    Decoded picture{.width = header.width, .height = header.height, .channels = header.has_alpha ? 4 : 3, .bits = 8};
+    uint8_t* const pixels = WebPDecodeRGBA(data, bytes.size(), &picture.width, &picture.height);
+    if (!pixels) reject(path, "is broken or cut off");
+    const size_t count = static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height);
+    std::string samples;
+    samples.reserve(count * static_cast<size_t>(wanted) + 64);  // and the tail
+    for (const uint8_t* p = pixels; p < pixels + 4 * count; p += 4) samples.append(p, p + wanted);
+    WebPFree(pixels);
+    return with_header(std::move(samples), picture);
+}
+
 /// The message through the guard's pipe: samples, then the header's fields.
 std::string decode_here(const fs::path& path, const std::string& bytes, int wanted, Depth depth) {
+    if (is_webp(bytes)) return decode_webp(path, bytes, wanted);
     Decoded picture = read_header(path, bytes);
     if (is_cut_jpeg(bytes)) reject(path, "is cut off");
     Source of_depth{bytes}, source{bytes};
@@ -130,10 +157,7 @@ std::string decode_here(const fs::path& path, const std::string& bytes, int want
         result.assign(static_cast<const char*>(pixels), count * static_cast<size_t>(picture.bits / 8));
     }
     stbi_image_free(pixels);
-    ByteWriter tail;
-    tail(picture);
-    result += tail.bytes;
-    return result;
+    return with_header(std::move(result), picture);
 }
 
 }  // namespace

@@ -1,11 +1,9 @@
 #include "common/scene/gltf.h"
 
-#include <array>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <set>
 
 #include "common/base/text.h"
 #include "common/scene/gltf_parts.h"
@@ -14,48 +12,6 @@
 namespace lightwalk {
 namespace {
 using nlohmann::json;
-
-// Extensions that are drawn, or have no effect on a picture.
-constexpr std::array<std::string_view, 12> drawn = {"KHR_materials_unlit",
-                                                    "KHR_materials_emissive_strength",
-                                                    "KHR_materials_pbrSpecularGlossiness",
-                                                    "KHR_texture_transform",
-                                                    "KHR_mesh_quantization",
-                                                    "EXT_meshopt_compression",
-                                                    "KHR_meshopt_compression",
-                                                    "KHR_lights_punctual",
-                                                    "EXT_mesh_gpu_instancing",
-                                                    "KHR_node_visibility",
-                                                    "KHR_xmp",
-                                                    "KHR_xmp_json_ld"};
-
-bool is_drawn(std::string_view name) { return std::find(drawn.begin(), drawn.end(), name) != drawn.end(); }
-
-void check_required(const GltfFile& file) {
-    const auto required = file.root.find("extensionsRequired");
-    if (required == file.root.end()) return;
-    for (const json& name : *required)
-        if (!is_drawn(name.get<std::string>()))
-            file.refuse("it requires the extension {}, which is not read", name.get<std::string>());
-}
-
-// The names of the extensions anywhere in a value, without recursion: the depth is the file's choice.
-std::set<std::string> extensions_in(const json& value) {
-    std::set<std::string> names;
-    std::vector<const json*> waiting = {&value};
-    while (!waiting.empty()) {
-        const json& at = *waiting.back();
-        waiting.pop_back();
-        if (!at.is_structured()) continue;
-        for (const auto& [key, inner] : at.items()) {
-            if (at.is_object() && key == "extras") continue;
-            if (at.is_object() && key == "extensions" && inner.is_object())
-                for (const auto& [name, ignored] : inner.items()) names.insert(name);
-            waiting.push_back(&inner);
-        }
-    }
-    return names;
-}
 
 glm::mat4 local_of(const json& node) {
     if (const auto m = node.find("matrix"); m != node.end()) {
@@ -73,15 +29,18 @@ class GltfReader {
     explicit GltfReader(const std::filesystem::path& path) : file_(path) {}
 
     Model read() {
-        check_required(file_);
+        check_gltf_required(file_);
         read_gltf_materials(file_, model_);
         read_nodes();
         for (size_t i = 0; i < file_.count("nodes"); ++i)
-            if (nodes_[i] >= 0) fill_node(i);
+            if (nodes_[i] >= 0 && in_scene_[i]) fill_node(i);
         read_gltf_motions(file_, nodes_, model_);
         list_gltf_extensions(file_, model_);
         if (file_.count("scenes") > 1) leave_out(model_, "further scenes");
-        if (model_.meshes.empty()) file_.refuse("no triangle in the file");
+        if (model_.meshes.empty()) {
+            const std::string left_out = left_out_text(model_);
+            file_.refuse("no triangle in the file{}{}", left_out.empty() ? "" : "; left out: ", left_out);
+        }
         drop_unused_default();
         for (Material& material : model_.materials) limit_numbers(material, file_.path.string());
         deform_at_rest(model_);
@@ -92,6 +51,7 @@ class GltfReader {
     // Parents before children, from the scene's roots. Without recursion: the depth of the tree is the file's choice.
     void read_nodes() {
         nodes_.assign(file_.count("nodes"), -1);
+        const std::vector<int> parents = parents_of_nodes();
         const size_t scene = value_or<size_t>(file_.root, "scene", 0);
         std::vector<std::pair<size_t, int>> waiting;
         if (file_.count("scenes") > 0) {
@@ -99,15 +59,34 @@ class GltfReader {
             if (from.contains("nodes"))
                 for (const json& root : from.at("nodes")) waiting.emplace_back(root.get<size_t>(), -1);
         } else {
-            std::vector<bool> is_child(nodes_.size(), false);
             for (size_t i = 0; i < nodes_.size(); ++i)
-                if (const json& node = file_.entry("nodes", i); node.contains("children"))
-                    for (const json& child : node.at("children"))
-                        if (const size_t c = child.get<size_t>(); c < nodes_.size()) is_child[c] = true;
-            for (size_t i = 0; i < nodes_.size(); ++i)
-                if (!is_child[i]) waiting.emplace_back(i, -1);
+                if (parents[i] < 0) waiting.emplace_back(i, -1);
         }
         std::reverse(waiting.begin(), waiting.end());
+        add_trees(std::move(waiting));
+        for (const int node : nodes_) in_scene_.push_back(node >= 0);
+        // Joints may stand outside of the scene: their trees place, and nothing of them is drawn.
+        for (size_t i = 0; i < file_.count("skins"); ++i)
+            for (const json& joint : file_.entry("skins", i).at("joints")) {
+                size_t root = joint.get<size_t>();
+                if (root >= nodes_.size() || nodes_[root] >= 0) continue;
+                for (size_t up = 0; parents[root] >= 0 && up < nodes_.size(); ++up) root = size_t(parents[root]);
+                if (nodes_[root] < 0) add_trees({{root, -1}});
+            }
+    }
+
+    // -1: none. The depth and the order of the tree are the file's choice.
+    std::vector<int> parents_of_nodes() const {
+        std::vector<int> parents(nodes_.size(), -1);
+        for (size_t i = 0; i < nodes_.size(); ++i)
+            if (const json& node = file_.entry("nodes", i); node.contains("children"))
+                for (const json& child : node.at("children"))
+                    if (const size_t c = child.get<size_t>(); c < nodes_.size()) parents[c] = static_cast<int>(i);
+        return parents;
+    }
+
+    // `waiting`: roots and the model's nodes above them; the last one first.
+    void add_trees(std::vector<std::pair<size_t, int>> waiting) {
         while (!waiting.empty()) {
             const auto [number, parent] = waiting.back();
             waiting.pop_back();
@@ -267,26 +246,12 @@ class GltfReader {
     GltfFile file_;
     Model model_;
     std::vector<int> nodes_;
+    std::vector<bool> in_scene_;  ///< for each of the file's nodes
     std::map<size_t, std::vector<uint32_t>> shared_;
     int skin_home_ = -1;
 };
 
 }  // namespace
-
-void list_gltf_extensions(const GltfFile& file, Model& model) {
-    static constexpr std::pair<const char*, const char*> lists[] = {
-        {"materials", "material"},   {"textures", "texture"}, {"meshes", "mesh"},     {"nodes", "node"},
-        {"animations", "animation"}, {"images", "image"},     {"scenes", "scene"},    {"cameras", "camera"},
-        {"skins", "skin"},           {"bufferViews", "view"}, {"samplers", "sampler"}};
-    std::set<std::string> named;
-    for (const auto& [list, unit] : lists)
-        for (size_t i = 0; i < file.count(list); ++i)
-            for (const std::string& name : extensions_in(file.entry(list, i)))
-                if (!is_drawn(name)) leave_out(model, name, unit), named.insert(name);
-    if (const auto used = file.root.find("extensionsUsed"); used != file.root.end())
-        for (const json& name : *used)
-            if (!is_drawn(name.get<std::string>()) && !named.contains(name)) leave_out(model, name);
-}
 
 Model read_gltf(const std::filesystem::path& path) {
     try {

@@ -107,8 +107,10 @@ class GltfMaterials {
         const auto info = from.find(key);
         if (info == from.end()) return {};
         const json& texture = file_.entry("textures", info->at("index").get<size_t>());
-        const auto source = texture.find("source");
-        if (source == texture.end()) return {};  // of an extension, which is named
+        const json* const webp = extension(texture, "EXT_texture_webp");
+        const json& named = webp && webp->contains("source") ? *webp : texture;
+        const auto source = named.find("source");
+        if (source == named.end()) return {};  // of an extension, which is named
         TextureMap map = image(source->get<size_t>());
         size_t set = 0;
         map.place = place_of(*info, set);

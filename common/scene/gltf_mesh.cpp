@@ -1,6 +1,7 @@
 // Meshes of glTF: each primitive with its attributes, as triangles.
 #include <cmath>
 
+#include "common/scene/gltf_draco.h"
 #include "common/scene/gltf_parts.h"
 
 namespace lightwalk {
@@ -26,13 +27,15 @@ std::vector<uint32_t> as_triangles(const std::vector<uint32_t>& corners, int mod
 class PrimitiveReader {
   public:
     PrimitiveReader(const GltfFile& file, const json& from, Model& model)
-        : file_(file), from_(from), attributes_(from.at("attributes")), model_(model) {}
+        : file_(file), from_(from), attributes_(from.at("attributes")), model_(model) {
+        if (const json* how = extension(from, "KHR_draco_mesh_compression")) draco_.emplace(file, *how);
+    }
 
     Mesh read(std::string name, const json& weights) {
         Mesh mesh;
         mesh.name = std::move(name);
         const size_t position = attributes_.at("POSITION").get<size_t>();
-        const std::vector<glm::vec3> positions = vectors<glm::vec3>(position);
+        const std::vector<glm::vec3> positions = vectors<glm::vec3>(attributes_, "POSITION", position);
         count_ = positions.size();
         mesh.vertices.resize(count_);
         for (size_t i = 0; i < count_; ++i) mesh.vertices[i].position = positions[i];
@@ -59,8 +62,13 @@ class PrimitiveReader {
     }
 
     template <class Vector>
-    std::vector<Vector> vectors(size_t accessor) const {
-        const std::vector<float> numbers = file_.floats(accessor, static_cast<size_t>(Vector::length()));
+    std::vector<Vector> vectors(const json& object, const std::string& key, size_t accessor) const {
+        const size_t components = static_cast<size_t>(Vector::length());
+        std::optional<std::vector<float>> unpacked;
+        if (draco_ && &object == &attributes_)
+            unpacked =
+                draco_->floats(key, components, value_or(file_.entry("accessors", accessor), "normalized", false));
+        const std::vector<float> numbers = unpacked ? *unpacked : file_.floats(accessor, components);
         std::vector<Vector> result(numbers.size() / static_cast<size_t>(Vector::length()));
         if (!numbers.empty())
             std::memcpy(static_cast<void*>(result.data()), numbers.data(), numbers.size() * sizeof(float));
@@ -72,7 +80,7 @@ class PrimitiveReader {
     std::vector<Vector> attribute(const json& object, const std::string& key) const {
         size_t index = 0;
         if (!find(object, key, index)) return {};
-        std::vector<Vector> result = vectors<Vector>(index);
+        std::vector<Vector> result = vectors<Vector>(object, key, index);
         if (result.size() != count_) file_.refuse("{} has {} values for {} vertices", key, result.size(), count_);
         return result;
     }
@@ -109,6 +117,7 @@ class PrimitiveReader {
     std::vector<uint32_t> indices() const {
         std::vector<uint32_t> corners;
         size_t index = 0;
+        if (draco_) return draco_->indices();
         if (find(from_, "indices", index)) {
             corners = file_.integers(index, 1);
         } else {
@@ -120,7 +129,8 @@ class PrimitiveReader {
     void read_joints(Deformation& how) const {
         size_t index = 0;
         if (!find(attributes_, "JOINTS_0", index)) return;
-        const std::vector<uint32_t> joints = file_.integers(index, 4);
+        const auto unpacked = draco_ ? draco_->integers("JOINTS_0", 4) : std::nullopt;
+        const std::vector<uint32_t> joints = unpacked ? *unpacked : file_.integers(index, 4);
         how.joint_weights = attribute<glm::vec4>(attributes_, "WEIGHTS_0");
         if (joints.size() != 4 * count_ || how.joint_weights.size() != count_)
             file_.refuse("JOINTS_0 and WEIGHTS_0 have {} and {} values for {} vertices", joints.size() / 4,
@@ -167,6 +177,7 @@ class PrimitiveReader {
     const json &from_, &attributes_;
     Model& model_;
     size_t count_ = 0;
+    std::optional<DracoPrimitive> draco_;
 };
 
 }  // namespace

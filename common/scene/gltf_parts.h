@@ -15,6 +15,9 @@ std::vector<Mesh> read_gltf_mesh(const GltfFile& file, size_t mesh, uint32_t def
 /// The first animation. `nodes`: of each of the file's nodes the model's, or -1.
 void read_gltf_motions(const GltfFile& file, const std::vector<int>& nodes, Model& model);
 
+/// Refuses a file that requires an extension which is not read (glTF 2.0, 3.12).
+void check_gltf_required(const GltfFile& file);
+
 /// Lists the file's extensions that are not drawn.
 void list_gltf_extensions(const GltfFile& file, Model& model);
 

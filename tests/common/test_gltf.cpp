@@ -1,6 +1,17 @@
 // glTF as the specification has it: numbers that follow from its text, and files that must be refused.
+#include <meshoptimizer.h>
 #include <unistd.h>
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+#pragma GCC diagnostic pop
+
+#include <algorithm>
+#include <array>
 #include <glm/gtc/constants.hpp>
 
 #include "common/base/error.h"
@@ -83,6 +94,136 @@ TEST_CASE("glTF: a texture transform in coordinates whose v grows upwards") {
     CHECK(flipped(flipped(place)).offset == place.offset);
 }
 
+// The extension's example: the lower left quadrant of the image, rotated clockwise by 90°. (Its GLSL turns the other way;
+// see github.com/KhronosGroup/glTF/issues/1563.)
+TEST_CASE("glTF: a texture transform turns as the extension's example says") {
+    const std::string rest = R"("nodes": [{"mesh": 0}], "textures": [{"source": 0}], "images": [{"uri": "none.png"}])";
+    const Material m = Gltf()
+                           .read(R"("emissiveTexture": {"index": 0, "extensions": {"KHR_texture_transform": {
+        "offset": [0, 1], "rotation": 1.57079632679, "scale": [0.5, 0.5]}}})",
+                                 rest)
+                           .materials[0];
+    const MapPlace place = flipped(m.emissive_map.place);  // v from the top
+    const auto placed = [&](float u, float v) { return place.turn * glm::vec2(u, v) + place.offset; };
+    CHECK(glm::length(placed(0, 0) - glm::vec2(0, 1)) < 1e-6f);
+    CHECK(glm::length(placed(1, 0) - glm::vec2(0, 0.5f)) <
+          1e-6f);  // upper right of the surface: upper left of the quadrant
+    CHECK(glm::length(placed(0, 1) - glm::vec2(0.5f, 1)) < 1e-6f);
+    CHECK(glm::length(placed(1, 1) - glm::vec2(0.5f, 0.5f)) < 1e-6f);
+}
+
+namespace {
+
+template <class T, size_t n>
+std::string encoded(const std::array<T, n>& values) {
+    std::string bytes(meshopt_encodeVertexBufferBound(n, sizeof(T)), '\0');
+    bytes.resize(meshopt_encodeVertexBuffer(reinterpret_cast<unsigned char*>(bytes.data()), bytes.size(), values.data(),
+                                            n, sizeof(T)));
+    return bytes;
+}
+
+}  // namespace
+
+// Bytes by the extension's reference encoder: positions of 16 bits, octahedral normals, indices of triangles.
+TEST_CASE("glTF: meshopt's compression and quantised attributes") {
+    using Short4 = std::array<int16_t, 4>;
+    using Byte4 = std::array<int8_t, 4>;
+    meshopt_encodeVertexVersion(0);
+    const std::array<unsigned, 3> triangle{0, 1, 2};
+    std::string indices(meshopt_encodeIndexBufferBound(3, 3), '\0');
+    indices.resize(meshopt_encodeIndexBuffer(reinterpret_cast<unsigned char*>(indices.data()), indices.size(),
+                                             triangle.data(), 3));
+    const std::array<glm::vec4, 3> directions{{{0, 0, 1, 1}, {1, 0, 0, 1}, {0, 0.6f, 0.8f, 1}}};
+    std::array<Byte4, 3> octahedral;
+    meshopt_encodeFilterOct(octahedral.data(), 3, 4, 8, &directions[0].x);
+    const std::string parts[] = {encoded(std::array<Short4, 3>{{{0, 0, 0, 0}, {32767, 0, 0, 0}, {0, -32767, 500, 0}}}),
+                                 encoded(octahedral), indices};
+    Gltf file;
+    std::string bytes, views;
+    const char* const modes[] = {R"("ATTRIBUTES", "byteStride": 8)",
+                                 R"("ATTRIBUTES", "byteStride": 4, "filter": "OCTAHEDRAL")",
+                                 R"("TRIANGLES", "byteStride": 2)"};
+    const int lengths[] = {24, 12, 6}, strides[] = {8, 4, 0};
+    for (int i = 0; i < 3; ++i) {
+        views += fmt::format(
+            R"({}{{"buffer": 1, "byteLength": {}{}, "extensions": {{"EXT_meshopt_compression": {{"buffer": 0,
+            "byteOffset": {}, "byteLength": {}, "count": 3, "mode": {}}}}}}})",
+            i ? "," : "", lengths[i], strides[i] ? fmt::format(R"(, "byteStride": {})", strides[i]) : "", bytes.size(),
+            parts[i].size(), modes[i]);
+        bytes += parts[i];
+    }
+    write_file(file.folder / "packed.bin", bytes);
+    write_file(file.folder / "packed.gltf",
+               fmt::format(R"({{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0]}}],
+        "extensionsUsed": ["EXT_meshopt_compression", "KHR_mesh_quantization"],
+        "extensionsRequired": ["EXT_meshopt_compression", "KHR_mesh_quantization"], "nodes": [{{"mesh": 0}}],
+        "buffers": [{{"uri": "packed.bin", "byteLength": {}}}, {{"byteLength": 42}}], "bufferViews": [{}],
+        "accessors": [{{"bufferView": 0, "componentType": 5122, "normalized": true, "count": 3, "type": "VEC3"}},
+                      {{"bufferView": 1, "componentType": 5120, "normalized": true, "count": 3, "type": "VEC3"}},
+                      {{"bufferView": 2, "componentType": 5123, "count": 3, "type": "SCALAR"}}],
+        "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0, "NORMAL": 1}}, "indices": 2}}]}}]}})",
+                           bytes.size(), views));
+    const Mesh mesh = import_model(file.folder / "packed.gltf").meshes.at(0);
+    REQUIRE((mesh.vertices.size() == 3 && mesh.indices == std::vector<uint32_t>{0, 1, 2}));
+    CHECK(mesh.vertices[1].position == glm::vec3(1, 0, 0));
+    CHECK(glm::length(mesh.vertices[2].position - glm::vec3(0, -1, 500 / 32767.0f)) < 1e-6f);
+    for (size_t i = 0; i < 3; ++i) CHECK(glm::length(mesh.vertices[i].normal - glm::vec3(directions[i])) < 0.01f);
+}
+
+TEST_CASE("glTF: a mesh compressed by Draco") {
+    draco::TriangleSoupMeshBuilder builder;
+    builder.Start(1);
+    const int positions = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+    const int colors = builder.AddAttribute(draco::GeometryAttribute::COLOR, 4, draco::DT_UINT8);
+    const glm::vec3 corners[] = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}};
+    const glm::u8vec4 shades[] = {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 51, 255}};
+    const draco::FaceIndex face(0);
+    builder.SetAttributeValuesForFace(positions, face, &corners[0], &corners[1], &corners[2]);
+    builder.SetAttributeValuesForFace(colors, face, &shades[0], &shades[1], &shades[2]);
+    draco::EncoderBuffer encoded;
+    REQUIRE(draco::Encoder().EncodeMeshToBuffer(*builder.Finalize(), &encoded).ok());
+    Gltf file;
+    write_file(file.folder / "packed.bin", std::string_view(encoded.data(), encoded.size()));
+    const std::string text =
+        fmt::format(R"({{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
+        "extensionsUsed": ["KHR_draco_mesh_compression"], "extensionsRequired": ["KHR_draco_mesh_compression"],
+        "buffers": [{{"uri": "packed.bin", "byteLength": {0}}}], "bufferViews": [{{"buffer": 0, "byteLength": {0}}}],
+        "accessors": [{{"componentType": 5126, "count": 3, "type": "VEC3"}},
+                      {{"componentType": 5121, "normalized": true, "count": 3, "type": "VEC4"}},
+                      {{"componentType": 5123, "count": 3, "type": "SCALAR"}}],
+        "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0, "COLOR_0": 1}}, "indices": 2, "extensions": {{
+            "KHR_draco_mesh_compression": {{"bufferView": 0, "attributes": {{"POSITION": {1}, "COLOR_0": {2}}}}}}}}}]}}]}})",
+                    encoded.size(), positions, colors);
+    write_file(file.folder / "packed.gltf", text);
+    const Mesh mesh = import_model(file.folder / "packed.gltf").meshes.at(0);
+    REQUIRE(mesh.indices.size() == 3);
+    for (int i = 0; i < 3; ++i) {  // the encoder may begin with any corner
+        const auto at = std::find_if(mesh.indices.begin(), mesh.indices.end(),
+                                     [&](uint32_t v) { return mesh.vertices[v].position == corners[i]; });
+        REQUIRE(at != mesh.indices.end());
+        CHECK(glm::length(mesh.colors[*at] - glm::vec4(shades[i]) / 255.0f) < 1e-6f);
+    }
+    write_file(file.folder / "packed.bin", std::string(encoded.size(), 'x'));
+    CHECK_THROWS_AS(import_model(file.folder / "packed.gltf"), InputError);
+}
+
+// glTF 2.0, 3.7.3.3: the sum of the joints' matrices by their weights, each the joint's transform times its inverse bind
+// matrix; the node's own transform is left out.
+TEST_CASE("glTF: a vertex between two joints") {
+    Model model;
+    model.nodes = {{"skins", -1, glm::mat4(1), {0}}, {"still", -1, glm::mat4(1), {}}, {"moved", -1, glm::mat4(1), {}}};
+    model.nodes[2].local[3] = {4, 0, 0, 1};
+    ModelSkin& skin = model.skins.emplace_back();
+    skin.joints = {1, 2}, skin.inverse_bind.assign(2, glm::mat4(1));
+    skin.inverse_bind[1][3] = {-1, 0, 0, 1};  // bound 1 m to the right: since then it has moved by 3 m
+    Mesh& mesh = model.meshes.emplace_back();
+    mesh.vertices = mesh.deformation.rest = {{{0, 0, 0}, {0, 1, 0}, {}}};
+    mesh.deformation.joints = {{0, 1, 0, 0}}, mesh.deformation.joint_weights = {{0.75f, 0.25f, 0, 0}};
+    CHECK(deformed(model, mesh, world_transforms(model), 0)[0].position == glm::vec3(0.75f, 0, 0));
+    mesh.deformation.targets = {{{{0, 2, 0}}, {}}}, mesh.deformation.weights = {0.5f};  // morphs come first
+    CHECK(deformed(model, mesh, world_transforms(model), 0)[0].position == glm::vec3(0.75f, 1, 0));
+}
+
 TEST_CASE("glTF: lights in lux and candela, cameras by node") {
     const Model model = Gltf().read("", R"("nodes": [{"mesh": 0, "children": [1, 2]}, {"camera": 0},
         {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
@@ -114,6 +255,15 @@ TEST_CASE("glTF: interpolation") {
     CHECK(at(Between::step) == 0);
     // (-2t³ + 3t²) · 1 + (t³ - 2t² + t) · 2 at t = 1/4: 0.15625 + 0.28125
     CHECK(std::abs(at(Between::cubic) - 0.4375f) < 1e-6f);
+}
+
+// glTF 2.0, 3.7.3.1: joints need a common root, which may be outside of the scene.
+TEST_CASE("glTF: joints outside of the scene") {
+    const std::string skinned = R"("skins": [{"joints": [2]}], "nodes": [{"mesh": 0}, {"children": [2], "translation":
+        [1, 0, 0], "mesh": 0}, {"translation": [0, 2, 0]}])";
+    const Model model = Gltf().read("", skinned);
+    REQUIRE((model.nodes.size() == 3 && model.nodes[1].meshes.empty()));
+    CHECK(glm::vec3(world_transforms(model)[2][3]) == glm::vec3(1, 2, 0));
 }
 
 TEST_CASE("glTF: what is left out is named once, and counted") {

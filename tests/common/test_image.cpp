@@ -1,6 +1,7 @@
 // Images on disk: they read back as written, and a file that is no image gives one clear line.
 #include <stb_image_write.h>
 #include <unistd.h>
+#include <webp/encode.h>
 
 #include <bit>
 #include <cmath>
@@ -164,6 +165,11 @@ TEST_CASE("A .hdr is linear as it stands") {
     }
     write_file(scratch / "copies.hdr", radiance(128, 1, copies));
     CHECK(read_image_linear(scratch / "copies.hdr").at(100, 0) == glm::vec3(100));
+    // The picture was multiplied by 2 and by 4 before it was written (Radiance, "File Formats", EXPOSURE).
+    std::string exposed = radiance(1, 1, "\x80\x40\x20\x84");
+    exposed.insert(exposed.find("\n\n") + 1, "EXPOSURE=2\nEXPOSURE=  4.0\n");
+    write_file(scratch / "exposed.hdr", exposed);
+    CHECK(read_image_linear(scratch / "exposed.hdr").at(0, 0) == glm::vec3(1.0f, 0.5f, 0.25f));
     CHECK(is_hdr_name("x/y.HDR"));
     CHECK_FALSE(is_hdr_name("hdr.png"));
     CHECK_THROWS_AS(read_image8(scratch / "a.hdr"), InputError);
@@ -244,6 +250,41 @@ TEST_CASE("BMP, TGA and PSD are read, and refused where they are cut off") {
             CHECK(message_of(scratch / name).find("cut off") != std::string::npos);
         }
     }
+}
+
+TEST_CASE("WebP is read, and refused where it is cut off") {
+    const Scratch scratch;
+    const Image8 image = pattern(31, 20);
+    uint8_t* encoded = nullptr;
+    const size_t size =
+        WebPEncodeLosslessRGBA(&image.pixels[0].r, image.width, image.height, 4 * image.width, &encoded);
+    const std::string bytes(encoded, encoded + size);
+    WebPFree(encoded);
+    write_file(scratch / "a.webp", bytes);
+    const Image8 back = read_image8(scratch / "a.webp");
+    REQUIRE((back.width == image.width && back.height == image.height));
+    for (size_t i = 0; i < image.pixels.size(); ++i) {
+        CHECK(back.pixels[i].a == image.pixels[i].a);
+        if (image.pixels[i].a > 0) CHECK(back.pixels[i] == image.pixels[i]);
+    }
+    write_file(scratch / "a.webp", std::string_view(bytes).substr(0, bytes.size() / 2));
+    CHECK(message_of(scratch / "a.webp").find("cut off") != std::string::npos);
+}
+
+// Truevision TGA 2.0, image descriptor: bit 4 is the order of columns, bit 5 that of rows.
+TEST_CASE("A TGA's rows run from the right where its descriptor says so") {
+    const Scratch scratch;
+    const auto append = [](void* to, void* data, int size) {
+        static_cast<std::string*>(to)->append(static_cast<const char*>(data), size_t(size));
+    };
+    const Image8 image = pattern(5, 3);
+    std::string tga;
+    stbi_write_tga_to_func(append, &tga, image.width, image.height, 4, image.pixels.data());
+    tga[17] = static_cast<char>(tga[17] ^ 0x30);
+    write_file(scratch / "turned.tga", tga);
+    const Image8 turned = read_image8(scratch / "turned.tga");
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 5; ++x) CHECK(turned.at(x, y) == image.at(4 - x, 2 - y));
 }
 
 TEST_CASE("A PNG that cannot be written leaves nothing behind") {

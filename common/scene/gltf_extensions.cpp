@@ -1,0 +1,74 @@
+// Extensions of glTF: those that are drawn, and names of the others.
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "common/scene/gltf_parts.h"
+
+namespace lightwalk {
+namespace {
+using nlohmann::json;
+
+// Extensions that are drawn, or have no effect on a picture.
+constexpr std::array<std::string_view, 14> drawn = {"KHR_materials_unlit",
+                                                    "KHR_materials_emissive_strength",
+                                                    "KHR_materials_pbrSpecularGlossiness",
+                                                    "KHR_texture_transform",
+                                                    "KHR_mesh_quantization",
+                                                    "KHR_draco_mesh_compression",
+                                                    "EXT_texture_webp",
+                                                    "EXT_meshopt_compression",
+                                                    "KHR_meshopt_compression",
+                                                    "KHR_lights_punctual",
+                                                    "EXT_mesh_gpu_instancing",
+                                                    "KHR_node_visibility",
+                                                    "KHR_xmp",
+                                                    "KHR_xmp_json_ld"};
+
+bool is_drawn(std::string_view name) { return std::find(drawn.begin(), drawn.end(), name) != drawn.end(); }
+
+// The names of the extensions anywhere in a value, without recursion: the depth is the file's choice.
+std::set<std::string> extensions_in(const json& value) {
+    std::set<std::string> names;
+    std::vector<const json*> waiting = {&value};
+    while (!waiting.empty()) {
+        const json& at = *waiting.back();
+        waiting.pop_back();
+        if (!at.is_structured()) continue;
+        for (const auto& [key, inner] : at.items()) {
+            if (at.is_object() && key == "extras") continue;
+            if (at.is_object() && key == "extensions" && inner.is_object())
+                for (const auto& [name, ignored] : inner.items()) names.insert(name);
+            waiting.push_back(&inner);
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+void check_gltf_required(const GltfFile& file) {
+    const auto required = file.root.find("extensionsRequired");
+    if (required == file.root.end()) return;
+    for (const json& name : *required)
+        if (!is_drawn(name.get<std::string>()) &&
+            name != "KHR_materials_variants")  // the materials without it are whole
+            file.refuse("it requires the extension {}, which is not read", name.get<std::string>());
+}
+
+void list_gltf_extensions(const GltfFile& file, Model& model) {
+    static constexpr std::pair<const char*, const char*> lists[] = {
+        {"materials", "material"},   {"textures", "texture"}, {"meshes", "mesh"},     {"nodes", "node"},
+        {"animations", "animation"}, {"images", "image"},     {"scenes", "scene"},    {"cameras", "camera"},
+        {"skins", "skin"},           {"bufferViews", "view"}, {"samplers", "sampler"}};
+    std::set<std::string> named;
+    for (const auto& [list, unit] : lists)
+        for (size_t i = 0; i < file.count(list); ++i)
+            for (const std::string& name : extensions_in(file.entry(list, i)))
+                if (!is_drawn(name)) leave_out(model, name, unit), named.insert(name);
+    if (const auto used = file.root.find("extensionsUsed"); used != file.root.end())
+        for (const json& name : *used)
+            if (!is_drawn(name.get<std::string>()) && !named.contains(name)) leave_out(model, name);
+}
+
+}  // namespace lightwalk
