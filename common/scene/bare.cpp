@@ -7,6 +7,7 @@
 #include "common/base/error.h"
 #include "common/image/encode.h"
 #include "common/image/image.h"
+#include "common/scene/file_view.h"
 
 namespace lightwalk {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 constexpr float ground_albedo = 0.5f;
 constexpr float shadowed_radii = 3;         // how far the soft shadow's image reaches, in radii of the model
 constexpr float ground_radii = 60;          // and the ground
+constexpr float ground_gap_radii = 2e-3f;   // below the model: its own floor, if any, is in front
 constexpr int cells = 64;                   // of that image, along each side
 constexpr size_t most_triangles = 2000000;  // that the shadow looks at
 
@@ -170,7 +172,7 @@ SceneFile scene_of_model(const std::filesystem::path& model, const Bounds& bound
 void add_ground(SceneFile& scene, const Model& model, const Bounds& bounds) {
     if (bounds.empty() || !is_lit(model)) return;
     const float radius = radius_of(bounds);
-    const glm::vec3 middle(bounds.center().x, bounds.lower.y, bounds.center().z);
+    const glm::vec3 middle(bounds.center().x, bounds.lower.y - ground_gap_radii * radius, bounds.center().z);
     LowestAbove lowest(middle, shadowed_radii * radius);
     lowest.add(model);
     Model ground;
@@ -218,6 +220,23 @@ std::string why_invisible(const Model& model, glm::vec3 eye) {
                        : "all of its triangles face away, and the file says that they have no back";
 }
 
+Camera placed(const FileCamera& from, const glm::mat4& place, float distance_m) {
+    Camera camera = from.camera;
+    camera.position = glm::vec3(place[3]);
+    camera.target = camera.position - std::max(distance_m, 1e-3f) * glm::normalize(glm::vec3(place[2]));
+    camera.up = glm::normalize(glm::vec3(place[1]));
+    return camera;
+}
+
+// KHR_lights_punctual: a node's scale changes neither intensity nor range.
+Light placed(const FileLight& from, const glm::mat4& place) {
+    Light light = from.light;
+    light.position = glm::vec3(place[3]);
+    light.direction = -glm::normalize(glm::vec3(place[2]));
+    light.shadow = true;
+    return light;
+}
+
 void use_camera_of_file(SceneFile& scene, const Model& model, size_t number) {
     const std::string file = scene.file.string();
     if (model.cameras.empty()) throw InputError("{}: --camera-of-file: the file has no camera", file);
@@ -227,21 +246,10 @@ void use_camera_of_file(SceneFile& scene, const Model& model, size_t number) {
     const auto world = world_transforms(model, 0.0f);
     const FileCamera& from = model.cameras[number - 1];
     const glm::mat4& place = world[from.node];
-    Camera& camera = scene.camera;
-    const float distance_m = glm::length(camera.target - glm::vec3(place[3]));
-    const glm::vec3 ahead = -glm::normalize(glm::vec3(place[2]));
-    camera = from.camera;
-    camera.position = glm::vec3(place[3]);
-    camera.target = camera.position + std::max(distance_m, 1e-3f) * ahead;
-    camera.up = glm::normalize(glm::vec3(place[1]));
+    scene.camera = placed(from, place, glm::length(scene.camera.target - glm::vec3(place[3])));
     if (model.lights.empty()) return;
     scene.lights.clear();
-    for (const FileLight& light : model.lights) {
-        Light& to = scene.lights.emplace_back(light.light);
-        to.position = glm::vec3(world[light.node][3]);
-        to.direction = -glm::normalize(glm::vec3(world[light.node][2]));
-        to.shadow = true;
-    }
+    for (const FileLight& light : model.lights) scene.lights.push_back(placed(light, world[light.node]));
 }
 
 }  // namespace lightwalk

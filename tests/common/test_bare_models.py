@@ -1,0 +1,64 @@
+"""A model without a scene looks right at first sight in every chapter that opens models: it is seen, and no more than a
+pixel in a hundred is clipped."""
+# Builds: 02_lambert_phong 03_attenuation 04_surface_maps 05_shadow_maps 06_deferred 07_mipmaps 12_skin 14_environment 18_playground
+import json
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from PIL import Image, ImageChops
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common" / "course"))
+from shots.rendering import Drawing  # noqa: E402
+from tree import ROOT, chapter_program  # noqa: E402
+
+CHAPTERS = ("02_lambert_phong", "03_attenuation", "04_surface_maps", "05_shadow_maps", "06_deferred", "07_mipmaps",
+            "12_skin", "14_environment", "18_playground")
+CLIPPED = 0.01
+# A white box under the default material; lamps ten times as bright as white, beside a mirror; an OBJ without materials.
+LAMPS = {"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}, {"mesh": 1, "translation": [2.5, 0, 0]}],
+         "scenes": [{"nodes": [0, 1]}], "extensionsUsed": ["KHR_materials_emissive_strength"], "materials": [
+             {"emissiveFactor": [1, 0.8, 0.6], "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 10}}},
+             {"pbrMetallicRoughness": {"roughnessFactor": 0.1}}]}
+
+
+class BareModels(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.folder = Path(scratch.name)
+        box = json.loads((ROOT / "assets/conformance/flat_normals.gltf").read_text())
+        lamps = {**LAMPS, **{key: box[key] for key in ("buffers", "bufferViews", "accessors")}}
+        primitive = box["meshes"][0]["primitives"][0]
+        lamps["meshes"] = [{"primitives": [{**primitive, "material": i}]} for i in (0, 1)]
+        (cls.folder / "lamps.gltf").write_text(json.dumps(lamps))
+        cls.models = [ROOT / "assets/conformance/flat_normals.gltf", cls.folder / "lamps.gltf",
+                      ROOT / "assets/models/bunny.obj"]
+
+    def test_seen_and_not_clipped(self):
+        for chapter in CHAPTERS:
+            if not chapter_program(chapter).exists():
+                continue
+            with Drawing(chapter, "off") as drawing:
+                for model in self.models:
+                    with self.subTest(chapter=chapter, model=model.name):
+                        self.check(drawing, model)
+
+    def check(self, drawing, model):
+        picture = self.folder / "picture.png"
+        code, wrong, _ = drawing.draw(["--scene", model, "--size", "240x135"], picture)
+        self.assertEqual(code, 0, wrong)
+        image = Image.open(picture).convert("RGB")
+        pixels = list(image.getdata())
+        self.assertLessEqual(sum(max(p) == 255 for p in pixels) / len(pixels), CLIPPED)
+        behind = Image.new("RGB", image.size, pixels[0])
+        differs = [max(p) > 8 for p in ImageChops.difference(image, behind).getdata()]
+        self.assertGreater(sum(differs) / len(differs), 0.03)
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("GALLIVM_PERF", "nopt")
+    unittest.main()
