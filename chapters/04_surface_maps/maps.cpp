@@ -126,7 +126,7 @@ Macros Maps::variant(const DrawItem& item) const {
     set("MAPS_COLORS", vertex_colors && !own.colors.empty());
     set("MAPS_TWO_SIDED", item.two_sided);
     set("MAPS_UNLIT", item.material.unlit);
-    set("SURFACE_GGX", item.material.microfacets || surface.model.is("ggx"));
+    set("SURFACE_GGX", has_microfacets(item));
     return macros;
 }
 

@@ -115,6 +115,9 @@ struct Maps : Module {
     /// Whether textures cut holes into it. Known after prepare().
     bool has_holes(const DrawItem& item) const;
 
+    /// Whether microfacets reflect light on it (GGX), rather than Blinn and Phong's model.
+    bool has_microfacets(const DrawItem& item) const { return item.material.microfacets || surface.model.is("ggx"); }
+
     /// The macros of an item's own maps.
     Macros variant(const DrawItem& item) const;
 

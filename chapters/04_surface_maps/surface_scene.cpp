@@ -40,8 +40,8 @@ std::vector<const Module*> SurfaceScene::made_of() const {
 
 std::vector<Batch> SurfaceScene::opaque_batches() const { return surfaces ? surfaces() : scene_->opaque().batches(); }
 
-std::function<void(Raster&)> SurfaceScene::by(const SurfacePipelines& both) const {
-    return [this, &both, batches = opaque_batches()](Raster& pass) {
+std::function<void(Raster&)> SurfaceScene::by(const SurfacePipelines& both, std::vector<Batch> batches) const {
+    return [this, &both, batches = std::move(batches)](Raster& pass) {
         maps.draw(pass, *scene_, batches, both.loaded, both.displaced);
     };
 }

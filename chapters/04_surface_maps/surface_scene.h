@@ -50,8 +50,9 @@ struct SurfaceScene : Drawing {
     /// The modules that shading reads.
     virtual std::vector<With> given() const;
 
-    /// Draws the opaque surfaces with the given pipelines.
-    std::function<void(Raster&)> by(const SurfacePipelines& both) const;
+    /// Draws the opaque surfaces, or some of them, with the given pipelines.
+    std::function<void(Raster&)> by(const SurfacePipelines& both) const { return by(both, opaque_batches()); }
+    std::function<void(Raster&)> by(const SurfacePipelines& both, std::vector<Batch> batches) const;
     std::vector<Batch> opaque_batches() const;
 
     Scene* scene_ = nullptr;

@@ -7,10 +7,19 @@ std::vector<With> DeferredScene::with(std::vector<With> modules) const {
     return modules;
 }
 
-std::function<void(Raster&)> DeferredScene::often_by(const SurfacePipelines& both) const {
-    return [this, draw = by(both)](Raster& pass) {
+std::function<void(Raster&)> DeferredScene::often_by(const SurfacePipelines& both, std::vector<Batch> batches) const {
+    return [this, draw = by(both, std::move(batches))](Raster& pass) {
         for (int i = 0; i < times; ++i) draw(pass);
     };
+}
+
+std::vector<Batch> DeferredScene::batches_by_stored(bool stored) const {
+    std::vector<Batch> kept;
+    for (const Batch& batch : opaque_batches()) {
+        const DrawItem& item = batch.item();
+        if (stored != (maps.has_microfacets(item) || item.material.unlit)) kept.push_back(batch);
+    }
+    return kept;
 }
 
 // [draw]
@@ -41,7 +50,8 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
     const bool forwards = gbuffer.is_forward() || gbuffer.shows_loss();
     const bool in_compute = !gbuffer.shows_loss() && shades_seen(canvas);  // a visibility buffer has depth itself
     if (depth_first || (forwards && !in_compute && lights.needs_depth()))
-        frame.raster("depth", {.depth = canvas.depth_target(), .with = with({maps})}, often_by(depth_));
+        frame.raster("depth", {.depth = canvas.depth_target(), .with = with({maps})},
+                     often_by(depth_, forwards ? opaque_batches() : batches_by_stored(true)));
 
     // 3. Either every surface, lit as it is drawn, or the G-buffer, then light on the visible surfaces, then the rest.
     gbuffer.begin(frame, view, canvas.single_depth());
@@ -50,9 +60,24 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
     const glm::vec3 ambient = rest ? glm::vec3(0.0f) : scene_->ambient();
     deferred_lights_.record(frame, *scene_, ambient, view, canvas, gbuffer, lights, {lights, shadow, gbuffer});
     add_rest(frame, canvas);
+    if (!gbuffer.show.is("picture")) return deferred_lights_.show(frame, canvas, gbuffer);
+    draw_unstored(frame, view, canvas);
     // Transparent surfaces are lit as they are drawn, by the lights of their own cells.
     if (scene_->transparent().size() > 0) lights.record(frame, *scene_, view, canvas.depth(frame));
-    if (!gbuffer.show.is("picture")) deferred_lights_.show(frame, canvas, gbuffer);
+}
+
+// Lit as they are drawn, by the lights of their own cells.
+void DeferredScene::draw_unstored(Frame& frame, const View& view, Canvas& canvas) {
+    const std::vector<Batch> batches = batches_by_stored(false);
+    if (batches.empty()) return;
+    if (lights.needs_depth())
+        frame.raster("depth of the unstored", {.depth = canvas.depth_target(), .with = with({maps})},
+                     often_by(depth_, batches));
+    lights.record(frame, *scene_, view, canvas.depth(frame));
+    frame.raster(
+        "unstored",
+        {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow})},
+        often_by(shading ? *shading : shade_, batches));
 }
 
 void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas) {
@@ -65,18 +90,20 @@ void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas)
                  {.color = {target}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow, gbuffer})},
                  often_by(loss      ? lost_
                           : shading ? *shading
-                                    : shade_));
+                                    : shade_,
+                          opaque_batches()));
 }
 
 void DeferredScene::write_gbuffer(Frame& frame, const View&, Canvas& canvas) {
     const SurfacePipelines* const pipelines[] = {&write_, &write_culled_, &write_all_, &write_left_out_};
     frame.raster("gbuffer", {.color = gbuffer.targets(), .depth = canvas.depth_target(), .with = with({maps, gbuffer})},
-                 often_by(writing ? *writing : *pipelines[static_cast<size_t>(cull)]));
+                 often_by(writing ? *writing : *pipelines[static_cast<size_t>(cull)], batches_by_stored(true)));
     gbuffer.written();
 }
 
 void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
-    const std::vector<Batch> batches = rest ? opaque_batches() : emitting(*scene_, opaque_batches());
+    const std::vector<Batch> stored = batches_by_stored(true);
+    const std::vector<Batch> batches = rest ? stored : emitting(*scene_, stored);
     if (batches.empty()) return;
     const SurfacePipelines& both = rest ? *rest : emission_;
     frame.raster(

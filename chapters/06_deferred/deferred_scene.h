@@ -7,8 +7,8 @@
 namespace lightwalk {
 
 // [deferred_scene]
-/// LitScene through a G-buffer, or as LitScene draws it where gbuffer.method is forward. Transparent surfaces are drawn
-/// as LitScene draws them.
+/// LitScene through a G-buffer, or as LitScene draws it where gbuffer.method is forward. Surfaces that a G-buffer has no
+/// room for (microfacets, unlit ones) and transparent ones are drawn as LitScene draws them.
 struct DeferredScene : LitScene {
     DeferredScene(Module& owner, std::string name) : LitScene(owner, std::move(name)), gbuffer(owner, "gbuffer") {
         lights.method.change_default("clustered");
@@ -44,7 +44,10 @@ struct DeferredScene : LitScene {
     void draw_forward(Frame& frame, const View& view, Canvas& canvas);
     void write_gbuffer(Frame& frame, const View& view, Canvas& canvas);
     void add_rest(Frame& frame, Canvas& canvas);
-    std::function<void(Raster&)> often_by(const SurfacePipelines& both) const;
+    void draw_unstored(Frame& frame, const View& view, Canvas& canvas);
+    /// The opaque surfaces that the G-buffer holds, or the others.
+    std::vector<Batch> batches_by_stored(bool stored) const;
+    std::function<void(Raster&)> often_by(const SurfacePipelines& both, std::vector<Batch> batches) const;
     std::vector<With> with(std::vector<With> modules) const;
 
     DeferredLights deferred_lights_;

@@ -23,6 +23,8 @@ class PicturesTest(ChapterPictures):
         if isinstance(scene, dict):
             file = self.folder / "scene.json"
             file.write_text(json.dumps(scene))
+        elif isinstance(scene, pathlib.Path):
+            file = scene
         else:
             file = SCENES / f"{scene}.json"
         picture = self.folder / f"{name}.png"
@@ -61,6 +63,16 @@ class PicturesTest(ChapterPictures):
                 with self.subTest(scene=name, method=method):
                     picture = self.draw(scene, "--method", method, "--volumes", "off")
                     self.assertLess(self.flip(truth, picture), most)
+
+    def test_surfaces_that_a_gbuffer_has_no_room_for(self):
+        """Microfacets (a metal in the file's own light) and unlit squares are drawn as forward draws them."""
+        for model in ("metallic_roughness_texture.gltf", "own_light.gltf", "texture.gltf"):
+            file = ROOT / "assets" / "conformance" / model
+            truth = self.draw(file, "--camera-of-file", "1", "--method", "forward", name="truth")
+            for method in ("fat", "depth", "packed", "tiled"):
+                with self.subTest(model=model, method=method):
+                    picture = self.draw(file, "--camera-of-file", "1", "--method", method)
+                    self.assertEqual(self.steps(truth, picture), (0, 0))
 
     def test_forward_shading_in_compute_draws_the_same_picture(self):
         """Over a visibility buffer, with the chapter's other surface effects; at edges the mip levels differ."""
