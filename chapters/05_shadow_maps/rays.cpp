@@ -10,12 +10,14 @@ namespace lightwalk {
 namespace {
 
 template <class Visit>
-void for_each_triangle(const DrawItem& item, const Visit& visit) {
+void for_each_triangle(const DrawItem& item, const std::vector<Vertex>& vertices, const Visit& visit) {
     const Mesh& mesh = item.model->model.meshes[item.mesh];
     const Part& part = mesh.parts[item.part];
     for (uint32_t i = part.first_index; i + 2 < part.first_index + part.index_count; i += 3)
-        visit(mesh.vertices[mesh.indices[i]], mesh.vertices[mesh.indices[i + 1]], mesh.vertices[mesh.indices[i + 2]]);
+        visit(vertices[mesh.indices[i]], vertices[mesh.indices[i + 1]], vertices[mesh.indices[i + 2]]);
 }
+
+const Mesh& mesh_of(const DrawItem& item) { return item.model->model.meshes[item.mesh]; }
 
 // The scene's textures that cut holes, as numbers, each once. The first mask is one texel of 255: nothing is cut.
 class Masks {
@@ -49,22 +51,31 @@ class Masks {
 
 }  // namespace
 
-std::vector<RayTriangle> ray_triangles(const Scene& scene) {
+std::vector<RayTriangle> ray_triangles(const Scene& scene, float time_s) {
     std::vector<RayTriangle> triangles;
-    for (const DrawItem& item : scene.items)
-        if (!item.transparent)
-            for_each_triangle(item, [&](const Vertex& a, const Vertex& b, const Vertex& c) {
-                const auto placed = [&](const Vertex& v) {
-                    return glm::vec3(item.transform * glm::vec4(v.position, 1.0f));
-                };
-                triangles.push_back({placed(a), placed(b), placed(c), NO_CUTOUT});
-            });
+    std::map<const Mesh*, std::vector<Vertex>> moved;  // by skins and morphs
+    for (const DrawItem& item : scene.items) {
+        if (item.transparent) continue;
+        const Mesh& mesh = mesh_of(item);
+        const auto vertices = [&]() -> const std::vector<Vertex>& {
+            if (!mesh.deformation) return mesh.vertices;
+            const auto [place, added] = moved.try_emplace(&mesh);
+            if (added) place->second = deformed(item.model->model, mesh, item.model->nodes, time_s);
+            return place->second;
+        };
+        for_each_triangle(item, vertices(), [&](const Vertex& a, const Vertex& b, const Vertex& c) {
+            const auto placed = [&](const Vertex& v) {
+                return glm::vec3(item.transform * glm::vec4(v.position, 1.0f));
+            };
+            triangles.push_back({placed(a), placed(b), placed(c), NO_CUTOUT});
+        });
+    }
     return triangles;
 }
 
-void SceneRays::build(Gpu& gpu, const Scene& scene) {
+void SceneRays::build(Gpu& gpu, const Scene& scene, float time_s) {
     built_ = true;
-    std::vector<RayTriangle> triangles = ray_triangles(scene);
+    std::vector<RayTriangle> triangles = ray_triangles(scene, time_s);
     Masks masks(gpu);
     std::vector<RayCutout> with_holes;
     size_t next = 0;
@@ -72,7 +83,7 @@ void SceneRays::build(Gpu& gpu, const Scene& scene) {
         if (item.transparent) continue;
         const uint32_t color = masks.of(item.maps[MapSlot::diffuse], 3);
         const uint32_t opacity = masks.of(item.maps[MapSlot::opacity], 0);
-        for_each_triangle(item, [&](const Vertex& a, const Vertex& b, const Vertex& c) {
+        for_each_triangle(item, mesh_of(item).vertices, [&](const Vertex& a, const Vertex& b, const Vertex& c) {
             RayTriangle& triangle = triangles.at(next++);
             if (color == 0 && opacity == 0) return;
             triangle.cutout = static_cast<uint32_t>(with_holes.size());
@@ -92,13 +103,13 @@ void SceneRays::build(Gpu& gpu, const Scene& scene) {
 }
 
 void SceneRays::record(Frame& frame, const Scene& scene, const Maps* maps) {
-    if (!built_) build(frame.gpu, scene);
+    if (!built_) build(frame.gpu, scene, frame.time_s);
     if (maps) {
         state_.cutoff = maps->cutoff, state_.wobble = maps->wobble, state_.scroll = maps->scroll;
         state_.color_cuts = maps->diffuse, state_.opacity_cuts = maps->opacity, state_.time_s = frame.time_s;
     }
     if (scene.placed == placed_) return;
-    bvh_.refit(ray_triangles(scene));
+    bvh_.refit(ray_triangles(scene, frame.time_s));
     placed_ = scene.placed;
     set_offset();
     frame.upload("ray nodes", nodes_, bvh_.nodes());

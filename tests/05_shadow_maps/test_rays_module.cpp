@@ -92,6 +92,17 @@ TEST_CASE("rays meet what is placed where it is now, mirrored and from either si
     CHECK(test.gpu.uploaded_bytes == before);
 }
 
+TEST_CASE("rays meet skins and morphs where they are by now") {
+    RayScene morph({object_at("conformance/moving_morph_weights.gltf", {0, 0, 0})});
+    CHECK(morph.blocked() == 1);  // a square from -1 to 1, which moves to the right by 2 m in 1 s
+    animate(morph.scene, morph.time_s = 0.5f);
+    CHECK(morph.blocked() == Approx(0.5).margin(0.01));
+    RayScene skin({object_at("conformance/moving_skin.gltf", {0, 0, 0})});
+    CHECK(skin.blocked() == Approx(0.5).margin(0.01));  // its upper edge is 2 m to the right, then above the lower one
+    animate(skin.scene, skin.time_s = 0.5f);
+    CHECK(skin.blocked() == Approx(1).margin(0.01));
+}
+
 TEST_CASE("an empty scene stops no ray") {
     RayScene test({});
     CHECK(test.blocked() == 0);
