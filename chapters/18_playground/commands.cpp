@@ -113,13 +113,17 @@ EntryId add_light(Document& document, const Light& light) {
     return id;
 }
 
-std::vector<EntryId> scatter(Document& document, const Bounds& where, int count, unsigned seed) {
-    document.begin(fmt::format("scatter {} {}", count, count == 1 ? "light" : "lights"));
+std::vector<EntryId> add_lights(Document& document, const std::string& step, const std::vector<Light>& lights) {
+    document.begin(step);
     std::vector<EntryId> ids;
-    for (const Light& light : scatter_lights(where, count, seed))
-        ids.push_back(document.add(root_entry, {.what = light}));
+    for (const Light& light : lights) ids.push_back(document.add(root_entry, {.what = light}));
     document.commit();
     return ids;
+}
+
+std::vector<EntryId> scatter(Document& document, const Bounds& where, int count, unsigned seed) {
+    return add_lights(document, fmt::format("scatter {} {}", count, count == 1 ? "light" : "lights"),
+                      scatter_lights(where, count, seed));
 }
 
 Said remove(Document& document, const std::vector<EntryId>& ids) {

@@ -46,6 +46,7 @@ std::vector<EntryId> movable(const Document& document, const std::vector<EntryId
 // [commands]
 EntryId add_object(Document& document, SceneObject object, EntryId parent = root_entry);
 EntryId add_light(Document& document, const Light& light);
+std::vector<EntryId> add_lights(Document& document, const std::string& step, const std::vector<Light>& lights);
 /// Point and spot lights over `where`, as chapter 03 scatters them.
 std::vector<EntryId> scatter(Document& document, const Bounds& where, int count, unsigned seed);
 Said remove(Document& document, const std::vector<EntryId>& ids);

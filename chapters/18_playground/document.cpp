@@ -14,8 +14,9 @@ Document::Document() : Document(SceneFile{}) {}
 Document::Document(const SceneFile& scene) {
     slots_.resize(2);
     put(root_entry,
-        std::make_shared<Entry>(Entry{.what = SceneSettings{scene.camera, scene.ambient, scene.background,
-                                                            scene.environment, scene.music, scene.knobs}}),
+        std::make_shared<Entry>(
+            Entry{.what = SceneSettings{scene.camera, scene.ambient, scene.background, scene.environment, scene.music,
+                                        scene.knobs, scene.bare, scene.emission}}),
         ++versions_);
     count_ = 0;
     std::unordered_map<std::string, EntryId> by_name;

@@ -20,6 +20,8 @@ struct SceneSettings {
     Environment environment{};
     SceneMusic music{};
     std::map<std::string, std::string> knobs{};
+    bool bare = false;  ///< as SceneFile has it
+    float emission = 1;
 };
 
 // [entry]

@@ -64,6 +64,12 @@ class Editor {
     /// A model in front of the camera, on the scene's ground.
     EntryId add_model(const Chapter& chapter, const std::filesystem::path& model);
     EntryId add_light(const Chapter& chapter, Light::Kind kind);
+    /// Cameras and lights of an object's model file, in the world.
+    struct Offered {
+        std::vector<std::pair<std::string, Camera>> cameras;  ///< by name
+        std::vector<Light> lights;
+    };
+    Offered offered(const Scene& scene, EntryId object) const;
     void export_to(const Scene& scene, const std::filesystem::path& file);
 
   private:

@@ -1,7 +1,11 @@
 // The editor's entries: selection, drawn items, and new entries.
 #include "18_playground/editor.h"
+
+#include <algorithm>
+
 #include "18_playground/gltf.h"
 #include "common/base/files.h"
+#include "common/scene/file_view.h"
 
 namespace lightwalk {
 
@@ -108,9 +112,28 @@ EntryId Editor::add_light(const Chapter& chapter, Light::Kind kind) {
     return id;
 }
 
+Editor::Offered Editor::offered(const Scene& scene, EntryId object) const {
+    Offered all;
+    const uint32_t place = live.object_of(object);
+    const auto item =
+        std::find_if(scene.items.begin(), scene.items.end(), [&](const DrawItem& one) { return one.object == place; });
+    if (item == scene.items.end()) return all;
+    const Model& model = item->model->model;
+    const glm::mat4 world = world_of(document, object);
+    const auto node = [&](uint32_t number) { return world * item->model->nodes[number]; };
+    for (const FileCamera& camera : model.cameras) {
+        const float distance_m = glm::length(scene.bounds.center() - glm::vec3(node(camera.node)[3]));
+        const std::string number = std::to_string(all.cameras.size() + 1);
+        all.cameras.emplace_back(camera.name.empty() ? number : camera.name,
+                                 placed(camera, node(camera.node), distance_m));
+    }
+    for (const FileLight& light : model.lights) all.lights.push_back(placed(light, node(light.node)));
+    return all;
+}
+
 void Editor::export_to(const Scene& scene, const std::filesystem::path& file) {
-    export_gltf(document, scene, file);
-    notice = "exported " + file.string();
+    const std::string left_out = export_gltf(document, scene, file);
+    notice = "exported " + file.string() + (left_out.empty() ? "" : "; left out: " + left_out);
 }
 
 }  // namespace lightwalk

@@ -72,7 +72,19 @@ void PropertiesPanel::draw_object(EntryId id) {
     edit_numbers(object_property("position"), "position", "Position in the parent's space, in metres", 0.001f * size);
     edit_numbers(object_property("rotation"), "rotation", "Rotation about x, then y, then z, in degrees", 0.5f);
     edit_numbers(object_property("scale"), "scale", "Scale along the object's own axes; negative: mirrored", 0.01f);
-    if (!editor.document.at(id).object()->model.empty()) draw_material(id);
+    if (editor.document.at(id).object()->model.empty()) return;
+    draw_offers(id);
+    draw_material(id);
+}
+
+void PropertiesPanel::draw_offers(EntryId id) {
+    const Editor::Offered file = editor.offered(scene, id);
+    for (const auto& [name, camera] : file.cameras)
+        if (tool_button(("camera " + name).c_str(), "Look through this camera of the model's file"))
+            view_.chapter.camera = camera, view_.changed = true;
+    const std::string words = fmt::format("add its {} light{}", file.lights.size(), file.lights.size() == 1 ? "" : "s");
+    if (!file.lights.empty() && tool_button(words.c_str(), "The lights of the model's file become lights of the scene"))
+        editor.selection.set(add_lights(editor.document, words, file.lights));
 }
 
 void PropertiesPanel::draw_material(EntryId id) {

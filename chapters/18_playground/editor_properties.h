@@ -19,6 +19,7 @@ class PropertiesPanel : public EditorPart {
   private:
     void draw_switches(EntryId id);
     void draw_object(EntryId id);
+    void draw_offers(EntryId id);
     void draw_material(EntryId id);
     void draw_light(EntryId id);
     /// A field of a property of together_: an edit applies to all of them.

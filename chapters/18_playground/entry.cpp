@@ -42,7 +42,7 @@ bool same_entry(const Entry& a, const Entry& b) {
            s.environment.rotation_deg == t.environment.rotation_deg && s.music.file == t.music.file &&
            s.camera.position == t.camera.position && s.camera.target == t.camera.target && s.camera.up == t.camera.up &&
            s.camera.fov_y_rad == t.camera.fov_y_rad && s.camera.near_m == t.camera.near_m &&
-           s.camera.far_m == t.camera.far_m;
+           s.camera.far_m == t.camera.far_m && s.bare == t.bare && s.emission == t.emission;
 }
 
 std::vector<EntryId> with_children(const Document& document, EntryId id) {

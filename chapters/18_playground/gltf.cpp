@@ -11,7 +11,6 @@
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/base/write_files.h"
-#include "common/image/encode.h"
 
 namespace lightwalk {
 namespace fs = std::filesystem;
@@ -26,135 +25,51 @@ constexpr int float_component = 5126, index_component = 5125, vertex_target = 34
 class Exporter {
   public:
     Exporter(const Document& document, const Scene& scene, const fs::path& target)
-        : document_(document), scene_(scene), folder_(fs::absolute(target).parent_path()), target_(target) {
+        : document_(document), scene_(scene) {
+        writer.target = target;
         for (uint32_t i = 0; i < scene.items.size(); ++i) items_[scene.items[i].object].push_back(i);
         const Exported all = exported(document);
         for (uint32_t i = 0; i < all.objects.size(); ++i) places_[all.objects[i]] = i;
     }
 
     json whole(const std::string& buffer_name) {
-        out_["asset"] = {{"version", "2.0"}, {"generator", "Lightwalk chapter 18"}};
+        json& out = writer.out;
+        out["asset"] = {{"version", "2.0"}, {"generator", "Lightwalk chapter 18"}};
         for (const char* key :
              {"nodes", "meshes", "materials", "accessors", "bufferViews", "textures", "images", "samplers"})
-            out_[key] = json::array();
+            out[key] = json::array();
         json roots = json::array();
         for (const EntryId id : document_.at(root_entry).children)
             if (const int node = add(id); node >= 0) roots.push_back(node);
         roots.push_back(add_camera());
-        out_["scene"] = 0;
-        out_["scenes"] = json::array({{{"nodes", roots}}});
-        out_["buffers"] = json::array({{{"uri", buffer_name}, {"byteLength", bytes.size()}}});
+        if (scene_.file.ambient != glm::vec3(0.0f)) leave_out(left_out, "light from all sides");
+        if (scene_.file.environment) leave_out(left_out, "environment");
+        out["scene"] = 0;
+        out["scenes"] = json::array({{{"nodes", roots}}});
+        out["buffers"] = json::array({{{"uri", buffer_name}, {"byteLength", writer.bytes.size()}}});
         for (const char* key : {"meshes", "materials", "accessors", "bufferViews", "textures", "images", "samplers"})
-            if (out_[key].empty()) out_.erase(key);
-        if (bytes.empty()) out_.erase("buffers");
+            if (out[key].empty()) out.erase(key);
+        if (writer.bytes.empty()) out.erase("buffers");
         if (!lights_.empty()) {
-            extensions_.insert("KHR_lights_punctual");
-            out_["extensions"]["KHR_lights_punctual"]["lights"] = lights_;
+            writer.extensions.insert("KHR_lights_punctual");
+            out["extensions"]["KHR_lights_punctual"]["lights"] = lights_;
         }
-        if (!extensions_.empty()) out_["extensionsUsed"] = extensions_;
-        return out_;
+        if (!writer.extensions.empty()) out["extensionsUsed"] = writer.extensions;
+        return out;
     }
-    std::string bytes;                      ///< of the buffer
-    std::map<fs::path, std::string> files;  ///< textures that are made here, beside the target
+
+    GltfWriter writer;
+    Model left_out;  ///< properties without a place in glTF
 
   private:
-    int push(const char* key, json value) {
-        out_[key].push_back(std::move(value));
-        return static_cast<int>(out_[key].size()) - 1;
-    }
-
     template <class T>
     int accessor(const std::vector<T>& values, int component, const char* type, int target, json limits = {}) {
-        while (bytes.size() % 4) bytes.push_back('\0');
-        const json view{
-            {"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", values.size() * sizeof(T)}, {"target", target}};
-        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-        json own{{"bufferView", push("bufferViews", view)},
+        json own{{"bufferView", writer.view(std::as_bytes(std::span(values)), target)},
                  {"componentType", component},
                  {"count", values.size()},
                  {"type", type}};
         own.update(limits.is_null() ? json::object() : limits);
-        return push("accessors", own);
-    }
-
-    // An image of the model's file goes into the buffer; one with options of its material is made here.
-    int image(const TextureUse& use) {
-        const std::string key = use.key();
-        if (const auto known = images_.find(key); known != images_.end()) return known->second;
-        const TextureMap& map = use.map;
-        if (use.as != TextureUse::As::stored || map.channel || map.base_gain != glm::vec2(0, 1)) {
-            const fs::path file = beside(fmt::format("made{}", images_.size()));
-            files[file] = encode_png(picture_of(use));
-            return images_[key] = push("images", {{"uri", uri_of(file)}});
-        }
-        if (!map.bytes) return images_[key] = push("images", {{"uri", uri_of(map.file)}});
-        const bool is_png = map.bytes->size() > 3 && (*map.bytes)[1] == std::byte{'P'};
-        while (bytes.size() % 4) bytes.push_back('\0');
-        const json view{{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", map.bytes->size()}};
-        bytes.append(reinterpret_cast<const char*>(map.bytes->data()), map.bytes->size());
-        return images_[key] = push("images", {{"bufferView", push("bufferViews", view)},
-                                              {"mimeType", is_png ? "image/png" : "image/jpeg"}});
-    }
-
-    fs::path beside(const std::string& what) const {
-        fs::path file = target_;
-        file.replace_filename(fmt::format("{}.{}.png", target_.stem().string(), what));
-        return file;
-    }
-
-    std::string uri_of(const fs::path& file) const {
-        std::error_code error;
-        const fs::path near = fs::relative(file, folder_, error);
-        return escaped((error || near.empty() ? file : near).generic_string());
-    }
-
-    // A texture and where it lies.
-    json texture(const TextureUse& use) {
-        json own{{"source", image(use)}};
-        if (use.map.sampler != Sampler{}) own["sampler"] = sampler(use.map.sampler);
-        const std::string key = own.dump();
-        auto [known, is_new] = textures_.try_emplace(key, 0);
-        if (is_new) known->second = push("textures", own);
-        json info{{"index", known->second}};
-        const MapPlace& place = use.map.place;
-        if (place.set > 0) info["texCoord"] = place.set;
-        if (place.turn == glm::mat2(1.0f) && place.offset == glm::vec2(0.0f)) return info;
-        extensions_.insert("KHR_texture_transform");
-        info["extensions"]["KHR_texture_transform"] = transform_of(flipped(place));
-        return info;
-    }
-
-    // Of a turn and a scale: columns sx (c, -s) and sy (s, c).
-    static json transform_of(const MapPlace& place) {
-        const float along = glm::length(place.turn[0]);
-        return {{"offset", {place.offset.x, place.offset.y}},
-                {"rotation", std::atan2(-place.turn[0].y, place.turn[0].x)},
-                {"scale", {along, along > 0 ? glm::determinant(place.turn) / along : 1.0f}}};
-    }
-
-    int sampler(const Sampler& from) {
-        const auto wrap = [](Wrap w) { return w == Wrap::clamp ? 33071 : w == Wrap::mirror ? 33648 : 10497; };
-        const bool nearest = from.filter == Filter::nearest;
-        json own{{"wrapS", wrap(from.wrap)},
-                 {"wrapT", wrap(from.wrap_v.value_or(from.wrap))},
-                 {"magFilter", nearest ? 9728 : 9729},
-                 {"minFilter", from.max_lod == 0 ? (nearest ? 9728 : 9729)
-                               : nearest         ? 9986
-                                                 : 9987}};
-        const std::string key = own.dump();
-        const auto [known, is_new] = samplers_.try_emplace(key, 0);
-        if (is_new) known->second = push("samplers", own);
-        return known->second;
-    }
-
-    // The colours of `color` with the alpha of `opacity`, in a file of its own.
-    fs::path with_opacity(const std::optional<TextureUse>& color, const TextureUse& opacity) {
-        fs::path& file = cutouts_[{color ? color->key() : "", opacity.key()}];
-        if (!file.empty()) return file;
-        file = beside(fmt::format("cutout{}", cutouts_.size()));
-        files[file] = encode_png(
-            color_with_opacity(color ? picture_of(*color) : Image8(1, 1, glm::u8vec4(255)), picture_of(opacity)));
-        return file;
+        return writer.push("accessors", own);
     }
 
     // Whether textures cut holes into it: an opacity map, or the alpha of its colours.
@@ -163,16 +78,6 @@ class Exporter {
         if (item.material.alpha_cutoff > 0.0f) return true;
         const auto& color = item.loaded_maps[MapSlot::diffuse];
         return item.maps[MapSlot::opacity] || (color && scene_.images()->has_alpha(*color));
-    }
-
-    // A URI: characters other than letters, digits and -._~/ as %NN.
-    static std::string escaped(const std::string& text) {
-        std::string uri;
-        for (const unsigned char c : text)
-            uri += std::isalnum(c) || std::string_view("-._~/").find(char(c)) != std::string_view::npos
-                       ? std::string(1, char(c))
-                       : fmt::format("%{:02X}", c);
-        return uri;
     }
 
     // A slot's texture: the scene file's, or the model's.
@@ -196,38 +101,41 @@ class Exporter {
     }
 
     json emission(const Material& m, json& extensions) {
-        const float strength = std::max({m.emissive.r, m.emissive.g, m.emissive.b});
-        if (!(strength > 1.0f)) return list(m.emissive);
-        extensions_.insert("KHR_materials_emissive_strength");
+        const glm::vec3 emitted = scene_.file.emission * m.emissive;
+        const float strength = std::max({emitted.r, emitted.g, emitted.b});
+        if (!(strength > 1.0f)) return list(emitted);
+        writer.extensions.insert("KHR_materials_emissive_strength");
         extensions["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;
-        return list(m.emissive / strength);
+        return list(emitted / strength);
     }
 
     int material(const DrawItem& item, const SceneObject& object) {
         const Material& m = item.material;
         json own{{"name", clean_name(m.name)}};
         const auto set = [&](json& into, const char* key, MapSlot slot) {
-            if (const auto use = use_of(item, object, slot)) into[key] = texture(*use);
+            if (const auto use = use_of(item, object, slot)) into[key] = textures_.texture(*use);
             return into.contains(key);
         };
         json& pbr = own["pbrMetallicRoughness"];
         pbr["baseColorFactor"] = {m.diffuse.x, m.diffuse.y, m.diffuse.z, m.opacity};
         const glm::vec2 numbers = metalness_and_roughness(item);
         const bool by_orm = set(pbr, "metallicRoughnessTexture", MapSlot::orm);
+        if (by_orm) set(own, "occlusionTexture", MapSlot::orm);
         if (!by_orm) set(pbr, "metallicRoughnessTexture", MapSlot::metallic_roughness);
         pbr["metallicFactor"] = by_orm ? 1.0f : numbers.x, pbr["roughnessFactor"] = by_orm ? 1.0f : numbers.y;
         const auto color = use_of(item, object, MapSlot::diffuse), opacity = use_of(item, object, MapSlot::opacity);
         if (opacity)
-            pbr["baseColorTexture"] = texture(TextureUse{.map = {.file = with_opacity(color, *opacity)}});
+            pbr["baseColorTexture"] = textures_.texture(color, *opacity);
         else if (color)
-            pbr["baseColorTexture"] = texture(*color);
+            pbr["baseColorTexture"] = textures_.texture(*color);
         if (set(own, "normalTexture", MapSlot::normal)) own["normalTexture"]["scale"] = m.normal_scale;
-        if (set(own, "occlusionTexture", MapSlot::occlusion))
+        if (!by_orm && set(own, "occlusionTexture", MapSlot::occlusion))
             own["occlusionTexture"]["strength"] = m.occlusion_strength;
         set(own, "emissiveTexture", MapSlot::emissive);
         json extensions = json::object();
         own["emissiveFactor"] = emission(m, extensions);
-        if (m.unlit) extensions["KHR_materials_unlit"] = json::object(), extensions_.insert("KHR_materials_unlit");
+        if (m.unlit)
+            extensions["KHR_materials_unlit"] = json::object(), writer.extensions.insert("KHR_materials_unlit");
         if (!extensions.empty()) own["extensions"] = extensions;
         if (item.two_sided) own["doubleSided"] = true;
         own["alphaMode"] = item.transparent ? "BLEND" : is_cut_out(item) ? "MASK" : "OPAQUE";
@@ -237,7 +145,16 @@ class Exporter {
             own["alphaCutoff"] = m.alpha_cutoff > 0 ? m.alpha_cutoff : std::stof(cutoff->second);
         const std::string key = own.dump();
         if (const auto known = materials_.find(key); known != materials_.end()) return known->second;
-        return materials_[key] = push("materials", own);
+        name_left_out(item);
+        return materials_[key] = writer.push("materials", own);
+    }
+
+    void name_left_out(const DrawItem& item) {
+        const Material& m = item.material;
+        if (m.specular != glm::vec3(0.0f) && !m.metallic_roughness) leave_out(left_out, "specular colours", "material");
+        for (const MapSlot slot :
+             {MapSlot::specular, MapSlot::height, MapSlot::gloss, MapSlot::detail_normal, MapSlot::displacement})
+            if (item.loaded_maps[slot]) leave_out(left_out, map_slots()[size_t(slot)].name + " maps", "material");
     }
 
     // Vertices of a mesh, once; indices of a part, once.
@@ -292,21 +209,24 @@ class Exporter {
                   {"translation", list(object.position)},
                   {"rotation", {q.x, q.y, q.z, q.w}},
                   {"scale", list(object.scale)}};
+        if (object.motion) leave_out(left_out, "motions", "object");
         json children = json::array();
         std::map<uint32_t, json> by_node;
         for (const uint32_t i : items_[places_.at(id)])
             by_node[scene_.items[i].node].push_back(primitive(scene_.items[i], object));
         for (const auto& [of_node, primitives] : by_node) {
             const GpuModel& model = *scene_.items[items_[places_.at(id)].front()].model;
-            const int mesh = push("meshes", {{"primitives", primitives}});
+            if (!model.model.motions.empty() && of_node == by_node.begin()->first)
+                leave_out(left_out, "animations", "object");
+            const int mesh = writer.push("meshes", {{"primitives", primitives}});
             const std::string name = clean_name(model.model.nodes[of_node].name);
             children.push_back(
-                push("nodes", {{"name", name}, {"matrix", matrix(model.nodes[of_node])}, {"mesh", mesh}}));
+                writer.push("nodes", {{"name", name}, {"matrix", matrix(model.nodes[of_node])}, {"mesh", mesh}}));
         }
         for (const EntryId child : entry.children)
             if (const int below = add(child); below >= 0) children.push_back(below);
         if (!children.empty()) node["children"] = children;
-        return push("nodes", node);
+        return writer.push("nodes", node);
     }
 
     // Lights and cameras look along -z.
@@ -328,41 +248,39 @@ class Exporter {
                            {"outerConeAngle", std::clamp(light.outer_rad, 1e-3f, 1.5707f)}};
         lights_.push_back(own);
         const glm::quat q = along(light.direction);
-        return push("nodes",
-                    {{"name", light.name.empty() ? fmt::format("light {}", lights_.size()) : clean_name(light.name)},
-                     {"translation", list(light.position)},
-                     {"rotation", {q.x, q.y, q.z, q.w}},
-                     {"extensions", {{"KHR_lights_punctual", {{"light", lights_.size() - 1}}}}}});
+        return writer.push(
+            "nodes", {{"name", light.name.empty() ? fmt::format("light {}", lights_.size()) : clean_name(light.name)},
+                      {"translation", list(light.position)},
+                      {"rotation", {q.x, q.y, q.z, q.w}},
+                      {"extensions", {{"KHR_lights_punctual", {{"light", lights_.size() - 1}}}}}});
     }
 
     int add_camera() {
         const Camera& camera = document_.settings().camera;
         json lens{{"yfov", camera.fov_y_rad}, {"znear", camera.near_m}};
         if (std::isfinite(camera.far_m)) lens["zfar"] = camera.far_m;
-        out_["cameras"] = json::array({{{"type", "perspective"}, {"perspective", lens}}});
+        writer.out["cameras"] = json::array({{{"type", "perspective"}, {"perspective", lens}}});
         const glm::quat q = along(camera.target - camera.position, camera.up);
-        return push("nodes", {{"name", "camera"},
-                              {"translation", list(camera.position)},
-                              {"rotation", {q.x, q.y, q.z, q.w}},
-                              {"camera", 0}});
+        return writer.push("nodes", {{"name", "camera"},
+                                     {"translation", list(camera.position)},
+                                     {"rotation", {q.x, q.y, q.z, q.w}},
+                                     {"camera", 0}});
     }
 
     const Document& document_;
     const Scene& scene_;
-    const fs::path folder_, target_;
-    json out_, lights_ = json::array();
+    json lights_ = json::array();
+    GltfTextures textures_{writer};
     std::map<uint32_t, std::vector<uint32_t>> items_;
     std::unordered_map<EntryId, uint32_t> places_;
-    std::map<std::string, int> images_, textures_, samplers_, materials_;
-    std::set<std::string> extensions_;
-    std::map<std::pair<std::string, std::string>, fs::path> cutouts_;
+    std::map<std::string, int> materials_;
     std::map<const Mesh*, json> vertices_;
     std::map<const Part*, int> indices_;
 };
 
 }  // namespace
 
-void export_gltf(const Document& document, const Scene& scene, const fs::path& file) {
+std::string export_gltf(const Document& document, const Scene& scene, const fs::path& file) {
     const fs::path target = file.extension() == ".gltf" ? file : fs::path(file.string() + ".gltf");
     fs::path buffer = target;
     buffer.replace_extension(".bin");
@@ -372,9 +290,11 @@ void export_gltf(const Document& document, const Scene& scene, const fs::path& f
             throw InputError("{}: the scene shows this file; save the scene under another name first", target.string());
     check_writable(target);
     Exporter exporter(document, scene, target);
-    exporter.files[target] = exporter.whole(clean_name(buffer.filename().string())).dump(1, '\t') + "\n";
-    if (!exporter.bytes.empty()) exporter.files[buffer] = std::move(exporter.bytes);
-    write_files(exporter.files);
+    GltfWriter& writer = exporter.writer;
+    writer.files[target] = exporter.whole(clean_name(buffer.filename().string())).dump(1, '\t') + "\n";
+    if (!writer.bytes.empty()) writer.files[buffer] = std::move(writer.bytes);
+    write_files(writer.files);
+    return left_out_text(exporter.left_out);
 }
 
 }  // namespace lightwalk

@@ -74,6 +74,7 @@ LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, co
     if (changes.entries.empty() && !changes.structure) return Done::nothing;
     const SceneSettings& settings = document.settings();
     scene.file.ambient = settings.ambient, scene.file.background = settings.background;
+    scene.file.bare = settings.bare, scene.file.emission = settings.emission;
     const Environment& shown = scene.file.environment;
     try {
         if (settings.environment.image != shown.image)

@@ -21,6 +21,7 @@ namespace {
 void give(SceneFile& scene, const SceneSettings& settings) {
     scene.camera = settings.camera, scene.ambient = settings.ambient, scene.background = settings.background;
     scene.environment = settings.environment, scene.music = settings.music, scene.knobs = settings.knobs;
+    scene.bare = settings.bare, scene.emission = settings.emission;
     if (!scene.knobs.empty()) scene.knobs_of = "18_playground";
 }
 

@@ -1,5 +1,11 @@
 // Export to glTF: the file is read back by Assimp, and is written whole or not at all.
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <glm/gtc/constants.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "18_playground/gltf.h"
 #include "18_playground/playground.h"
@@ -8,6 +14,74 @@
 #include "editor_fixture.h"
 
 using namespace lightwalk;
+
+namespace {
+
+void check_lights_and_camera(const SceneFile& scene, const Model& back) {
+    const auto worlds = world_transforms(back);
+    REQUIRE((back.cameras.size() == 1 && back.lights.size() == scene.lights.size()));
+    const auto ahead = [&](uint32_t node) { return -glm::vec3(worlds[node][2]); };
+    const FileCamera& camera = back.cameras[0];
+    const glm::vec3 to_target = glm::normalize(scene.camera.target - scene.camera.position);
+    CHECK(glm::length(glm::vec3(worlds[camera.node][3]) - scene.camera.position) < 1e-5f);
+    CHECK(glm::length(ahead(camera.node) - to_target) < 1e-5f);
+    const glm::vec3 right = glm::normalize(glm::cross(to_target, scene.camera.up));  // the camera's roll
+    CHECK(glm::length(glm::vec3(worlds[camera.node][0]) - right) < 1e-5f);
+    CHECK(std::abs(camera.camera.fov_y_rad - scene.camera.fov_y_rad) < 1e-6f);
+    for (size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light &one = scene.lights[i], &other = back.lights[i].light;
+        CHECK(one.kind == other.kind);
+        CHECK(one.color == other.color);
+        CHECK(std::abs(one.intensity - other.intensity) < 1e-5f * one.intensity);
+        if (one.kind != Light::Kind::point)
+            CHECK(glm::length(ahead(back.lights[i].node) - glm::normalize(one.direction)) < 1e-5f);
+        if (one.kind == Light::Kind::directional) continue;
+        CHECK(glm::vec3(worlds[back.lights[i].node][3]) == one.position);
+        CHECK(one.range_m == other.range_m);
+        if (one.kind == Light::Kind::spot)
+            CHECK((one.inner_rad == other.inner_rad && one.outer_rad == other.outer_rad));
+    }
+}
+
+size_t triangle_count(const Model& model) {
+    size_t count = 0;
+    for (const Node& node : model.nodes)
+        for (const uint32_t mesh : node.meshes) count += model.meshes[mesh].indices.size() / 3;
+    return count;
+}
+
+// Meshes at several nodes count at each.
+size_t triangle_count(const aiScene& scene, const aiNode& node) {
+    size_t count = 0;
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) count += scene.mMeshes[node.mMeshes[i]]->mNumFaces;
+    for (unsigned i = 0; i < node.mNumChildren; ++i) count += triangle_count(scene, *node.mChildren[i]);
+    return count;
+}
+
+}  // namespace
+
+// For test_round_trip.py: scenes, one a line, each to out.gltf beside it.
+TEST_CASE("scenes are exported, and read back by Assimp and by our own reader", "[.exported]") {
+    std::istringstream files(std::getenv("LIGHTWALK_EXPORTED"));
+    for (std::string file; std::getline(files, file);) {
+        CAPTURE(file);
+        const auto out = std::filesystem::path(file).replace_filename("out.gltf");
+        Playground chapter;
+        chapter.name = "18_playground";
+        load_scene(chapter, check_device(), file);
+        export_gltf(chapter.editor.document, chapter.scene, out);
+        const Model back = import_model(out);
+        CHECK(triangle_count(back) == chapter.scene.triangle_count());
+        check_lights_and_camera(chapter.scene.file, back);
+        Assimp::Importer importer;
+        const aiScene* const other = importer.ReadFile(out.string(), aiProcess_Triangulate);
+        CAPTURE(importer.GetErrorString());
+        REQUIRE(other);
+        CHECK(triangle_count(*other, *other->mRootNode) == chapter.scene.triangle_count());
+        CHECK(other->mNumLights == chapter.scene.file.lights.size());
+        CHECK(other->mNumCameras == 1);
+    }
+}
 
 TEST_CASE("what is exported to glTF is read back by Assimp: nodes, places, meshes, materials, lights") {
     TestFolder folder;
@@ -98,4 +172,39 @@ TEST_CASE("an export that cannot be written whole leaves the one before, whole")
     CHECK(read_file(buffer) == "one");
     std::filesystem::remove(file);
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 1);
+}
+
+TEST_CASE("cameras and lights of a model's file are offered where its object stands", "[18.offers]") {
+    const TestFolder folder;
+    write_file(folder.path / "scene.json",
+               R"({"objects": [{"name": "lit", "model": "conformance/own_light.gltf", "position": [1, 0, 0]}]})");
+    Playground chapter;
+    chapter.name = "18_playground";
+    load_scene(chapter, check_device(), folder.path / "scene.json");
+    Document& document = chapter.editor.document;
+    const EntryId lit = document.at(root_entry).children.at(0);
+    const Editor::Offered file = chapter.editor.offered(chapter.scene, lit);
+    REQUIRE((file.cameras.size() == 1 && file.lights.size() == 1));
+    const Camera& camera = file.cameras[0].second;  // the file's node stands at (0, 0, 2) and is not turned
+    CHECK(camera.position == glm::vec3(1, 0, 2));
+    CHECK(glm::normalize(camera.target - camera.position) == glm::vec3(0, 0, -1));
+    CHECK(file.lights[0].color == glm::vec3(1, 0, 0));
+    CHECK(std::abs(file.lights[0].intensity - 1.5f / glm::pi<float>()) < 1e-6f);
+    const auto ids = add_lights(document, "add", file.lights);
+    CHECK(document.at(ids.at(0)).light()->direction == glm::vec3(0, 0, -1));
+    CHECK(document.undo());
+    CHECK_FALSE(document.find(ids[0]));
+}
+
+TEST_CASE("a bare model is saved with its exposure", "[18.bare]") {
+    const TestFolder folder;
+    SceneFile scene;
+    scene.bare = true, scene.emission = 0.25f;
+    scene.objects.push_back(named("square", "conformance/own_light.gltf"));
+    SceneStore store;
+    store.open_empty();
+    store.save_as(Document(scene), folder.path / "saved.json");
+    const SceneFile back = read_scene(folder.path / "saved.json");
+    CHECK((back.bare && back.emission == 0.25f));
+    CHECK(store.open(folder.path / "saved.json").settings().bare);
 }
