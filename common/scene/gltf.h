@@ -6,7 +6,7 @@
 
 namespace lightwalk {
 
-/// Reads .gltf and .glb: meshes (triangles, strips, fans; quantised and compressed by meshoptimizer; flat normals if
+/// Reads .gltf and .glb: meshes (triangles, strips, fans; quantised, or compressed by Draco or meshoptimizer; flat normals if
 /// none are given), metallic-roughness and specular-glossiness materials with textures, the node tree, the first
 /// animation, skins, morph targets, cameras and lights. Other content is listed in Model::left_out. Throws
 /// InputError, also if the file requires an unsupported extension (glTF 2.0, 3.12).

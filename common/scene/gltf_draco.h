@@ -1,4 +1,4 @@
-// KHR_draco_mesh_compression: a primitive whose attributes and indices are compressed.
+// KHR_draco_mesh_compression: a primitive with compressed attributes and indices.
 #pragma once
 #include <memory>
 #include <optional>

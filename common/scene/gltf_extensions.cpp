@@ -1,4 +1,4 @@
-// Extensions of glTF: those that are drawn, and names of the others.
+// Extensions of glTF: the drawn ones, and the names of the others.
 #include <algorithm>
 #include <array>
 #include <set>

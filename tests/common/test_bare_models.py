@@ -24,6 +24,17 @@ LAMPS = {"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}, {"mesh": 1, "transl
              {"pbrMetallicRoughness": {"roughnessFactor": 0.1}}]}
 
 
+def holes(image) -> int:
+    """Pixels that are not red between red ones of their row."""
+    count = 0
+    for y in range(image.height):
+        red = [r > 2 * max(g, b) for r, g, b in (image.getpixel((x, y)) for x in range(image.width))]
+        if any(red):
+            inside = red[red.index(True):len(red) - red[::-1].index(True)]
+            count += len(inside) - sum(inside)
+    return count
+
+
 class BareModels(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -35,7 +46,12 @@ class BareModels(unittest.TestCase):
         primitive = box["meshes"][0]["primitives"][0]
         lamps["meshes"] = [{"primitives": [{**primitive, "material": i}]} for i in (0, 1)]
         (cls.folder / "lamps.gltf").write_text(json.dumps(lamps))
-        cls.models = [ROOT / "assets/conformance/flat_normals.gltf", cls.folder / "lamps.gltf",
+        # A red floor, which lies on the ground.
+        floor = json.loads((ROOT / "assets/conformance/base_colour.gltf").read_text())
+        floor["materials"] = [{"pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.02, 0.02, 1], "metallicFactor": 0}}]
+        floor["nodes"], floor["scenes"] = [{"mesh": 0, "rotation": [-0.5 ** 0.5, 0, 0, 0.5 ** 0.5]}], [{"nodes": [0]}]
+        (cls.folder / "floor.gltf").write_text(json.dumps(floor))
+        cls.models = [cls.folder / "floor.gltf", ROOT / "assets/conformance/flat_normals.gltf", cls.folder / "lamps.gltf",
                       ROOT / "assets/models/bunny.obj"]
 
     def test_seen_and_not_clipped(self):
@@ -57,6 +73,8 @@ class BareModels(unittest.TestCase):
         behind = Image.new("RGB", image.size, pixels[0])
         differs = [max(p) > 8 for p in ImageChops.difference(image, behind).getdata()]
         self.assertGreater(sum(differs) / len(differs), 0.03)
+        if model.stem == "floor":
+            self.assertEqual(holes(image), 0)
 
 
 if __name__ == "__main__":
