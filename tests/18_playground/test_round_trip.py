@@ -31,7 +31,7 @@ const validator = require('gltf-validator'), fs = require('fs'), path = require(
 CONFORMANCE = ROOT / "assets" / "conformance"
 # Those that are not read at all, or need a light or time of their own.
 LEFT_OUT = {"next_version", "required_unknown", "single_sided"}
-SCENE = {"camera": {"position": [1.2, 0.8, 3], "target": [0, 0, 0], "fov_deg": 40, "near_m": 0.1, "far_m": 50},
+SCENE = {"camera": {"position": [1.2, 0.8, 3], "target": [0, 0, 0], "up": [0.2, 1, 0], "fov_deg": 40, "near_m": 0.1, "far_m": 50},
          "ambient": [0.2, 0.2, 0.25], "background": [0.1, 0.1, 0.1],
          "lights": [{"type": "directional", "direction": [-0.3, -0.5, -1], "intensity": 0.6}]}
 # Tangents follow from the texture coordinates, as the specification allows.
