@@ -1,8 +1,7 @@
 // The editor's entries: selection, drawn items, and new entries.
-#include "18_playground/editor.h"
-
 #include <algorithm>
 
+#include "18_playground/editor.h"
 #include "18_playground/gltf.h"
 #include "common/base/files.h"
 #include "common/scene/file_view.h"

@@ -1,5 +1,5 @@
-# One test writes pictures with stb to read them back.
-target_link_libraries(test_common PRIVATE PkgConfig::stb)
+# Tests write pictures and compressed meshes to read them back.
+target_link_libraries(test_common PRIVATE PkgConfig::stb ${WEBP} ${DRACO} ${MESHOPTIMIZER})
 
 # Fuzzing: cmake --preset fuzz, then build/fuzz/tests/fuzz_scene tests/common/corpus/scene
 if(LIGHTWALK_FUZZ)
