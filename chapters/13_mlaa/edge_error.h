@@ -22,15 +22,15 @@ std::string drawn_with(const Chapter& chapter, const Mlaa& antialias, glm::uvec2
 
 class EdgeError {
   public:
-    /// Adds edge_rmse and mixed (the share of pixels that the filter mixed) to `error`, for what the chapter's knobs
-    /// say. Sets its method and samples, and leaves it to the caller to put them back.
+    /// Adds edge_rmse and mixed (the share of pixels that the filter mixed) to `error`, for the chapter's current
+    /// knobs. Sets its method and samples; the caller restores them.
     void measure(Chapter& chapter, Mlaa& antialias, Gpu& gpu, glm::uvec2 size, nlohmann::json& error);
 
   private:
     struct Pair {
         ImageRgb one_sample, truth;
     };
-    std::map<std::string, Pair> known_;  ///< by what they depend on
+    std::map<std::string, Pair> known_;  ///< by their dependencies
 };
 
 }  // namespace lightwalk

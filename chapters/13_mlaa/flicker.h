@@ -12,13 +12,13 @@ namespace lightwalk {
 /// the middle of the picture, a quarter as wide and as high. The truth has 16 samples a pixel in each frame.
 class Flicker {
   public:
-    /// For what the knobs say, from time 0 on. Sets method and samples, and leaves it to the caller to put them back.
+    /// For the current knobs, from time 0 on. Sets method and samples; the caller restores them.
     double measure(Chapter& chapter, Mlaa& antialias, Gpu& gpu, glm::uvec2 size);
 
     static constexpr int frames = 60, truth_samples = 16;
 
   private:
-    std::map<std::string, std::vector<ImageRgb>> known_;  ///< truths by what they depend on
+    std::map<std::string, std::vector<ImageRgb>> known_;  ///< truths by their dependencies
 };
 
 /// Mean over pixels, channels and frames.

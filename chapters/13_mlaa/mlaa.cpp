@@ -36,7 +36,7 @@ std::vector<std::string> Mlaa::status() const {
     return {fmt::format("{} pixels beside an edge, {} mixed", counts().listed, counts().changed)};
 }
 
-// What the device keeps from frame to frame: for a picture of this size, and the tables.
+// Persistent resources: for a picture of this size, and the tables.
 void Mlaa::set_up(Frame& frame, glm::uvec2 size) {
     Device& device = frame.gpu.device;
     const auto fit = [&](Image& image, const char* name, glm::uvec2 side, VkFormat format = VK_FORMAT_R32_UINT) {

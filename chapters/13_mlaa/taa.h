@@ -10,18 +10,18 @@
 namespace lightwalk {
 
 // [seen]
-/// What a picture shows, for methods that follow surfaces from frame to frame.
+/// The scene behind a picture, for methods that follow surfaces from frame to frame.
 struct Seen {
     const View& view;              ///< that it was drawn from
     const ImageView& depth;        ///< D32F, reversed: 0 where nothing is
-    const Scene* scene = nullptr;  ///< whose items may move; null: none does
+    const Scene* scene = nullptr;  ///< its items may move; null: none do
 };
 // [/seen]
 
 // [taa]
-/// Mixes each frame with the history of the pixel: what the frames before saw of the same surface. The renderer shifts
-/// each frame within a pixel (Module::gathering); a picture that is written takes `warm_up` of them from a cold start, so
-/// that it depends on its time alone.
+/// Mixes each frame with the history of the pixel: earlier samples of the same surface. The renderer shifts each
+/// frame within a pixel (Module::gathering); a written picture takes `warm_up` of them from a cold start, so that it
+/// depends on its time alone.
 struct Taa : Module {
     Taa(Module& owner, std::string name) : Module(owner, std::move(name), "taa") {}
 

@@ -27,8 +27,8 @@ inline double area(int position, int length) {
     return below(to) - below(from);
 }
 
-/// What of the unit square around (0, 0) lies where dot(p - point, normal) is above 0: the square cut by a line (I. E.
-/// Sutherland and G. W. Hodgman, 1974), and the area of what is left.
+/// The part of the unit square around (0, 0) with dot(p - point, normal) above 0: the square clipped by a line (I. E.
+/// Sutherland and G. W. Hodgman, 1974), and the area of the remainder.
 inline double half_plane_coverage(glm::dvec2 point, glm::dvec2 normal) {
     const std::array<glm::dvec2, 4> square{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}};
     std::vector<glm::dvec2> kept;
@@ -53,8 +53,8 @@ inline double capped_area(int position, int length, int reach) {
     return area(position, position + std::min(length - position, reach));
 }
 
-/// Where what is seen `at` a position with a depth was in the frame before, in pixels, and the w of its clip space then;
-/// 0 for what was not in front of the camera. `to_before`: clip space now, with w = 1, to clip space then.
+/// Position in the previous frame, in pixels, of the surface `at` a position with a depth, and its clip-space w then;
+/// 0 if it was not in front of the camera. `to_before`: clip space now, with w = 1, to clip space then.
 inline glm::dvec3 reprojected(glm::dvec2 at, double depth, glm::dvec2 size, const glm::dmat4& to_before) {
     const glm::dvec4 then = to_before * glm::dvec4(2.0 * at / size - 1.0, depth, 1.0);
     if (then.w <= 0) return glm::dvec3(0);

@@ -1,4 +1,4 @@
-// The film as a chapter: what is drawn at a time. It knows no window; film_window.h puts the timeline's strip over it.
+// The film as a chapter: the picture at a time. It knows no window; film_window.h puts the timeline's strip over it.
 #pragma once
 #include "01_obj/model_chapter.h"
 #include "05_shadow_maps/lit_scene.h"

@@ -14,26 +14,26 @@ namespace lightwalk {
 using KnobSettings = std::vector<std::pair<std::string, std::string>>;
 
 // [part]
-/// Lives while the film needs it (19.warm): made before its scene is on the screen, dropped after it. A part has no state
-/// of its own: what it draws follows from the time and the size alone. It has no owner, as a chapter has none: its knobs are
-/// the film's to set, and come and go with it.
+/// Lives while the film needs it (19.warm): made before its scene is on the screen, dropped after it. A part has no
+/// state of its own: its picture follows from the time and the size alone. It has no owner, like a chapter: its knobs
+/// are the film's to set, and come and go with it.
 class FilmPart : public Module {
   public:
     /// `scene` must stay; `heard`: the film's music; null: the scene's own.
     explicit FilmPart(const FilmScene& scene, Music* heard = nullptr);
 
-    /// Reads its scene file, and makes what its drawings need. Throws InputError.
+    /// Reads its scene file, and prepares its drawings. Throws InputError.
     void load(Gpu& gpu);
 
-    /// Draws the scene at the film's time: light, bloom, the film's fade, tones. What a screen shows of it is then in
-    /// frame.hdr, 0 to 1 and still linear. `flown`: a camera in place of the scene's; may be null.
+    /// Draws the scene at the film's time: light, bloom, the film's fade, tones. Leaves display values in frame.hdr,
+    /// 0 to 1 and still linear. `flown`: a camera instead of the scene's; may be null.
     void record(Frame& frame, double time_s, Timeline::Faded faded, const Camera* flown = nullptr);
 
     /// On its path, at the film's time.
     Camera camera_at(double time_s) const {
         return film_scene_.camera.at(film_scene_.clock_at(time_s), scene_.file.camera);
     }
-    /// Sets knobs over what the scene's file and its tracks say, in place of those given before; {}: as they say.
+    /// Sets knobs over the scene file's and its tracks' values, instead of earlier ones; {}: none.
     void draw_by(const KnobSettings& way);
 
     /// What record() drew, for methods that follow surfaces; its depth is whole where `keeps_depth` was set before.

@@ -1,4 +1,4 @@
-// The history is what is shown; alpha stays.
+// Shows the history; alpha stays.
 layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2D light;

@@ -1,4 +1,5 @@
-// YCoCg: luma and two differences, whose box fits the colours of a neighbourhood more tightly than red, green and blue.
+// YCoCg: luma and two differences. Its boxes fit the colours of a neighbourhood more tightly than those of red, green
+// and blue.
 vec3 to_ycocg(vec3 c) {
     return vec3(0.25 * c.r + 0.5 * c.g + 0.25 * c.b, 0.5 * c.r - 0.5 * c.b, -0.25 * c.r + 0.5 * c.g - 0.25 * c.b);
 }

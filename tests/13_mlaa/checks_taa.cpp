@@ -1,4 +1,4 @@
-// What ./course check runs for the functions of temporal anti-aliasing.
+// Checks of the functions of temporal anti-aliasing.
 #include <fmt/core.h>
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,4 +1,4 @@
-// What tests of temporal anti-aliasing share: frames of a world of flat layers, and what the method makes of them.
+// Shared by the tests of temporal anti-aliasing: frames of a world of flat layers, and the method's result.
 #pragma once
 #include "01_obj/camera_view.h"
 #include "mlaa_fixture.h"

@@ -1,4 +1,4 @@
-// Temporal anti-aliasing against exact coverage, projected points, and what must not be left of what has gone.
+// Temporal anti-aliasing against exact coverage, projected points, and the remains of vanished objects.
 #include <fmt/core.h>
 
 #include "taa_fixture.h"
