@@ -90,7 +90,7 @@ vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {
     vec3 middle = normalize(to_eye + to_sun);
     float facet = max(dot(normal, middle), 0.0), fresnel = schlick(max(dot(to_eye, middle), 0.0), ice_f0);
     float gloss = body.surface.gloss * texel.a * fresnel * 0.125 * (ice_exponent + 8.0) * pow(facet, ice_exponent) * max(tilted_cosine, 0.0);
-    return sun * (albedo * reflected(body.surface, tilted_cosine, mu, cos_phase) + gloss);
+    return sun * (reflected(body.surface, albedo, tilted_cosine, mu, cos_phase) + gloss);
 #endif
 }
 #endif

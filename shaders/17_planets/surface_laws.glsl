@@ -43,18 +43,17 @@ float reflected_by(int law, SurfaceLaw surface, float cosine, float mu, float co
 }
 // [/laws]
 
-float reflected(SurfaceLaw surface, float cosine, float mu, float cos_phase) {
-#if PLANETS_METHOD == PLANETS_METHOD_LAMBERT
-    return reflected_by(LAW_LAMBERT, surface, cosine, mu, cos_phase);
-#elif PLANETS_METHOD == PLANETS_METHOD_WRAPPED
-    return reflected_by(LAW_WRAPPED, surface, cosine, mu, cos_phase);
-#elif PLANETS_METHOD == PLANETS_METHOD_LOMMEL_SEELIGER
-    return reflected_by(LAW_LOMMEL_SEELIGER, surface, cosine, mu, cos_phase);
-#elif PLANETS_METHOD == PLANETS_METHOD_MINNAERT
-    return reflected_by(LAW_MINNAERT, surface, cosine, mu, cos_phase);
-#elif PLANETS_METHOD == PLANETS_METHOD_HAPKE
-    return reflected_by(LAW_HAPKE, surface, cosine, mu, cos_phase);
-#else
-    return reflected_by(surface.law, surface, cosine, mu, cos_phase);
-#endif
+// A white sky seen by a place of albedo 1 towards mu, above 0: the law's integral over the directions of light. A law's albedo
+// is that seen from overhead, so this may be above 1. Hapke's is below 1 where mu is above 0.02.
+float sent_of_white_sky(int law, SurfaceLaw surface, float mu) {
+    if (law == LAW_WRAPPED) return 2.0 * (1.0 + surface.wrap) / (1.0 + surface.wrap_power);
+    if (law == LAW_LOMMEL_SEELIGER) return 4.0 - 4.0 * mu * log(1.0 + 1.0 / mu);
+    if (law == LAW_MINNAERT) return 2.0 / (1.0 + surface.minnaert) * minnaert(1.0, mu, surface.minnaert);
+    return 1.0;
+}
+
+// Light of a place, in that of a white one that faces the sun. Albedo is bounded so that no more is sent than arrives.
+vec3 reflected(SurfaceLaw surface, vec3 albedo, float cosine, float mu, float cos_phase) {
+    int law = PLANETS_METHOD == PLANETS_METHOD_OWN ? surface.law : PLANETS_METHOD;  // numbered as the knob's values
+    return min(albedo, 1.0 / sent_of_white_sky(law, surface, mu)) * reflected_by(law, surface, cosine, mu, cos_phase);
 }

@@ -1,4 +1,5 @@
-// For tests of the glass shell: noise that changes along the radius alone, and surroundings that are their own direction.
+// For tests of the glass shell: noise that changes along the radius alone, and surroundings that are their own direction, or
+// white.
 #pragma replaces "16_volume/noise_methods.glsl"
 #pragma replaces "16_volume/surroundings.glsl"
 #include "16_volume/volume_data.h"
@@ -14,4 +15,8 @@ const KnownShell volume = KnownShell(1.0, 2.0, 3.0);
 const KnownVolume volume_now = KnownVolume(1.0, NoiseMoment(0, 0.0, 0, 0.0, 0));
 
 float moving_noise(vec3 at, NoiseMoment moment) { return length(at); }
+#ifdef WHITE_SURROUNDINGS
+vec3 surroundings(vec3 direction) { return vec3(1.0); }
+#else
 vec3 surroundings(vec3 direction) { return direction; }
+#endif

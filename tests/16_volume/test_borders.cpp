@@ -103,6 +103,23 @@ TEST_CASE_METHOD(OnVolume, "noise that changes along the radius alone makes no b
     CHECK(worst_of(probe, run_probe(gpu, probe, 3)) == "");
 }
 
+TEST_CASE_METHOD(OnVolume, "in a white furnace the glass shell neither gains nor loses light", "[16.furnace]") {
+    Probe probe{.include = "16_volume/shell.glsl",
+                .before = "#define WHITE_SURROUNDINGS\n#include \"../tests/16_volume/known_shell.glsl\"\n",
+                .signature = "vec3 shell_over(vec3 light, vec3 position, vec3 along)",
+                .truth =
+                    [](auto) {
+                        return Row{1, 1, 1};
+                    },
+                .bound = {.absolute = 1e-5}};
+    for (int i = 0; i <= 20; ++i) {  // from head on, past the limb, to a bump that faces away
+        const double turn = 0.1 * i;
+        probe.inputs.push_back({1, 1, 1, 0.6, 0, 0.8, -std::cos(turn) * 0.6 + std::sin(turn) * 0.8, 0,
+                                -std::cos(turn) * 0.8 - std::sin(turn) * 0.6});
+    }
+    CHECK(worst_of(probe, run_probe(gpu, probe, 3)) == "");
+}
+
 TEST_CASE_METHOD(OnVolume, "skipping gives midpoint's picture where steps are longer than blocks, and in even matter",
                  "[16.skipping]") {
     volume.field.voxels.value = 32, background = {0.5f, 0.4f, 0.3f, 1};

@@ -53,7 +53,7 @@ def point_of(scene: str, method: str, found: dict) -> dict:
     """A point, from what --timings writes."""
     # A pass that is recorded several times in a frame has as many samples.
     passes = {one["name"]: one["gpu_ms"] * max(1, round(one["frames"] / found["frames"]))
-              for one in found["passes"] if one["name"] != "read back"}
+              for one in found["passes"] if not one["name"].startswith("read back")}
     counts = {word: int(number.replace(",", "")) for line in found["status"] for number, word in re.findall(r"\b(\d[\d,]*) ([a-z]+)", str(line))}
     return {"scene": scene, "method": method, "knobs": {}, "error": counts,
             "time_ms": {"median": sum(passes.values()), "per_pass": passes,
