@@ -76,6 +76,10 @@ def same(value, wanted: str) -> bool:
     return str(value) == wanted
 
 
+class Missing(Failure):
+    """A path that leads to nothing, or a point that does not exist."""
+
+
 def points(study: dict, wanted: dict[str, str]) -> list[dict]:
     """The points selected, a list of values in their order. Raises Failure unless each is one."""
     lists = [key for key in wanted if "," in wanted[key] and key not in ("scene", "value", "format", "cell")]
@@ -87,12 +91,8 @@ def points(study: dict, wanted: dict[str, str]) -> list[dict]:
              if all(same(point.get(key), wanted[key]) for key in ("scene", "method") if key in wanted) and
              all(same(point.get("knobs", {}).get(key, point.get(key)), value) for key, value in knobs.items())]
     if len(found) != 1:
-        raise Failure(f"{len(found)} points are {'; '.join(f'{k}={v}' for k, v in wanted.items() if k in ('scene', 'method') or k in knobs)}")
+        raise (Failure if found else Missing)(f"{len(found)} points are {'; '.join(f'{k}={v}' for k, v in wanted.items() if k in ('scene', 'method') or k in knobs)}")
     return found
-
-
-class Missing(Failure):
-    """A path that leads to nothing."""
 
 
 def at_path(study, path: str):
