@@ -8,9 +8,9 @@
 namespace lightwalk {
 
 // [rays]
-/// Gives shaders any_hit() and closest_hit() of 05_shadow_maps/bvh.glsl. record() in each frame that needs it, which builds
-/// the hierarchy where the scene is another one; then passes may state it in `.with`. Everything opaque stops a ray, from
-/// both sides, but for what is cut out of it.
+/// Gives shaders any_hit() and closest_hit() of 05_shadow_maps/bvh.glsl. record() in each frame that needs it, which
+/// builds the hierarchy for a new scene; then passes may state it in `.with`. Every opaque surface stops a ray, from
+/// both sides, except in its cut-outs.
 struct SceneRays : Module {
     SceneRays(Module& owner, std::string name) : Module(owner, std::move(name), "rays") {}
 
@@ -20,8 +20,8 @@ struct SceneRays : Module {
     void build(Gpu& gpu, const Scene& scene, float time_s = 0);
     void prepare(Gpu&, Scene&) override { built_ = false; }
 
-    /// Builds it where a scene was loaded; where the scene has moved since, the boxes follow. `maps`: what holes are cut
-    /// by, and how they move; null: by an alpha below 0.5, at rest.
+    /// Builds it after a scene was loaded; if the scene has moved since, the boxes follow. `maps`: maps that cut
+    /// holes, with their motion; null: alpha below 0.5, at rest.
     void record(Frame& frame, const Scene& scene, const Maps* maps = nullptr);
 
     Macros macros() const override;
@@ -29,12 +29,13 @@ struct SceneRays : Module {
     void bind(Pass& pass) const override;
 
     const Bvh& bvh() const { return bvh_; }
-    /// How far from a surface its rays begin, in metres: what lies closer casts no shadow on it.
+    /// Distance from a surface at which its rays begin, in metres: nearer objects cast no shadow on it.
     float offset_m() const { return state_.offset_m; }
     // [/rays]
 
-    /// What of the scene's farthest coordinate the offset is. Positions come from the rasteriser, which interpolates
-    /// between vertices that may be as far: test_ray_offset.cpp measures what is needed, and this is four times that.
+    /// The offset as a fraction of the scene's farthest coordinate. Positions come from the rasteriser, which
+    /// interpolates between vertices that may be as far: test_ray_offset.cpp measures the need, and this is four
+    /// times that.
     static constexpr float offset_share = 0x1p-17f;
 
   protected:
@@ -62,7 +63,7 @@ struct Rays : SceneRays {
     void record(Frame& frame, const Scene& scene, const Maps* maps = nullptr);
     Macros macros() const override;
 
-    /// Of a picture whose visibility was found by rays: what a pixel that is no number means.
+    /// For a picture with visibility by rays: the meaning of a non-finite pixel.
     std::string why_not_finite() const;
 };
 

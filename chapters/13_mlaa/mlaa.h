@@ -56,8 +56,8 @@ struct Mlaa : Module {
     /// words.
     int passes() const;
 
-    /// Of the frame recorded last, for whoever looks: words of edges (13_mlaa/edge_words.glsl), and beside edges four
-    /// bytes (13_mlaa/distance_bits.glsl). All r32ui.
+    /// Of the last frame recorded, for viewing: words of edges (13_mlaa/edge_words.glsl), and beside edges four bytes
+    /// (13_mlaa/distance_bits.glsl). All r32ui.
     const Image& edge_rows() const { return edge_rows_; }
     const Image& edge_columns() const { return edge_columns_; }
     const Image& distances() const { return *lengths_; }
