@@ -36,7 +36,8 @@ std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const std::ve
         bool any = false;
         const std::vector<LightView> seen = light_views(light, reach(light), bounds, camera, options);
         for (auto view = seen.begin(); view != seen.end(); ++view) {
-            // Not what only finer cascades are asked for; but the whole scene's map is the same from wherever it is seen.
+            // Skips casters needed only by finer cascades; but the whole scene's map is the same from every
+            // viewpoint.
             const auto is_needed = [&](const DrawItem& item) {
                 return view->whole || std::none_of(seen.begin(), view, [&](const LightView& finer) {
                            return holds_shadow_of(finer, item.bounds, view->data.texel);
@@ -85,7 +86,7 @@ void Shadow::choose_layers(Frame& frame, uint32_t id, std::vector<Wanted>& wante
 // [/choose_layers]
 
 // [reserve]
-// Layers are added when they are first needed: what is drawn already is copied. All are recreated where the size changes.
+// Layers are added when first needed, and existing contents copied. All are recreated if the size changes.
 void Shadow::reserve(Frame& frame) {
     const Image::Desc wanted{.size = glm::uvec2(static_cast<uint32_t>(resolution.value)),
                              .layers = std::max(static_cast<uint32_t>(layers_.size()), 1u),
@@ -129,8 +130,8 @@ void Shadow::draw_view(Frame& frame, const Wanted& wanted, const DrawList& list,
 // [/draw_view]
 
 // [draw_passed]
-// What transparent casters let through: the first, and the product of all. A point between the first and the last takes
-// the first for all that are before it, which is right for two.
+// Transmittance of transparent casters: the first one's, and the product of all. A point between the first and the
+// last uses the first for all before it, which is right for two.
 void Shadow::draw_passed(Frame& frame, const Wanted& wanted, const Casters& casters) {
     const ViewScope scope(frame, wanted.view.view);
     const uint32_t layer = wanted.view.data.layer;
@@ -148,8 +149,8 @@ void Shadow::draw_passed(Frame& frame, const Wanted& wanted, const Casters& cast
 // [/draw_passed]
 
 // [still]
-// What moved twice will move on: then those that stand still have a layer of their own. Each frame copies it and draws
-// what moves, which gives the same depths. A copy takes as long as a few casters that fill the map.
+// A caster that moved twice is expected to move on: static casters then get a layer of their own. Each frame copies
+// it and draws the moving ones, with the same depths. A copy takes as long as a few casters that fill the map.
 void Shadow::find_moving(std::vector<Wanted>& wanted) const {
     constexpr size_t few = 4;
     for (Wanted& w : wanted) {

@@ -66,10 +66,11 @@ struct DeferredScene : LitScene {
     SurfacePipelines emission_ = added("06_deferred/emission.frag");
 };
 
-/// Those of the batches that have something in them that emits.
+/// The batches that contain emissive items.
 std::vector<Batch> emitting(const Scene& scene, const std::vector<Batch>& batches);
 
-/// Of a picture of what a G-buffer loses: degrees of normals, millimetres of positions, in the mean over what is drawn.
+/// From a picture of the G-buffer's losses: degrees of normals, millimetres of positions, on average over the drawn
+/// pixels.
 glm::vec2 mean_loss(const ImageRgb& picture);
 
 }  // namespace lightwalk

@@ -38,8 +38,8 @@ std::vector<std::string> ffmpeg(const FilmOut& out, const Reel& reel, glm::uvec2
         words.insert(words.end(), {"-c:v", "libx264", "-preset", "medium", "-crf", "17"});
     else
         words.insert(words.end(), {"-c:v", "libsvtav1", "-preset", "8", "-crf", "26"});
-    // Both encode pairs of rows and columns. ITU-R BT.709 is what players assume above standard definition; without these
-    // words colours are converted by BT.601, and no file says so.
+    // Both encode pairs of rows and columns. Players assume ITU-R BT.709 above standard definition; without these
+    // options colours are converted by BT.601, and no file says so.
     words.insert(
         words.end(),
         {"-vf",

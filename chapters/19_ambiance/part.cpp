@@ -92,14 +92,14 @@ void FilmPart::record(Frame& frame, double time_s, Timeline::Faded faded, const 
     if (keeps_depth) canvas.depth(frame);
     bloom_.record(frame, frame.hdr);
 
-    // 2. The film's fade, in linear light and before the tone curve: what is brightest is the last to go.
+    // 2. The film's fade, in linear light and before the tone curve: the brightest areas disappear last.
     if (faded.black > 0 || faded.white > 0)
         frame.compute("fade", {.reads = {frame.hdr}, .writes = {frame.hdr}}, [&](Compute& pass) {
             pass.use(fade_).set("picture", frame.hdr).set("faded", glm::vec2(faded.black, faded.white));
             pass.dispatch_threads(frame.size);
         });
 
-    // 3. What a screen shows of it.
+    // 3. Its display values.
     post_.record(frame, frame.hdr);
 }
 // [/record]

@@ -63,7 +63,7 @@ void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, 
     for (const auto& [place, part] : parts_) part->begin_frame(gpu, size);
 }
 
-// With everything that the film does to a scene: what a fade and a mixture need is made as well.
+// With all effects of a film on a scene: resources of fades and cross-fades are made as well.
 void Reel::draw_unseen(Gpu& gpu, glm::uvec2 size, size_t place, double time_s) {
     Frame unseen(gpu);
     begin_frame(gpu, size);

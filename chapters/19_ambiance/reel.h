@@ -1,4 +1,4 @@
-// The film as it runs: its timeline, and those of its scenes that are ready to be drawn.
+// The running film: its timeline, and the scenes ready to be drawn.
 #pragma once
 #include "19_ambiance/part.h"
 #include "19_ambiance/titles.h"
@@ -30,21 +30,21 @@ struct Reel : Module {
     bool is_open() const { return !film_.file.empty(); }
     const Timeline& film() const { return film_; }
 
-    /// Loads what 19.warm asks for and draws each such scene once, unseen, so that the first picture that shows it finds
-    /// its pipelines and targets made. `plays`: later times will follow; else only what is on the screen is loaded, from
+    /// Loads the scenes requested by 19.warm and draws each once, unseen, so that its first visible picture finds its
+    /// pipelines and targets made. `plays`: later times will follow; else only the current scenes are loaded, from
     /// `time_s` to `later_s` after it.
     void make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, bool plays);
 
-    /// Decodes the film's music, for whoever plays it; its levels are there without.
+    /// Decodes the film's music for playing; its levels are available without.
     void load_sound();
 
-    /// How all cameras move, in place of what the film says; `pieces`: CameraPath's. None: as it says.
+    /// Overrides the motion of all cameras; `pieces`: CameraPath's. None: the film's own.
     void choose(const std::optional<PathKind>& kind);
 
-    /// Draws a scene with these knobs over what the film says of it, from now on. {}: as the film says.
+    /// Draws a scene with these knobs over the film's, from now on. {}: the film's.
     void draw_by(size_t scene, KnobSettings way);
 
-    /// Sets the knobs of a chapter that the film has tracks for, but what was set on the command line. Throws InputError.
+    /// Sets the knobs of a chapter from the film's tracks, except for those of the command line. Throws InputError.
     void apply_knobs(const Chapter& chapter, double time_s) const;
 
     /// The picture at a time, 0 to 1 in linear light: one scene, or two that are mixed; black where there is none.

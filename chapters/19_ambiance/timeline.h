@@ -44,7 +44,7 @@ struct Track {
     bool steps = false;
     std::vector<double> times_s;
     std::vector<std::string> values;  ///< as KnobBase::set() takes them
-    std::string where;                ///< "file:line: key", for what is only found when it is applied
+    std::string where;                ///< "file:line: key", for errors found when it is applied
 
     /// The text for the knob at a scene's time: before the first and after the last entry it rests.
     std::string at(double time_s) const;

@@ -30,7 +30,7 @@ float hard(Receiver r, uint layer) {
 // [/hard]
 
 // [filter_reach]
-// How far in texels along u and along v the method asks the map: what the bias has to reckon with.
+// Reach of the method's reads in the map, in texels along u and along v: the bias must allow for it.
 float filter_reach(ShadowLight light, ShadowView view, vec3 position) {
 #if SHADOW_METHOD == SHADOW_METHOD_PCF
     return 0.5 * float(shadow.kernel) + 0.5;

@@ -1,4 +1,4 @@
-// Percentage-closer soft shadows: look for what is in the way, estimate how soft its edge is, and filter as wide.
+// Percentage-closer soft shadows: find the blockers, estimate the penumbra's width, and filter as wide.
 #include "05_shadow_maps/penumbra_width.glsl"
 
 // [disc]
@@ -29,8 +29,8 @@ float lamp_distance(ShadowView view, float depth) {
 }
 
 // [find_blockers]
-// How far from the lamp, or from the near plane of a directional light, what lies within `radius` (in widths of the map)
-// in front of the surface is in the mean; below 0: nothing does.
+// Mean distance, from the lamp or from the near plane of a directional light, of blockers within `radius` (in widths
+// of the map) in front of the surface; below 0: none.
 float mean_blocker(ShadowView view, Receiver r, float radius, float turn) {
     float sum = 0.0, count = 0.0;
     for (int i = 0; i < shadow.search_taps; ++i) {
@@ -54,7 +54,7 @@ float lit_between(Receiver r, uint layer, vec2 uv) {
     return dot(lit, vec4(columns, columns.yx) * vec4(part.yy, 1.0 - part.yy));
 }
 
-// How far to look: what is right at the map's near plane could be in the way. `distance` as lamp_distance().
+// Search distance: a blocker may be as near as the map's near plane. `distance` as lamp_distance().
 float search_radius(ShadowLight light, ShadowView view, float distance) {
     bool parallel = view.perspective == 0u;
     float widest = penumbra_width(distance, parallel ? 0.0 : view.near, light.size, parallel);

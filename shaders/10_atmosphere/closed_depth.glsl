@@ -1,5 +1,6 @@
-// Optical depth from a place out of the air without a loop: of molecules and dust by Smith and Smith's fit, or with ONEIL by
-// O'Neil's; of the layer, whose density is linear in height, by the length of the ray on either side of its middle.
+// Optical depth from a point out of the air without a loop: of molecules and dust by Smith and Smith's fit, or with
+// ONEIL by O'Neil's; of the layer, with its density linear in height, by the length of the ray on either side of its
+// middle.
 #include "10_atmosphere/air.glsl"
 #include "10_atmosphere/optical_depth.glsl"
 
@@ -17,9 +18,9 @@ float polynomial_depth(float height, float slope, float scale_height) {
 // [layer]
 vec3 layer_at(vec3 heights) { return max(1.0 - abs(heights - air.layer_center) / air.layer_width, 0.0); }
 
-// What of the layer lies on a ray's line on one side of where it is lowest, from a place `from` metres away from there on, whose
-// height is `lower`. By that length heights grow nearly as a parabola, the density with them, and Simpson's rule for each half
-// of the layer is exact. `height` and `start` are of any place on the line.
+// The layer's part on one side of the lowest point of a ray's line, from a point `from` metres away and of height
+// `lower`. Along it heights grow nearly as a parabola, the density with them, and Simpson's rule for each half of the
+// layer is exact. `height` and `start` are of any point on the line.
 float layer_beyond(float height, float start, float from, float lower) {
     vec3 shells = clamp(air.layer_center + air.layer_width * vec3(-1.0, 0.0, 1.0), lower, air.top);
     vec3 ways = max(sqrt(max(start * start + (shells - height) * (2.0 * air.radius + shells + height), 0.0)), from);

@@ -1,7 +1,7 @@
-// The table of what was scattered more than once. S. Hillaire, "A scalable and production ready sky and atmosphere rendering
-// technique", Computer Graphics Forum 39(4), 2020, section 5: from the second scattering on light comes from all sides
-// alike, and what a place gets of its surroundings it has given a share of, again and again: a geometric series. The ground is
-// part of the surroundings. The first scattering by molecules keeps its own phase function: taken as even, as there, the sky
+// The table of multiple scattering. S. Hillaire, "A scalable and production ready sky and atmosphere rendering
+// technique", Computer Graphics Forum 39(4), 2020, section 5: from the second scattering on light is isotropic, and a
+// point returns a share of the light from its surroundings, again and again: a geometric series. The ground is part
+// of the surroundings. The first scattering by molecules keeps its own phase function: isotropic, as there, the sky
 // is some percent too dark. Dust's is too narrow for 64 directions.
 #include "10_atmosphere/phase_rayleigh.glsl"
 #include "10_atmosphere/read_tables.glsl"

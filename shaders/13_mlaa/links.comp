@@ -9,7 +9,7 @@ layout(scalar) readonly buffer ListBuffer { uint listed[]; };
 layout(r32ui) writeonly uniform uimage2D into;
 
 // [links]
-// Where four edges meet, a corner of one thing touches a corner of another: what looks like one line are two outlines.
+// Where four edges meet, two corners touch: the apparent line consists of two outlines.
 bool is_crossing(ivec2 pixel, ivec2 across, bool horizontal) {
     return horizontal ? edge_right(pixel) && edge_right(pixel + across) : edge_below(pixel) && edge_below(pixel + across);
 }

@@ -11,7 +11,7 @@ from test.comments import comments, figures, is_clausal, python_comments  # noqa
 from test.statements import found, joined  # noqa: E402
 
 MOST_CLAUSAL, MOST_WORDS = 0.03, 14
-MOST_IN_A_FOLDER = 0.1
+MOST_IN_A_FOLDER = 0.05
 MOST_JOINED = 9  # statements in a thousand lines of chapters
 FIGURES = figures()
 FEW = 20  # comments of a folder that are too few for a share
