@@ -34,7 +34,7 @@ struct ShadowMaps : ModelChapter {
         objects.shadow.method.alone = true;  // --method is about shadows here
         objects.all_lights = [this](const Frame&) { return lamps(); };
     }
-    std::string default_scene() const override { return "scenes/colonnade.json"; }
+    std::string default_scene() const override { return "scenes/colonnade_evening.json"; }
 
     // The share of pixels with each kind of wrong shadow, from a picture a quarter as wide: many rays for every pixel.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {

@@ -31,8 +31,7 @@ struct ManyLights : World {
         screens.record(frame, scene(), [&](const View& from, Canvas& into) { objects.draw_lit(frame, from, into); });
     }
 
-  private:
-    std::vector<Light> all_lights(const Frame& frame) const {
+    virtual std::vector<Light> all_lights(const Frame& frame) const {
         std::vector<Light> all = scattered.all(frame.seed);
         if (moving) move_lights(all, frame.time_s);
         return all;

@@ -32,7 +32,7 @@ struct PostEffects : ModelChapter {
         bloom.method.change_default("none");
         objects.maps.method.change_default("normal");
     }
-    std::string default_scene() const override { return "scenes/still_life.json"; }
+    std::string default_scene() const override { return "scenes/evening.json"; }
 
     void draw_chart(Frame& frame) {
         frame.compute("chart", {.writes = {frame.hdr}},

@@ -20,8 +20,12 @@ struct Backdrop : Drawing {
     Knob<float> ground_y{*this, "ground_y", 0.0f, {-1e4f, 1e4f}, "Height of that plane", "m"};
     Knob<float> camera_m{
         *this, "camera_m", 1.6f, {0.1f, 100.0f}, "Height above the plane from which the picture was taken", "m"};
-    Knob<float> radius_m{
-        *this, "radius_m", 7.0f, {0.1f, 1e4f}, "Radius around the origin within which the ground is projected", "m"};
+    Knob<float> radius_m{*this,
+                         "radius_m",
+                         14.0f,
+                         {0.1f, 1e4f},
+                         "Radius around the origin within which the ground is projected; a dome stands on its edge",
+                         "m"};
     Knob<float> level{*this, "level", 0.0f, {0.0f, 8.0f}, "Level of the picture that is shown; 0 is sharp", "levels"};
     GroundShadow shadow{*this, "shadow"};
     // [/backdrop]

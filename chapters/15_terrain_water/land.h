@@ -63,6 +63,7 @@ struct Land : Drawing, SunReceiver {
                                 "Scale factor for the albedo of forest"};
     Knob<glm::vec3> rock_tint{
         *this, "rock_tint", glm::vec3(1.0f), {glm::vec3(0.0f), glm::vec3(4.0f)}, "Scale factor for the albedo of rock"};
+    Knob<float> strata{*this, "strata", 0.0f, {0.0f, 1.0f}, "Contrast of the beds of rock that show in walls"};
     Knob<float> bumps{*this, "bumps", 1.0f, {0.0f, 8.0f}, "Strength of the bumps of textures"};
     Choice show{*this,
                 "show",

@@ -1,5 +1,7 @@
 #include "19_ambiance/ambiance.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +9,7 @@
 #include "19_ambiance/level_file.h"
 #include "19_ambiance/path_error.h"
 #include "19_ambiance/ways.h"
+#include "common/app/knob_scope.h"
 
 namespace lightwalk {
 
@@ -52,12 +55,19 @@ float Ambiance::gathered_at(float time_s, int frames_before) const {
     return std::min(time_s, std::max(from_s, Chapter::gathered_at(time_s, frames_before)));
 }
 
+// A film's grain is that of a picture of 1,080 lines: a larger pixel shows the mean of several grains.
+static float grain_of(float by, const Frame& frame) {
+    const glm::uvec2 whole = frame.crop.whole == glm::uvec2(0) ? frame.size : frame.crop.whole;
+    return by * std::min(1.0f, static_cast<float>(whole.y) / 1080.0f);
+}
+
 // [frame]
 void Ambiance::frame(Frame& frame) {
     const double time_s = static_cast<double>(frame.time_s) + out.later_s(frame.samples.index, frame.samples.count);
 
     // 1. What the timeline says of the whole film: grain, dispersion, anti-aliasing.
     reel.apply_knobs(*this, time_s);
+    const KnobScope grain(post.grain_by, fmt::format("{:.9g}", grain_of(post.grain_by, frame)));
 
     // 2. What is on at this time: one scene, or two; or the one scene that was given.
     View view;

@@ -17,6 +17,7 @@ void Reel::prepare(Gpu&, Scene& loaded) {
     chosen_.reset();
     paths_made_.forget();
     film_ = is_film_file(loaded.file.file) ? read_timeline(loaded.file.file) : Timeline();
+    if (is_open() && !cut.is("whole")) film_ = cut_of(film_, cut.text());
     has_sound_ = false;
     if (!film_.music) return music.take({});
     try {
@@ -28,7 +29,10 @@ void Reel::prepare(Gpu&, Scene& loaded) {
 void Reel::load_sound() {
     if (has_sound_ || !film_.music) return;
     LevelTable measured = music.measured_levels();
-    music.take(read_sound(find_asset(film_.music.file)), std::move(measured));
+    Sound sound = read_sound(find_asset(film_.music.file));
+    const auto cut_off = static_cast<size_t>(film_.music_from_s * sound.rate_hz);
+    sound.samples.erase(sound.samples.begin(), sound.samples.begin() + std::min(cut_off, sound.samples.size()));
+    music.take(std::move(sound), std::move(measured));
     has_sound_ = true;
 }
 

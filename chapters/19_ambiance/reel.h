@@ -23,6 +23,7 @@ struct Reel : Module {
                         "Time before a scene begins at which it is made ready, while the film plays",
                         "s"};
     Knob<int> most{*this, "most", 32, {1, 64}, "Number of scenes that are kept ready at most, while the film plays"};
+    Choice cut{*this, "cut", {"whole", "short"}, "whole", "Version of the film: the whole, or 90 seconds of it"};
     Knob<bool> fly{*this, "fly", false, "Camera of the scene flown by hand, in place of its path"};
     Music music{*this, "music"};
 
@@ -74,6 +75,7 @@ struct Reel : Module {
     bool stands_for(const std::filesystem::path& file, Model&) const override { return is_film_file(file); }
     /// Reads the film. Throws InputError.
     void prepare(Gpu&, Scene&) override;
+    std::string load_key() const override { return cut.text(); }
     bool animated() const override { return is_open(); }
 
   private:

@@ -95,7 +95,7 @@ std::string title_text(const Title& title, double time_s) {
 float title_strength(const Title& title, double time_s) {
     constexpr double fade_s = 0.6;
     const double in = std::clamp((time_s - title.from_s) / fade_s, 0.0, 1.0);
-    const double out = std::clamp((title.to_s - time_s) / fade_s, 0.0, 1.0);
+    const double out = title.stays ? 1.0 : std::clamp((title.to_s - time_s) / fade_s, 0.0, 1.0);
     return static_cast<float>(smooth(std::min(in, out)));
 }
 

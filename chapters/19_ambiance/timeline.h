@@ -34,8 +34,11 @@ namespace lightwalk {
 //                  rising), position, target, up ([0, 1, 0]), fov_deg (the scene file's)
 //   fades        list of from_s, to_s, from, to (0 to 1), color ("black" or "white"). After a fade its last value
 //                  holds until the next fade of its colour begins
-//   titles       list of from_s, to_s, text, size (0.05, of the picture's height), at ([0.06, 0.1], from the left and
-//                  from below, in heights), count ([from, to]: a number that runs in place of {} in the text)
+//   titles       list of from_s, to_s, text, size (0.05, of the picture's height), at ([0.1, 0.1], from the left and
+//                  from below, in heights), count ([from, to]: a number that runs in place of {} in the text). A title
+//                  that ends with the film stays on its last frame
+//   cuts         {name: {parts: [[from_s, to_s], ...], music_from_s}}: shorter versions, made of parts of this one; the
+//                  music goes on under them from music_from_s
 // [/timeline_format]
 
 /// A knob's value over a scene's time.
@@ -71,8 +74,15 @@ struct Title {
     double from_s = 0, to_s = 0;
     std::string text;
     double size = 0.05;
-    glm::dvec2 at{0.06, 0.1};
+    glm::dvec2 at{0.1, 0.1};
     std::optional<glm::dvec2> count;
+    bool stays = false;  ///< on the film's last frame
+};
+
+/// A shorter version of a film.
+struct Cut {
+    std::vector<glm::dvec2> parts;  ///< from and to, seconds of the whole film
+    double music_from_s = 0;
 };
 
 struct Timeline {
@@ -84,6 +94,8 @@ struct Timeline {
     std::vector<FilmScene> scenes;  ///< by from_s
     std::vector<Fade> fades;        ///< by from_s
     std::vector<Title> titles;
+    std::map<std::string, Cut> cuts;
+    double music_from_s = 0;  ///< of its file
 
     /// What is on at a time, at most two; `share` of the later one rises smoothly over a cross-fade.
     struct Shown {
@@ -105,6 +117,9 @@ struct Timeline {
 /// Reads a .film file. Throws InputError, "file:line: key 'name' what is wrong".
 Timeline read_timeline(const std::filesystem::path& path);
 Timeline parse_timeline(const std::string& text, const std::filesystem::path& path);
+
+/// The film's cut of that name as a film. Throws InputError where there is none.
+Timeline cut_of(const Timeline& film, const std::string& name);
 
 /// The title's text at a time, with its number; and how visible it is, 0 to 1: it comes and goes in 0.6 s.
 std::string title_text(const Title& title, double time_s);

@@ -183,8 +183,25 @@ Title read_title(const JsonWithLines& source, KeyReader r, const std::string& at
     title.size = optional(r, at, source, "size", 0.05, 0.005, 0.5);
     title.at = read_pair(r, "at", title.at, -4, 4);
     if (r.find("count")) title.count = read_pair(r, "count", {}, -1e15, 1e15);
+    title.stays = title.to_s >= duration_s;
     r.done();
     return title;
+}
+
+Cut read_cut(const JsonWithLines& source, KeyReader r, const std::string& at, double duration_s) {
+    Cut cut;
+    cut.music_from_s = optional(r, at, source, "music_from_s", 0, 0, most_s);
+    const json* parts = r.find("parts");
+    if (!parts || !parts->is_array() || parts->empty()) throw InputError("{} lacks parts", source.where(at));
+    for (const json& part : *parts) {
+        const bool pair = part.is_array() && part.size() == 2 && part[0].is_number() && part[1].is_number();
+        const glm::dvec2 times = pair ? glm::dvec2(part[0].get<double>(), part[1].get<double>()) : glm::dvec2(-1);
+        if (!(times.x >= 0 && times.y > times.x && times.y <= duration_s))
+            r.refuse("parts", fmt::format("must be pairs [from, to] within 0 and {} s", json(duration_s).dump()));
+        cut.parts.push_back(times);
+    }
+    r.done();
+    return cut;
 }
 
 // In order, each name once, and never three at once.
@@ -226,6 +243,11 @@ Timeline parse_timeline(const std::string& text, const std::filesystem::path& pa
     each(source, r, "titles", [&](KeyReader title, const std::string& at) {
         film.titles.push_back(read_title(source, std::move(title), at, film.duration_s));
     });
+    if (const json* cuts = r.find("cuts")) {
+        KeyReader k(source, *cuts, r.at("cuts"));
+        for (const auto& [name, cut] : cuts->items())
+            film.cuts[name] = read_cut(source, KeyReader(source, cut, k.at(name)), k.at(name), film.duration_s);
+    }
     r.done();
     return film;
 }

@@ -8,6 +8,8 @@
 #include "16_volume/volume_world.h"
 #include "17_planets/solar_system.h"
 #include "18_playground/workbench.h"
+#include "19_ambiance/climbing_lights.h"
+#include "19_ambiance/descent.h"
 #include "19_ambiance/street.h"
 
 namespace lightwalk {
@@ -26,10 +28,10 @@ std::unique_ptr<World> make_surroundings(Module& owner, Music* heard) {
 
 const std::map<std::string, MakeWorld>& film_worlds() {
     static const std::map<std::string, MakeWorld> all{
-        {"planets", make<SolarSystem>},      {"landscape", make<Landscape>}, {"water", make<Shore>},
-        {"volume", make<VolumeWorld>},       {"julia", make<JuliaSet>},      {"head", make<Portrait>},
-        {"surroundings", make_surroundings}, {"lights", make<ManyLights>},   {"street", make<Street>},
-        {"workbench", make<Workbench>}};
+        {"planets", make<SolarSystem>},      {"landscape", make<Landscape>},   {"water", make<Shore>},
+        {"volume", make<VolumeWorld>},       {"julia", make<JuliaSet>},        {"head", make<Portrait>},
+        {"surroundings", make_surroundings}, {"lights", make<ClimbingLights>}, {"street", make<Street>},
+        {"workbench", make<Workbench>},      {"descent", make<Descent>}};
     return all;
 }
 

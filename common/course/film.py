@@ -69,7 +69,8 @@ def write_shard(out: Path, parts: Path, shard: Shard, options: list[str]) -> int
     film = find_film(option(options, "scene", "films/ambiance.film"))
     frames = frame_count(options)
     said = json.loads(film.read_text())
-    head = {"frames": frames, "ending": out.suffix, "music": said.get("music"), "gain_db": said.get("music_gain_db", 0), "options": options,
+    head = {"frames": frames, "ending": out.suffix, "music": said.get("music"), "gain_db": said.get("music_gain_db", 0),
+            "music_from_s": version(said, options)[1], "options": options,
             "text": hashlib.sha256(film.read_bytes()).hexdigest()[:16], "course": shards.course_version()}
     file = shards.file_of(parts, KIND, shard)
     if file.exists():
@@ -97,7 +98,18 @@ def cut(frames: int, number: int, count: int) -> tuple[int, int]:
 
 def frame_count(options: list[str]) -> int:
     film, fps = find_film(option(options, "scene", "films/ambiance.film")), float(option(options, "fps", "30"))
-    return round(json.loads(film.read_text())["duration_s"] * fps)
+    return round(version(json.loads(film.read_text()), options)[0] * fps)
+
+
+def version(said: dict, options: list[str]) -> tuple[float, float]:
+    """Of the film or of its cut that the options name: how long it is, and where its music begins. Seconds."""
+    name = option(options, "cut", "whole")
+    if name == "whole":
+        return said["duration_s"], 0.0
+    if name not in said.get("cuts", {}):
+        raise UsageError(f"the film has no cut '{name}'")
+    cut = said["cuts"][name]
+    return sum(end - first for first, end in cut["parts"]), cut.get("music_from_s", 0.0)
 
 
 def option(options: list[str], name: str, otherwise: str) -> str:
@@ -132,14 +144,14 @@ def merge(out: Path, made: shards.Merged) -> int:
                 parts.append(Path(folder, f"{number:04}{out.suffix}"))
                 parts[-1].write_bytes(made.file(str(number), f"part{out.suffix}"))
             whole = Path(folder, out.name)
-            join(parts, whole, made.head["music"], made.head.get("gain_db", 0))
+            join(parts, whole, made.head["music"], made.head.get("gain_db", 0), made.head.get("music_from_s", 0))
             whole.replace(out)
     except OSError as error:
         raise Failure(f"{out} is not joined, its parts are whole: {error.strerror or error}") from None
     return 0
 
 
-def join(parts: list[Path], into: Path, music: str | None, gain_db: float = 0):
+def join(parts: list[Path], into: Path, music: str | None, gain_db: float = 0, music_from_s: float = 0):
     if into.suffix == ".raw":
         with open(into, "wb") as whole:
             for path in parts:
@@ -148,7 +160,7 @@ def join(parts: list[Path], into: Path, music: str | None, gain_db: float = 0):
         return
     listed = parts[0].with_name("list.txt")
     listed.write_text("".join(f"file '{path.name}'\n" for path in parts))
-    sound = ["-i", find_film(music), "-map", "0:v", "-map", "1:a", "-af", f"volume={gain_db:g}dB", "-c:a", "aac", "-b:a", "160k", "-shortest"] if music else []
+    sound = ["-ss", f"{music_from_s:g}", "-i", find_film(music), "-map", "0:v", "-map", "1:a", "-af", f"volume={gain_db:g}dB,apad", "-c:a", "aac", "-b:a", "160k", "-shortest"] if music else []
     try:
         done = subprocess.run(["ffmpeg", "-v", "error", "-y", "-f", "concat", "-safe", "0", "-i", listed, *sound, "-c:v",
                                "copy", "-movflags", "+faststart", into], stderr=subprocess.PIPE, text=True)

@@ -1,5 +1,6 @@
 // The ground of a planet where nothing stands before it, and the stars beyond the air, as they would look without it.
 #include "10_atmosphere/map_uv.glsl"
+#include "common/hash.glsl"
 #include "common/structs.h"
 #include "10_atmosphere/sea.glsl"
 #include "10_atmosphere/view_path.glsl"
@@ -30,6 +31,14 @@ vec4 map_texel(sampler2D map, vec3 direction, float pixel_rad) {
     return textureLod(map, map_uv(direction), max(lod, 0.0));
 }
 
+#if PLANET_MAP == PLANET_MAP_EARTH
+// Districts of 3 km, bright and dark, whose mean is 1: a texel of the map of cities is 20 km wide.
+float street_lights(vec3 on_map, float pixel_m) {
+    float bright = hash3(ivec3(floor(on_map * (air.radius / 3000.0)))).x;
+    return mix(1.0, 6.0 * pow(bright, 5.0), smoothstep(5000.0, 1200.0, pixel_m));
+}
+#endif
+
 vec3 ground_light(vec3 point, vec3 direction, Place place, float pixel_m) {
     vec3 up = normalize(point + vec3(0.0, air.radius, 0.0)), on_map = to_map * up;
     float facing = max(-dot(direction, up), 0.05), pixel_rad = pixel_m / (air.radius * sqrt(facing));
@@ -53,7 +62,7 @@ vec3 ground_light(vec3 point, vec3 direction, Place place, float pixel_m) {
     light = mix(light, 0.75 / 3.14159265 * (sun * max(place.sun, 0.0) + sky), cloud);
 #if PLANET_MAP == PLANET_MAP_EARTH
     float dark = smoothstep(0.02, -0.12, place.sun) * (1.0 - 0.8 * cloud);
-    light += dark * planet.night * strength * map_texel(night_map, on_map, pixel_rad).rgb;
+    light += dark * planet.night * strength * street_lights(on_map, pixel_m) * map_texel(night_map, on_map, pixel_rad).rgb;
 #endif
     return light;
 }

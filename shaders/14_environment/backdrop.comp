@@ -3,6 +3,7 @@
 #include "11_fractals/environment.glsl"
 #include "14_environment/backdrop_data.h"
 #include "14_environment/direction_to_equirect.glsl"
+#include "14_environment/projected_ground.glsl"
 #include "common/structs.h"
 #include "common/view_rays.h"
 
@@ -22,12 +23,7 @@ void main() {
     float t = direction.y < 0.0 ? (now.ground_y - rays.eye.y) / direction.y : -1.0;
     bool on_ground = now.has_ground == 1u && t > 0.0;
     vec3 place = rays.eye + t * direction;
-    // As seen by the photographing camera, from its height above the ground. Beyond the radius it blends into
-    // infinite distance, since objects stand there.
-    if (on_ground) {
-        vec3 projected = normalize(place - vec3(0.0, now.ground_y + now.camera_m, 0.0));
-        seen = mix(projected, direction, smoothstep(now.radius_m, 2.5 * now.radius_m, length(place.xz)));
-    }
+    if (now.has_ground == 1u) seen = projected_direction(rays.eye, direction, now.ground_y, now.camera_m, now.radius_m);
     vec3 light = cubic_picture(picture, direction_to_equirect(environment_space(seen)), now.level);
     if (on_ground) {
         // Outside of the map everything arrives; towards its edges shadows fade.

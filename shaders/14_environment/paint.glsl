@@ -2,6 +2,7 @@
 #include "14_environment/image_light.glsl"
 #include "14_environment/paint_data.h"
 #include "14_environment/paint_model.glsl"
+#include "common/hash.glsl"
 
 uniform sampler2D paint_table;
 
@@ -17,19 +18,6 @@ vec3 paint_albedo(float n_dot_v, int row) {
     int left = min(int(x), PAINT_TEXELS - 2);
     return mix(texelFetch(paint_table, ivec2(left, PAINT_TEXELS + row), 0).rgb,
                texelFetch(paint_table, ivec2(left + 1, PAINT_TEXELS + row), 0).rgb, x - float(left));
-}
-
-// M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020: pcg3d. 0 to 1.
-vec3 hash3(ivec3 cell) {
-    uvec3 v = uvec3(cell) * 1664525u + 1013904223u;
-    v.x += v.y * v.z;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    v ^= v >> 16u;
-    v.x += v.y * v.z;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    return vec3(v >> 8u) / 16777216.0;
 }
 
 // [flakes]

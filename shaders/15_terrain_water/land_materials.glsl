@@ -34,6 +34,16 @@ Texel texel_of(int layer, vec2 uv_m, float tile_m, float footprint_m) {
 }
 // [/scales]
 
+// Beds of rock, light and dark, some metres to tens of metres thick, that bend with the land.
+vec3 beds_of(vec3 position, float footprint_m) {
+    float bent = position.y + 30.0 * textureLod(materials, vec3(position.xz / 1900.0, ROCK), 5.0).a;
+    float thick = textureLod(materials, vec3(bent / 430.0, 0.37, ROCK), log2(max(footprint_m / 430.0 * 512.0, 4.0))).a;
+    float thin = textureLod(materials, vec3(bent / 83.0, 0.71, ROCK), log2(max(footprint_m / 83.0 * 512.0, 2.0))).a;
+    float bed = smoothstep(0.3, 0.7, 0.6 * thick + 0.4 * thin);
+    vec3 color = mix(vec3(0.42, 0.3, 0.27), vec3(1.75, 1.6, 1.4), bed);
+    return mix(vec3(1.0), color, land.strata);
+}
+
 // [triplanar]
 // On a wall a texture that is laid on from above runs down in streaks: there it comes from the sides.
 Texel rock_texel(vec3 position, vec3 normal, float footprint_m, out vec3 tilt) {
@@ -45,11 +55,16 @@ Texel rock_texel(vec3 position, vec3 normal, float footprint_m, out vec3 tilt) {
         if (share[axis] < 0.02) continue;
         vec2 uv = axis == 0 ? position.zy : axis == 1 ? position.xz : position.xy;
         Texel one = texel_of(ROCK, uv, 42.0, footprint_m);
+        if (land.strata > 0.0) {  // grain of decimetres, which a tile of 42 m is too coarse for
+            float grain = textureLod(materials, vec3(uv.yx / 5.3, ROCK), log2(max(footprint_m / 5.3 * 512.0, 1.0))).a;
+            one.albedo *= mix(1.0, 0.6 + 0.8 * grain, land.strata);
+        }
         sum.albedo += share[axis] * one.albedo;
         sum.height += share[axis] * one.height;
         vec3 along = axis == 0 ? vec3(0.0, one.slope.y, one.slope.x) : axis == 1 ? vec3(one.slope.x, 0.0, one.slope.y) : vec3(one.slope, 0.0);
         tilt += share[axis] * along;
     }
+    if (land.strata > 0.0) sum.albedo *= beds_of(position, footprint_m);
     return sum;
 }
 // [/triplanar]

@@ -1,7 +1,7 @@
 // The ground's shadow on itself: a ray to the sun, in steps that grow with the distance.
 uniform sampler2D heights_between;
 layout(scalar) uniform LandBlock {
-    float softness, snow_m, forest, rock_deg, bumps;
+    float softness, snow_m, forest, rock_deg, strata, bumps;
     vec3 grass_tint, forest_tint, rock_tint;
     int shadow_steps;
 } land;

@@ -1,0 +1,40 @@
+// Typeface of titles: letters as distances to their outlines, in one image.
+#pragma once
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "19_ambiance/glyph.h"
+#include "common/gpu/gpu.h"
+
+namespace lightwalk {
+
+// [typeface]
+/// Inter Semi Bold, from assets/fonts.
+class Typeface {
+  public:
+    /// Reads the font and draws its letters; what line() needs. Throws InputError.
+    void read();
+    /// Reads it and uploads distances().
+    void load(Gpu& gpu);
+
+    /// Letters of one line, from (0, 0) to the right, in heights of a capital; what the font lacks is a gap. `width`: where
+    /// the next letter would stand.
+    std::vector<Glyph> line(const std::string& text, float& width) const;
+
+    const Image& distances() const { return distances_; }  ///< R8: 0.5 at the outline, more within
+
+  private:
+    struct Letter {
+        Glyph drawn;  ///< at the pen's place; no size: a blank
+        float advance;
+    };
+    std::map<char, Letter> letters_;
+    std::map<std::pair<char, char>, float> kerning_;
+    std::vector<unsigned char> texels_;
+    Image distances_;
+};
+// [/typeface]
+
+}  // namespace lightwalk

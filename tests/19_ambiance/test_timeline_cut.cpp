@@ -1,0 +1,62 @@
+// Cuts of a film: at each time what the whole film has at the time that the cut's list names.
+#include "../catch.h"
+#include "19_ambiance/timeline.h"
+#include "common/base/error.h"
+
+using namespace lightwalk;
+
+namespace {
+
+// The time of the whole film that a cut shows, by its list.
+double whole_time(const Cut& cut, double time_s) {
+    for (const glm::dvec2 part : cut.parts) {
+        if (time_s < part.y - part.x) return part.x + time_s;
+        time_s -= part.y - part.x;
+    }
+    return cut.parts.back().y;
+}
+
+}  // namespace
+
+TEST_CASE("the short cut lasts 90 s and shows the whole film's scenes, clocks, fades and knobs", "[short_cut]") {
+    const Timeline film = read_timeline(find_asset("films/ambiance.film"));
+    const Timeline cut = cut_of(film, "short");
+    CHECK(cut.duration_s == 90.0);
+    for (int i = 0; i < 900; ++i) {
+        const double time_s = 0.1 * i + 0.03, whole_s = whole_time(film.cuts.at("short"), time_s);
+        INFO(time_s << " s, " << whole_s << " s of the whole");
+        const auto shown = cut.shown(time_s), expected = film.shown(whole_s);
+        REQUIRE(shown.size() == expected.size());
+        for (size_t k = 0; k < shown.size(); ++k) {
+            const FilmScene &a = cut.scenes[shown[k].scene], &b = film.scenes[expected[k].scene];
+            CHECK(a.name.rfind(b.name, 0) == 0);
+            CHECK(std::abs(a.clock_at(time_s) - b.clock_at(whole_s)) < 1e-9);
+        }
+        CHECK(std::abs(cut.faded(time_s).black - film.faded(whole_s).black) < 1e-6f);
+        for (size_t k = 0; k < film.knobs.size(); ++k)
+            if (film.knobs[k].steps) CHECK(cut.knobs[k].at(time_s) == film.knobs[k].at(whole_s));
+    }
+}
+
+TEST_CASE("the short cut's sphere and end hear what the whole film's hear", "[short_cut]") {
+    const Timeline film = read_timeline(find_asset("films/ambiance.film")), cut = cut_of(film, "short");
+    for (const FilmScene& scene : cut.scenes)
+        if (scene.name == "sphere") CHECK(cut.music_from_s + scene.from_s == scene.clock_s);
+    CHECK(cut.music_from_s + cut.duration_s == film.duration_s);
+}
+
+TEST_CASE("the cuts between scenes stand on the music's beats", "[beats]") {
+    const Timeline film = read_timeline(find_asset("films/ambiance.film"));
+    for (const Timeline& one : {film, cut_of(film, "short")})
+        for (const FilmScene& scene : one.scenes) {
+            INFO(scene.name << " from " << scene.from_s);
+            CHECK(std::abs(std::remainder(scene.from_s, 0.5)) < 1e-9);  // 120 beats a minute
+        }
+}
+
+TEST_CASE("a cut that a film does not have is one line") {
+    try {
+        cut_of(parse_timeline("{\"duration_s\": 5}", "a.film"), "short");
+        FAIL("no error");
+    } catch (const InputError& e) { CHECK(std::string(e.what()) == "a.film: the film has no cut 'short'"); }
+}
