@@ -15,10 +15,10 @@ std::vector<Light> ClimbingLights::all_lights(const Frame& frame) const {
         const double high = std::fmod(golden * i + speed * static_cast<double>(frame.time_s), 1.0);
         const double around = glm::two_pi<double>() * (std::fmod(3 * golden * i, 1.0) + 0.7 * high);
         const double wide = static_cast<double>(girth_m) * (1 - 0.45 * high), tall = static_cast<double>(figure_m);
-        Light light{.kind = Light::Kind::point, .range_m = 0.13f * figure_m};
+        Light light{.kind = Light::Kind::point, .range_m = 0.15f * figure_m};
         light.position = foot.value + glm::vec3(wide * std::cos(around), tall * high, wide * std::sin(around));
-        light.color = glm::rgbColor(glm::vec3(360 * std::fmod(5 * golden * i, 1.0), 0.75f, 1.0f));
-        light.intensity = static_cast<float>(0.12 * std::min(1.0, 6 * std::min(high, 1 - high)));
+        light.color = glm::rgbColor(glm::vec3(360 * std::fmod(5 * golden * i, 1.0), 0.95f, 1.0f));
+        light.intensity = static_cast<float>(0.2 * std::min(1.0, 6 * std::min(high, 1 - high)));
         all.push_back(light);
     }
     return all;

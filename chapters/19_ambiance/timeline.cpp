@@ -95,7 +95,8 @@ std::string title_text(const Title& title, double time_s) {
 float title_strength(const Title& title, double time_s) {
     constexpr double fade_s = 0.6;
     const double in = std::clamp((time_s - title.from_s) / fade_s, 0.0, 1.0);
-    const double out = title.stays ? 1.0 : std::clamp((title.to_s - time_s) / fade_s, 0.0, 1.0);
+    const double left_s = title.to_s - time_s,
+                 out = title.stays ? (left_s >= 0 ? 1.0 : 0.0) : std::clamp(left_s / fade_s, 0.0, 1.0);
     return static_cast<float>(smooth(std::min(in, out)));
 }
 

@@ -44,7 +44,7 @@ float cloud_density(vec3 at, float height, float footprint_m, float share, int s
         if (seen > 0.0) there = mix(mean_noise, textureLod(cloud_noise, vec3(across, height * 1.6) / tile_m[i], 0.0).r, seen);
         noise += weight[i] * there;
         // What is finer is bent by what is coarser: rows of equal billows would show the noise's cells.
-        across = turned * across + (there - mean_noise) * tile_m[i] * vec2(0.09, -0.05);
+        across = turned * across + (there - mean_noise) * tile_m[i] * vec2(0.045, -0.025);
         known += weight[i];
     }
     noise += (1.0 - known) * mean_noise;

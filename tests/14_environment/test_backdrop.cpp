@@ -52,7 +52,7 @@ TEST_CASE("the photograph's ray and the picture's meet in one place, on the grou
 }
 
 // A blend of the ground's direction with the ray's own reached 20, where black quay steps became a smear.
-TEST_CASE("the picture is stretched at most 7 times as much one way as the other", "[projected_ground]") {
+TEST_CASE("the picture is stretched at most 8 times as much one way as the other", "[projected_ground]") {
     constexpr double step = 2e-3;
     Table inputs;
     for (double x = -0.95; x <= 0.96; x += 0.1)
@@ -69,5 +69,5 @@ TEST_CASE("the picture is stretched at most 7 times as much one way as the other
         worst = std::max(worst, std::sqrt((half + root) / std::max(half - root, 1e-12)));
     }
     INFO("stretched " << worst << " times");
-    CHECK(worst < 7);
+    CHECK(worst < 8);
 }

@@ -147,7 +147,7 @@ TEST_CASE("the course's film: two scenes at most at any time, and none missing")
         const size_t on = film.shown(i / 60.0).size();
         REQUIRE((on == 1 || on == 2));
     }
-    CHECK(film.scenes.size() == 16);
+    CHECK(film.scenes.size() == 15);
 }
 
 TEST_CASE("each scene of the course's film has a title that names the chapter that says how it is made") {
