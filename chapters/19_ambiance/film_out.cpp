@@ -31,9 +31,9 @@ std::vector<std::string> ffmpeg(const FilmOut& out, const Reel& reel, glm::uvec2
                                    "-i",       "-"};
     if (const SceneMusic& music = reel.film().music)
         words.insert(words.end(),
-                     {"-ss", fmt::format("{:.9f}", reel.film().music_from_s + first / fps), "-t",
+                     {"-ss", fmt::format("{:.9f}", reel.film().music.from_s + first / fps), "-t",
                       fmt::format("{:.9f}", (end - first) / fps), "-i", find_asset(music.file).string(), "-af",
-                      fmt::format("volume={:g}dB", reel.film().music_gain_db), "-c:a", "aac", "-b:a", "160k"});
+                      fmt::format("volume={:g}dB", reel.film().music.gain_db), "-c:a", "aac", "-b:a", "160k"});
     if (out.codec.is("h264"))
         words.insert(words.end(), {"-c:v", "libx264", "-preset", "medium", "-crf", "17"});
     else

@@ -30,7 +30,7 @@ void Reel::load_sound() {
     if (has_sound_ || !film_.music) return;
     LevelTable measured = music.measured_levels();
     Sound sound = read_sound(find_asset(film_.music.file));
-    const auto cut_off = static_cast<size_t>(film_.music_from_s * sound.rate_hz);
+    const auto cut_off = static_cast<size_t>(film_.music.from_s * sound.rate_hz);
     sound.samples.erase(sound.samples.begin(), sound.samples.begin() + std::min(cut_off, sound.samples.size()));
     music.take(std::move(sound), std::move(measured));
     has_sound_ = true;

@@ -85,17 +85,20 @@ struct Cut {
     double music_from_s = 0;
 };
 
+/// A film's piece, its gain where the film is written, and its time at 0 s of the film.
+struct FilmMusic : SceneMusic {
+    double gain_db = 0, from_s = 0;
+};
+
 struct Timeline {
     std::filesystem::path file;
-    SceneMusic music;
-    double music_gain_db = 0;
+    FilmMusic music;
     double duration_s = 1;
     std::vector<Track> knobs;       ///< of the whole film
     std::vector<FilmScene> scenes;  ///< by from_s
     std::vector<Fade> fades;        ///< by from_s
     std::vector<Title> titles;
     std::map<std::string, Cut> cuts;
-    double music_from_s = 0;  ///< of its file
 
     /// What is on at a time, at most two; `share` of the later one rises smoothly over a cross-fade.
     struct Shown {

@@ -21,7 +21,8 @@ void add_scenes(const Timeline& film, const Part& part, Timeline& cut) {
     for (FilmScene scene : film.scenes) {
         if (!part.shows(scene.from_s, scene.to_s)) continue;
         scene.clock_s = scene.clock_at(std::max(scene.from_s, part.from_s));
-        scene.from_s = part.in_cut(scene.from_s), scene.to_s = part.in_cut(scene.to_s);
+        scene.from_s = part.in_cut(scene.from_s);
+        scene.to_s = part.in_cut(scene.to_s);
         const auto same = std::count_if(cut.scenes.begin(), cut.scenes.end(), [&](const FilmScene& other) {
             return other.name == scene.name || other.name.rfind(scene.name + " ", 0) == 0;
         });
@@ -30,7 +31,7 @@ void add_scenes(const Timeline& film, const Part& part, Timeline& cut) {
     }
 }
 
-// How far the picture is faded where the part begins, then what fades within it.
+// The fade at the part's beginning, then the fades within it.
 void add_fades(const Timeline& film, const Part& part, Timeline& cut) {
     const Timeline::Faded at_first = film.faded(part.from_s);
     const auto rests = [&](float value, bool white) {
@@ -60,7 +61,8 @@ void add_titles(const Timeline& film, const Part& part, Timeline& cut) {
             };
             title.count = glm::dvec2(count(first_s), count(end_s));
         }
-        title.from_s = part.in_cut(first_s), title.to_s = part.in_cut(end_s);
+        title.from_s = part.in_cut(first_s);
+        title.to_s = part.in_cut(end_s);
         cut.titles.push_back(std::move(title));
     }
 }
@@ -69,7 +71,8 @@ void add_titles(const Timeline& film, const Part& part, Timeline& cut) {
 void add_entries(const Track& track, const Part& part, Track& cut) {
     constexpr double joint_s = 1e-5;
     const auto add = [&](double time_s, double in_cut_s) {
-        cut.times_s.push_back(in_cut_s), cut.values.push_back(track.at(time_s));
+        cut.times_s.push_back(in_cut_s);
+        cut.values.push_back(track.at(time_s));
     };
     add(part.from_s, part.begins_s);
     for (const double time_s : track.times_s)
@@ -84,8 +87,9 @@ Timeline cut_of(const Timeline& film, const std::string& name) {
     const auto found = film.cuts.find(name);
     if (found == film.cuts.end()) throw InputError("{}: the film has no cut '{}'", film.file.string(), name);
     Timeline cut;
-    cut.file = film.file, cut.music = film.music, cut.music_gain_db = film.music_gain_db;
-    cut.music_from_s = found->second.music_from_s;
+    cut.file = film.file;
+    cut.music = film.music;
+    cut.music.from_s = found->second.music_from_s;
     std::vector<Part> parts;
     double begins_s = 0;
     for (const glm::dvec2 times : found->second.parts) {

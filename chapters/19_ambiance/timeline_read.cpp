@@ -227,8 +227,8 @@ Timeline parse_timeline(const std::string& text, const std::filesystem::path& pa
     KeyReader r(source, source.root, "");
     Timeline film;
     film.file = path;
-    if (r.find("music")) film.music = read_music(source, r);
-    if (r.find("music_gain_db")) film.music_gain_db = required(r, "", source, "music_gain_db", -60, 20);
+    if (r.find("music")) static_cast<SceneMusic&>(film.music) = read_music(source, r);
+    if (r.find("music_gain_db")) film.music.gain_db = required(r, "", source, "music_gain_db", -60, 20);
     film.duration_s = required(r, "", source, "duration_s", 0.1, most_s);
     film.knobs = read_tracks(source, r);
     each(source, r, "scenes", [&](KeyReader scene, const std::string& at) {

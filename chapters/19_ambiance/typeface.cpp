@@ -81,7 +81,8 @@ std::vector<Glyph> Typeface::line(const std::string& text, float& width) const {
         const Letter& found = letter == letters_.end() ? letters_.at(' ') : letter->second;
         if (const auto apart = kerning_.find({before, sign}); apart != kerning_.end()) at += apart->second;
         Glyph glyph = found.drawn;
-        glyph.lower.x += at, glyph.upper.x += at;
+        glyph.lower.x += at;
+        glyph.upper.x += at;
         if (glyph.end.x > glyph.first.x) glyphs.push_back(glyph);
         at += found.advance;
         before = sign;

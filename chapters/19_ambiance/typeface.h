@@ -14,12 +14,12 @@ namespace lightwalk {
 /// Inter Semi Bold, from assets/fonts.
 class Typeface {
   public:
-    /// Reads the font and draws its letters; what line() needs. Throws InputError.
+    /// Reads the font and draws its letters, for line(). Throws InputError.
     void read();
     /// Reads it and uploads distances().
     void load(Gpu& gpu);
 
-    /// Letters of one line, from (0, 0) to the right, in heights of a capital; what the font lacks is a gap. `width`: where
+    /// Letters of one line, from (0, 0) to the right, in heights of a capital; a gap for missing ones. `width`: where
     /// the next letter would stand.
     std::vector<Glyph> line(const std::string& text, float& width) const;
 

@@ -13,7 +13,7 @@ uniform sampler3D cloud_noise;
 uniform sampler2D cloud_map;
 #endif
 
-// Sides of the noise's tile in metres, coarse to fine, and what each adds. Turned, so that repeats do not line up.
+// Sides of the noise's tile in metres, coarse to fine, and the weight of each. Turned, so that repeats do not line up.
 const float tile_m[4] = float[4](310e3, 61e3, 13e3, 2.7e3);
 const float weight[4] = float[4](0.30, 0.30, 0.27, 0.13);
 const float cells = 6.0;  // of the coarsest octave of a tile
@@ -31,8 +31,8 @@ float cover_at(vec3 at) {
     return share;
 }
 
-// 0 to 1 at `at` metres, `height` above the ground, as far as `footprint_m` metres can show it. `scales`: how many of the
-// four are looked up.
+// 0 to 1 at `at` metres, `height` above the ground, without detail finer than `footprint_m` metres. `scales`: number of
+// lookups, at most four.
 float cloud_density(vec3 at, float height, float footprint_m, float share, int scales) {
     float high = (height - clouds.base_m) / (clouds.top_m - clouds.base_m);
     if (high <= 0.0 || high >= 1.0 || share <= 0.0) return 0.0;
@@ -43,7 +43,7 @@ float cloud_density(vec3 at, float height, float footprint_m, float share, int s
         float there = mean_noise;
         if (seen > 0.0) there = mix(mean_noise, textureLod(cloud_noise, vec3(across, height * 1.6) / tile_m[i], 0.0).r, seen);
         noise += weight[i] * there;
-        // What is finer is bent by what is coarser: rows of equal billows would show the noise's cells.
+        // Coarse scales bend the finer ones: rows of equal billows would show the noise's cells.
         across = turned * across + (there - mean_noise) * tile_m[i] * vec2(0.045, -0.025);
         known += weight[i];
     }

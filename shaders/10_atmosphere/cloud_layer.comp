@@ -21,7 +21,7 @@ const int sun_steps = 5;
 const float ends_below = 0.004;  // of the light behind
 
 // Where a path is within the layer: its near and far end, metres; nothing where the second is not larger. The first crossing
-// only: what lies beyond the gap under a layer seen from above is below the horizon or behind the ground.
+// only: beyond the gap under a layer seen from above lie the horizon and the ground.
 vec2 within_layer(Path path, float distance) {
     vec2 top = ray_sphere(path.height, path.slope, air.radius, clouds.top_m);
     if (top.x > top.y || top.y <= 0.0) return vec2(0.0);
@@ -45,7 +45,7 @@ float depth_to_sun(vec3 at, float height, float up_sun, float share) {
     return clouds.extinction * sum;
 }
 
-// What of the sun's light and of the sky's goes on towards the eye, per unit of optical depth.
+// Light of the sun and the sky scattered towards the eye, per unit of optical depth.
 vec3 scattered_here(Place place, float high, float to_sun_depth, float cos_angle) {
     vec3 sun = air.sun * sun_transmittance(place);
     float sum = 0.0, less = 1.0;
@@ -95,7 +95,7 @@ void main() {
     }
     if (weights <= 0.0) return;
 
-    // The air before the clouds, at their mean distance, lies over what they hide already.
+    // The air before the clouds, at their mean distance, lies over the hidden part already.
     Along before = Along(vec3(0.0), vec3(1.0));
     Path to_cloud = path;
     if (clip_to_air(to_cloud, weighted / weights)) before = in_scatter(12, to_cloud);

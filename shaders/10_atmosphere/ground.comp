@@ -32,7 +32,7 @@ vec4 map_texel(sampler2D map, vec3 direction, float pixel_rad) {
 }
 
 #if PLANET_MAP == PLANET_MAP_EARTH
-// Districts of 3 km, bright and dark, whose mean is 1: a texel of the map of cities is 20 km wide.
+// Districts of 3 km, bright and dark, with a mean of 1: a texel of the map of cities is 20 km wide.
 float street_lights(vec3 on_map, float pixel_m) {
     float bright = hash3(ivec3(floor(on_map * (air.radius / 3000.0)))).x;
     return mix(1.0, 6.0 * pow(bright, 5.0), smoothstep(5000.0, 1200.0, pixel_m));

@@ -1,4 +1,4 @@
-// Where a photograph of the surroundings shows what a ray meets: the ground around the origin, or a dome over it.
+// Directions into a photograph of the surroundings, projected on the ground around the origin and on a dome over it.
 
 // `direction` of unit length, from `eye`; the picture was taken `camera_m` above the ground's middle. The ground ends at
 // `radius_m`, where the dome begins, so that nothing is sheared: a blend of the ground's direction with the ray's own

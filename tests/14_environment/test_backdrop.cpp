@@ -1,4 +1,4 @@
-// The picture on the ground and on the dome around it: in line with what a ray meets, and nowhere sheared.
+// The picture on the ground and on the dome around it: in line with the ray's own place, and nowhere sheared.
 #include <cmath>
 
 #include "../common/gpu_fixture.h"

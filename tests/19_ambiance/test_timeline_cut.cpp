@@ -1,4 +1,4 @@
-// Cuts of a film: at each time what the whole film has at the time that the cut's list names.
+// Cuts of a film: at each time the whole film's picture of the time in the cut's list.
 #include "../catch.h"
 #include "19_ambiance/timeline.h"
 #include "common/base/error.h"
@@ -41,8 +41,8 @@ TEST_CASE("the short cut lasts 90 s and shows the whole film's scenes, clocks, f
 TEST_CASE("the short cut's sphere and end hear what the whole film's hear", "[short_cut]") {
     const Timeline film = read_timeline(find_asset("films/ambiance.film")), cut = cut_of(film, "short");
     for (const FilmScene& scene : cut.scenes)
-        if (scene.name == "sphere") CHECK(cut.music_from_s + scene.from_s == scene.clock_s);
-    CHECK(cut.music_from_s + cut.duration_s == film.duration_s);
+        if (scene.name == "sphere") CHECK(cut.music.from_s + scene.from_s == scene.clock_s);
+    CHECK(cut.music.from_s + cut.duration_s == film.duration_s);
 }
 
 TEST_CASE("the cuts between scenes stand on the music's beats", "[beats]") {
