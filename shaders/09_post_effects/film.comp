@@ -1,7 +1,7 @@
 // Linear light of any brightness to codes: 1 - exp(-x), as film does, for which nothing is too bright.
 #include "common/srgb.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2D hdr;
 layout(rgba8) writeonly uniform image2D result;
