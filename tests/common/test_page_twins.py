@@ -1,7 +1,9 @@
 """The twins of the smallest programs in C++ (docs/minimal/twins): short, and with the numbers that those print."""
 
 import json
+import math
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -40,11 +42,73 @@ FLOOR = """
   words = floatBitsToUint(vec4(level_at(0.0, floor_at(pixel)) - exact, mipmapped(floor_at(pixel), footprint_at(pixel)) - exact, 0, 0));
 """
 
+# A row for each texel: red, green and blue of what one function gives.
+SPREAD = "words = floatBitsToUint(vec4(spread(i), 0));"
+LEAVING = "words = floatBitsToUint(vec4(leaving((float(i) - 999.5) * texel_mm, false), 0));"
+# The middle 48 x 48 pixels of a picture of 96 x 96 at each of 22 angles: what it has, what it should have.
+STAIRS = """
+  float angle = float(3 + 4 * (i / 2304)) * 0.01745329;
+  normal = vec2(sin(angle), cos(angle));
+  ivec2 at = 24 + ivec2(i % 48, i / 48 % 48);
+  float exact = 0.0;
+  for (int k = 0; k < 256; ++k) exact += inside(vec2(at) + (vec2(k % 16, k / 16) + 0.5) / 16.0) / 256.0;
+  words = floatBitsToUint(vec4(pixel(at, false), smoothed(at), exact, 0));
+"""
+SKY = "vec3 n = direction(i, 100); words = floatBitsToUint(vec4(irradiance(n, 20000).g, exact(n, 20000).g, 0, 0));"
+GAUSSIANS = [(0.0064, 0.233, 0.455, 0.649), (0.0484, 0.1, 0.336, 0.344), (0.187, 0.118, 0.198, 0), (0.567, 0.113, 0.007, 0.007),
+             (1.99, 0.358, 0.004, 0), (7.41, 0.078, 0, 0)]
+
+
+def mean(values) -> float:
+    values = list(values)
+    return sum(values) / len(values)
+
+
+def rms(values) -> float:
+    return mean(value * value for value in values) ** 0.5
+
+
+def of_shadow(rows) -> list[float]:
+    return [mean(row[0] for row in rows), mean(row[1] for row in rows)]
+
+
+def of_floor(rows) -> list[float]:
+    return [rms(row[0] for row in rows), rms(row[1] for row in rows)]
+
+
+def of_bloom(rows) -> list[float]:
+    red = [row[0] for row in rows]
+    middle = sum(i * value for i, value in enumerate(red)) / 16
+    width = (sum((i - middle) ** 2 * value for i, value in enumerate(red)) / 16) ** 0.5
+    return [sum(red), middle, width, 9 + 0.3 * red[500], 0.5 + 0.3 * red[520]]
+
+
+def of_skin(rows) -> list[float]:
+    found = []
+    for c in range(3):
+        def exact(x):
+            return sum(one[1 + c] * 0.5 * math.erfc(-(x - 999.5) * 0.02 / math.sqrt(2 * one[0])) for one in GAUSSIANS)
+        found += [rows[950][c], max(abs(row[c] - exact(x)) for x, row in enumerate(rows))]
+    return found
+
+
+def of_stairs(rows) -> list[float]:
+    edges = [row for row in rows if 0 < row[2] < 1]
+    return [rms(row[k] - row[2] for row in edges) for k in range(2)]
+
+
+def of_sky(rows) -> list[float]:
+    return [mean(row[1] for row in rows), max(abs(row[0] - row[1]) for row in rows)]
+
+
+# By name: what runs, for how many rows of how many numbers, and the program's numbers from them.
+NUMBERED = {"05_shadow_maps": (POINTS, 90000, 2, of_shadow), "07_mipmaps": (FLOOR, 19200, 2, of_floor), "08_bloom": (SPREAD, 1024, 3, of_bloom),
+            "12_skin": (LEAVING, 2000, 3, of_skin), "13_mlaa": (STAIRS, 22 * 2304, 3, of_stairs), "14_environment": (SKY, 100, 2, of_sky)}
+
 
 def printed(name: str) -> list[float]:
     done = subprocess.run([BUILD / "minimal" / name], stdout=subprocess.PIPE, text=True, check=True)
-    return [float(line.split()[1]) for line in done.stdout.splitlines()]
-
+    return [float(number) for number in re.findall(r"-?\d+\.\d+", done.stdout)]
 
 class Twins(unittest.TestCase):
     def test_a_twin_has_at_most_60_lines(self):
@@ -53,6 +117,8 @@ class Twins(unittest.TestCase):
             self.assertLessEqual(len(lines), 60, path)
             self.assertLessEqual(max(map(len, lines)), 122, path)
             self.assertIn(path.stem, running.scenes())
+            if (running.MINIMAL / f"{path.stem}.cpp").exists():
+                self.assertIn(path.stem, NUMBERED)
 
     @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
     def test_their_numbers_are_the_programs(self):
@@ -61,13 +127,13 @@ class Twins(unittest.TestCase):
             page.write_text(f'<!doctype html><script src="{(running.OWN / "gl.js").as_uri()}"></script>')
             self.addCleanup(page.unlink)
             browser.open(page)
-            for name, calls, count, mean in (("05_shadow_maps", POINTS, 90000, lambda v: sum(v) / len(v)),
-                                             ("07_mipmaps", FLOOR, 19200, lambda v: (sum(x * x for x in v) / len(v)) ** 0.5)):
+            for name, (calls, count, outs, numbers) in NUMBERED.items():
                 with self.subTest(name):
-                    rows = browser.evaluate(NUMBERS % (json.dumps((TWINS / f"{name}.frag").read_text()), calls.replace("\n", " "), count, 2))
-                    found = [mean([struct.unpack("f", struct.pack("I", row[k]))[0] for row in rows]) for k in range(2)]
-                    for one, other in zip(found, printed(name), strict=True):
-                        self.assertAlmostEqual(one, other, delta=0.0006)
+                    rows = browser.evaluate(NUMBERS % (json.dumps((TWINS / f"{name}.frag").read_text()), calls.replace("\n", " "), count, outs))
+                    rows = [struct.unpack(f"{outs}f", struct.pack(f"{outs}I", *row)) for row in rows]
+                    for one, other in zip(numbers(rows), printed(name), strict=True):
+                        # One of 14's 20,000 directions, at the rim of its window in single precision, carries up to 0.0045.
+                        self.assertAlmostEqual(one, other, delta=0.0015 if name == "14_environment" else 0.0006)
 
 
 if __name__ == "__main__":
