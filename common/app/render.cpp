@@ -22,6 +22,10 @@ glm::vec2 shift_of(int sample, int samples) {
     return {(static_cast<float>(sample) + 0.5f) / static_cast<float>(samples) - 0.5f, inverse + half_cell - 0.5f};
 }
 
+// The order in which a picture at rest gathers its samples: shifts of neighbouring numbers lie far apart, so that the
+// picture does not drift across the pixel while it is refined. 7 shares no factor with a power of two.
+int scattered(int sample, int samples) { return 7 * sample % samples; }
+
 // Of this thread.
 double processor_ms() {
     timespec now{};
@@ -66,6 +70,7 @@ void render(Chapter& chapter, Frame& frame, const Picture& picture) {
         frame.root = &chapter;
         frame.samples = {sample, samples};
         frame.seed = picture.seed;
+        const int point = picture.sample ? scattered(sample, samples) : sample;
         frame.crop = picture.crop;
         if (frame.crop.whole == glm::uvec2(0)) frame.crop.whole = picture.size;
         if (gathered > 0) chapter.forget_history();
@@ -73,7 +78,7 @@ void render(Chapter& chapter, Frame& frame, const Picture& picture) {
         for (int before = std::max(gathered, 1) - 1; before >= 0; --before) {
             // Samples of one picture take further shifts of the same sequence.
             frame.crop.shift =
-                gathering.frames > 0 ? gathering.shift(frame.gathered + sample * gathered) : shift_of(sample, samples);
+                gathering.frames > 0 ? gathering.shift(frame.gathered + sample * gathered) : shift_of(point, samples);
             record_frame(chapter, frame, picture.size, chapter.gathered_at(picture.time_s, before));
             if (gathering.frames > 0) ++frame.gathered;
         }

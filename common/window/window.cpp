@@ -135,7 +135,7 @@ bool Window::refines() const {
 
 void Window::refine_picture(glm::uvec2 size) {
     live_.draw(frame_, {size, time_s_, options_.seed, {}, glm::ivec2(refined_, most_samples)});
-    display_.say(fmt::format("{} samples", ++refined_));
+    display_.say(fmt::format("{} of {} samples", ++refined_, most_samples));
 }
 
 void Window::watch_files() {
