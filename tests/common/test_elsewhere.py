@@ -50,6 +50,20 @@ class Workflow(unittest.TestCase):
         uploads = [step["with"]["name"] for job in (part, report) for step in job["steps"] if "upload-artifact" in step.get("uses", "")]
         self.assertEqual(len(uploads), 2)
 
+    @unittest.skipUnless(yaml, "there is no python3-yaml, which mkdocs brings")
+    def test_the_workflow_of_the_site_publishes_what_it_writes(self):
+        said = yaml.safe_load((REAL / ".github/workflows/pages.yml").read_text())
+        steps = said["jobs"]["publish"]["steps"]
+        for step in steps:
+            self.assertEqual(len({"run", "uses"} & set(step)), 1, step)
+            self.assertEqual(subprocess.run(["bash", "-n"], input=step.get("run", ""), text=True).returncode, 0, step)
+        written = [words for step in steps for words in commands(step.get("run", ""))]
+        self.assertEqual(written, [["docs", "--site", "site"]])
+        uploaded = next(step for step in steps if "upload-pages-artifact" in step.get("uses", ""))
+        self.assertEqual(uploaded["with"]["path"], written[0][-1])
+        self.assertIn("actions/deploy-pages@", steps[-1]["uses"])
+        self.assertEqual(said["permissions"], {"contents": "read", "pages": "write", "id-token": "write"})
+
     def test_the_container_does_what_the_readme_says(self):
         said = json.loads((REAL / ".devcontainer/devcontainer.json").read_text())
         first = re.findall(r"^    (\./course \w+)$", (REAL / "README.md").read_text(), re.M)[:2]
