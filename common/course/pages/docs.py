@@ -13,6 +13,7 @@ from pathlib import Path
 from charts.drawn import draw_charts, shown_by_lessons, study_of
 from check.check import in_order
 from pages import running
+from pages.drawn_pictures import finest
 from pages.page import TEMPLATES
 from pages.pages_markdown import Site, convert
 from pages.reading import minutes
@@ -35,6 +36,7 @@ OTHERS = {"keys.md": "Keys", "vulkan.md": "Vulkan without the framework", "frame
           "teaching.md": "For instructors", "development.md": "For developers", "elsewhere.md": "Windows and macOS",
           "publish.md": "Publish the lessons"}
 OWN = Path(__file__).parent / "site"
+SHOWN, TRIED, FIRST = "15", "11_julia", "02.lambert"  # on the first page: a chapter's picture, a program that runs, an exercise
 
 
 def add_arguments(parser):
@@ -99,7 +101,7 @@ def write_sources(folder: Path):
     write_atomically(folder / "index.md", home(site))
     for path, target in site.pictures.items():
         (folder / target).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(ROOT / path, folder / target)
+        shutil.copyfile(finest(path), folder / target)
     for path, target in site.sources.items():
         write_atomically(folder / target, source_page(path))
     for path, target in site.wholes.items():
@@ -166,9 +168,19 @@ def home(site: Site) -> str:
         cards.append({"number": chapter[:2], "page": site.target(lesson).with_suffix(".html"), "title": title,
                       "teaser": teaser, "exercises": len(in_order(chapter)),
                       "picture": site.target(first) if first else None})
-    picture = next((card["picture"] for card in reversed(cards) if card["picture"]), None)
+    picture = next((card["picture"] for card in sorted(cards, key=lambda one: one["number"] != SHOWN) if card["picture"]), None)
     begin = lessons()[0].with_suffix(".html").name if lessons() else None
-    return TEMPLATES.get_template("docs_home.jinja").render(cards=cards, picture=picture, begin=begin)
+    return TEMPLATES.get_template("docs_home.jinja").render(cards=cards, picture=picture, begin=begin, **tried())
+
+
+def tried() -> dict:
+    """The program that runs on the first page, and the exercise that it leads to; nothing in a course without them."""
+    scene, first = running.scenes().get(TRIED), FIRST in in_order(chapters()[1]) if len(chapters()) > 1 else False
+    if not scene or not first:
+        return {}
+    chapter = next(name for name in chapters() if name[:2] == TRIED[:2])
+    return {"try": {"program": TRIED, "lines": len(scene["text"].splitlines()), "number": chapter[:2], "page": f"{chapter}.html"},
+            "first": {"exercise": FIRST, "page": f"{chapters()[1]}.html#{FIRST}"}}
 
 
 def nav() -> list:

@@ -252,5 +252,7 @@ addEventListener("DOMContentLoaded", () => {
     for (const scene of Object.keys(Program.scenes).filter(one => one === name || one.slice(0, 2) === name.slice(0, 2)).sort((a, b) => (b === name) - (a === name)))
       after = new Program(scene, after, Program.scenes[scene].text ?? listing.querySelector("code").textContent).element;
   }
+  for (const place of document.querySelectorAll("[data-program]"))
+    new Program(place.dataset.program, place, Program.scenes[place.dataset.program].text);
   Answers.offer();
 });
